@@ -1,0 +1,20 @@
+# Every library from outside. tools/dependencies names the Debian packages and
+# why we want each. What only an adapter needs is found by that adapter.
+
+find_package(Threads REQUIRED)
+find_package(CAF 0.17.6 REQUIRED COMPONENTS core io)
+find_package(pugixml REQUIRED)
+find_package(SQLite3 REQUIRED)
+find_package(ICU REQUIRED COMPONENTS uc i18n)
+find_package(fmt REQUIRED)
+find_package(tl-expected REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(CLI11 REQUIRED)
+
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(RE2 REQUIRED IMPORTED_TARGET re2)
+pkg_check_modules(EDIT REQUIRED IMPORTED_TARGET libedit)
+
+if(PARLOUR_TESTS)
+  find_package(GTest REQUIRED)
+endif()

@@ -1,0 +1,46 @@
+# One library for a folder, one test program for its mirror below tests/.
+# Sources are globbed: a new file needs no edit here.
+
+# parlour_folder_name(<variable> <folder>): "script/dialogue" is named
+# script_dialogue wherever a target carries its name.
+function(parlour_folder_name variable folder)
+  string(REGEX REPLACE "[/.-]" "_" name "${folder}")
+  set(${variable} "${name}" PARENT_SCOPE)
+endfunction()
+
+# parlour_library(<name> SOURCES ... [PUBLIC ...] [PRIVATE ...])
+# Without a source yet it is an INTERFACE library, so that those above it
+# can already be built.
+function(parlour_library name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;PUBLIC;PRIVATE")
+  if(arg_SOURCES)
+    add_library(${name} STATIC ${arg_SOURCES})
+    target_include_directories(${name} PUBLIC "${PROJECT_SOURCE_DIR}")
+    target_link_libraries(${name}
+      PUBLIC ${arg_PUBLIC} PRIVATE ${arg_PRIVATE} parlour_warnings)
+  else()
+    add_library(${name} INTERFACE)
+    target_include_directories(${name} INTERFACE "${PROJECT_SOURCE_DIR}")
+    target_link_libraries(${name} INTERFACE ${arg_PUBLIC})
+  endif()
+endfunction()
+
+# parlour_test(<folder> LINK ...): tests/<folder>/*.cpp become one GoogleTest
+# program test_<folder>. Test code finds files by PARLOUR_SOURCE_DIR.
+function(parlour_test folder)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "LINK")
+  parlour_folder_name(name "${folder}")
+  file(GLOB sources CONFIGURE_DEPENDS
+    "${PROJECT_SOURCE_DIR}/tests/${folder}/*.cpp")
+  add_executable(test_${name} ${sources})
+  target_include_directories(test_${name} PRIVATE "${PROJECT_SOURCE_DIR}")
+  target_compile_definitions(test_${name} PRIVATE
+    PARLOUR_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
+    PARLOUR_PROGRAM="${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/parlour")
+  target_link_libraries(test_${name} PRIVATE
+    ${arg_LINK} GTest::gmock GTest::gtest_main parlour_warnings)
+  gtest_discover_tests(test_${name}
+    TEST_PREFIX "${folder}: " DISCOVERY_MODE PRE_TEST
+    WORKING_DIRECTORY "${PROJECT_SOURCE_DIR}"
+    DISCOVERY_TIMEOUT 60)
+endfunction()

@@ -1,0 +1,100 @@
+#!/usr/bin/env python3
+"""Writes the receptionist's seed data as SQL to standard output.
+
+Same text each time: the only chance is `Draw`, from a fixed seed. The rules
+that let the text load into SQLite and MariaDB alike stand in the schema,
+config/apps/receptionist/sql/schema.sql.
+"""
+
+import random
+import sys
+
+import receptionist_facilities
+import receptionist_meetings
+import receptionist_staff
+
+SEED = 20101121
+ROWS_PER_INSERT = 100
+
+
+class Draw:
+    """Chance by `random()` alone: of all methods of Python's generator, only
+    this one is promised to give the same numbers in every version."""
+
+    def __init__(self, seed):
+        self._source = random.Random(seed)
+
+    def below(self, bound):
+        return int(self._source.random() * bound)
+
+    def one_of(self, items):
+        return items[self.below(len(items))]
+
+    def chance(self, probability):
+        return self._source.random() < probability
+
+
+COLUMNS = {
+    "rr_staff": "staff_id, salutation, staff_name, designation, telephone, "
+                "email, department, location",
+    "rr_facility": "facility_id, name, category, tags, unit, level, "
+                   "description, contact",
+    "rr_meeting": "meeting_id, date, time, venue, host, visitor, "
+                  "organisation, status",
+    "rr_visitor": "visitor_id, salutation, name, contact, email, "
+                  "organisation",
+}
+
+
+def floor_code(level):
+    return f"B{-level}" if level < 0 else f"{level:02d}"
+
+
+def facility_rows():
+    """Units are counted along each floor."""
+    rows, units = [], {}
+    for index, facility in enumerate(receptionist_facilities.FACILITIES):
+        name, category, tags, level, description = facility
+        units[level] = units.get(level, 0) + 1
+        unit = f"#{floor_code(level)}-{units[level]:02d}"
+        rows.append((index + 1, name, category, tags, unit, level,
+                     description, str(64072000 + 17 * index)))
+    return rows
+
+
+def literal(value):
+    if value is None:
+        return "null"
+    if isinstance(value, int):
+        return str(value)
+    return "'" + value.replace("'", "''") + "'"
+
+
+def statement(table, rows):
+    lines = ["(" + ", ".join(map(literal, row)) + ")" for row in rows]
+    head = f"insert into {table}\n  ({COLUMNS[table]})\nvalues\n"
+    return head + ",\n".join(lines) + ";\n"
+
+
+def tables():
+    draw = Draw(SEED)
+    staff = receptionist_staff.rows(draw)
+    meetings, visitors = receptionist_meetings.rows(staff, draw)
+    return {"rr_staff": staff, "rr_facility": facility_rows(),
+            "rr_meeting": meetings, "rr_visitor": visitors}
+
+
+def seed():
+    """The whole text of seed.sql."""
+    parts = ["-- Made by tools/data/generate_receptionist.py: "
+             "change that, not this.\n"]
+    for table, rows in tables().items():
+        for start in range(0, len(rows), ROWS_PER_INSERT):
+            part = rows[start:start + ROWS_PER_INSERT]
+            parts.append(statement(table, part))
+    return "\n".join(parts)
+
+
+if __name__ == "__main__":
+    sys.stdout.reconfigure(newline="\n")
+    sys.stdout.write(seed())

@@ -1,0 +1,153 @@
+"""The building: what stands on which floor.
+
+One row a facility: name, category, tags, level, description. Units and
+telephone numbers are given by the generator. From the paper's examples come
+the swimming pool, the sky garden, the auditorium, Star home, the one food
+court and the two coffee shops; everything else is made up around them. No
+other row may be a coffee shop or a food court: the relaxed answers of the
+example conversation count them.
+"""
+
+FACILITIES = [
+    # Basement two and one.
+    ("Basement Car Park", "car park", "parking, car, season parking", -2,
+     "The Basement Car Park is at basement two and is free of charge for "
+     "the first ten minutes."),
+    ("Bicycle Bay", "bicycle park", "bicycle, scooter, shower", -2,
+     "The Bicycle Bay is at basement two, beside the lifts, with racks for "
+     "eighty bicycles."),
+    ("Loading Bay", "loading bay", "delivery, goods, lorry", -2,
+     "The Loading Bay is at basement two and takes deliveries on weekdays "
+     "from eight to six."),
+    ("Food Chain food court", "food court",
+     "rice, noodles, halal, vegetarian, lunch", -1,
+     "Food Chain food court is at basement one and has fourteen stalls with "
+     "local, halal and vegetarian food."),
+    ("Fresh Basket", "supermarket", "groceries, fruit, drinks", -1,
+     "Fresh Basket is a supermarket at basement one, open every day from "
+     "eight in the morning to ten at night."),
+    ("Daily Stop", "convenience store", "snacks, drinks, umbrella", -1,
+     "Daily Stop is a convenience store at basement one that never closes."),
+    ("MRT Entrance", "train station", "mrt, train, circle line", -1,
+     "The MRT Entrance is at basement one, past the supermarket."),
+    ("Merlin Cleaners", "laundry", "dry cleaning, ironing, alterations", -1,
+     "Merlin Cleaners at basement one returns a shirt on the same day."),
+    ("Lion City Exchange", "money changer", "currency, ringgit, dollars", -1,
+     "Lion City Exchange at basement one changes twenty currencies."),
+    ("Basement Cash Machine", "cash machine", "atm, cash, withdrawal", -1,
+     "The Basement Cash Machine is at basement one, facing the escalator."),
+    ("Basement Toilets", "toilet", "washroom, restroom, accessible", -1,
+     "The Basement Toilets are at basement one, behind the food court."),
+    # First floor.
+    ("Starbucks Coffee", "coffee shop", "coffee, cake, sandwich", 1,
+     "Starbucks Coffee is on the first floor, at the main entrance, and "
+     "opens at half past seven."),
+    ("Ya Kun Toastwich", "coffee shop", "coffee, tea, kaya toast, eggs", 1,
+     "Ya Kun Toastwich is on the first floor, across the atrium, and serves "
+     "kaya toast with soft boiled eggs."),
+    ("Straits Union Bank", "bank", "savings, loans, counter", 1,
+     "Straits Union Bank is on the first floor and its counters are open on "
+     "weekdays from nine to half past four."),
+    ("Information Counter", "information counter", "help, map, lost property",
+     1,
+     "The Information Counter is on the first floor, in the middle of the "
+     "atrium."),
+    ("Taxi Stand", "taxi stand", "taxi, cab, pick up", 1,
+     "The Taxi Stand is on the first floor, outside the main entrance."),
+    ("Bus Stop", "bus stop", "bus, shuttle", 1,
+     "The Bus Stop is on the first floor, at the east entrance, and the "
+     "shuttle leaves every twenty minutes."),
+    ("Good Health Pharmacy", "pharmacy", "medicine, plasters, vitamins", 1,
+     "Good Health Pharmacy is on the first floor, next to the bank."),
+    ("Lobby Cash Machine", "cash machine", "atm, cash, withdrawal", 1,
+     "The Lobby Cash Machine is on the first floor, beside the lifts."),
+    ("Paper Crane Books", "bookshop", "books, magazines, stationery", 1,
+     "Paper Crane Books is on the first floor and has a shelf of local "
+     "writers."),
+    ("Parcel Wall", "parcel locker", "parcel, delivery, collection", 1,
+     "The Parcel Wall is on the first floor, by the east entrance, and can "
+     "be opened at any hour."),
+    ("Lobby Toilets", "toilet", "washroom, restroom, accessible", 1,
+     "The Lobby Toilets are on the first floor, to the left of the lifts."),
+    # Second to fifth floor.
+    ("Kelapa Kitchen", "restaurant", "malay, rendang, lunch, dinner", 2,
+     "Kelapa Kitchen is a Malay restaurant on the second floor that is open "
+     "for lunch and dinner."),
+    ("Saffron Table", "restaurant", "indian, curry, vegetarian, dinner", 2,
+     "Saffron Table is an Indian restaurant on the second floor with a "
+     "vegetarian menu."),
+    ("Harbour Commerce Bank", "bank", "business accounts, loans", 2,
+     "Harbour Commerce Bank is on the second floor and serves business "
+     "customers."),
+    ("White Pearl Dental", "dental clinic", "dentist, teeth", 2,
+     "White Pearl Dental is a dental clinic on the second floor that sees "
+     "patients by appointment."),
+    ("Silver Scissors", "hair salon", "haircut, barber", 2,
+     "Silver Scissors is a hair salon on the second floor that takes "
+     "customers without a booking."),
+    ("Second Floor Toilets", "toilet", "washroom, restroom", 2,
+     "The Second Floor Toilets are on the second floor, behind the hair "
+     "salon."),
+    ("Evergreen Medical", "clinic", "doctor, vaccination, health check", 3,
+     "Evergreen Medical is a clinic on the third floor with two doctors, "
+     "open on weekdays and on Saturday morning."),
+    ("Bright Steps", "childcare centre", "children, nursery", 3,
+     "Bright Steps is a childcare centre on the third floor for children "
+     "from eighteen months to six years."),
+    ("Nursing Room", "nursing room", "baby, mother, quiet", 3,
+     "The Nursing Room is on the third floor, beside the childcare centre."),
+    ("Sharp Copies", "print shop", "printing, copying, binding", 3,
+     "Sharp Copies is a print shop on the third floor that binds documents "
+     "while you wait."),
+    ("Innovation Gallery", "gallery", "exhibition, science, tour", 4,
+     "The Innovation Gallery is on the fourth floor and shows what is made "
+     "in this building."),
+    ("Auditorium", "hall", "lecture, concert, conference, stage", 5,
+     "The Auditorium is on the fifth floor and has three hundred and twenty "
+     "seats."),
+    ("Fifth Floor Toilets", "toilet", "washroom, restroom, accessible", 5,
+     "The Fifth Floor Toilets are on the fifth floor, at the doors of the "
+     "Auditorium."),
+    # Offices and meeting rooms.
+    ("Meridian Library", "library", "books, journals, reading", 6,
+     "The Meridian Library is on the sixth floor, and visitors may read "
+     "there without a card."),
+    ("Training Centre", "training room", "course, class, workshop", 7,
+     "The Training Centre is on the seventh floor and has four class rooms."),
+    ("Robotics Laboratory", "laboratory", "robot, research, demonstration", 8,
+     "The Robotics Laboratory is on the eighth floor and may be visited with "
+     "a host."),
+    ("Prayer Room", "prayer room", "prayer, quiet", 9,
+     "The Prayer Room is on the ninth floor and is open to everyone."),
+    ("Orchid Room", "meeting room", "meeting, projector, twelve seats", 11,
+     "The Orchid Room is a meeting room for twelve on the eleventh floor."),
+    ("Jasmine Room", "meeting room", "meeting, screen, six seats", 11,
+     "The Jasmine Room is a meeting room for six on the eleventh floor."),
+    ("Star home", "showroom", "smart home, demonstration, apartment", 12,
+     "Star home is an apartment of the future on the twelfth floor, shown "
+     "every hour."),
+    ("Angsana Room", "meeting room", "meeting, projector, twenty seats", 13,
+     "The Angsana Room is a meeting room for twenty on the thirteenth "
+     "floor."),
+    ("Tembusu Room", "meeting room", "meeting, video, eight seats", 17,
+     "The Tembusu Room is a meeting room for eight on the seventeenth floor, "
+     "with a video link."),
+    # Roof.
+    ("Sky garden", "garden", "plants, view, benches, outdoor", 21,
+     "The Sky garden is on the twenty first floor and is open until sunset."),
+    ("Swimming pool", "pool", "swim, sport, lane", 23,
+     "The Swimming pool is on the twenty third floor, in the open air, and "
+     "is open from seven in the morning to nine at night."),
+    ("Skyline Gym", "gym", "fitness, sport, yoga, weights", 23,
+     "The Skyline Gym is on the twenty third floor, beside the swimming "
+     "pool."),
+    ("Poolside Toilets", "toilet", "washroom, restroom, showers, lockers", 23,
+     "The Poolside Toilets are on the twenty third floor and have showers "
+     "and lockers."),
+    ("Cloud Terrace", "restaurant", "western, grill, bar, dinner", 24,
+     "Cloud Terrace is a restaurant on the twenty fourth floor that opens "
+     "for dinner at six."),
+    ("Viewing Deck", "viewing deck", "view, photographs, outdoor", 24,
+     "The Viewing Deck is on the twenty fourth floor, around the "
+     "restaurant."),
+]

@@ -1,0 +1,119 @@
+"""Each check finds what it is for in a small tree, and is silent in a good
+one. Run by ctest; alone: python3 tests/tools/check/check_test.py"""
+
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+CHECKS = Path(__file__).resolve().parents[3] / "tools" / "check"
+
+
+class Checks(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+
+    def write(self, path, text=""):
+        file = Path(self.folder.name, path)
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text(text)
+
+    def said(self, check):
+        """What the check prints; its exit code must go with it."""
+        run = subprocess.run([CHECKS / check, self.folder.name],
+                             capture_output=True, text=True)
+        self.assertEqual("", run.stderr)
+        self.assertEqual(run.returncode, 1 if run.stdout else 0)
+        return run.stdout
+
+    def includes(self, path, *included):
+        self.write(path, "".join(f"#include {name}\n" for name in included))
+
+    # layers
+    def test_arrows_down_are_allowed(self):
+        self.includes("actors/a.hpp", '"script/s.hpp"', "<caf/all.hpp>")
+        self.includes("script/s.hpp", '"runtime/base/b.hpp"', "<string>")
+        self.includes("script/s.cpp", "<pugixml.hpp>")
+        self.includes("runtime/interfaces.hpp", "<caf/all.hpp>")
+        self.includes("build/release/x.hpp", '"actors/a.hpp"', '"nothing"')
+        self.assertEqual("", self.said("layers"))
+
+    def test_an_arrow_up_is_found(self):
+        self.includes("script/s.hpp", "<string>", '"actors/a.hpp"')
+        self.assertIn("script/s.hpp:2: script must not include actors",
+                      self.said("layers"))
+
+    def test_script_sees_of_the_runtime_only_its_base(self):
+        self.includes("script/s.hpp", '"runtime/interfaces.hpp"')
+        self.assertIn("script must not include runtime", self.said("layers"))
+
+    def test_adapters_and_actors_do_not_know_each_other(self):
+        self.includes("adapters/nlu/n.cpp", '"actors/a.hpp"')
+        self.includes("actors/a.cpp", '"adapters/nlu/n.hpp"')
+        said = self.said("layers")
+        self.assertIn("adapters must not include actors", said)
+        self.assertIn("actors must not include adapters", said)
+
+    def test_a_ring_is_found(self):
+        self.includes("script/s.hpp", '"script/dialogue/d.hpp"')
+        self.includes("script/dialogue/d.hpp", '"script/s.hpp"')
+        self.assertIn("script -> script/dialogue -> script",
+                      self.said("layers"))
+
+    def test_libraries_stay_where_they_belong(self):
+        self.includes("script/s.cpp", "<caf/all.hpp>")
+        self.includes("runtime/base/b.cpp", "<caf/all.hpp>")
+        self.includes("script/x.hpp", "<pugixml.hpp>", "<unicode/uchar.h>")
+        self.assertEqual(4, len(self.said("layers").splitlines()))
+
+    def test_includes_are_named_from_the_root(self):
+        self.includes("script/s.cpp", '"s.hpp"')
+        self.assertIn("not named from the root", self.said("layers"))
+
+    # sizes
+    def test_a_long_function_is_found(self):
+        lines = "  work(\"}\");  // {\n" * 58
+        self.write("script/s.cpp",
+                   "namespace n {\nint X::good() const {\n" + lines + "}\n"
+                   "X::X(int a)\n    : a_{a}, b_() {\n" + lines + "}\n}\n")
+        self.assertEqual("script/s.cpp:62: X::X has 61 lines, 60 at most\n",
+                         self.said("sizes"))
+
+    def test_a_long_class_is_no_long_function(self):
+        self.write("script/s.hpp", "class A {\n" + "int f() { return 1; }\n"
+                   * 99 + "};\n")
+        self.assertEqual("", self.said("sizes"))
+
+    def test_a_long_file_is_found(self):
+        self.write("script/s.cpp", "int x;\n" * 401)
+        self.assertIn("401 lines", self.said("sizes"))
+
+    # tests
+    def test_a_source_without_its_test_is_found(self):
+        self.write("script/a.cpp")
+        self.write("script/b.cpp")
+        self.write("tools/parlour/main.cpp")
+        self.write("tests/script/b_test.cpp")
+        said = self.said("tests")
+        self.assertEqual("script/a.cpp: no tests/script/a_test.cpp\n", said)
+
+    # readmes
+    def test_a_folder_without_a_sign_is_found(self):
+        self.write("script/README.md", "x\n" * 30)
+        self.write("script/dialogue/d.cpp")
+        self.assertEqual("script/dialogue: no README.md\n",
+                         self.said("readmes"))
+
+    def test_a_sign_is_short(self):
+        self.write("script/README.md", "x\n" * 31)
+        self.assertIn("over 30 lines", self.said("readmes"))
+
+    # words
+    def test_a_path_of_somebody_is_found(self):
+        self.write("script/s.cpp", "// see /" + "work/x, not net/work\n")
+        self.assertEqual(1, len(self.said("words").splitlines()))
+
+
+if __name__ == "__main__":
+    unittest.main()

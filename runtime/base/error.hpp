@@ -1,0 +1,71 @@
+// What can go wrong, as values. An Error is caused by a user's input (a file, a
+// message, a database that went away), names its place, and reads as a
+// sentence. Bugs are asserts, not Errors.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include <tl/expected.hpp>
+
+namespace parlour {
+
+// The closed set of kinds that a script can catch (language rule 7).
+// clang-format off
+#define PARLOUR_ERROR_KINDS(X) \
+  X(type, "Type", "an operand or argument has the wrong type") \
+  X(arithmetic, "Arithmetic", "a division by zero or an infinite result") \
+  X(range, "Range", "a position or key outside of what there is") \
+  X(thrown, "Thrown", "thrown by a script's <throw>") \
+  X(timeout, "Timeout", "no answer came in time") \
+  X(offline, "Offline", "nobody is there to take the message") \
+  X(refused, "Refused", "the receiver said no") \
+  X(cancelled, "Cancelled", "the wait was ended from outside") \
+  X(in_doubt, "InDoubt", "whether it happened is not known") \
+  X(database, "Database", "the database reported an error") \
+  X(file, "File", "a file cannot be read or written") \
+  X(network, "Network", "a connection failed") \
+  X(limit, "Limit", "a limit of the settings was reached") \
+  X(compile, "Compile", "the application's source has errors") \
+  X(settings, "Settings", "the settings or the command line are wrong")
+// clang-format on
+
+enum class ErrorKind : std::uint8_t {
+#define X(name, text, sentence) name,
+  PARLOUR_ERROR_KINDS(X)
+#undef X
+};
+
+// The kind's name as scripts see it in `.kind`.
+std::string_view name_of(ErrorKind kind);
+
+// A place in a source file; line and column count from 1, 0 is unknown.
+struct Place {
+  std::string file;
+  std::uint32_t line = 0;
+  std::uint32_t column = 0;
+
+  bool operator==(const Place&) const = default;
+};
+
+struct Error {
+  ErrorKind kind = ErrorKind::thrown;
+  std::string message;
+  Place place;
+
+  bool operator==(const Error&) const = default;
+};
+
+// "file:line: message", as far as the place is known.
+std::string to_string(const Error& error);
+
+template <class T>
+using Expected = tl::expected<T, Error>;
+
+inline tl::unexpected<Error> fail(ErrorKind kind, std::string message,
+                                  Place place = {}) {
+  return tl::make_unexpected(Error{kind, std::move(message), std::move(place)});
+}
+
+} // namespace parlour

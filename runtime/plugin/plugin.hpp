@@ -1,0 +1,132 @@
+// The one public door for plug-in authors: the generic component contract
+// (paper III.D: IPlugin with OnMessage, FireEvent, SendMessage). No CAF type
+// appears here.
+//
+// Threads: the platform calls one instance from one thread at a time.
+// PluginHost may be called from any thread, also later than on_message.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "runtime/base/clock.hpp"
+#include "runtime/base/error.hpp"
+#include "runtime/base/message.hpp"
+#include "runtime/base/phrases.hpp"
+#include "runtime/base/understanding.hpp"
+
+namespace parlour {
+
+struct OptionDescription {
+  std::string name;
+  std::string fallback; // what holds where the settings say nothing
+  std::string sentence;
+  bool required = false;
+};
+
+struct PluginDescription {
+  std::string name;               // "SQLiteDatabase"
+  std::vector<std::string> roles; // "Database"
+  std::string sentence;
+  std::vector<OptionDescription> options;
+  // Derives from InlinePlugin, and answers within 50 µs.
+  bool is_inline = false;
+  // Calls libraries that block: given a thread of its own.
+  bool blocks = false;
+};
+
+using Options = std::map<std::string, std::string>;
+
+// What the platform offers to a plug-in.
+class PluginHost {
+public:
+  virtual ~PluginHost() = default;
+
+  // Hands an event to the message centre. source is filled in when empty.
+  virtual void fire_event(Message event) = 0;
+
+  // To a remote agent, or to another component, by role or name (the message's
+  // sinks).
+  virtual void send_message(Message message) = 0;
+
+  // Calls back on the plug-in's own thread.
+  virtual void after(Milliseconds delay, std::function<void()> action) = 0;
+
+  virtual const Clock& clock() const = 0;
+  virtual void log(const std::string& text) = 0;
+
+  // Resources shared by the platform (paper III.D); empty where there is none.
+  virtual std::shared_ptr<const UnderstandingModel> understanding() const = 0;
+  virtual std::shared_ptr<const PhraseEvaluator> phrases() const = 0;
+  virtual Expected<std::vector<std::string>>
+  column(const std::string& name) const = 0;
+  // The run's own writable folder, absolute.
+  virtual std::string data_folder() const = 0;
+  // The application's folder, absolute.
+  virtual std::string application_folder() const = 0;
+};
+
+class IPlugin {
+public:
+  virtual ~IPlugin() = default;
+
+  // Once, before any message. An error keeps the component from coming up.
+  Expected<void> start(PluginHost& host, const Options& options);
+
+  // A message from an agent, a component, a script or the console. Exceptions
+  // are caught by the component's supervisor.
+  void receive(const Message& message);
+
+  virtual void stop() {
+  }
+
+protected:
+  virtual Expected<void> on_start(const Options&) {
+    return {};
+  }
+  virtual void on_message(const Message& message) = 0;
+
+  // Fires an event as the answer to the message being handled: its session and
+  // correlation are copied.
+  void fire_event(std::string command, std::vector<Value> params = {});
+  // The same for a message that was handled earlier.
+  void answer(const Message& to, std::string command,
+              std::vector<Value> params = {});
+  void send_message(Message message);
+
+  PluginHost& host() const {
+    return *host_;
+  }
+
+private:
+  PluginHost* host_ = nullptr;
+  const Message* current_ = nullptr; // while on_message runs
+};
+
+struct Answer {
+  std::string command;
+  std::vector<Value> params;
+};
+
+// A plug-in whose answers follow from the message alone, without input, output
+// or state that changes: the platform may ask it in a session's own turn, from
+// several threads at once (engine rule 1).
+class InlinePlugin : public IPlugin {
+public:
+  virtual std::vector<Answer> answers(const Message& message) const = 0;
+
+protected:
+  void on_message(const Message& message) final;
+};
+
+// A plug-in that is part of the program, or of a library that was loaded.
+struct PluginFactory {
+  PluginDescription description;
+  std::function<std::unique_ptr<IPlugin>()> create;
+};
+
+} // namespace parlour

@@ -37,8 +37,8 @@ bool has_number_form(std::string_view text) {
   std::size_t position = text.starts_with('-') || text.starts_with('+');
   auto digits = [&] {
     auto start = position;
-    while (position < text.size()
-           && std::isdigit(static_cast<unsigned char>(text[position])))
+    while (position < text.size() &&
+           std::isdigit(static_cast<unsigned char>(text[position])))
       ++position;
     return position > start;
   };
@@ -51,8 +51,8 @@ bool has_number_form(std::string_view text) {
   }
   if (position < text.size() && (text[position] | 0x20) == 'e') {
     ++position;
-    if (position < text.size()
-        && (text[position] == '-' || text[position] == '+'))
+    if (position < text.size() &&
+        (text[position] == '-' || text[position] == '+'))
       ++position;
     if (!digits())
       return false;
@@ -68,9 +68,9 @@ bool equal_numbers(const Value& left, const Value& right) {
   // Exact: a double that is an integer in range compares as one.
   auto integer = *(left.if_integer() ? left : right).if_integer();
   auto number = *(left.if_number() ? left : right).if_number();
-  return std::trunc(number) == number && std::abs(number) < 9.3e18
-         && number >= -9223372036854775808.0 && number < 9223372036854775808.0
-         && static_cast<std::int64_t>(number) == integer;
+  return std::trunc(number) == number && std::abs(number) < 9.3e18 &&
+         number >= -9223372036854775808.0 && number < 9223372036854775808.0 &&
+         static_cast<std::int64_t>(number) == integer;
 }
 
 bool is_numeric(const Value& value) {
@@ -82,6 +82,14 @@ bool is_numeric(const Value& value) {
 Map::Map(std::initializer_list<Entry> entries) {
   for (const auto& entry : entries)
     set(entry.first, entry.second);
+}
+
+std::size_t Map::size() const {
+  return entries_.size();
+}
+
+bool Map::empty() const {
+  return entries_.empty();
 }
 
 const Value* Map::find(std::string_view key) const {
@@ -101,7 +109,8 @@ void Map::set(std::string_view key, Value value) {
 }
 
 void Map::erase(std::string_view key) {
-  std::erase_if(entries_, [&](const Entry& entry) { return entry.first == key; });
+  std::erase_if(entries_,
+                [&](const Entry& entry) { return entry.first == key; });
 }
 
 bool Map::operator==(const Map& other) const {
@@ -111,6 +120,10 @@ bool Map::operator==(const Map& other) const {
     const auto* value = other.find(entry.first);
     return value && *value == entry.second;
   });
+}
+
+std::size_t ResultSet::row_count() const {
+  return columns.empty() ? 0 : cells.size() / columns.size();
 }
 
 const Value* ResultSet::cell(std::size_t row, std::string_view column) const {
@@ -126,29 +139,25 @@ bool ResultSet::operator==(const ResultSet& other) const {
 
 std::string_view name_of(ValueType type) {
   constexpr std::array<std::string_view, 9> names{
-    "unknown", "boolean", "integer", "number", "string",
-    "list",    "map",     "result",  "binary"};
+      "unknown", "boolean", "integer", "number", "string",
+      "list",    "map",     "result",  "binary"};
   return names[static_cast<std::size_t>(type)];
 }
 
 Value::Value(std::string value)
-  : data_(std::make_shared<const std::string>(std::move(value))) {
-}
+    : data_(std::make_shared<const std::string>(std::move(value))) {}
 
 Value::Value(List value)
-  : data_(std::make_shared<const List>(std::move(value))) {
-}
+    : data_(std::make_shared<const List>(std::move(value))) {}
 
-Value::Value(Map value) : data_(std::make_shared<const Map>(std::move(value))) {
-}
+Value::Value(Map value)
+    : data_(std::make_shared<const Map>(std::move(value))) {}
 
 Value::Value(ResultSet value)
-  : data_(std::make_shared<const ResultSet>(std::move(value))) {
-}
+    : data_(std::make_shared<const ResultSet>(std::move(value))) {}
 
 Value::Value(Binary value)
-  : data_(std::make_shared<const Binary>(std::move(value))) {
-}
+    : data_(std::make_shared<const Binary>(std::move(value))) {}
 
 const std::string* Value::if_string() const {
   return pointee(std::get_if<std::shared_ptr<const std::string>>(&data_));
@@ -197,9 +206,8 @@ std::int64_t Value::integer_or(std::int64_t otherwise) const {
   if (const auto* integer = if_integer())
     return *integer;
   const auto* number = if_number();
-  return number && std::abs(*number) < 9e18
-           ? static_cast<std::int64_t>(*number)
-           : otherwise;
+  return number && std::abs(*number) < 9e18 ? static_cast<std::int64_t>(*number)
+                                            : otherwise;
 }
 
 Value::operator bool() const {
@@ -301,7 +309,7 @@ std::string number_text(double number) {
   std::array<char, 32> buffer{};
   auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(),
                            number == 0 ? 0.0 : number)
-               .ptr;
+                 .ptr;
   return {buffer.data(), end};
 }
 

@@ -35,15 +35,9 @@ public:
   void set(std::string_view key, Value value);
   void erase(std::string_view key);
 
-  const std::vector<Entry>& entries() const {
-    return entries_;
-  }
-  std::size_t size() const {
-    return entries_.size();
-  }
-  bool empty() const {
-    return entries_.empty();
-  }
+  const std::vector<Entry>& entries() const { return entries_; }
+  std::size_t size() const;
+  bool empty() const;
   bool operator==(const Map& other) const; // by content, order aside
 
 private:
@@ -55,9 +49,7 @@ struct ResultSet {
   std::vector<std::string> columns;
   List cells;
 
-  std::size_t row_count() const {
-    return columns.empty() ? 0 : cells.size() / columns.size();
-  }
+  std::size_t row_count() const;
   // Null where there is no such cell; column names regardless of case.
   const Value* cell(std::size_t row, std::string_view column) const;
   bool operator==(const ResultSet& other) const;
@@ -89,41 +81,27 @@ std::string_view name_of(ValueType type);
 class Value {
 public:
   Value() = default; // unknown
-  Value(bool value) : data_(value) {
-  }
-  Value(int value) : data_(std::int64_t{value}) {
-  }
-  Value(std::int64_t value) : data_(value) {
-  }
-  Value(double value) : data_(value) {
-  }
+  Value(bool value) : data_(value) {}
+  Value(int value) : data_(std::int64_t{value}) {}
+  Value(std::int64_t value) : data_(value) {}
+  Value(double value) : data_(value) {}
   Value(std::string value);
-  Value(std::string_view value) : Value(std::string(value)) {
-  }
-  Value(const char* value) : Value(std::string(value)) {
-  }
+  Value(std::string_view value) : Value(std::string(value)) {}
+  Value(const char* value) : Value(std::string(value)) {}
   Value(List value);
   Value(Map value);
   Value(ResultSet value);
   Value(Binary value);
 
-  ValueType type() const {
-    return static_cast<ValueType>(data_.index());
-  }
-  bool is_unknown() const {
-    return type() == ValueType::unknown;
-  }
+  ValueType type() const { return static_cast<ValueType>(data_.index()); }
+  bool is_unknown() const { return type() == ValueType::unknown; }
 
   // Null where the value is of another type.
-  const bool* if_boolean() const {
-    return std::get_if<bool>(&data_);
-  }
+  const bool* if_boolean() const { return std::get_if<bool>(&data_); }
   const std::int64_t* if_integer() const {
     return std::get_if<std::int64_t>(&data_);
   }
-  const double* if_number() const {
-    return std::get_if<double>(&data_);
-  }
+  const double* if_number() const { return std::get_if<double>(&data_); }
   const std::string* if_string() const;
   const List* if_list() const;
   const Map* if_map() const;

@@ -24,7 +24,7 @@ constexpr std::array units{Unit{"ms", 1}, Unit{"s", 1000}, Unit{"m", 60'000},
 Timestamp SystemClock::now() const {
   using namespace std::chrono;
   return duration_cast<milliseconds>(system_clock::now().time_since_epoch())
-    .count();
+      .count();
 }
 
 Expected<Timestamp> parse_timestamp(std::string_view text) {
@@ -39,14 +39,14 @@ Expected<Timestamp> parse_timestamp(std::string_view text) {
     if (end && *end == '\0' && parts.tm_mday == day)
       return static_cast<Timestamp>(time) * 1000;
   }
-  return fail(ErrorKind::settings, "'" + copy
-                                     + "' is not a time; write it as "
+  return fail(ErrorKind::settings, "'" + copy +
+                                       "' is not a time; write it as "
                                        "\"2026-11-21 09:00\"");
 }
 
 std::string format_timestamp(Timestamp time, const char* pattern) {
-  auto seconds = static_cast<std::time_t>(
-    std::floor(static_cast<double>(time) / 1000));
+  auto seconds =
+      static_cast<std::time_t>(std::floor(static_cast<double>(time) / 1000));
   std::tm parts{};
   localtime_r(&seconds, &parts);
   std::string text(64, '\0');
@@ -67,12 +67,12 @@ Expected<Milliseconds> parse_duration(std::string_view text) {
     if (!text.ends_with(unit.suffix))
       continue;
     auto number = parse_number(text.substr(0, text.size() - unit.suffix.size()))
-                    .number_or(-1);
+                      .number_or(-1);
     if (number >= 0 && number < 1e12)
       return Milliseconds(std::llround(number * unit.milliseconds));
   }
-  return fail(ErrorKind::settings, "'" + std::string(text)
-                                     + "' is not a duration; write it as "
+  return fail(ErrorKind::settings, "'" + std::string(text) +
+                                       "' is not a duration; write it as "
                                        "\"1.5s\", \"200ms\", \"2m\" or \"1h\"");
 }
 

@@ -39,7 +39,8 @@ inline constexpr std::uint32_t slice = 10'000;
 // Internal events without an external one (engine rule 2).
 inline constexpr int internal_events = 100;
 
-// Confidence below which a value is rejected, asked for, marked (engine rule 5).
+// Confidence below which a value is rejected, asked for, marked (engine rule
+// 5).
 inline constexpr double reject_below = 0.4;
 inline constexpr double confirm_below = 0.7;
 inline constexpr double mark_below = 0.9;

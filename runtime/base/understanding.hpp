@@ -15,7 +15,7 @@ namespace parlour {
 
 struct SlotModel {
   std::string name;
-  std::string type;                // cardinality: "set", "time", "level", … or ""
+  std::string type; // cardinality: "set", "time", "level", … or ""
   std::vector<std::string> values; // of a set, canonical forms
   std::string source;              // of a query: "db:table.column", else ""
   bool functional = false;
@@ -43,8 +43,8 @@ struct UnderstandingModel {
 
 // Reads a column ("db:rr_staff.staff_name") for value sets. May block; called
 // while loading and when told that the data changed.
-using ColumnReader
-  = std::function<Expected<std::vector<std::string>>(const std::string&)>;
+using ColumnReader =
+    std::function<Expected<std::vector<std::string>>(const std::string&)>;
 
 // The frame list's entry for one act (engine rule 5) is a map with these keys:
 //   topic        string, or unknown for the engine's classifier to choose

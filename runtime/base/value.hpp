@@ -35,7 +35,9 @@ public:
   void set(std::string_view key, Value value);
   void erase(std::string_view key);
 
-  const std::vector<Entry>& entries() const { return entries_; }
+  const std::vector<Entry>& entries() const {
+    return entries_;
+  }
   std::size_t size() const;
   bool empty() const;
   bool operator==(const Map& other) const; // by content, order aside
@@ -93,15 +95,23 @@ public:
   Value(ResultSet value);
   Value(Binary value);
 
-  ValueType type() const { return static_cast<ValueType>(data_.index()); }
-  bool is_unknown() const { return type() == ValueType::unknown; }
+  ValueType type() const {
+    return static_cast<ValueType>(data_.index());
+  }
+  bool is_unknown() const {
+    return type() == ValueType::unknown;
+  }
 
   // Null where the value is of another type.
-  const bool* if_boolean() const { return std::get_if<bool>(&data_); }
+  const bool* if_boolean() const {
+    return std::get_if<bool>(&data_);
+  }
   const std::int64_t* if_integer() const {
     return std::get_if<std::int64_t>(&data_);
   }
-  const double* if_number() const { return std::get_if<double>(&data_); }
+  const double* if_number() const {
+    return std::get_if<double>(&data_);
+  }
   const std::string* if_string() const;
   const List* if_list() const;
   const Map* if_map() const;

@@ -81,8 +81,7 @@ public:
   // are caught by the component's supervisor.
   void receive(const Message& message);
 
-  virtual void stop() {
-  }
+  virtual void stop() {}
 
 protected:
   virtual Expected<void> on_start(const Options&) {

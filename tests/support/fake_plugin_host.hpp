@@ -17,13 +17,21 @@ namespace parlour::test {
 
 class FakePluginHost : public PluginHost {
 public:
-  void fire_event(Message event) override { events.push_back(event); }
-  void send_message(Message message) override { sent.push_back(message); }
+  void fire_event(Message event) override {
+    events.push_back(event);
+  }
+  void send_message(Message message) override {
+    sent.push_back(message);
+  }
   void after(Milliseconds delay, std::function<void()> action) override {
     later_.push_back({time.now() + delay.count(), std::move(action)});
   }
-  const Clock& clock() const override { return time; }
-  void log(const std::string& text) override { logs.push_back(text); }
+  const Clock& clock() const override {
+    return time;
+  }
+  void log(const std::string& text) override {
+    logs.push_back(text);
+  }
   std::shared_ptr<const UnderstandingModel> understanding() const override {
     return model;
   }
@@ -36,8 +44,12 @@ public:
       return columns(name);
     return fail(ErrorKind::database, "the test has no column " + name);
   }
-  std::string data_folder() const override { return data; }
-  std::string application_folder() const override { return application; }
+  std::string data_folder() const override {
+    return data;
+  }
+  std::string application_folder() const override {
+    return application;
+  }
 
   // Moves the clock step by step, running what falls due, in order.
   void advance(Milliseconds step) {

@@ -9,9 +9,15 @@ namespace parlour::test {
 
 class ManualClock : public Clock {
 public:
-  Timestamp now() const override { return now_; }
-  void set(Timestamp time) { now_ = time; }
-  void advance(Milliseconds step) { now_ += step.count(); }
+  Timestamp now() const override {
+    return now_;
+  }
+  void set(Timestamp time) {
+    now_ = time;
+  }
+  void advance(Milliseconds step) {
+    now_ += step.count();
+  }
 
 private:
   std::atomic<Timestamp> now_ = parse_timestamp("2026-11-21 09:00").value();

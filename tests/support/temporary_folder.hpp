@@ -26,7 +26,9 @@ public:
     std::filesystem::remove_all(path_, ignored);
   }
 
-  const std::filesystem::path& path() const { return path_; }
+  const std::filesystem::path& path() const {
+    return path_;
+  }
 
   // Makes the folders in between.
   void write(const std::string& name, const std::string& text) const {

@@ -48,7 +48,9 @@ public:
 
 class PluginTest : public testing::Test {
 protected:
-  void SetUp() override { ASSERT_TRUE(plugin.start(host, {})); }
+  void SetUp() override {
+    ASSERT_TRUE(plugin.start(host, {}));
+  }
 
   FakePluginHost host;
   Obedient plugin;

@@ -1,0 +1,48 @@
+#include "adapters/nlg/phrase_nlg.hpp"
+
+namespace parlour::adapters {
+
+namespace {
+
+Value with_data(const Map& act, const std::vector<Value>& params) {
+  if (params.size() < 2 || act.find("data"))
+    return act;
+  Map both = act;
+  both.set("data", params[1]);
+  return both;
+}
+
+std::vector<Answer> no_phrase(const Value& say) {
+  return {{"Speak", {""}}, {"NoPhrase", {say["act"], say["topic"]}}};
+}
+
+} // namespace
+
+std::vector<Answer> PhraseNLG::answers(const Message& message) const {
+  if (message.command != "Generate")
+    return {
+        {"Failed",
+         {"PhraseNLG does not know the command '" + message.command + "'."}}};
+  if (message.params.empty() || message.params[0].is_unknown())
+    return no_phrase({});
+  const auto* act = message.params[0].if_map();
+  if (!act)
+    return {{"Speak", {message.params[0].text()}}};
+  const auto say = with_data(*act, message.params);
+  const auto phrases = host().phrases();
+  auto text = phrases ? phrases->render(say) : std::nullopt;
+  if (!text)
+    return no_phrase(say);
+  return {{"Speak", {std::move(*text)}}};
+}
+
+PluginFactory phrase_nlg_factory() {
+  PluginDescription description;
+  description.name = "PhraseNLG";
+  description.roles = {"NLG"};
+  description.sentence = "words from the phrases of application and platform";
+  description.is_inline = true;
+  return {description, [] { return std::make_unique<PhraseNLG>(); }};
+}
+
+} // namespace parlour::adapters

@@ -1,0 +1,111 @@
+#include "adapters/standins/report_table.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <fstream>
+
+namespace parlour::adapters {
+
+namespace {
+
+std::vector<std::string> cells_of(std::string line) {
+  if (line.ends_with('\r'))
+    line.pop_back();
+  std::vector<std::string> cells;
+  for (std::size_t start = 0; start <= line.size();) {
+    const auto end = std::min(line.find('\t', start), line.size());
+    cells.push_back(line.substr(start, end - start));
+    start = end + 1;
+  }
+  return cells;
+}
+
+std::string lower(std::string text) {
+  for (auto& c : text)
+    c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
+
+bool matches(const std::string& key, const std::string& asked) {
+  return asked.empty() || key == "*" || lower(key) == lower(asked);
+}
+
+bool has_columns(const std::vector<std::string>& columns,
+                 const std::vector<std::string>& keys) {
+  return columns.size() > keys.size() &&
+         std::equal(keys.begin(), keys.end(), columns.begin()) &&
+         std::find(columns.begin(), columns.end(), "text") != columns.end();
+}
+
+std::string header_of(const std::vector<std::string>& keys) {
+  std::string header;
+  for (const auto& key : keys)
+    header += "'" + key + "', ";
+  return header + "'text'";
+}
+
+} // namespace
+
+Expected<ReportTable> ReportTable::read(const std::filesystem::path& file,
+                                        const std::vector<std::string>& keys) {
+  std::ifstream stream(file);
+  if (!stream || std::filesystem::is_directory(file))
+    return fail(ErrorKind::file, "The reports cannot be read.",
+                {file.string(), 0, 0});
+  ReportTable table;
+  table.keys_ = keys.size();
+  std::uint32_t number = 0;
+  for (std::string line; std::getline(stream, line);) {
+    const Place place{file.string(), ++number, 0};
+    if (line.empty() || line == "\r" || line.starts_with('#'))
+      continue;
+    auto cells = cells_of(std::move(line));
+    if (!table.columns_.empty() && cells.size() != table.columns_.size())
+      return fail(ErrorKind::settings,
+                  "A report has " + std::to_string(table.columns_.size()) +
+                      " columns, this line " + std::to_string(cells.size()) +
+                      ".",
+                  place);
+    if (!table.columns_.empty())
+      table.rows_.push_back(std::move(cells));
+    else if (has_columns(cells, keys))
+      table.columns_ = std::move(cells);
+    else
+      return fail(ErrorKind::settings,
+                  "The first line names the columns, beginning with " +
+                      header_of(keys) + ".",
+                  place);
+  }
+  if (table.rows_.empty())
+    return fail(ErrorKind::settings, "There is no report.",
+                {file.string(), number, 0});
+  return table;
+}
+
+std::optional<Report>
+ReportTable::find(const std::vector<std::string>& asked) const {
+  const auto row =
+      std::find_if(rows_.begin(), rows_.end(), [&](const Row& keys) {
+        for (std::size_t i = 0; i < std::min(keys_, asked.size()); ++i)
+          if (!matches(keys[i], asked[i]))
+            return false;
+        return true;
+      });
+  if (row == rows_.end())
+    return {};
+  Map data;
+  for (std::size_t i = 0; i < columns_.size(); ++i)
+    data.set(columns_[i], (*row)[i]);
+  return Report{data.find("text")->text(), data};
+}
+
+std::vector<std::string> ReportTable::subjects() const {
+  std::vector<std::string> names;
+  for (const auto& row : rows_)
+    if (row[0] != "*" &&
+        std::find(names.begin(), names.end(), row[0]) == names.end())
+      names.push_back(row[0]);
+  return names;
+}
+
+} // namespace parlour::adapters

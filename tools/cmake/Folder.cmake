@@ -26,19 +26,15 @@ function(parlour_library name)
 endfunction()
 
 # parlour_test(<folder> LINK ...): tests/<folder>/*.cpp become one GoogleTest
-# program test_<folder>. Test code finds files by PARLOUR_SOURCE_DIR.
+# program test_<folder>.
 function(parlour_test folder)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "LINK")
   parlour_folder_name(name "${folder}")
   file(GLOB sources CONFIGURE_DEPENDS
     "${PROJECT_SOURCE_DIR}/tests/${folder}/*.cpp")
   add_executable(test_${name} ${sources})
-  target_include_directories(test_${name} PRIVATE "${PROJECT_SOURCE_DIR}")
-  target_compile_definitions(test_${name} PRIVATE
-    PARLOUR_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
-    PARLOUR_PROGRAM="${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/parlour")
-  target_link_libraries(test_${name} PRIVATE
-    ${arg_LINK} GTest::gmock GTest::gtest_main parlour_warnings)
+  target_link_libraries(test_${name} PRIVATE ${arg_LINK} parlour_testing)
+  target_precompile_headers(test_${name} REUSE_FROM parlour_test_headers)
   gtest_discover_tests(test_${name}
     TEST_PREFIX "${folder}: " DISCOVERY_MODE PRE_TEST
     WORKING_DIRECTORY "${PROJECT_SOURCE_DIR}"

@@ -1,0 +1,56 @@
+#include "adapters/database/sqlite_transactions.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace parlour::adapters {
+
+namespace {
+
+constexpr std::size_t most_waiting = 1'000;
+
+} // namespace
+
+SQLiteTransactions::Ticket SQLiteTransactions::hold(const SessionId& session) {
+  holder_ = session;
+  return ticket_ = ++last_ticket_;
+}
+
+void SQLiteTransactions::release() {
+  holder_.reset();
+}
+
+void SQLiteTransactions::take_away() {
+  if (holder_)
+    lost_.insert(*holder_);
+  holder_.reset();
+}
+
+void SQLiteTransactions::forget_loss(const SessionId& session) {
+  lost_.erase(session);
+}
+
+std::optional<SQLiteTransactions::Ticket>
+SQLiteTransactions::wait(const Message& message) {
+  if (waiting_.size() >= most_waiting)
+    return {};
+  waiting_.push_back({++last_ticket_, message});
+  return last_ticket_;
+}
+
+std::optional<Message> SQLiteTransactions::next() {
+  return waiting_.empty() ? std::nullopt : leave(waiting_.front().ticket);
+}
+
+std::optional<Message> SQLiteTransactions::leave(Ticket ticket) {
+  const auto found = std::find_if(
+      waiting_.begin(), waiting_.end(),
+      [&](const Waiting& waiting) { return waiting.ticket == ticket; });
+  if (found == waiting_.end())
+    return {};
+  auto message = std::move(found->message);
+  waiting_.erase(found);
+  return message;
+}
+
+} // namespace parlour::adapters

@@ -1,0 +1,57 @@
+// Who holds the one transaction that a database has at a time, and who waits.
+// Bookkeeping alone; the plug-in runs the statements.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <set>
+
+#include "runtime/base/message.hpp"
+
+namespace parlour::adapters {
+
+class SQLiteTransactions {
+public:
+  using Ticket = std::uint64_t;
+
+  bool held() const {
+    return holder_.has_value();
+  }
+  bool held_by(const SessionId& session) const {
+    return holder_ == session;
+  }
+  // Its transaction was taken away and it has not been told yet.
+  bool lost_by(const SessionId& session) const {
+    return lost_.count(session) > 0;
+  }
+
+  // The ticket names this holding, so that a late timeout ends no other.
+  Ticket hold(const SessionId& session);
+  bool holds(Ticket ticket) const {
+    return held() && ticket_ == ticket;
+  }
+  void release();
+  void take_away();
+  void forget_loss(const SessionId& session);
+
+  // Nothing where too many wait already.
+  std::optional<Ticket> wait(const Message& message);
+  // The message that waits longest, or the one with the ticket.
+  std::optional<Message> next();
+  std::optional<Message> leave(Ticket ticket);
+
+private:
+  struct Waiting {
+    Ticket ticket;
+    Message message;
+  };
+
+  std::optional<SessionId> holder_;
+  std::set<SessionId> lost_;
+  std::deque<Waiting> waiting_;
+  Ticket ticket_ = 0;      // of the holder
+  Ticket last_ticket_ = 0; // given to anybody
+};
+
+} // namespace parlour::adapters

@@ -25,16 +25,16 @@ function(parlour_library name)
   endif()
 endfunction()
 
-# parlour_test(<folder> LINK ...): tests/<folder>/*.cpp become one GoogleTest
-# program test_<folder>.
+# parlour_test(<folder> LINK ... HEADERS <target>): tests/<folder>/*.cpp become
+# one GoogleTest program test_<folder>, with that target's precompiled headers.
 function(parlour_test folder)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "LINK")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "HEADERS" "LINK")
   parlour_folder_name(name "${folder}")
   file(GLOB sources CONFIGURE_DEPENDS
     "${PROJECT_SOURCE_DIR}/tests/${folder}/*.cpp")
   add_executable(test_${name} ${sources})
   target_link_libraries(test_${name} PRIVATE ${arg_LINK} parlour_testing)
-  target_precompile_headers(test_${name} REUSE_FROM parlour_test_headers)
+  target_precompile_headers(test_${name} REUSE_FROM ${arg_HEADERS})
   gtest_discover_tests(test_${name}
     TEST_PREFIX "${folder}: " DISCOVERY_MODE PRE_TEST
     WORKING_DIRECTORY "${PROJECT_SOURCE_DIR}"

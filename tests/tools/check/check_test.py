@@ -98,6 +98,15 @@ class Checks(unittest.TestCase):
         said = self.said("tests")
         self.assertEqual("script/a.cpp: no tests/script/a_test.cpp\n", said)
 
+    def test_a_part_of_another_source_is_tested_with_it(self):
+        self.write("script/whole.hpp")
+        self.includes("script/part.cpp", '"script/whole.hpp"')
+        self.assertIn("script/part.cpp", self.said("tests"))
+        self.write("tests/script/whole_test.cpp")
+        self.assertEqual("", self.said("tests"))
+        self.write("script/part.hpp")
+        self.assertIn("script/part.cpp", self.said("tests"))
+
     # readmes
     def test_a_folder_without_a_sign_is_found(self):
         self.write("script/README.md", "x\n" * 30)

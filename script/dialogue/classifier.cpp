@@ -1,0 +1,102 @@
+#include "script/dialogue/classifier.hpp"
+
+#include <algorithm>
+
+namespace parlour::dialogue {
+
+namespace {
+
+// How much worse than the best an alternative may be (understanding).
+constexpr double clarify_within = 0.1;
+
+bool may_be_chosen(const script::Program& program, TopicId topic,
+                   const ClassifierContext& context) {
+  const auto& out = context.unregistered;
+  return topic < program.topics.size() &&
+         std::find(out.begin(), out.end(), topic) == out.end();
+}
+
+TopicId named(const script::Program& program, const Act& act,
+              const ClassifierContext& context) {
+  auto topic = act.topic.empty() ? script::no_id : program.topic(act.topic);
+  return may_be_chosen(program, topic, context) ? topic : script::no_id;
+}
+
+// All topics that may be chosen, the likeliest first.
+std::vector<TopicId> by_preference(const script::Program& program,
+                                   const ClassifierContext& context) {
+  std::vector<TopicId> wanted{context.asked, context.current, context.resting};
+  wanted.insert(wanted.end(), context.unfinished.begin(),
+                context.unfinished.end());
+  for (TopicId topic = 0; topic < program.topics.size(); ++topic)
+    wanted.push_back(topic);
+  std::vector<TopicId> topics;
+  for (auto topic : wanted)
+    if (may_be_chosen(program, topic, context) &&
+        std::find(topics.begin(), topics.end(), topic) == topics.end())
+      topics.push_back(topic);
+  return topics;
+}
+
+std::size_t slots_of(const script::Topic& topic, const Act& act) {
+  return static_cast<std::size_t>(std::count_if(
+      act.slots.begin(), act.slots.end(), [&](const SlotValue& value) {
+        return topic.slot(value.slot) != script::no_id;
+      }));
+}
+
+TopicId by_slots(const script::Program& program, const Act& act,
+                 const ClassifierContext& context) {
+  auto best = script::no_id;
+  std::size_t most = 0;
+  for (auto topic : by_preference(program, context)) {
+    auto count = slots_of(program.topics[topic], act);
+    if (count > most) {
+      most = count;
+      best = topic;
+    }
+  }
+  return best;
+}
+
+TopicId without_slots(const script::Program& program, const Act& act,
+                      const ClassifierContext& context) {
+  std::vector<TopicId> topics{context.asked};
+  if (act.elliptical) {
+    topics.push_back(context.resting);
+    topics.push_back(context.current);
+  }
+  for (auto topic : topics)
+    if (may_be_chosen(program, topic, context))
+      return topic;
+  return script::no_id;
+}
+
+} // namespace
+
+TopicId classify(const script::Program& program, const Act& act,
+                 const ClassifierContext& context) {
+  auto topic = named(program, act, context);
+  if (topic != script::no_id)
+    return topic;
+  return act.slots.empty() ? without_slots(program, act, context)
+                           : by_slots(program, act, context);
+}
+
+std::vector<TopicId> clarify(const script::Program& program, const Act& act,
+                             const ClassifierContext& context) {
+  std::vector<TopicId> topics{classify(program, act, context)};
+  if (topics.front() == script::no_id || act.confidence.is_unknown())
+    return {};
+  const auto best = act.confidence.number_or(0);
+  for (const auto& other : act.alternatives) {
+    auto topic = classify(program, other, context);
+    if (topic != script::no_id && !other.confidence.is_unknown() &&
+        best - other.confidence.number_or(0) <= clarify_within + 1e-9 &&
+        std::find(topics.begin(), topics.end(), topic) == topics.end())
+      topics.push_back(topic);
+  }
+  return topics.size() > 1 ? topics : std::vector<TopicId>{};
+}
+
+} // namespace parlour::dialogue

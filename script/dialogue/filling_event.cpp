@@ -1,0 +1,246 @@
+#include "script/dialogue/filling_event.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "script/dialogue/grounding.hpp"
+#include "script/dialogue/matching.hpp"
+
+namespace parlour::dialogue {
+
+namespace {
+
+using Kind = FrameChange::Kind;
+
+// What counts as said before: a default does not.
+Value accepted_value(const SlotState& slot) {
+  if (slot.status == SlotStatus::filled && !slot.by_default)
+    return slot.value;
+  return slot.previous;
+}
+
+bool has(const std::vector<SlotId>& slots, SlotId slot) {
+  return std::find(slots.begin(), slots.end(), slot) != slots.end();
+}
+
+} // namespace
+
+void accept_value(SlotState& slot, Value value) {
+  SlotState accepted;
+  accepted.value = std::move(value);
+  accepted.status = SlotStatus::filled;
+  accepted.confidence = slot.confidence;
+  accepted.text = std::move(slot.text);
+  accepted.asked = slot.asked;
+  slot = std::move(accepted);
+}
+
+void empty_slot(SlotState& slot) {
+  SlotState empty;
+  empty.asked = slot.asked;
+  empty.no_input = slot.no_input;
+  empty.no_match = slot.no_match;
+  slot = std::move(empty);
+}
+
+void take_back(SlotState& slot) {
+  if (slot.previous.is_unknown())
+    empty_slot(slot);
+  else
+    accept_value(slot, slot.previous);
+}
+
+SlotOutcome outcome_of_change(const Value& before, const Value& after) {
+  if (before.is_unknown())
+    return SlotOutcome::accepted;
+  return before == after ? SlotOutcome::unchanged : SlotOutcome::corrected;
+}
+
+FillingEvent::FillingEvent(const script::Topic& topic, Frame& frame,
+                           const FrameEvaluator& evaluate)
+    : topic_(topic), frame_(frame), evaluate_(evaluate), before_(frame),
+      offers_(frame.slots.size()) {}
+
+Expected<Value> FillingEvent::evaluate(CodeId code) const {
+  return evaluate_(code, frame_, nullptr);
+}
+
+// (1) corrections and denials
+void FillingEvent::take(const FrameChange& change) {
+  if (change.slot >= offers_.size())
+    return;
+  auto& offer = offers_[change.slot];
+  if (change.kind == Kind::deny)
+    deny(change);
+  else if (change.kind == Kind::correct || !offer || !offer->corrects)
+    offer = Offer{change, change.kind == Kind::correct};
+}
+
+bool FillingEvent::denies(const FrameChange& denial, const Value& value) const {
+  auto denied = match(topic_.slots[denial.slot], denial,
+                      [&](CodeId code) { return evaluate(code); });
+  return !value.is_unknown() && denied.value == value;
+}
+
+void FillingEvent::deny(const FrameChange& denial) {
+  auto& slot = frame_.slots[denial.slot];
+  auto& offer = offers_[denial.slot];
+  const auto& definition = topic_.slots[denial.slot];
+  auto by_code = [&](CodeId code) { return evaluate(code); };
+  if (offer && denies(denial, match(definition, offer->change, by_code).value))
+    offer.reset();
+  if (slot.status == SlotStatus::ambiguous) {
+    narrow(denial.slot, denial);
+    return;
+  }
+  if (!denies(denial, slot.value))
+    return;
+  report(denial.slot, SlotOutcome::cleared);
+  take_back(slot);
+}
+
+// "Do you mean A or B?" "Not A."
+void FillingEvent::narrow(SlotId id, const FrameChange& denial) {
+  auto& candidates = frame_.slots[id].candidates;
+  std::erase_if(candidates,
+                [&](const Value& value) { return denies(denial, value); });
+  if (candidates.size() != 1 || offers_[id])
+    return;
+  FrameChange rest = denial;
+  rest.kind = Kind::fill;
+  rest.value = candidates.front();
+  rest.unmatched = false;
+  offers_[id] = Offer{std::move(rest), false};
+}
+
+std::vector<SlotReport> FillingEvent::run(std::vector<Error>& errors) {
+  unfilled_ = frame_.slots;
+  for (SlotId slot = 0; slot < offers_.size(); ++slot) // (2)
+    if (offers_[slot])
+      match_offer(slot, offers_[slot]->change);
+  for (const auto& constraint : topic_.constraints) // (3)
+    check(constraint, errors);
+  for (auto& report : reports_) // (4)
+    if (report.outcome == SlotOutcome::accepted)
+      ground_value(report);
+  return std::move(reports_);
+}
+
+// (2) a value, none, or several candidates. What is too uncertain to be
+// believed counts as not said, before it can do harm to others in (3).
+void FillingEvent::match_offer(SlotId id, const FrameChange& change) {
+  const auto& definition = topic_.slots[id];
+  auto& slot = frame_.slots[id];
+  if (ground(definition.confirm, change.confidence) == Grounding::reject) {
+    report(id, SlotOutcome::rejected).offered = said(change);
+    return;
+  }
+  auto by_code = [&](CodeId code) { return evaluate(code); };
+  auto matched =
+      slot.status == SlotStatus::ambiguous
+          ? match_choice(definition, change, slot.candidates, by_code)
+          : match(definition, change, by_code);
+  if (!matched)
+    report(id, SlotOutcome::refused).offered = said(change);
+  else if (matched.candidates.empty())
+    put_value(id, change, matched.value);
+  else
+    put_candidates(id, change, std::move(matched.candidates));
+}
+
+void FillingEvent::put_value(SlotId id, const FrameChange& change,
+                             const Value& value) {
+  auto& slot = frame_.slots[id];
+  slot.previous = accepted_value(slot);
+  slot.value = value;
+  slot.status = SlotStatus::filled;
+  slot.confidence = change.confidence;
+  slot.text = change.text;
+  slot.candidates.clear();
+  slot.by_default = false;
+  report(id, SlotOutcome::accepted).offered = value;
+}
+
+void FillingEvent::put_candidates(SlotId id, const FrameChange& change,
+                                  List candidates) {
+  auto& slot = frame_.slots[id];
+  slot.previous = accepted_value(slot);
+  slot.value = {};
+  slot.status = SlotStatus::ambiguous;
+  slot.confidence = change.confidence;
+  slot.text = change.text;
+  slot.candidates = std::move(candidates);
+  slot.implicit = slot.by_default = false;
+  report(id, SlotOutcome::ambiguous).offered = said(change);
+}
+
+// (3) A failing constraint refuses what this event filled.
+void FillingEvent::check(const script::Constraint& constraint,
+                         std::vector<Error>& errors) {
+  std::vector<SlotId> reads;
+  auto holds = evaluate_(constraint.condition, frame_, &reads);
+  if ((holds && *holds) || !judged(frame_, reads))
+    return;
+  if (!holds) {
+    errors.push_back(holds.error());
+    refuse(reads, {});
+    return;
+  }
+  auto reason = constraint.message == script::no_code
+                    ? Value()
+                    : evaluate(constraint.message).value_or(Value());
+  refuse(reads, reason.is_unknown() ? std::string() : reason.text());
+}
+
+bool FillingEvent::judged(const Frame& frame,
+                          const std::vector<SlotId>& reads) const {
+  return std::all_of(reads.begin(), reads.end(), [&](SlotId slot) {
+    return slot >= frame.slots.size() || !frame.slots[slot].value.is_unknown();
+  });
+}
+
+void FillingEvent::refuse(const std::vector<SlotId>& reads,
+                          const std::string& reason) {
+  for (auto& report : reports_) {
+    if (report.outcome != SlotOutcome::accepted ||
+        (!reads.empty() && !has(reads, report.slot)))
+      continue;
+    report.outcome = SlotOutcome::refused;
+    report.reason = reason;
+    frame_.slots[report.slot] = unfilled_[report.slot];
+  }
+}
+
+// (4)
+void FillingEvent::ground_value(SlotReport& report) {
+  auto& slot = frame_.slots[report.slot];
+  const auto& old = unfilled_[report.slot];
+  report.outcome = outcome_of_change(slot.previous, slot.value);
+  // To say it again is to say yes.
+  const bool known =
+      report.outcome == SlotOutcome::unchanged ||
+      (old.status == SlotStatus::unconfirmed && old.value == slot.value);
+  const auto grounding =
+      ground(topic_.slots[report.slot].confirm, slot.confidence);
+  if (grounding == Grounding::explicitly && !known) {
+    slot.status = SlotStatus::unconfirmed;
+    slot.implicit = false;
+    report.outcome = SlotOutcome::unconfirmed;
+    return;
+  }
+  accept_value(slot, slot.value);
+  slot.implicit = grounding == Grounding::implicitly && !known;
+}
+
+SlotReport& FillingEvent::report(SlotId slot, SlotOutcome outcome) {
+  auto found = std::find_if(reports_.begin(), reports_.end(),
+                            [&](const auto& r) { return r.slot == slot; });
+  if (found == reports_.end())
+    found = reports_.insert(reports_.end(), SlotReport{});
+  found->slot = slot;
+  found->outcome = outcome;
+  found->before = before_.slots[slot].value;
+  return *found;
+}
+
+} // namespace parlour::dialogue

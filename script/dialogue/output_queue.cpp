@@ -1,0 +1,86 @@
+#include "script/dialogue/output_queue.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace parlour::dialogue {
+
+namespace {
+
+// Answers are never withdrawn, and what is said in passing neither (engine
+// rule 3).
+bool may_be_withdrawn(const Output& output) {
+  return output.act == OutputAct::question ||
+         output.act == OutputAct::reprompt || output.act == OutputAct::resume;
+}
+
+} // namespace
+
+OutputId OutputQueue::push(Output output) {
+  output.id = ++last_id_;
+  entries_.push_back(std::move(output));
+  return last_id_;
+}
+
+void OutputQueue::word(OutputId id, std::string text) {
+  auto found = std::find_if(entries_.begin(), entries_.end(),
+                            [&](const Output& o) { return o.id == id; });
+  if (found == entries_.end())
+    return;
+  if (text.empty()) {
+    entries_.erase(found);
+    return;
+  }
+  found->text = std::move(text);
+  found->state = OutputState::pending;
+}
+
+bool OutputQueue::has(OutputId id) const {
+  return std::any_of(entries_.begin(), entries_.end(),
+                     [&](const Output& o) { return o.id == id; });
+}
+
+OutputQueue::Released OutputQueue::release(bool user_turn_begun) {
+  Released result;
+  if (user_turn_begun)
+    result.withdrawn = withdraw_questions();
+  while (!entries_.empty() && entries_.front().state == OutputState::pending) {
+    auto output = std::move(entries_.front());
+    entries_.pop_front();
+    output.state = OutputState::playing;
+    if (std::exchange(fresh_turn_, false))
+      last_turn_.clear();
+    last_turn_.push_back(output.text);
+    result.released.push_back(std::move(output));
+  }
+  return result;
+}
+
+std::vector<Output> OutputQueue::withdraw_questions() {
+  std::vector<Output> withdrawn;
+  std::deque<Output> kept;
+  for (auto& output : entries_) {
+    if (may_be_withdrawn(output)) {
+      output.state = OutputState::withdrawn;
+      withdrawn.push_back(std::move(output));
+    } else {
+      kept.push_back(std::move(output));
+    }
+  }
+  entries_ = std::move(kept);
+  return withdrawn;
+}
+
+bool OutputQueue::empty() const {
+  return entries_.empty();
+}
+
+const std::vector<std::string>& OutputQueue::last_turn() const {
+  return last_turn_;
+}
+
+void OutputQueue::turn_begins() {
+  fresh_turn_ = true;
+}
+
+} // namespace parlour::dialogue

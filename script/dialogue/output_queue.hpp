@@ -1,0 +1,76 @@
+// OutputQueue: what the robot wants to say, until it is heard or withdrawn
+// (engine rule 3). Plain data with rules; who speaks is not its business.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <string>
+#include <vector>
+
+#include "runtime/base/clock.hpp"
+#include "script/program.hpp"
+
+namespace parlour::dialogue {
+
+using OutputId = std::uint64_t;
+
+enum class OutputAct : std::uint8_t {
+  answer,
+  question,
+  reprompt,
+  resume,
+  chat
+};
+
+enum class OutputState : std::uint8_t {
+  worded,  // waits for its words (an NLG component is asked)
+  pending, // has its words; waits for release
+  playing, // released; being spoken or shown
+  heard,
+  withdrawn,
+};
+
+struct Output {
+  OutputId id = 0;
+  OutputAct act = OutputAct::answer;
+  OutputState state = OutputState::pending;
+  std::string text;
+  script::TopicId topic = script::no_id; // of a question, reprompt or resume
+  script::SlotId slot = script::no_id;
+  std::uint64_t turn = 0; // the user turn that it answers; 0: none
+  bool interruptible = true;
+};
+
+class OutputQueue {
+public:
+  // Returns the entry's id; a `worded` one blocks those behind it until
+  // `word` gives its text (an empty text drops it).
+  OutputId push(Output output);
+  void word(OutputId id, std::string text);
+  bool has(OutputId id) const;
+
+  struct Released {
+    std::vector<Output> released;  // in order
+    std::vector<Output> withdrawn; // questions, reprompts, resumes only
+  };
+  // Releases what can be released now. With a user turn begun that is newer
+  // than the entry's own, questions, reprompts and resumes are withdrawn;
+  // answers never are.
+  Released release(bool user_turn_begun);
+
+  // Withdraws pending questions (a transit, a cancel, another topic).
+  std::vector<Output> withdraw_questions();
+
+  bool empty() const; // nothing waits for words or release
+  // The texts of the last robot turn as released, for "repeat".
+  const std::vector<std::string>& last_turn() const;
+  void turn_begins(); // the next release starts a new robot turn
+
+private:
+  std::deque<Output> entries_;
+  std::vector<std::string> last_turn_;
+  bool fresh_turn_ = true;
+  OutputId last_id_ = 0;
+};
+
+} // namespace parlour::dialogue

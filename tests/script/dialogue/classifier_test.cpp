@@ -1,0 +1,99 @@
+#include "script/dialogue/classifier.hpp"
+#include "tests/script/dialogue/dialogue_fixture.hpp"
+
+namespace parlour::dialogue {
+
+namespace {
+
+class Classifier : public testing::Test {
+protected:
+  static Act act(std::vector<std::string> slots, std::string topic = "") {
+    Act act;
+    act.topic = std::move(topic);
+    for (auto& name : slots) {
+      SlotValue value;
+      value.slot = std::move(name);
+      value.value = "x";
+      act.slots.push_back(std::move(value));
+    }
+    return act;
+  }
+  TopicId of(const Act& act) const {
+    return classify(app.program, act, context);
+  }
+
+  Receptionist app;
+  ClassifierContext context;
+};
+
+TEST_F(Classifier, TheNamedTopicStands) {
+  context.current = app.appointment;
+  EXPECT_EQ(of(act({"Time"}, "Taxi")), app.taxi);
+}
+
+TEST_F(Classifier, AnUnknownOrUnregisteredNameIsNoName) {
+  context.current = app.appointment;
+  EXPECT_EQ(of(act({"Time"}, "Weather")), app.appointment);
+  context.unregistered = {app.taxi};
+  EXPECT_EQ(of(act({"Time"}, "Taxi")), app.appointment);
+  EXPECT_EQ(of(act({"Destination"}, "Taxi")), script::no_id);
+}
+
+TEST_F(Classifier, PreferenceDecidesBetweenTopicsWithTheSlot) {
+  EXPECT_EQ(of(act({"Time"})), app.appointment); // file order
+  context.unfinished = {app.taxi};
+  EXPECT_EQ(of(act({"Time"})), app.taxi);
+  context.current = app.appointment;
+  EXPECT_EQ(of(act({"Time"})), app.appointment);
+  context.asked = app.taxi;
+  EXPECT_EQ(of(act({"Time"})), app.taxi);
+}
+
+TEST_F(Classifier, MoreOfTheSlotsWin) {
+  context.asked = app.taxi;
+  EXPECT_EQ(of(act({"Time", "Host"})), app.appointment);
+}
+
+TEST_F(Classifier, ARestingEnquiryTakesItsSlots) {
+  context.current = app.appointment;
+  context.resting = app.facility;
+  EXPECT_EQ(of(act({"Category"})), app.facility);
+}
+
+TEST_F(Classifier, NothingFits) {
+  EXPECT_EQ(of(act({"Colour"})), script::no_id);
+  EXPECT_EQ(of(act({})), script::no_id);
+}
+
+TEST_F(Classifier, WithoutSlotsTheAskedOrAnEllipsis) {
+  context.current = app.appointment;
+  context.resting = app.facility;
+  EXPECT_EQ(of(act({})), script::no_id);
+  auto elliptical = act({});
+  elliptical.elliptical = true;
+  EXPECT_EQ(of(elliptical), app.facility);
+  context.asked = app.taxi;
+  EXPECT_EQ(of(act({})), app.taxi);
+}
+
+TEST_F(Classifier, ClarifiesOnlyBetweenNearAlternatives) {
+  auto best = act({}, "Taxi");
+  best.confidence = 0.7;
+  EXPECT_TRUE(clarify(app.program, best, context).empty());
+  auto near = act({}, "Appointment");
+  near.confidence = 0.6;
+  auto far = act({}, "Facility");
+  far.confidence = 0.5;
+  best.alternatives = {near, far, best};
+  EXPECT_EQ(clarify(app.program, best, context),
+            (std::vector{app.taxi, app.appointment}));
+  best.alternatives = {far};
+  EXPECT_TRUE(clarify(app.program, best, context).empty());
+  best.confidence = {};
+  best.alternatives = {near};
+  EXPECT_TRUE(clarify(app.program, best, context).empty());
+}
+
+} // namespace
+
+} // namespace parlour::dialogue

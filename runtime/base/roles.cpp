@@ -1,0 +1,76 @@
+#include "runtime/base/roles.hpp"
+
+#include <algorithm>
+
+namespace parlour {
+
+namespace {
+
+template <class T>
+const T* find_named(const std::vector<T>& all, std::string_view name) {
+  auto found = std::find_if(all.begin(), all.end(),
+                            [&](const T& one) { return one.name == name; });
+  return found == all.end() ? nullptr : &*found;
+}
+
+std::vector<Role> read_table() {
+  std::vector<Role> all;
+  auto add_role = [&](const char* name, const char* sentence, bool reserved) {
+    all.push_back({name, sentence, reserved, {}, {}, {}});
+  };
+  auto add_event = [&](const char* name, const char* parameters, Reply reply) {
+    all.back().events.push_back({name, parameters, reply});
+  };
+#define ROLE(name, sentence) add_role(#name, sentence, false);
+#define RESERVED(name, sentence) add_role(#name, sentence, true);
+#define ALIAS(name) all.back().aliases.push_back(#name);
+#define COMMAND(name, parameters)                                              \
+  all.back().commands.push_back({#name, parameters});
+#define EVENT(name, parameters) add_event(#name, parameters, Reply::none);
+#define REPLY(name, parameters) add_event(#name, parameters, Reply::answer);
+#define REFUSAL(name, parameters) add_event(#name, parameters, Reply::refusal);
+#include "runtime/base/roles.def"
+#undef ROLE
+#undef RESERVED
+#undef ALIAS
+#undef COMMAND
+#undef EVENT
+#undef REPLY
+#undef REFUSAL
+  return all;
+}
+
+bool is_called(const Role& role, std::string_view name) {
+  return role.name == name ||
+         std::find(role.aliases.begin(), role.aliases.end(), name) !=
+             role.aliases.end();
+}
+
+} // namespace
+
+const RoleCommand* Role::command(std::string_view command_name) const {
+  return find_named(commands, command_name);
+}
+
+const RoleEvent* Role::event(std::string_view event_name) const {
+  return find_named(events, event_name);
+}
+
+const std::vector<Role>& roles() {
+  static const std::vector<Role> all = read_table();
+  return all;
+}
+
+const Role* find_role(std::string_view name) {
+  for (const auto& role : roles())
+    if (is_called(role, name))
+      return &role;
+  return nullptr;
+}
+
+std::string_view canonical_role(std::string_view name) {
+  const auto* role = find_role(name);
+  return role ? std::string_view(role->name) : name;
+}
+
+} // namespace parlour

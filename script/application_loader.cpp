@@ -1,0 +1,139 @@
+#include "script/application_loader.hpp"
+
+#include <algorithm>
+
+#include "script/source_reader.hpp"
+#include "script/validator.hpp"
+
+namespace parlour::script {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view library_prefix = "parlour:";
+
+// The path that a file really has, links followed.
+fs::path real(const fs::path& path) {
+  std::error_code ignored;
+  auto found = fs::weakly_canonical(path, ignored);
+  return found.empty() ? path.lexically_normal() : found;
+}
+
+bool is_below(const fs::path& path, const fs::path& folder) {
+  const auto [end, rest] =
+      std::mismatch(folder.begin(), folder.end(), path.begin(), path.end());
+  return end == folder.end() ||
+         (end->empty() && std::next(end) == folder.end());
+}
+
+} // namespace
+
+ApplicationLoader::ApplicationLoader(fs::path folder, fs::path platform,
+                                     Findings& findings)
+    : folder_(std::move(folder)), platform_(std::move(platform)),
+      findings_(findings) {}
+
+Expected<fs::path> ApplicationLoader::inside(const std::string& name) const {
+  const fs::path path(name);
+  if (name.empty())
+    return fail(ErrorKind::file, "a file's name is empty");
+  if (name.find('\0') != std::string::npos || path.is_absolute())
+    return fail(ErrorKind::file, "'" + name +
+                                     "' must be relative to the "
+                                     "application's folder");
+  const auto full = (folder_ / path).lexically_normal();
+  if (!is_below(real(full), real(folder_)))
+    return fail(ErrorKind::file,
+                "'" + name + "' leaves the application's folder");
+  std::error_code ignored;
+  if (!fs::exists(full, ignored))
+    return fail(ErrorKind::file, "there is no file '" + name + "'");
+  return full;
+}
+
+std::optional<Element>
+ApplicationLoader::read(const fs::path& path,
+                        const std::vector<std::string>& roots,
+                        Position position) {
+  auto bytes = read_bytes(path);
+  if (!bytes) {
+    const auto place = position.line > 0
+                           ? position
+                           : Position{findings_.add_file(path.string()), 0, 0};
+    findings_.error(place, path.string() + ": " + bytes.error().message);
+    return std::nullopt;
+  }
+  const auto file = findings_.add_file(path.string());
+  auto root = read_source(std::move(*bytes), file, findings_);
+  if (!root || !validate(*root, roots, findings_))
+    return std::nullopt;
+  return root;
+}
+
+void ApplicationLoader::load_script(const std::string& name,
+                                    Position position) {
+  const auto path = inside(name);
+  if (!path)
+    return findings_.error(position, path.error().message);
+  load(*path, false, position);
+}
+
+void ApplicationLoader::add(const fs::path& path, Element root) {
+  add(real(path), std::move(root), false);
+}
+
+std::vector<std::string> ApplicationLoader::libraries() const {
+  std::vector<std::string> names;
+  std::error_code ignored;
+  for (const auto& file : fs::directory_iterator(platform_, ignored))
+    if (file.path().extension() == ".xml" && file.path().stem() != "aliases")
+      names.push_back(file.path().stem().string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+void ApplicationLoader::load_library(const std::string& name,
+                                     Position position) {
+  const auto known = libraries();
+  if (std::find(known.begin(), known.end(), name) == known.end()) {
+    auto text = "the platform has no library 'parlour:" + name + "'";
+    return findings_.error(position, text + did_you_mean(name, known));
+  }
+  load(platform_ / (name + ".xml"), true, position);
+}
+
+void ApplicationLoader::include(const Element& element) {
+  const auto& href = *element.attribute("href");
+  if (href.value.starts_with(library_prefix))
+    load_library(href.value.substr(library_prefix.size()), href.value_position);
+  else
+    load_script(href.value, href.value_position);
+}
+
+void ApplicationLoader::load(const fs::path& path, bool platform,
+                             Position position) {
+  const auto found = real(path);
+  if (std::find(open_.begin(), open_.end(), found) != open_.end())
+    return findings_.error(position, "'" + path.filename().string() +
+                                         "' includes this file; files may not "
+                                         "include each other");
+  if (read_.count(found))
+    return;
+  if (auto root = read(path, {"dialogue"}, position))
+    add(found, std::move(*root), platform);
+  read_.insert(found);
+}
+
+void ApplicationLoader::add(const fs::path& real_path, Element root,
+                            bool platform) {
+  read_.insert(real_path);
+  open_.push_back(real_path);
+  for (const auto& child : root.children)
+    if (child.is("include"))
+      include(child);
+  open_.pop_back();
+  documents_.push_back({std::move(root), platform});
+}
+
+} // namespace parlour::script

@@ -1,0 +1,63 @@
+// Compilation: what the parts of the declarations' compiler share while an
+// application is compiled.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "script/body_compiler.hpp"
+#include "script/findings.hpp"
+#include "script/program.hpp"
+
+namespace parlour::script {
+
+struct Compilation {
+  Program& program;
+  const Names& names;
+  Findings& findings;
+  BodyCompiler& bodies;
+  // Every source that a message can come from: roles, aliases, components,
+  // agents.
+  std::vector<std::string> sources;
+  std::vector<std::string> grammars;
+};
+
+// "a, b" without the blanks.
+std::vector<std::string> split_names(const std::string& text);
+
+// The names of a list of things that have one.
+template <class T>
+std::vector<std::string> names_of(const std::vector<T>& all) {
+  std::vector<std::string> names;
+  for (const auto& one : all)
+    names.push_back(one.name);
+  return names;
+}
+
+// The keys of a map.
+template <class Map>
+std::vector<std::string> keys_of(const Map& map) {
+  std::vector<std::string> keys;
+  for (const auto& entry : map)
+    keys.push_back(entry.first);
+  return keys;
+}
+
+// Wordings: each <value> of `parent`, as text with {expr} or an expression.
+std::vector<CodeId> compile_values(const Element* parent,
+                                   const BodyContext& context,
+                                   Compilation& compilation);
+
+// The body of a child element; no_code where there is none, the second one of
+// that name an error.
+CodeId compile_child(const Element& parent, const char* name,
+                     const BodyContext& context, Compilation& compilation);
+
+// The body of `holder`'s functions, into the code that was reserved for them.
+void compile_functions(const Element& holder, const FunctionNames& functions,
+                       BodyContext context, Compilation& compilation);
+
+// The grammar that a state or slot names must exist.
+void check_grammar(const Element& element, Compilation& compilation);
+
+} // namespace parlour::script

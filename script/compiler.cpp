@@ -1,0 +1,120 @@
+#include "script/compiler.hpp"
+
+#include "script/application_loader.hpp"
+#include "script/declaration_compiler.hpp"
+#include "script/settings_reader.hpp"
+
+namespace parlour::script {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// One compilation, from files to a program.
+class Compiler {
+public:
+  Compiler(const fs::path& folder, const CompileOptions& options)
+      : options_(options), loader_(folder, options.platform, findings_) {}
+
+  Compiled application(const fs::path& folder);
+  Compiled file(const fs::path& path);
+
+private:
+  bool read_settings_file(const fs::path& path);
+  void take_settings(Element root);
+  Aliases aliases();
+  void load_scripts();
+  void load_phrases();
+  Compiled finish();
+
+  const CompileOptions& options_;
+  Findings findings_;
+  ApplicationLoader loader_;
+  std::shared_ptr<Program> program_ = std::make_shared<Program>();
+  std::optional<Element> settings_;
+};
+
+Aliases Compiler::aliases() {
+  const auto path = options_.platform / "aliases.xml";
+  std::error_code ignored;
+  if (options_.platform.empty() || !fs::exists(path, ignored))
+    return {};
+  const auto root = loader_.read(path, {"aliases"}, {});
+  return root ? read_aliases(*root) : Aliases{};
+}
+
+void Compiler::take_settings(Element root) {
+  program_->settings =
+      read_settings(root, aliases(), options_.environment, findings_);
+  settings_ = std::move(root);
+}
+
+void Compiler::load_scripts() {
+  for (const auto& child : settings_->children)
+    if (child.is("Scripts"))
+      for (const auto& script : child.children)
+        loader_.load_script(collapsed(script.text), script.position);
+  if (program_->settings.scripts.empty())
+    findings_.error(settings_->position,
+                    "<settings> names no script; expected "
+                    "<Scripts><Script>file.xml</Script></Scripts>");
+}
+
+// The words of what the engine says by itself, after the application's own.
+void Compiler::load_phrases() {
+  constexpr const char* library = "phrases-en";
+  if (options_.platform.empty())
+    return;
+  loader_.load_library(library, {});
+  program_->settings.libraries.push_back(library);
+}
+
+Compiled Compiler::finish() {
+  const auto documents = loader_.take_documents();
+  compile_declarations(documents, {settings_ ? &*settings_ : nullptr}, loader_,
+                       *program_, findings_);
+  program_->files = findings_.files();
+  findings_.sort();
+  if (findings_.has_errors())
+    return {nullptr, std::move(findings_)};
+  return {std::move(program_), std::move(findings_)};
+}
+
+Compiled Compiler::application(const fs::path& folder) {
+  auto root = loader_.read(folder / "settings.xml", {"settings"}, {});
+  if (!root)
+    return {nullptr, std::move(findings_)};
+  take_settings(std::move(*root));
+  program_->settings.folder = folder.string();
+  load_scripts();
+  load_phrases();
+  return finish();
+}
+
+Compiled Compiler::file(const fs::path& path) {
+  program_->single_file = true;
+  program_->settings.folder = path.parent_path().string();
+  auto root = loader_.read(path, {"dialogue", "settings"}, {});
+  if (!root)
+    return {nullptr, std::move(findings_)};
+  if (root->is("settings")) {
+    take_settings(std::move(*root));
+    return finish();
+  }
+  loader_.add(path, std::move(*root));
+  return finish();
+}
+
+} // namespace
+
+Compiled compile_application(const fs::path& folder,
+                             const CompileOptions& options) {
+  return Compiler(folder, options).application(folder);
+}
+
+Compiled compile_file(const fs::path& file, const CompileOptions& options) {
+  auto folder = file.parent_path();
+  return Compiler(folder.empty() ? "." : folder, options).file(file);
+}
+
+} // namespace parlour::script

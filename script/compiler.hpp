@@ -1,0 +1,34 @@
+// Compiler: from an application's folder (or one file) to a Program. Reports
+// every finding in one go; gives no program when there are errors (language
+// rule 1).
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+#include "script/findings.hpp"
+#include "script/program.hpp"
+
+namespace parlour::script {
+
+struct CompileOptions {
+  std::filesystem::path platform; // the folder of config/platform
+  // Replaced in ${NAME} of options; null: none is set.
+  std::string (*environment)(const std::string& name) = nullptr;
+};
+
+struct Compiled {
+  std::shared_ptr<const Program> program; // null where there are errors
+  Findings findings;
+};
+
+// An application's folder with its settings.xml.
+Compiled compile_application(const std::filesystem::path& folder,
+                             const CompileOptions& options);
+
+// One script file, for `exec` and `check`: default settings, the platform's
+// libraries by <include href="parlour:…"/>.
+Compiled compile_file(const std::filesystem::path& file,
+                      const CompileOptions& options);
+
+} // namespace parlour::script

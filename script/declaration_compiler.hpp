@@ -1,0 +1,24 @@
+// DeclarationCompiler: from an application's documents to its program, in two
+// passes: names, then bodies (language rules 1 and 6).
+#pragma once
+
+#include <vector>
+
+#include "script/application_loader.hpp"
+#include "script/findings.hpp"
+#include "script/program.hpp"
+
+namespace parlour::script {
+
+// What the settings' tree says beyond Settings; null for a file by itself.
+struct SettingsSource {
+  const Element* root = nullptr;
+};
+
+// `program` holds the settings. Whatever is wrong is a finding.
+void compile_declarations(const std::vector<Document>& documents,
+                          SettingsSource settings,
+                          const ApplicationLoader& loader, Program& program,
+                          Findings& findings);
+
+} // namespace parlour::script

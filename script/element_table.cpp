@@ -1,0 +1,127 @@
+#include "script/element_table.hpp"
+
+#include <algorithm>
+#include <sstream>
+
+namespace parlour::script {
+
+namespace {
+
+std::vector<std::string> words_of(const char* text) {
+  std::istringstream stream(text);
+  std::vector<std::string> words;
+  for (std::string word; stream >> word;)
+    words.push_back(word);
+  return words;
+}
+
+std::vector<ElementRule> read_table() {
+  std::vector<ElementRule> all;
+  enum { later, ready };
+  enum { optional, required };
+#define ELEMENT(name, in, holds, availability, sentence)                       \
+  all.push_back({name,                                                         \
+                 words_of(in),                                                 \
+                 words_of(holds),                                              \
+                 availability == ready,                                        \
+                 sentence,                                                     \
+                 {}});
+#define ATTRIBUTE(name, kind, need, words, sentence)                           \
+  all.back().attributes.push_back({name, AttributeKind::kind,                  \
+                                   need == required, words_of(words),          \
+                                   sentence});
+#include "script/elements.def"
+#undef ELEMENT
+#undef ATTRIBUTE
+  return all;
+}
+
+bool overlap(const std::vector<std::string>& a,
+             const std::vector<std::string>& b) {
+  return std::any_of(a.begin(), a.end(), [&](const auto& one) {
+    return std::find(b.begin(), b.end(), one) != b.end();
+  });
+}
+
+void add_once(std::vector<std::string>& names, const std::string& name) {
+  if (name != "*" && std::find(names.begin(), names.end(), name) == names.end())
+    names.push_back(name);
+}
+
+} // namespace
+
+std::string_view sentence_of(AttributeKind kind) {
+  static constexpr const char* sentences[] = {
+#define X(name, sentence) sentence,
+      PARLOUR_ATTRIBUTE_KINDS(X)
+#undef X
+  };
+  return sentences[static_cast<std::size_t>(kind)];
+}
+
+const AttributeRule*
+ElementRule::attribute(std::string_view attribute_name) const {
+  for (const auto& rule : attributes)
+    if (rule.name == attribute_name || rule.name == "*")
+      return &rule;
+  return nullptr;
+}
+
+bool ElementRule::holds_text() const {
+  return std::find(holds.begin(), holds.end(), "text") != holds.end();
+}
+
+std::vector<std::string> ElementRule::attribute_names() const {
+  std::vector<std::string> names;
+  for (const auto& rule : attributes)
+    add_once(names, rule.name);
+  return names;
+}
+
+const std::vector<ElementRule>& element_table() {
+  static const std::vector<ElementRule> table = read_table();
+  return table;
+}
+
+const ElementRule* find_rule(std::string_view name,
+                             const std::vector<std::string>& within) {
+  const ElementRule* any = nullptr;
+  for (const auto& rule : element_table()) {
+    if (!overlap(rule.in, within))
+      continue;
+    if (same_name(rule.name, name))
+      return &rule;
+    if (rule.name == "*")
+      any = &rule;
+  }
+  return any;
+}
+
+std::vector<std::string> names_within(const std::vector<std::string>& within) {
+  std::vector<std::string> names;
+  for (const auto& rule : element_table())
+    if (overlap(rule.in, within))
+      add_once(names, rule.name);
+  return names;
+}
+
+std::vector<std::string> parents_of(std::string_view name) {
+  std::vector<std::string> parents;
+  for (const auto& rule : element_table())
+    for (const auto& parent : element_table())
+      if (same_name(rule.name, name) && overlap(rule.in, parent.holds))
+        add_once(parents, parent.name);
+  return parents;
+}
+
+std::string alternatives(const std::vector<std::string>& words) {
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (i > 0)
+      text += i + 1 == words.size() ? " or " : ", ";
+    text += words[i];
+  }
+  return text;
+}
+
+} // namespace parlour::script

@@ -1,0 +1,83 @@
+// ElementTable: what elements.def says, as data. Immutable; any thread.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "script/source.hpp"
+
+namespace parlour::script {
+
+// clang-format off
+#define PARLOUR_ATTRIBUTE_KINDS(X) \
+  X(name, "a name: a letter or _, then letters, digits or _") \
+  X(expression, "an expression") \
+  X(text_or_expression, "text or an expression (language rule 4)") \
+  X(text, "text with {expr}") \
+  X(literal, "text as it is") \
+  X(duration, "a duration such as 200ms, 1.5s or 2m") \
+  X(boolean, "true or false") \
+  X(choice, "one of a few words") \
+  X(integer, "a whole number, 0 or more") \
+  X(size, "a size such as 500, 64KB or 16MB") \
+  X(state, "a state's name") \
+  X(topic, "a topic's name") \
+  X(slot, "a slot's name") \
+  X(function, "a function's name") \
+  X(handler, "a handler's name") \
+  X(grammar, "a grammar's name") \
+  X(module, "a role or a component") \
+  X(command, "a command of the component") \
+  X(column, "a column's name")
+// clang-format on
+
+enum class AttributeKind : std::uint8_t {
+#define X(name, sentence) name,
+  PARLOUR_ATTRIBUTE_KINDS(X)
+#undef X
+};
+
+std::string_view sentence_of(AttributeKind kind);
+
+struct AttributeRule {
+  std::string name;
+  AttributeKind kind = AttributeKind::literal;
+  bool required = false;
+  std::vector<std::string> words; // of a choice
+  std::string sentence;
+};
+
+struct ElementRule {
+  std::string name; // "*": every name without a rule of its own
+  std::vector<std::string> in;
+  std::vector<std::string> holds;
+  bool available = true;
+  std::string sentence;
+  std::vector<AttributeRule> attributes;
+
+  // Null where there is none; "*" rules stand for all names.
+  const AttributeRule* attribute(std::string_view attribute_name) const;
+  bool holds_text() const;
+  std::vector<std::string> attribute_names() const;
+};
+
+const std::vector<ElementRule>& element_table();
+
+// The rule of an element among contents `within` (the parent's `holds`; "root"
+// for a document's element); null where it may not stand there.
+const ElementRule* find_rule(std::string_view name,
+                             const std::vector<std::string>& within);
+
+// The names that may stand within these contents.
+std::vector<std::string> names_within(const std::vector<std::string>& within);
+
+// The names of the elements that may hold an element of that name; empty where
+// the name is in no row.
+std::vector<std::string> parents_of(std::string_view name);
+
+// "a", "a or b", "a, b or c".
+std::string alternatives(const std::vector<std::string>& words);
+
+} // namespace parlour::script

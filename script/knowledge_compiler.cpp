@@ -1,0 +1,160 @@
+#include "script/knowledge_compiler.hpp"
+
+#include <algorithm>
+
+#include "script/attribute_check.hpp"
+#include "script/element_table.hpp"
+#include "script/slot_compiler.hpp"
+#include "script/sql_check.hpp"
+
+namespace parlour::script {
+
+namespace {
+
+const std::vector<std::string> source_kinds{"db", "facts", "aiml", "ontology"};
+
+class QueryCompiler {
+public:
+  QueryCompiler(const Element& element, const Topic& topic,
+                Compilation& compilation)
+      : element_(element), topic_(topic), compilation_(compilation) {}
+
+  KnowledgeSource compile();
+
+private:
+  void read_source();
+  void check_statement();
+  void check_facts();
+  void check_order();
+  void add_by(const Element& by);
+  std::string column_of(const Element& by);
+  void error(Position position, std::string message) {
+    compilation_.findings.error(position, std::move(message));
+  }
+
+  const Element& element_;
+  const Topic& topic_;
+  Compilation& compilation_;
+  KnowledgeSource source_;
+};
+
+void QueryCompiler::read_source() {
+  const auto& attribute = *element_.attribute("source");
+  const auto colon =
+      std::min(attribute.value.find(':'), attribute.value.size());
+  source_.kind = attribute.value.substr(0, colon);
+  if (colon < attribute.value.size())
+    source_.name = attribute.value.substr(colon + 1);
+  const auto& kinds = source_kinds;
+  if (std::find(kinds.begin(), kinds.end(), source_.kind) == kinds.end())
+    error(attribute.value_position, "there is no knowledge of the kind '" +
+                                        source_.kind + "'; expected " +
+                                        alternatives(kinds) +
+                                        did_you_mean(source_.kind, kinds));
+  else if (source_.kind == "aiml" || source_.kind == "ontology")
+    error(attribute.value_position,
+          "queries of the kind '" + source_.kind + "' are not available yet");
+}
+
+void QueryCompiler::check_statement() {
+  const auto* statement = element_.attribute("param");
+  if (!statement)
+    return error(element_.position,
+                 "<query source=\"db\"> needs the attribute 'param': one "
+                 "select statement");
+  source_.statement = statement->value;
+  auto wrong = wrong_select(statement->value);
+  if (!wrong.empty())
+    error(statement->value_position, std::move(wrong));
+}
+
+void QueryCompiler::check_facts() {
+  const auto& tables = compilation_.program.facts;
+  const auto names = names_of(tables);
+  if (source_.name.empty() && tables.size() == 1)
+    source_.name = tables.front().name;
+  if (std::find(names.begin(), names.end(), source_.name) == names.end())
+    error(element_.attribute("source")->value_position,
+          source_.name.empty() ? "which <facts>? expected facts:name"
+                               : "there are no <facts> named '" + source_.name +
+                                     "'" + did_you_mean(source_.name, names));
+}
+
+void QueryCompiler::check_order() {
+  const auto* order = element_.attribute("order");
+  if (!order || order->value.empty())
+    return;
+  source_.order = order->value;
+  if (!is_sql_order(order->value))
+    error(order->value_position, "'" + order->value +
+                                     "' is no order; expected "
+                                     "columns such as \"level desc, name\"");
+}
+
+std::string QueryCompiler::column_of(const Element& by) {
+  const auto* column = by.attribute("column");
+  const auto& name = column ? *column : *by.attribute("slot");
+  if (!is_sql_name(name.value))
+    error(name.value_position, "'" + name.value + "' is not a column's name");
+  return name.value;
+}
+
+void QueryCompiler::add_by(const Element& by) {
+  const auto& slot = *by.attribute("slot");
+  QueryBy result;
+  result.slot = topic_.slot(slot.value);
+  if (result.slot == no_id) {
+    const auto known = names_of(topic_.slots);
+    return error(slot.value_position, "topic '" + topic_.name +
+                                          "' has no slot '" + slot.value + "'" +
+                                          did_you_mean(slot.value, known));
+  }
+  result.column = column_of(by);
+  result.match = match_of(by);
+  result.relax =
+      static_cast<std::uint32_t>(parse_count(by.value("relax")).value_or(0));
+  source_.by.push_back(std::move(result));
+}
+
+KnowledgeSource QueryCompiler::compile() {
+  source_.position = element_.position;
+  read_source();
+  if (source_.kind == "db")
+    check_statement();
+  else if (source_.kind == "facts")
+    check_facts();
+  check_order();
+  for (const auto& by : element_.children)
+    add_by(by);
+  return std::move(source_);
+}
+
+} // namespace
+
+void compile_query(const Element& element, Topic& topic,
+                   Compilation& compilation) {
+  topic.queries.push_back(QueryCompiler(element, topic, compilation).compile());
+}
+
+void compile_facts(const Element& element, Compilation& compilation) {
+  FactTable table;
+  table.name = element.value("name");
+  const auto names = names_of(compilation.program.facts);
+  if (std::find(names.begin(), names.end(), table.name) != names.end())
+    compilation.findings.error(element.position, "there are <facts> named '" +
+                                                     table.name + "' already");
+  auto& columns = table.rows.columns;
+  for (const auto& fact : element.children)
+    for (const auto& attribute : fact.attributes)
+      if (std::find(columns.begin(), columns.end(), attribute.name) ==
+          columns.end())
+        columns.push_back(attribute.name);
+  for (const auto& fact : element.children)
+    for (const auto& column : columns) {
+      const auto* attribute = fact.attribute(column);
+      table.rows.cells.push_back(attribute ? Value(attribute->value) : Value());
+    }
+  compilation.program.facts.push_back(std::move(table));
+}
+
+} // namespace parlour::script

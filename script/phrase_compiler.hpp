@@ -1,0 +1,41 @@
+// <phrases>: the words of what the engine itself says (understanding.md,
+// "Phrases").
+#pragma once
+
+#include "script/compilation.hpp"
+
+namespace parlour::script {
+
+// Every act that the engine says, a sentence each.
+// clang-format off
+#define PARLOUR_SAY_ACTS(X) \
+  X(question, "asks for a slot") \
+  X(reprompt, "asks again") \
+  X(answer, "data: rows, asked, relaxed of an enquiry") \
+  X(none_found, "an enquiry found nothing; data: asked") \
+  X(ambiguous, "data: candidates") \
+  X(invalid, "data: value, reason") \
+  X(confirm, "asks whether a value is right; data: value") \
+  X(resume, "asks whether to take an unfinished topic up again") \
+  X(choices, "what can be answered; data: choices") \
+  X(person, "offers somebody to talk to") \
+  X(help, "what can be said") \
+  X(explain, "why a slot is asked for") \
+  X(repeat_nothing, "there is nothing to repeat") \
+  X(cancelled, "the topic was cancelled") \
+  X(restarted, "everything begins again") \
+  X(greet, "answers a greeting") \
+  X(bye, "answers a goodbye; data: unfinished") \
+  X(thank, "answers thanks") \
+  X(no_match, "nothing was understood; data: count") \
+  X(no_input, "nothing was said; data: count") \
+  X(unavailable, "a service is away; data: service") \
+  X(apology, "an error ended what was being done")
+// clang-format on
+
+const std::vector<std::string>& say_acts();
+
+void compile_phrases(const Element& phrases, const FunctionNames* functions,
+                     Compilation& compilation);
+
+} // namespace parlour::script

@@ -1,0 +1,35 @@
+#include "script/program.hpp"
+
+namespace parlour::script {
+
+namespace {
+
+template <class T>
+std::uint32_t index_of(const std::vector<T>& all, std::string_view name) {
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (all[i].name == name)
+      return static_cast<std::uint32_t>(i);
+  return no_id;
+}
+
+} // namespace
+
+SlotId Topic::slot(std::string_view slot_name) const {
+  return index_of(slots, slot_name);
+}
+
+TopicId Program::topic(std::string_view name) const {
+  return index_of(topics, name);
+}
+
+StateId Program::state(std::string_view name) const {
+  return index_of(states, name);
+}
+
+Place Program::place(Position position) const {
+  if (position.file >= files.size())
+    return {"", position.line, position.column};
+  return {files[position.file], position.line, position.column};
+}
+
+} // namespace parlour::script

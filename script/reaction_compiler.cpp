@@ -1,0 +1,136 @@
+#include "script/reaction_compiler.hpp"
+
+#include <algorithm>
+
+#include "runtime/base/roles.hpp"
+
+namespace parlour::script {
+
+namespace {
+
+// The candidate that is the name but for the first letter's case.
+std::string spelt_as(const std::string& name,
+                     const std::vector<std::string>& candidates) {
+  if (std::find(candidates.begin(), candidates.end(), name) != candidates.end())
+    return name;
+  for (const auto& candidate : candidates)
+    if (same_name(candidate, name))
+      return candidate;
+  return {};
+}
+
+// A file checked by itself does not know which components there will be: only
+// what looks like a slip is worth a word.
+void warn_of_source(const std::string& name, Position position,
+                    Compilation& compilation) {
+  auto hint = did_you_mean(name, compilation.sources);
+  if (!hint.empty() || !compilation.program.single_file)
+    compilation.findings.warning(position, "no component, role or agent is "
+                                           "called '" +
+                                               name + "'" + hint);
+}
+
+std::string checked_source(const std::string& name, Position position,
+                           Compilation& compilation) {
+  if (name == "*")
+    return name;
+  auto found = spelt_as(name, compilation.sources);
+  if (!found.empty())
+    return found;
+  warn_of_source(name, position, compilation);
+  return name;
+}
+
+class MessagesCompiler {
+public:
+  MessagesCompiler(const BodyContext& context, Compilation& compilation)
+      : context_(context), compilation_(compilation) {
+    context_.handles_message = true;
+  }
+
+  void compile(const Element& messages) {
+    for (const auto& child : messages.children) {
+      if (child.is("on"))
+        compile_on(child);
+      else
+        compile_sources(child);
+    }
+  }
+  std::vector<Reaction> take() {
+    return std::move(reactions_);
+  }
+
+private:
+  void compile_sources(const Element& component) {
+    for (const auto& source : component.children) {
+      if (source.is("on"))
+        compile_on(source);
+      else
+        for (const auto& event : source.children)
+          add({source.name, event.name}, source.position, event.position,
+              event);
+    }
+  }
+  void compile_on(const Element& on) {
+    const auto& source = *on.attribute("source");
+    const auto& event = *on.attribute("event");
+    add({source.value, event.value}, source.value_position,
+        event.value_position, on);
+  }
+  void add(EventName name, Position source, Position event,
+           const Element& body) {
+    name = checked_event(std::move(name), source, event, compilation_);
+    auto inside = context_;
+    inside.name += " " + name.source + "." + name.event;
+    reactions_.push_back({name.source, name.event,
+                          compilation_.bodies.body(body, inside),
+                          body.position});
+  }
+
+  BodyContext context_;
+  Compilation& compilation_;
+  std::vector<Reaction> reactions_;
+};
+
+} // namespace
+
+std::vector<Reaction> compile_messages(const Element& messages,
+                                       const BodyContext& context,
+                                       Compilation& compilation) {
+  MessagesCompiler compiler(context, compilation);
+  compiler.compile(messages);
+  return compiler.take();
+}
+
+std::vector<std::string> known_sources(const Program& program,
+                                       const std::vector<std::string>& agents) {
+  std::vector<std::string> names = agents;
+  for (const auto& role : roles()) {
+    names.push_back(role.name);
+    names.insert(names.end(), role.aliases.begin(), role.aliases.end());
+  }
+  for (const auto& component : program.settings.components) {
+    names.push_back(component.name);
+    names.push_back(component.plugin);
+  }
+  return names;
+}
+
+EventName checked_event(EventName name, Position source, Position event,
+                        Compilation& compilation) {
+  name.source = checked_source(name.source, source, compilation);
+  const auto* role = find_role(name.source);
+  if (!role || name.event == "*")
+    return name;
+  const auto events = names_of(role->events);
+  const auto found = spelt_as(name.event, events);
+  if (found.empty())
+    compilation.findings.warning(event, name.source + " has no event '" +
+                                            name.event + "'" +
+                                            did_you_mean(name.event, events));
+  else
+    name.event = found;
+  return name;
+}
+
+} // namespace parlour::script

@@ -1,0 +1,29 @@
+// Reactions: <messages> of handlers and states, in both of their forms, and
+// what the roles table knows of their sources and events (engine rule 1).
+#pragma once
+
+#include <vector>
+
+#include "script/compilation.hpp"
+
+namespace parlour::script {
+
+// The reactions of one <messages>.
+std::vector<Reaction> compile_messages(const Element& messages,
+                                       const BodyContext& context,
+                                       Compilation& compilation);
+
+// The names of everything that can be a source of messages.
+std::vector<std::string> known_sources(const Program& program,
+                                       const std::vector<std::string>& agents);
+
+// A source and an event as the roles table spells them; what it does not know
+// is a warning.
+struct EventName {
+  std::string source;
+  std::string event;
+};
+EventName checked_event(EventName name, Position source, Position event,
+                        Compilation& compilation);
+
+} // namespace parlour::script

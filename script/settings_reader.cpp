@@ -1,0 +1,194 @@
+#include "script/settings_reader.hpp"
+
+#include <algorithm>
+
+#include "script/attribute_check.hpp"
+
+namespace parlour::script {
+
+namespace {
+
+using Environment = std::string (*)(const std::string&);
+
+void read_duration(const Element& element, const char* name,
+                   Milliseconds& target) {
+  if (const auto* attribute = element.attribute(name))
+    target = parse_duration(attribute->value).value_or(target);
+}
+
+void read_sessions(const Element& element, SessionSettings& sessions) {
+  read_duration(element, "resume-after", sessions.resume_after);
+  read_duration(element, "no-input-after", sessions.no_input_after);
+  read_duration(element, "context-for", sessions.context_for);
+  read_duration(element, "request-timeout", sessions.request_timeout);
+  read_duration(element, "rest-after", sessions.rest_after);
+  read_duration(element, "closes-after", sessions.closes_after);
+}
+
+template <class T>
+void read_number(const Element& element, const char* name, T& target) {
+  if (const auto* attribute = element.attribute(name))
+    target = static_cast<T>(parse_size(attribute->value).value_or(target));
+}
+
+void read_limits(const Element& element, Limits& limits) {
+  read_number(element, "instructions", limits.instructions);
+  read_number(element, "depth", limits.depth);
+  read_number(element, "bytes", limits.bytes);
+  read_number(element, "result", limits.result);
+}
+
+class SettingsReader {
+public:
+  SettingsReader(const Aliases& aliases, Environment environment,
+                 Findings& findings)
+      : aliases_(aliases), environment_(environment), findings_(findings) {}
+
+  Settings read(const Element& root);
+
+private:
+  void read_plugins(const Element& element);
+  void read_component(const Element& element);
+  void read_scripts(const Element& element);
+  std::string replaced(const Attribute& attribute);
+  std::string variable(const std::string& name, Position position);
+  std::string own_name(const std::string& name) const;
+  ComponentSettings* find(const std::string& name);
+  Place place(const Element& element) const {
+    return findings_.place(element.position);
+  }
+
+  const Aliases& aliases_;
+  Environment environment_;
+  Findings& findings_;
+  Settings settings_;
+};
+
+std::string SettingsReader::own_name(const std::string& name) const {
+  const auto found = aliases_.find(name);
+  return found == aliases_.end() ? name : found->second;
+}
+
+ComponentSettings* SettingsReader::find(const std::string& name) {
+  for (auto& component : settings_.components)
+    if (component.name == name)
+      return &component;
+  return nullptr;
+}
+
+void SettingsReader::read_plugins(const Element& element) {
+  for (const auto& plugin : element.children) {
+    const auto name = own_name(collapsed(plugin.text));
+    if (name.empty())
+      findings_.error(plugin.position, "<Plugin> is empty; expected the name "
+                                       "of a plug-in");
+    else if (find(name))
+      findings_.error(plugin.position,
+                      "the plug-in '" + name + "' is listed twice");
+    else
+      settings_.components.push_back({name, name, {}, place(plugin)});
+  }
+}
+
+std::string SettingsReader::variable(const std::string& name,
+                                     Position position) {
+  auto value = environment_ ? environment_(name) : std::string();
+  if (value.empty())
+    findings_.warning(position, "the environment has no '" + name + "'; ${" +
+                                    name + "} is empty");
+  return value;
+}
+
+std::string SettingsReader::replaced(const Attribute& attribute) {
+  const auto& value = attribute.value;
+  std::string result;
+  std::size_t done = 0;
+  for (auto at = value.find("${"); at != std::string::npos;
+       at = value.find("${", done)) {
+    const auto end = value.find('}', at);
+    if (end == std::string::npos) {
+      findings_.error(attribute.value_position, "${ without its }");
+      return {};
+    }
+    result += value.substr(done, at - done);
+    result +=
+        variable(value.substr(at + 2, end - at - 2), attribute.value_position);
+    done = end + 1;
+  }
+  return result + value.substr(done);
+}
+
+// Options of a listed plug-in, or a further instance of one.
+void SettingsReader::read_component(const Element& element) {
+  const auto* plugin = element.attribute("plugin");
+  const auto name =
+      plugin ? element.value("name") : own_name(element.value("name"));
+  auto* component = find(name);
+  if (component && plugin)
+    return findings_.error(element.position,
+                           "there is a component '" + name + "' already");
+  if (!component) {
+    if (!plugin) {
+      std::vector<std::string> known;
+      for (const auto& one : settings_.components)
+        known.push_back(one.name);
+      return findings_.error(element.position,
+                             "'" + name + "' is not in <Plugins>" +
+                                 did_you_mean(name, known) +
+                                 " A further instance says plugin=\"…\"");
+    }
+    settings_.components.push_back(
+        {name, own_name(plugin->value), {}, place(element)});
+    component = &settings_.components.back();
+  }
+  for (const auto& option : element.children)
+    if (!component->options
+             .emplace(option.value("name"),
+                      replaced(*option.attribute("value")))
+             .second)
+      findings_.error(option.position, "the option '" + option.value("name") +
+                                           "' of '" + name +
+                                           "' is given twice");
+}
+
+void SettingsReader::read_scripts(const Element& element) {
+  for (const auto& script : element.children)
+    settings_.scripts.push_back(collapsed(script.text));
+}
+
+Settings SettingsReader::read(const Element& root) {
+  settings_.name = root.value("name");
+  settings_.start = root.value("start");
+  settings_.unsafe_sql = root.value("unsafe-sql") == "true";
+  for (const auto& child : root.children)
+    if (child.is("Plugins"))
+      read_plugins(child);
+  for (const auto& child : root.children) {
+    if (child.is("component"))
+      read_component(child);
+    else if (child.is("Scripts"))
+      read_scripts(child);
+    else if (child.is("sessions"))
+      read_sessions(child, settings_.sessions);
+    else if (child.is("limits"))
+      read_limits(child, settings_.limits);
+  }
+  return std::move(settings_);
+}
+
+} // namespace
+
+Aliases read_aliases(const Element& root) {
+  Aliases aliases;
+  for (const auto& alias : root.children)
+    aliases.emplace(alias.value("name"), alias.value("plugin"));
+  return aliases;
+}
+
+Settings read_settings(const Element& root, const Aliases& aliases,
+                       std::string (*environment)(const std::string&),
+                       Findings& findings) {
+  return SettingsReader(aliases, environment, findings).read(root);
+}
+
+} // namespace parlour::script

@@ -1,0 +1,60 @@
+#include "script/source.hpp"
+
+#include <algorithm>
+#include <cctype>
+
+namespace parlour::script {
+
+namespace {
+
+char lower(char letter) {
+  return static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+}
+
+} // namespace
+
+bool same_name(std::string_view a, std::string_view b) {
+  if (a.empty() || b.empty())
+    return a == b;
+  return lower(a.front()) == lower(b.front()) && a.substr(1) == b.substr(1);
+}
+
+bool Element::is(std::string_view other) const {
+  return same_name(name, other);
+}
+
+const Attribute* Element::attribute(std::string_view attribute_name) const {
+  auto found =
+      std::find_if(attributes.begin(), attributes.end(),
+                   [&](const auto& one) { return one.name == attribute_name; });
+  return found == attributes.end() ? nullptr : &*found;
+}
+
+std::string Element::value(std::string_view attribute_name) const {
+  const auto* found = attribute(attribute_name);
+  return found ? found->value : std::string();
+}
+
+const Element* Element::child(std::string_view child_name) const {
+  auto found =
+      std::find_if(children.begin(), children.end(),
+                   [&](const auto& one) { return one.is(child_name); });
+  return found == children.end() ? nullptr : &*found;
+}
+
+std::string collapsed(std::string_view text) {
+  std::string result;
+  for (const char letter : text) {
+    const bool blank =
+        letter == ' ' || letter == '\t' || letter == '\n' || letter == '\r';
+    if (!blank)
+      result += letter;
+    else if (!result.empty() && result.back() != ' ')
+      result += ' ';
+  }
+  if (result.ends_with(' '))
+    result.pop_back();
+  return result;
+}
+
+} // namespace parlour::script

@@ -1,0 +1,246 @@
+#include "script/source_reader.hpp"
+
+#include <cstring>
+#include <fstream>
+
+#include <pugixml.hpp>
+
+#include "script/text_positions.hpp"
+#include "script/well_formed.hpp"
+
+namespace parlour::script {
+
+namespace {
+
+constexpr auto npos = std::string_view::npos;
+constexpr auto parse_options = pugi::parse_default | pugi::parse_doctype;
+
+std::string quoted_tag(const std::string& name) {
+  return "<" + name + ">";
+}
+
+// What the parser expected where it gave up, tags that do not match aside.
+const char* sentence_of(pugi::xml_parse_status status) {
+  switch (status) {
+  case pugi::status_bad_pi:
+    return "this <?…?> does not end; expected ?>";
+  case pugi::status_bad_comment:
+    return "this comment does not end; expected -->";
+  case pugi::status_bad_cdata:
+    return "this CDATA section does not end; expected ]]>";
+  case pugi::status_bad_doctype:
+    return "a DOCTYPE may not stand in a script";
+  case pugi::status_bad_start_element:
+    return "this tag is not well-formed; expected <name attribute=\"value\">";
+  case pugi::status_bad_attribute:
+    return "this attribute is not well-formed; expected name=\"value\" with "
+           "the same quotes around it and none of them inside";
+  case pugi::status_bad_end_element:
+    return "this end tag is not well-formed; expected </name>";
+  case pugi::status_no_document_element:
+    return "there is no element in this file";
+  default:
+    return "this is not well-formed XML";
+  }
+}
+
+// One reading of one file.
+class Reader {
+public:
+  Reader(std::string text, std::uint16_t file, Findings& findings)
+      : text_(std::move(text)), positions_(text_, file), findings_(findings) {}
+
+  std::optional<Element> read();
+
+private:
+  void check_text();
+  std::size_t beginning(pugi::xml_parse_status status,
+                        std::size_t offset) const;
+  void explain(const pugi::xml_parse_result& result);
+  std::string tag_sentence(const TagProblem& problem) const;
+  void check_document();
+  void build(pugi::xml_node node, Element& element, std::size_t depth);
+  void read_attributes(pugi::xml_node node, Element& element);
+  void read_text(pugi::xml_node node, Element& element);
+  void check_name(const char* name, std::size_t offset);
+  void error(std::size_t offset, std::string message);
+  std::size_t offset_of(const char* inside) const {
+    return static_cast<std::size_t>(inside - buffer_.data());
+  }
+
+  std::string text_;   // as it stands in the file
+  std::string buffer_; // the same, which the parser overwrites in place
+  TextPositions positions_;
+  Findings& findings_;
+  pugi::xml_document document_;
+  bool failed_ = false;
+};
+
+void Reader::error(std::size_t offset, std::string message) {
+  failed_ = true;
+  findings_.error(positions_.at(offset), std::move(message));
+}
+
+void Reader::check_text() {
+  if (const auto invalid = find_invalid_utf8(text_))
+    return error(*invalid, "this is not UTF-8; save the file as UTF-8");
+  for (std::size_t i = 0; i < text_.size(); ++i)
+    if (static_cast<unsigned char>(text_[i]) < 0x20 &&
+        !std::strchr("\t\r\n", text_[i] ? text_[i] : 1))
+      return error(i, "a control character may not stand in XML");
+}
+
+std::string Reader::tag_sentence(const TagProblem& problem) const {
+  const auto line = std::to_string(positions_.at(problem.open.offset).line);
+  const auto open =
+      quoted_tag(problem.open.name) + " of line " + line + " is open";
+  if (problem.found.empty())
+    return "the file ends while " + open + "; expected </" + problem.open.name +
+           ">";
+  if (problem.open.name.empty())
+    return "</" + problem.found + "> closes nothing: no element is open";
+  return "</" + problem.found + "> does not fit: " + open + "; expected </" +
+         problem.open.name + ">";
+}
+
+// What does not end is told where it begins.
+std::size_t Reader::beginning(pugi::xml_parse_status status,
+                              std::size_t offset) const {
+  const char* opening = status == pugi::status_bad_comment   ? "<!--"
+                        : status == pugi::status_bad_cdata   ? "<![CDATA["
+                        : status == pugi::status_bad_pi      ? "<?"
+                        : status == pugi::status_bad_doctype ? "<!"
+                                                             : nullptr;
+  const auto found = opening ? text_.rfind(opening, offset) : npos;
+  return found == npos ? offset : found;
+}
+
+void Reader::explain(const pugi::xml_parse_result& result) {
+  const auto offset = static_cast<std::size_t>(result.offset);
+  const auto tags = find_tag_problem(text_);
+  const bool mismatch = result.status == pugi::status_end_element_mismatch ||
+                        result.status == pugi::status_bad_end_element;
+  if (mismatch && tags.offset != npos &&
+      !(tags.found.empty() && tags.open.name.empty()))
+    return error(tags.offset, tag_sentence(tags));
+  error(beginning(result.status, offset), sentence_of(result.status));
+}
+
+void Reader::check_name(const char* name, std::size_t offset) {
+  if (std::strchr(name, ':'))
+    error(offset, "'" + std::string(name) +
+                      "' has a prefix; names here have "
+                      "none");
+}
+
+void Reader::read_attributes(pugi::xml_node node, Element& element) {
+  auto report = [this](std::size_t offset, std::string sentence) {
+    error(offset, std::move(sentence));
+  };
+  for (auto attribute : node.attributes()) {
+    const auto at = offset_of(attribute.name());
+    const auto value_at = offset_of(attribute.value());
+    check_name(attribute.name(), at);
+    check_characters(text_, value_at, true, report);
+    if (element.attribute(attribute.name()))
+      error(at, "'" + std::string(attribute.name()) + "' is given twice");
+    element.attributes.push_back({attribute.name(), attribute.value(),
+                                  positions_.at(at), positions_.at(value_at)});
+  }
+}
+
+void Reader::read_text(pugi::xml_node node, Element& element) {
+  const auto offset = offset_of(node.value());
+  if (node.type() == pugi::node_pcdata)
+    check_characters(text_, offset, false,
+                     [this](std::size_t at, std::string sentence) {
+                       error(at, std::move(sentence));
+                     });
+  if (element.text.empty()) {
+    const auto first = text_.find_first_not_of(" \t\r\n", offset);
+    element.text_position = positions_.at(first);
+  }
+  element.text += node.value();
+}
+
+void Reader::build(pugi::xml_node node, Element& element, std::size_t depth) {
+  const auto offset = offset_of(node.name()) - 1; // of the `<`
+  element.name = node.name();
+  element.position = positions_.at(offset);
+  check_name(node.name(), offset);
+  if (depth > deepest_nesting)
+    return error(offset, "elements are nested deeper than " +
+                             std::to_string(deepest_nesting) + " levels");
+  read_attributes(node, element);
+  for (auto child : node.children()) {
+    if (child.type() == pugi::node_element)
+      build(child, element.children.emplace_back(), depth + 1);
+    else if (child.type() == pugi::node_pcdata ||
+             child.type() == pugi::node_cdata)
+      read_text(child, element);
+    else if (child.type() == pugi::node_doctype)
+      error(offset, sentence_of(pugi::status_bad_doctype));
+  }
+}
+
+void Reader::check_document() {
+  int roots = 0;
+  for (auto node : document_.children()) {
+    if (node.type() == pugi::node_doctype)
+      error(beginning(pugi::status_bad_doctype, offset_of(node.value())),
+            sentence_of(pugi::status_bad_doctype));
+    if (node.type() == pugi::node_element && ++roots == 2)
+      error(offset_of(node.name()) - 1,
+            "a second root element; a file has one");
+  }
+  if (const auto outside = find_text_outside(text_); outside != npos)
+    error(outside, "text outside of the root element");
+}
+
+std::optional<Element> Reader::read() {
+  check_text();
+  if (failed_)
+    return std::nullopt;
+  buffer_ = text_;
+  const auto result = document_.load_buffer_inplace(
+      buffer_.data(), buffer_.size(), parse_options, pugi::encoding_utf8);
+  if (!result) {
+    explain(result);
+    return std::nullopt;
+  }
+  check_document();
+  Element root;
+  build(document_.document_element(), root, 1);
+  if (failed_)
+    return std::nullopt;
+  return root;
+}
+
+} // namespace
+
+std::optional<Element> read_source(std::string text, std::uint16_t file,
+                                   Findings& findings) {
+  if (text.size() > largest_source) {
+    findings.error({file, 0, 0}, "the file is larger than 16 MB");
+    return std::nullopt;
+  }
+  if (text.starts_with("\xef\xbb\xbf")) // a byte order mark counts for nothing
+    text.erase(0, 3);
+  return Reader(std::move(text), file, findings).read();
+}
+
+Expected<std::string> read_bytes(const std::filesystem::path& path) {
+  std::error_code status;
+  if (std::filesystem::is_directory(path, status))
+    return fail(ErrorKind::file, "this is a folder, not a file");
+  std::ifstream file(path, std::ios::binary);
+  if (!file)
+    return fail(ErrorKind::file, "this file cannot be read");
+  std::string text(largest_source + 1, '\0');
+  file.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(file.gcount()));
+  text.shrink_to_fit();
+  return text;
+}
+
+} // namespace parlour::script

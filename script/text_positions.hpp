@@ -1,0 +1,30 @@
+// TextPositions: from an offset in a source text to its line and column
+// (counted in code points; language rule 1).
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "script/source.hpp"
+
+namespace parlour::script {
+
+class TextPositions {
+public:
+  // The text must outlive this. A line ends with LF, CR LF or CR.
+  TextPositions(std::string_view text, std::uint16_t file);
+
+  Position at(std::size_t offset) const;
+
+private:
+  std::string_view text_;
+  std::uint16_t file_;
+  std::vector<std::size_t> starts_; // of the lines
+};
+
+// The offset of the first byte that is not UTF-8, if any.
+std::optional<std::size_t> find_invalid_utf8(std::string_view text);
+
+} // namespace parlour::script

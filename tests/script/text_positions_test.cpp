@@ -1,0 +1,34 @@
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "script/text_positions.hpp"
+
+namespace parlour::script {
+
+TEST(TextPositions, count_columns_in_code_points) {
+  const std::string text = "aé日x\nb";
+  TextPositions positions(text, 3);
+  EXPECT_EQ(positions.at(0), (Position{3, 1, 1}));
+  EXPECT_EQ(positions.at(text.find('x')), (Position{3, 1, 4}));
+  EXPECT_EQ(positions.at(text.find('b')), (Position{3, 2, 1}));
+  EXPECT_EQ(positions.at(1000), (Position{3, 2, 2}));
+}
+
+TEST(TextPositions, know_all_ends_of_lines) {
+  TextPositions positions("a\r\nb\rc\nd", 0);
+  EXPECT_EQ(positions.at(3), (Position{0, 2, 1}));
+  EXPECT_EQ(positions.at(5), (Position{0, 3, 1}));
+  EXPECT_EQ(positions.at(7), (Position{0, 4, 1}));
+}
+
+TEST(Utf8, is_told_from_what_is_not) {
+  EXPECT_FALSE(find_invalid_utf8("Grüße, 日本, 😀"));
+  EXPECT_EQ(find_invalid_utf8("a\xff"), 1u);
+  EXPECT_EQ(find_invalid_utf8("ab\xc3"), 2u);
+  EXPECT_EQ(find_invalid_utf8("\xc0\x80"), 0u);         // overlong
+  EXPECT_EQ(find_invalid_utf8("\xed\xa0\x80"), 0u);     // surrogate
+  EXPECT_EQ(find_invalid_utf8("\xf4\x90\x80\x80"), 0u); // too large
+}
+
+} // namespace parlour::script

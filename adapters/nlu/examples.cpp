@@ -1,0 +1,70 @@
+#include "adapters/nlu/examples.hpp"
+
+#include "adapters/nlu/tokens.hpp"
+
+namespace parlour::adapters::nlu {
+
+namespace {
+
+using jsgf::Node;
+using jsgf::NodeKind;
+
+void add_words(Node& sequence, std::string_view text) {
+  for (auto& token : tokenize(text).list)
+    sequence.children.push_back(
+        {NodeKind::word, std::move(token.word), {}, {}, {}, {}});
+}
+
+// The part that ends in the slot at `last`: the words before it, back to the
+// slot before. Empty where there are none.
+Node part_before(const Node& whole, std::size_t last) {
+  auto first = last;
+  while (first > 0 && whole.children[first - 1].kind == NodeKind::word)
+    --first;
+  Node part{NodeKind::sequence, "", {}, {}, {}, {}};
+  if (first < last)
+    for (auto at = first; at <= last; ++at)
+      part.children.push_back(whole.children[at]);
+  return part;
+}
+
+} // namespace
+
+ExampleRules example_rules(const TopicModel& topic, const std::string& example,
+                           std::vector<Error>& errors) {
+  ExampleRules made;
+  made.whole.kind = NodeKind::sequence;
+  std::string_view rest = example;
+  while (true) {
+    const auto open = rest.find('[');
+    add_words(made.whole, rest.substr(0, open));
+    if (open == std::string_view::npos)
+      break;
+    const auto middle = rest.find("](", open);
+    const auto close = rest.find(')', open);
+    if (middle == std::string_view::npos || close == std::string_view::npos ||
+        close < middle) {
+      errors.push_back({ErrorKind::compile,
+                        "the example \"" + example + "\" of the topic '" +
+                            topic.name +
+                            "' marks a slot's words like this: [words](Slot)",
+                        {}});
+      break;
+    }
+    const std::string slot(rest.substr(middle + 2, close - middle - 2));
+    made.whole.children.push_back(
+        {NodeKind::reference, topic.name + '.' + slot, {}, {}, {}, {}});
+    rest = rest.substr(close + 1);
+  }
+  for (std::size_t at = 0; at < made.whole.children.size(); ++at) {
+    if (made.whole.children[at].kind != NodeKind::reference)
+      continue;
+    auto part = part_before(made.whole, at);
+    if (!part.children.empty() &&
+        part.children.size() < made.whole.children.size())
+      made.parts.push_back(std::move(part));
+  }
+  return made;
+}
+
+} // namespace parlour::adapters::nlu

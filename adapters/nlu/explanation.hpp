@@ -1,0 +1,32 @@
+// Says why an utterance was understood as it was, for `parlour understand`.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "adapters/nlu/acts.hpp"
+
+namespace parlour::adapters::nlu {
+
+class Explanation {
+public:
+  Explanation(const Utterance& utterance, const Spans& spans,
+              const Schema& schema)
+      : utterance_(utterance), spans_(spans), schema_(schema) {}
+
+  std::vector<std::string> lines(const std::vector<Island>& islands,
+                                 const std::vector<Chain>& chains,
+                                 const std::vector<BuiltAct>& acts) const;
+
+private:
+  std::string tokens() const;
+  std::string island(const Island& island) const;
+  std::string act(const BuiltAct& act) const;
+  std::string topic(TopicNumber number) const;
+
+  const Utterance& utterance_;
+  const Spans& spans_;
+  const Schema& schema_;
+};
+
+} // namespace parlour::adapters::nlu

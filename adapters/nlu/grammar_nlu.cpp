@@ -1,0 +1,134 @@
+#include "adapters/nlu/grammar_nlu.hpp"
+
+#include <fstream>
+#include <iterator>
+
+#include "adapters/nlu/understander.hpp"
+
+namespace parlour::adapters {
+
+namespace {
+
+std::string option(const Options& options, const std::string& name,
+                   std::string fallback) {
+  const auto found = options.find(name);
+  return found == options.end() || found->second.empty() ? fallback
+                                                         : found->second;
+}
+
+// All of them in one: the first one's place, a line for each.
+Error joined(const std::vector<Error>& errors) {
+  auto all = errors.front();
+  for (std::size_t at = 1; at < errors.size(); ++at) {
+    const auto& error = errors[at];
+    all.message += '\n';
+    if (!error.place.file.empty())
+      all.message += error.place.file + ':' + std::to_string(error.place.line) +
+                     ':' + std::to_string(error.place.column) + ": ";
+    all.message += error.message;
+  }
+  return all;
+}
+
+class GrammarNLU : public InlinePlugin {
+public:
+  std::vector<Answer> answers(const Message& message) const override {
+    if (message.command != "DoNLU")
+      return {};
+    const auto text =
+        message.params.empty() ? std::string() : message.params[0].text();
+    auto made = understander_->understand(text, context_of(message));
+    if (made.acts.empty())
+      return {{"NoResult", {text}}};
+    return {{"FrameInfo", std::move(made.acts)}};
+  }
+
+protected:
+  Expected<void> on_start(const Options& options) override {
+    nlu::Understander::Options wanted;
+    const auto threshold = parse_number(option(options, "threshold", "0.4"));
+    wanted.threshold = threshold.number_or(-1);
+    if (wanted.threshold < 0 || wanted.threshold > 1)
+      return fail(ErrorKind::settings,
+                  "GrammarNLU: threshold is a number from 0 to 1");
+    const auto generic = read_generic(options);
+    if (!generic)
+      return tl::make_unexpected(generic.error());
+    wanted.generic = *generic;
+    return build(std::move(wanted));
+  }
+
+private:
+  // A context without a clock gets the platform's.
+  Value context_of(const Message& message) const {
+    Map context;
+    if (message.params.size() > 1 && message.params[1].if_map())
+      context = *message.params[1].if_map();
+    if (!context.find("now"))
+      context.set("now", host().clock().now());
+    return context;
+  }
+
+  static Expected<std::vector<GrammarModel>>
+  read_generic(const Options& options) {
+    const auto platform = option(options, "platform", "");
+    const auto shipped =
+        platform.empty() ? "" : platform + "/generic-acts.jsgf";
+    const auto path = option(options, "generic", shipped);
+    if (path.empty())
+      return fail(ErrorKind::settings, "GrammarNLU: neither the option "
+                                       "'platform' nor 'generic' is set");
+    auto grammar = nlu::read_grammar(path);
+    if (!grammar)
+      return tl::make_unexpected(grammar.error());
+    return std::vector<GrammarModel>{std::move(*grammar)};
+  }
+
+  Expected<void> build(nlu::Understander::Options wanted) {
+    const auto model = host().understanding();
+    auto built = nlu::Understander::build(
+        model ? *model : UnderstandingModel(),
+        [this](const std::string& name) { return host().column(name); },
+        std::move(wanted));
+    if (!built)
+      return tl::make_unexpected(joined(built.error()));
+    understander_ = std::make_unique<nlu::Understander>(std::move(*built));
+    return {};
+  }
+
+  std::unique_ptr<nlu::Understander> understander_;
+};
+
+} // namespace
+
+namespace nlu {
+
+Expected<GrammarModel> read_grammar(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string text{std::istreambuf_iterator<char>(file), {}};
+  if (!file)
+    return fail(ErrorKind::file, "cannot read the grammar", {path, 0, 0});
+  const auto slash = path.find_last_of('/');
+  auto name = slash == std::string::npos ? path : path.substr(slash + 1);
+  return GrammarModel{
+      name.substr(0, name.find('.')), std::move(text), {path, 1, 1}};
+}
+
+} // namespace nlu
+
+PluginFactory grammar_nlu_factory() {
+  PluginDescription description;
+  description.name = "GrammarNLU";
+  description.roles = {"NLU"};
+  description.sentence = "Understands by grammars, examples, names and values.";
+  description.options = {
+      {"threshold", "0.4", "acts with a lower score are not understood", false},
+      {"platform", "", "folder of what the platform ships", false},
+      {"generic", "", "grammar of generic acts, instead of the platform's",
+       false}};
+  description.is_inline = true;
+  return {std::move(description),
+          [] { return std::make_unique<GrammarNLU>(); }};
+}
+
+} // namespace parlour::adapters

@@ -1,0 +1,24 @@
+// GrammarNLU: the plug-in for the role NLU. Answers DoNLU(text, context?) with
+// FrameInfo(act…) or NoResult(text) (understanding; roles).
+//
+// Options: threshold (0.4); platform, the folder of what the platform ships
+// (config/platform), set by the composition root; generic, another file than
+// its generic-acts.jsgf.
+//
+// Names and values are read from the database once, at start.
+#pragma once
+
+#include "runtime/plugin/plugin.hpp"
+
+namespace parlour::adapters {
+
+PluginFactory grammar_nlu_factory();
+
+namespace nlu {
+
+// A grammar's file as it is.
+Expected<GrammarModel> read_grammar(const std::string& path);
+
+} // namespace nlu
+
+} // namespace parlour::adapters

@@ -1,0 +1,70 @@
+#include <gtest/gtest.h>
+
+#include "tests/adapters/nlu/sample.hpp"
+#include "tests/support/fake_plugin_host.hpp"
+
+namespace parlour::adapters {
+namespace {
+
+class GrammarNLU : public testing::Test {
+protected:
+  GrammarNLU() {
+    host_.model =
+        std::make_shared<UnderstandingModel>(nlu::test::sample_model());
+    host_.columns = nlu::test::sample_column;
+    host_.time.set(nlu::test::sample_now());
+  }
+
+  Expected<void> start(Options options) {
+    return plugin_->start(host_, options);
+  }
+
+  const std::string platform_ =
+      std::string(PARLOUR_SOURCE_DIR) + "/config/platform";
+  parlour::test::FakePluginHost host_;
+  std::unique_ptr<IPlugin> plugin_ = grammar_nlu_factory().create();
+};
+
+TEST_F(GrammarNLU, AnswersWithActs) {
+  ASSERT_TRUE(start({{"platform", platform_}}));
+  plugin_->receive(parlour::test::message(
+      "DoNLU", {"is there a bank and is there a toilet"}));
+  ASSERT_EQ(host_.events.size(), 1U);
+  EXPECT_EQ(host_.events[0].command, "FrameInfo");
+  EXPECT_EQ(host_.events[0].correlation, 7U);
+  EXPECT_EQ(host_.events[0].params.size(), 2U);
+}
+
+TEST_F(GrammarNLU, SaysThatThereIsNoResult) {
+  ASSERT_TRUE(start({{"platform", platform_}}));
+  plugin_->receive(parlour::test::message("DoNLU", {"blub"}));
+  plugin_->receive(parlour::test::message("DoNLU"));
+  EXPECT_EQ(host_.take_events(),
+            (std::vector<std::string>{"NoResult(blub)", "NoResult()"}));
+}
+
+TEST_F(GrammarNLU, TakesTheTimeOfThePlatform) {
+  ASSERT_TRUE(start({{"platform", platform_}}));
+  plugin_->receive(parlour::test::message("DoNLU", {"in ten minutes"}));
+  ASSERT_EQ(host_.events.size(), 1U);
+  const auto& act = host_.events[0].params[0];
+  EXPECT_EQ(act["slots"]["Time"]["value"].text(), "09:10");
+}
+
+TEST_F(GrammarNLU, DoesNotStartWithWrongSettings) {
+  EXPECT_EQ(start({}).error().kind, ErrorKind::settings);
+  EXPECT_EQ(start({{"platform", "/nowhere"}}).error().kind, ErrorKind::file);
+  EXPECT_EQ(
+      start({{"platform", platform_}, {"threshold", "much"}}).error().kind,
+      ErrorKind::settings);
+}
+
+TEST_F(GrammarNLU, ReportsAColumnThatCannotBeRead) {
+  host_.columns = nullptr;
+  const auto started = start({{"platform", platform_}});
+  ASSERT_FALSE(started);
+  EXPECT_NE(started.error().message.find("@db:staff.name"), std::string::npos);
+}
+
+} // namespace
+} // namespace parlour::adapters

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 
 #include "runtime/base/message.hpp"
@@ -34,6 +35,10 @@ struct Inspection {
   SessionId session;
   std::string subject; // "Appointment.Time", "Welcome", "Record.BufferFull"
   std::string detail;  // human words
+  // Of kinds message and unhandled: the message, and the way it took as
+  // "filter -> NLG", "session"; else null and empty.
+  std::shared_ptr<const Message> message = nullptr;
+  std::string way = {};
 };
 
 } // namespace parlour

@@ -1,0 +1,205 @@
+#include "actors/house.hpp"
+
+#include <future>
+#include <utility>
+
+#include <caf/scoped_actor.hpp>
+#include <caf/send.hpp>
+
+#include "actors/message_centre.hpp"
+#include "actors/session_manager.hpp"
+#include "actors/supervisor.hpp"
+
+namespace parlour::actors {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+// How long sessions and components get to end by themselves.
+constexpr Milliseconds drain_time = 2s;
+
+std::unique_ptr<Drive> make_drive(const NodeOptions& options) {
+  return options.virtual_start ? make_virtual_drive(*options.virtual_start)
+                               : make_real_drive(options.threads);
+}
+
+} // namespace
+
+House::House(NodeOptions options)
+    : options_(std::move(options)), drive_(make_drive(options_)),
+      chance_(options_.seed), services_(drive_->gate()) {
+  set_up_services();
+  drive_->configure(config_);
+  system_ = std::make_unique<caf::actor_system>(config_);
+  drive_->attach(*system_, services_);
+  spawn_actors();
+}
+
+House::~House() {
+  stop();
+}
+
+// -- bringing up --------------------------------------------------------------
+
+void House::set_up_services() {
+  services_.program = options_.program;
+  services_.phrases = options_.phrases;
+  services_.understanding = options_.understanding
+                                ? options_.understanding
+                                : options_.program->understanding;
+  services_.columns = options_.columns;
+  services_.data_folder = options_.data_folder;
+  services_.application_folder = options_.application_folder;
+  services_.clock = &drive_->clock();
+  services_.new_session_id = [this] { return chance_.session_id(); };
+  services_.new_seed = [this] { return chance_.session_seed(); };
+  services_.log = [this](const std::string& line) {
+    std::lock_guard lock(logging_);
+    if (options_.log)
+      options_.log(line);
+  };
+  if (options_.on_inspection)
+    services_.inspect = [this](const Inspection& inspection) {
+      std::lock_guard lock(watching_);
+      options_.on_inspection(inspection);
+    };
+}
+
+void House::spawn_actors() {
+  services_.centre = system_->spawn(message_centre, &services_);
+  services_.supervisor = system_->spawn(supervisor, &services_);
+  services_.manager = system_->spawn(session_manager, &services_);
+  for (auto& order : options_.components)
+    add_component(std::move(order));
+  publish_table();
+}
+
+void House::add_component(ComponentOrder order) {
+  auto component = std::make_shared<Component>();
+  component->name = order.name;
+  component->options = std::move(order.options);
+  component->description = std::move(order.factory.description);
+  component->door = std::make_shared<PluginDoor>(services_, order.name);
+  component->plugin = order.factory.create();
+  auto host =
+      component->description.blocks && drive_->detaches()
+          ? system_->spawn<caf::detached>(component_host, &services_, component)
+          : system_->spawn(component_host, &services_, component);
+  component->door->belongs_to(host);
+  components_.push_back({std::move(component), std::move(host)});
+}
+
+void House::publish_table() {
+  RoutingTable::Parts parts;
+  parts.program = options_.program;
+  parts.aliases = options_.aliases;
+  parts.clock = services_.clock;
+  parts.numbers = std::make_shared<std::atomic<std::uint64_t>>(0);
+  parts.counters = services_.counters;
+  for (const auto& [component, host] : components_) {
+    Target target{component->name, component->description.roles, host, nullptr,
+                  component->up};
+    if (component->description.is_inline)
+      target.direct =
+          std::dynamic_pointer_cast<const InlinePlugin>(component->plugin);
+    parts.targets.push_back(std::move(target));
+  }
+  if (services_.inspect)
+    parts.taps.push_back(inspection_tap(services_));
+  auto table = std::make_shared<const RoutingTable>(std::move(parts));
+  services_.table.store(table);
+  caf::anon_send(services_.centre, use_table{std::move(table)});
+}
+
+Expected<void> House::start_components() {
+  for (const auto& running : components_)
+    if (auto started = start(running); !started) {
+      auto error = started.error();
+      error.message = running.component->name + ": " + error.message;
+      stop();
+      return tl::make_unexpected(std::move(error));
+    }
+  return {};
+}
+
+Expected<void> House::start(const Running& running) {
+  auto outcome = std::make_shared<std::promise<Expected<void>>>();
+  auto future = outcome->get_future();
+  caf::anon_send(running.host,
+                 start_component{[outcome](Expected<void> result) {
+                                   outcome->set_value(std::move(result));
+                                 },
+                                 services_.work.begin()});
+  if (!drive_->run_until_quiet())
+    return fail(ErrorKind::cancelled, "interrupted while starting");
+  return future.get();
+}
+
+// -- sessions -----------------------------------------------------------------
+
+seat_actor House::open_seat(SeatCalls calls) {
+  seats_.push_back(system_->spawn(seat, &services_, std::move(calls)));
+  return seats_.back();
+}
+
+SessionId House::open_session(const seat_actor& seat) {
+  caf::scoped_actor self(*system_);
+  auto answer =
+      self->request(services_.manager, caf::infinite,
+                    actors::open_session{seat, services_.work.begin()});
+  SessionId id;
+  if (!drive_->run_until_quiet())
+    return id;
+  answer.receive([&](session_opened& opened) { id = opened.session; },
+                 [&](const caf::error& error) {
+                   services_.log("no session: " + system_->render(error));
+                 });
+  return id;
+}
+
+// -- bringing down ------------------------------------------------------------
+
+void House::stop() {
+  if (!system_)
+    return;
+  services_.work.forget_interrupt();
+  stop_sessions();
+  stop_components();
+  stop_actors();
+  system_.reset();
+}
+
+void House::stop_sessions() {
+  caf::anon_send(services_.manager, close_session{{}, services_.work.begin()});
+  auto quiet = [this] { return services_.work.none(); };
+  if (!drive_->run_until(quiet, drain_time))
+    services_.log("something is still at work; stopping all the same");
+}
+
+void House::stop_components() {
+  for (const auto& running : components_)
+    caf::anon_send(running.host, stop_component{services_.work.begin()});
+  drive_->run_until([this] { return services_.work.none(); }, drain_time);
+}
+
+void House::stop_actors() {
+  constexpr auto reason = caf::exit_reason::user_shutdown;
+  for (auto& session : services_.sessions.all())
+    caf::anon_send_exit(session, reason);
+  for (auto& seat : std::exchange(seats_, {}))
+    caf::anon_send_exit(seat, reason);
+  for (auto& running : std::exchange(components_, {}))
+    caf::anon_send_exit(running.host, reason);
+  caf::anon_send_exit(services_.manager, reason);
+  caf::anon_send_exit(services_.supervisor, reason);
+  caf::anon_send_exit(services_.centre, reason);
+  drive_->run_until_quiet();
+  services_.table.store(nullptr);
+  services_.sessions.clear();
+  services_.manager = nullptr;
+  services_.supervisor = nullptr;
+  services_.centre = nullptr;
+}
+
+} // namespace parlour::actors

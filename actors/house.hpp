@@ -1,0 +1,68 @@
+// House: a node's actors, brought up and down in order. What node.hpp hides.
+#pragma once
+
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include <caf/actor_system.hpp>
+#include <caf/actor_system_config.hpp>
+
+#include "actors/chance.hpp"
+#include "actors/component_host.hpp"
+#include "actors/drive.hpp"
+#include "actors/node.hpp"
+#include "actors/seat.hpp"
+#include "actors/services.hpp"
+
+namespace parlour::actors {
+
+class House {
+public:
+  explicit House(NodeOptions options);
+  ~House();
+
+  // Starts the components in order; an error stops those that are up.
+  Expected<void> start_components();
+  seat_actor open_seat(SeatCalls calls);
+  SessionId open_session(const seat_actor& seat);
+  // Sessions, then components, then the rest; safe to call again.
+  void stop();
+
+  Services& services() {
+    return services_;
+  }
+  Drive& drive() {
+    return *drive_;
+  }
+
+private:
+  struct Running {
+    std::shared_ptr<Component> component;
+    component_host_actor host;
+  };
+
+  void set_up_services();
+  void spawn_actors();
+  void add_component(ComponentOrder order);
+  void publish_table();
+  Expected<void> start(const Running& running);
+  void stop_sessions();
+  void stop_components();
+  void stop_actors();
+
+  // In the order of their making: what is below may use what is above.
+  NodeOptions options_;
+  std::unique_ptr<Drive> drive_;
+  Chance chance_;
+  std::mutex watching_;
+  std::mutex logging_;
+  Services services_;
+  caf::actor_system_config config_;
+  std::unique_ptr<caf::actor_system> system_;
+  std::vector<Running> components_;
+  std::vector<seat_actor> seats_;
+};
+
+} // namespace parlour::actors

@@ -1,0 +1,66 @@
+#include "actors/message_centre.hpp"
+
+#include <utility>
+
+namespace parlour::actors {
+
+namespace {
+
+using Self = message_centre_actor::stateful_pointer<message_centre_state>;
+
+// What goes to one session together: a row of turns stays a row.
+struct Batch {
+  SessionId session;
+  std::vector<Message> messages;
+};
+
+void flush(Self self, Services& services, Batch& batch, const Work& work) {
+  if (batch.messages.empty())
+    return;
+  auto messages = std::exchange(batch.messages, {});
+  if (auto session = services.sessions.find(batch.session))
+    self->send(session, deliver{std::move(messages), work});
+  else
+    self->send(services.manager, forward{std::move(messages), work});
+}
+
+void add(Self self, Services& services, Batch& batch, Message message,
+         const Work& work) {
+  if (auto query = services.claims.take(message.correlation)) {
+    self->send(query, component_event{std::move(message), work});
+    return;
+  }
+  if (batch.session != message.session)
+    flush(self, services, batch, work);
+  batch.session = message.session;
+  batch.messages.push_back(std::move(message));
+}
+
+void carry(Self self, Services& services, const publish& what) {
+  auto table = services.table.load();
+  Batch batch;
+  for (const auto& message : what.messages) {
+    auto routed = table->route(message);
+    for (const auto& sink : routed.unreachable)
+      services.unhandled(message, "nobody is there for " + sink);
+    for (auto& delivery : routed.deliveries)
+      self->send(delivery.target->host,
+                 handle_message{std::move(delivery.message), what.work});
+    if (routed.rest)
+      add(self, services, batch, std::move(*routed.rest), what.work);
+  }
+  flush(self, services, batch, what.work);
+}
+
+} // namespace
+
+message_centre_actor::behavior_type message_centre(
+    message_centre_actor::stateful_pointer<message_centre_state> self,
+    Services* services) {
+  return {
+      [=](const publish& what) { carry(self, *services, what); },
+      [=](const use_table& what) { services->table.store(what.table); },
+  };
+}
+
+} // namespace parlour::actors

@@ -1,0 +1,124 @@
+// Node: one running application: its components, its sessions, its time. What
+// the tools use; no actor type shows here.
+//
+// One thread drives a node: start, open, enter, run_until_quiet, stop … are
+// called from one thread at a time. interrupt() may come from any. In real time
+// the actors run on threads of their own meanwhile; in virtual time they run on
+// the driving thread, inside of these calls, and time stands still between
+// them. Nodes do not know each other: many may run in one process.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "runtime/base/clock.hpp"
+#include "runtime/base/inspection.hpp"
+#include "runtime/base/phrases.hpp"
+#include "runtime/base/understanding.hpp"
+#include "runtime/plugin/plugin.hpp"
+#include "script/dialogue/output_queue.hpp"
+#include "script/program.hpp"
+
+namespace parlour::actors {
+
+// A plug-in under the name of an instance; in order of preference.
+struct ComponentOrder {
+  std::string name;
+  PluginFactory factory;
+  Options options;
+};
+
+struct NodeOptions {
+  std::shared_ptr<const script::Program> program;
+  std::vector<ComponentOrder> components;
+  // Another name of a role: "Record" is "Microphone".
+  std::map<std::string, std::string, std::less<>> aliases;
+  std::shared_ptr<const PhraseEvaluator> phrases;
+  // Null: the program's.
+  std::shared_ptr<const UnderstandingModel> understanding;
+  ColumnReader columns;
+  // Virtual time from here; nothing: real time.
+  std::optional<Timestamp> virtual_start;
+  // Of session ids and of what is random in scripts; nothing: chance.
+  std::optional<std::uint64_t> seed;
+  std::string data_folder;        // absolute, writable
+  std::string application_folder; // absolute
+  unsigned threads = 0;           // of the scheduler; 0: as many as cores
+  // One call at a time, from any thread; may be empty.
+  std::function<void(const Inspection&)> on_inspection;
+  std::function<void(const std::string&)> log;
+};
+
+using SeatId = std::string;
+
+// Called one at a time for each seat, in real time from threads of the node.
+// They may not call the node.
+struct SeatCallbacks {
+  std::function<void(const SessionId&, const dialogue::Output&)> on_output;
+  std::function<void(const SessionId&)> on_session_end;
+};
+
+// What went through since the start.
+struct NodeCounters {
+  std::uint64_t messages = 0;
+  std::uint64_t relayed = 0;
+  std::uint64_t filtered = 0;
+  std::uint64_t dropped = 0;
+  std::uint64_t unhandled = 0;
+};
+
+class Node {
+public:
+  // All components are up when this returns, or an error names the first that
+  // does not start, and nothing runs.
+  static Expected<std::unique_ptr<Node>> start(NodeOptions options);
+  ~Node(); // stops
+
+  SeatId open_seat(SeatCallbacks callbacks);
+  // A conversation begins: Session.Started is handled and the opening prompt
+  // released when this returns.
+  SessionId open(const SeatId& seat);
+  // The seat's session; empty where it has none.
+  SessionId session_at(const SeatId& seat) const;
+  // User turns, queued together (engine rule 3). Opens a session if the seat
+  // has none.
+  void enter(const SeatId& seat, const std::vector<std::string>& lines);
+  // Any message, as it comes from a component.
+  void inject(const SessionId& session, Message message);
+
+  // Until nothing is queued or running, and in real time until no session
+  // waits for an answer that is to come without a delay. False when
+  // interrupted.
+  bool run_until_quiet();
+  // The next due time comes, if it is at most this far: virtual time jumps,
+  // real time is waited for. Then until quiet. False where nothing is due until
+  // then (time stands still), or when interrupted.
+  bool step_to_next_due(Milliseconds at_most);
+  // That much time passes, with all that falls due in it.
+  void advance(Milliseconds time);
+  // From another thread or a signal's: ends waits at once, and those to come
+  // until stop().
+  void interrupt();
+
+  Timestamp now() const;
+  // Of a quiet node; unknown and empty for a session that is not there.
+  Value slot_value(const SessionId& session, const std::string& topic,
+                   const std::string& slot);
+  std::string state(const SessionId& session);
+  NodeCounters counters() const;
+
+  void end(const SessionId& session);
+  // Ends all sessions, then the components. Nothing runs afterwards.
+  void stop();
+
+private:
+  class Implementation;
+  explicit Node(std::unique_ptr<Implementation> implementation);
+  std::unique_ptr<Implementation> implementation_;
+};
+
+} // namespace parlour::actors

@@ -1,0 +1,93 @@
+#include "actors/plugin_door.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <caf/send.hpp>
+
+namespace parlour::actors {
+
+namespace {
+
+// Only the platform speaks under these names (roles table; session.md, "Who may
+// do what").
+bool is_reserved(const std::string& source) {
+  constexpr const char* names[] = {"Session", "Timer", "System", "Script",
+                                   "Dialogue"};
+  return std::find(std::begin(names), std::end(names), source) !=
+         std::end(names);
+}
+
+} // namespace
+
+PluginDoor::PluginDoor(Services& services, std::string name)
+    : services_(services), name_(std::move(name)) {}
+
+void PluginDoor::belongs_to(const component_host_actor& host) {
+  host_ = caf::actor_cast<caf::weak_actor_ptr>(host);
+}
+
+void PluginDoor::publish_as_itself(Message message) {
+  if (message.source.empty() || is_reserved(message.source))
+    message.source = name_;
+  std::vector<Message> messages;
+  messages.push_back(std::move(message));
+  services_.publish(std::move(messages));
+}
+
+void PluginDoor::fire_event(Message event) {
+  event.sinks.clear();
+  publish_as_itself(std::move(event));
+}
+
+void PluginDoor::send_message(Message message) {
+  publish_as_itself(std::move(message));
+}
+
+void PluginDoor::after(Milliseconds delay, std::function<void()> action) {
+  auto due = services_.due_times.add(clock().now() + delay.count(),
+                                     DueTimes::Of::component);
+  auto order = [this, delay, due, action = std::move(action),
+                work = services_.work.begin()] {
+    auto host = caf::actor_cast<caf::strong_actor_ptr>(host_);
+    if (host)
+      caf::anon_send(caf::actor_cast<component_host_actor>(host),
+                     run_after{delay, due, action, work});
+    else
+      services_.due_times.remove(due);
+  };
+  services_.gate.enter(std::move(order));
+}
+
+const Clock& PluginDoor::clock() const {
+  return *services_.clock;
+}
+
+void PluginDoor::log(const std::string& text) {
+  services_.log(name_ + ": " + text);
+}
+
+std::shared_ptr<const UnderstandingModel> PluginDoor::understanding() const {
+  return services_.understanding;
+}
+
+std::shared_ptr<const PhraseEvaluator> PluginDoor::phrases() const {
+  return services_.phrases;
+}
+
+Expected<std::vector<std::string>>
+PluginDoor::column(const std::string& name) const {
+  if (services_.columns)
+    return services_.columns(name);
+  return fail(ErrorKind::database, "nobody reads the column " + name);
+}
+
+std::string PluginDoor::data_folder() const {
+  return services_.data_folder;
+}
+
+std::string PluginDoor::application_folder() const {
+  return services_.application_folder;
+}
+
+} // namespace parlour::actors

@@ -1,0 +1,84 @@
+#include "actors/query.hpp"
+
+#include <utility>
+
+namespace parlour::actors {
+
+namespace {
+
+using Self = query_actor::stateful_pointer<query_state>;
+
+Message as_message(const QueryOrder& order, Correlation correlation) {
+  const auto& request = order.request;
+  Message message;
+  message.source = "Session";
+  message.command = "Query";
+  message.params = {request.sql, request.values, request.write};
+  message.sinks = {request.database.empty() ? std::string("Database")
+                                            : request.database};
+  message.session = order.session_id;
+  message.correlation = correlation;
+  return message;
+}
+
+void finish(Self self, const session_actor& session, std::uint64_t id,
+            Expected<ResultSet> outcome) {
+  auto work = self->state.services->work.begin();
+  self->send(session, query_outcome{id, std::move(outcome), std::move(work)});
+  self->quit();
+}
+
+// Sends the question by the table, as every sender may; false where nobody is
+// there to take it.
+bool ask(Self self, Message message, const Work& work) {
+  auto& services = *self->state.services;
+  auto routed = services.table.load()->route(std::move(message));
+  for (auto& delivery : routed.deliveries)
+    self->send(delivery.target->host,
+               handle_message{std::move(delivery.message), work});
+  return !routed.deliveries.empty();
+}
+
+} // namespace
+
+query_state::~query_state() {
+  if (services)
+    services->claims.take(correlation);
+}
+
+Expected<ResultSet> outcome_of(const Message& event) {
+  const Value first = event.params.empty() ? Value() : event.params[0];
+  if (event.command == "Result") {
+    if (auto rows = first.if_result())
+      return *rows;
+    return ResultSet{};
+  }
+  auto reason =
+      event.params.empty() ? event.command : event.params.back().text();
+  return fail(ErrorKind::database, std::move(reason));
+}
+
+query_actor::behavior_type
+query(query_actor::stateful_pointer<query_state> self, Services* services,
+      session_actor session, QueryOrder order) {
+  auto& state = self->state;
+  state.services = services;
+  state.ticket = DueTicket(services->due_times, order.due);
+  state.correlation = services->claims.claim(query_actor(self));
+  self->delayed_send(self, order.timeout, give_up{});
+  const auto id = order.request.id;
+  if (!ask(self, as_message(order, state.correlation), order.work))
+    finish(self, session, id,
+           fail(ErrorKind::offline, "no database component is there"));
+  return {
+      [=](const component_event& what) {
+        finish(self, session, id, outcome_of(what.event));
+      },
+      [=](const give_up&) {
+        finish(self, session, id,
+               fail(ErrorKind::timeout, "the database did not answer in time"));
+      },
+  };
+}
+
+} // namespace parlour::actors

@@ -1,0 +1,28 @@
+// QueryClaims: whose answer is this? A query actor claims the correlation of
+// the message that it sent, and the message centre gives it the event that
+// carries it.
+#pragma once
+
+#include <map>
+#include <mutex>
+
+#include "runtime/interfaces.hpp"
+
+namespace parlour::actors {
+
+// Safe to use from any thread.
+class QueryClaims {
+public:
+  // A correlation that no session gives out itself: those count from 1, ours
+  // have the highest bit set.
+  Correlation claim(query_actor query);
+  // Null where nobody claims it (any more).
+  query_actor take(Correlation correlation);
+
+private:
+  std::mutex mutex_;
+  std::map<Correlation, query_actor> claims_;
+  Correlation last_ = Correlation{1} << 63;
+};
+
+} // namespace parlour::actors

@@ -1,0 +1,181 @@
+#include "actors/routing_table.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "actors/route_host.hpp"
+#include "script/interpreter.hpp"
+
+namespace parlour::actors {
+
+namespace {
+
+bool any_of(const std::vector<script::Reaction>& reactions,
+            const RoutingTable& table, const Message& message) {
+  return std::any_of(
+      reactions.begin(), reactions.end(), [&](const auto& reaction) {
+        return (reaction.event == "*" || reaction.event == message.command) &&
+               table.is_source(reaction.source, message.source);
+      });
+}
+
+} // namespace
+
+RoutingTable::RoutingTable(Parts parts) : parts_(std::move(parts)) {}
+
+// -- names --------------------------------------------------------------------
+
+std::string_view RoutingTable::role(std::string_view name) const {
+  auto found = parts_.aliases.find(name);
+  return found == parts_.aliases.end() ? name : std::string_view(found->second);
+}
+
+const Target* RoutingTable::named(std::string_view name) const {
+  for (const auto& target : parts_.targets)
+    if (target.name == name)
+      return &target;
+  return nullptr;
+}
+
+const Target* RoutingTable::find(std::string_view module) const {
+  if (auto target = named(module))
+    return *target->up ? target : nullptr;
+  const auto wanted = role(module);
+  for (const auto& target : parts_.targets)
+    if (*target.up &&
+        std::count(target.roles.begin(), target.roles.end(), wanted))
+      return &target;
+  return nullptr;
+}
+
+bool RoutingTable::is_source(std::string_view module,
+                             std::string_view source) const {
+  if (module == "*" || module == source || role(module) == role(source))
+    return true;
+  auto target = named(source);
+  return target &&
+         std::count(target->roles.begin(), target->roles.end(), role(module));
+}
+
+bool RoutingTable::subscribed(const Message& message) const {
+  const auto& program = *parts_.program;
+  for (const auto& handler : program.handlers)
+    if (any_of(handler.reactions, *this, message))
+      return true;
+  for (const auto& state : program.states)
+    if (any_of(state.messages, *this, message))
+      return true;
+  return false;
+}
+
+// -- a message's way (engine rule 1) ------------------------------------------
+
+Routed RoutingTable::route(Message message) const {
+  Routed routed;
+  stamp(message);
+  if (apply_routes(message, routed))
+    return routed;
+  if (message.sinks.empty()) {
+    tap(message, message.session.empty() ? "every session" : "session");
+    routed.rest = std::move(message);
+    return routed;
+  }
+  for (const auto& sink : message.sinks) {
+    tap(message, "-> " + sink);
+    deliver(message, sink, routed);
+  }
+  return routed;
+}
+
+void RoutingTable::stamp(Message& message) const {
+  message.time = parts_.clock->now();
+  message.number = ++*parts_.numbers;
+  ++parts_.counters->messages;
+}
+
+// True where a filter ended the message's way.
+bool RoutingTable::apply_routes(const Message& message, Routed& routed) const {
+  for (const auto& route : parts_.program->routes) {
+    if (!matches(route, message))
+      continue;
+    auto& counter = route.drop        ? parts_.counters->dropped
+                    : route.is_filter ? parts_.counters->filtered
+                                      : parts_.counters->relayed;
+    ++counter;
+    if (route.drop)
+      tap(message, "dropped");
+    else
+      send_copies(route, message, routed);
+    if (route.is_filter)
+      return true;
+  }
+  return false;
+}
+
+bool RoutingTable::matches(const script::Route& route,
+                           const Message& message) const {
+  return (route.command == "*" || route.command == message.command) &&
+         is_source(route.source, message.source) && holds(route, message);
+}
+
+bool RoutingTable::holds(const script::Route& route,
+                         const Message& message) const {
+  if (route.condition == script::no_code)
+    return true;
+  auto value = evaluate(route.condition, message);
+  if (!value)
+    ++parts_.counters->failed_conditions;
+  return value && bool(*value);
+}
+
+// Conditions see the message's own fields and constants, nothing of a session.
+Expected<Value> RoutingTable::evaluate(script::CodeId code,
+                                       const Message& message) const {
+  script::Interpreter interpreter(parts_.program);
+  RouteHost host(message, message.time);
+  script::ActivationContext context;
+  context.message = std::make_shared<const Message>(message);
+  return interpreter.evaluate(code, {}, std::move(context), host);
+}
+
+void RoutingTable::send_copies(const script::Route& route,
+                               const Message& message, Routed& routed) const {
+  for (const auto& to : route.to) {
+    auto copy = copy_for(route, message, to);
+    tap(copy, (route.is_filter ? "filter -> " : "relay -> ") + to);
+    deliver(std::move(copy), to, routed);
+  }
+}
+
+Message RoutingTable::copy_for(const script::Route& route,
+                               const Message& message,
+                               const std::string& to) const {
+  auto copy = message;
+  copy.number = ++*parts_.numbers;
+  copy.sinks = {to};
+  if (!route.as.empty())
+    copy.command = route.as;
+  if (route.has_params) {
+    copy.params.clear();
+    for (auto code : route.params)
+      copy.params.push_back(evaluate(code, message).value_or(Value()));
+  }
+  return copy;
+}
+
+void RoutingTable::deliver(Message message, const std::string& to,
+                           Routed& routed) const {
+  if (auto target = find(to)) {
+    routed.deliveries.push_back({target, std::move(message)});
+    return;
+  }
+  ++parts_.counters->unhandled;
+  routed.unreachable.push_back(to);
+}
+
+void RoutingTable::tap(const Message& message, const std::string& way) const {
+  for (const auto& tap : parts_.taps)
+    tap(message, way);
+}
+
+} // namespace parlour::actors

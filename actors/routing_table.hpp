@@ -1,0 +1,114 @@
+// RoutingTable: who fills which role, and the application's <routes>, as an
+// immutable snapshot that any sender may apply itself (engine rule 1: "through
+// the message centre" means stamped, routed by its table, counted and tapped,
+// not one more mailbox).
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "runtime/base/clock.hpp"
+#include "runtime/base/message.hpp"
+#include "runtime/interfaces.hpp"
+#include "runtime/plugin/plugin.hpp"
+#include "script/program.hpp"
+
+namespace parlour::actors {
+
+// One component as the table knows it.
+struct Target {
+  std::string name;
+  std::vector<std::string> roles;
+  component_host_actor host;
+  // Callable in a session's own turn; null: only by its mailbox.
+  std::shared_ptr<const InlinePlugin> direct;
+  // False before it has started and after it has gone down; shared.
+  std::shared_ptr<const std::atomic<bool>> up;
+};
+
+struct Delivery {
+  const Target* target; // lives as long as the table
+  Message message;
+};
+
+// Where a message goes.
+struct Routed {
+  std::vector<Delivery> deliveries;
+  std::optional<Message> rest;          // what its session gets
+  std::vector<std::string> unreachable; // sinks that nobody fills
+};
+
+// What went through, of all tables of a node.
+struct Counters {
+  std::atomic<std::uint64_t> messages = 0;
+  std::atomic<std::uint64_t> relayed = 0;
+  std::atomic<std::uint64_t> filtered = 0;
+  std::atomic<std::uint64_t> dropped = 0;
+  std::atomic<std::uint64_t> unhandled = 0;
+  std::atomic<std::uint64_t> failed_conditions = 0;
+};
+
+// Sees each message once, with the way it took: "relay -> ASR", "-> NLU",
+// "filter -> NLG", "dropped", "session". Called from any thread; influences
+// nothing.
+using Tap = std::function<void(const Message&, const std::string& way)>;
+
+class RoutingTable {
+public:
+  struct Parts {
+    std::shared_ptr<const script::Program> program;
+    std::vector<Target> targets; // in order of preference
+    // Another name of a role: "Record" is "Microphone".
+    std::map<std::string, std::string, std::less<>> aliases;
+    const Clock* clock = nullptr;                        // outlives the table
+    std::shared_ptr<std::atomic<std::uint64_t>> numbers; // of stamps
+    std::shared_ptr<Counters> counters;
+    std::vector<Tap> taps;
+  };
+
+  explicit RoutingTable(Parts parts);
+
+  // Stamps, relays, filters, finds the sinks. Safe from any thread.
+  Routed route(Message message) const;
+
+  // By instance name, else the first component that is up and fills the role
+  // or alias; null where there is none.
+  const Target* find(std::string_view module) const;
+  // Whether a message's source is meant by `module`: "*", the same name, or a
+  // role or alias that it fills.
+  bool is_source(std::string_view module, std::string_view source) const;
+  // Whether a handler or a state of the program takes such a message.
+  bool subscribed(const Message& message) const;
+
+  Counters& counters() const {
+    return *parts_.counters;
+  }
+  const std::vector<Target>& targets() const {
+    return parts_.targets;
+  }
+
+private:
+  std::string_view role(std::string_view name) const;
+  const Target* named(std::string_view name) const;
+  void stamp(Message& message) const;
+  bool matches(const script::Route& route, const Message& message) const;
+  Expected<Value> evaluate(script::CodeId code, const Message& message) const;
+  bool holds(const script::Route& route, const Message& message) const;
+  Message copy_for(const script::Route& route, const Message& message,
+                   const std::string& to) const;
+  void send_copies(const script::Route& route, const Message& message,
+                   Routed& routed) const;
+  void deliver(Message message, const std::string& to, Routed& routed) const;
+  bool apply_routes(const Message& message, Routed& routed) const;
+  void tap(const Message& message, const std::string& way) const;
+
+  Parts parts_;
+};
+
+} // namespace parlour::actors

@@ -1,0 +1,23 @@
+// A seat: a place where one conversation at a time happens (session.md,
+// "Seats"). This one shows what is said by calling back; text is heard at once.
+#pragma once
+
+#include "actors/services.hpp"
+#include "script/dialogue/output_queue.hpp"
+
+namespace parlour::actors {
+
+struct seat_state {
+  static inline const char* name = "seat";
+};
+
+// Called on the seat's own actor thread, one at a time.
+struct SeatCalls {
+  std::function<void(const SessionId&, const dialogue::Output&)> on_say;
+  std::function<void(const SessionId&)> on_over;
+};
+
+seat_actor::behavior_type seat(seat_actor::stateful_pointer<seat_state> self,
+                               Services* services, SeatCalls calls);
+
+} // namespace parlour::actors

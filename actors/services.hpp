@@ -1,0 +1,68 @@
+// Services: what the actors of one node share. Made by the node, which
+// outlives its actors; immutable or safe to use from any thread once the node
+// has started.
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "actors/due_times.hpp"
+#include "actors/query_claims.hpp"
+#include "actors/routing_table.hpp"
+#include "actors/session_directory.hpp"
+#include "actors/thread_gate.hpp"
+#include "actors/work_count.hpp"
+#include "runtime/base/inspection.hpp"
+#include "runtime/base/phrases.hpp"
+#include "runtime/interfaces.hpp"
+
+namespace parlour::actors {
+
+struct Services {
+  explicit Services(ThreadGate::Kind kind)
+      : due_times([this] { work.wake(); }), gate(kind) {}
+  Services(const Services&) = delete;
+  Services& operator=(const Services&) = delete;
+
+  WorkCount work;
+  DueTimes due_times;
+  ThreadGate gate;
+  SessionDirectory sessions;
+  QueryClaims claims;
+  std::shared_ptr<Counters> counters = std::make_shared<Counters>();
+
+  std::shared_ptr<const script::Program> program;
+  std::shared_ptr<const PhraseEvaluator> phrases;
+  std::shared_ptr<const UnderstandingModel> understanding;
+  ColumnReader columns;
+  std::string data_folder;
+  std::string application_folder;
+  const Clock* clock = nullptr;
+
+  // One call at a time; empty where nobody watches.
+  std::function<void(Inspection)> inspect;
+  // One call at a time; never empty.
+  std::function<void(const std::string&)> log;
+  // The next session's id and seed; called by the session manager only.
+  std::function<SessionId()> new_session_id;
+  std::function<std::uint64_t()> new_seed;
+
+  // The snapshot that senders apply; replaced by the message centre only.
+  std::atomic<std::shared_ptr<const RoutingTable>> table;
+
+  message_centre_actor centre;
+  session_manager_actor manager;
+  supervisor_actor supervisor;
+
+  // To the message centre, from any thread.
+  void publish(std::vector<Message> messages);
+  // Counted and shown: a message that nobody took.
+  void unhandled(const Message& message, const std::string& why);
+};
+
+// Shows each message to whoever watches; `services` has an `inspect`.
+Tap inspection_tap(Services& services);
+
+} // namespace parlour::actors

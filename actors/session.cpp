@@ -1,0 +1,132 @@
+#include "actors/session.hpp"
+
+#include <utility>
+
+namespace parlour::actors {
+
+namespace {
+
+using Self = session_actor::stateful_pointer<session_state>;
+
+Timestamp now(Self self) {
+  return self->state.services->clock->now();
+}
+
+void tell_waiting(session_state& state, bool waits) {
+  if (std::exchange(state.waits, waits) != waits)
+    state.services->work.session_waits(waits);
+}
+
+// After each input: steps are taken one at a time through the mailbox, so that
+// whatever has arrived is queued before the next (engine rule 3).
+void go_on(Self self) {
+  auto& state = self->state;
+  auto& conversation = *state.conversation;
+  if (conversation.ended()) {
+    tell_waiting(state, false);
+    state.port->close();
+    self->quit();
+    return;
+  }
+  tell_waiting(state, conversation.waits_for_answer());
+  if (state.stepping || conversation.awaiting_frame() ||
+      !conversation.has_work())
+    return;
+  state.stepping = true;
+  self->send(self, take_step{state.services->work.begin()});
+}
+
+void take_one_step(Self self) {
+  auto& state = self->state;
+  state.stepping = false;
+  if (!state.conversation->awaiting_frame())
+    state.conversation->step(now(self));
+  go_on(self);
+}
+
+void queue(Self self, const deliver& what) {
+  for (const auto& message : what.messages)
+    self->state.conversation->receive(message);
+  go_on(self);
+}
+
+void hear_timer(Self self, const timer_due& what) {
+  self->state.port->timer_is_over(what.id);
+  self->state.conversation->timer_fired(what.id, now(self));
+  go_on(self);
+}
+
+void hear_query(Self self, const query_outcome& what) {
+  self->state.port->query_is_over(what.id);
+  self->state.conversation->query_answered(what.id, what.outcome, now(self));
+  go_on(self);
+}
+
+void hear_seat(Self self, const output_done& what) {
+  self->state.conversation->output_finished(what.id, what.played, now(self));
+  go_on(self);
+}
+
+void set_up(Self self, Services* services, SessionOrder order) {
+  auto& state = self->state;
+  state.services = services;
+  state.port = std::make_unique<SessionPort>(self, *services, order.id,
+                                             std::move(order.seat));
+  dialogue::Conversation::Options options;
+  options.session = std::move(order.id);
+  options.seed = order.seed;
+  options.phrases = services->phrases;
+  state.conversation = std::make_unique<dialogue::Conversation>(
+      services->program, std::move(options), *state.port);
+}
+
+} // namespace
+
+session_state::~session_state() {
+  if (services)
+    tell_waiting(*this, false);
+}
+
+void ask_frame(Self self, const topic_frame_actor& frame,
+               std::shared_ptr<const dialogue::FrameRequest> request) {
+  auto services = self->state.services;
+  // No deadline: the frame computes within the limits of its script, and its
+  // end is an error here.
+  self->request(frame, caf::infinite,
+                apply_changes{std::move(request), services->work.begin()})
+      .await(
+          [=](const frame_changed& what) {
+            self->state.conversation->frame_applied(*what.result, now(self));
+            go_on(self);
+          },
+          [=](const caf::error& error) {
+            services->log("a topic's frame was lost: " +
+                          self->system().render(error));
+            self->state.port->close();
+            self->quit(error);
+          });
+}
+
+session_actor::behavior_type
+session(session_actor::stateful_pointer<session_state> self, Services* services,
+        SessionOrder order) {
+  set_up(self, services, std::move(order));
+  return {
+      [=](const begin_session&) {
+        self->state.conversation->open(now(self));
+        go_on(self);
+      },
+      [=](const deliver& what) { queue(self, what); },
+      [=](const take_step&) { take_one_step(self); },
+      [=](const timer_due& what) { hear_timer(self, what); },
+      [=](const query_outcome& what) { hear_query(self, what); },
+      [=](const output_done& what) { hear_seat(self, what); },
+      [=](const look& what) { what.at(*self->state.conversation); },
+      [=](const end_session&) {
+        self->state.conversation->close(now(self));
+        go_on(self);
+      },
+  };
+}
+
+} // namespace parlour::actors

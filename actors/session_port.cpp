@@ -1,0 +1,179 @@
+#include "actors/session_port.hpp"
+
+#include <stdexcept>
+#include <utility>
+
+#include <caf/send.hpp>
+
+#include "actors/component_host.hpp"
+#include "actors/query.hpp"
+#include "actors/session.hpp"
+#include "actors/timer.hpp"
+#include "actors/topic_frame.hpp"
+
+namespace parlour::actors {
+
+namespace {
+
+// Components that answer each other inline further than this go on by mailbox.
+constexpr int inline_depth = 8;
+
+} // namespace
+
+SessionPort::SessionPort(Self self, Services& services, SessionId id,
+                         seat_actor seat)
+    : self_(self), services_(services), id_(std::move(id)),
+      seat_(std::move(seat)) {}
+
+// -- messages -----------------------------------------------------------------
+
+std::vector<Message> SessionPort::post(Message message) {
+  std::vector<Message> back;
+  if (message.session.empty())
+    message.session = id_;
+  carry(std::move(message), back, 0);
+  return back;
+}
+
+void SessionPort::carry(Message message, std::vector<Message>& back,
+                        int depth) {
+  auto table = services_.table.load();
+  auto routed = table->route(message);
+  for (const auto& sink : routed.unreachable)
+    services_.unhandled(message, "nobody is there for " + sink);
+  for (auto& [target, copy] : routed.deliveries)
+    if (target->direct && depth < inline_depth)
+      for (auto& event : ask_directly(*target, copy))
+        carry(std::move(event), back, depth + 1);
+    else
+      self_->send(target->host,
+                  handle_message{std::move(copy), services_.work.begin()});
+  if (routed.rest)
+    back.push_back(std::move(*routed.rest));
+}
+
+// A component without state, in the session's own turn.
+std::vector<Message> SessionPort::ask_directly(const Target& target,
+                                               const Message& message) {
+  std::vector<Message> events;
+  try {
+    for (auto& answer : target.direct->answers(message)) {
+      Message event;
+      event.source = target.name;
+      event.command = std::move(answer.command);
+      event.params = std::move(answer.params);
+      event.session = message.session;
+      event.correlation = message.correlation;
+      events.push_back(std::move(event));
+    }
+  } catch (const std::exception& exception) {
+    self_->send(services_.supervisor,
+                component_failed{target.name, exception.what(),
+                                 services_.work.begin()});
+    events = {failure_answer(target.name, message, exception.what())};
+  }
+  return events;
+}
+
+bool SessionPort::reachable(const std::string& module) const {
+  return services_.table.load()->find(module) != nullptr;
+}
+
+bool SessionPort::is_source(const std::string& module,
+                            const std::string& source) const {
+  return services_.table.load()->is_source(module, source);
+}
+
+void SessionPort::release(const dialogue::Output& output) {
+  self_->send(seat_, say{id_, std::make_shared<const dialogue::Output>(output),
+                         services_.work.begin()});
+}
+
+// -- timers, queries, frames --------------------------------------------------
+
+Timestamp SessionPort::due_at(Milliseconds after) const {
+  return services_.clock->now() + after.count();
+}
+
+void SessionPort::start_timer(dialogue::TimerId id, Milliseconds after) {
+  cancel_timer(id);
+  auto due = services_.due_times.add(due_at(after), DueTimes::Of::session);
+  auto actor = self_->spawn(timer, &services_, session_actor(self_),
+                            TimerOrder{id, after, due});
+  timers_.emplace(id, Timer{std::move(actor), due});
+}
+
+void SessionPort::cancel_timer(dialogue::TimerId id) {
+  if (auto found = timers_.extract(id))
+    end_timer(found.mapped());
+}
+
+void SessionPort::end_timer(const Timer& timer) {
+  services_.due_times.remove(timer.due);
+  caf::anon_send(timer.actor, actors::cancel_timer{services_.work.begin()});
+}
+
+void SessionPort::timer_is_over(dialogue::TimerId id) {
+  timers_.erase(id);
+}
+
+void SessionPort::query(dialogue::QueryRequest request) {
+  const auto id = request.id;
+  const auto timeout = services_.program->settings.sessions.request_timeout;
+  auto due = services_.due_times.add(due_at(timeout), DueTimes::Of::session);
+  QueryOrder order{id_, std::move(request), timeout, due,
+                   services_.work.begin()};
+  auto actor = self_->spawn(actors::query, &services_, session_actor(self_),
+                            std::move(order));
+  queries_.emplace(id, Query{std::move(actor), due});
+}
+
+void SessionPort::query_is_over(dialogue::QueryId id) {
+  queries_.erase(id);
+}
+
+const topic_frame_actor& SessionPort::frame_of(script::TopicId topic) {
+  auto& frame = frames_[topic];
+  if (!frame)
+    frame = self_->spawn(topic_frame, &services_, topic);
+  return frame;
+}
+
+void SessionPort::apply(script::TopicId topic, dialogue::FrameRequest request) {
+  ask_frame(self_, frame_of(topic),
+            std::make_shared<const dialogue::FrameRequest>(std::move(request)));
+}
+
+// -- watching, ending ---------------------------------------------------------
+
+bool SessionPort::inspected() const {
+  return true; // what nobody took is counted, watched or not
+}
+
+void SessionPort::inspect(Inspection inspection) {
+  if (inspection.kind == InspectionKind::unhandled)
+    ++services_.counters->unhandled;
+  if (services_.inspect)
+    services_.inspect(std::move(inspection));
+}
+
+void SessionPort::ended() {
+  // The session looks at Conversation::ended() after each input.
+}
+
+void SessionPort::close() {
+  self_->send(services_.manager, session_gone{id_, services_.work.begin()});
+}
+
+SessionPort::~SessionPort() {
+  for (const auto& [id, timer] : timers_)
+    end_timer(timer);
+  for (const auto& [id, query] : queries_) {
+    services_.due_times.remove(query.due);
+    caf::anon_send_exit(query.actor, caf::exit_reason::user_shutdown);
+  }
+  for (const auto& [topic, frame] : frames_)
+    caf::anon_send_exit(frame, caf::exit_reason::user_shutdown);
+}
+
+} // namespace parlour::actors

@@ -1,0 +1,66 @@
+// SessionPort: carries out what a conversation wants by sending messages to
+// other actors. Lives in the session's actor and is called on its thread.
+#pragma once
+
+#include <map>
+
+#include "actors/services.hpp"
+#include "script/dialogue/port.hpp"
+
+namespace parlour::actors {
+
+struct session_state;
+
+class SessionPort : public dialogue::Port {
+public:
+  using Self = session_actor::stateful_pointer<session_state>;
+
+  SessionPort(Self self, Services& services, SessionId id, seat_actor seat);
+  ~SessionPort() override; // ends whatever still works for the session
+
+  std::vector<Message> post(Message message) override;
+  bool reachable(const std::string& module) const override;
+  bool is_source(const std::string& module,
+                 const std::string& source) const override;
+  void release(const dialogue::Output& output) override;
+  void start_timer(dialogue::TimerId id, Milliseconds after) override;
+  void cancel_timer(dialogue::TimerId id) override;
+  void query(dialogue::QueryRequest request) override;
+  void apply(script::TopicId topic, dialogue::FrameRequest request) override;
+  bool inspected() const override;
+  void inspect(Inspection inspection) override;
+  void ended() override;
+
+  // What it started is over by itself.
+  void timer_is_over(dialogue::TimerId id);
+  void query_is_over(dialogue::QueryId id);
+  // Says that the session is gone.
+  void close();
+
+private:
+  struct Timer {
+    timer_actor actor;
+    DueTimes::Id due;
+  };
+  struct Query {
+    query_actor actor;
+    DueTimes::Id due;
+  };
+
+  void carry(Message message, std::vector<Message>& back, int depth);
+  std::vector<Message> ask_directly(const Target& target,
+                                    const Message& message);
+  void end_timer(const Timer& timer);
+  const topic_frame_actor& frame_of(script::TopicId topic);
+  Timestamp due_at(Milliseconds after) const;
+
+  Self self_;
+  Services& services_;
+  const SessionId id_;
+  const seat_actor seat_;
+  std::map<dialogue::TimerId, Timer> timers_;
+  std::map<dialogue::QueryId, Query> queries_;
+  std::map<script::TopicId, topic_frame_actor> frames_;
+};
+
+} // namespace parlour::actors

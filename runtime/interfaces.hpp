@@ -1,0 +1,262 @@
+// Every actor's typed mailbox on one page, a sentence for each message. Read
+// it and you know who talks to whom (architecture, "The actors"). The messages
+// stay on one node; what crosses hosts is parlour::Message (wire.md).
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <caf/allowed_unsafe_message_type.hpp>
+#include <caf/replies_to.hpp>
+#include <caf/typed_actor.hpp>
+
+#include "runtime/base/clock.hpp"
+#include "runtime/base/error.hpp"
+#include "runtime/base/message.hpp"
+
+namespace parlour::dialogue {
+class Conversation;
+struct FrameRequest;
+struct FrameResult;
+struct Output;
+} // namespace parlour::dialogue
+
+namespace parlour::actors {
+
+class RoutingTable; // actors/routing_table.hpp
+
+// Held while what a message asks for is not done, so that it is known when the
+// house is quiet (actors/work_count.hpp).
+using Work = std::shared_ptr<const void>;
+
+// -- the message centre -------------------------------------------------------
+
+// Messages that happened together: stamped, routed and counted in this order.
+struct publish {
+  std::vector<Message> messages;
+  Work work;
+};
+// The table of components and routes was replaced.
+struct use_table {
+  std::shared_ptr<const RoutingTable> table;
+};
+
+using message_centre_actor =
+    caf::typed_actor<caf::reacts_to<publish>, caf::reacts_to<use_table>>;
+
+// -- a session ----------------------------------------------------------------
+
+// Session.Started: the first message that a session gets.
+struct begin_session {
+  Work work;
+};
+// Messages for this session, together and in order.
+struct deliver {
+  std::vector<Message> messages;
+  Work work;
+};
+// Take the next queued input; the session sends it to itself.
+struct take_step {
+  Work work;
+};
+// A timer of this session is due.
+struct timer_due {
+  std::uint64_t id;
+  Work work;
+};
+// A query's outcome.
+struct query_outcome {
+  std::uint64_t id;
+  Expected<ResultSet> outcome;
+  Work work;
+};
+// The speaker or page is done with an output.
+struct output_done {
+  std::uint64_t id;
+  bool played;
+  Work work;
+};
+// Show your state to a test, the console or the trace.
+struct look {
+  std::function<void(const dialogue::Conversation&)> at;
+  Work work;
+};
+// End: Exit runs, Session.Ended is fired.
+struct end_session {
+  Work work;
+};
+
+using session_actor =
+    caf::typed_actor<caf::reacts_to<begin_session>, caf::reacts_to<deliver>,
+                     caf::reacts_to<take_step>, caf::reacts_to<timer_due>,
+                     caf::reacts_to<query_outcome>, caf::reacts_to<output_done>,
+                     caf::reacts_to<look>, caf::reacts_to<end_session>>;
+
+// -- what a session spawns ----------------------------------------------------
+
+// The topic frame's only request: what happened to it, in order.
+struct apply_changes {
+  std::shared_ptr<const dialogue::FrameRequest> request;
+  Work work;
+};
+// The new frame and what became of each change.
+struct frame_changed {
+  std::shared_ptr<const dialogue::FrameResult> result;
+  Work work;
+};
+
+using topic_frame_actor =
+    caf::typed_actor<caf::replies_to<apply_changes>::with<frame_changed>>;
+
+// A timer's own alarm.
+struct ring {};
+// Forget it: no timer_due will come.
+struct cancel_timer {
+  Work work;
+};
+
+using timer_actor =
+    caf::typed_actor<caf::reacts_to<ring>, caf::reacts_to<cancel_timer>>;
+
+// The database component's answer to a query's message.
+struct component_event {
+  Message event;
+  Work work;
+};
+// No answer came within the query's time.
+struct give_up {};
+
+using query_actor =
+    caf::typed_actor<caf::reacts_to<component_event>, caf::reacts_to<give_up>>;
+
+// -- components ---------------------------------------------------------------
+
+// Start the plug-in and say how it went.
+struct start_component {
+  std::function<void(Expected<void>)> done;
+  Work work;
+};
+// A message for the plug-in.
+struct handle_message {
+  Message message;
+  Work work;
+};
+// Work that the plug-in asked for later; `due` is its entry among the due times
+// (actors/due_times.hpp).
+struct run_after {
+  Milliseconds delay;
+  std::uint64_t due;
+  std::function<void()> action;
+  Work work;
+};
+// The delay of a run_after is over.
+struct run_now {
+  std::uint64_t due;
+  std::function<void()> action;
+};
+// Drain, stop the plug-in, end.
+struct stop_component {
+  Work work;
+};
+
+using component_host_actor =
+    caf::typed_actor<caf::reacts_to<start_component>,
+                     caf::reacts_to<handle_message>, caf::reacts_to<run_after>,
+                     caf::reacts_to<run_now>, caf::reacts_to<stop_component>>;
+
+// A component threw an exception or did not start.
+struct component_failed {
+  std::string name;
+  std::string reason;
+  Work work;
+};
+
+using supervisor_actor = caf::typed_actor<caf::reacts_to<component_failed>>;
+
+// -- seats --------------------------------------------------------------------
+
+// The robot says something at this seat.
+struct say {
+  SessionId session;
+  std::shared_ptr<const dialogue::Output> output;
+  Work work;
+};
+// The seat's session is over; the next turn opens another.
+struct session_over {
+  SessionId session;
+  Work work;
+};
+
+using seat_actor =
+    caf::typed_actor<caf::reacts_to<say>, caf::reacts_to<session_over>>;
+
+// -- sessions of a node -------------------------------------------------------
+
+// A conversation begins at a seat; answered with its session's id.
+struct open_session {
+  seat_actor seat;
+  Work work;
+};
+struct session_opened {
+  SessionId session;
+};
+// Messages for a session that the sender found no handle of; without a session:
+// for every session.
+struct forward {
+  std::vector<Message> messages;
+  Work work;
+};
+// End one session, or every session for an empty id.
+struct close_session {
+  SessionId session;
+  Work work;
+};
+// A session ended by itself.
+struct session_gone {
+  SessionId session;
+  Work work;
+};
+
+using session_manager_actor =
+    caf::typed_actor<caf::replies_to<open_session>::with<session_opened>,
+                     caf::reacts_to<forward>, caf::reacts_to<close_session>,
+                     caf::reacts_to<session_gone>>;
+
+} // namespace parlour::actors
+
+#define PARLOUR_LOCAL_MESSAGE(name)                                            \
+  CAF_ALLOW_UNSAFE_MESSAGE_TYPE(parlour::actors::name)
+
+PARLOUR_LOCAL_MESSAGE(publish)
+PARLOUR_LOCAL_MESSAGE(use_table)
+PARLOUR_LOCAL_MESSAGE(begin_session)
+PARLOUR_LOCAL_MESSAGE(deliver)
+PARLOUR_LOCAL_MESSAGE(take_step)
+PARLOUR_LOCAL_MESSAGE(timer_due)
+PARLOUR_LOCAL_MESSAGE(query_outcome)
+PARLOUR_LOCAL_MESSAGE(output_done)
+PARLOUR_LOCAL_MESSAGE(look)
+PARLOUR_LOCAL_MESSAGE(end_session)
+PARLOUR_LOCAL_MESSAGE(apply_changes)
+PARLOUR_LOCAL_MESSAGE(frame_changed)
+PARLOUR_LOCAL_MESSAGE(ring)
+PARLOUR_LOCAL_MESSAGE(cancel_timer)
+PARLOUR_LOCAL_MESSAGE(component_event)
+PARLOUR_LOCAL_MESSAGE(give_up)
+PARLOUR_LOCAL_MESSAGE(start_component)
+PARLOUR_LOCAL_MESSAGE(handle_message)
+PARLOUR_LOCAL_MESSAGE(run_after)
+PARLOUR_LOCAL_MESSAGE(run_now)
+PARLOUR_LOCAL_MESSAGE(stop_component)
+PARLOUR_LOCAL_MESSAGE(component_failed)
+PARLOUR_LOCAL_MESSAGE(say)
+PARLOUR_LOCAL_MESSAGE(session_over)
+PARLOUR_LOCAL_MESSAGE(open_session)
+PARLOUR_LOCAL_MESSAGE(session_opened)
+PARLOUR_LOCAL_MESSAGE(forward)
+PARLOUR_LOCAL_MESSAGE(close_session)
+PARLOUR_LOCAL_MESSAGE(session_gone)
+
+#undef PARLOUR_LOCAL_MESSAGE

@@ -28,7 +28,7 @@ constexpr float change_cost(char left, char right) {
   if (left == right)
     return 0;
   if (is_vowel(left) && is_vowel(right))
-    return 0.5F;
+    return 0.65F;
   return is_alike(left, right) ? 0.6F : 1;
 }
 

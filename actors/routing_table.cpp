@@ -169,7 +169,6 @@ void RoutingTable::deliver(Message message, const std::string& to,
     routed.deliveries.push_back({target, std::move(message)});
     return;
   }
-  ++parts_.counters->unhandled;
   routed.unreachable.push_back(to);
 }
 

@@ -92,6 +92,31 @@ inline ComponentOrder answering(std::string name, std::string role,
                    });
 }
 
+// One that sessions call in their own turn.
+class InlineFunctionPlugin : public InlinePlugin {
+public:
+  using Function = std::function<std::vector<Answer>(const Message&)>;
+  explicit InlineFunctionPlugin(Function function)
+      : function_(std::move(function)) {}
+  std::vector<Answer> answers(const Message& message) const override {
+    return function_(message);
+  }
+
+private:
+  Function function_;
+};
+
+inline ComponentOrder
+inline_component(std::string name, std::string role,
+                 InlineFunctionPlugin::Function function) {
+  auto order = component(std::move(name), std::move(role), {});
+  order.factory.description.is_inline = true;
+  order.factory.create = [function = std::move(function)] {
+    return std::make_unique<InlineFunctionPlugin>(function);
+  };
+  return order;
+}
+
 class HouseTest : public testing::Test {
 protected:
   // Virtual time unless `options` was changed before.

@@ -1,3 +1,5 @@
+#include <thread>
+
 #include "actors/node.hpp"
 #include "tests/actors/house_fixture.hpp"
 
@@ -15,6 +17,127 @@ TEST_F(NodeTest, AnswersARowOfTurnsInOrder) {
   start(echo);
   EXPECT_THAT(say({"one", "two"}),
               ElementsAre("You said: one", "You said: two"));
+}
+
+TEST_F(NodeTest, ReleasesTheOpeningPromptBeforeTheFirstTurn) {
+  start(R"(<state name="Welcome"><Entrance><speak param="Hello."/></Entrance>
+           </state>)",
+        "", "Welcome");
+  auto session = node->open(seat);
+  EXPECT_THAT(said(), ElementsAre("Hello."));
+  EXPECT_EQ(node->state(session), "Welcome");
+  EXPECT_EQ(node->session_at(seat), session);
+}
+
+TEST_F(NodeTest, EndsASessionAndOpensAnother) {
+  start(echo);
+  auto first = node->open(seat);
+  node->end(first);
+  node->run_until_quiet();
+  EXPECT_EQ(over, 1);
+  EXPECT_EQ(node->session_at(seat), "");
+  EXPECT_EQ(node->state(first), "");
+  EXPECT_THAT(say({"again"}), ElementsAre("You said: again"));
+  EXPECT_NE(node->session_at(seat), first);
+}
+
+TEST_F(NodeTest, EndsItsSessionsWhenItStops) {
+  start(R"(<state name="Welcome"><Exit><speak param="Bye."/></Exit></state>)",
+        "", "Welcome");
+  node->open(seat);
+  node->stop();
+  EXPECT_THAT(said(), ElementsAre("Bye."));
+  EXPECT_EQ(over, 1);
+}
+
+TEST_F(NodeTest, StopsInTheMiddle) {
+  start(echo);
+  node->enter(seat, {"never answered"});
+  node->interrupt();
+  EXPECT_FALSE(node->run_until_quiet());
+  node->stop();
+  node->stop();
+}
+
+TEST_F(NodeTest, SaysWhichComponentDoesNotStart) {
+  class Broken : public IPlugin {
+    Expected<void> on_start(const Options&) override {
+      return fail(ErrorKind::settings, "there is no such file");
+    }
+    void on_message(const Message&) override {}
+  };
+  std::vector<std::string> stopped;
+  class Well : public IPlugin {
+  public:
+    explicit Well(std::vector<std::string>& stopped) : stopped_(stopped) {}
+    void on_message(const Message&) override {}
+    void stop() override {
+      stopped_.push_back("Well");
+    }
+
+  private:
+    std::vector<std::string>& stopped_;
+  };
+  auto well = component("Well", "ASR", {});
+  well.factory.create = [&] { return std::make_unique<Well>(stopped); };
+  auto broken = component("Broken", "NLU", {});
+  broken.factory.create = [] { return std::make_unique<Broken>(); };
+  options.components = {well, broken};
+  options.program = compile(echo);
+  auto started = Node::start(std::move(options));
+  ASSERT_FALSE(started);
+  EXPECT_EQ(started.error().message, "Broken: there is no such file");
+  EXPECT_THAT(stopped, ElementsAre("Well"));
+}
+
+TEST_F(NodeTest, KnowsSlots) {
+  start(R"(<topic name="Order"><slot name="Drink" expr="'tea'"/></topic>)", "",
+        "Order");
+  auto session = node->open(seat);
+  EXPECT_EQ(node->slot_value(session, "Order", "Drink"), Value("tea"));
+  EXPECT_TRUE(node->slot_value("nobody", "Order", "Drink").is_unknown());
+}
+
+TEST_F(NodeTest, TakesInjectedMessages) {
+  start(R"(<handler name="H"><messages><component><VAD><SpeechStarted>
+           <speak param="at {_LPARAM1}"/>
+           </SpeechStarted></VAD></component></messages></handler>)");
+  Message event;
+  event.source = "VAD";
+  event.command = "SpeechStarted";
+  event.params = {7};
+  node->inject(node->open(seat), event);
+  node->run_until_quiet();
+  EXPECT_THAT(said(), ElementsAre("at 7"));
+}
+
+TEST_F(NodeTest, WorksInRealTime) {
+  options.virtual_start.reset();
+  start(echo);
+  EXPECT_THAT(say({"one", "two"}),
+              ElementsAre("You said: one", "You said: two"));
+}
+
+TEST(Node, ManyLiveInOneProcess) {
+  auto program = compile(echo);
+  std::vector<std::thread> threads;
+  std::atomic<int> answers = 0;
+  for (int i = 0; i < 4; ++i)
+    threads.emplace_back([&] {
+      for (int j = 0; j < 10; ++j) {
+        NodeOptions options;
+        options.program = program;
+        options.virtual_start = nine_o_clock;
+        auto node = std::move(*Node::start(std::move(options)));
+        SeatCallbacks calls;
+        calls.on_output = [&](const auto&, const auto&) { ++answers; };
+        node->enter(node->open_seat(std::move(calls)), {"hello"});
+        node->run_until_quiet();
+      }
+    });
+  for (auto& thread : threads)
+    thread.join();
+  EXPECT_EQ(answers, 40);
 }
 
 } // namespace

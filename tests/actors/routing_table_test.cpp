@@ -1,0 +1,137 @@
+#include "actors/routing_table.hpp"
+#include "tests/actors/house_fixture.hpp"
+#include "tests/support/manual_clock.hpp"
+
+namespace parlour::actors {
+namespace {
+
+class RoutingTableTest : public testing::Test {
+protected:
+  void make(const std::string& routes) {
+    RoutingTable::Parts parts;
+    parts.program = compile(std::string(echo) + routes);
+    parts.aliases = {{"Record", "Microphone"}};
+    parts.clock = &clock;
+    parts.numbers = std::make_shared<std::atomic<std::uint64_t>>(0);
+    parts.counters = std::make_shared<Counters>();
+    parts.taps.push_back(
+        [this](const Message& message, const std::string& way) {
+          taps.push_back(message.command + " " + way);
+        });
+    for (auto& [name, role] : std::vector<std::pair<std::string, std::string>>{
+             {"Mic", "Microphone"}, {"Fast", "ASR"}, {"Good", "ASR"}}) {
+      up.push_back(std::make_shared<std::atomic<bool>>(true));
+      parts.targets.push_back({name, {role}, {}, nullptr, up.back()});
+    }
+    table = std::make_unique<RoutingTable>(std::move(parts));
+  }
+
+  static Message event(std::string source, std::string command,
+                       std::vector<Value> params = {}) {
+    Message message;
+    message.source = std::move(source);
+    message.command = std::move(command);
+    message.params = std::move(params);
+    message.session = "s1";
+    return message;
+  }
+
+  static std::vector<std::string> delivered(const Routed& routed) {
+    std::vector<std::string> result;
+    for (const auto& delivery : routed.deliveries)
+      result.push_back(delivery.target->name + ": " +
+                       to_string(delivery.message));
+    return result;
+  }
+
+  test::ManualClock clock;
+  std::vector<std::shared_ptr<std::atomic<bool>>> up;
+  std::vector<std::string> taps;
+  std::unique_ptr<RoutingTable> table;
+};
+
+TEST_F(RoutingTableTest, StampsInOrder) {
+  make("");
+  auto first = table->route(event("Mic", "Started"));
+  auto second = table->route(event("Mic", "Started"));
+  EXPECT_EQ(first.rest->number, 1u);
+  EXPECT_EQ(second.rest->number, 2u);
+  EXPECT_EQ(second.rest->time, clock.now());
+  EXPECT_EQ(table->counters().messages, 2u);
+}
+
+TEST_F(RoutingTableTest, GivesASinkToTheFirstThatIsUp) {
+  make("");
+  auto message = event("Script", "DoRecognition");
+  message.sinks = {"ASR"};
+  EXPECT_THAT(delivered(table->route(message)),
+              ElementsAre(HasSubstr("Fast: Script.DoRecognition")));
+  *up[1] = false;
+  EXPECT_THAT(delivered(table->route(message)),
+              ElementsAre(HasSubstr("Good: Script.DoRecognition")));
+  message.sinks = {"Fast"};
+  auto routed = table->route(message);
+  EXPECT_THAT(routed.deliveries, IsEmpty());
+  EXPECT_THAT(routed.unreachable, ElementsAre("Fast"));
+  EXPECT_EQ(table->counters().unhandled, 0u); // its sender counts
+}
+
+TEST_F(RoutingTableTest, RelaysACopyAndGoesOn) {
+  make(R"(<routes><relay source="Record" command="BufferFull" to="ASR, Good"
+          as="DoRecognition"/></routes>)");
+  auto routed = table->route(event("Mic", "BufferFull", {1}));
+  EXPECT_THAT(delivered(routed),
+              ElementsAre(HasSubstr("Fast: Mic.DoRecognition(1)"),
+                          HasSubstr("Good: Mic.DoRecognition(1)")));
+  ASSERT_TRUE(routed.rest);
+  EXPECT_EQ(routed.rest->command, "BufferFull");
+  EXPECT_EQ(table->counters().relayed, 1u);
+  EXPECT_THAT(taps,
+              ElementsAre("DoRecognition relay -> ASR",
+                          "DoRecognition relay -> Good", "BufferFull session"));
+}
+
+TEST_F(RoutingTableTest, AFilterThatHoldsEndsTheWay) {
+  make(R"(<routes><filter source="ASR" command="RecognitionResult"
+          if="_LPARAM2 lt 0.3" to="Mic" as="Reprompt"/></routes>)");
+  auto low = table->route(event("Fast", "RecognitionResult", {"x", 0.2}));
+  EXPECT_THAT(delivered(low), ElementsAre(HasSubstr("Mic: Fast.Reprompt")));
+  EXPECT_FALSE(low.rest);
+  auto high = table->route(event("Fast", "RecognitionResult", {"x", 0.9}));
+  EXPECT_THAT(delivered(high), IsEmpty());
+  EXPECT_TRUE(high.rest);
+  EXPECT_EQ(table->counters().filtered, 1u);
+}
+
+TEST_F(RoutingTableTest, DropsAndTakesRoutesInFileOrder) {
+  make(R"(<routes><relay source="*" command="Sound" to="Good"/>
+          <filter source="*" command="Sound" drop="true"/>
+          <relay source="*" command="Sound" to="Fast"/></routes>)");
+  auto routed = table->route(event("Anyone", "Sound"));
+  EXPECT_THAT(delivered(routed), ElementsAre(HasSubstr("Good: ")));
+  EXPECT_FALSE(routed.rest);
+  EXPECT_EQ(table->counters().dropped, 1u);
+  EXPECT_EQ(table->counters().relayed, 1u);
+}
+
+TEST_F(RoutingTableTest, KnowsRolesNamesAndAliases) {
+  make("");
+  EXPECT_TRUE(table->is_source("Record", "Mic"));
+  EXPECT_TRUE(table->is_source("Microphone", "Mic"));
+  EXPECT_TRUE(table->is_source("ASR", "Good"));
+  EXPECT_TRUE(table->is_source("ASR", "ASR"));
+  EXPECT_TRUE(table->is_source("*", "anyone"));
+  EXPECT_FALSE(table->is_source("ASR", "Mic"));
+  EXPECT_FALSE(table->is_source("Good", "Fast"));
+  EXPECT_EQ(table->find("Record")->name, "Mic");
+  EXPECT_EQ(table->find("Nobody"), nullptr);
+}
+
+TEST_F(RoutingTableTest, KnowsWhoListens) {
+  make("");
+  EXPECT_TRUE(table->subscribed(event("Fast", "RecognitionResult")));
+  EXPECT_FALSE(table->subscribed(event("Fast", "Partial")));
+}
+
+} // namespace
+} // namespace parlour::actors

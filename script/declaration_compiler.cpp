@@ -126,8 +126,12 @@ void DeclarationCompiler::compile_all_phrases() {
   for (const bool platform : {false, true})
     for (std::size_t i = 0; i < documents_.size(); ++i)
       for (const auto& child : documents_[i].root.children)
-        if (documents_[i].platform == platform && child.is("phrases"))
+        if (documents_[i].platform == platform && child.is("phrases")) {
+          const auto first = program_.phrases.size();
           compile_phrases(child, functions_of(i), compilation_);
+          for (auto at = first; at < program_.phrases.size(); ++at)
+            program_.phrases[at].of_platform = platform;
+        }
 }
 
 void DeclarationCompiler::compile_ladder(const Element& ladder) {

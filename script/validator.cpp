@@ -12,6 +12,19 @@ std::string tag(const std::string& name) {
   return "<" + name + ">";
 }
 
+// "<a>, <b> or <c>".
+std::string tags(std::vector<std::string> names) {
+  std::sort(names.begin(), names.end());
+  for (auto& name : names)
+    name = tag(name);
+  return alternatives(names);
+}
+
+// An element without a row of its own is called what it is called.
+const std::string& name_of(const Element& element, const ElementRule& rule) {
+  return rule.name == "*" ? element.name : rule.name;
+}
+
 // ", did you mean …" or what there is to choose from.
 std::string hint(const std::string& name,
                  const std::vector<std::string>& candidates,
@@ -29,10 +42,12 @@ public:
   bool validate_root(Element& root, const std::vector<std::string>& roots);
 
 private:
-  // False where the element must be taken out.
-  bool validate(Element& element, const ElementRule& parent);
+  // False where the element must be taken out. `inside` names its parent.
+  bool validate(Element& element, const ElementRule& parent,
+                const std::string& inside);
   void validate_inside(Element& element, const ElementRule& rule);
-  void report_unknown(const Element& element, const ElementRule& parent);
+  void report_unknown(const Element& element, const ElementRule& parent,
+                      const std::string& inside);
   bool replace_unavailable(Element& element, const ElementRule& rule);
   void check_text(const Element& element, const ElementRule& rule);
   void check_attributes(Element& element, const ElementRule& rule);
@@ -43,16 +58,17 @@ private:
 };
 
 void Validator::report_unknown(const Element& element,
-                               const ElementRule& parent) {
+                               const ElementRule& parent,
+                               const std::string& inside) {
   const auto parents = parents_of(element.name);
   const auto allowed = names_within(parent.holds);
   std::string text;
   if (!parents.empty()) {
-    text = tag(element.name) + " may not stand in " + tag(parent.name) + "; ";
+    text = tag(element.name) + " may not stand in " + tag(inside) + "; ";
     text += parents.size() > 6 ? "it is a statement"
-                               : "it belongs in " + tag(alternatives(parents));
+                               : "it belongs in " + tags(parents);
   } else {
-    text = "unknown element " + tag(element.name) + " in " + tag(parent.name);
+    text = "unknown element " + tag(element.name) + " in " + tag(inside);
     text += allowed.empty() ? "; it holds no elements"
                             : hint(element.name, allowed, "; expected ");
   }
@@ -90,7 +106,7 @@ void Validator::check_attributes(Element& element, const ElementRule& rule) {
   std::erase_if(element.attributes, [&](const Attribute& attribute) {
     const auto* found = rule.attribute(attribute.name);
     if (!found) {
-      auto text = tag(rule.name == "*" ? element.name : rule.name) +
+      auto text = tag(name_of(element, rule)) +
                   " has no attribute '" + attribute.name + "'";
       findings_.error(attribute.position,
                       text + hint(attribute.name, names, "; it has "));
@@ -127,14 +143,16 @@ bool Validator::fill_missing(Element& element, const ElementRule& rule,
 
 void Validator::validate_inside(Element& element, const ElementRule& rule) {
   check_text(element, rule);
+  const auto inside = name_of(element, rule);
   std::erase_if(element.children,
-                [&](Element& child) { return !validate(child, rule); });
+                [&](Element& child) { return !validate(child, rule, inside); });
 }
 
-bool Validator::validate(Element& element, const ElementRule& parent) {
+bool Validator::validate(Element& element, const ElementRule& parent,
+                         const std::string& inside) {
   const auto* rule = find_rule(element.name, parent.holds);
   if (!rule) {
-    report_unknown(element, parent);
+    report_unknown(element, parent, inside);
     return false;
   }
   if (!rule->available)
@@ -156,11 +174,11 @@ bool Validator::validate_root(Element& root,
   if (std::none_of(roots.begin(), roots.end(), matches)) {
     findings_.error(root.position, "the root element is " + tag(root.name) +
                                        "; expected " +
-                                       tag(alternatives(roots)));
+                                       tags(roots));
     return false;
   }
   static const ElementRule document{"", {}, {"root"}, true, "", {}};
-  return validate(root, document);
+  return validate(root, document, "");
 }
 
 } // namespace

@@ -1,0 +1,29 @@
+// The built-in functions (language rules 3 and 7): one table, builtins.def.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace parlour::script {
+
+struct BuiltinCall;
+
+struct Builtin {
+  const char* name;
+  std::uint8_t minimum; // arguments
+  std::uint8_t maximum;
+  const char* sentence;
+  bool (*function)(BuiltinCall& call); // false: an error was raised
+};
+
+bool is_builtin(std::string_view name);
+// For did-you-mean.
+const std::vector<std::string>& builtin_names();
+// What an instruction holds; nothing where there is none of that name.
+std::optional<std::uint16_t> builtin_index(std::string_view name);
+const Builtin& builtin(std::uint16_t index);
+
+} // namespace parlour::script

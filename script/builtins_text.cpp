@@ -1,0 +1,259 @@
+// Built-in functions of strings (language rules 3 and 7).
+#include <algorithm>
+
+#include <unicode/ucasemap.h>
+
+#include "script/builtin_call.hpp"
+#include "script/builtin_functions.hpp"
+
+namespace parlour::script::builtins {
+
+namespace {
+
+constexpr std::string_view blanks = " \t\r\n";
+
+using Mapping = int32_t (*)(const UCaseMap*, char*, int32_t, const char*,
+                            int32_t, UErrorCode*);
+
+// By Unicode, of no particular language.
+bool map_case(BuiltinCall& call, Mapping mapping) {
+  std::string text;
+  if (!call.text(0, text) || !call.room(text.size() * 3))
+    return false;
+  static thread_local const auto* casemap = [] {
+    auto error = U_ZERO_ERROR;
+    return ucasemap_open("", 0, &error);
+  }();
+  std::string mapped(text.size() * 3 + 1, '\0');
+  auto error = U_ZERO_ERROR;
+  const auto size =
+      mapping(casemap, mapped.data(), static_cast<int32_t>(mapped.size()),
+              text.data(), static_cast<int32_t>(text.size()), &error);
+  if (U_FAILURE(error))
+    return call.fail(ErrorKind::type, "the text is not well-formed");
+  mapped.resize(static_cast<std::size_t>(size));
+  return call.give_text(mapped);
+}
+
+std::size_t code_points_before(std::string_view text, std::size_t byte) {
+  return count_code_points(text.substr(0, byte));
+}
+
+// A position in a string, counted from the end where it is negative, never
+// outside of it.
+std::size_t clamped(std::int64_t position, std::size_t size) {
+  const auto signed_size = static_cast<std::int64_t>(size);
+  if (position < 0)
+    position += signed_size;
+  return static_cast<std::size_t>(
+      std::clamp<std::int64_t>(position, 0, signed_size));
+}
+
+Box part_of(BuiltinCall& call, const Box& string, std::size_t from,
+            std::size_t to) {
+  const auto first = byte_position(*string.string(), from);
+  const auto last = byte_position(*string.string(), to);
+  return make_string(call.heap(), string.text().substr(first, last - first));
+}
+
+void replace_all(std::string& text, std::string_view part,
+                 std::string_view with) {
+  std::string replaced;
+  std::size_t at = 0;
+  for (auto found = text.find(part); found != std::string::npos;
+       found = text.find(part, at)) {
+    replaced.append(text, at, found - at).append(with);
+    at = found + part.size();
+  }
+  text = replaced.append(text, at);
+}
+
+std::size_t occurrences(std::string_view text, std::string_view part) {
+  std::size_t count = 0;
+  for (auto at = text.find(part); at != std::string_view::npos;
+       at = text.find(part, at + part.size()))
+    ++count;
+  return count;
+}
+
+} // namespace
+
+bool upper(BuiltinCall& call) {
+  return map_case(call, ucasemap_utf8ToUpper);
+}
+
+bool lower(BuiltinCall& call) {
+  return map_case(call, ucasemap_utf8ToLower);
+}
+
+bool trim(BuiltinCall& call) {
+  std::string text;
+  if (!call.text(0, text))
+    return false;
+  text.erase(text.find_last_not_of(blanks) + 1);
+  text.erase(0, std::min(text.find_first_not_of(blanks), text.size()));
+  return call.give_text(text);
+}
+
+bool substring(BuiltinCall& call) {
+  std::string text;
+  std::int64_t start = 0;
+  if (!call.text(0, text) || !call.integer(1, start))
+    return false;
+  const auto string = make_string(call.heap(), text);
+  const auto size = string.string()->code_points;
+  std::int64_t count = size;
+  if (call.has(2) && !call.integer(2, count))
+    return false;
+  const auto from = clamped(start, size);
+  const auto rest = static_cast<std::int64_t>(size - from);
+  const auto length =
+      static_cast<std::size_t>(std::clamp<std::int64_t>(count, 0, rest));
+  return call.give(part_of(call, string, from, from + length));
+}
+
+bool find(BuiltinCall& call) {
+  std::string text;
+  std::string part;
+  std::int64_t from = 0;
+  if (!call.text(0, text) || !call.text(1, part) ||
+      (call.has(2) && !call.integer(2, from)))
+    return false;
+  const auto string = make_string(call.heap(), text);
+  const auto start = byte_position(*string.string(),
+                                   clamped(from, string.string()->code_points));
+  const auto found = text.find(part, start);
+  return call.give_integer(
+      found == std::string::npos
+          ? -1
+          : static_cast<std::int64_t>(code_points_before(text, found)));
+}
+
+bool replace(BuiltinCall& call) {
+  std::string text;
+  std::string part;
+  std::string with;
+  if (!call.text(0, text) || !call.text(1, part) || !call.text(2, with))
+    return false;
+  if (part.empty())
+    return call.give_text(text);
+  const auto count = occurrences(text, part);
+  if (with.size() > part.size() &&
+      !call.room(text.size() + count * (with.size() - part.size())))
+    return false;
+  replace_all(text, part, with);
+  return call.give_text(text);
+}
+
+namespace {
+
+void split_blanks(Heap& heap, std::string_view text, Boxes& parts) {
+  for (std::size_t at = text.find_first_not_of(blanks);
+       at != std::string_view::npos;) {
+    const auto end = std::min(text.find_first_of(blanks, at), text.size());
+    parts.push_back(make_string(heap, text.substr(at, end - at)));
+    at = text.find_first_not_of(blanks, end);
+  }
+}
+
+void split_code_points(Heap& heap, std::string_view text, Boxes& parts) {
+  for (std::size_t at = 0; at < text.size();) {
+    const auto size = character_size(text[at]);
+    parts.push_back(make_string(heap, text.substr(at, size)));
+    at += size;
+  }
+}
+
+void split_at(Heap& heap, std::string_view text, std::string_view separator,
+              Boxes& parts) {
+  std::size_t at = 0;
+  for (auto found = text.find(separator); found != std::string_view::npos;
+       found = text.find(separator, at)) {
+    parts.push_back(make_string(heap, text.substr(at, found - at)));
+    at = found + separator.size();
+  }
+  parts.push_back(make_string(heap, text.substr(at)));
+}
+
+} // namespace
+
+bool split(BuiltinCall& call) {
+  std::string text;
+  std::string separator;
+  if (!call.text(0, text) || (call.has(1) && !call.text(1, separator)) ||
+      !call.work(text.size() * 16))
+    return false;
+  auto list = make_list(call.heap());
+  auto& parts = list.list()->elements;
+  if (!call.has(1))
+    split_blanks(call.heap(), text, parts);
+  else if (separator.empty())
+    split_code_points(call.heap(), text, parts);
+  else
+    split_at(call.heap(), text, separator, parts);
+  return call.give(std::move(list));
+}
+
+bool join(BuiltinCall& call) {
+  ListObject* list = nullptr;
+  std::string separator;
+  if (!call.list(0, list) || (call.has(1) && !call.text(1, separator)))
+    return false;
+  std::string text;
+  const auto limit = call.machine.program->settings.limits.result;
+  for (const auto& element : list->elements) {
+    if (&element != list->elements.data())
+      text += separator;
+    if (!print(text, element, limit))
+      return call.room(limit + 1);
+  }
+  return call.give_text(text);
+}
+
+bool starts_with(BuiltinCall& call) {
+  std::string text;
+  std::string part;
+  return call.text(0, text) && call.text(1, part) &&
+         call.give_flag(text.starts_with(part));
+}
+
+bool ends_with(BuiltinCall& call) {
+  std::string text;
+  std::string part;
+  return call.text(0, text) && call.text(1, part) &&
+         call.give_flag(text.ends_with(part));
+}
+
+// Each {} takes the next argument; doubled braces are literal.
+bool format(BuiltinCall& call) {
+  std::string pattern;
+  if (!call.text(0, pattern))
+    return false;
+  std::string text;
+  std::size_t next = 1;
+  const auto limit = call.machine.program->settings.limits.result;
+  for (std::size_t at = 0; at < pattern.size(); ++at) {
+    const auto two = std::string_view(pattern).substr(at, 2);
+    if (two == "{}") {
+      if (!call.has(next))
+        return call.fail(ErrorKind::range, "the pattern has more {} than there "
+                                           "are arguments");
+      if (!print(text, call[next++], limit))
+        return call.room(limit + 1);
+    } else {
+      text += pattern[at];
+    }
+    at += two == "{}" || two == "{{" || two == "}}";
+  }
+  return call.give_text(text);
+}
+
+bool string(BuiltinCall& call) {
+  std::string text;
+  const auto limit = call.machine.program->settings.limits.result;
+  if (!print(text, call[0], limit))
+    return call.room(limit + 1);
+  return call.give_text(text);
+}
+
+} // namespace parlour::script::builtins

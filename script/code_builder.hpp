@@ -1,0 +1,127 @@
+// CodeBuilder: one Code under construction: instructions, registers, the
+// names that are visible. Used by the expression and statement compilers.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "script/body_compiler.hpp"
+#include "script/expression.hpp"
+#include "script/host.hpp"
+#include "script/instruction.hpp"
+#include "script/objects.hpp"
+
+namespace parlour::script {
+
+using Register = std::uint16_t;
+using Label = std::size_t; // an instruction whose jump is still open
+
+struct Local {
+  std::string name;
+  Register reg = 0;
+  bool is_parameter = false; // may be bound to a variable
+  bool is_constant = false;
+};
+
+// What a name means where it stands.
+struct Meaning {
+  enum class Kind : std::uint8_t {
+    nothing,
+    local,
+    variable,  // of the session: index
+    system,    // index: SystemVariable
+    parameter, // of the message: index
+  };
+  Kind kind = Kind::nothing;
+  const Local* local = nullptr;
+  std::uint32_t index = 0;
+};
+
+// A text and where it begins, to place what stands inside of it.
+struct Source {
+  std::string_view text;
+  Position start;
+
+  Position at(std::size_t offset) const;
+  Source part(std::size_t offset, std::size_t length) const {
+    return {text.substr(offset, length), at(offset)};
+  }
+};
+
+class CodeBuilder {
+public:
+  CodeBuilder(Program& shared_program, const Names& all_names,
+              Findings& all_findings, BodyContext body_context);
+
+  Program& program;
+  const Names& names;
+  Findings& findings;
+  BodyContext context;
+  Code code;
+
+  // -- instructions; all get the position set last ----------------------------
+  void at(Position position) {
+    position_ = position;
+  }
+  Position position() const {
+    return position_;
+  }
+  Label emit(Operation operation, std::size_t a = 0, std::size_t b = 0,
+             std::size_t c = 0, bool flag = false);
+  Label emit_wide(Operation operation, std::size_t a, std::uint32_t wide,
+                  std::uint8_t flag = 0);
+  std::uint32_t here() const {
+    return static_cast<std::uint32_t>(code.instructions.size());
+  }
+  void land(Label label); // it jumps to here
+  void land(const std::vector<Label>& labels);
+  void back(Operation operation, std::size_t a, std::uint32_t target);
+  void exits_to(Label label, std::uint32_t target);
+
+  std::uint16_t constant(Box box);
+  std::uint16_t text_constant(std::string_view text);
+  void load(Register target, Box constant_value);
+  void load_text(Register target, std::string_view text);
+  std::uint16_t shape(EffectShape shape);
+
+  // -- registers --------------------------------------------------------------
+  Register allocate(std::size_t count = 1);
+  Register mark() const {
+    return next_;
+  }
+  void release(Register mark) {
+    next_ = mark;
+  }
+
+  // -- names ------------------------------------------------------------------
+  void open_scope();
+  void close_scope();
+  // Null where it is not in the innermost block.
+  Local* in_block(std::string_view name);
+  Register declare(std::string_view name, bool is_constant = false,
+                   bool is_parameter = false);
+  Meaning find(std::string_view name) const;
+  const FunctionName* function(std::string_view name) const;
+  std::vector<std::string> visible_names() const;
+  std::vector<std::string> function_names() const;
+  const std::vector<Local>& locals() const {
+    return locals_;
+  }
+
+  Code finish(); // adds the final give_unknown
+
+private:
+  Position position_;
+  Register next_ = 0;
+  bool too_large_ = false;
+  std::vector<Local> locals_;
+  std::vector<std::pair<std::size_t, Register>> scopes_;
+};
+
+// The number of `_LPARAM3`, counted from 0.
+std::optional<std::uint32_t> message_parameter(std::string_view name);
+std::optional<SystemVariable> system_variable(std::string_view name);
+
+} // namespace parlour::script

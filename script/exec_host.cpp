@@ -1,0 +1,215 @@
+#include "script/exec_host.hpp"
+
+#include <algorithm>
+#include <random>
+
+namespace parlour::script {
+
+namespace {
+
+// The element that makes an effect.
+std::string element_of(EffectKind kind) {
+  switch (kind) {
+  case EffectKind::fire_frames:
+  case EffectKind::fire_event:
+    return "fire";
+  case EffectKind::register_handler:
+  case EffectKind::register_topic:
+    return "register";
+  case EffectKind::unregister_handler:
+  case EffectKind::unregister_topic:
+    return "unregister";
+  case EffectKind::reset_topic:
+    return "reset";
+  case EffectKind::open_socket:
+    return "socket";
+  case EffectKind::begin:
+  case EffectKind::commit:
+  case EffectKind::rollback:
+    return "transaction";
+  default:
+    break;
+  }
+  std::string name;
+  switch (kind) {
+#define EFFECT(kind_name, waits, operands, sentence)                           \
+  case EffectKind::kind_name:                                                  \
+    name = #kind_name;                                                         \
+    break;
+#include "script/effects.def"
+#undef EFFECT
+  }
+  std::erase(name, '_'); // read_file, <readfile>
+  return name;
+}
+
+// What is due at a time: a timer's body, or an activation that waited.
+struct Due {
+  Timestamp at = 0;
+  std::uint64_t order = 0;
+  std::string timer; // its name
+  Milliseconds every{0};
+  CodeId body = no_code;
+  std::vector<Value> arguments;
+  std::unique_ptr<Activation> waiting;
+};
+
+class ExecHost : public Host {
+public:
+  ExecHost(std::shared_ptr<const Program> program, const ExecOptions& options)
+      : options_(options), interpreter_(std::move(program)),
+        dice_(options.seed) {
+    interpreter_.limit_instructions(options.instructions);
+  }
+
+  std::optional<ExecFailure> run();
+
+  Performed perform(Activation& activation, Effect effect) override;
+  Value slot(TopicId, SlotId) const override {
+    return {};
+  }
+  void set_slot(TopicId, SlotId, Value) override {}
+  Value system(const Activation&, SystemVariable) const override {
+    return {};
+  }
+  bool online(const std::string&) const override {
+    return false;
+  }
+  Timestamp now() const override {
+    return now_;
+  }
+  double random() override {
+    return static_cast<double>(dice_() >> 11) * 0x1p-53;
+  }
+
+private:
+  void begin_event();
+  std::optional<ExecFailure> go_on(std::unique_ptr<Activation> activation,
+                                   RunResult result);
+  std::optional<ExecFailure> run_due(Due due);
+  Performed add_timer(const Effect& effect);
+
+  const ExecOptions& options_;
+  Interpreter interpreter_;
+  std::mt19937_64 dice_;
+  Timestamp now_ = 0;
+  std::uint64_t order_ = 0;
+  Milliseconds wait_{0};
+  std::vector<Due> due_;
+};
+
+void ExecHost::begin_event() {
+  now_ = options_.now();
+  interpreter_.new_event();
+}
+
+Performed ExecHost::add_timer(const Effect& effect) {
+  const Milliseconds after(effect.operand(1).integer_or(0));
+  Due due;
+  due.at = now_ + after.count();
+  due.order = ++order_;
+  due.timer = effect.operand(0).text();
+  due.every = effect.operand(2) ? after : Milliseconds(0);
+  due.body = effect.body;
+  due.arguments = effect.captured;
+  std::erase_if(due_, [&](const Due& other) {
+    return !other.waiting && other.timer == due.timer;
+  });
+  due_.push_back(std::move(due));
+  return Value();
+}
+
+Performed ExecHost::perform(Activation&, Effect effect) {
+  switch (effect.kind) {
+  case EffectKind::print:
+    options_.print(effect.operand(0).text());
+    return Value();
+  case EffectKind::log:
+    options_.log(effect.operand(0).text());
+    return Value();
+  case EffectKind::timer:
+    return add_timer(effect);
+  case EffectKind::cancel:
+    std::erase_if(due_, [&](const Due& due) {
+      return !due.waiting && due.timer == effect.operand(0).text();
+    });
+    return Value();
+  case EffectKind::wait:
+    wait_ = Milliseconds(effect.operand(0).integer_or(0));
+    return Waits{};
+  default:
+    return Error{ErrorKind::refused,
+                 "<" + element_of(effect.kind) +
+                     "> needs a running application",
+                 {}};
+  }
+}
+
+std::optional<ExecFailure>
+ExecHost::go_on(std::unique_ptr<Activation> activation, RunResult result) {
+  while (result.status == RunStatus::yielded)
+    result = interpreter_.run(*activation, *this);
+  if (result.status == RunStatus::failed)
+    return ExecFailure{std::move(result.error), std::move(result.stack)};
+  if (result.status == RunStatus::waiting) {
+    Due due;
+    due.at = now_ + wait_.count();
+    due.order = ++order_;
+    due.waiting = std::move(activation);
+    due_.push_back(std::move(due));
+  }
+  return {};
+}
+
+std::optional<ExecFailure> ExecHost::run_due(Due due) {
+  options_.wait_until(due.at);
+  begin_event();
+  if (due.waiting) {
+    auto result = interpreter_.resume(*due.waiting, Value(), *this);
+    return go_on(std::move(due.waiting), std::move(result));
+  }
+  auto activation = interpreter_.start(due.body, due.arguments, {});
+  if (due.every.count() > 0) {
+    due.at += due.every.count();
+    due.order = ++order_;
+    due_.push_back(std::move(due));
+  }
+  auto result = interpreter_.run(*activation, *this);
+  return go_on(std::move(activation), std::move(result));
+}
+
+std::optional<ExecFailure> ExecHost::run() {
+  const auto& program = interpreter_.program();
+  const auto main = program.functions.find("main");
+  if (main == program.functions.end())
+    return ExecFailure{{ErrorKind::compile, "there is no function 'main'", {}},
+                       {}};
+  if (program.code[main->second].required_count > 0)
+    return ExecFailure{
+        {ErrorKind::compile, "'main' must not have parameters", {}}, {}};
+  begin_event();
+  if (auto ready = interpreter_.initialise(*this); !ready)
+    return ExecFailure{std::move(ready.error()), {}};
+  auto activation = interpreter_.start(main->second, {}, {});
+  auto result = interpreter_.run(*activation, *this);
+  auto failure = go_on(std::move(activation), std::move(result));
+  while (!failure && !due_.empty()) {
+    auto next = std::min_element(
+        due_.begin(), due_.end(), [](const Due& a, const Due& b) {
+          return a.at != b.at ? a.at < b.at : a.order < b.order;
+        });
+    auto due = std::move(*next);
+    due_.erase(next);
+    failure = run_due(std::move(due));
+  }
+  return failure;
+}
+
+} // namespace
+
+std::optional<ExecFailure> run_main(std::shared_ptr<const Program> program,
+                                    const ExecOptions& options) {
+  return ExecHost(std::move(program), options).run();
+}
+
+} // namespace parlour::script

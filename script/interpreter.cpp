@@ -1,0 +1,77 @@
+#include "script/interpreter.hpp"
+
+#include "script/convert.hpp"
+#include "script/machine.hpp"
+
+namespace parlour::script {
+
+struct Interpreter::Implementation : Machine {
+  using Machine::Machine;
+};
+
+Interpreter::Interpreter(std::shared_ptr<const Program> program)
+    : implementation_(std::make_unique<Implementation>(std::move(program))) {}
+
+Interpreter::~Interpreter() = default;
+Interpreter::Interpreter(Interpreter&&) noexcept = default;
+Interpreter& Interpreter::operator=(Interpreter&&) noexcept = default;
+
+Expected<void> Interpreter::initialise(Host& host) {
+  const auto& variables = program().variables;
+  for (std::size_t i = 0; i < variables.size(); ++i) {
+    if (variables[i].initial == no_code)
+      continue;
+    auto value = evaluate(variables[i].initial, {}, {}, host);
+    if (!value)
+      return tl::make_unexpected(std::move(value.error()));
+    set_variable(i, std::move(*value));
+  }
+  return {};
+}
+
+std::unique_ptr<Activation> Interpreter::start(CodeId code,
+                                               std::vector<Value> arguments,
+                                               ActivationContext context) {
+  return implementation_->start(code, arguments, std::move(context));
+}
+
+RunResult Interpreter::run(Activation& activation, Host& host) {
+  return implementation_->run(static_cast<Execution&>(activation), host, false);
+}
+
+RunResult Interpreter::resume(Activation& activation, Expected<Value> outcome,
+                              Host& host) {
+  return implementation_->resume(static_cast<Execution&>(activation),
+                                 std::move(outcome), host);
+}
+
+Expected<Value> Interpreter::evaluate(CodeId code, std::vector<Value> arguments,
+                                      ActivationContext context, Host& host) {
+  auto activation = implementation_->start(code, arguments, std::move(context));
+  auto result = implementation_->run(*activation, host, true);
+  if (result.status == RunStatus::failed)
+    return tl::make_unexpected(std::move(result.error));
+  return std::move(result.value);
+}
+
+void Interpreter::new_event() {
+  implementation_->new_event();
+}
+
+void Interpreter::limit_instructions(std::uint64_t instructions) {
+  implementation_->instructions = instructions;
+}
+
+const Program& Interpreter::program() const {
+  return *implementation_->program;
+}
+
+Value Interpreter::variable(std::size_t index) const {
+  return to_value(implementation_->variables[index]);
+}
+
+void Interpreter::set_variable(std::size_t index, Value value) {
+  implementation_->variables[index] = to_box(implementation_->heap(), value);
+}
+
+} // namespace parlour::script

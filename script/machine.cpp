@@ -1,0 +1,304 @@
+#include "script/machine.hpp"
+
+#include <algorithm>
+
+#include "script/convert.hpp"
+
+namespace parlour::script {
+
+namespace {
+
+constexpr std::size_t stack_lines = 20;
+constexpr std::uint64_t clean_up_fuel = 1000;
+
+std::size_t index_of(const Frame& frame) {
+  return static_cast<std::size_t>(frame.pc - frame.code->instructions.data());
+}
+
+Position position_of(const Frame& frame) {
+  const auto at = index_of(frame);
+  return at < frame.code->positions.size() ? frame.code->positions[at]
+                                           : Position{};
+}
+
+} // namespace
+
+// -- frames -------------------------------------------------------------------
+
+Execution::~Execution() {
+  while (top)
+    pop();
+}
+
+Frame* Execution::push(const Code& code, Frame* caller) {
+  auto* memory =
+      heap_->allocate(sizeof(Frame) + code.register_count * sizeof(Box));
+  auto* frame = new (memory) Frame{&code, caller, code.instructions.data()};
+  std::uninitialized_default_construct_n(frame->registers(),
+                                         code.register_count);
+  top = frame;
+  ++depth;
+  return frame;
+}
+
+void Execution::pop() {
+  auto* frame = top;
+  const auto count = frame->code->register_count;
+  top = frame->caller;
+  --depth;
+  std::destroy_n(frame->registers(), count);
+  heap_->release(frame, sizeof(Frame) + count * sizeof(Box));
+}
+
+// -- errors -------------------------------------------------------------------
+
+bool Machine::raise(ErrorKind kind, std::string message) {
+  Place place;
+  if (execution && execution->top)
+    place = program->place(position_of(*execution->top));
+  error_ = make_error(*heap_, kind, std::move(message), std::move(place));
+  raised_ = true;
+  note_stack();
+  return false;
+}
+
+bool Machine::raise(Failure failure) {
+  return raise(failure.kind, std::move(failure.message));
+}
+
+// A caught error thrown again keeps its place (language rule 7).
+bool Machine::raise_box(const Box& error_or_value) {
+  const Box value = error_or_value.resolved();
+  if (value.is(ObjectType::error)) {
+    error_ = value;
+    raised_ = true;
+    note_stack();
+    return false;
+  }
+  std::string text;
+  if (!print(text, value, program->settings.limits.result))
+    text = "a value too large to print";
+  raise(ErrorKind::thrown, std::move(text));
+  error_.error()->value = value;
+  return false;
+}
+
+bool Machine::check(Outcome outcome) {
+  return !outcome || raise(std::move(*outcome));
+}
+
+bool Machine::within_limits() {
+  if (!heap_->over_limit()) [[likely]]
+    return true;
+  return raise(ErrorKind::limit, "the session's values hold more than " +
+                                     std::to_string(heap_->limit()) + " bytes");
+}
+
+void Machine::note_stack() {
+  stack_.clear();
+  if (!execution)
+    return;
+  for (auto* frame = execution->top; frame; frame = frame->caller) {
+    if (stack_.size() == stack_lines) {
+      stack_.emplace_back("…");
+      return;
+    }
+    const auto place = program->place(position_of(*frame));
+    stack_.push_back(frame->code->name + " (" + place.file + ":" +
+                     std::to_string(place.line) + ")");
+  }
+}
+
+const CatchRange* Machine::find_catch(const Frame& frame) const {
+  const auto at = index_of(frame);
+  const bool limit = error_.error()->kind == ErrorKind::limit;
+  for (const auto& range : frame.code->catches)
+    if (at >= range.from && at < range.to && (range.always || !limit))
+      return &range;
+  return nullptr;
+}
+
+bool Machine::recover() {
+  if (!raised_)
+    return false;
+  raised_ = false;
+  for (; execution->top; execution->pop()) {
+    auto& frame = *execution->top;
+    if (const auto* range = find_catch(frame)) {
+      if (error_.error()->kind == ErrorKind::limit && !grace_given_) {
+        grace_given_ = true; // for a rollback
+        left_ += clean_up_fuel;
+        take_slice();
+      }
+      frame.registers()[range->error_register] = error_;
+      frame.pc = frame.code->instructions.data() + range->target;
+      return true;
+    }
+    copy_out(frame);
+  }
+  stop_ = Stop::failed;
+  return false;
+}
+
+// -- fuel ---------------------------------------------------------------------
+
+void Machine::new_event() {
+  left_ = instructions;
+  grace_given_ = false;
+}
+
+void Machine::take_slice() {
+  const auto overdrawn = static_cast<std::uint64_t>(fuel < 0 ? -fuel : 0);
+  left_ -= std::min(left_, overdrawn);
+  const auto slice = std::min<std::uint64_t>(left_, defaults::slice);
+  left_ -= slice;
+  fuel = static_cast<std::int64_t>(slice);
+}
+
+bool Machine::refuel() {
+  take_slice();
+  if (fuel == 0)
+    return raise(ErrorKind::limit, "the script took more than " +
+                                       std::to_string(instructions) +
+                                       " instructions for one event");
+  if (to_the_end_)
+    return true;
+  stop_ = Stop::yielded;
+  return false;
+}
+
+bool Machine::charge(std::size_t units) {
+  fuel -= static_cast<std::int64_t>(units);
+  if (fuel > 0 || static_cast<std::uint64_t>(-fuel) < left_) [[likely]]
+    return true;
+  left_ = 0;
+  return refuel();
+}
+
+std::size_t Machine::walk_budget() const {
+  return 2 * static_cast<std::size_t>(std::max<std::int64_t>(fuel, 0)) +
+         2 * left_ + 1000;
+}
+
+// -- running ------------------------------------------------------------------
+
+// What belongs to the run in progress; a host may let another activation run
+// while it performs an effect.
+class RunScope {
+public:
+  RunScope(Machine& machine, Execution& execution, Host& host, bool to_the_end)
+      : machine_(machine), host_(machine.host), execution_(machine.execution),
+        fuel_(machine.fuel), stop_(machine.stop_), watched_(machine.watched),
+        to_the_end_(machine.to_the_end_) {
+    machine.host = &host;
+    machine.execution = &execution;
+    machine.fuel = 0;
+    machine.stop_ = Stop::none;
+    machine.raised_ = false;
+    machine.watched = host.watches_branches();
+    machine.to_the_end_ = to_the_end;
+    machine.take_slice();
+  }
+  RunScope(const RunScope&) = delete;
+  RunScope& operator=(const RunScope&) = delete;
+  ~RunScope() {
+    const auto unused = std::max<std::int64_t>(machine_.fuel, 0);
+    machine_.left_ += static_cast<std::uint64_t>(unused);
+    machine_.host = host_;
+    machine_.execution = execution_;
+    machine_.fuel = fuel_;
+    machine_.stop_ = stop_;
+    machine_.watched = watched_;
+    machine_.to_the_end_ = to_the_end_;
+  }
+
+private:
+  Machine& machine_;
+  Host* host_;
+  Execution* execution_;
+  std::int64_t fuel_;
+  Stop stop_;
+  bool watched_;
+  bool to_the_end_;
+};
+
+Machine::Machine(std::shared_ptr<const Program> shared_program)
+    : heap_(std::make_shared<Heap>(shared_program,
+                                   shared_program->settings.limits.bytes)),
+      program(std::move(shared_program)),
+      instructions(program->settings.limits.instructions) {
+  variables.resize(program->variables.size());
+  new_event();
+}
+
+std::unique_ptr<Execution> Machine::start(CodeId code,
+                                          const std::vector<Value>& values,
+                                          ActivationContext context) {
+  const auto& callee = program->code[code];
+  auto activation = std::make_unique<Execution>(heap_, std::move(context));
+  auto* frame = activation->push(callee, nullptr);
+  const auto given =
+      std::min<std::size_t>(values.size(), callee.parameter_count);
+  for (std::size_t i = 0; i < given; ++i)
+    frame->registers()[i] = to_box(*heap_, values[i]);
+  if (!callee.entries.empty() && given >= callee.required_count)
+    frame->pc += callee.entries[given - callee.required_count];
+  return activation;
+}
+
+RunResult Machine::outcome() {
+  RunResult result;
+  switch (stop_) {
+  case Stop::finished: {
+    bool truncated = false;
+    result.value = to_value(value_, walk_budget(), &truncated);
+    value_ = Box();
+    break;
+  }
+  case Stop::waiting:
+    result.status = RunStatus::waiting;
+    break;
+  case Stop::yielded:
+    result.status = RunStatus::yielded;
+    break;
+  default:
+    result.status = RunStatus::failed;
+    result.error = to_error(*error_.error());
+    result.stack = std::move(stack_);
+    error_ = Box();
+  }
+  return result;
+}
+
+RunResult Machine::run(Execution& activation, Host& current_host,
+                       bool to_the_end) {
+  RunScope scope(*this, activation, current_host, to_the_end);
+  if (!activation.top)
+    return {};
+  dispatch();
+  return outcome();
+}
+
+RunResult Machine::resume(Execution& activation,
+                          Expected<Value> outcome_of_wait, Host& current_host) {
+  RunScope scope(*this, activation, current_host, false);
+  auto* frame = activation.top;
+  activation.waiting = false;
+  if (!frame)
+    return {};
+  if (outcome_of_wait) {
+    frame->registers()[frame->pc->a] = to_box(*heap_, *outcome_of_wait);
+    ++frame->pc;
+    if (!within_limits() && !recover())
+      return outcome();
+  } else {
+    const auto& error = outcome_of_wait.error();
+    raise(error.kind, error.message);
+    if (!recover())
+      return outcome();
+  }
+  dispatch();
+  return outcome();
+}
+
+} // namespace parlour::script

@@ -1,0 +1,152 @@
+// Machine: the inside of an interpreter. Frames live on the heap, exactly as
+// large as their code needs, so that suspending is to keep a pointer. One
+// session's machine is used by one thread at a time.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "script/interpreter.hpp"
+#include "script/operations.hpp"
+
+namespace parlour::script {
+
+struct Frame {
+  const Code* code;
+  Frame* caller;
+  const Instruction* pc; // the one being carried out
+
+  Box* registers() {
+    return reinterpret_cast<Box*>(this + 1);
+  }
+};
+
+// A by-reference parameter whose callee waited: its value goes back to the
+// session variable when that frame ends (language rule 5, <call>).
+struct CopyOut {
+  Frame* frame;
+  std::uint16_t parameter;
+  std::uint32_t variable;
+};
+
+class Execution : public Activation {
+public:
+  Execution(std::shared_ptr<Heap> heap, ActivationContext context)
+      : Activation(std::move(context)), heap_(std::move(heap)) {}
+  ~Execution() override;
+
+  Frame* push(const Code& code, Frame* caller);
+  void pop(); // the top frame
+
+  Frame* top = nullptr;
+  std::uint32_t depth = 0;
+  bool waiting = false;
+  std::vector<CopyOut> copy_outs;
+
+private:
+  std::shared_ptr<Heap> heap_;
+};
+
+// Why the dispatch loop was left.
+enum class Stop : std::uint8_t { none, finished, waiting, yielded, failed };
+
+class Machine {
+  std::shared_ptr<Heap> heap_; // first: it outlives every box below
+
+public:
+  explicit Machine(std::shared_ptr<const Program> shared_program);
+
+  // Runs the activation until it stops.
+  RunResult run(Execution& activation, Host& current_host, bool to_the_end);
+  RunResult resume(Execution& activation, Expected<Value> outcome,
+                   Host& current_host);
+  std::unique_ptr<Execution> start(CodeId code,
+                                   const std::vector<Value>& values,
+                                   ActivationContext context);
+
+  void new_event();
+
+  // -- for operations and built-ins -------------------------------------------
+  bool raise(ErrorKind kind, std::string message); // always false
+  bool raise(Failure failure);
+  bool raise_box(const Box& error_or_value);
+  bool check(Outcome outcome); // false: raised
+  bool within_limits();        // false: raised
+  // Counts work beyond the instruction's own; false: raised.
+  bool charge(std::size_t units);
+  std::size_t walk_budget() const;
+
+  Heap& heap() {
+    return *heap_;
+  }
+
+  // -- slow ways of the instructions (machine_operations.cpp) -----------------
+  bool add(const Box& left, const Box& right, Box& result);
+  bool arithmetic(Arithmetic operation, const Box& left, const Box& right,
+                  Box& result);
+  bool negate(const Box& operand, Box& result);
+  bool equal(const Box& left, const Box& right, bool& result);
+  bool order(const Box& left, const Box& right, Order& result);
+  bool contained(const Box& element, const Box& container, Box& result);
+  bool get_index(const Box& container, const Box& key, Box& result);
+  bool get_field(const Box& container, const Box& name, Box& result);
+  bool set_index(const Box& container, const Box& key, const Box& value);
+  bool append(const Box& list, const Box& value);
+  bool new_list(const Box* elements, std::size_t count, Box& result);
+  bool new_map(const Box* pairs, std::size_t count, Box& result);
+  bool new_array(const Box& size, Box& result);
+  bool concatenate(const Box* parts, std::size_t count, Box& result);
+  bool milliseconds(const Box& text, Box& result);
+  bool for_prepare(Box* loop, bool& enters);
+  bool for_next(Box* loop);
+  bool each_prepare(const Box& collection, Box* loop);
+
+  // -- calls, effects, the world (machine_calls.cpp) --------------------------
+  bool call(const Code& callee, Box* arguments, std::size_t count);
+  bool call_builtin(std::uint16_t index, Box* arguments, std::size_t count,
+                    Box& result);
+  bool call_named(Box* named, std::size_t count);
+  bool give_back(Box value); // false: the activation has finished
+  bool perform(const EffectShape& shape, const Box* operands, Box& result);
+  void load_slot(SlotId slot, Box& result);
+  void store_slot(SlotId slot, const Box& value);
+  void load_system(SystemVariable variable, Box& result);
+  void load_message_parameter(std::size_t index, Box& result);
+  void load_message_parameters(Box& result);
+  bool refuel(); // false: yielded or raised
+
+  // After a false: to the catching frame; false: the loop must be left.
+  bool recover();
+
+  std::shared_ptr<const Program> program;
+  std::vector<Box> variables;
+  // Of the run in progress.
+  Host* host = nullptr;
+  Execution* execution = nullptr;
+  std::int64_t fuel = 0; // of this slice
+  bool watched = false;
+  std::uint64_t instructions = 0; // of one event
+
+private:
+  friend class RunScope;
+
+  void dispatch();
+  void take_slice();
+  void note_stack();
+  void release_bindings(); // before a wait
+  void copy_out(Frame& frame);
+  RunResult outcome();
+  const CatchRange* find_catch(const Frame& frame) const;
+
+  Box error_;
+  bool raised_ = false;
+  bool grace_given_ = false;
+  Stop stop_ = Stop::none;
+  bool to_the_end_ = false;
+  Box value_;
+  std::vector<std::string> stack_;
+  std::uint64_t left_ = 0; // instructions of this event beyond the slice
+};
+
+} // namespace parlour::script

@@ -1,0 +1,218 @@
+// Calls, effects and what a machine asks the world for.
+#include <algorithm>
+
+#include "script/builtin_call.hpp"
+#include "script/builtins.hpp"
+#include "script/convert.hpp"
+#include "script/machine.hpp"
+
+namespace parlour::script {
+
+namespace {
+
+// What a call costs beyond its loops and calls, which count for themselves.
+constexpr std::size_t dearest_call = 32;
+
+std::string arguments(std::size_t count) {
+  return std::to_string(count) + (count == 1 ? " argument" : " arguments");
+}
+
+} // namespace
+
+bool Machine::call(const Code& callee, Box* arguments, std::size_t count) {
+  if (execution->depth >= program->settings.limits.depth)
+    return raise(ErrorKind::limit,
+                 "more than " + std::to_string(program->settings.limits.depth) +
+                     " calls inside of each other, the last one of " +
+                     callee.name);
+  auto* frame = execution->push(callee, execution->top);
+  auto* registers = frame->registers();
+  for (std::size_t i = 0; i < count; ++i)
+    registers[i] = std::move(arguments[i]);
+  if (!callee.entries.empty())
+    frame->pc += callee.entries[count - callee.required_count];
+  fuel -= static_cast<std::int64_t>(
+      std::min(callee.instructions.size(), dearest_call));
+  return fuel > 0 || (within_limits() && refuel());
+}
+
+bool Machine::call_builtin(std::uint16_t index, Box* arguments,
+                           std::size_t count, Box& result) {
+  const auto& entry = builtin(index);
+  for (std::size_t i = 0; i < count; ++i)
+    if (arguments[i].is_reference())
+      arguments[i] = Box(*arguments[i].target());
+  Box value;
+  BuiltinCall made{*this, entry.name, arguments, count, value};
+  fuel -= 2;
+  if (!entry.function(made))
+    return false;
+  result = std::move(value);
+  return within_limits();
+}
+
+bool Machine::call_named(Box* named, std::size_t count) {
+  std::string name;
+  print(name, named[0], 1000);
+  auto* given = named + 1;
+  if (auto there = program->functions.find(name);
+      there != program->functions.end()) {
+    const auto& callee = program->code[there->second];
+    if (count < callee.required_count || count > callee.parameter_count)
+      return raise(ErrorKind::type,
+                   "'" + name + "' does not take " + arguments(count));
+    return call(callee, given, count);
+  }
+  const auto index = builtin_index(name);
+  if (!index)
+    return raise(ErrorKind::type, "there is no function '" + name + "'");
+  if (count < builtin(*index).minimum || count > builtin(*index).maximum)
+    return raise(ErrorKind::type,
+                 "'" + name + "' does not take " + arguments(count));
+  if (!call_builtin(*index, given, count, named[0]))
+    return false;
+  ++execution->top->pc;
+  return true;
+}
+
+bool Machine::give_back(Box value) {
+  auto* frame = execution->top;
+  auto* caller = frame->caller;
+  copy_out(*frame);
+  execution->pop();
+  if (!caller) {
+    value_ = std::move(value);
+    stop_ = Stop::finished;
+    return false;
+  }
+  caller->registers()[caller->pc->a] = std::move(value);
+  ++caller->pc;
+  return true;
+}
+
+// -- by-reference parameters across a wait (language rule 5, <call>) ----------
+
+void Machine::release_bindings() {
+  std::vector<Frame*> frames;
+  for (auto* frame = execution->top; frame; frame = frame->caller)
+    frames.push_back(frame);
+  std::vector<Box*> held(variables.size(), nullptr);
+  const std::less<const Box*> before;
+  for (auto each = frames.rbegin(); each != frames.rend(); ++each)
+    for (std::uint16_t i = 0; i < (*each)->code->parameter_count; ++i) {
+      auto& parameter = (*each)->registers()[i];
+      if (!parameter.is_reference())
+        continue;
+      auto* target = parameter.target();
+      if (before(target, variables.data()) ||
+          !before(target, variables.data() + variables.size()))
+        continue; // a caller's register waits along with us
+      const auto variable = static_cast<std::size_t>(target - variables.data());
+      if (held[variable]) {
+        parameter = Box::reference(held[variable]);
+        continue;
+      }
+      held[variable] = &parameter;
+      parameter = Box(*target);
+      execution->copy_outs.push_back(
+          {*each, i, static_cast<std::uint32_t>(variable)});
+    }
+}
+
+void Machine::copy_out(Frame& frame) {
+  auto& pending = execution->copy_outs;
+  if (pending.empty()) [[likely]]
+    return;
+  std::erase_if(pending, [&](const CopyOut& copy) {
+    if (copy.frame != &frame)
+      return false;
+    variables[copy.variable] = frame.registers()[copy.parameter];
+    return true;
+  });
+}
+
+// -- effects ------------------------------------------------------------------
+
+bool Machine::perform(const EffectShape& shape, const Box* operands,
+                      Box& result) {
+  Effect effect;
+  effect.kind = static_cast<EffectKind>(shape.kind);
+  effect.body = shape.body;
+  const auto& frame = *execution->top;
+  effect.position = frame.code->positions[static_cast<std::size_t>(
+      frame.pc - frame.code->instructions.data())];
+  bool too_large = false;
+  auto copied = [&](const Box& box) {
+    bool truncated = false;
+    auto value = to_value(box, walk_budget(), &truncated);
+    too_large |= truncated;
+    return value;
+  };
+  for (std::size_t i = 0; i < shape.operands; ++i)
+    effect.operands.push_back(copied(operands[i]));
+  for (std::size_t i = 0; i < shape.captured; ++i)
+    effect.captured.push_back(copied(operands[shape.operands + i]));
+  if (too_large)
+    return raise(ErrorKind::limit, "a value is too large to leave the script");
+  fuel -= 5;
+  auto performed = host->perform(*execution, std::move(effect));
+  if (auto* value = std::get_if<Value>(&performed)) {
+    result = to_box(*heap_, *value);
+    return within_limits();
+  }
+  if (auto* error = std::get_if<Error>(&performed))
+    return raise(error->kind, std::move(error->message));
+  if (to_the_end_)
+    return raise(ErrorKind::refused, "nothing can be waited for here");
+  release_bindings();
+  execution->waiting = true;
+  stop_ = Stop::waiting;
+  return false;
+}
+
+void Machine::load_slot(SlotId slot, Box& result) {
+  result = to_box(*heap_, host->slot(execution->context().topic, slot));
+}
+
+void Machine::store_slot(SlotId slot, const Box& value) {
+  host->set_slot(execution->context().topic, slot,
+                 to_value(value, walk_budget()));
+}
+
+void Machine::load_system(SystemVariable variable, Box& result) {
+  const auto* message = execution->context().message.get();
+  auto text = [&](const std::string* of_message) {
+    result = of_message ? make_string(*heap_, *of_message) : Box();
+  };
+  switch (variable) {
+  case SystemVariable::source:
+    return text(message ? &message->source : nullptr);
+  case SystemVariable::command:
+    return text(message ? &message->command : nullptr);
+  case SystemVariable::timestamp:
+    result = message ? make_integer(*heap_, message->time) : Box();
+    return;
+  case SystemVariable::params:
+    return load_message_parameters(result);
+  default:
+    result = to_box(*heap_, host->system(*execution, variable));
+  }
+}
+
+void Machine::load_message_parameter(std::size_t index, Box& result) {
+  const auto* message = execution->context().message.get();
+  result = message && index < message->params.size()
+               ? to_box(*heap_, message->params[index])
+               : Box();
+}
+
+// An empty list where no message is handled.
+void Machine::load_message_parameters(Box& result) {
+  const auto* message = execution->context().message.get();
+  result = make_list(*heap_);
+  if (message)
+    for (const auto& param : message->params)
+      result.list()->elements.push_back(to_box(*heap_, param));
+}
+
+} // namespace parlour::script

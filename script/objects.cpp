@@ -1,0 +1,280 @@
+#include "script/objects.hpp"
+
+#include <cstring>
+
+#include "script/block_cache.hpp"
+
+namespace parlour::script {
+
+namespace {
+
+// Adopts the memory as an object with a count of one.
+template <class T, class... Arguments>
+T* create(Heap& heap, ObjectType type, Arguments&&... arguments) {
+  auto* memory = heap.allocate(sizeof(T));
+  return new (memory)
+      T{{&heap, 1, type}, std::forward<Arguments>(arguments)...};
+}
+
+template <class T>
+void remove(Object* object, std::size_t bytes = sizeof(T)) {
+  auto* heap = object->heap;
+  static_cast<T*>(object)->~T();
+  heap->release(object, bytes);
+}
+
+void remove(Object* object) {
+  switch (object->type) {
+  case ObjectType::string:
+    return remove<StringObject>(object,
+                                sizeof(StringObject) +
+                                    static_cast<StringObject*>(object)->size);
+  case ObjectType::list:
+    return remove<ListObject>(object);
+  case ObjectType::map:
+    return remove<MapObject>(object);
+  case ObjectType::result:
+  case ObjectType::binary:
+    return remove<ResultObject>(object);
+  case ObjectType::error:
+    return remove<ErrorObject>(object);
+  case ObjectType::integer:
+    return remove<IntegerObject>(object);
+  }
+}
+
+StringObject* new_string(void* memory, Heap* heap, std::string_view text) {
+  auto* string =
+      new (memory) StringObject{{heap, 1, ObjectType::string},
+                                static_cast<std::uint32_t>(text.size()),
+                                count_code_points(text),
+                                0,
+                                false};
+  if (!text.empty())
+    std::memcpy(string->data(), text.data(), text.size());
+  return string;
+}
+
+} // namespace
+
+void* Heap::allocate(std::size_t bytes) {
+  used_ += bytes;
+  return BlockCache::take(bytes);
+}
+
+void Heap::release(void* block, std::size_t bytes) {
+  used_ -= bytes;
+  BlockCache::give(block, bytes);
+}
+
+// A long chain of lists would need as deep a stack: what falls to zero while
+// another object is being taken down waits for its turn.
+void destroy(Object* object) {
+  auto& heap = *object->heap;
+  if (object->type == ObjectType::string) {
+    remove(object);
+    return;
+  }
+  heap.doomed_.push_back(object);
+  if (heap.destroying_)
+    return;
+  heap.destroying_ = true;
+  while (!heap.doomed_.empty()) {
+    auto* next = heap.doomed_.back();
+    heap.doomed_.pop_back();
+    remove(next);
+  }
+  heap.destroying_ = false;
+}
+
+std::uint32_t hash_of(std::string_view text) {
+  std::uint32_t hash = 2166136261u;
+  for (const char byte : text)
+    hash = (hash ^ static_cast<unsigned char>(byte)) * 16777619u;
+  return hash | 1; // never 0, which means "not computed"
+}
+
+std::uint32_t hash_of(const StringObject& string) {
+  if (string.hash == 0)
+    string.hash = hash_of(string.text());
+  return string.hash;
+}
+
+std::uint32_t count_code_points(std::string_view text) {
+  std::uint32_t count = 0;
+  for (const char byte : text)
+    count += (static_cast<unsigned char>(byte) & 0xc0) != 0x80;
+  return count;
+}
+
+Box make_string(Heap& heap, std::string_view text) {
+  auto* memory = heap.allocate(sizeof(StringObject) + text.size());
+  return Box::adopt(new_string(memory, &heap, text));
+}
+
+StringObject* raw_string(Heap& heap, std::size_t size) {
+  auto* memory = heap.allocate(sizeof(StringObject) + size);
+  return new (memory) StringObject{{&heap, 1, ObjectType::string},
+                                   static_cast<std::uint32_t>(size),
+                                   0,
+                                   0,
+                                   false};
+}
+
+Box finish_string(StringObject* string) {
+  string->code_points = count_code_points(string->text());
+  return Box::adopt(string);
+}
+
+Box make_integer(Heap& heap, std::int64_t value) {
+  return Box::fits(value) ? Box::small(value)
+                          : Box::adopt(create<IntegerObject>(
+                                heap, ObjectType::integer, value));
+}
+
+Box make_list(Heap& heap, std::size_t reserve) {
+  auto* list = create<ListObject>(heap, ObjectType::list,
+                                  Boxes(HeapAllocator<Box>(&heap)));
+  list->elements.reserve(reserve);
+  return Box::adopt(list);
+}
+
+Box make_map(Heap& heap) {
+  using Entries = decltype(MapObject::entries);
+  using Index = decltype(MapObject::index);
+  return Box::adopt(create<MapObject>(
+      heap, ObjectType::map, Entries(HeapAllocator<MapObject::Entry>(&heap)),
+      Index(HeapAllocator<std::uint32_t>(&heap))));
+}
+
+Box make_foreign(Heap& heap, const Value& value) {
+  const auto type = value.type() == ValueType::result ? ObjectType::result
+                                                      : ObjectType::binary;
+  return Box::adopt(create<ResultObject>(heap, type, value, Box()));
+}
+
+Box make_error(Heap& heap, ErrorKind kind, std::string message, Place place) {
+  return Box::adopt(create<ErrorObject>(heap, ObjectType::error, kind,
+                                        std::move(message), std::move(place),
+                                        Box()));
+}
+
+bool equal_strings(const StringObject& left, const StringObject& right) {
+  if (&left == &right)
+    return true;
+  if (left.size != right.size || (left.interned && right.interned))
+    return false;
+  return std::memcmp(left.text().data(), right.text().data(), left.size) == 0;
+}
+
+// -- maps ---------------------------------------------------------------------
+
+namespace {
+
+constexpr std::size_t none = static_cast<std::size_t>(-1);
+constexpr std::size_t indexed_from = 9;
+
+} // namespace
+
+std::size_t MapObject::position(std::string_view key, std::uint32_t hash,
+                                const StringObject* same) const {
+  auto matches = [&](const Entry& entry) {
+    const auto* string = entry.key.string();
+    return string == same ||
+           (string->size == key.size() && string->text() == key);
+  };
+  if (index.empty()) {
+    for (std::size_t i = 0; i < entries.size(); ++i)
+      if (matches(entries[i]))
+        return i;
+    return none;
+  }
+  const auto mask = index.size() - 1;
+  for (auto i = hash & mask; index[i] != 0; i = (i + 1) & mask)
+    if (matches(entries[index[i] - 1]))
+      return index[i] - 1;
+  return none;
+}
+
+void MapObject::rebuild_index() {
+  index.clear();
+  if (entries.size() < indexed_from)
+    return;
+  index.resize(std::bit_ceil(entries.size() * 3));
+  const auto mask = index.size() - 1;
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    auto slot = hash_of(*entries[i].key.string()) & mask;
+    while (index[slot] != 0)
+      slot = (slot + 1) & mask;
+    index[slot] = static_cast<std::uint32_t>(i + 1);
+  }
+}
+
+Box* MapObject::find(const StringObject& key) {
+  const auto at = position(key.text(), index.empty() ? 0 : hash_of(key), &key);
+  return at == none ? nullptr : &entries[at].value;
+}
+
+Box* MapObject::find(std::string_view key) {
+  const auto at = position(key, index.empty() ? 0 : hash_of(key), nullptr);
+  return at == none ? nullptr : &entries[at].value;
+}
+
+void MapObject::set(const Box& key, Box value) {
+  if (auto* there = find(*key.string())) {
+    *there = std::move(value);
+    return;
+  }
+  entries.push_back({key, std::move(value)});
+  if (entries.size() < indexed_from)
+    return;
+  if (entries.size() * 2 > index.size())
+    return rebuild_index();
+  const auto mask = index.size() - 1;
+  auto slot = hash_of(*key.string()) & mask;
+  while (index[slot] != 0)
+    slot = (slot + 1) & mask;
+  index[slot] = static_cast<std::uint32_t>(entries.size());
+}
+
+bool MapObject::remove(std::string_view key, Box& removed) {
+  const auto at = position(key, index.empty() ? 0 : hash_of(key), nullptr);
+  if (at == none)
+    return false;
+  removed = std::move(entries[at].value);
+  entries.erase(entries.begin() + static_cast<std::ptrdiff_t>(at));
+  rebuild_index();
+  return true;
+}
+
+// -- constants ----------------------------------------------------------------
+
+ConstantPool::~ConstantPool() {
+  for (auto& [text, string] : strings_)
+    std::free(string);
+  for (auto* integer : integers_)
+    delete integer;
+}
+
+Box ConstantPool::string(std::string_view text) {
+  if (auto there = strings_.find(text); there != strings_.end())
+    return Box::adopt(there->second);
+  auto* memory = std::malloc(sizeof(StringObject) + text.size());
+  if (!memory)
+    throw std::bad_alloc();
+  auto* string = new_string(memory, nullptr, text);
+  string->interned = true;
+  string->hash = hash_of(text); // now: readers in other threads never write
+  strings_.emplace(string->text(), string);
+  return Box::adopt(string);
+}
+
+Box ConstantPool::integer(std::int64_t value) {
+  if (Box::fits(value))
+    return Box::small(value);
+  integers_.push_back(
+      new IntegerObject{{nullptr, 1, ObjectType::integer}, value});
+  return Box::adopt(integers_.back());
+}
+
+} // namespace parlour::script

@@ -1,0 +1,138 @@
+#include "script/phrase_evaluator.hpp"
+
+#include <mutex>
+
+#include "script/interpreter.hpp"
+
+namespace parlour::script {
+
+namespace {
+
+// Phrases compute; they cannot act.
+class PhraseHost : public Host {
+public:
+  explicit PhraseHost(const Value& say)
+      : now_(say["now"].integer_or(0)),
+        state_(static_cast<std::uint64_t>(say["rotation"].integer_or(0))) {}
+
+  Performed perform(Activation&, Effect) override {
+    return Error{ErrorKind::refused, "a phrase can only compute", {}};
+  }
+  Value slot(TopicId, SlotId) const override {
+    return {};
+  }
+  void set_slot(TopicId, SlotId, Value) override {}
+  Value system(const Activation&, SystemVariable) const override {
+    return {};
+  }
+  bool online(const std::string&) const override {
+    return false;
+  }
+  Timestamp now() const override {
+    return now_;
+  }
+  // From the rotation, so that equal inputs give equal words (splitmix64).
+  double random() override {
+    auto mixed = state_ += 0x9e3779b97f4a7c15;
+    mixed = (mixed ^ mixed >> 30) * 0xbf58476d1ce4e5b9;
+    mixed = (mixed ^ mixed >> 27) * 0x94d049bb133111eb;
+    return static_cast<double>((mixed ^ mixed >> 31) >> 11) * 0x1p-53;
+  }
+
+private:
+  Timestamp now_;
+  std::uint64_t state_;
+};
+
+class Evaluator : public PhraseEvaluator {
+public:
+  explicit Evaluator(std::shared_ptr<const Program> program)
+      : program_(std::move(program)) {}
+
+  std::optional<std::string> render(const Value& say) const override {
+    auto interpreter = take(say);
+    auto words = choose(*interpreter, say);
+    const std::lock_guard lock(mutex_);
+    free_.push_back(std::move(interpreter));
+    return words;
+  }
+
+private:
+  // Interpreters are kept, with the constants that phrases may read.
+  std::unique_ptr<Interpreter> take(const Value& say) const {
+    {
+      const std::lock_guard lock(mutex_);
+      if (!free_.empty()) {
+        auto interpreter = std::move(free_.back());
+        free_.pop_back();
+        return interpreter;
+      }
+    }
+    auto interpreter = std::make_unique<Interpreter>(program_);
+    PhraseHost host(say);
+    // A variable that fails stays unknown; the session reports it.
+    static_cast<void>(interpreter->initialise(host));
+    return interpreter;
+  }
+
+  static Expected<Value> evaluate(Interpreter& interpreter, CodeId code,
+                                  const Value& say) {
+    PhraseHost host(say);
+    interpreter.new_event();
+    return interpreter.evaluate(
+        code, {say["act"], say["topic"], say["slot"], say["data"]}, {}, host);
+  }
+
+  // 0: does not apply; higher is more specific.
+  static int rank(const Phrase& phrase, const Value& say) {
+    auto fits = [&](const std::string& wanted, const char* key) {
+      return wanted.empty() ||
+             (!say[key].is_unknown() && say[key].text() == wanted);
+    };
+    if (phrase.act != say["act"].text() || !fits(phrase.topic, "topic") ||
+        !fits(phrase.slot, "slot"))
+      return 0;
+    return 1 + !phrase.of_platform +
+           2 * (2 * !phrase.topic.empty() + !phrase.slot.empty());
+  }
+
+  std::optional<std::string> choose(Interpreter& interpreter,
+                                    const Value& say) const {
+    for (int wanted = 8; wanted > 0; --wanted) {
+      std::vector<const Phrase*> found;
+      for (const auto& phrase : program_->phrases)
+        if (rank(phrase, say) == wanted && holds(interpreter, phrase, say))
+          found.push_back(&phrase);
+      if (found.empty())
+        continue;
+      const auto turn =
+          static_cast<std::uint64_t>(say["rotation"].integer_or(0));
+      const auto text =
+          evaluate(interpreter, found[turn % found.size()]->text, say);
+      if (text)
+        return text->text();
+    }
+    return {};
+  }
+
+  static bool holds(Interpreter& interpreter, const Phrase& phrase,
+                    const Value& say) {
+    if (phrase.condition == no_code)
+      return true;
+    const auto value = evaluate(interpreter, phrase.condition, say);
+    return value && static_cast<bool>(*value);
+  }
+
+  std::shared_ptr<const Program> program_;
+  mutable std::mutex mutex_;
+  mutable std::vector<std::unique_ptr<Interpreter>> free_;
+};
+
+} // namespace
+
+std::shared_ptr<const PhraseEvaluator>
+make_phrase_evaluator(std::shared_ptr<const Program> program) {
+  return std::make_shared<Evaluator>(std::move(program));
+}
+
+} // namespace parlour::script

@@ -1,0 +1,128 @@
+#include "script/statements.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+
+namespace parlour::script {
+
+std::string plain_name(const std::string& name) {
+  auto plain = name;
+  if (!plain.empty())
+    plain[0] =
+        static_cast<char>(std::tolower(static_cast<unsigned char>(plain[0])));
+  return plain;
+}
+
+StatementCompiler::Method StatementCompiler::find(const std::string& name) {
+  using S = StatementCompiler;
+  static const std::map<std::string, Method> methods{
+      {"var", &S::declare_variable},
+      {"const", &S::declare_constant},
+      {"set", &S::set},
+      {"object", &S::object},
+      {"getlist", &S::get_list},
+      {"append", &S::append},
+      {"if", &S::if_},
+      {"switch", &S::switch_},
+      {"for", &S::for_},
+      {"while", &S::while_},
+      {"break", &S::break_},
+      {"continue", &S::continue_},
+      {"call", &S::call},
+      {"return", &S::return_},
+      {"try", &S::try_},
+      {"throw", &S::throw_},
+      {"fire", &S::fire},
+      {"post", &S::post},
+      {"request", &S::request},
+      {"timer", &S::timer},
+      {"transit", &S::transit},
+      {"confirm", &S::confirm},
+      {"querydb", &S::query},
+      {"transaction", &S::transaction},
+  };
+  const auto there = methods.find(name);
+  return there == methods.end() ? &S::effect : there->second;
+}
+
+void StatementCompiler::block(const Element& parent,
+                              const std::vector<std::string>& except) {
+  b_.open_scope();
+  statements(parent, except);
+  b_.close_scope();
+}
+
+void StatementCompiler::statements(const Element& parent,
+                                   const std::vector<std::string>& except) {
+  for (const auto& child : parent.children)
+    if (std::find(except.begin(), except.end(), plain_name(child.name)) ==
+        except.end())
+      statement(child);
+}
+
+void StatementCompiler::statement(const Element& element) {
+  b_.at(element.position);
+  (this->*find(plain_name(element.name)))(element);
+}
+
+void StatementCompiler::parameters(const Element& function) {
+  std::vector<const Element*> all;
+  for (const auto& child : function.children)
+    if (plain_name(child.name) == "param")
+      all.push_back(&child);
+  auto& code = b_.code;
+  code.parameter_count = static_cast<std::uint16_t>(all.size());
+  for (const auto* each : all) {
+    const auto* name = each->attribute("name");
+    code.required_count = static_cast<std::uint16_t>(code.required_count +
+                                                     !each->attribute("expr"));
+    code.parameter_names.push_back(name ? name->value : "");
+  }
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const auto& name = code.parameter_names[i];
+    const auto* initial = all[i]->attribute("expr");
+    if (b_.in_block(name))
+      error(all[i]->position, "a second parameter named '" + name + "'");
+    if (initial) {
+      // The missing ones are behind this, so their registers are free.
+      code.entries.push_back(b_.here());
+      b_.at(all[i]->position);
+      const auto value = b_.allocate();
+      expressions_.expression(source_of(*initial), value);
+      b_.release(value);
+    } else if (!code.entries.empty()) {
+      error(all[i]->position, "parameters with a default come last");
+    }
+    b_.declare(name, false, true);
+  }
+  code.entries.push_back(b_.here());
+}
+
+const Attribute* StatementCompiler::required(const Element& element,
+                                             const char* name) {
+  const auto* attribute = element.attribute(name);
+  if (!attribute)
+    error(element.position,
+          "<" + element.name + "> needs the attribute '" + name + "'");
+  return attribute;
+}
+
+void StatementCompiler::store_result(const Attribute* attribute,
+                                     Register from) {
+  if (!attribute)
+    return b_.release(from);
+  const auto source = source_of(*attribute);
+  auto parsed = parse_expression(source.text);
+  const bool is_new = parsed.node && parsed.node->kind == NodeKind::name &&
+                      parsed.node->text != "this" &&
+                      b_.find(parsed.node->text).kind == Meaning::Kind::nothing;
+  if (!is_new &&
+      (!parsed.node || !expressions_.assign(*parsed.node, source, from)))
+    error(source.start, "'" + attribute->value + "' is not a variable");
+  b_.release(from);
+  if (is_new)
+    b_.declare(parsed.node->text); // takes the place of `from`
+}
+
+} // namespace parlour::script

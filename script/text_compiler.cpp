@@ -1,0 +1,219 @@
+// Texts, expressions, and which of both an attribute is (language rule 4).
+#include <algorithm>
+#include <cctype>
+
+#include "runtime/base/value.hpp"
+#include "script/builtins.hpp"
+#include "script/expression_compiler.hpp"
+
+namespace parlour::script {
+
+namespace {
+
+constexpr int most_closings = 16; // tried for one opening brace
+constexpr std::size_t shortest_slip = 4;
+
+std::string_view trimmed(std::string_view text) {
+  constexpr auto blanks = " \t\r\n";
+  const auto first = text.find_first_not_of(blanks);
+  if (first == std::string_view::npos)
+    return {};
+  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+bool is_word_byte(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
+}
+
+bool is_word(std::string_view text) {
+  return !text.empty() && std::all_of(text.begin(), text.end(), is_word_byte) &&
+         !std::isdigit(static_cast<unsigned char>(text[0]));
+}
+
+bool is_literal(const Node& node) {
+  return node.kind == NodeKind::unknown || node.kind == NodeKind::boolean ||
+         node.kind == NodeKind::string;
+}
+
+// A number that would print otherwise than it is written stays text: 007.
+bool prints_as_written(const Node& node, std::string_view text) {
+  if (node.kind == NodeKind::integer)
+    return std::to_string(node.integer) == text;
+  return number_text(node.number) == text;
+}
+
+} // namespace
+
+NodePointer ExpressionCompiler::parse(const Source& source) {
+  auto parsed = parse_expression(source.text);
+  if (!parsed.node)
+    b_.findings.error(source.at(parsed.error_offset), parsed.error);
+  return std::move(parsed.node);
+}
+
+void ExpressionCompiler::expression(const Source& source, Register target) {
+  if (auto node = parse(source))
+    into(*node, source, target);
+}
+
+bool ExpressionCompiler::is_declared(const std::string& name) const {
+  return b_.find(name).kind != Meaning::Kind::nothing;
+}
+
+void ExpressionCompiler::mentions(const Node& node, Mentions& found) const {
+  if (is_this_field(node)) {
+    found.declared = true;
+    return;
+  }
+  found.quoted |= node.kind == NodeKind::string;
+  if (node.kind == NodeKind::call)
+    found.called |= b_.function(node.text) || is_builtin(node.text);
+  if (node.kind == NodeKind::name)
+    (is_declared(node.text) ? found.declared : found.undeclared) = true;
+  for (const auto& child : node.children)
+    mentions(*child, found);
+}
+
+NodePointer ExpressionCompiler::decide(const Source& source) {
+  auto parsed = parse_expression(source.text);
+  if (parsed.node) {
+    const auto& node = *parsed.node;
+    if (is_literal(node))
+      return std::move(parsed.node);
+    if (node.kind == NodeKind::integer || node.kind == NodeKind::number) {
+      if (prints_as_written(node, trimmed(source.text)))
+        return std::move(parsed.node);
+      return nullptr;
+    }
+    Mentions found;
+    mentions(node, found);
+    if (found.quoted || found.called || found.declared)
+      return std::move(parsed.node);
+  }
+  warn_of_text(source);
+  return nullptr;
+}
+
+void ExpressionCompiler::warn_of_text(const Source& source) {
+  const auto text = trimmed(source.text);
+  if (is_word(text)) {
+    const std::string word(text);
+    const auto near = text.size() >= shortest_slip
+                          ? nearest(word, b_.visible_names())
+                          : std::string();
+    if (!near.empty())
+      b_.findings.warning(source.start, "'" + word +
+                                            "' is taken as text; for "
+                                            "the variable write '" +
+                                            near + "'");
+    return;
+  }
+  for (const auto& part : split_text(source))
+    if (part.node)
+      return; // it embeds what it means to
+  for (std::size_t at = 0; at < source.text.size();) {
+    auto end = at;
+    while (end < source.text.size() && is_word_byte(source.text[end]))
+      ++end;
+    if (end == at) {
+      ++at;
+      continue;
+    }
+    const std::string word(source.text.substr(at, end - at));
+    const auto before = trimmed(source.text.substr(0, at));
+    const auto after = trimmed(source.text.substr(end));
+    const bool opens = end < source.text.size() &&
+                       (source.text[end] == '[' || source.text[end] == '(');
+    if (is_declared(word) &&
+        (opens || before.ends_with('+') || after.starts_with('+'))) {
+      b_.findings.warning(source.at(at), "this is taken as text, although '" +
+                                             word +
+                                             "' is declared; it is not "
+                                             "well-formed as an expression");
+      return;
+    }
+    at = end;
+  }
+}
+
+void ExpressionCompiler::text_or_expression(const Source& source,
+                                            Register target) {
+  if (const auto node = decide(source))
+    into(*node, source, target);
+  else
+    text(source, target);
+}
+
+// -- text with {expr} ---------------------------------------------------------
+
+namespace {
+
+// The embedded expression that begins behind an opening brace; null where the
+// brace is literal. `length` counts up to the closing brace.
+NodePointer embedded(std::string_view rest, std::size_t& length) {
+  length = 0;
+  for (int tries = 0; tries < most_closings; ++tries) {
+    const auto close = rest.find('}', tries == 0 ? 0 : length + 1);
+    if (close == std::string_view::npos)
+      return nullptr;
+    length = close;
+    if (auto parsed = parse_expression(rest.substr(0, close)); parsed.node)
+      return std::move(parsed.node);
+  }
+  return nullptr;
+}
+
+void add_literal(std::vector<TextPart>& parts, std::string_view text) {
+  if (parts.empty() || parts.back().node)
+    parts.emplace_back();
+  parts.back().literal += text;
+}
+
+} // namespace
+
+std::vector<TextPart> ExpressionCompiler::split_text(const Source& source) {
+  std::vector<TextPart> parts;
+  const auto text = source.text;
+  for (std::size_t at = 0; at < text.size();) {
+    const auto brace = std::min(text.find_first_of("{}", at), text.size());
+    if (brace > at)
+      add_literal(parts, text.substr(at, brace - at));
+    at = brace;
+    if (at == text.size())
+      break;
+    const bool doubled = at + 1 < text.size() && text[at + 1] == text[at];
+    std::size_t length = 0;
+    auto node = text[at] == '{' && !doubled
+                    ? embedded(text.substr(at + 1), length)
+                    : nullptr;
+    if (!node) {
+      add_literal(parts, text.substr(at, 1));
+      at += doubled ? 2 : 1;
+      continue;
+    }
+    parts.push_back({{}, std::move(node), source.part(at + 1, length)});
+    at += length + 2;
+  }
+  return parts;
+}
+
+void ExpressionCompiler::text(const Source& source, Register target) {
+  const auto parts = split_text(source);
+  if (parts.empty())
+    return b_.load_text(target, "");
+  if (parts.size() == 1 && !parts[0].node)
+    return b_.load_text(target, parts[0].literal);
+  const auto mark = b_.mark();
+  const auto base = b_.allocate(parts.size());
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const auto reg = static_cast<Register>(base + i);
+    if (parts[i].node)
+      into(*parts[i].node, parts[i].source, reg);
+    else
+      b_.load_text(reg, parts[i].literal);
+  }
+  b_.emit(Operation::concatenate, target, base, parts.size());
+  b_.release(mark);
+}
+
+} // namespace parlour::script

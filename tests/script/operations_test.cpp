@@ -1,0 +1,42 @@
+#include <gtest/gtest.h>
+
+#include "script/operations.hpp"
+
+namespace parlour::script {
+
+namespace {
+
+TEST(Operations, IntegersAndNumbersCompareExactly) {
+  const Numeric integer{true, 9007199254740993, 0};
+  const Numeric number{false, 0, 9007199254740992.0};
+  EXPECT_EQ(compare(integer, number), 1);
+  EXPECT_EQ(compare(number, integer), -1);
+  EXPECT_EQ(compare({false, 0, -0.5}, {true, 0, 0}), -1);
+  EXPECT_EQ(compare({true, INT64_MAX, 0}, {false, 0, 9223372036854775808.0}),
+            -1);
+}
+
+TEST(Operations, TheLeastIntegerHasNoOpposite) {
+  Heap heap(nullptr, 1 << 20);
+  Box result;
+  const auto least = make_integer(heap, INT64_MIN);
+  EXPECT_FALSE(
+      arithmetic(heap, Arithmetic::divide, least, Box::small(-1), result));
+  EXPECT_EQ(result.as_number(), 9223372036854775808.0);
+  EXPECT_FALSE(
+      arithmetic(heap, Arithmetic::modulo, least, Box::small(-1), result));
+  EXPECT_EQ(result.as_small(), 0);
+}
+
+TEST(Operations, ARefusedRingLeavesTheListAsItWas) {
+  Heap heap(nullptr, 1 << 20);
+  auto outer = make_list(heap);
+  auto inner = make_list(heap);
+  EXPECT_FALSE(append(outer, inner));
+  EXPECT_TRUE(append(inner, outer));
+  EXPECT_TRUE(inner.list()->elements.empty());
+}
+
+} // namespace
+
+} // namespace parlour::script

@@ -1,0 +1,58 @@
+// A host that notes effects down and answers as it is told.
+#pragma once
+
+#include <deque>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "script/interpreter.hpp"
+
+namespace parlour::test {
+
+class RecordingHost : public script::Host {
+public:
+  script::Performed perform(script::Activation&,
+                            script::Effect effect) override {
+    effects.push_back(std::move(effect));
+    if (answers.empty())
+      return Value();
+    auto answer = std::move(answers.front());
+    answers.pop_front();
+    return answer;
+  }
+  Value slot(script::TopicId, script::SlotId id) const override {
+    const auto there = slots.find(id);
+    return there == slots.end() ? Value() : there->second;
+  }
+  void set_slot(script::TopicId, script::SlotId id, Value value) override {
+    slots[id] = std::move(value);
+  }
+  Value system(const script::Activation&,
+               script::SystemVariable variable) const override {
+    return variable == script::SystemVariable::state ? Value("Welcome")
+                                                     : Value();
+  }
+  bool online(const std::string& agent) const override {
+    return agent == "Robot";
+  }
+  Timestamp now() const override {
+    return 1'000;
+  }
+  double random() override {
+    return 0.5;
+  }
+  bool watches_branches() const override {
+    return true;
+  }
+  void reached(script::Position position) override {
+    branches.push_back(position.line);
+  }
+
+  std::vector<script::Effect> effects;
+  std::deque<script::Performed> answers; // unknown once they are used up
+  std::map<script::SlotId, Value> slots;
+  std::vector<std::uint32_t> branches;
+};
+
+} // namespace parlour::test

@@ -1,0 +1,104 @@
+#include "script/settings_reader.hpp"
+
+#include <gmock/gmock.h>
+
+#include "tests/script/snippets.hpp"
+
+namespace parlour::script {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+namespace {
+
+std::string environment(const std::string& name) {
+  return name == "PASSWORD" ? "secret" : "";
+}
+
+struct Read {
+  Settings settings;
+  std::vector<std::string> lines;
+};
+
+Read read(const std::string& text, const Aliases& aliases = {}) {
+  Findings findings;
+  findings.add_file("s.xml");
+  auto settings = read_settings(test::tree_of("<settings>" + text
+                                              + "</settings>"),
+                                aliases, environment, findings);
+  return {std::move(settings), test::lines_of(findings)};
+}
+
+} // namespace
+
+TEST(SettingsReader, reads_components_in_order_of_preference) {
+  const auto [settings, lines]
+    = read("<Plugins><Plugin> A </Plugin><Plugin>SR_B</Plugin></Plugins>"
+           "<component name='A'><option name='x' value='1'/></component>"
+           "<component name='SR_B'><option name='y' value='2'/></component>"
+           "<component name='Second' plugin='SR_B'/>",
+           {{"SR_B", "B"}});
+  EXPECT_THAT(lines, IsEmpty());
+  ASSERT_EQ(settings.components.size(), 3u);
+  EXPECT_EQ(settings.components[0].plugin, "A");
+  EXPECT_EQ(settings.components[0].options.at("x"), "1");
+  EXPECT_EQ(settings.components[1].name, "B");
+  EXPECT_EQ(settings.components[1].options.at("y"), "2");
+  EXPECT_EQ(settings.components[2].name, "Second");
+  EXPECT_EQ(settings.components[2].plugin, "B");
+}
+
+TEST(SettingsReader, reads_times_limits_and_scripts) {
+  const auto [settings, lines]
+    = read("<sessions resume-after='1.5s' keep='7d' closes-after='1m'/>"
+           "<limits instructions='5' depth='6' bytes='7KB' result='8'/>"
+           "<Scripts><Script>a.xml</Script><Script>b.xml</Script></Scripts>");
+  EXPECT_THAT(lines, IsEmpty());
+  EXPECT_EQ(settings.sessions.resume_after.count(), 1500);
+  EXPECT_EQ(settings.sessions.closes_after.count(), 60'000);
+  EXPECT_EQ(settings.sessions.no_input_after, defaults::no_input_after);
+  EXPECT_EQ(settings.limits.instructions, 5u);
+  EXPECT_EQ(settings.limits.depth, 6u);
+  EXPECT_EQ(settings.limits.bytes, 7u << 10);
+  EXPECT_EQ(settings.limits.result, 8u);
+  EXPECT_THAT(settings.scripts, ElementsAre("a.xml", "b.xml"));
+}
+
+TEST(SettingsReader, replaces_what_the_environment_holds_and_never_tells_it) {
+  const auto [settings, lines]
+    = read("<Plugins><Plugin>A</Plugin></Plugins><component name='A'>"
+           "<option name='p' value='a${PASSWORD}b'/>"
+           "<option name='q' value='${NONE}'/></component>");
+  EXPECT_EQ(settings.components[0].options.at("p"), "asecretb");
+  EXPECT_THAT(lines, ElementsAre("s.xml:1:132: warning: the environment has "
+                                 "no 'NONE'; ${NONE} is empty"));
+}
+
+TEST(SettingsReader, tells_what_does_not_fit) {
+  const auto lines
+    = read("<Plugins><Plugin>GrammarNLU</Plugin><Plugin>GrammarNLU</Plugin>"
+           "<Plugin> </Plugin></Plugins>"
+           "<component name='GrammerNLU'/>"
+           "<component name='GrammarNLU'><option name='a' value='${X'/>"
+           "<option name='a' value='1'/></component>")
+        .lines;
+  EXPECT_THAT(
+    lines,
+    ElementsAre("s.xml:1:47: error: the plug-in 'GrammarNLU' is listed twice",
+                "s.xml:1:74: error: <Plugin> is empty; expected the name of a "
+                "plug-in",
+                "s.xml:1:103: error: 'GrammerNLU' is not in <Plugins>, did you "
+                "mean 'GrammarNLU'? A further instance says plugin=\"…\"",
+                "s.xml:1:186: error: ${ without its }",
+                "s.xml:1:192: error: the option 'a' of 'GrammarNLU' is given "
+                "twice"));
+}
+
+TEST(SettingsReader, reads_the_platform_s_aliases) {
+  const auto aliases = read_aliases(test::tree_of(
+    read_bytes(test::source_path("config/platform/aliases.xml")).value()));
+  EXPECT_EQ(aliases.at("SR_WinTTS"), "ESpeakTTS");
+  EXPECT_EQ(aliases.at("SR_SLUR"), "GrammarNLU");
+}
+
+} // namespace parlour::script

@@ -1,0 +1,57 @@
+// Conversation::Implementation: what happens with each input. An internal
+// header of this folder; the door is conversation.hpp.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "script/dialogue/core.hpp"
+
+namespace parlour::dialogue {
+
+class Conversation::Implementation {
+public:
+  Implementation(std::shared_ptr<const script::Program> program,
+                 Options options, Port& port)
+      : core(std::move(program), std::move(options), port) {}
+
+  void open();
+  void receive(Message message);
+  bool has_work() const;
+  void take_input();
+  // A new external event: what scripts may do is counted anew.
+  void begin_event();
+  // After each input: the lane runs as far as it can; what silence leads to.
+  void go_on();
+  void timer_fired(TimerId id);
+  void close();
+  std::vector<Message> take_unread();
+
+  Core core;
+
+private:
+  struct Watch {
+    TimerId id = 0;
+    Timer::Purpose purpose = Timer::Purpose::silence;
+    Milliseconds length{0};
+  };
+
+  std::vector<Step> beginning() const;
+  void process(Input input);
+  void act_on(Timer timer);
+  void run_lane();
+  void take(Step step);
+  void run_body(Step step);
+  void resume(Step step);
+  void started(WaitId wait);
+  void start_over();
+
+  void watch_silence();
+  void watch_for(Milliseconds length, Timer::Purpose purpose);
+  void stop_silence();
+
+  std::optional<Watch> watch_;
+};
+
+} // namespace parlour::dialogue

@@ -1,0 +1,235 @@
+// The part of a conversation that says what happens with each input, and what
+// silence leads to (engine rules 1 to 3).
+#include <utility>
+
+#include "script/dialogue/conversation_implementation.hpp"
+#include "script/dialogue/steps.hpp"
+
+namespace parlour::dialogue {
+
+namespace {
+
+constexpr const char* recogniser = "ASR";
+
+} // namespace
+
+// -- the beginning and the end ------------------------------------------------
+
+void Conversation::Implementation::open() {
+  if (auto ready = core.interpreter.initialise(core.effects); !ready) {
+    core.inspect(InspectionKind::error, "variables", to_string(ready.error()));
+    core.ending = true;
+  } else {
+    core.raise("Session", "Started", {});
+    core.lane.queue(beginning());
+  }
+  go_on();
+}
+
+// The start state or topic, else the first topic of system initiative
+// (language rule 1).
+std::vector<Step> Conversation::Implementation::beginning() const {
+  const auto& start = core.program->settings.start;
+  Step step;
+  if (auto state = core.program->state(start); state != script::no_id) {
+    step.kind = StepKind::enter;
+    step.state = state;
+  } else if (auto topic = core.program->topic(start); topic != script::no_id) {
+    step = topic_step(StepKind::activate, topic);
+  } else if (auto next = core.order.next(); next) {
+    step = topic_step(StepKind::resume_topic, next->topic);
+  } else {
+    return {};
+  }
+  return {step, make_step(StepKind::conclude, {})};
+}
+
+void Conversation::Implementation::close() {
+  if (core.ended)
+    return;
+  core.ending = true;
+  core.mouth.withdraw_questions();
+  core.topics.forget_frame();
+  core.lane.clear();
+  auto steps = core.cancel_waits();
+  for (auto wait : core.pipeline.waits())
+    core.pipeline.resume(wait, fail(ErrorKind::cancelled, "the session ended"));
+  for (auto& exit : core.machine.exits())
+    steps.push_back(std::move(exit));
+  core.lane.clear();
+  core.lane.now(std::move(steps));
+  run_lane();
+  core.raise("Session", "Ended", {});
+  while (!core.internal.empty() && core.one_more_internal_event()) {
+    auto input = std::move(core.internal.front());
+    core.internal.pop_front();
+    core.pipeline.take(std::move(input));
+  }
+  core.mouth.withdraw_questions();
+  core.mouth.release();
+  core.timers.cancel_all();
+  core.ended = true;
+  core.port.ended();
+}
+
+std::vector<Message> Conversation::Implementation::take_unread() {
+  std::vector<Message> messages;
+  for (auto& input : std::exchange(core.inbox, {}))
+    messages.push_back(std::move(input.message));
+  return messages;
+}
+
+// -- inputs -------------------------------------------------------------------
+
+void Conversation::Implementation::receive(Message message) {
+  TurnId turn = 0;
+  if (message.command == "RecognitionResult" &&
+      core.port.is_source(recogniser, message.source)) {
+    turn = core.turns.begin();
+    core.turns.hold(turn);
+  } else {
+    turn = core.turns.of(message.correlation);
+    core.turns.hold(turn);
+    core.turns.answered(message.correlation);
+  }
+  core.inbox.push_back({std::move(message), turn});
+}
+
+bool Conversation::Implementation::has_work() const {
+  return !core.ended && !core.topics.awaiting_frame() &&
+         (core.mouth.wants_release() || core.runner.has_slices() ||
+          !core.internal.empty() || (!core.ending && !core.inbox.empty()));
+}
+
+void Conversation::Implementation::begin_event() {
+  core.internal_events = 0;
+  core.interpreter.new_event();
+}
+
+// Outputs first: by the time of this step, whatever was in the mailbox is in
+// the inbox, so that a turn that has begun is known (engine rule 3).
+void Conversation::Implementation::take_input() {
+  if (core.mouth.wants_release()) {
+    if (core.mouth.release())
+      stop_silence();
+  } else if (auto slice = core.runner.take_slice(); slice != 0) {
+    core.resume(slice, Value());
+  } else if (!core.internal.empty()) {
+    auto input = std::move(core.internal.front());
+    core.internal.pop_front();
+    if (core.one_more_internal_event())
+      process(std::move(input));
+    else
+      core.turns.let_go(input.turn);
+  } else if (!core.inbox.empty()) {
+    auto input = std::move(core.inbox.front());
+    core.inbox.pop_front();
+    begin_event();
+    process(std::move(input));
+  }
+  go_on();
+}
+
+void Conversation::Implementation::process(Input input) {
+  if (core.port.is_source(recogniser, input.message.source)) {
+    stop_silence();
+    core.mouth.turn_begins();
+  }
+  if (core.effects.reply(input.message))
+    core.turns.let_go(input.turn);
+  else
+    core.pipeline.take(std::move(input));
+}
+
+void Conversation::Implementation::timer_fired(TimerId id) {
+  if (watch_ && watch_->id == id)
+    watch_.reset();
+  auto timer = core.timers.fired(id);
+  if (!timer)
+    return;
+  begin_event();
+  act_on(std::move(*timer));
+  go_on();
+}
+
+void Conversation::Implementation::act_on(Timer timer) {
+  switch (timer.purpose) {
+  case Timer::Purpose::script: {
+    core.raise("Timer", "Fired", {timer.name});
+    auto step = body_step(timer.code, 0);
+    step.arguments = std::move(timer.arguments);
+    step.topic = timer.topic;
+    core.lane.queue({std::move(step), make_step(StepKind::conclude, {})});
+    break;
+  }
+  case Timer::Purpose::wait:
+    if (timer.correlation == 0)
+      core.resume(timer.wait, Value());
+    else
+      core.resume(timer.wait,
+                  fail(ErrorKind::timeout, "no reply came in time"));
+    break;
+  case Timer::Purpose::wording:
+    core.mouth.give_up_wording(timer.correlation);
+    break;
+  case Timer::Purpose::silence:
+    core.topics.silence();
+    break;
+  case Timer::Purpose::patience: // what is due now is found by go_on
+    break;
+  case Timer::Purpose::closing:
+    core.ending = true;
+    break;
+  }
+}
+
+void Conversation::Implementation::go_on() {
+  run_lane();
+  if (core.ending && !core.topics.awaiting_frame() &&
+      !core.mouth.wants_release() && core.mouth.all_released())
+    close();
+  else
+    watch_silence();
+}
+
+// -- silence ------------------------------------------------------------------
+
+void Conversation::Implementation::watch_silence() {
+  core.turns.expire(core.now);
+  const bool open = core.turns.any_open(core.now);
+  if (core.ending || !core.lane.idle() || !core.mouth.silent() ||
+      core.topics.awaiting_frame()) {
+    stop_silence();
+  } else if (open) {
+    // Nobody may ever answer on the turn's behalf.
+    if (auto until = core.turns.open_until(core.now))
+      watch_for(Milliseconds(*until - core.now), Timer::Purpose::patience);
+    else
+      stop_silence();
+  } else if (core.internal.empty() && core.inbox.empty()) {
+    auto wanted = core.topics.silence_wanted();
+    watch_for(wanted.value_or(core.program->settings.sessions.closes_after),
+              wanted ? Timer::Purpose::silence : Timer::Purpose::closing);
+  }
+}
+
+// A timer that watches already goes on, so that silence lasts from where it
+// began.
+void Conversation::Implementation::watch_for(Milliseconds length,
+                                             Timer::Purpose purpose) {
+  if (watch_ && watch_->purpose == purpose &&
+      (watch_->length == length || purpose == Timer::Purpose::patience))
+    return;
+  stop_silence();
+  Timer timer;
+  timer.purpose = purpose;
+  watch_ = Watch{core.timers.start(length, std::move(timer)), purpose, length};
+}
+
+void Conversation::Implementation::stop_silence() {
+  if (watch_)
+    core.timers.cancel(watch_->id);
+  watch_.reset();
+}
+
+} // namespace parlour::dialogue

@@ -1,0 +1,109 @@
+#include "script/dialogue/core.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "script/dialogue/steps.hpp"
+
+namespace parlour::dialogue {
+
+Core::Core(std::shared_ptr<const script::Program> the_program,
+           Conversation::Options the_options, Port& the_port)
+    : program(std::move(the_program)), options(std::move(the_options)),
+      port(the_port), interpreter(program), frames(*program, interpreter),
+      order(*program), timers(port), mouth(*this), effects(*this),
+      runner(*this), pipeline(*this), machine(*this), topics(*this) {}
+
+void Core::raise(const char* source, std::string command,
+                 std::vector<Value> params, TurnId turn) {
+  Input input;
+  input.message.time = now;
+  input.message.source = source;
+  input.message.command = std::move(command);
+  input.message.params = std::move(params);
+  input.message.session = options.session;
+  input.turn = turn;
+  turns.hold(turn);
+  internal.push_back(std::move(input));
+}
+
+Correlation Core::post(std::string module, std::string command,
+                       std::vector<Value> params, TurnId turn) {
+  if (command == "DoNLU" && params.size() == 1 && port.is_source("NLU", module))
+    params.push_back(topics.understanding_context());
+  Message message;
+  message.source = "Script";
+  message.command = std::move(command);
+  message.params = std::move(params);
+  message.sinks = {std::move(module)};
+  message.session = options.session;
+  message.correlation = next_id();
+  const auto correlation = message.correlation;
+  turns.asked(correlation, turn,
+              now + program->settings.sessions.request_timeout.count());
+  for (auto& event : port.post(std::move(message))) {
+    turns.hold(turn);
+    turns.answered(correlation);
+    internal.push_back({std::move(event), turn});
+  }
+  return correlation;
+}
+
+bool Core::answered_inline(Correlation correlation) const {
+  return std::any_of(internal.begin(), internal.end(), [&](const Input& input) {
+    return input.message.correlation == correlation;
+  });
+}
+
+void Core::resume(WaitId wait, Expected<Value> outcome) {
+  effects.forget(wait);
+  if (!lane.waits(wait)) {
+    pipeline.resume(wait, std::move(outcome));
+    return;
+  }
+  auto step = make_step(StepKind::resume_wait, {});
+  step.wait = wait;
+  step.data = std::move(outcome);
+  lane.wake(wait, std::move(step));
+}
+
+std::vector<Step> Core::cancel_waits() {
+  auto waits = lane.abandon();
+  for (auto wait : pipeline.waits())
+    if (runner.for_user(wait))
+      waits.push_back(wait);
+  topics.forget_waits();
+  machine.clear_pushed();
+  std::vector<Step> steps;
+  for (auto wait : waits) {
+    effects.forget(wait);
+    auto step = make_step(StepKind::resume_wait, {});
+    step.wait = wait;
+    step.data = fail(ErrorKind::cancelled, "the wait was cancelled");
+    steps.push_back(std::move(step));
+  }
+  return steps;
+}
+
+bool Core::one_more_internal_event() {
+  if (++internal_events <= defaults::internal_events)
+    return true;
+  if (internal_events == defaults::internal_events + 1)
+    inspect(InspectionKind::error, "Limit",
+            "more than 100 internal events without an external one; the rest "
+            "is dropped");
+  for (auto& input : std::exchange(internal, {}))
+    turns.let_go(input.turn);
+  return false;
+}
+
+void Core::inspect(InspectionKind kind, std::string subject,
+                   std::string detail) {
+  if (port.inspected())
+    port.inspect({.kind = kind,
+                  .session = options.session,
+                  .subject = std::move(subject),
+                  .detail = std::move(detail)});
+}
+
+} // namespace parlour::dialogue

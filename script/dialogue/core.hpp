@@ -1,0 +1,92 @@
+// Core: the parts of one conversation, which know each other through it. An
+// internal header of this folder; the door is conversation.hpp.
+#pragma once
+
+#include <deque>
+#include <memory>
+
+#include "script/dialogue/conversation.hpp"
+#include "script/dialogue/effects.hpp"
+#include "script/dialogue/frames.hpp"
+#include "script/dialogue/lane.hpp"
+#include "script/dialogue/mouth.hpp"
+#include "script/dialogue/pipeline.hpp"
+#include "script/dialogue/runner.hpp"
+#include "script/dialogue/state_machine.hpp"
+#include "script/dialogue/state_stack.hpp"
+#include "script/dialogue/timers.hpp"
+#include "script/dialogue/topic_engine.hpp"
+#include "script/dialogue/topic_order.hpp"
+#include "script/dialogue/turns.hpp"
+#include "script/interpreter.hpp"
+
+namespace parlour::dialogue {
+
+// A message on its way to the pipeline, and the user turn it belongs to.
+struct Input {
+  Message message;
+  TurnId turn = 0;
+};
+
+struct Core {
+  Core(std::shared_ptr<const script::Program> the_program,
+       Conversation::Options the_options, Port& the_port);
+
+  std::shared_ptr<const script::Program> program;
+  Conversation::Options options;
+  Port& port;
+
+  Timestamp now = 0; // constant within one event
+  std::uint64_t last_id = 0;
+  bool ending = false; // as soon as all is said
+  bool ended = false;
+
+  std::deque<Input> inbox;    // from outside, in order of arrival
+  std::deque<Input> internal; // before any external event (engine rule 2)
+  int internal_events = 0;    // since the last external one
+
+  script::Interpreter interpreter;
+  Frames frames;
+  TopicOrder order;
+  Turns turns;
+  StateStack states;
+  Timers timers;
+  Lane lane;
+  Mouth mouth;
+  Effects effects;
+  Runner runner;
+  Pipeline pipeline;
+  StateMachine machine;
+  TopicEngine topics;
+
+  std::uint64_t next_id() {
+    return ++last_id;
+  }
+  const script::Topic& topic(TopicId id) const {
+    return program->topics[id];
+  }
+  const Frame& frame(TopicId id) const {
+    return frames.get(id, now);
+  }
+
+  // An event of a reserved source, raised in this session.
+  void raise(const char* source, std::string command, std::vector<Value> params,
+             TurnId turn = 0);
+  // Sends a message on behalf of a turn; what inline components answer is
+  // queued before any external event. Returns its correlation.
+  Correlation post(std::string module, std::string command,
+                   std::vector<Value> params, TurnId turn);
+  bool answered_inline(Correlation correlation) const;
+  // A waiting activation or step goes on, in whichever lane it waits.
+  void resume(WaitId wait, Expected<Value> outcome);
+  // The user wants out, or the session ends: what waits in the dialogue lane,
+  // and what waits for the user anywhere, is to end with kind Cancelled
+  // (engine rule 2). The steps that tell them so, innermost first.
+  [[nodiscard]] std::vector<Step> cancel_waits();
+  // False where there were too many of them without an external one: scripts
+  // chase each other (engine rule 2). What is queued is dropped then.
+  bool one_more_internal_event();
+  void inspect(InspectionKind kind, std::string subject, std::string detail);
+};
+
+} // namespace parlour::dialogue

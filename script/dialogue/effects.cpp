@@ -1,0 +1,285 @@
+#include "script/dialogue/effects.hpp"
+
+#include <utility>
+
+#include "script/dialogue/core.hpp"
+#include "script/dialogue/effect_operands.hpp"
+#include "script/dialogue/frame_view.hpp"
+#include "script/dialogue/steps.hpp"
+
+namespace parlour::dialogue {
+
+namespace {
+
+Error not_yet(const script::Effect& effect) {
+  constexpr const char* names[] = {
+#define EFFECT(name, waits, operands, sentence) #name,
+#include "script/effects.def"
+#undef EFFECT
+  };
+  return {ErrorKind::refused,
+          std::string("<") + names[static_cast<std::size_t>(effect.kind)] +
+              "> is not available yet",
+          {}};
+}
+
+} // namespace
+
+Effects::Effects(Core& core) : core_(core), random_state_(core.options.seed) {}
+
+script::Performed Effects::perform(script::Activation& activation,
+                                   script::Effect effect) {
+  using enum script::EffectKind;
+  Context context = activation.context();
+  switch (effect.kind) {
+  case post:
+    return this->post(context, effect);
+  case request:
+    return this->request(context, effect);
+  case fire_frames:
+    return this->fire_frames(context, effect);
+  case fire_event:
+    core_.raise("Script", effect.operand(0).text(), list_of(effect.operand(1)),
+                context.turn);
+    return Value();
+  case speak:
+    return this->speak(context, effect);
+  case consume:
+    if (context.message && context.message->source == "Dialogue")
+      core_.topics.consume();
+    else
+      core_.pipeline.consume();
+    return Value();
+  case register_handler:
+  case unregister_handler:
+    core_.pipeline.register_handler(effect.operand(0).text(),
+                                    effect.kind == register_handler);
+    return Value();
+  case timer:
+    return this->timer(context, effect);
+  case cancel:
+    core_.timers.cancel_named(effect.operand(0).text());
+    return Value();
+  case wait:
+    return wait_for(milliseconds(effect.operand(0)));
+  case connectdb:
+    return connect_database(effect);
+  case querydb:
+    return query_database(effect);
+  case confirm:
+    return this->confirm(context, effect);
+  case log:
+  case print:
+    core_.inspect(InspectionKind::log, effect.operand(1).text(),
+                  effect.operand(0).text());
+    return Value();
+  default:
+    return perform_dialogue(context, effect);
+  }
+}
+
+// What concerns states and topics; most of it happens when the activation ends
+// or waits (engine rule 2).
+script::Performed Effects::perform_dialogue(Context context, Call effect) {
+  using enum script::EffectKind;
+  switch (effect.kind) {
+  case transit:
+    core_.topics.redirect();
+    return later(StepKind::transit, context, effect);
+  case push:
+    return this->push(context, effect);
+  case pop:
+    return later(StepKind::pop, context, effect);
+  case end:
+    return later(StepKind::end, context, effect);
+  case activate:
+    return later(StepKind::activate, context, effect);
+  case reset_topic:
+    return later(StepKind::reset, context, effect);
+  case complete:
+    return later(StepKind::complete, context, effect);
+  case ask:
+    core_.topics.redirect();
+    return later(StepKind::ask, context, effect);
+  case clear:
+    return this->clear(context, effect);
+  case register_topic:
+  case unregister_topic:
+    return this->register_topic(effect);
+  default:
+    return not_yet(effect);
+  }
+}
+
+// -- waits --------------------------------------------------------------------
+
+WaitId Effects::begin_wait(bool for_user) {
+  auto id = core_.next_id();
+  core_.runner.expect({id, for_user});
+  return id;
+}
+
+script::Performed Effects::wait_for(Milliseconds time) {
+  auto wait = begin_wait(false);
+  core_.timers.start(time, {.purpose = Timer::Purpose::wait, .wait = wait});
+  return script::Waits{};
+}
+
+script::Performed Effects::timer(Context context, Call effect) {
+  auto name = effect.operand(0).text();
+  core_.timers.cancel_named(name); // a timer replaces one of its name
+  Timer timer;
+  timer.name = std::move(name);
+  timer.code = effect.body;
+  timer.arguments = effect.captured;
+  timer.topic = context.topic;
+  const auto after = milliseconds(effect.operand(1));
+  if (effect.operand(2))
+    timer.every = std::max(after, Milliseconds(1));
+  core_.timers.start(after, std::move(timer));
+  return Value();
+}
+
+script::Performed Effects::confirm(Context context, Call effect) {
+  auto wait = begin_wait(true);
+  core_.topics.confirm(effect.operand(0).text(), context.topic, wait,
+                       context.turn);
+  return script::Waits{};
+}
+
+script::Performed Effects::push(Context context, Call effect) {
+  auto state = core_.program->state(effect.operand(0).text());
+  if (state == script::no_id)
+    return missing("state", effect.operand(0));
+  Step step;
+  step.kind = StepKind::push;
+  step.state = state;
+  step.turn = context.turn;
+  step.wait = begin_wait(true);
+  core_.runner.later(std::move(step));
+  return script::Waits{};
+}
+
+// -- states and topics --------------------------------------------------------
+
+script::Performed Effects::later(StepKind kind, Context context, Call effect) {
+  Step step;
+  step.kind = kind;
+  step.turn = context.turn;
+  step.topic = context.topic;
+  if (kind == StepKind::transit) {
+    step.state = core_.program->state(effect.operand(0).text());
+    if (step.state == script::no_id)
+      return missing("state", effect.operand(0));
+    step.code = effect.body;
+    step.arguments = effect.captured;
+  } else if (kind == StepKind::ask) {
+    step.slot = context.topic == script::no_id
+                    ? script::no_id
+                    : core_.topic(context.topic).slot(effect.operand(0).text());
+    if (step.slot == script::no_id)
+      return missing("slot", effect.operand(0));
+  } else if (!effect.operand(0).is_unknown()) {
+    step.topic = core_.program->topic(effect.operand(0).text());
+    if (step.topic == script::no_id)
+      return missing("topic", effect.operand(0));
+  }
+  core_.runner.later(std::move(step));
+  return Value();
+}
+
+script::Performed Effects::register_topic(Call effect) {
+  auto topic = core_.program->topic(effect.operand(0).text());
+  if (topic == script::no_id)
+    return missing("topic", effect.operand(0));
+  if (effect.kind == script::EffectKind::register_topic)
+    core_.order.register_topic(topic);
+  else
+    core_.order.unregister_topic(topic);
+  return Value();
+}
+
+script::Performed Effects::clear(Context context, Call effect) {
+  auto topic = context.topic;
+  auto slot = topic == script::no_id
+                  ? script::no_id
+                  : core_.topic(topic).slot(effect.operand(0).text());
+  if (slot == script::no_id)
+    return missing("slot", effect.operand(0));
+  core_.topics.redirect();
+  core_.topics.change(topic, {.kind = FrameChange::Kind::clear, .slot = slot});
+  return Value();
+}
+
+Value Effects::slot(TopicId topic, SlotId slot) const {
+  return topic == script::no_id ? Value() : read_slot(core_.frame(topic), slot);
+}
+
+void Effects::set_slot(TopicId topic, SlotId slot, Value value) {
+  if (topic != script::no_id)
+    core_.topics.change(topic, {.kind = FrameChange::Kind::set,
+                                .slot = slot,
+                                .value = std::move(value)});
+}
+
+// -- what scripts can look at -------------------------------------------------
+
+Value Effects::system(const script::Activation& activation,
+                      script::SystemVariable variable) const {
+  using enum script::SystemVariable;
+  const auto& context = activation.context();
+  auto current = context.topic != script::no_id
+                     ? context.topic
+                     : core_.order.current().value_or(script::no_id);
+  const bool in_topic = current != script::no_id;
+  switch (variable) {
+  case session:
+    return core_.options.session;
+  case state:
+    return core_.states.active() == script::no_id
+               ? Value()
+               : Value(core_.program->states[core_.states.active()].name);
+  case topic:
+    return in_topic ? Value(core_.topic(current).name) : Value();
+  case script::SystemVariable::slot:
+    return in_topic && context.slot != script::no_id
+               ? Value(core_.topic(current).slots[context.slot].name)
+               : Value();
+  case frame_done:
+    return in_topic && core_.frame(current).done;
+  default:
+    return {}; // those of the message come from the activation
+  }
+}
+
+bool Effects::online(const std::string& agent) const {
+  return core_.port.reachable(agent);
+}
+
+Timestamp Effects::now() const {
+  return core_.now;
+}
+
+// SplitMix64: small, good enough for dialogue, and the same everywhere.
+double Effects::random() {
+  random_state_ += 0x9e3779b97f4a7c15;
+  auto z = random_state_;
+  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9;
+  z = (z ^ (z >> 27)) * 0x94d049bb133111eb;
+  z ^= z >> 31;
+  return static_cast<double>(z >> 11) * 0x1.0p-53;
+}
+
+bool Effects::watches_branches() const {
+  return core_.port.inspected();
+}
+
+void Effects::reached(script::Position position) {
+  if (!core_.port.inspected())
+    return;
+  auto place = core_.program->place(position);
+  core_.inspect(InspectionKind::branch,
+                place.file + ":" + std::to_string(place.line), "");
+}
+
+} // namespace parlour::dialogue

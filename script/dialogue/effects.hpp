@@ -1,0 +1,82 @@
+// Effects: carries out what scripts want (script/effects.def) by handing it to
+// the part of the conversation that knows how. The interpreter's Host.
+#pragma once
+
+#include <map>
+#include <set>
+#include <string>
+
+#include "script/dialogue/port.hpp"
+#include "script/dialogue/step.hpp"
+#include "script/host.hpp"
+#include "script/interpreter.hpp"
+
+namespace parlour::dialogue {
+
+struct Core;
+
+class Effects : public script::Host {
+public:
+  explicit Effects(Core& core);
+
+  script::Performed perform(script::Activation& activation,
+                            script::Effect effect) override;
+  Value slot(TopicId topic, SlotId slot) const override;
+  void set_slot(TopicId topic, SlotId slot, Value value) override;
+  Value system(const script::Activation& activation,
+               script::SystemVariable variable) const override;
+  bool online(const std::string& agent) const override;
+  Timestamp now() const override;
+  double random() override;
+  bool watches_branches() const override;
+  void reached(script::Position position) override;
+
+  // A message that no state and no handler took: the engine's own reaction to
+  // it, or counted as unhandled.
+  void unhandled(const Message& message, TurnId turn);
+  // A reply to a <request>; false where none waits for it.
+  bool reply(const Message& message);
+  // A query's outcome for a <querydb>; false where it is none of these.
+  bool query_answered(QueryId id, Expected<ResultSet>& outcome);
+  bool waits_for_answer() const {
+    return !requests_.empty() || !queries_.empty();
+  }
+  void forget(WaitId wait);
+
+private:
+  using Performed = script::Performed;
+  using Call = const script::Effect&;
+  using Context = const script::ActivationContext&;
+
+  Performed post(Context context, Call effect);
+  Performed request(Context context, Call effect);
+  Performed fire_frames(Context context, Call effect);
+  Performed perform_dialogue(Context context, Call effect);
+  Performed speak(Context context, Call effect);
+  Performed timer(Context context, Call effect);
+  Performed connect_database(Call effect);
+  Performed query_database(Call effect);
+  Performed confirm(Context context, Call effect);
+  Performed later(StepKind kind, Context context, Call effect);
+  Performed push(Context context, Call effect);
+  Performed clear(Context context, Call effect);
+  Performed register_topic(Call effect);
+  Performed wait_for(Milliseconds time);
+
+  // The running activation waits; `for_user`: other items may be taken.
+  WaitId begin_wait(bool for_user);
+
+  struct Connection {
+    std::string component;
+    bool write = false;
+  };
+
+  Core& core_;
+  std::map<Correlation, WaitId> requests_;
+  std::map<QueryId, WaitId> queries_;
+  std::map<std::string, Connection, std::less<>> connections_;
+  std::string last_connection_;
+  std::uint64_t random_state_;
+};
+
+} // namespace parlour::dialogue

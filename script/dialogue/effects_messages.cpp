@@ -1,0 +1,180 @@
+// What scripts want of components: messages, requests, frames, speech,
+// databases.
+#include <utility>
+
+#include "runtime/base/roles.hpp"
+#include "script/dialogue/core.hpp"
+#include "script/dialogue/effect_operands.hpp"
+#include "script/dialogue/effects.hpp"
+
+namespace parlour::dialogue {
+
+namespace {
+
+// What a correlated event means to the request it answers (roles.def). The
+// first one ends it where the table does not know the event.
+Reply meaning(const Port& port, const Message& message) {
+  for (const auto& role : roles())
+    if (port.is_source(role.name, message.source))
+      if (const auto* event = role.event(message.command))
+        return event->reply;
+  return Reply::answer;
+}
+
+bool is_reserved(const std::string& source) {
+  const auto* role = find_role(source);
+  return role && role->reserved;
+}
+
+} // namespace
+
+// -- messages -----------------------------------------------------------------
+
+script::Performed Effects::post(Context context, Call effect) {
+  core_.post(effect.operand(0).text(), effect.operand(1).text(),
+             list_of(effect.operand(2)), context.turn);
+  return Value();
+}
+
+script::Performed Effects::request(Context context, Call effect) {
+  const auto module = effect.operand(0).text();
+  if (!core_.port.reachable(module))
+    return Error{ErrorKind::offline,
+                 "nobody fills the role or has the name '" + module + "'",
+                 {}};
+  auto correlation = core_.post(module, effect.operand(1).text(),
+                                list_of(effect.operand(2)), context.turn);
+  const auto wait = begin_wait(false);
+  requests_[correlation] = wait;
+  const auto& timeout = effect.operand(3);
+  core_.timers.start(timeout.is_unknown()
+                         ? core_.program->settings.sessions.request_timeout
+                         : milliseconds(timeout),
+                     {.purpose = Timer::Purpose::wait,
+                      .wait = wait,
+                      .correlation = correlation});
+  return script::Waits{};
+}
+
+bool Effects::reply(const Message& message) {
+  auto found = requests_.find(message.correlation);
+  if (found == requests_.end())
+    return false;
+  const auto reply = meaning(core_.port, message);
+  if (reply == Reply::none)
+    return false;
+  auto wait = found->second;
+  requests_.erase(found);
+  if (reply == Reply::refusal) {
+    auto reason =
+        message.params.empty() ? message.command : message.params.back().text();
+    auto kind = core_.port.is_source("Database", message.source)
+                    ? ErrorKind::database
+                    : ErrorKind::refused;
+    core_.resume(wait, fail(kind, message.source + ": " + reason));
+  } else {
+    core_.resume(wait, Value(Map{{"command", message.command},
+                                 {"params", List(message.params)}}));
+  }
+  return true;
+}
+
+void Effects::forget(WaitId wait) {
+  auto mine = [&](const auto& entry) { return entry.second == wait; };
+  std::erase_if(requests_, mine);
+  std::erase_if(queries_, mine);
+}
+
+script::Performed Effects::fire_frames(Context context, Call effect) {
+  auto parsed = parse_acts(effect.operand(0));
+  for (const auto& problem : parsed.problems)
+    core_.inspect(InspectionKind::error, "fire", problem);
+  if (parsed.acts.empty()) {
+    Step nothing;
+    nothing.kind = StepKind::no_match;
+    nothing.turn = context.turn;
+    core_.runner.later(std::move(nothing));
+  }
+  for (auto& act : parsed.acts) {
+    Step step;
+    step.kind = StepKind::take_act;
+    step.act = std::move(act);
+    step.turn = context.turn;
+    core_.runner.later(std::move(step));
+  }
+  return Value();
+}
+
+script::Performed Effects::speak(Context context, Call effect) {
+  auto handled = context.message ? context.message->correlation : 0;
+  core_.mouth.speak(effect.operand(0).text(), handled, context.turn,
+                    effect.operand(1).is_unknown() || effect.operand(1));
+  return Value();
+}
+
+void Effects::unhandled(const Message& message, TurnId turn) {
+  if (message.source == "Script" && message.command == "Error") {
+    Say what;
+    what.act = "unavailable";
+    what.data = Map{{"reason", message.params.at(0)}};
+    what.turn = turn;
+    core_.mouth.say(std::move(what));
+    return;
+  }
+  if (is_reserved(message.source))
+    return; // raised for those who listen; nobody has to
+  core_.inspect(InspectionKind::unhandled,
+                message.source + "." + message.command, to_string(message));
+}
+
+// -- databases ----------------------------------------------------------------
+
+script::Performed Effects::connect_database(Call effect) {
+  auto name =
+      effect.operand(0).is_unknown() ? std::string() : effect.operand(0).text();
+  auto component =
+      effect.operand(1).is_unknown() ? std::string() : effect.operand(1).text();
+  if (!core_.port.reachable(component.empty() ? "Database" : component))
+    return Error{ErrorKind::offline,
+                 "no database component '" + component + "' is there",
+                 {}};
+  connections_[name] = {component, static_cast<bool>(effect.operand(2))};
+  last_connection_ = name;
+  return Value(true);
+}
+
+script::Performed Effects::query_database(Call effect) {
+  const auto& named = effect.operand(2);
+  auto connection =
+      connections_.find(named.is_unknown() ? last_connection_ : named.text());
+  if (connection == connections_.end() && !named.is_unknown() &&
+      !core_.port.reachable(named.text()))
+    return missing("database", named);
+  QueryRequest request;
+  request.id = core_.next_id();
+  request.sql = effect.operand(0).text();
+  request.values = list_of(effect.operand(1));
+  if (connection != connections_.end()) {
+    request.database = connection->second.component;
+    request.write = connection->second.write;
+  } else if (!named.is_unknown()) {
+    request.database = named.text();
+  }
+  queries_[request.id] = begin_wait(false);
+  core_.port.query(std::move(request));
+  return script::Waits{};
+}
+
+bool Effects::query_answered(QueryId id, Expected<ResultSet>& outcome) {
+  auto found = queries_.find(id);
+  if (found == queries_.end())
+    return false;
+  auto wait = found->second;
+  queries_.erase(found);
+  core_.resume(wait, std::move(outcome).map([](ResultSet rows) {
+    return Value(std::move(rows));
+  }));
+  return true;
+}
+
+} // namespace parlour::dialogue

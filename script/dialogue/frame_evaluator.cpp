@@ -1,0 +1,91 @@
+#include "script/dialogue/frame_evaluator.hpp"
+
+#include "script/dialogue/frame_view.hpp"
+
+namespace parlour::dialogue {
+
+namespace {
+
+// A host without a world: slots from one frame, everything else refused.
+class FrameHost : public script::Host {
+public:
+  FrameHost(const script::Program& program, const Frame& frame, Timestamp now,
+            std::vector<SlotId>* reads)
+      : program_(program), frame_(frame), now_(now), reads_(reads) {}
+
+  script::Performed perform(script::Activation&, script::Effect) override {
+    return Error{ErrorKind::refused,
+                 "a condition or text can only compute; it cannot act",
+                 {}};
+  }
+
+  Value slot(TopicId, SlotId slot) const override {
+    if (reads_)
+      reads_->push_back(slot);
+    return read_slot(frame_, slot);
+  }
+
+  void set_slot(TopicId, SlotId, Value) override {}
+
+  Value system(const script::Activation&,
+               script::SystemVariable variable) const override {
+    using enum script::SystemVariable;
+    if (variable == topic)
+      return program_.topics[frame_.topic].name;
+    if (variable == frame_done)
+      return frame_.done;
+    return {};
+  }
+
+  bool online(const std::string&) const override {
+    return false;
+  }
+
+  Timestamp now() const override {
+    return now_;
+  }
+
+  double random() override {
+    return 0;
+  }
+
+private:
+  const script::Program& program_;
+  const Frame& frame_;
+  Timestamp now_;
+  std::vector<SlotId>* reads_; // may be null
+};
+
+Expected<Value> evaluate_in(script::Interpreter& interpreter, CodeId code,
+                            const Frame& frame, Timestamp now,
+                            std::vector<SlotId>* reads) {
+  FrameHost host(interpreter.program(), frame, now, reads);
+  script::ActivationContext context;
+  context.topic = frame.topic;
+  return interpreter.evaluate(code, {}, std::move(context), host);
+}
+
+} // namespace
+
+FrameEvaluator make_frame_evaluator(script::Interpreter& interpreter,
+                                    Timestamp now) {
+  return [&interpreter, now](CodeId code, const Frame& frame,
+                             std::vector<SlotId>* reads) {
+    return evaluate_in(interpreter, code, frame, now, reads);
+  };
+}
+
+FrameEvaluator
+make_frame_evaluator(std::shared_ptr<const script::Program> program,
+                     std::shared_ptr<const List> variables, Timestamp now) {
+  auto interpreter = std::make_shared<script::Interpreter>(std::move(program));
+  if (variables)
+    for (std::size_t i = 0; i < variables->size(); ++i)
+      interpreter->set_variable(i, (*variables)[i]);
+  return [interpreter, now](CodeId code, const Frame& frame,
+                            std::vector<SlotId>* reads) {
+    return evaluate_in(*interpreter, code, frame, now, reads);
+  };
+}
+
+} // namespace parlour::dialogue

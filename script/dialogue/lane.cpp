@@ -1,0 +1,112 @@
+#include "script/dialogue/lane.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+namespace parlour::dialogue {
+
+void Lane::queue(std::vector<Step> item) {
+  if (!item.empty())
+    queue_.push_back(std::move(item));
+}
+
+void Lane::now(std::vector<Step> steps) {
+  if (steps.empty())
+    return;
+  if (contexts_.back().waiting != 0)
+    contexts_.emplace_back();
+  auto& agenda = contexts_.back().agenda;
+  agenda.insert(agenda.begin(), std::make_move_iterator(steps.begin()),
+                std::make_move_iterator(steps.end()));
+}
+
+std::optional<Step> Lane::next() {
+  for (;;) {
+    auto& top = contexts_.back();
+    if (top.waiting != 0) {
+      if (!top.for_user || queue_.empty())
+        return std::nullopt;
+      take_item(contexts_.emplace_back());
+    } else if (!top.agenda.empty()) {
+      auto step = std::move(top.agenda.front());
+      top.agenda.pop_front();
+      return step;
+    } else if (contexts_.size() > 1) {
+      contexts_.pop_back(); // the one below goes on, or still waits
+    } else if (!queue_.empty()) {
+      take_item(top);
+    } else {
+      return std::nullopt;
+    }
+  }
+}
+
+void Lane::take_item(Context& context) {
+  auto item = std::move(queue_.front());
+  queue_.pop_front();
+  std::move(item.begin(), item.end(), std::back_inserter(context.agenda));
+}
+
+void Lane::wait(WaitId wait, bool for_user) {
+  auto& top = contexts_.back();
+  top.waiting = wait;
+  top.for_user = for_user;
+}
+
+bool Lane::wake(WaitId wait, Step step) {
+  for (auto& context : contexts_)
+    if (context.waiting == wait) {
+      context.waiting = 0;
+      context.agenda.push_front(std::move(step));
+      return true;
+    }
+  return false;
+}
+
+std::vector<WaitId> Lane::abandon() {
+  std::vector<WaitId> waits;
+  for (auto context = contexts_.rbegin(); context != contexts_.rend();
+       ++context)
+    if (context->waiting != 0)
+      waits.push_back(context->waiting);
+  contexts_.assign(1, {});
+  return waits;
+}
+
+void Lane::clear() {
+  queue_.clear();
+}
+
+bool Lane::idle() const {
+  const auto& top = contexts_.back();
+  const bool nothing_to_take =
+      top.waiting != 0 || (top.agenda.empty() && contexts_.size() == 1);
+  return queue_.empty() && nothing_to_take && !held();
+}
+
+bool Lane::held() const {
+  return std::any_of(contexts_.begin(), contexts_.end(),
+                     [](const Context& context) {
+                       return context.waiting != 0 && !context.for_user;
+                     });
+}
+
+bool Lane::waits_for_user() const {
+  return std::any_of(contexts_.begin(), contexts_.end(),
+                     [](const Context& context) {
+                       return context.waiting != 0 && context.for_user;
+                     });
+}
+
+bool Lane::waits(WaitId wait) const {
+  return std::any_of(
+      contexts_.begin(), contexts_.end(),
+      [&](const Context& context) { return context.waiting == wait; });
+}
+
+bool Lane::returning() const {
+  return contexts_.size() > 1 && contexts_[contexts_.size() - 2].waiting == 0;
+}
+
+} // namespace parlour::dialogue

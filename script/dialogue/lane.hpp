@@ -1,0 +1,56 @@
+// Lane: the dialogue lane (engine rule 2). Items run one at a time, each as an
+// agenda of steps. An agenda that waits gets a context above it: for the steps
+// that its script handed over, and, where it waits for the user (confirm, a
+// pushed state), for the next items too. Any other wait holds the lane.
+#pragma once
+
+#include <deque>
+#include <optional>
+#include <vector>
+
+#include "script/dialogue/step.hpp"
+
+namespace parlour::dialogue {
+
+class Lane {
+public:
+  // Behind everything that is queued: acts and events.
+  void queue(std::vector<Step> item);
+  // In front of all that runs, in the given order; above a context that waits.
+  void now(std::vector<Step> steps);
+
+  // The next step to take, or nothing while the lane waits or is idle.
+  std::optional<Step> next();
+
+  // The running context waits; `for_user` lets further items be taken.
+  void wait(WaitId wait, bool for_user);
+  // Ends that wait: `step` is taken when the contexts above it are done.
+  // False where nothing waits so.
+  bool wake(WaitId wait, Step step);
+  // Ends all waits; the agendas of all contexts are dropped, the queued items
+  // stay. Returns the waits, innermost first.
+  std::vector<WaitId> abandon();
+  // Drops the queued items.
+  void clear();
+
+  bool idle() const; // nothing to take, except for waits for the user
+  bool held() const; // something waits that is not for the user
+  bool waits_for_user() const;
+  bool waits(WaitId wait) const;
+  // The context below goes on when the running one is done.
+  bool returning() const;
+
+private:
+  struct Context {
+    std::deque<Step> agenda;
+    WaitId waiting = 0;
+    bool for_user = false;
+  };
+
+  void take_item(Context& context);
+
+  std::vector<Context> contexts_{1};
+  std::deque<std::vector<Step>> queue_;
+};
+
+} // namespace parlour::dialogue

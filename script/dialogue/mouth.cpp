@@ -1,0 +1,174 @@
+#include "script/dialogue/mouth.hpp"
+
+#include <utility>
+
+#include "script/dialogue/core.hpp"
+
+namespace parlour::dialogue {
+
+namespace {
+
+constexpr const char* language_generation = "NLG";
+
+} // namespace
+
+Mouth::Mouth(Core& core) : core_(core) {}
+
+Value Mouth::generate_params(const Say& what) {
+  if (!what.text.empty())
+    return what.text;
+  const auto& program = *core_.program;
+  Map say;
+  say.set("act", what.act);
+  if (what.topic != script::no_id) {
+    const auto& topic = program.topics[what.topic];
+    say.set("topic", topic.name);
+    if (what.slot != script::no_id)
+      say.set("slot", topic.slots[what.slot].name);
+  }
+  say.set("data", what.data);
+  auto key = what.act + "/" + Value(say)["topic"].text();
+  say.set("rotation",
+          static_cast<std::int64_t>(core_.options.seed) - 1 + uses_[key]++);
+  say.set("now", core_.now);
+  return say;
+}
+
+OutputId Mouth::say(Say what) {
+  auto params = generate_params(what);
+  if (!core_.port.reachable(language_generation)) {
+    auto text = words_of(params);
+    return text.empty()
+               ? 0
+               : push(what.as, std::move(text), what, OutputState::pending);
+  }
+  auto id = push(what.as, {}, what, OutputState::worded);
+  auto correlation =
+      core_.post(language_generation, "Generate", {params}, what.turn);
+  wording_[correlation] = {id, std::move(params), 0};
+  if (!core_.answered_inline(correlation))
+    wording_[correlation].timer = core_.timers.start(
+        core_.program->settings.sessions.request_timeout,
+        {.purpose = Timer::Purpose::wording, .correlation = correlation});
+  return id;
+}
+
+// Nothing is said where the application has no phrase for it.
+std::string Mouth::words_of(const Value& params) const {
+  if (const auto* text = params.if_string())
+    return *text;
+  auto text = core_.options.phrases ? core_.options.phrases->render(params)
+                                    : std::nullopt;
+  if (!text)
+    core_.inspect(InspectionKind::error, params["act"].text(),
+                  "there is no phrase for it");
+  return text.value_or("");
+}
+
+OutputId Mouth::push(OutputAct as, std::string text, const Say& what,
+                     OutputState state) {
+  Output output;
+  output.act = as;
+  output.text = std::move(text);
+  output.topic = what.topic;
+  output.slot = what.slot;
+  output.turn = what.turn;
+  output.state = state;
+  ++made_;
+  changed_ = true;
+  return queue_.push(std::move(output));
+}
+
+OutputId Mouth::speak(std::string text, Correlation handled, TurnId turn,
+                      bool interruptible) {
+  if (auto found = wording_.find(handled); found != wording_.end()) {
+    auto id = found->second.output;
+    core_.timers.cancel(found->second.timer);
+    wording_.erase(found);
+    word(id, std::move(text));
+    return id;
+  }
+  Output output;
+  output.text = std::move(text);
+  output.turn = turn;
+  output.interruptible = interruptible;
+  ++made_;
+  changed_ = true;
+  return queue_.push(std::move(output));
+}
+
+void Mouth::word(OutputId id, std::string text) {
+  const bool dropped = text.empty();
+  queue_.word(id, std::move(text));
+  changed_ = true;
+  if (dropped)
+    core_.topics.unspoken(id);
+}
+
+void Mouth::handled(const Message& event, bool taken) {
+  auto found = wording_.find(event.correlation);
+  if (found == wording_.end() || event.command != "Speak")
+    return;
+  auto text = !taken && !event.params.empty() ? event.params[0].text() : "";
+  speak(std::move(text), event.correlation, 0, true);
+}
+
+void Mouth::give_up_wording(Correlation correlation) {
+  auto found = wording_.find(correlation);
+  if (found == wording_.end())
+    return;
+  auto text = words_of(found->second.params);
+  speak(std::move(text), correlation, 0, true);
+}
+
+bool Mouth::release() {
+  changed_ = false;
+  auto result = queue_.release(core_.turns.any_open(core_.now));
+  for (const auto& output : result.withdrawn) {
+    inspect(output, "withdrawn");
+    core_.topics.withdrawn(output);
+  }
+  for (const auto& output : result.released) {
+    inspect(output, "released");
+    playing_.insert(output.id);
+    core_.topics.released(output);
+    core_.port.release(output);
+  }
+  return !result.released.empty();
+}
+
+void Mouth::withdraw_questions() {
+  for (const auto& output : queue_.withdraw_questions()) {
+    inspect(output, "withdrawn");
+    core_.topics.withdrawn(output);
+    changed_ = true; // what waited behind it may go now
+  }
+}
+
+void Mouth::repeat_last(TurnId turn) {
+  for (const auto& text : queue_.last_turn()) {
+    Say what;
+    what.as = OutputAct::chat;
+    what.turn = turn;
+    push(what.as, text, what, OutputState::pending);
+  }
+}
+
+void Mouth::finished(OutputId id) {
+  playing_.erase(id);
+}
+
+bool Mouth::silent() const {
+  return queue_.empty() && playing_.empty();
+}
+
+void Mouth::inspect(const Output& output, const char* what) {
+  if (!core_.port.inspected())
+    return;
+  auto subject = output.topic == script::no_id ? std::string()
+                                               : core_.topic(output.topic).name;
+  core_.inspect(InspectionKind::output, subject,
+                std::string(what) + ": " + output.text);
+}
+
+} // namespace parlour::dialogue

@@ -1,0 +1,102 @@
+// Mouth: how what the engine wants to say becomes words, and when they leave
+// (engine rule 3; understanding, "Phrases"). If an NLG component is there, a
+// `say` goes to it as Generate, and its Speak event brings the words back, by a
+// handler's <speak> or by itself; if not, the phrase is spoken directly.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <set>
+#include <string>
+
+#include "script/dialogue/output_queue.hpp"
+#include "script/dialogue/turns.hpp"
+
+namespace parlour::dialogue {
+
+struct Core;
+
+using script::SlotId;
+using script::TopicId;
+
+// What the engine wants to say: a phrase by act, topic and slot, or a text.
+struct Say {
+  OutputAct as = OutputAct::answer;
+  std::string act; // of the phrase; unused where `text` is given
+  TopicId topic = script::no_id;
+  SlotId slot = script::no_id;
+  Value data;
+  std::string text;
+  TurnId turn = 0;
+};
+
+class Mouth {
+public:
+  explicit Mouth(Core& core);
+
+  // Returns the entry's id; 0 where there are no words for it.
+  OutputId say(Say what);
+  // A <speak>. Where it handles the Speak event of a `say`, it words that
+  // entry, else it is an answer.
+  OutputId speak(std::string text, Correlation handled, TurnId turn,
+                 bool interruptible);
+  // The handlers of an NLG event are done: an entry that none of them worded
+  // takes the event's own text, or is dropped where a handler took the event.
+  void handled(const Message& event, bool taken);
+  // The NLG component did not answer in time.
+  void give_up_wording(Correlation correlation);
+
+  // Releases what can go; returns whether anything was.
+  bool release();
+  void withdraw_questions();
+  void repeat_last(TurnId turn);
+  // The user has spoken, or been silent: what is released from now on is
+  // another robot turn.
+  void turn_begins() {
+    queue_.turn_begins();
+  }
+  bool said_anything() const {
+    return !queue_.last_turn().empty();
+  }
+  void finished(OutputId id);
+
+  bool wants_release() const {
+    return changed_;
+  }
+  bool all_released() const {
+    return queue_.empty();
+  }
+  bool waits_for_words() const {
+    return !wording_.empty();
+  }
+  // Nothing waits for words or release, and nothing is being played.
+  bool silent() const;
+  std::uint64_t spoken() const { // how many outputs were made so far
+    return made_;
+  }
+
+private:
+  // An entry whose words an NLG component was asked for.
+  struct Wording {
+    OutputId output = 0;
+    Value params; // to word it ourselves after all
+    std::uint64_t timer = 0;
+  };
+
+  OutputId push(OutputAct as, std::string text, const Say& what,
+                OutputState state);
+  Value generate_params(const Say& what);
+  std::string words_of(const Value& params) const;
+  void word(OutputId id, std::string text);
+  void inspect(const Output& output, const char* what);
+
+  Core& core_;
+  OutputQueue queue_;
+  std::map<Correlation, Wording> wording_;
+  std::map<std::string, std::int64_t> uses_; // of each phrase, for rotation
+  std::uint64_t made_ = 0;
+  std::set<OutputId> playing_;
+  bool changed_ = false;
+};
+
+} // namespace parlour::dialogue

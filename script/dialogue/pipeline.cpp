@@ -1,0 +1,178 @@
+#include "script/dialogue/pipeline.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "script/dialogue/core.hpp"
+
+namespace parlour::dialogue {
+
+namespace {
+
+bool fits(const std::string& wanted, const std::string& name) {
+  return wanted == "*" || wanted == name;
+}
+
+bool wants_out(const Step& step) {
+  return step.kind == StepKind::take_act && (step.act.kind == ActKind::cancel ||
+                                             step.act.kind == ActKind::restart);
+}
+
+} // namespace
+
+Pipeline::Pipeline(Core& core) : core_(core) {}
+
+void Pipeline::take(Input input) {
+  for (auto& item : waiting_)
+    if (item->message->source == input.message.source &&
+        item->message->command == input.message.command) {
+      item->behind.push_back(std::move(input));
+      return;
+    }
+  auto item = std::make_unique<Item>();
+  item->turn = input.turn;
+  item->reactions = matches(input.message.source, input.message.command);
+  item->message = std::make_shared<const Message>(std::move(input.message));
+  go_on(std::move(item));
+}
+
+std::vector<Pipeline::Match> Pipeline::matches(const std::string& source,
+                                               const std::string& event) const {
+  std::vector<Match> found;
+  auto add = [&](const std::vector<script::Reaction>& reactions,
+                 bool captures) {
+    for (const auto& reaction : reactions)
+      if (fits(reaction.event, event) &&
+          (reaction.source == "*" ||
+           core_.port.is_source(reaction.source, source)))
+        found.push_back({&reaction, captures});
+  };
+  if (auto state = core_.states.active(); state != script::no_id) {
+    const auto& active = core_.program->states[state];
+    add(active.messages, active.capture != script::Capture::none);
+  }
+  if (captures_everything())
+    return found;
+  for (const auto& handler : core_.program->handlers)
+    if (!unregistered_.contains(handler.name))
+      add(handler.reactions, false);
+  return found;
+}
+
+bool Pipeline::captures_everything() const {
+  auto state = core_.states.active();
+  return state != script::no_id &&
+         core_.program->states[state].capture == script::Capture::all;
+}
+
+void Pipeline::go_on(std::unique_ptr<Item> item) {
+  while (item->next < item->reactions.size() && !item->consumed) {
+    const auto& match = item->reactions[item->next++];
+    script::ActivationContext context;
+    context.message = item->message;
+    context.turn = item->turn;
+    context.handles_error =
+        item->message->source == "Script" && item->message->command == "Error";
+    item->consumed = match.captures;
+    core_.effects.reached(match.reaction->position);
+    running_ = item.get();
+    item->waiting =
+        core_.runner.start(match.reaction->body, {}, std::move(context));
+    running_ = nullptr;
+    hand_over(*item);
+    if (item->waiting != 0) {
+      waiting_.push_back(std::move(item));
+      return;
+    }
+  }
+  finish(std::move(item));
+}
+
+// What the script asked for becomes an item of the dialogue lane, which ends
+// with the question that is then due.
+void Pipeline::hand_over(const Item& item) {
+  auto steps = core_.runner.hand_over();
+  if (steps.empty())
+    return;
+  // Cancel and start over pass every wait (engine rule 2).
+  if (core_.lane.held() && std::any_of(steps.begin(), steps.end(), wants_out))
+    core_.lane.now(core_.cancel_waits());
+  Step conclude;
+  conclude.kind = StepKind::conclude;
+  conclude.turn = item.turn;
+  steps.push_back(std::move(conclude));
+  core_.lane.queue(std::move(steps));
+}
+
+bool Pipeline::resume(WaitId wait, Expected<Value> outcome) {
+  auto found =
+      std::find_if(waiting_.begin(), waiting_.end(),
+                   [&](const auto& item) { return item->waiting == wait; });
+  if (found == waiting_.end())
+    return false;
+  auto item = std::move(*found);
+  waiting_.erase(found);
+  running_ = item.get();
+  item->waiting = core_.runner.resume(wait, std::move(outcome));
+  running_ = nullptr;
+  hand_over(*item);
+  if (item->waiting != 0)
+    waiting_.push_back(std::move(item));
+  else
+    go_on(std::move(item));
+  return true;
+}
+
+void Pipeline::finish(std::unique_ptr<Item> item) {
+  const bool taken = item->next > 0;
+  core_.mouth.handled(*item->message, taken);
+  if (item->message->command == "NoResult" &&
+      core_.port.is_source("NLU", item->message->source))
+    not_understood(*item, taken);
+  else if (!taken)
+    core_.effects.unhandled(*item->message, item->turn);
+  core_.turns.let_go(item->turn);
+  auto behind = std::move(item->behind);
+  // The held messages go first, before what came after them.
+  while (!behind.empty()) {
+    core_.inbox.push_front(std::move(behind.back()));
+    behind.pop_back();
+  }
+}
+
+// The understanding gave up: the question that was asked comes again; a handler
+// that took the event has made the apology (engine rule 5).
+void Pipeline::not_understood(const Item& item, bool taken) {
+  Step step;
+  step.kind = StepKind::no_match;
+  step.turn = item.turn;
+  step.mark = taken ? 1 : 0;
+  core_.turns.hold(step.turn);
+  core_.lane.queue({std::move(step)});
+}
+
+void Pipeline::consume() {
+  if (running_)
+    running_->consumed = true;
+}
+
+void Pipeline::register_handler(const std::string& name, bool registered) {
+  if (registered)
+    unregistered_.erase(name);
+  else
+    unregistered_.insert(name);
+}
+
+bool Pipeline::waits(WaitId wait) const {
+  return std::any_of(waiting_.begin(), waiting_.end(),
+                     [&](const auto& item) { return item->waiting == wait; });
+}
+
+std::vector<WaitId> Pipeline::waits() const {
+  std::vector<WaitId> ids;
+  for (const auto& item : waiting_)
+    ids.push_back(item->waiting);
+  return ids;
+}
+
+} // namespace parlour::dialogue

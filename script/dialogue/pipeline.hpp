@@ -1,0 +1,66 @@
+// Pipeline: the pipeline lane (engine rules 1d and 2). Gives a message to the
+// active state's <Messages>, then to every matching handler in file order. A
+// handler that waits holds only later messages of the same source and command.
+#pragma once
+
+#include <deque>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "script/dialogue/step.hpp"
+#include "script/program.hpp"
+
+namespace parlour::dialogue {
+
+struct Core;
+struct Input;
+
+class Pipeline {
+public:
+  explicit Pipeline(Core& core);
+
+  void take(Input input);
+  // An activation of this lane goes on; false where it is none of ours.
+  bool resume(WaitId wait, Expected<Value> outcome);
+  // <consume/> in the reaction that is running.
+  void consume();
+
+  void register_handler(const std::string& name, bool registered);
+  std::vector<WaitId> waits() const;
+  bool waits(WaitId wait) const;
+
+  // Reactions to an event, in the order in which they are tried: the active
+  // state's, then the handlers'.
+  struct Match {
+    const script::Reaction* reaction = nullptr;
+    bool captures = false; // ends the search by itself
+  };
+  std::vector<Match> matches(const std::string& source,
+                             const std::string& event) const;
+
+private:
+  struct Item {
+    std::shared_ptr<const Message> message;
+    TurnId turn = 0;
+    std::vector<Match> reactions;
+    std::size_t next = 0;
+    bool consumed = false;
+    WaitId waiting = 0;
+    std::deque<Input> behind; // same source and command
+  };
+
+  void go_on(std::unique_ptr<Item> item);
+  void finish(std::unique_ptr<Item> item);
+  void hand_over(const Item& item);
+  void not_understood(const Item& item, bool taken);
+  bool captures_everything() const;
+
+  Core& core_;
+  std::vector<std::unique_ptr<Item>> waiting_;
+  std::set<std::string, std::less<>> unregistered_;
+  Item* running_ = nullptr;
+};
+
+} // namespace parlour::dialogue

@@ -1,0 +1,66 @@
+// Port: everything a conversation wants from the world, one call each. The
+// session actor implements it by sending messages to other actors; tests
+// implement it by noting the calls down. A call returns at once; outcomes come
+// back through Conversation's inputs, with the id given here.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "runtime/base/clock.hpp"
+#include "runtime/base/inspection.hpp"
+#include "runtime/base/message.hpp"
+#include "script/dialogue/frame.hpp"
+#include "script/dialogue/output_queue.hpp"
+
+namespace parlour::dialogue {
+
+using TimerId = std::uint64_t;
+using QueryId = std::uint64_t;
+
+struct QueryRequest {
+  QueryId id = 0;
+  std::string database; // a connection's name; empty: the first Database
+  std::string sql;
+  List values; // bound to its `?` in order
+  bool write = false;
+};
+
+class Port {
+public:
+  virtual ~Port() = default;
+
+  // A message of this session through the message centre's table: stamped,
+  // routed, counted. What components that are called inline answer comes back
+  // at once.
+  virtual std::vector<Message> post(Message message) = 0;
+
+  // Whether some component fills this role or has this name.
+  virtual bool reachable(const std::string& module) const = 0;
+
+  // Whether a message's source is meant by `module`: the same name, or a role
+  // or alias that it fills.
+  virtual bool is_source(const std::string& module,
+                         const std::string& source) const = 0;
+
+  // The words leave for the seat; Conversation::output_finished follows when
+  // they were played (text: at once).
+  virtual void release(const Output& output) = 0;
+
+  virtual void start_timer(TimerId id, Milliseconds after) = 0;
+  virtual void cancel_timer(TimerId id) = 0;
+  virtual void query(QueryRequest request) = 0;
+
+  // One request to the topic's frame actor; Conversation::frame_applied is the
+  // next input, before any other.
+  virtual void apply(TopicId topic, FrameRequest request) = 0;
+
+  virtual bool inspected() const = 0; // else inspect need not be called
+  virtual void inspect(Inspection inspection) = 0;
+
+  // The session is over; nothing else will be wanted.
+  virtual void ended() = 0;
+};
+
+} // namespace parlour::dialogue

@@ -1,0 +1,128 @@
+#include "script/dialogue/runner.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "script/dialogue/core.hpp"
+
+namespace parlour::dialogue {
+
+namespace {
+
+// Of several transits in one activation the last counts (engine rule 2).
+std::vector<Step> last_transit_only(std::vector<Step> steps) {
+  auto is_transit = [](const Step& step) {
+    return step.kind == StepKind::transit;
+  };
+  auto last = std::find_if(steps.rbegin(), steps.rend(), is_transit);
+  if (last == steps.rend())
+    return steps;
+  const auto kept = last.base() - 1;
+  std::vector<Step> result;
+  for (auto step = steps.begin(); step != steps.end(); ++step)
+    if (!is_transit(*step) || step == kept)
+      result.push_back(std::move(*step));
+  return result;
+}
+
+} // namespace
+
+Runner::Runner(Core& core) : core_(core) {}
+
+WaitId Runner::start(CodeId code, std::vector<Value> arguments,
+                     script::ActivationContext context) {
+  auto activation =
+      core_.interpreter.start(code, std::move(arguments), std::move(context));
+  auto result = core_.interpreter.run(*activation, core_.effects);
+  return dispose(std::move(activation), std::move(result));
+}
+
+WaitId Runner::resume(WaitId wait, Expected<Value> outcome) {
+  auto found = waiting_.find(wait);
+  if (found == waiting_.end())
+    return 0;
+  auto waiting = std::move(found->second);
+  waiting_.erase(found);
+  later_ = std::move(waiting.later);
+  core_.timers.cancel_wait(wait);
+  // A yielded activation goes on by itself, unless it is being ended.
+  auto result =
+      waiting.yielded && outcome
+          ? core_.interpreter.run(*waiting.activation, core_.effects)
+          : core_.interpreter.resume(*waiting.activation, std::move(outcome),
+                                     core_.effects);
+  return dispose(std::move(waiting.activation), std::move(result));
+}
+
+void Runner::later(Step step) {
+  later_.push_back(std::move(step));
+}
+
+bool Runner::for_user(WaitId wait) const {
+  auto found = waiting_.find(wait);
+  return found != waiting_.end() && found->second.for_user;
+}
+
+WaitId Runner::take_slice() {
+  if (slices_.empty())
+    return 0;
+  auto wait = slices_.front();
+  slices_.pop_front();
+  return wait;
+}
+
+Expected<Value> Runner::evaluate(CodeId code, std::vector<Value> arguments,
+                                 TopicId topic) {
+  script::ActivationContext context;
+  context.topic = topic;
+  return core_.interpreter.evaluate(code, std::move(arguments),
+                                    std::move(context), core_.effects);
+}
+
+WaitId Runner::dispose(std::unique_ptr<script::Activation> activation,
+                       script::RunResult result) {
+  using enum script::RunStatus;
+  WaitId id = 0;
+  if (result.status == failed)
+    report(activation->context(), result);
+  if (result.status == waiting) {
+    id = expected_.id;
+    waiting_[id] = {std::move(activation), expected_.for_user, false, {}};
+  }
+  if (result.status == yielded) {
+    id = core_.next_id();
+    waiting_[id] = {std::move(activation), false, true,
+                    std::exchange(later_, {})};
+    slices_.push_back(id);
+  }
+  expected_ = {};
+  return id;
+}
+
+void Runner::report(const script::ActivationContext& context,
+                    const script::RunResult& result) {
+  auto detail = to_string(result.error);
+  for (const auto& line : result.stack)
+    detail += "\n  in " + line;
+  core_.inspect(InspectionKind::error, std::string(name_of(result.error.kind)),
+                detail);
+  if (!context.handles_error)
+    core_.raise("Script", "Error",
+                {result.error.message, result.error.place.file,
+                 static_cast<std::int64_t>(result.error.place.line)},
+                context.turn);
+}
+
+std::vector<Step> Runner::hand_over() {
+  std::vector<Step> steps;
+  for (auto& step : last_transit_only(std::exchange(later_, {}))) {
+    if (!core_.one_more_internal_event())
+      break;
+    if (step.kind == StepKind::take_act || step.kind == StepKind::no_match)
+      core_.turns.hold(step.turn);
+    steps.push_back(std::move(step));
+  }
+  return steps;
+}
+
+} // namespace parlour::dialogue

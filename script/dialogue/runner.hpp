@@ -1,0 +1,80 @@
+// Runner: starts pieces of script, keeps those that wait, and hands outcomes
+// back to them. An error that no <catch> took becomes the event Script.Error
+// (language rule 5).
+#pragma once
+
+#include <deque>
+#include <map>
+#include <memory>
+
+#include "script/dialogue/step.hpp"
+#include "script/interpreter.hpp"
+
+namespace parlour::dialogue {
+
+struct Core;
+
+class Runner {
+public:
+  explicit Runner(Core& core);
+
+  // What the effect that suspends the running activation waits for.
+  struct Wait {
+    WaitId id = 0;
+    bool for_user = false; // confirm, push
+  };
+  void expect(Wait wait) {
+    expected_ = wait;
+  }
+
+  // Runs until it ends or waits; returns the wait's id, 0 where it ended. The
+  // steps that it asked for are then taken with hand_over().
+  WaitId start(CodeId code, std::vector<Value> arguments,
+               script::ActivationContext context);
+  WaitId resume(WaitId wait, Expected<Value> outcome);
+
+  // A step that the running activation's statements asked for; taken when it
+  // ends or waits.
+  void later(Step step);
+
+  bool waiting(WaitId wait) const {
+    return waiting_.count(wait) > 0;
+  }
+  // Whether a wait is one for the user.
+  bool for_user(WaitId wait) const;
+
+  // A wait whose activation only used up its slice; 0: there is none.
+  WaitId take_slice();
+  bool has_slices() const {
+    return !slices_.empty();
+  }
+
+  // Runs a short body that must not wait.
+  Expected<Value> evaluate(CodeId code, std::vector<Value> arguments,
+                           TopicId topic);
+
+  // What the statements of the activation that ended or waits asked for. Each
+  // is an internal event (engine rule 2); acts hold their turn until taken.
+  std::vector<Step> hand_over();
+
+private:
+  struct Waiting {
+    std::unique_ptr<script::Activation> activation;
+    bool for_user = false;
+    bool yielded = false;    // its slice was used up; it waits for nothing
+    std::vector<Step> later; // what it asked for so far, where it yielded
+  };
+
+  WaitId dispose(std::unique_ptr<script::Activation> activation,
+                 script::RunResult result);
+  void report(const script::ActivationContext& context,
+              const script::RunResult& result);
+
+  Core& core_;
+  Wait expected_;
+  std::vector<Step> later_;
+  std::map<WaitId, Waiting> waiting_;
+  std::deque<WaitId> slices_;
+};
+
+} // namespace parlour::dialogue

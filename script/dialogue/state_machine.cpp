@@ -1,0 +1,103 @@
+#include "script/dialogue/state_machine.hpp"
+
+#include <utility>
+
+#include "script/dialogue/core.hpp"
+
+namespace parlour::dialogue {
+
+namespace {
+
+std::string name_of(const Core& core, StateId state) {
+  return state == script::no_id ? "" : core.program->states[state].name;
+}
+
+Step run(CodeId code, std::vector<Value> arguments = {}) {
+  Step step;
+  step.code = code;
+  step.arguments = std::move(arguments);
+  return step;
+}
+
+} // namespace
+
+void StateMachine::transit(Step step) {
+  std::vector<Step> steps(1);
+  steps[0].kind = StepKind::leave;
+  steps[0].state = core_.states.active();
+  if (step.code != script::no_code)
+    steps.push_back(run(step.code, std::move(step.arguments)));
+  Step enter;
+  enter.kind = StepKind::enter;
+  enter.state = step.state;
+  steps.push_back(std::move(enter));
+  core_.lane.now(std::move(steps));
+}
+
+void StateMachine::leave(const Step& step) {
+  if (step.state == script::no_id)
+    return;
+  if (auto code = core_.program->states[step.state].exit;
+      code != script::no_code)
+    core_.lane.now({run(code)});
+}
+
+void StateMachine::enter(const Step& step) {
+  core_.inspect(InspectionKind::transition,
+                core_.program->states[step.state].name,
+                "from '" + name_of(core_, core_.states.active()) + "'");
+  core_.states.enter(step.state);
+  const auto& state = core_.program->states[step.state];
+  if (state.entrance != script::no_code)
+    core_.lane.now({run(state.entrance)});
+}
+
+void StateMachine::push(const Step& step) {
+  core_.states.push(script::no_id);
+  pushes_.push_back(step.wait);
+  enter(step);
+}
+
+void StateMachine::pop() {
+  if (pushes_.empty())
+    return;
+  Step leave_it;
+  leave_it.kind = StepKind::leave;
+  leave_it.state = core_.states.active();
+  core_.states.pop();
+  Step back;
+  back.kind = StepKind::resume_wait;
+  back.wait = pushes_.back();
+  pushes_.pop_back();
+  if (core_.lane.waits(back.wait)) {
+    core_.lane.now({std::move(leave_it)});
+    core_.lane.wake(back.wait, back);
+  } else { // a handler's
+    core_.lane.now({std::move(leave_it), back});
+  }
+}
+
+void StateMachine::clear_pushed() {
+  pushes_.clear();
+  while (core_.states.pop()) {
+  }
+}
+
+void StateMachine::clear() {
+  clear_pushed();
+  core_.states.enter(script::no_id);
+}
+
+std::vector<Step> StateMachine::exits() const {
+  std::vector<Step> steps;
+  const auto& levels = core_.states.levels();
+  for (auto level = levels.rbegin(); level != levels.rend(); ++level) {
+    Step step;
+    step.kind = StepKind::leave;
+    step.state = *level;
+    steps.push_back(std::move(step));
+  }
+  return steps;
+}
+
+} // namespace parlour::dialogue

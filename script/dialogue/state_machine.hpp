@@ -1,0 +1,32 @@
+// StateMachine: transitions (engine rule 4): Exit, the transit's children,
+// Entrance; push and pop.
+#pragma once
+
+#include "script/dialogue/step.hpp"
+
+namespace parlour::dialogue {
+
+struct Core;
+
+class StateMachine {
+public:
+  explicit StateMachine(Core& core) : core_(core) {}
+
+  void transit(Step step);
+  void leave(const Step& step);
+  void enter(const Step& step);
+  void push(const Step& step);
+  void pop();
+  // Leaves every level without Exit (start over).
+  void clear();
+  // Leaves the pushed levels, whose activations were cancelled.
+  void clear_pushed();
+  // The Exit of every level, innermost first.
+  std::vector<Step> exits() const;
+
+private:
+  Core& core_;
+  std::vector<WaitId> pushes_; // the activations that pushed, innermost last
+};
+
+} // namespace parlour::dialogue

@@ -1,0 +1,83 @@
+// Step: one small piece of the dialogue lane's work (engine rules 2, 4, 5).
+// Plain data, so that a session can be written out between any two steps.
+#pragma once
+
+#include <deque>
+#include <memory>
+#include <vector>
+
+#include "script/dialogue/acts.hpp"
+#include "script/dialogue/frame.hpp"
+#include "script/dialogue/knowledge_query.hpp"
+#include "script/dialogue/output_queue.hpp"
+#include "script/dialogue/turns.hpp"
+#include "script/program.hpp"
+
+namespace parlour::dialogue {
+
+using script::StateId;
+
+// clang-format off
+#define PARLOUR_STEP_KINDS(X) \
+  X(take_act, "an act of the user, to whoever is first in order") \
+  X(offer_act, "the act to the reactions that listen to source Dialogue") \
+  X(topic_act, "the act to the topic engine") \
+  X(conclude, "the utterance is dealt with: what to ask now") \
+  X(activate, "a topic becomes the current one") \
+  X(fill, "the act's slots to the frame's actor") \
+  X(filled, "what became of them: rules, then each slot") \
+  X(rule, "a rule's body, where its condition holds") \
+  X(report, "what became of one slot") \
+  X(settle, "whether the topic is done, must be looked up, or goes on") \
+  X(finish, "a task's <filled> has run: completed, unless redirected") \
+  X(complete, "a topic is completed") \
+  X(look_up, "the topic's next query") \
+  X(looked_up, "its outcome") \
+  X(answer, "an enquiry's <filled> has run: answer if it said nothing") \
+  X(ask, "the question for a slot") \
+  X(ask_next, "the question for what the current topic misses") \
+  X(resume_topic, "back to a suspended topic") \
+  X(cancel_topic, "the user wants out of it") \
+  X(no_match, "nothing was understood") \
+  X(reset, "a topic's slots are emptied by a script") \
+  X(restart, "everything begins again") \
+  X(end, "the session ends") \
+  X(run, "a body of script") \
+  X(resume_wait, "a waiting activation goes on with `data`") \
+  X(transit, "leave the state for another") \
+  X(leave, "the state's Exit") \
+  X(enter, "the state's Entrance") \
+  X(push, "enter a state as a subtask") \
+  X(pop, "come back from it")
+// clang-format on
+
+enum class StepKind : std::uint8_t {
+#define X(name, sentence) name,
+  PARLOUR_STEP_KINDS(X)
+#undef X
+};
+
+using WaitId = std::uint64_t; // 0: none
+
+struct Step {
+  StepKind kind = StepKind::run;
+  TopicId topic = script::no_id;
+  SlotId slot = script::no_id;
+  StateId state = script::no_id;
+  TurnId turn = 0;
+  CodeId code = script::no_code;
+  CodeId condition = script::no_code; // of a rule
+  std::vector<Value> arguments;       // of the code
+  Act act;
+  SlotReport report;
+  std::shared_ptr<const FrameResult> result;
+  std::shared_ptr<KnowledgeQuery> query;
+  Statement statement;
+  OutputAct output = OutputAct::question; // of ask
+  std::uint64_t mark = 0;                 // how many outputs there were before
+  WaitId wait = 0;
+  Expected<Value> data;
+  std::shared_ptr<const Message> message;
+};
+
+} // namespace parlour::dialogue

@@ -1,0 +1,62 @@
+#include "script/dialogue/timers.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace parlour::dialogue {
+
+TimerId Timers::start(Milliseconds after, Timer timer) {
+  timers_.emplace(++last_, std::move(timer));
+  port_->start_timer(last_, after);
+  return last_;
+}
+
+void Timers::cancel(TimerId id) {
+  if (timers_.erase(id) > 0)
+    port_->cancel_timer(id);
+}
+
+template <class Predicate>
+void Timers::cancel_where(Predicate predicate) {
+  std::erase_if(timers_, [&](const auto& entry) {
+    if (!predicate(entry.second))
+      return false;
+    port_->cancel_timer(entry.first);
+    return true;
+  });
+}
+
+void Timers::cancel_named(const std::string& name) {
+  cancel_where([&](const Timer& timer) {
+    return timer.purpose == Timer::Purpose::script && timer.name == name;
+  });
+}
+
+void Timers::cancel_wait(WaitId wait) {
+  cancel_where([&](const Timer& timer) {
+    return timer.purpose == Timer::Purpose::wait && timer.wait == wait;
+  });
+}
+
+std::optional<Timer> Timers::fired(TimerId id) {
+  auto found = timers_.find(id);
+  if (found == timers_.end())
+    return std::nullopt;
+  auto timer = std::move(found->second);
+  timers_.erase(found);
+  if (timer.every.count() > 0)
+    start(timer.every, timer);
+  return timer;
+}
+
+void Timers::cancel_all() {
+  cancel_where([](const Timer&) { return true; });
+}
+
+bool Timers::any(Timer::Purpose purpose) const {
+  return std::any_of(timers_.begin(), timers_.end(), [&](const auto& entry) {
+    return entry.second.purpose == purpose;
+  });
+}
+
+} // namespace parlour::dialogue

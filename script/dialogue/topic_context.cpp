@@ -1,0 +1,52 @@
+// The part of the topic engine that tells others where the conversation is: the
+// classifier, and the understanding with each DoNLU.
+#include <utility>
+
+#include "script/dialogue/core.hpp"
+#include "script/dialogue/topic_engine.hpp"
+
+namespace parlour::dialogue {
+
+ClassifierContext TopicEngine::classifier_context() const {
+  ClassifierContext context;
+  if (asked_ && asked_->heard && asked_->purpose != Asked::For::yes_or_no) {
+    context.asked = asked_->topic;
+    context.asked_slot = asked_->slot;
+  }
+  context.current = core_.order.current().value_or(script::no_id);
+  context.resting =
+      core_.order
+          .resting(core_.now, core_.program->settings.sessions.context_for)
+          .value_or(script::no_id);
+  context.unfinished = core_.order.suspended();
+  context.unregistered = core_.order.unregistered();
+  return context;
+}
+
+Value TopicEngine::understanding_context() const {
+  const auto context = classifier_context();
+  auto name = [&](TopicId topic) {
+    return topic == script::no_id ? Value() : Value(core_.topic(topic).name);
+  };
+  Map result;
+  if (context.asked != script::no_id && context.asked_slot != script::no_id) {
+    const auto& slot = core_.topic(context.asked).slots[context.asked_slot];
+    result.set("asked",
+               Map{{"topic", name(context.asked)}, {"slot", slot.name}});
+    if (!slot.grammar.empty())
+      result.set("grammar", slot.grammar);
+  }
+  result.set("current", name(context.current));
+  result.set("resting", name(context.resting));
+  List unfinished;
+  for (auto topic : context.unfinished)
+    unfinished.push_back(name(topic));
+  result.set("unfinished", unfinished);
+  auto state = core_.states.active();
+  if (state != script::no_id && !core_.program->states[state].grammar.empty())
+    result.set("grammar", core_.program->states[state].grammar);
+  result.set("now", core_.now);
+  return result;
+}
+
+} // namespace parlour::dialogue

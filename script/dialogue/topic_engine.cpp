@@ -1,0 +1,398 @@
+#include "script/dialogue/topic_engine.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "script/dialogue/core.hpp"
+#include "script/dialogue/questions.hpp"
+#include "script/dialogue/steps.hpp"
+
+namespace parlour::dialogue {
+
+namespace {
+
+bool refused_any(const Step& step) {
+  return step.result &&
+         std::any_of(step.result->reports.begin(), step.result->reports.end(),
+                     [](const auto& report) {
+                       return report.outcome == SlotOutcome::refused ||
+                              report.outcome == SlotOutcome::rejected;
+                     });
+}
+
+} // namespace
+
+TopicEngine::TopicEngine(Core& core) : core_(core) {}
+
+void TopicEngine::take(Step step) {
+  switch (step.kind) {
+#define TAKES(kind)                                                            \
+  case StepKind::kind:                                                         \
+    kind(std::move(step));                                                     \
+    return;
+    TAKES(take_act)
+    TAKES(offer_act) TAKES(topic_act) TAKES(no_match) TAKES(conclude)
+        TAKES(activate) TAKES(fill) TAKES(filled) TAKES(rule) TAKES(report)
+            TAKES(settle) TAKES(finish) TAKES(complete) TAKES(reset)
+                TAKES(look_up) TAKES(looked_up) TAKES(answer) TAKES(ask)
+                    TAKES(ask_next) TAKES(resume_topic) TAKES(cancel_topic)
+#undef TAKES
+                        default : return; // another part's
+  }
+}
+
+// -- an act's way (engine rule 2) ---------------------------------------------
+
+void TopicEngine::take_act(Step step) {
+  core_.turns.taken_up(step.turn);
+  core_.turns.let_go(step.turn);
+  no_input_ = 0;
+  consumed_ = false;
+  if (core_.states.pushed() || !answer_to_question(step))
+    core_.lane.now({make_step(StepKind::offer_act, step)});
+}
+
+void TopicEngine::offer_act(Step step) {
+  Message message;
+  message.source = "Dialogue";
+  message.command = name_of(step.act.kind);
+  message.params = {to_value(step.act)};
+  message.time = core_.now;
+  message.session = core_.options.session;
+  auto shared = std::make_shared<const Message>(std::move(message));
+  std::vector<Step> steps;
+  bool captured = false;
+  for (const auto& match :
+       core_.pipeline.matches("Dialogue", shared->command)) {
+    auto run = body_step(match.reaction->body, step.turn);
+    run.message = shared;
+    steps.push_back(std::move(run));
+    captured = captured || match.captures;
+  }
+  auto state = core_.states.active();
+  if (steps.empty() && state != script::no_id &&
+      core_.program->states[state].capture != script::Capture::none) {
+    captured = true; // but the state has no use for it
+    not_understood(step.turn, true);
+  }
+  if (!captured)
+    steps.push_back(make_step(StepKind::topic_act, std::move(step)));
+  core_.lane.now(std::move(steps));
+}
+
+void TopicEngine::topic_act(Step step) {
+  if (std::exchange(consumed_, false) || answer_to_question(step))
+    return;
+  auto& act = step.act;
+  step.topic = core_.program->topic(act.topic);
+  if (step.topic == script::no_id && is_generic(act)) {
+    generic_act(step);
+    return;
+  }
+  if (step.topic == script::no_id || !core_.order.registered(step.topic))
+    step.topic = classify(*core_.program, act, classifier_context());
+  const bool says_nothing =
+      act.topic.empty() && act.slots.empty() && !act.elliptical;
+  if (step.topic == script::no_id || says_nothing) {
+    not_understood(step.turn, true);
+    return;
+  }
+  keep_what_is_asked(act, step.topic);
+  std::vector<Step> steps;
+  begin_topic(step.topic, steps);
+  steps.push_back(make_step(StepKind::fill, step));
+  core_.lane.now(std::move(steps));
+}
+
+// A topic of system initiative takes only the slot asked for (engine rule 5).
+void TopicEngine::keep_what_is_asked(Act& act, TopicId topic) const {
+  if (core_.topic(topic).initiative != script::Initiative::system)
+    return;
+  auto asked = asked_ && asked_->topic == topic ? asked_->slot : script::no_id;
+  std::erase_if(act.slots, [&](const SlotValue& value) {
+    return core_.topic(topic).slot(value.slot) != asked;
+  });
+}
+
+// Whether the act answers the question that waits for one.
+bool TopicEngine::answer_to_question(const Step& step) {
+  const auto kind = step.act.kind;
+  if (!asked_ || !asked_->heard || !step.act.slots.empty() ||
+      (kind != ActKind::confirm && kind != ActKind::deny))
+    return false;
+  const bool yes = kind == ActKind::confirm;
+  const auto asked = *asked_;
+  switch (asked.purpose) {
+  case Asked::For::yes_or_no:
+    asked_.reset();
+    std::erase_if(confirms_, [&](const Asked& confirm) {
+      return confirm.wait == asked.wait;
+    });
+    core_.resume(asked.wait, Value(yes));
+    return true;
+  case Asked::For::confirmation:
+    asked_.reset();
+    confirm_slot(asked.topic, asked.slot, yes, step.turn);
+    return true;
+  case Asked::For::resume:
+    asked_.reset();
+    answer_resume(asked.topic, yes, step.turn);
+    return true;
+  default:
+    return false;
+  }
+}
+
+void TopicEngine::confirm_slot(TopicId topic, SlotId slot, bool yes,
+                               TurnId turn) {
+  FrameChange change;
+  change.kind =
+      yes ? FrameChange::Kind::confirmed : FrameChange::Kind::disconfirmed;
+  change.slot = slot;
+  Step step;
+  step.topic = topic;
+  step.turn = turn;
+  request(std::move(step), {std::move(change)});
+}
+
+void TopicEngine::begin_topic(TopicId topic, std::vector<Step>& steps) {
+  const auto status = core_.frame(topic).status;
+  leave_enquiry(topic);
+  auto left = core_.order.activate(topic);
+  if (left && *left != topic)
+    suspend(*left, steps);
+  if (asked_ && asked_->purpose != Asked::For::yes_or_no)
+    asked_.reset();
+  if (status == TopicStatus::completed || status == TopicStatus::cancelled)
+    change(topic, {.kind = FrameChange::Kind::reset});
+  if (status == TopicStatus::suspended)
+    run_body(core_.topic(topic).resumed, topic, script::no_id, 0, steps);
+  else if (status != TopicStatus::active && status != TopicStatus::resting)
+    run_body(core_.topic(topic).started, topic, script::no_id, 0, steps);
+  if (status != TopicStatus::resting)
+    set_status(topic, TopicStatus::active);
+  begin_needs(topic, steps);
+}
+
+// An enquiry that was not answered yet is not unfinished: it begins anew.
+void TopicEngine::leave_enquiry(TopicId next) {
+  auto current = core_.order.current();
+  if (current && *current != next &&
+      core_.topic(*current).kind == script::TopicKind::enquiry &&
+      core_.frame(*current).status == TopicStatus::active)
+    change(*current, {.kind = FrameChange::Kind::reset});
+}
+
+// `needs`: those topics first, then on with this one (engine rule 5). Topics
+// that need each other do not wait for each other.
+void TopicEngine::begin_needs(TopicId topic, std::vector<Step>& steps) {
+  for (const auto& name : core_.topic(topic).needs) {
+    auto need = core_.program->topic(name);
+    if (need != script::no_id && core_.order.registered(need) &&
+        core_.frame(need).status != TopicStatus::completed &&
+        !needs(need, topic))
+      steps.push_back(topic_step(StepKind::activate, need));
+  }
+}
+
+// Whether it needs the other one, perhaps by way of others.
+bool TopicEngine::needs(TopicId topic, TopicId other) const {
+  std::vector<TopicId> found{topic};
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    if (found[i] == other)
+      return true;
+    for (const auto& name : core_.topic(found[i]).needs)
+      if (auto need = core_.program->topic(name);
+          need != script::no_id &&
+          std::find(found.begin(), found.end(), need) == found.end())
+        found.push_back(need);
+  }
+  return false;
+}
+
+void TopicEngine::suspend(TopicId topic, std::vector<Step>& steps) {
+  core_.mouth.withdraw_questions();
+  set_status(topic, TopicStatus::suspended);
+  run_body(core_.topic(topic).suspended, topic, script::no_id, 0, steps);
+}
+
+void TopicEngine::activate(Step step) {
+  if (step.topic == script::no_id || !core_.order.registered(step.topic))
+    return;
+  std::vector<Step> steps;
+  begin_topic(step.topic, steps);
+  auto settle = topic_step(StepKind::settle, step.topic);
+  settle.turn = step.turn;
+  steps.push_back(std::move(settle));
+  core_.lane.now(std::move(steps));
+}
+
+// -- done, or what next -------------------------------------------------------
+
+void TopicEngine::settle(Step step) {
+  const auto& topic = core_.topic(step.topic);
+  const auto& frame = core_.frame(step.topic);
+  if (topic.kind == script::TopicKind::enquiry) {
+    settle_enquiry(step);
+    return;
+  }
+  if (frame.status != TopicStatus::active || !frame.done ||
+      doubtful(step.topic) != script::no_id)
+    return;
+  std::vector<Step> steps;
+  run_body(topic.filled, step.topic, script::no_id, step.turn, steps);
+  auto finish = make_step(StepKind::finish, step);
+  finish.mark = redirections_;
+  steps.push_back(std::move(finish));
+  core_.lane.now(std::move(steps));
+}
+
+void TopicEngine::settle_enquiry(const Step& step) {
+  auto ask = make_step(StepKind::ask, step);
+  ask.slot = doubtful(step.topic);
+  const bool looked_for = step.result && step.result->query_slot_filled;
+  if (ask.slot == script::no_id && !looked_for)
+    ask.slot = missing(step.topic);
+  if (ask.slot != script::no_id) {
+    set_status(step.topic, TopicStatus::active);
+    if (!asked_ || asked_->topic != step.topic) // by an <ambiguous>
+      core_.lane.now({std::move(ask)});
+  } else if (!looked_for && refused_any(step)) {
+    rest(step.topic); // nothing is left to look for
+  } else if (!core_.topic(step.topic).queries.empty()) {
+    core_.lane.now({make_step(StepKind::look_up, step)});
+  } else {
+    answer_enquiry(step);
+  }
+}
+
+void TopicEngine::answer_enquiry(const Step& step) {
+  std::vector<Step> steps;
+  run_body(core_.topic(step.topic).filled, step.topic, script::no_id, step.turn,
+           steps);
+  auto answer = make_step(StepKind::answer, step);
+  answer.mark = core_.mouth.spoken();
+  steps.push_back(std::move(answer));
+  core_.lane.now(std::move(steps));
+}
+
+// The frame is completed unless its <filled> asked, cleared or left.
+void TopicEngine::finish(Step step) {
+  const auto& frame = core_.frame(step.topic);
+  if (step.mark == redirections_ && frame.done &&
+      frame.status == TopicStatus::active)
+    core_.lane.now({make_step(StepKind::complete, step)});
+}
+
+void TopicEngine::complete(Step step) {
+  set_status(step.topic, TopicStatus::completed);
+  core_.order.completed(step.topic);
+  if (asked_ && asked_->topic == step.topic)
+    asked_.reset();
+  std::vector<Step> steps;
+  run_body(core_.topic(step.topic).completed, step.topic, script::no_id,
+           step.turn, steps);
+  if (auto next = needed_by(step.topic); next != script::no_id)
+    steps.push_back(topic_step(StepKind::activate, next));
+  core_.lane.now(std::move(steps));
+}
+
+// The suspended topic that waited for this one to be completed.
+TopicId TopicEngine::needed_by(TopicId topic) const {
+  const auto& name = core_.topic(topic).name;
+  for (auto other : core_.order.suspended()) {
+    const auto& needs = core_.topic(other).needs;
+    if (std::find(needs.begin(), needs.end(), name) != needs.end())
+      return other;
+  }
+  return script::no_id;
+}
+
+void TopicEngine::cancel_topic(Step step) {
+  core_.mouth.withdraw_questions();
+  change(step.topic, {.kind = FrameChange::Kind::reset});
+  set_status(step.topic, TopicStatus::cancelled);
+  core_.order.completed(step.topic);
+  asked_.reset();
+  say("cancelled", step.topic, script::no_id, {}, step.turn);
+  std::vector<Step> steps;
+  run_body(core_.topic(step.topic).cancelled, step.topic, script::no_id,
+           step.turn, steps);
+  core_.lane.now(std::move(steps));
+}
+
+// -- small things -------------------------------------------------------------
+
+void TopicEngine::change(TopicId topic, FrameChange change) {
+  auto result = core_.frames.change(topic, std::move(change), core_.now);
+  for (const auto& report : result.reports)
+    inspect_report(topic, report);
+}
+
+void TopicEngine::reset(Step step) {
+  change(step.topic, {.kind = FrameChange::Kind::reset});
+}
+
+void TopicEngine::set_status(TopicId topic, TopicStatus status) {
+  if (core_.frame(topic).status == status)
+    return;
+  FrameChange to;
+  to.kind = FrameChange::Kind::status;
+  to.status = status;
+  change(topic, std::move(to));
+  core_.inspect(InspectionKind::topic, core_.topic(topic).name,
+                std::string(name_of(status)));
+}
+
+void TopicEngine::say(const char* act, TopicId topic, SlotId slot, Value data,
+                      TurnId turn) {
+  Say what;
+  what.act = act;
+  what.topic = topic;
+  what.slot = slot;
+  what.data = with_marks(topic, std::move(data));
+  what.turn = turn;
+  core_.mouth.say(std::move(what));
+}
+
+// Values to be echoed in what is said of their topic (grounding: implicit).
+Value TopicEngine::with_marks(TopicId topic, Value data) const {
+  if (topic == script::no_id)
+    return data;
+  const auto& slots = core_.topic(topic).slots;
+  Map marked;
+  for (SlotId slot = 0; slot < slots.size(); ++slot)
+    if (const auto& state = core_.frame(topic).slots[slot]; state.implicit)
+      marked.set(slots[slot].name, state.value);
+  if (marked.empty())
+    return data;
+  auto map = data.if_map() ? *data.if_map() : Map();
+  map.set("implicit", std::move(marked));
+  return map;
+}
+
+void TopicEngine::run_body(CodeId code, TopicId topic, SlotId slot, TurnId turn,
+                           std::vector<Step>& steps) const {
+  if (code == script::no_code)
+    return;
+  auto step = body_step(code, turn);
+  step.topic = topic;
+  step.slot = slot;
+  steps.push_back(std::move(step));
+}
+
+SlotId TopicEngine::missing(TopicId topic) const {
+  return missing_slot(core_.topic(topic), core_.frame(topic));
+}
+
+// The first slot that waits for a yes or a choice.
+SlotId TopicEngine::doubtful(TopicId topic) const {
+  const auto& slots = core_.frame(topic).slots;
+  for (SlotId slot = 0; slot < slots.size(); ++slot)
+    if (slots[slot].status == SlotStatus::unconfirmed ||
+        slots[slot].status == SlotStatus::ambiguous)
+      return slot;
+  return script::no_id;
+}
+
+} // namespace parlour::dialogue

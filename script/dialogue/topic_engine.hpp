@@ -1,0 +1,194 @@
+// TopicEngine: the paper's frame manager and topic engine at work (engine
+// rule 5): acts to topics, filling events, what a filled slot or frame leads
+// to, which question comes next, and what happens when nobody says anything.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "script/dialogue/classifier.hpp"
+#include "script/dialogue/port.hpp"
+#include "script/dialogue/step.hpp"
+
+namespace parlour::dialogue {
+
+struct Core;
+
+class TopicEngine {
+public:
+  explicit TopicEngine(Core& core);
+
+  // A step that belongs to topics; it may put further ones in front.
+  void take(Step step);
+  void restart();
+
+  // Silence has lasted: the next question, resume or reprompt.
+  void silence();
+  // How long silence must last now; nothing where it leads nowhere.
+  std::optional<Milliseconds> silence_wanted() const;
+
+  void released(const Output& output);
+  void withdrawn(const Output& output);
+  void unspoken(OutputId output); // no words were found for it
+  // A <confirm>'s question, for the wait of its activation.
+  void confirm(std::string question, TopicId topic, WaitId wait, TurnId turn);
+  // All waits in the dialogue lane, and all <confirm>s, are being ended.
+  void forget_waits();
+  // <consume/> in a reaction to an act.
+  void consume() {
+    consumed_ = true;
+  }
+  bool consumed() const {
+    return consumed_;
+  }
+  // A script's clear, ask or transit: the frame is not completed after all.
+  void redirect() {
+    ++redirections_;
+  }
+
+  bool awaiting_frame() const {
+    return awaiting_.has_value();
+  }
+  // The session ends: the frame's answer is wanted no more.
+  void forget_frame() {
+    awaiting_.reset();
+  }
+  void frame_applied(FrameResult result);
+  bool query_answered(QueryId id, Expected<ResultSet>& outcome);
+  bool waits_for_answer() const {
+    return query_.has_value();
+  }
+
+  // The context of DoNLU (runtime/base/understanding.hpp).
+  Value understanding_context() const;
+  void change(TopicId topic, FrameChange change);
+
+private:
+  // The question that waits for the user's answer.
+  struct Asked {
+    enum class For : std::uint8_t {
+      value,        // of a slot
+      confirmation, // of a slot's value
+      choice,       // between candidates
+      yes_or_no,    // a script's <confirm>
+      resume,       // whether to go on with a topic
+    };
+    For purpose = For::value;
+    TopicId topic = script::no_id;
+    SlotId slot = script::no_id;
+    WaitId wait = 0;      // yes_or_no: the <confirm>'s activation
+    std::string question; // yes_or_no: to ask it again
+    OutputId output = 0;
+    bool pending = true; // still in the output queue
+    bool heard = false;  // released; with neither, it was withdrawn
+  };
+  struct Query {
+    QueryId id = 0;
+    Step step;
+  };
+
+  // The steps.
+  void take_act(Step step);
+  void offer_act(Step step);
+  void topic_act(Step step);
+  void no_match(Step step);
+  void conclude(Step step);
+  void activate(Step step);
+  void fill(Step step);
+  void filled(Step step);
+  void rule(Step step);
+  void report(Step step);
+  void settle(Step step);
+  void finish(Step step);
+  void complete(Step step);
+  void reset(Step step);
+  void look_up(Step step);
+  void looked_up(Step step);
+  void answer(Step step);
+  void ask(Step step);
+  void ask_next(Step step);
+  void resume_topic(Step step);
+  void cancel_topic(Step step);
+
+  // Acts.
+  // Nothing was understood: counts on the question that was asked, which
+  // comes again; without one an apology, unless somebody else made it.
+  void not_understood(TurnId turn, bool apologise);
+  bool is_generic(const Act& act) const;
+  void generic_act(const Step& step);
+  bool answer_to_question(const Step& step);
+  void confirm_slot(TopicId topic, SlotId slot, bool yes, TurnId turn);
+  void keep_what_is_asked(Act& act, TopicId topic) const;
+  void help(TurnId turn);
+  void cancel(TurnId turn);
+
+  // Topics.
+  void begin_topic(TopicId topic, std::vector<Step>& steps);
+  void begin_needs(TopicId topic, std::vector<Step>& steps);
+  void suspend(TopicId topic, std::vector<Step>& steps);
+  void take_up(TopicId topic);
+  void answer_resume(TopicId topic, bool yes, TurnId turn);
+  void rest(TopicId topic);
+  void set_status(TopicId topic, TopicStatus status);
+  bool needs(TopicId topic, TopicId other) const;
+  TopicId needed_by(TopicId topic) const;
+  void leave_enquiry(TopicId next);
+  List unfinished_names() const;
+
+  // Frames.
+  void request(Step step, std::vector<FrameChange> changes);
+  std::vector<FrameChange> changes_of(const Step& step) const;
+  FrameChange inherit(const Step& step) const;
+  void inspect_report(TopicId topic, const SlotReport& report);
+  void settle_enquiry(const Step& step);
+  void answer_enquiry(const Step& step);
+  void look_up_facts(Step step);
+  SlotId missing(TopicId topic) const;
+  SlotId doubtful(TopicId topic) const;
+
+  // Questions.
+  // What silence leads to.
+  enum class Due : std::uint8_t {
+    nothing,
+    reprompt,     // the question that was heard
+    again,        // the one that was withdrawn
+    confirmation, // a <confirm>'s, that others were put in front of
+    question,     // the current topic's next
+    topic,        // another topic
+  };
+  Due due() const;
+  SlotId to_ask(TopicId topic) const;
+  bool waits_for_user() const;
+  void ask_again();
+  void unmark(TopicId topic);
+  void ask_slot(TopicId topic, SlotId slot, OutputAct as, TurnId turn);
+  void ask_confirmation(TopicId topic, SlotId slot, TurnId turn);
+  void ask_choice(TopicId topic, SlotId slot, TurnId turn, bool aloud);
+  void put(Asked asked, const char* act, Value data, std::string text,
+           OutputAct as, TurnId turn);
+  void reprompt(TurnId turn, bool heard_something);
+  void climb(TopicId topic, SlotId slot, std::uint32_t times, TurnId turn);
+  void repeat_question(TurnId turn);
+  Value choices_of(TopicId topic, SlotId slot);
+  std::string text_of(CodeId code, TopicId topic);
+  void say(const char* act, TopicId topic, SlotId slot, Value data,
+           TurnId turn);
+  Value with_marks(TopicId topic, Value data) const;
+  void say_text(std::string text, TurnId turn);
+
+  ClassifierContext classifier_context() const;
+  void run_body(CodeId code, TopicId topic, SlotId slot, TurnId turn,
+                std::vector<Step>& steps) const;
+
+  Core& core_;
+  std::optional<Asked> asked_;
+  std::optional<Step> awaiting_; // for the frame's actor
+  std::optional<Query> query_;
+  std::uint64_t redirections_ = 0;
+  std::vector<Asked> confirms_; // <confirm>s that wait, innermost last
+  int no_input_ = 0;            // unanswered questions in a row
+  bool consumed_ = false;
+};
+
+} // namespace parlour::dialogue

@@ -1,0 +1,162 @@
+// The part of the topic engine for a filling event (engine rule 5): an act's
+// slots go to the frame's actor; what became of them leads to rules and to the
+// slots' own actions.
+#include <algorithm>
+#include <utility>
+
+#include "script/dialogue/core.hpp"
+#include "script/dialogue/steps.hpp"
+
+namespace parlour::dialogue {
+
+namespace {
+
+Map data_of(std::initializer_list<Map::Entry> entries) {
+  return Map(entries);
+}
+
+} // namespace
+
+void TopicEngine::fill(Step step) {
+  auto changes = changes_of(step);
+  request(std::move(step), std::move(changes));
+}
+
+void TopicEngine::request(Step step, std::vector<FrameChange> changes) {
+  auto request =
+      core_.frames.request(step.topic, std::move(changes), core_.now);
+  auto topic = step.topic;
+  awaiting_ = std::move(step);
+  core_.port.apply(topic, std::move(request));
+}
+
+std::vector<FrameChange> TopicEngine::changes_of(const Step& step) const {
+  std::vector<FrameChange> changes;
+  const auto& topic = core_.topic(step.topic);
+  if (topic.kind == script::TopicKind::enquiry)
+    changes.push_back(inherit(step));
+  for (const auto& value : step.act.slots) {
+    FrameChange change;
+    change.slot = topic.slot(value.slot);
+    if (change.slot == script::no_id)
+      continue;
+    using Kind = FrameChange::Kind;
+    change.kind = step.act.kind == ActKind::correct ? Kind::correct
+                  : step.act.kind == ActKind::deny  ? Kind::deny
+                                                    : Kind::fill;
+    change.value = value.value;
+    change.confidence = value.confidence;
+    change.text = value.text;
+    change.candidates = value.candidates;
+    change.unmatched = value.unmatched;
+    changes.push_back(std::move(change));
+  }
+  return changes;
+}
+
+// What an enquiry keeps of its last answer: an elliptical turn all but what
+// that answer relaxed, a full request nothing (engine rule 6).
+FrameChange TopicEngine::inherit(const Step& step) const {
+  FrameChange change;
+  change.kind = FrameChange::Kind::inherit;
+  const auto& frame = core_.frame(step.topic);
+  const auto& slots = core_.topic(step.topic).slots;
+  const bool resting =
+      core_.order.resting(core_.now,
+                          core_.program->settings.sessions.context_for) ==
+      step.topic;
+  const bool keeps =
+      frame.status == TopicStatus::active || (resting && step.act.elliptical);
+  for (SlotId slot = 0; keeps && slot < slots.size(); ++slot)
+    if (std::find(frame.relaxed.begin(), frame.relaxed.end(),
+                  slots[slot].name) == frame.relaxed.end())
+      change.keep.push_back(slot);
+  return change;
+}
+
+void TopicEngine::frame_applied(FrameResult result) {
+  core_.frames.store(result.frame);
+  auto step = std::move(*awaiting_);
+  awaiting_.reset();
+  step.kind = StepKind::filled;
+  step.result = std::make_shared<const FrameResult>(std::move(result));
+  core_.lane.now({std::move(step)});
+}
+
+void TopicEngine::filled(Step step) {
+  const auto& topic = core_.topic(step.topic);
+  std::vector<Step> steps;
+  for (const auto& rule : topic.rules) {
+    auto check = make_step(StepKind::rule, step);
+    check.code = rule.body;
+    check.condition = rule.condition;
+    steps.push_back(std::move(check));
+  }
+  for (const auto& report : step.result->reports) {
+    inspect_report(step.topic, report);
+    auto next = make_step(StepKind::report, step);
+    next.report = report;
+    next.slot = report.slot;
+    steps.push_back(std::move(next));
+  }
+  steps.push_back(make_step(StepKind::settle, step));
+  core_.lane.now(std::move(steps));
+}
+
+void TopicEngine::inspect_report(TopicId topic, const SlotReport& report) {
+  if (!core_.port.inspected())
+    return;
+  const auto& slot = core_.topic(topic).slots[report.slot];
+  auto value = slot.is_private
+                   ? std::string("***")
+                   : to_string(core_.frame(topic).slots[report.slot].value);
+  core_.inspect(InspectionKind::slot, core_.topic(topic).name + "." + slot.name,
+                value + " (" + std::string(name_of(report.outcome)) + ")");
+}
+
+void TopicEngine::rule(Step step) {
+  auto holds = core_.runner.evaluate(step.condition, {}, step.topic);
+  if (!holds) {
+    core_.inspect(InspectionKind::error, core_.topic(step.topic).name,
+                  to_string(holds.error()));
+    return;
+  }
+  std::vector<Step> steps;
+  if (*holds)
+    run_body(step.code, step.topic, script::no_id, step.turn, steps);
+  core_.lane.now(std::move(steps));
+}
+
+void TopicEngine::report(Step step) {
+  const auto& slot = core_.topic(step.topic).slots[step.slot];
+  const auto& report = step.report;
+  std::vector<Step> steps;
+  switch (report.outcome) {
+  case SlotOutcome::accepted:
+  case SlotOutcome::corrected:
+    run_body(slot.filled, step.topic, step.slot, step.turn, steps);
+    break;
+  case SlotOutcome::refused:
+    if (slot.invalid != script::no_code)
+      run_body(slot.invalid, step.topic, step.slot, step.turn, steps);
+    else
+      say("invalid", step.topic, step.slot,
+          data_of({{"value", report.offered}, {"reason", report.reason}}),
+          step.turn);
+    break;
+  case SlotOutcome::ambiguous:
+    if (slot.ambiguous != script::no_code) {
+      run_body(slot.ambiguous, step.topic, step.slot, step.turn, steps);
+      ask_choice(step.topic, step.slot, step.turn, false);
+    }
+    break;
+  case SlotOutcome::unconfirmed: // asked when all else is done
+  case SlotOutcome::rejected:
+  case SlotOutcome::cleared:
+  case SlotOutcome::unchanged:
+    break;
+  }
+  core_.lane.now(std::move(steps));
+}
+
+} // namespace parlour::dialogue

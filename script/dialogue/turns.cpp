@@ -1,0 +1,109 @@
+#include "script/dialogue/turns.hpp"
+
+#include <algorithm>
+
+namespace parlour::dialogue {
+
+namespace {
+
+// Answers that come later than this many questions are strangers.
+constexpr std::size_t remembered_questions = 256;
+
+} // namespace
+
+TurnId Turns::begin() {
+  turns_.emplace(++last_, Turn{});
+  return last_;
+}
+
+void Turns::hold(TurnId turn) {
+  if (auto found = turns_.find(turn); found != turns_.end())
+    ++found->second.holders;
+}
+
+void Turns::let_go(TurnId turn) {
+  if (auto found = turns_.find(turn); found != turns_.end()) {
+    --found->second.holders;
+    close_if_idle(turn);
+  }
+}
+
+void Turns::asked(Correlation correlation, TurnId turn, Timestamp until) {
+  if (turns_.count(turn) == 0)
+    return;
+  questions_[correlation] = Question{turn, until, true};
+  if (questions_.size() <= remembered_questions)
+    return;
+  const auto oldest = questions_.begin()->second.turn;
+  questions_.erase(questions_.begin());
+  close_if_idle(oldest);
+}
+
+TurnId Turns::of(Correlation correlation) const {
+  auto found = questions_.find(correlation);
+  return found == questions_.end() ? 0 : found->second.turn;
+}
+
+void Turns::answered(Correlation correlation) {
+  auto found = questions_.find(correlation);
+  if (found == questions_.end() || !found->second.open)
+    return;
+  found->second.open = false;
+  close_if_idle(found->second.turn);
+}
+
+void Turns::taken_up(TurnId turn) {
+  if (auto found = turns_.find(turn); found != turns_.end()) {
+    found->second.taken = true;
+    close_if_idle(turn);
+  }
+}
+
+void Turns::expire(Timestamp now) {
+  for (auto& [correlation, question] : questions_)
+    if (question.open && question.until <= now) {
+      question.open = false;
+      close_if_idle(question.turn);
+    }
+}
+
+bool Turns::any_open(Timestamp now) const {
+  return std::any_of(turns_.begin(), turns_.end(), [&](const auto& entry) {
+    const auto& [id, turn] = entry;
+    return !turn.taken && (turn.holders > 0 || asked_until(id, now) > now);
+  });
+}
+
+std::optional<Timestamp> Turns::open_until(Timestamp now) const {
+  Timestamp latest = 0;
+  for (const auto& [id, turn] : turns_) {
+    if (turn.taken)
+      continue;
+    if (turn.holders > 0)
+      return std::nullopt;
+    latest = std::max(latest, asked_until(id, now));
+  }
+  return latest > now ? std::optional(latest) : std::nullopt;
+}
+
+Timestamp Turns::asked_until(TurnId turn, Timestamp now) const {
+  Timestamp latest = 0;
+  for (const auto& [correlation, question] : questions_)
+    if (question.open && question.turn == turn && question.until > now)
+      latest = std::max(latest, question.until);
+  return latest;
+}
+
+void Turns::close_if_idle(TurnId turn) {
+  auto found = turns_.find(turn);
+  if (found == turns_.end() || found->second.holders > 0)
+    return;
+  auto asked =
+      std::any_of(questions_.begin(), questions_.end(), [&](const auto& entry) {
+        return entry.second.open && entry.second.turn == turn;
+      });
+  if (!asked)
+    turns_.erase(found);
+}
+
+} // namespace parlour::dialogue

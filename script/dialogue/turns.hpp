@@ -1,0 +1,69 @@
+// Turns: which user turns have begun and are not yet taken up by the dialogue
+// (engine rule 3: a question waits for nobody who is already talking). A turn
+// begins when a recogniser's result, or a typed line, enters the session; it
+// stays open while a message of it is queued, a component is asked on its
+// behalf, or a script works for it.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+
+#include "runtime/base/clock.hpp"
+#include "runtime/base/message.hpp"
+
+namespace parlour::dialogue {
+
+using TurnId = std::uint64_t; // 0: none
+
+class Turns {
+public:
+  TurnId begin();
+
+  // Something works for the turn; nothing happens for turn 0.
+  void hold(TurnId turn);
+  void let_go(TurnId turn);
+
+  // A component was asked on the turn's behalf; its first answer, or the
+  // timeout, ends that.
+  void asked(Correlation correlation, TurnId turn, Timestamp until);
+  // The turn that an answer belongs to; 0 where it answers nothing we know.
+  TurnId of(Correlation correlation) const;
+  void answered(Correlation correlation);
+
+  // The dialogue took up what the turn said.
+  void taken_up(TurnId turn);
+
+  // Forgets questions whose time is over, and turns that hang on nothing else.
+  void expire(Timestamp now);
+
+  // Whether some turn is open.
+  bool any_open(Timestamp now) const;
+  // When the last of the open turns is given up if no component answers;
+  // nothing where none is open, or something still works for one.
+  std::optional<Timestamp> open_until(Timestamp now) const;
+  std::size_t count() const { // turns that are remembered
+    return turns_.size();
+  }
+
+private:
+  struct Turn {
+    int holders = 0;
+    bool taken = false;
+  };
+  struct Question {
+    TurnId turn = 0;
+    Timestamp until = 0;
+    bool open = true;
+  };
+
+  // The latest time until which a component is waited for; 0: none.
+  Timestamp asked_until(TurnId turn, Timestamp now) const;
+  void close_if_idle(TurnId turn);
+
+  std::map<TurnId, Turn> turns_;
+  std::map<Correlation, Question> questions_;
+  TurnId last_ = 0;
+};
+
+} // namespace parlour::dialogue

@@ -1,0 +1,260 @@
+#include "tests/script/dialogue/conversation_world.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "runtime/base/roles.hpp"
+#include "script/compiler.hpp"
+#include "script/dialogue/frame_evaluator.hpp"
+
+namespace parlour::dialogue {
+
+namespace {
+
+// Steps after which a world that should be quiet is called endless.
+constexpr std::size_t endless = 20'000;
+
+constexpr const char* pipeline = R"(
+  <handler name="Pipeline"><messages><component>
+    <ASR><RecognitionResult><fire param="_LPARAM1"/></RecognitionResult></ASR>
+  </component></messages></handler>)";
+
+// "[answer Facility {rows: …}]": which phrase, with what.
+class Phrases : public PhraseEvaluator {
+public:
+  std::optional<std::string> render(const Value& say) const override {
+    auto text = "[" + say["act"].text();
+    if (!say["topic"].is_unknown())
+      text += " " + say["topic"].text();
+    if (!say["slot"].is_unknown())
+      text += "." + say["slot"].text();
+    if (say["data"])
+      text += " " + to_string(say["data"]);
+    return text + "]";
+  }
+};
+
+std::shared_ptr<const script::Program>
+compile(const test::TemporaryFolder& folder, const std::string& script,
+        const WorldOptions& options) {
+  folder.write("settings.xml", "<settings name=\"test\" start=\"" +
+                                   options.start + "\"><Plugins/>" +
+                                   "<Scripts><Script>test.xml</Script>" +
+                                   "</Scripts><sessions " + options.sessions +
+                                   "/>" + options.settings + "</settings>");
+  folder.write("test.xml", "<dialogue>" + script + pipeline + "</dialogue>");
+  script::CompileOptions compile_options;
+  compile_options.platform = PARLOUR_SOURCE_DIR "/config/platform";
+  auto compiled = script::compile_application(folder.path(), compile_options);
+  std::string problems;
+  for (const auto& finding : compiled.findings.all())
+    problems += script::to_string(finding) + "\n";
+  if (!compiled.program)
+    throw std::runtime_error(problems);
+  return compiled.program;
+}
+
+} // namespace
+
+Value act(const char* kind, Value topic, Map slots) {
+  return Map{{"act", kind}, {"topic", std::move(topic)}, {"slots", slots}};
+}
+
+Value inform(Value topic, Map slots) {
+  return act("inform", std::move(topic), std::move(slots));
+}
+
+Value slot_value(Value value, double confidence) {
+  return Map{{"value", std::move(value)}, {"confidence", confidence}};
+}
+
+ResultSet rows(std::vector<std::string> columns, List cells) {
+  return {std::move(columns), std::move(cells)};
+}
+
+World::World(const std::string& script, const WorldOptions& options)
+    : now(parse_timestamp("2026-11-21 09:00").value()),
+      components{{"Keyboard", {"ASR"}}, {"SQLite", {"Database"}}} {
+  program = compile(folder_, script, options);
+  Conversation::Options wanted;
+  wanted.session = "s1";
+  wanted.seed = options.seed;
+  wanted.phrases = std::make_shared<Phrases>();
+  conversation = std::make_unique<Conversation>(program, wanted, *this);
+  if (options.open)
+    open();
+}
+
+World::~World() = default;
+
+void World::open() {
+  conversation->open(now);
+  run();
+}
+
+void World::say(Value acts) {
+  queue(std::move(acts));
+  run();
+}
+
+void World::say(const char* generic_act) {
+  say(act(generic_act));
+}
+
+void World::queue(Value acts) {
+  Message message;
+  message.source = "Keyboard";
+  message.command = "RecognitionResult";
+  message.params = {std::move(acts), 1};
+  message.session = "s1";
+  conversation->receive(std::move(message));
+}
+
+void World::event(std::string source, std::string command,
+                  std::vector<Value> params, Correlation correlation) {
+  Message message;
+  message.source = std::move(source);
+  message.command = std::move(command);
+  message.params = std::move(params);
+  message.session = "s1";
+  message.correlation = correlation;
+  conversation->receive(std::move(message));
+  run();
+}
+
+// In the order in which the session's actor would hear of it.
+bool World::move() {
+  if (conversation->ended())
+    return false;
+  if (applied_) {
+    conversation->frame_applied(*std::exchange(applied_, {}), now);
+    return true;
+  }
+  if (!hold_outputs && !playing.empty()) {
+    auto id = playing.front();
+    playing.pop_front();
+    conversation->output_finished(id, true, now);
+    return true;
+  }
+  if (conversation->has_work()) {
+    conversation->step(now);
+    return true;
+  }
+  if (!hold_queries && !queries.empty()) {
+    auto request = std::move(queries.front());
+    queries.pop_front();
+    auto outcome = database ? database(request) : ResultSet{};
+    conversation->query_answered(request.id, std::move(outcome), now);
+    return true;
+  }
+  return false;
+}
+
+void World::run() {
+  for (std::size_t moves = 0; move(); ++moves, ++steps)
+    if (moves > endless)
+      throw std::runtime_error("the world does not come to rest");
+}
+
+void World::advance(Milliseconds time) {
+  const auto end = now + time.count();
+  run();
+  for (std::size_t rings = 0; !conversation->ended(); ++rings) {
+    auto next = std::min_element(
+        timers_.begin(), timers_.end(),
+        [](const auto& a, const auto& b) { return a.second < b.second; });
+    if (next == timers_.end() || next->second > end)
+      break;
+    if (rings > endless)
+      throw std::runtime_error("timers ring without end");
+    const auto id = next->first;
+    now = std::max(now, next->second);
+    timers_.erase(next);
+    conversation->timer_fired(id, now);
+    run();
+  }
+  now = end;
+}
+
+Texts World::said() {
+  return std::exchange(said_, {});
+}
+
+Texts World::posted() {
+  Texts texts;
+  for (; posted_ < messages.size(); ++posted_) {
+    const auto& message = messages[posted_];
+    auto text = message.sinks.front() + "." + message.command + "(";
+    for (std::size_t i = 0; i < message.params.size(); ++i)
+      text += (i > 0 ? ", " : "") + to_string(message.params[i]);
+    texts.push_back(text + ")");
+  }
+  return texts;
+}
+
+Texts World::seen(InspectionKind kind) const {
+  Texts texts;
+  for (const auto& inspection : seen_)
+    if (inspection.kind == kind)
+      texts.push_back(inspection.subject + ": " + inspection.detail);
+  return texts;
+}
+
+std::vector<Message> World::post(Message message) {
+  messages.push_back(message);
+  return answers ? answers(message) : std::vector<Message>{};
+}
+
+bool World::reachable(const std::string& module) const {
+  return std::any_of(
+      components.begin(), components.end(),
+      [&](const auto& entry) { return is_source(module, entry.first); });
+}
+
+bool World::is_source(const std::string& module,
+                      const std::string& source) const {
+  if (module == source)
+    return true;
+  auto found = components.find(source);
+  return found != components.end() &&
+         found->second.contains(std::string(canonical_role(module)));
+}
+
+void World::release(const Output& output) {
+  said_.push_back(output.text);
+  playing.push_back(output.id);
+}
+
+void World::start_timer(TimerId id, Milliseconds after) {
+  timers_[id] = now + after.count();
+}
+
+void World::cancel_timer(TimerId id) {
+  timers_.erase(id);
+}
+
+void World::query(QueryRequest request) {
+  queries.push_back(std::move(request));
+}
+
+void World::apply(TopicId topic, FrameRequest request) {
+  auto& frame = frames_[topic];
+  if (request.start)
+    frame = request.start;
+  auto result = dialogue::apply(
+      *program, *frame, request,
+      make_frame_evaluator(program, request.variables, request.now));
+  frame = result.frame;
+  applied_ = std::move(result);
+}
+
+void World::inspect(Inspection inspection) {
+  seen_.push_back(std::move(inspection));
+}
+
+void World::ended() {
+  has_ended = true;
+}
+
+} // namespace parlour::dialogue

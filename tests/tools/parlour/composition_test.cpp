@@ -1,0 +1,92 @@
+#include <set>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tools/parlour/composition.hpp"
+
+namespace parlour::tools {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+Settings settings_with(std::vector<ComponentSettings> components) {
+  Settings settings;
+  settings.components = std::move(components);
+  return settings;
+}
+
+ComponentSettings component(std::string plugin, Options options = {}) {
+  return {plugin, plugin, std::move(options), {"settings.xml", 3, 5}};
+}
+
+std::vector<std::string> findings_of(ComponentSettings asked) {
+  std::vector<std::string> texts;
+  for (const auto& finding : compose(settings_with({asked})).findings)
+    texts.push_back(script::to_string(finding));
+  return texts;
+}
+
+TEST(Composition, knows_plugins_by_one_name_each) {
+  std::set<std::string> names;
+  for (const auto& plugin : built_in_plugins()) {
+    EXPECT_TRUE(names.insert(plugin.description.name).second);
+    EXPECT_TRUE(plugin.create()) << plugin.description.name;
+  }
+  EXPECT_TRUE(names.count("SQLiteDatabase"));
+  EXPECT_TRUE(names.count("PhraseNLG"));
+  EXPECT_EQ(find_plugin("Nothing"), nullptr);
+}
+
+TEST(Composition, chooses_what_the_settings_name_in_their_order) {
+  const auto made = compose(
+      settings_with({component("LogTaxi"), component("SQLiteDatabase")}));
+  EXPECT_THAT(made.findings, IsEmpty());
+  ASSERT_EQ(made.components.size(), 2u);
+  EXPECT_EQ(made.components[0].factory.description.name, "LogTaxi");
+  EXPECT_EQ(first_of_role(made, "Database")->name, "SQLiteDatabase");
+  EXPECT_EQ(first_of_role(made, "ASR"), nullptr);
+}
+
+TEST(Composition, keeps_instances_of_one_plugin_apart) {
+  const auto made = compose(settings_with(
+      {{"Front", "LogTaxi", {}, {}}, {"Back", "LogTaxi", {}, {}}}));
+  ASSERT_EQ(made.components.size(), 2u);
+  EXPECT_EQ(made.components[1].name, "Back");
+}
+
+TEST(Composition, names_the_nearest_plugin) {
+  EXPECT_THAT(findings_of(component("SQLiteDatabse")),
+              ElementsAre("settings.xml:3:5: error: there is no plug-in "
+                          "'SQLiteDatabse', did you mean 'SQLiteDatabase'?"));
+}
+
+TEST(Composition, names_the_nearest_option) {
+  EXPECT_THAT(findings_of(component("SQLiteDatabase", {{"fil", "x.db"}})),
+              ElementsAre("settings.xml:3:5: error: SQLiteDatabase: "
+                          "SQLiteDatabase has no option 'fil', did you mean "
+                          "'file'?"));
+}
+
+TEST(Composition, misses_options_that_are_required) {
+  PluginFactory factory;
+  factory.description.name = "Needy";
+  factory.description.options = {{"place", "", "where it is", true}};
+  const auto made = compose(settings_with({component("Needy")}), {factory});
+  ASSERT_EQ(made.findings.size(), 1u);
+  EXPECT_EQ(made.findings[0].message,
+            "Needy: the option 'place' is missing: where it is");
+}
+
+TEST(Composition, runs_without_the_voice_that_it_does_not_have) {
+  const auto made = compose(settings_with({component("ESpeakTTS")}));
+  EXPECT_THAT(made.findings, IsEmpty());
+  EXPECT_THAT(made.components, IsEmpty());
+  EXPECT_THAT(made.notices,
+              ElementsAre("ESpeakTTS is not available in this build: text is "
+                          "shown instead of spoken"));
+}
+
+} // namespace
+} // namespace parlour::tools

@@ -1,0 +1,89 @@
+#include "tools/parlour/application.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <tuple>
+
+#include "tools/parlour/resource_check.hpp"
+
+namespace parlour::tools {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string environment_value(const std::string& name) {
+  const auto* value = std::getenv(name.c_str());
+  return value ? value : "";
+}
+
+script::CompileOptions compile_options(const fs::path& platform) {
+  return {platform, environment_value};
+}
+
+bool is_database(const ChosenComponent& component) {
+  return component.factory.description.name == "SQLiteDatabase";
+}
+
+// A plug-in that reads the platform's files is told where they are.
+void tell_platform(Composition& composition, const fs::path& platform) {
+  for (auto& component : composition.components)
+    for (const auto& option : component.factory.description.options)
+      if (option.name == "platform")
+        component.options.emplace("platform", platform.string());
+}
+
+void sort(std::vector<script::Finding>& findings) {
+  std::stable_sort(
+      findings.begin(), findings.end(), [](const auto& a, const auto& b) {
+        return std::tie(a.place.file, a.place.line, a.place.column) <
+               std::tie(b.place.file, b.place.line, b.place.column);
+      });
+}
+
+} // namespace
+
+bool Application::has_errors() const {
+  return std::any_of(findings.begin(), findings.end(), [](const auto& finding) {
+    return finding.severity == script::Severity::error;
+  });
+}
+
+Application load_application(const fs::path& folder, const fs::path& platform) {
+  Application application{folder, platform, nullptr, {}, {}};
+  const auto compiled = compile_folder(folder, platform);
+  application.program = compiled.program;
+  application.findings = compiled.findings.all();
+  if (!application.program)
+    return application;
+  application.composition = compose(application.program->settings);
+  tell_platform(application.composition, platform);
+  auto& findings = application.findings;
+  const auto& chosen = application.composition.findings;
+  findings.insert(findings.end(), chosen.begin(), chosen.end());
+  if (!application.has_errors())
+    check_resources(application);
+  sort(findings);
+  if (application.has_errors())
+    application.program = nullptr;
+  return application;
+}
+
+script::Compiled compile_folder(const fs::path& folder,
+                                const fs::path& platform) {
+  return script::compile_application(folder, compile_options(platform));
+}
+
+script::Compiled load_file(const fs::path& file, const Places& places) {
+  return script::compile_file(
+      file, compile_options(find_platform(places, file.parent_path())));
+}
+
+Composition in_memory(Composition composition) {
+  for (auto& component : composition.components)
+    if (is_database(component))
+      component.options.erase("file");
+  return composition;
+}
+
+} // namespace parlour::tools

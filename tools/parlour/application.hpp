@@ -1,0 +1,51 @@
+// Application: one application compiled and looked through, everything that
+// can be said without starting it. `check` prints the findings; all other
+// commands refuse to go on where there are errors.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "script/compiler.hpp"
+#include "script/findings.hpp"
+#include "script/program.hpp"
+#include "tools/parlour/composition.hpp"
+#include "tools/parlour/places.hpp"
+
+namespace parlour::tools {
+
+struct Application {
+  std::filesystem::path folder; // absolute
+  std::filesystem::path platform;
+  std::shared_ptr<const script::Program> program; // null where it has errors
+  Composition composition;
+  std::vector<script::Finding> findings; // all of them, sorted
+
+  bool has_errors() const;
+};
+
+// Compiles, checks plug-ins and options, loads the database's SQL in memory,
+// reads the columns that grammars and slots name, builds the understanding.
+// Creates nothing on the disk.
+Application load_application(const std::filesystem::path& folder,
+                             const std::filesystem::path& platform);
+
+// What the compiler alone says of an application, and of one script file.
+script::Compiled compile_folder(const std::filesystem::path& folder,
+                                const std::filesystem::path& platform);
+script::Compiled load_file(const std::filesystem::path& file,
+                           const Places& places);
+
+// Reads columns of the first Database component; an error where there is none.
+// With an empty data folder, of what schema and seed make.
+ColumnReader column_reader(const Composition& composition,
+                           const std::filesystem::path& application,
+                           const std::string& data_folder);
+
+// Each Database component begins as a copy in memory of what its schema and
+// seed make (session.md, "Virtual time").
+Composition in_memory(Composition composition);
+
+} // namespace parlour::tools

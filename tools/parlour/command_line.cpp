@@ -1,0 +1,171 @@
+#include "tools/parlour/command_line.hpp"
+
+#include <algorithm>
+#include <ostream>
+
+#include <CLI/CLI.hpp>
+
+#include "tools/parlour/commands.hpp"
+#include "tools/parlour/completion.hpp"
+#include "tools/parlour/exit_code.hpp"
+
+namespace parlour::tools {
+
+namespace {
+
+class CommandLine {
+public:
+  CommandLine(const Places& places, const Console& console)
+      : places_(places), console_(console) {
+    app_.require_subcommand(1);
+    app_.set_version_flag("--version", "parlour " PARLOUR_VERSION);
+    app_.footer("Exit status: 0 well; 1 something is wrong inside an "
+                "application or file; 2 wrong\nusage, or there is no such "
+                "application or file; 130 after Ctrl-C.");
+    add_run();
+    add_check();
+    add_test();
+    add_exec();
+    add_understand();
+    add_completion();
+  }
+
+  int run(std::vector<std::string> arguments) {
+    std::reverse(arguments.begin(), arguments.end());
+    try {
+      app_.parse(std::move(arguments));
+      return chosen_();
+    } catch (const CLI::ParseError& error) {
+      return app_.exit(error, console_.out, console_.err) == 0
+                 ? exit_code::well
+                 : exit_code::usage;
+    }
+  }
+
+private:
+  // A command that runs `action` when it is chosen.
+  template <class Action>
+  CLI::App* add(const char* name, const char* sentence, Action action) {
+    auto* command = app_.add_subcommand(name, sentence);
+    command->callback([this, action] { chosen_ = action; });
+    return command;
+  }
+
+  void add_app(CLI::App* command, std::string& app, const char* sentence) {
+    command->add_option("APP", app, sentence)->required();
+  }
+
+  void add_clock(CLI::App* command, std::optional<Timestamp>& clock,
+                 const char* sentence) {
+    command
+        ->add_option_function<std::string>(
+            "--clock",
+            [&clock](const std::string& text) {
+              const auto time = parse_timestamp(text);
+              if (!time)
+                throw CLI::ValidationError(
+                    "--clock", "'" + text +
+                                   "' is no time such as \"2026-11-21 "
+                                   "09:00\"");
+              clock = *time;
+            },
+            sentence)
+        ->type_name("TIME");
+  }
+
+  void add_run() {
+    auto* command = add("run", "Talk with an application", [this] {
+      return run_command(places_, run_, console_);
+    });
+    add_app(command, run_.app, app_sentence);
+    command->add_flag("--text", run_.text,
+                      "A turn a line, bare, also on a terminal");
+    add_clock(command, run_.clock,
+              "Virtual time from here; an empty line steps it to the next due "
+              "timer");
+    command->add_option("--data", run_.data,
+                        "Folder of the run's database, files and records");
+    command->add_flag("--trace", run_.trace,
+                      "Show every message, transition and slot on stderr");
+    command->add_option("--seed", run_.seed, "Of all that is random");
+    command->add_flag("--voice", run_.voice,
+                      "Microphone and speaker (not available yet)");
+  }
+
+  void add_check() {
+    auto* command =
+        add("check", "Say everything that is wrong with an application",
+            [this] { return check_command(places_, check_, console_); });
+    add_app(command, check_.app, "A folder, a name, or one script file");
+    command->add_flag("--json", check_.json, "Findings as JSON");
+  }
+
+  void add_test() {
+    auto* command =
+        add("test", "Hold an application's conversations in virtual time",
+            [this] { return test_command(places_, test_, console_); });
+    add_app(command, test_.app, app_sentence);
+    command->add_option("FILE", test_.files,
+                        "Conversations; all of dialogues/ if there is none");
+    command->add_option("--junit", test_.junit, "Results as JUnit's XML")
+        ->type_name("FILE");
+    command->add_flag("--trace", test_.trace,
+                      "Show what happened in those that failed");
+    command->add_option("--jobs,-j", test_.jobs,
+                        "Conversations at a time; as many as cores");
+  }
+
+  void add_exec() {
+    auto* command = add("exec", "Run the function main of a script", [this] {
+      return exec_command(places_, exec_file_, console_);
+    });
+    command->add_option("FILE", exec_file_, "A script, or an application")
+        ->required();
+  }
+
+  void add_understand() {
+    auto* command = add(
+        "understand", "Show what the understanding makes of a text, and why",
+        [this] { return understand_command(places_, understand_, console_); });
+    add_app(command, understand_.app, app_sentence);
+    command->add_option("TEXT", understand_.text, "What somebody says")
+        ->required();
+    add_clock(command, understand_.clock,
+              "The time that \"tomorrow\" counts from");
+  }
+
+  void add_completion() {
+    auto* command =
+        add("completion", "Print a shell's completion script", [this] {
+          console_.out << completion_script(app_);
+          return exit_code::well;
+        });
+    command->add_option("SHELL", shell_, "bash")
+        ->required()
+        ->check(CLI::IsMember({"bash"}));
+  }
+
+  static constexpr const char* app_sentence =
+      "A folder, or a name in ./config/apps or the installed share";
+
+  const Places& places_;
+  const Console& console_;
+  CLI::App app_{"A dialogue platform: talk with applications made of scripts",
+                "parlour"};
+  std::function<int()> chosen_;
+  RunOptions run_;
+  CheckOptions check_;
+  TestOptions test_;
+  UnderstandOptions understand_;
+  std::string exec_file_;
+  std::string shell_;
+};
+
+} // namespace
+
+int run_command_line(std::vector<std::string> arguments, const Places& places,
+                     const Console& console) {
+  return CommandLine(places, console).run(std::move(arguments));
+}
+
+} // namespace parlour::tools

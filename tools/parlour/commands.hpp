@@ -1,0 +1,56 @@
+// The commands: one function and one file each (x_command.cpp). Each returns
+// the exit status. Answers go to `out`, everything about them to `err`.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "runtime/base/clock.hpp"
+#include "tools/parlour/console.hpp"
+#include "tools/parlour/places.hpp"
+
+namespace parlour::tools {
+
+struct CheckOptions {
+  std::string app; // an application, or one file
+  bool json = false;
+};
+int check_command(const Places& places, const CheckOptions& options,
+                  const Console& console);
+
+struct TestOptions {
+  std::string app;
+  std::vector<std::string> files; // none: all of dialogues/
+  std::string junit;              // a file; empty: none
+  bool trace = false;             // of failures
+  unsigned jobs = 0;              // threads; 0: as many as cores
+};
+int test_command(const Places& places, const TestOptions& options,
+                 const Console& console);
+
+struct RunOptions {
+  std::string app;
+  bool text = false; // lines, also on a terminal
+  bool trace = false;
+  bool voice = false;
+  std::optional<Timestamp> clock; // virtual time from here
+  std::optional<std::uint64_t> seed;
+  std::string data; // empty: the default
+};
+int run_command(const Places& places, const RunOptions& options,
+                const Console& console);
+
+int exec_command(const Places& places, const std::string& file,
+                 const Console& console);
+
+struct UnderstandOptions {
+  std::string app;
+  std::string text;
+  std::optional<Timestamp> clock; // what "tomorrow" counts from
+};
+int understand_command(const Places& places, const UnderstandOptions& options,
+                       const Console& console);
+
+} // namespace parlour::tools

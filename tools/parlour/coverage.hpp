@@ -1,0 +1,49 @@
+// Coverage: which states, topics, slots, handlers and branches of an
+// application its conversations reach.
+#pragma once
+
+#include <iosfwd>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "runtime/base/inspection.hpp"
+#include "script/program.hpp"
+#include "tools/parlour/module_names.hpp"
+
+namespace parlour::tools {
+
+class Coverage {
+public:
+  // The program must outlive this.
+  Coverage(const script::Program& program, const ModuleNames& names);
+
+  void note(const Inspection& inspection);
+  // What another one of the same program has seen.
+  void add(const Coverage& other);
+
+  struct Part {
+    std::string name; // "states"
+    std::size_t all = 0;
+    std::vector<std::string> missing; // in the order of the program
+  };
+  std::vector<Part> parts() const;
+
+private:
+  void note_message(const Message& message);
+  Part part(const char* name, const std::vector<std::string>& all,
+            const std::set<std::string>& reached) const;
+
+  const script::Program* program_;
+  const ModuleNames* names_;
+  std::set<std::string> states_;
+  std::set<std::string> topics_;
+  std::set<std::string> slots_;
+  std::set<std::string> reactions_;
+  std::set<std::string> branches_;
+};
+
+void print(std::ostream& out, const Coverage& coverage);
+
+} // namespace parlour::tools

@@ -1,0 +1,30 @@
+// How findings are printed: lines for people and editors, JSON for programs.
+#pragma once
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+#include "script/findings.hpp"
+
+namespace parlour::tools {
+
+struct FindingCount {
+  std::size_t errors = 0;
+  std::size_t warnings = 0;
+};
+
+FindingCount count(const std::vector<script::Finding>& findings);
+
+// "2 errors, 1 warning".
+std::string to_string(const FindingCount& count);
+
+// "file:line:column: severity: message", a line each.
+void print_lines(std::ostream& out,
+                 const std::vector<script::Finding>& findings);
+
+// An array of {file, line, column, severity, message}.
+void print_json(std::ostream& out,
+                const std::vector<script::Finding>& findings);
+
+} // namespace parlour::tools

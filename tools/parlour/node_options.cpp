@@ -1,0 +1,27 @@
+#include "tools/parlour/node_options.hpp"
+
+#include "script/phrase_evaluator.hpp"
+#include "tools/parlour/module_names.hpp"
+
+namespace parlour::tools {
+
+actors::NodeOptions node_options(const Application& application,
+                                 const Composition& composition,
+                                 const RunWishes& wishes) {
+  actors::NodeOptions options;
+  options.program = application.program;
+  for (const auto& component : composition.components)
+    options.components.push_back(
+        {component.name, component.factory, component.options});
+  options.aliases = role_aliases();
+  options.phrases = script::make_phrase_evaluator(application.program);
+  options.columns =
+      column_reader(composition, application.folder, wishes.data_folder);
+  options.virtual_start = wishes.virtual_start;
+  options.seed = wishes.seed;
+  options.data_folder = wishes.data_folder;
+  options.application_folder = application.folder.string();
+  return options;
+}
+
+} // namespace parlour::tools

@@ -1,0 +1,25 @@
+#include "tools/parlour/opening.hpp"
+
+#include "tools/parlour/exit_code.hpp"
+#include "tools/parlour/finding_text.hpp"
+
+namespace parlour::tools {
+
+std::variant<Application, int> open_application(const Places& places,
+                                                const std::string& app,
+                                                const Console& console) {
+  const auto folder = find_application(places, app);
+  if (!folder) {
+    say_error(console, folder.error().message);
+    return exit_code::usage;
+  }
+  auto application = load_application(*folder, find_platform(places, *folder));
+  if (!application.has_errors() && application.program)
+    return application;
+  print_lines(console.err, application.findings);
+  say_error(console,
+            app + " is not started: " + to_string(count(application.findings)));
+  return exit_code::wrong;
+}
+
+} // namespace parlour::tools

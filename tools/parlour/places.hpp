@@ -1,0 +1,40 @@
+// Places: where applications, the platform's own files and a run's data are
+// looked for (dialogues.md, "Running and testing").
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "runtime/base/error.hpp"
+
+namespace parlour::tools {
+
+struct Places {
+  std::filesystem::path working; // the folder that relative paths start from
+  // Folders that hold `apps` and `platform`, the first one preferred: the
+  // installed share; the source tree, for a program that is not installed.
+  std::vector<std::filesystem::path> shares;
+  std::function<std::optional<std::string>(const char*)> environment;
+};
+
+// Those of the running program.
+Places process_places();
+
+// The folder, absolute: APP itself, ./config/apps/APP, an installed one. The
+// error (kind Settings) says where it was looked for.
+Expected<std::filesystem::path> find_application(const Places& places,
+                                                 const std::string& app);
+
+// The platform's folder beside the application's `apps`, else a share's.
+std::filesystem::path find_platform(const Places& places,
+                                    const std::filesystem::path& application);
+
+// Where a run of the application keeps its data unless it is told otherwise.
+std::filesystem::path
+default_data_folder(const Places& places,
+                    const std::filesystem::path& application);
+
+} // namespace parlour::tools

@@ -1,0 +1,35 @@
+#include "tools/parlour/report.hpp"
+
+#include <algorithm>
+#include <ostream>
+
+namespace parlour::tools {
+
+std::string failure_text(const ConversationResult& result) {
+  if (!result.failure)
+    return {};
+  const auto& failure = *result.failure;
+  auto text = result.file + ':' + std::to_string(failure.line) + ":\n";
+  for (const auto& line : result.said)
+    text += "    " + line + '\n';
+  return text + "  expected: " + failure.expected +
+         "\n  found:    " + failure.found + '\n';
+}
+
+void print_report(std::ostream& out,
+                  const std::vector<ConversationResult>& results, bool trace) {
+  for (const auto& result : results) {
+    if (!result.failure)
+      continue;
+    out << "FAILED " << failure_text(result);
+    if (trace)
+      for (const auto& line : result.trace)
+        out << "  | " << line << '\n';
+  }
+  const auto passed =
+      std::count_if(results.begin(), results.end(),
+                    [](const auto& result) { return !result.failure; });
+  out << passed << " of " << results.size() << " conversations passed\n";
+}
+
+} // namespace parlour::tools

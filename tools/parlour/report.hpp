@@ -1,0 +1,20 @@
+// What a test run says of its conversations, for people.
+#pragma once
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+#include "tools/parlour/conversation_runner.hpp"
+
+namespace parlour::tools {
+
+// The conversation up to the first line that differs, what was expected there
+// and what came. Empty for one that passed.
+std::string failure_text(const ConversationResult& result);
+
+// Each failure, with its trace where wanted, and the count.
+void print_report(std::ostream& out,
+                  const std::vector<ConversationResult>& results, bool trace);
+
+} // namespace parlour::tools

@@ -1,0 +1,78 @@
+#include "tools/parlour/resource_check.hpp"
+
+#include "adapters/database/sqlite_columns.hpp"
+#include "adapters/database/sqlite_image.hpp"
+#include "adapters/database/sqlite_options.hpp"
+#include "tools/parlour/understanding.hpp"
+
+namespace parlour::tools {
+
+namespace {
+
+using script::Severity;
+
+// An error that has no place of its own stands at the component's.
+void report(Application& application, const Error& error,
+            const Place& otherwise, const std::string& component) {
+  const auto has_place = !error.place.file.empty();
+  application.findings.push_back(
+      {Severity::error, has_place ? error.place : otherwise,
+       has_place ? error.message : component + ": " + error.message});
+}
+
+void check_database(Application& application,
+                    const ChosenComponent& component) {
+  // The data folder is not known here; any will do, as nothing is opened in it.
+  const auto options = adapters::read_sqlite_options(
+      component.options, application.folder.string(),
+      application.folder.string());
+  if (!options)
+    return report(application, options.error(), component.place,
+                  component.name);
+  const auto image = adapters::sqlite_image(options->schema, options->seed);
+  if (!image)
+    report(application, image.error(), component.place, component.name);
+}
+
+void check_understanding(Application& application,
+                         const ChosenComponent& component) {
+  const auto built =
+      build_understander(application, component,
+                         column_reader(in_memory(application.composition),
+                                       application.folder, ""));
+  if (!built)
+    for (const auto& error : built.error())
+      report(application, error, component.place, component.name);
+}
+
+} // namespace
+
+void check_resources(Application& application) {
+  const auto before = application.findings.size();
+  const auto& composition = application.composition;
+  for (const auto& component : composition.components)
+    if (component.factory.description.name == "SQLiteDatabase")
+      check_database(application, component);
+  // Columns of a database that cannot be made would only say so again.
+  if (application.findings.size() > before)
+    return;
+  for (const auto& component : composition.components)
+    if (component.factory.description.name == "GrammarNLU")
+      check_understanding(application, component);
+}
+
+ColumnReader column_reader(const Composition& composition,
+                           const std::filesystem::path& application,
+                           const std::string& data_folder) {
+  const auto* database = first_of_role(composition, "Database");
+  if (database && database->factory.description.name == "SQLiteDatabase")
+    return adapters::sqlite_column_reader(database->options, data_folder,
+                                          application.string());
+  return [](const std::string& column) -> Expected<std::vector<std::string>> {
+    return fail(ErrorKind::settings, "the application has no database to read "
+                                     "the column '" +
+                                         column + "' from");
+  };
+}
+
+} // namespace parlour::tools

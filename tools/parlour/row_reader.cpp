@@ -1,0 +1,68 @@
+#include "tools/parlour/row_reader.hpp"
+
+#include <utility>
+
+namespace parlour::tools {
+
+RowReader::RowReader(ByteSource& source, Note note)
+    : source_(source), note_(std::move(note)) {}
+
+RowEvent RowReader::next() {
+  while (events_.empty())
+    read_more();
+  auto event = std::move(events_.front());
+  events_.pop_front();
+  return event;
+}
+
+void RowReader::read_more() {
+  auto read =
+      source_.read(row_.empty() ? std::nullopt : std::optional(row_pause));
+  switch (read.kind) {
+  case Read::Kind::bytes: {
+    std::string_view bytes = read.bytes;
+    while (auto line = lines_.take(bytes))
+      take(std::move(*line));
+    break;
+  }
+  case Read::Kind::silence:
+    return end_row();
+  case Read::Kind::end:
+    return read_rest();
+  case Read::Kind::interrupted:
+    events_.push_back({RowEvent::Kind::interrupted, {}});
+  }
+}
+
+void RowReader::take(Line line) {
+  ++number_;
+  const auto place = "input line " + std::to_string(number_) + ": ";
+  if (line.repaired)
+    note_(place + "bytes that are no UTF-8 text are read as U+FFFD");
+  if (line.cut)
+    note_(place + "longer than " + std::to_string(longest_line) +
+          " characters; the rest is left out");
+  if (!is_blank(line.text)) {
+    row_.push_back(std::move(line.text));
+    after_turn_ = true;
+    return;
+  }
+  end_row();
+  events_.push_back(
+      {after_turn_ ? RowEvent::Kind::quiet : RowEvent::Kind::step, {}});
+  after_turn_ = false;
+}
+
+void RowReader::end_row() {
+  if (!row_.empty())
+    events_.push_back({RowEvent::Kind::turns, std::exchange(row_, {})});
+}
+
+void RowReader::read_rest() {
+  if (auto line = lines_.finish(); line && !is_blank(line->text))
+    take(std::move(*line));
+  end_row();
+  events_.push_back({RowEvent::Kind::end, {}});
+}
+
+} // namespace parlour::tools

@@ -1,0 +1,58 @@
+// SignalWatch: Ctrl-C and requests to terminate as a call on a thread of its
+// own, so that what happens then may be anything; and a descriptor that a
+// waiting reader can poll. While it lives the signals SIGINT and SIGTERM are
+// blocked in the thread that made it and in those it starts, and SIGPIPE is
+// ignored: a closed output shows as a failed write.
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <mutex>
+#include <thread>
+
+#include <signal.h>
+
+namespace parlour::tools {
+
+class SignalWatch {
+public:
+  // Make it before any other thread.
+  SignalWatch();
+  SignalWatch(const SignalWatch&) = delete;
+  SignalWatch& operator=(const SignalWatch&) = delete;
+  ~SignalWatch();
+
+  // `action` runs on the watching thread at the first signal, at once if it
+  // came already. Null: nothing is called any more.
+  void on_interrupt(std::function<void()> action);
+
+  // Like a signal, from the program itself: the output was closed.
+  void raise_closed();
+
+  bool interrupted() const {
+    return interrupted_;
+  }
+  bool closed() const {
+    return closed_;
+  }
+  // Readable from the first signal on.
+  int descriptor() const {
+    return wake_;
+  }
+
+private:
+  void watch();
+  void act();
+
+  sigset_t before_{};
+  int signals_ = -1;
+  int wake_ = -1; // an eventfd that is never read
+  int stop_ = -1;
+  std::atomic<bool> interrupted_ = false;
+  std::atomic<bool> closed_ = false;
+  std::mutex mutex_;
+  std::function<void()> action_;
+  std::thread thread_;
+};
+
+} // namespace parlour::tools

@@ -1,0 +1,49 @@
+// A conversation on a terminal: lines with editing and history; what the robot
+// says appears above the line that is being written.
+#pragma once
+
+#include <deque>
+#include <filesystem>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include "tools/parlour/text_run.hpp"
+
+namespace parlour::tools {
+
+// The terminal. say and note may be called from any thread; the rest from one.
+class Screen {
+public:
+  // Ends reading when `interrupt` becomes readable. Lines written are kept in
+  // the file `history`.
+  Screen(int interrupt, std::filesystem::path history, bool colour);
+  Screen(const Screen&) = delete;
+  Screen& operator=(const Screen&) = delete;
+  ~Screen();
+
+  void say(const std::string& text);  // the robot's words
+  void note(const std::string& text); // what is happening
+  // Shows what was said and noted since.
+  void flush();
+
+  // A line without its end; nothing at the end of input or when interrupted.
+  std::optional<std::string> read_line();
+
+private:
+  struct Editor;
+
+  void add(std::string line);
+
+  std::mutex mutex_;
+  std::deque<std::string> lines_;
+  bool colour_;
+  std::unique_ptr<Editor> editor_;
+};
+
+// Each line is a turn; an empty line lets virtual time go to the next due
+// timer. False where a signal ended it.
+bool talk_on_terminal(Partner& partner, Screen& screen);
+
+} // namespace parlour::tools

@@ -82,6 +82,7 @@ private:
     OutputId output = 0;
     bool pending = true; // still in the output queue
     bool heard = false;  // released; with neither, it was withdrawn
+    bool repeats = false; // the same words again: not another question
   };
   struct Query {
     QueryId id = 0;

@@ -148,7 +148,8 @@ void TopicEngine::released(const Output& output) {
     return;
   asked_->pending = false;
   asked_->heard = true;
-  if (asked_->slot == script::no_id || asked_->purpose != Asked::For::value)
+  if (asked_->slot == script::no_id || asked_->repeats
+      || asked_->purpose != Asked::For::value)
     return;
   FrameChange count;
   count.kind = FrameChange::Kind::asked;
@@ -279,6 +280,7 @@ void TopicEngine::repeat_question(TurnId turn) {
   }
   if (asked.slot != script::no_id && asked.purpose == Asked::For::value) {
     auto state = core_.frame(asked.topic).slots[asked.slot];
+    asked.repeats = true;
     state.asked = state.asked > 0 ? state.asked - 1 : 0; // the same wording
     auto code =
         question_wording(core_.topic(asked.topic).slots[asked.slot], state);

@@ -4,6 +4,8 @@
 #include <cstdlib>
 #include <tuple>
 
+#include "script/application_loader.hpp"
+#include "script/settings_reader.hpp"
 #include "tools/parlour/resource_check.hpp"
 
 namespace parlour::tools {
@@ -33,6 +35,21 @@ void tell_platform(Composition& composition, const fs::path& platform) {
         component.options.emplace("platform", platform.string());
 }
 
+// The settings of an application whose scripts have errors: its components can
+// be looked at all the same. What is wrong with the settings themselves the
+// compiler has said.
+Settings settings_alone(const fs::path& folder, const fs::path& platform) {
+  script::Findings said;
+  script::ApplicationLoader loader(folder, platform, said);
+  const auto settings = loader.read(folder / "settings.xml", {"settings"}, {});
+  const auto aliases = loader.read(platform / "aliases.xml", {"aliases"}, {});
+  if (!settings)
+    return {};
+  return script::read_settings(
+      *settings, aliases ? script::read_aliases(*aliases) : script::Aliases(),
+      environment_value, said);
+}
+
 void sort(std::vector<script::Finding>& findings) {
   std::stable_sort(
       findings.begin(), findings.end(), [](const auto& a, const auto& b) {
@@ -54,15 +71,15 @@ Application load_application(const fs::path& folder, const fs::path& platform) {
   const auto compiled = compile_folder(folder, platform);
   application.program = compiled.program;
   application.findings = compiled.findings.all();
-  if (!application.program)
-    return application;
-  application.composition = compose(application.program->settings);
+  if (application.program)
+    application.composition = compose(application.program->settings);
+  else
+    application.composition = compose(settings_alone(folder, platform));
   tell_platform(application.composition, platform);
   auto& findings = application.findings;
   const auto& chosen = application.composition.findings;
   findings.insert(findings.end(), chosen.begin(), chosen.end());
-  if (!application.has_errors())
-    check_resources(application);
+  check_resources(application);
   sort(findings);
   if (application.has_errors())
     application.program = nullptr;

@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "script/findings.hpp"
 #include "tools/parlour/commands.hpp"
 #include "tools/parlour/completion.hpp"
 #include "tools/parlour/exit_code.hpp"
@@ -31,6 +32,13 @@ public:
   }
 
   int run(std::vector<std::string> arguments) {
+    if (!arguments.empty() && is_unknown_command(arguments.front())) {
+      say_error(console_,
+                "there is no command '" + arguments.front() + "'" +
+                    script::did_you_mean(arguments.front(), commands()) +
+                    "; see parlour --help");
+      return exit_code::usage;
+    }
     std::reverse(arguments.begin(), arguments.end());
     try {
       app_.parse(std::move(arguments));
@@ -43,6 +51,18 @@ public:
   }
 
 private:
+  std::vector<std::string> commands() const {
+    std::vector<std::string> names;
+    for (const auto* command : app_.get_subcommands(nullptr))
+      names.push_back(command->get_name());
+    return names;
+  }
+  bool is_unknown_command(const std::string& word) const {
+    const auto known = commands();
+    return word.rfind("-", 0) != 0 &&
+           std::find(known.begin(), known.end(), word) == known.end();
+  }
+
   // A command that runs `action` when it is chosen.
   template <class Action>
   CLI::App* add(const char* name, const char* sentence, Action action) {

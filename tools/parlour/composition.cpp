@@ -85,11 +85,10 @@ void report_missing(const ComponentSettings& component,
 
 const std::vector<PluginFactory>& built_in_plugins() {
   static const std::vector<PluginFactory> plugins = {
-      adapters::grammar_nlu_factory(),   adapters::phrase_nlg_factory(),
-      adapters::sqlite_database_factory(),
-      adapters::log_telephone_factory(), adapters::log_taxi_factory(),
-      adapters::log_sms_factory(),       adapters::log_weather_factory(),
-      adapters::log_traffic_factory(),
+      adapters::grammar_nlu_factory(),     adapters::phrase_nlg_factory(),
+      adapters::sqlite_database_factory(), adapters::log_telephone_factory(),
+      adapters::log_taxi_factory(),        adapters::log_sms_factory(),
+      adapters::log_weather_factory(),     adapters::log_traffic_factory(),
   };
   return plugins;
 }

@@ -1,5 +1,8 @@
 #include "tools/parlour/resource_check.hpp"
 
+#include <algorithm>
+#include <utility>
+
 #include "adapters/database/sqlite_columns.hpp"
 #include "adapters/database/sqlite_image.hpp"
 #include "adapters/database/sqlite_options.hpp"
@@ -15,8 +18,10 @@ using script::Severity;
 void report(Application& application, const Error& error,
             const Place& otherwise, const std::string& component) {
   const auto has_place = !error.place.file.empty();
+  auto place = has_place ? error.place : otherwise;
+  place.column = std::max(place.column, 1u);
   application.findings.push_back(
-      {Severity::error, has_place ? error.place : otherwise,
+      {Severity::error, std::move(place),
        has_place ? error.message : component + ": " + error.message});
 }
 
@@ -54,7 +59,7 @@ void check_resources(Application& application) {
     if (component.factory.description.name == "SQLiteDatabase")
       check_database(application, component);
   // Columns of a database that cannot be made would only say so again.
-  if (application.findings.size() > before)
+  if (!application.program || application.findings.size() > before)
     return;
   for (const auto& component : composition.components)
     if (component.factory.description.name == "GrammarNLU")

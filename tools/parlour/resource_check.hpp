@@ -7,7 +7,7 @@
 
 namespace parlour::tools {
 
-// Adds to the findings. The program must be there.
+// Adds to the findings. Without a program only databases are looked at.
 void check_resources(Application& application);
 
 } // namespace parlour::tools

@@ -1,0 +1,2 @@
+create table guest (name text);
+insert into guest values ('Ada');

@@ -1,0 +1,37 @@
+// Calls commands as functions, on the applications beside this file.
+#pragma once
+
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tools/parlour/command_line.hpp"
+#include "tools/parlour/exit_code.hpp"
+
+namespace parlour::tools {
+
+class CommandTest : public testing::Test {
+protected:
+  CommandTest() : places_(process_places()) {
+    places_.working =
+        std::string(PARLOUR_SOURCE_DIR) + "/tests/tools/parlour/applications";
+  }
+
+  int call(std::vector<std::string> arguments) {
+    out_.str("");
+    err_.str("");
+    return run_command_line(std::move(arguments), places_, {out_, err_});
+  }
+  std::string application(const std::string& name) const {
+    return (places_.working / name).string();
+  }
+
+  Places places_;
+  std::ostringstream out_;
+  std::ostringstream err_;
+};
+
+} // namespace parlour::tools

@@ -1,0 +1,28 @@
+#include "tests/support/temporary_folder.hpp"
+#include "tests/tools/parlour/command_fixture.hpp"
+
+namespace parlour::tools {
+namespace {
+
+using testing::HasSubstr;
+
+TEST_F(CommandTest, exec_runs_main) {
+  EXPECT_EQ(call({"exec", "greeter/greeter.xml"}), exit_code::well);
+  EXPECT_EQ(out_.str(), "two is 2\n");
+}
+
+TEST_F(CommandTest, exec_prints_an_error_with_its_place) {
+  test::TemporaryFolder folder;
+  folder.write("x.xml", "<dialogue><function name=\"main\">\n"
+                        "<print param=\"{1 / 0}\"/></function></dialogue>");
+  EXPECT_EQ(call({"exec", (folder.path() / "x.xml").string()}),
+            exit_code::wrong);
+  EXPECT_THAT(err_.str(), HasSubstr("x.xml:2: "));
+}
+
+TEST_F(CommandTest, exec_knows_a_file_that_is_not_there) {
+  EXPECT_EQ(call({"exec", "none.xml"}), exit_code::usage);
+}
+
+} // namespace
+} // namespace parlour::tools

@@ -1,0 +1,41 @@
+#include <future>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "tools/parlour/descriptor_source.hpp"
+#include "tools/parlour/signal_watch.hpp"
+
+namespace parlour::tools {
+namespace {
+
+TEST(SignalWatch, calls_at_the_first_signal_and_wakes_a_reader) {
+  SignalWatch watch;
+  std::promise<void> called;
+  std::atomic<bool> once = false;
+  watch.on_interrupt([&] {
+    if (!once.exchange(true))
+      called.set_value();
+  });
+  EXPECT_FALSE(watch.interrupted());
+  kill(getpid(), SIGINT);
+  called.get_future().wait();
+  EXPECT_TRUE(watch.interrupted());
+  int ends[2];
+  ASSERT_EQ(pipe(ends), 0);
+  DescriptorSource source(ends[0], watch.descriptor());
+  EXPECT_EQ(source.read(std::nullopt).kind, Read::Kind::interrupted);
+  close(ends[0]);
+  close(ends[1]);
+}
+
+TEST(SignalWatch, takes_a_closed_output_for_no_interruption) {
+  SignalWatch watch;
+  watch.raise_closed();
+  EXPECT_TRUE(watch.closed());
+  EXPECT_FALSE(watch.interrupted());
+}
+
+} // namespace
+} // namespace parlour::tools

@@ -1,0 +1,65 @@
+#include "tests/support/temporary_folder.hpp"
+#include "tests/tools/parlour/command_fixture.hpp"
+
+namespace parlour::tools {
+namespace {
+
+using testing::HasSubstr;
+
+TEST_F(CommandTest, test_holds_conversations_and_prints_coverage) {
+  EXPECT_EQ(call({"test", "greeter"}), exit_code::well) << out_.str();
+  EXPECT_THAT(out_.str(), HasSubstr("1 of 1 conversations passed"));
+  EXPECT_THAT(out_.str(), HasSubstr("states 1 of 1"));
+  EXPECT_THAT(out_.str(), HasSubstr("handlers 1 of 1"));
+}
+
+TEST_F(CommandTest, test_shows_the_first_line_that_differs) {
+  test::TemporaryFolder folder;
+  folder.write("bad.txt", "R: Hello.\nU: one\nR: You said two.\n");
+  const auto file = (folder.path() / "bad.txt").string();
+  const auto report = (folder.path() / "report.xml").string();
+  EXPECT_EQ(call({"test", "greeter", file, "--junit", report}),
+            exit_code::wrong);
+  EXPECT_THAT(out_.str(),
+              HasSubstr("FAILED " + file +
+                        ":3:\n    R: Hello.\n    U: one\n    R: You said "
+                        "one.\n  expected: R: You said two.\n  found:    "
+                        "R: You said one.\n"));
+  EXPECT_THAT(folder.read("report.xml"), HasSubstr("failures=\"1\""));
+}
+
+TEST_F(CommandTest, test_fails_for_what_is_left_over) {
+  test::TemporaryFolder folder;
+  folder.write("a.txt", "R: Hello.\nU: one\n");
+  folder.write("b.txt", "U: one\n");
+  EXPECT_EQ(call({"test", "greeter", (folder.path() / "a.txt").string()}),
+            exit_code::wrong);
+  EXPECT_EQ(call({"test", "greeter", (folder.path() / "b.txt").string()}),
+            exit_code::wrong);
+}
+
+TEST_F(CommandTest, test_fails_for_each_expectation_that_does_not_hold) {
+  test::TemporaryFolder folder;
+  const auto file = (folder.path() / "x.txt").string();
+  for (const auto* wrong :
+       {"expect post Taxi Book", "expect post Telephone Call 1",
+        "expect sql select name from guest = Bob",
+        "expect sql select nothing from nowhere = 1", "R: Nothing."}) {
+    folder.write("x.txt", std::string("R: Hello.\nU: call\n") + wrong + "\n");
+    EXPECT_EQ(call({"test", "greeter", file}), exit_code::wrong) << wrong;
+  }
+}
+
+TEST_F(CommandTest, test_reports_wrong_files_before_it_begins) {
+  test::TemporaryFolder folder;
+  folder.write("x.txt", "say hello\nexpect state Welcom\n");
+  const auto file = (folder.path() / "x.txt").string();
+  EXPECT_EQ(call({"test", "greeter", file}), exit_code::wrong);
+  EXPECT_THAT(out_.str(), HasSubstr("x.txt:1:1: error: unknown directive"));
+  EXPECT_THAT(out_.str(), HasSubstr("x.txt:2:1: error: there is no state "
+                                    "'Welcom', did you mean 'Welcome'?"));
+  EXPECT_EQ(call({"test", "greeter", "none"}), exit_code::usage);
+}
+
+} // namespace
+} // namespace parlour::tools

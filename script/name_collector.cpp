@@ -1,7 +1,5 @@
 #include "script/name_collector.hpp"
 
-#include <set>
-
 #include "script/builtins.hpp"
 
 namespace parlour::script {
@@ -18,27 +16,15 @@ std::string there_already(const char* what, const std::string& name,
          " already, at " + first.file + ":" + std::to_string(first.line);
 }
 
-// The parameters of a <function>.
-FunctionName signature_of(const Element& element, Findings& findings) {
+// The parameters of a <function>; the body compiler judges them.
+FunctionName signature_of(const Element& element) {
   FunctionName function;
-  std::set<std::string> names;
-  bool has_default = false;
   for (const auto& child : element.children) {
     if (!child.is("param"))
       continue;
-    const auto name = child.value("name");
-    if (!names.insert(name).second)
-      findings.error(child.position,
-                     "there is a parameter " + quoted(name) + " already");
-    if (child.attribute("expr"))
-      has_default = true;
-    else if (has_default)
-      findings.error(child.position, "the parameter " + quoted(name) +
-                                         " needs a default value, "
-                                         "as the one before it has one");
-    else
+    if (!child.attribute("expr"))
       ++function.required;
-    function.parameter_names.push_back(name);
+    function.parameter_names.push_back(child.value("name"));
     ++function.parameters;
   }
   function.position = element.position;
@@ -171,7 +157,7 @@ FunctionNames collect_functions(const Element& holder, Program& program,
           element.position,
           there_already("function", name,
                         findings.place(found->second.position)));
-    auto function = signature_of(element, findings);
+    auto function = signature_of(element);
     function.code = static_cast<CodeId>(program.code.size());
     program.code.emplace_back();
     functions.emplace(name, std::move(function));

@@ -106,8 +106,8 @@ void Validator::check_attributes(Element& element, const ElementRule& rule) {
   std::erase_if(element.attributes, [&](const Attribute& attribute) {
     const auto* found = rule.attribute(attribute.name);
     if (!found) {
-      auto text = tag(name_of(element, rule)) +
-                  " has no attribute '" + attribute.name + "'";
+      auto text = tag(name_of(element, rule)) + " has no attribute '" +
+                  attribute.name + "'";
       findings_.error(attribute.position,
                       text + hint(attribute.name, names, "; it has "));
       return true;
@@ -173,8 +173,7 @@ bool Validator::validate_root(Element& root,
   };
   if (std::none_of(roots.begin(), roots.end(), matches)) {
     findings_.error(root.position, "the root element is " + tag(root.name) +
-                                       "; expected " +
-                                       tags(roots));
+                                       "; expected " + tags(roots));
     return false;
   }
   static const ElementRule document{"", {}, {"root"}, true, "", {}};

@@ -1,7 +1,6 @@
-#include "script/application_loader.hpp"
-
 #include <gmock/gmock.h>
 
+#include "script/application_loader.hpp"
 #include "tests/script/snippets.hpp"
 
 namespace parlour::script {
@@ -68,15 +67,16 @@ TEST_F(Loading, keeps_to_the_application_s_folder) {
                                   folder_.path() / "app/link.xml");
   EXPECT_THAT(load("a.xml"), IsEmpty());
   EXPECT_THAT(
-    lines_,
-    ElementsAre("a.xml:1:26: error: '../outside.xml' leaves the application's "
-                "folder",
-                "a.xml:1:58: error: '/etc/passwd' must be relative to the "
-                "application's folder",
-                "a.xml:1:87: error: 'link.xml' leaves the application's folder",
-                "a.xml:1:113: error: a file's name is empty",
-                "a.xml:1:131: error: 'sub/../../outside.xml' leaves the "
-                "application's folder"));
+      lines_,
+      ElementsAre(
+          "a.xml:1:26: error: '../outside.xml' leaves the application's "
+          "folder",
+          "a.xml:1:58: error: '/etc/passwd' must be relative to the "
+          "application's folder",
+          "a.xml:1:87: error: 'link.xml' leaves the application's folder",
+          "a.xml:1:113: error: a file's name is empty",
+          "a.xml:1:131: error: 'sub/../../outside.xml' leaves the "
+          "application's folder"));
 }
 
 TEST_F(Loading, reads_the_platform_s_libraries) {

@@ -1,6 +1,6 @@
-#include "script/attribute_check.hpp"
-
 #include <gtest/gtest.h>
+
+#include "script/attribute_check.hpp"
 
 namespace parlour::script {
 

@@ -1,7 +1,6 @@
-#include "script/compilation.hpp"
-
 #include <gmock/gmock.h>
 
+#include "script/compilation.hpp"
 #include "tests/script/snippets.hpp"
 
 namespace parlour::script {
@@ -16,8 +15,8 @@ TEST(Compilation, splits_lists_of_names) {
 
 TEST(Compilation, compiles_what_lies_inside_of_a_declaration) {
   const auto root = test::tree_of(
-    "<topic><help><value>a {1 + 1}</value><value expr='2'/></help>"
-    "<filled><print param='x'/></filled><filled/></topic>");
+      "<topic><help><value>a {1 + 1}</value><value expr='2'/></help>"
+      "<filled><print param='x'/></filled><filled/></topic>");
   Program program;
   Findings findings;
   findings.add_file("a.xml");
@@ -29,7 +28,7 @@ TEST(Compilation, compiles_what_lies_inside_of_a_declaration) {
   EXPECT_NE(compile_child(root, "filled", {}, compilation), no_code);
   EXPECT_EQ(compile_child(root, "started", {}, compilation), no_code);
   EXPECT_THAT(test::lines_of(findings),
-              ElementsAre("a.xml:1:98: error: a second <filled> in <topic>; "
+              ElementsAre("a.xml:1:97: error: a second <filled> in <topic>; "
                           "put both into one"));
 }
 

@@ -1,8 +1,8 @@
-#include "script/element_table.hpp"
-
 #include <set>
 
 #include <gtest/gtest.h>
+
+#include "script/element_table.hpp"
 
 namespace parlour::script {
 
@@ -60,7 +60,7 @@ TEST(ElementTable, has_words_for_every_choice_and_no_attribute_twice) {
       EXPECT_TRUE(names.insert(attribute.name).second) << attribute.name;
       EXPECT_EQ(attribute.kind == AttributeKind::choice,
                 !attribute.words.empty())
-        << rule.name << " " << attribute.name;
+          << rule.name << " " << attribute.name;
     }
   }
 }

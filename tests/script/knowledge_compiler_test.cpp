@@ -1,7 +1,6 @@
-#include "script/knowledge_compiler.hpp"
-
 #include <gmock/gmock.h>
 
+#include "script/knowledge_compiler.hpp"
 #include "tests/script/snippets.hpp"
 
 namespace parlour::script {
@@ -10,10 +9,10 @@ using testing::ElementsAre;
 
 TEST(KnowledgeCompiler, reads_queries) {
   const auto outcome = test::compile_declarations(
-    "<topic name='t'><slot name='Category'/><slot name='Level'/>"
-    "<query source='db:house' param='select name from f' order='name'>"
-    "<by slot='Category' column='category' match='contains'/>"
-    "<by slot='Level' relax='1'/></query></topic>");
+      "<topic name='t'><slot name='Category'/><slot name='Level'/>"
+      "<query source='db:house' param='select name from f' order='name'>"
+      "<by slot='Category' column='category' match='contains'/>"
+      "<by slot='Level' relax='1'/></query></topic>");
   ASSERT_TRUE(outcome.program) << outcome.lines.at(0);
   const auto& query = outcome.program->topics.at(0).queries.at(0);
   EXPECT_EQ(query.kind, "db");
@@ -31,8 +30,8 @@ TEST(KnowledgeCompiler, reads_queries) {
 
 TEST(KnowledgeCompiler, reads_facts_like_a_table) {
   const auto outcome = test::compile_declarations(
-    "<topic name='t'><query source='facts'/></topic>"
-    "<facts name='f'><fact a='1'/><fact b='2' a='3'/></facts>");
+      "<topic name='t'><query source='facts'/></topic>"
+      "<facts name='f'><fact a='1'/><fact b='2' a='3'/></facts>");
   ASSERT_TRUE(outcome.program) << outcome.lines.at(0);
   const auto& table = outcome.program->facts.at(0);
   EXPECT_THAT(table.rows.columns, ElementsAre("a", "b"));

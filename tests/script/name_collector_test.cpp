@@ -1,7 +1,6 @@
-#include "script/name_collector.hpp"
-
 #include <gmock/gmock.h>
 
+#include "script/name_collector.hpp"
 #include "tests/script/snippets.hpp"
 
 namespace parlour::script {
@@ -24,16 +23,15 @@ Collection collect(const std::string& application,
   std::vector<Document> documents;
   documents.push_back({test::tree_of(library), true});
   documents.push_back({test::tree_of(application), false});
-  result.collected
-    = collect_names(documents, result.program, result.findings);
+  result.collected = collect_names(documents, result.program, result.findings);
   return result;
 }
 
 } // namespace
 
 TEST(NameCollector, prepares_what_is_declared) {
-  const auto [program, findings, collected]
-    = collect("<dialogue><var name='v'/><const name='c' private='true'/>"
+  const auto [program, findings, collected] =
+      collect("<dialogue><var name='v'/><const name='c' private='true'/>"
               "<state name='s'/><handler name='h'/><topic name='t'>"
               "<slot name='A'/></topic></dialogue>");
   EXPECT_THAT(findings.all(), IsEmpty());
@@ -47,8 +45,8 @@ TEST(NameCollector, prepares_what_is_declared) {
 }
 
 TEST(NameCollector, notes_signatures) {
-  const auto result
-    = collect("<dialogue><functions><function name='f'><param name='a'/>"
+  const auto result =
+      collect("<dialogue><functions><function name='f'><param name='a'/>"
               "<param name='b' expr='1'/></function></functions></dialogue>");
   const auto& function = result.collected.names.functions.at("f");
   EXPECT_EQ(function.required, 1u);
@@ -58,9 +56,8 @@ TEST(NameCollector, notes_signatures) {
 }
 
 TEST(NameCollector, lets_an_application_override_a_library_s_function) {
-  const auto result
-    = collect("<dialogue>\n<function name='f'/></dialogue>",
-              "<dialogue><function name='f'/></dialogue>");
+  const auto result = collect("<dialogue>\n<function name='f'/></dialogue>",
+                              "<dialogue><function name='f'/></dialogue>");
   EXPECT_THAT(result.findings.all(), IsEmpty());
   EXPECT_EQ(result.collected.names.functions.at("f").position.line, 2u);
   EXPECT_EQ(result.collected.functions[0].at("f").position.line, 1u);

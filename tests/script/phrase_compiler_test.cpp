@@ -1,17 +1,16 @@
-#include "script/phrase_compiler.hpp"
-
 #include <gmock/gmock.h>
 
+#include "script/phrase_compiler.hpp"
 #include "tests/script/snippets.hpp"
 
 namespace parlour::script {
 
 TEST(PhraseCompiler, reads_wordings_and_conditions) {
   const auto outcome = test::compile_declarations(
-    "<topic name='t'><slot name='s'/></topic><phrases>"
-    "<phrase act='invalid' topic='t' slot='s' if='data.value'>No "
-    "{data.value} in {topic}.</phrase><phrase act='greet'>Hi</phrase>"
-    "</phrases>");
+      "<topic name='t'><slot name='s'/></topic><phrases>"
+      "<phrase act='invalid' topic='t' slot='s' if='data.value'>No "
+      "{data.value} in {topic}.</phrase><phrase act='greet'>Hi</phrase>"
+      "</phrases>");
   ASSERT_TRUE(outcome.program) << outcome.lines.at(0);
   const auto& phrases = outcome.program->phrases;
   ASSERT_GE(phrases.size(), 2u);

@@ -1,6 +1,6 @@
-#include "script/program.hpp"
-
 #include <gtest/gtest.h>
+
+#include "script/program.hpp"
 
 namespace parlour::script {
 

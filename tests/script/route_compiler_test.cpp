@@ -1,7 +1,6 @@
-#include "script/route_compiler.hpp"
-
 #include <gmock/gmock.h>
 
+#include "script/route_compiler.hpp"
 #include "tests/script/snippets.hpp"
 
 namespace parlour::script {
@@ -10,12 +9,12 @@ using testing::ElementsAre;
 
 TEST(RouteCompiler, reads_relays_and_filters_in_order) {
   const auto outcome = test::compile_declarations(
-    "<const name='low' expr='0.3'/><routes>"
-    "<relay source='Record' command='BufferFull' to='ASR, KeywordSpotter' "
-    "as='DoRecognition' param=''/>"
-    "<filter source='ASR' command='RecognitionResult' if='_LPARAM2 lt low' "
-    "to='NLG'><param expr='_LPARAM1'/></filter>"
-    "<filter source='*' command='*' drop='true'/></routes>");
+      "<const name='low' expr='0.3'/><routes>"
+      "<relay source='Record' command='BufferFull' to='ASR, KeywordSpotter' "
+      "as='DoRecognition' param=''/>"
+      "<filter source='ASR' command='RecognitionResult' if='_LPARAM2 lt low' "
+      "to='NLG'><param expr='_LPARAM1'/></filter>"
+      "<filter source='*' command='*' drop='true'/></routes>");
   ASSERT_TRUE(outcome.program) << outcome.lines.at(0);
   const auto& routes = outcome.program->routes;
   ASSERT_EQ(routes.size(), 3u);
@@ -33,8 +32,8 @@ TEST(RouteCompiler, reads_relays_and_filters_in_order) {
 
 TEST(RouteCompiler, sees_nothing_of_a_session) {
   const auto outcome = test::compile_declarations(
-    "<var name='v'/><routes><relay source='*' command='*' if='v == 1' "
-    "to='ASR'/></routes>");
+      "<var name='v'/><routes><relay source='*' command='*' if='v == 1' "
+      "to='ASR'/></routes>");
   ASSERT_EQ(outcome.lines.size(), 1u);
   EXPECT_THAT(outcome.lines[0], testing::HasSubstr("'v'"));
 }

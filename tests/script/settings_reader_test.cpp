@@ -1,7 +1,6 @@
-#include "script/settings_reader.hpp"
-
 #include <gmock/gmock.h>
 
+#include "script/settings_reader.hpp"
 #include "tests/script/snippets.hpp"
 
 namespace parlour::script {
@@ -23,17 +22,17 @@ struct Read {
 Read read(const std::string& text, const Aliases& aliases = {}) {
   Findings findings;
   findings.add_file("s.xml");
-  auto settings = read_settings(test::tree_of("<settings>" + text
-                                              + "</settings>"),
-                                aliases, environment, findings);
+  auto settings =
+      read_settings(test::tree_of("<settings>" + text + "</settings>"), aliases,
+                    environment, findings);
   return {std::move(settings), test::lines_of(findings)};
 }
 
 } // namespace
 
 TEST(SettingsReader, reads_components_in_order_of_preference) {
-  const auto [settings, lines]
-    = read("<Plugins><Plugin> A </Plugin><Plugin>SR_B</Plugin></Plugins>"
+  const auto [settings, lines] =
+      read("<Plugins><Plugin> A </Plugin><Plugin>SR_B</Plugin></Plugins>"
            "<component name='A'><option name='x' value='1'/></component>"
            "<component name='SR_B'><option name='y' value='2'/></component>"
            "<component name='Second' plugin='SR_B'/>",
@@ -49,8 +48,8 @@ TEST(SettingsReader, reads_components_in_order_of_preference) {
 }
 
 TEST(SettingsReader, reads_times_limits_and_scripts) {
-  const auto [settings, lines]
-    = read("<sessions resume-after='1.5s' keep='7d' closes-after='1m'/>"
+  const auto [settings, lines] =
+      read("<sessions resume-after='1.5s' keep='7d' closes-after='1m'/>"
            "<limits instructions='5' depth='6' bytes='7KB' result='8'/>"
            "<Scripts><Script>a.xml</Script><Script>b.xml</Script></Scripts>");
   EXPECT_THAT(lines, IsEmpty());
@@ -65,8 +64,8 @@ TEST(SettingsReader, reads_times_limits_and_scripts) {
 }
 
 TEST(SettingsReader, replaces_what_the_environment_holds_and_never_tells_it) {
-  const auto [settings, lines]
-    = read("<Plugins><Plugin>A</Plugin></Plugins><component name='A'>"
+  const auto [settings, lines] =
+      read("<Plugins><Plugin>A</Plugin></Plugins><component name='A'>"
            "<option name='p' value='a${PASSWORD}b'/>"
            "<option name='q' value='${NONE}'/></component>");
   EXPECT_EQ(settings.components[0].options.at("p"), "asecretb");
@@ -75,28 +74,29 @@ TEST(SettingsReader, replaces_what_the_environment_holds_and_never_tells_it) {
 }
 
 TEST(SettingsReader, tells_what_does_not_fit) {
-  const auto lines
-    = read("<Plugins><Plugin>GrammarNLU</Plugin><Plugin>GrammarNLU</Plugin>"
+  const auto lines =
+      read("<Plugins><Plugin>GrammarNLU</Plugin><Plugin>GrammarNLU</Plugin>"
            "<Plugin> </Plugin></Plugins>"
            "<component name='GrammerNLU'/>"
            "<component name='GrammarNLU'><option name='a' value='${X'/>"
            "<option name='a' value='1'/></component>")
-        .lines;
+          .lines;
   EXPECT_THAT(
-    lines,
-    ElementsAre("s.xml:1:47: error: the plug-in 'GrammarNLU' is listed twice",
-                "s.xml:1:74: error: <Plugin> is empty; expected the name of a "
-                "plug-in",
-                "s.xml:1:103: error: 'GrammerNLU' is not in <Plugins>, did you "
-                "mean 'GrammarNLU'? A further instance says plugin=\"…\"",
-                "s.xml:1:186: error: ${ without its }",
-                "s.xml:1:192: error: the option 'a' of 'GrammarNLU' is given "
-                "twice"));
+      lines,
+      ElementsAre(
+          "s.xml:1:47: error: the plug-in 'GrammarNLU' is listed twice",
+          "s.xml:1:74: error: <Plugin> is empty; expected the name of a "
+          "plug-in",
+          "s.xml:1:102: error: 'GrammerNLU' is not in <Plugins>, did you "
+          "mean 'GrammarNLU'? A further instance says plugin=\"…\"",
+          "s.xml:1:185: error: ${ without its }",
+          "s.xml:1:191: error: the option 'a' of 'GrammarNLU' is given "
+          "twice"));
 }
 
 TEST(SettingsReader, reads_the_platform_s_aliases) {
   const auto aliases = read_aliases(test::tree_of(
-    read_bytes(test::source_path("config/platform/aliases.xml")).value()));
+      read_bytes(test::source_path("config/platform/aliases.xml")).value()));
   EXPECT_EQ(aliases.at("SR_WinTTS"), "ESpeakTTS");
   EXPECT_EQ(aliases.at("SR_SLUR"), "GrammarNLU");
 }

@@ -1,23 +1,22 @@
-#include "script/slot_compiler.hpp"
-
 #include <gmock/gmock.h>
 
+#include "script/slot_compiler.hpp"
 #include "tests/script/snippets.hpp"
 
 namespace parlour::script {
 
 TEST(SlotCompiler, fills_every_field) {
   const auto outcome = test::compile_declarations(
-    "<grammar name='g'>#JSGF V1.0; public &lt;g> = yes;</grammar>"
-    "<topic name='t'><slot name='s' type='Functional' expr='1' question='Q?' "
-    "confirm='explicit' match='prefix' private='true' grammar='g'>"
-    "<cardinality type='range' from='1' to='9'/>"
-    "<help><value>H?</value><value expr='1+1'/></help>"
-    "<explain><value>E</value></explain>"
-    "<filled><print param='a'/></filled><invalid><print param='a'/></invalid>"
-    "<ambiguous><print param='a'/></ambiguous>"
-    "<noinput count='2'><print param='a'/></noinput>"
-    "<nomatch><print param='a'/></nomatch></slot></topic>");
+      "<grammar name='g'>#JSGF V1.0; public &lt;g> = yes;</grammar>"
+      "<topic name='t'><slot name='s' type='Functional' expr='1' question='Q?' "
+      "confirm='explicit' match='prefix' private='true' grammar='g'>"
+      "<cardinality type='range' from='1' to='9'/>"
+      "<help><value>H?</value><value expr='1+1'/></help>"
+      "<explain><value>E</value></explain>"
+      "<filled><print param='a'/></filled><invalid><print param='a'/></invalid>"
+      "<ambiguous><print param='a'/></ambiguous>"
+      "<noinput count='2'><print param='a'/></noinput>"
+      "<nomatch><print param='a'/></nomatch></slot></topic>");
   ASSERT_TRUE(outcome.program) << outcome.lines.at(0);
   const auto& slot = outcome.program->topics.at(0).slots.at(0);
   EXPECT_TRUE(slot.functional);
@@ -37,8 +36,8 @@ TEST(SlotCompiler, fills_every_field) {
 }
 
 TEST(SlotCompiler, has_the_defaults_of_the_language) {
-  const auto outcome
-    = test::compile_declarations("<topic name='t'><slot name='s'/></topic>");
+  const auto outcome =
+      test::compile_declarations("<topic name='t'><slot name='s'/></topic>");
   ASSERT_TRUE(outcome.program);
   const auto& slot = outcome.program->topics.at(0).slots.at(0);
   EXPECT_FALSE(slot.functional);
@@ -51,8 +50,8 @@ TEST(SlotCompiler, has_the_defaults_of_the_language) {
 
 TEST(SlotCompiler, takes_a_column_as_cardinality) {
   const auto outcome = test::compile_declarations(
-    "<topic name='t'><slot name='s'><cardinality type='query' "
-    "source='db:rr_staff.staff_name'/></slot></topic>");
+      "<topic name='t'><slot name='s'><cardinality type='query' "
+      "source='db:rr_staff.staff_name'/></slot></topic>");
   ASSERT_TRUE(outcome.program);
   EXPECT_EQ(outcome.program->topics.at(0).slots.at(0).cardinality.source,
             "db:rr_staff.staff_name");

@@ -1,6 +1,6 @@
-#include "script/sql_check.hpp"
-
 #include <gtest/gtest.h>
+
+#include "script/sql_check.hpp"
 
 namespace parlour::script {
 

@@ -1,19 +1,18 @@
-#include "script/state_compiler.hpp"
-
 #include <gmock/gmock.h>
 
+#include "script/state_compiler.hpp"
 #include "tests/script/snippets.hpp"
 
 namespace parlour::script {
 
 TEST(StateCompiler, fills_every_field) {
   const auto outcome = test::compile_declarations(
-    "<state name='s' capture='all'><Entrance><print param='a'/></Entrance>"
-    "<Exit><print param='a'/></Exit><Messages><component><ASR>"
-    "<RecognitionResult><print param='a'/></RecognitionResult></ASR>"
-    "</component></Messages><Online><agent name='Olivia'><print param='a'/>"
-    "</agent><print param='b'/></Online><Offline><print param='b'/></Offline>"
-    "<functions><function name='f'/></functions></state>");
+      "<state name='s' capture='all'><Entrance><print param='a'/></Entrance>"
+      "<Exit><print param='a'/></Exit><Messages><component><ASR>"
+      "<RecognitionResult><print param='a'/></RecognitionResult></ASR>"
+      "</component></Messages><Online><agent name='Olivia'><print param='a'/>"
+      "</agent><print param='b'/></Online><Offline><print param='b'/></Offline>"
+      "<functions><function name='f'/></functions></state>");
   ASSERT_TRUE(outcome.program) << outcome.lines.at(0);
   const auto& state = outcome.program->states.at(0);
   EXPECT_EQ(state.capture, Capture::all);
@@ -28,7 +27,7 @@ TEST(StateCompiler, fills_every_field) {
 
 TEST(StateCompiler, refuses_a_transit_in_exit) {
   const auto outcome = test::compile_declarations(
-    "<state name='s'><Exit><transit state='s'/></Exit></state>");
+      "<state name='s'><Exit><transit state='s'/></Exit></state>");
   ASSERT_EQ(outcome.lines.size(), 1u);
   EXPECT_THAT(outcome.lines[0], testing::HasSubstr("error"));
 }

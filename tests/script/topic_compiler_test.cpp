@@ -1,7 +1,6 @@
-#include "script/topic_compiler.hpp"
-
 #include <gmock/gmock.h>
 
+#include "script/topic_compiler.hpp"
 #include "tests/script/snippets.hpp"
 
 namespace parlour::script {
@@ -11,16 +10,16 @@ using testing::IsEmpty;
 
 TEST(TopicCompiler, fills_every_field) {
   const auto outcome = test::compile_declarations(
-    "<topic name='Visit'/>"
-    "<topic name='t' kind='enquiry' initiative='user' resume='ask' "
-    "needs='Visit'><slot name='A'/><slot name='B'/>"
-    "<constraint cond='this.A gt this.B' message='no'/>"
-    "<rule if='this.A'><clear slot='B'/></rule>"
-    "<query source='db' param='select 1'/>"
-    "<started><print param='a'/></started><suspended><print param='a'/>"
-    "</suspended><resumed><print param='a'/></resumed><filled><print "
-    "param='a'/></filled><completed><print param='a'/></completed><cancelled>"
-    "<print param='a'/></cancelled></topic>");
+      "<topic name='Visit'/>"
+      "<topic name='t' kind='enquiry' initiative='user' resume='ask' "
+      "needs='Visit'><slot name='A'/><slot name='B'/>"
+      "<constraint cond='this.A gt this.B' message='no'/>"
+      "<rule if='this.A'><clear slot='B'/></rule>"
+      "<query source='db' param='select 1'/>"
+      "<started><print param='a'/></started><suspended><print param='a'/>"
+      "</suspended><resumed><print param='a'/></resumed><filled><print "
+      "param='a'/></filled><completed><print param='a'/></completed><cancelled>"
+      "<print param='a'/></cancelled></topic>");
   ASSERT_TRUE(outcome.program) << outcome.lines.at(0);
   EXPECT_THAT(outcome.lines, IsEmpty());
   const auto& topic = outcome.program->topics.at(1);
@@ -47,16 +46,16 @@ TEST(TopicCompiler, has_the_defaults_of_the_language) {
 
 TEST(TopicCompiler, keeps_functions_to_themselves) {
   const auto outcome = test::compile_declarations(
-    "<topic name='t'><functions><function name='f'/></functions>"
-    "<started><call function='f'/></started></topic>"
-    "<function name='g'><call function='f'/></function>");
+      "<topic name='t'><functions><function name='f'/></functions>"
+      "<started><call function='f'/></started></topic>"
+      "<function name='g'><call function='f'/></function>");
   EXPECT_FALSE(outcome.program);
   EXPECT_EQ(outcome.lines.size(), 1u);
 }
 
 TEST(TopicCompiler, refuses_topics_that_need_each_other) {
   const auto outcome = test::compile_declarations(
-    "<topic name='a' needs='b'/><topic name='b' needs='a'/>");
+      "<topic name='a' needs='b'/><topic name='b' needs='a'/>");
   EXPECT_THAT(outcome.lines,
               ElementsAre("a.xml:1:11: error: topic 'a' needs itself, by its "
                           "'needs'"));

@@ -1,7 +1,6 @@
-#include "script/understanding_builder.hpp"
-
 #include <gmock/gmock.h>
 
+#include "script/understanding_builder.hpp"
 #include "tests/script/snippets.hpp"
 
 namespace parlour::script {
@@ -10,11 +9,11 @@ using testing::ElementsAre;
 
 TEST(UnderstandingBuilder, tells_topics_slots_and_examples) {
   const auto outcome = test::compile_declarations(
-    "<topic name='t' kind='enquiry'><slot name='C' type='Functional'>"
-    "<cardinality type='set'><value> Sky  garden </value><value>Pool</value>"
-    "<value expr='1'/></cardinality></slot><slot name='N'/>"
-    "<query source='db' param='select 1'><by slot='C'/></query>"
-    "<examples><value>where is the [pool](C)</value></examples></topic>");
+      "<topic name='t' kind='enquiry'><slot name='C' type='Functional'>"
+      "<cardinality type='set'><value> Sky  garden </value><value>Pool</value>"
+      "<value expr='1'/></cardinality></slot><slot name='N'/>"
+      "<query source='db' param='select 1'><by slot='C'/></query>"
+      "<examples><value>where is the [pool](C)</value></examples></topic>");
   ASSERT_TRUE(outcome.program) << outcome.lines.at(0);
   const auto& model = *outcome.program->understanding;
   ASSERT_EQ(model.topics.size(), 1u);

@@ -83,7 +83,10 @@ private:
         code, {say["act"], say["topic"], say["slot"], say["data"]}, {}, host);
   }
 
-  // 0: does not apply; higher is more specific.
+  static constexpr int most_specific = 16;
+
+  // 0: does not apply; higher is more specific: slot, then topic, then the
+  // application before the platform, then a condition before none.
   static int rank(const Phrase& phrase, const Value& say) {
     auto fits = [&](const std::string& wanted, const char* key) {
       return wanted.empty() ||
@@ -92,13 +95,13 @@ private:
     if (phrase.act != say["act"].text() || !fits(phrase.topic, "topic") ||
         !fits(phrase.slot, "slot"))
       return 0;
-    return 1 + !phrase.of_platform +
-           2 * (2 * !phrase.topic.empty() + !phrase.slot.empty());
+    return 1 + (phrase.condition != no_code) + 2 * !phrase.of_platform +
+           4 * (2 * !phrase.topic.empty() + !phrase.slot.empty());
   }
 
   std::optional<std::string> choose(Interpreter& interpreter,
                                     const Value& say) const {
-    for (int wanted = 8; wanted > 0; --wanted) {
+    for (int wanted = most_specific; wanted > 0; --wanted) {
       std::vector<const Phrase*> found;
       for (const auto& phrase : program_->phrases)
         if (rank(phrase, say) == wanted && holds(interpreter, phrase, say))

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace parlour::adapters::nlu {
 
@@ -230,6 +231,11 @@ void set_scores(std::vector<BuiltAct>& acts, const Chain& chain,
   }
 }
 
+// As far as a confidence is worth being told.
+double in_thousandths(double confidence) {
+  return std::round(confidence * 1000) / 1000;
+}
+
 Value fill_value(const Fill& fill, const Utterance& utterance,
                  const Spans& spans, const Schema& schema) {
   const std::string text(
@@ -239,7 +245,7 @@ Value fill_value(const Fill& fill, const Utterance& utterance,
     made.set(act_key::value, *fill.literal);
   } else if (fill.span) {
     const auto& span = spans[*fill.span];
-    made.set(act_key::confidence, double(span.confidence));
+    made.set(act_key::confidence, in_thousandths(span.confidence));
     if (is_form(span.entity))
       made.set(act_key::value, span.value);
     if (span.unmatched)
@@ -280,7 +286,7 @@ Map act_value(const BuiltAct& act, const Utterance& utterance,
       act.topic == no_topic ? Value() : Value(schema.at(act.topic).name);
   return Map{{act_key::topic, topic},
              {act_key::act, act.act},
-             {act_key::confidence, std::min(1.0, act.score)},
+             {act_key::confidence, in_thousandths(std::min(1.0, act.score))},
              {act_key::slots, std::move(slots)},
              {act_key::text,
               words_of(utterance.text, utterance.tokens, act.begin, act.end)},

@@ -38,6 +38,17 @@ TEST(PhraseEvaluator, TakesTheMostSpecificThatHolds) {
   EXPECT_EQ(evaluator->render(say("U", "S", 0)), "any");
 }
 
+// The second time too: what holds beats what always applies.
+TEST(PhraseEvaluator, PrefersAConditionThatHolds) {
+  const auto evaluator = phrases("<phrase act='answer'>always</phrase>"
+                                 "<phrase act='answer' if='data.n gt 1'>many"
+                                 "</phrase>"
+                                 "<phrase act='answer' if='data.n gt 2'>more"
+                                 "</phrase>");
+  EXPECT_EQ(evaluator->render(say("", "", 0)), "many");
+  EXPECT_EQ(evaluator->render(say("", "", 1)), "many");
+}
+
 TEST(PhraseEvaluator, RotatesAmongEquals) {
   const auto evaluator = phrases("<phrase act='answer'>one</phrase>"
                                  "<phrase act='answer'>two</phrase>");

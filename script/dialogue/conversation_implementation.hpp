@@ -2,6 +2,7 @@
 // header of this folder; the door is conversation.hpp.
 #pragma once
 
+#include <deque>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -18,7 +19,7 @@ public:
 
   void open();
   void receive(Message message);
-  bool has_work() const;
+  bool has_work();
   void take_input();
   // A new external event: what scripts may do is counted anew.
   void begin_event();
@@ -38,6 +39,7 @@ private:
   };
 
   std::vector<Step> beginning() const;
+  std::deque<Input>::iterator next_input();
   void process(Input input);
   void act_on(Timer timer);
   void run_lane();

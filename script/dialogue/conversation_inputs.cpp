@@ -1,7 +1,9 @@
 // The part of a conversation that says what happens with each input, and what
 // silence leads to (engine rules 1 to 3).
+#include <algorithm>
 #include <utility>
 
+#include "script/dialogue/conversation.hpp"
 #include "script/dialogue/conversation_implementation.hpp"
 #include "script/dialogue/steps.hpp"
 
@@ -82,23 +84,30 @@ std::vector<Message> Conversation::Implementation::take_unread() {
 // -- inputs -------------------------------------------------------------------
 
 void Conversation::Implementation::receive(Message message) {
-  TurnId turn = 0;
-  if (message.command == "RecognitionResult" &&
-      core.port.is_source(recogniser, message.source)) {
-    turn = core.turns.begin();
-    core.turns.hold(turn);
-  } else {
-    turn = core.turns.of(message.correlation);
-    core.turns.hold(turn);
+  Input input;
+  input.begins_turn = message.command == "RecognitionResult" &&
+                      core.port.is_source(recogniser, message.source);
+  input.turn = input.begins_turn ? core.turns.begin()
+                                 : core.turns.of(message.correlation);
+  core.turns.hold(input.turn);
+  if (!input.begins_turn)
     core.turns.answered(message.correlation);
-  }
-  core.inbox.push_back({std::move(message), turn});
+  input.message = std::move(message);
+  core.inbox.push_back(std::move(input));
 }
 
-bool Conversation::Implementation::has_work() const {
+// While the session ends it only hears what is not the user's: the words that
+// it still waits for.
+std::deque<Input>::iterator Conversation::Implementation::next_input() {
+  return std::find_if(
+      core.inbox.begin(), core.inbox.end(),
+      [&](const Input& input) { return !core.ending || !input.begins_turn; });
+}
+
+bool Conversation::Implementation::has_work() {
   return !core.ended && !core.topics.awaiting_frame() &&
          (core.mouth.wants_release() || core.runner.has_slices() ||
-          !core.internal.empty() || (!core.ending && !core.inbox.empty()));
+          !core.internal.empty() || next_input() != core.inbox.end());
 }
 
 void Conversation::Implementation::begin_event() {
@@ -121,9 +130,9 @@ void Conversation::Implementation::take_input() {
       process(std::move(input));
     else
       core.turns.let_go(input.turn);
-  } else if (!core.inbox.empty()) {
-    auto input = std::move(core.inbox.front());
-    core.inbox.pop_front();
+  } else if (auto next = next_input(); next != core.inbox.end()) {
+    auto input = std::move(*next);
+    core.inbox.erase(next);
     begin_event();
     process(std::move(input));
   }

@@ -1,6 +1,7 @@
 // The part of a conversation that works off the dialogue lane (engine rule 2).
 #include <utility>
 
+#include "script/dialogue/conversation.hpp"
 #include "script/dialogue/conversation_implementation.hpp"
 #include "script/dialogue/steps.hpp"
 
@@ -37,7 +38,7 @@ void Conversation::Implementation::take(Step step) {
     core.machine.push(step);
     break;
   case pop:
-    core.machine.pop();
+    core.machine.pop(step);
     break;
   case end:
     core.ending = true;

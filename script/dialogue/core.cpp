@@ -24,6 +24,13 @@ void Core::raise(const char* source, std::string command,
   input.message.session = options.session;
   input.turn = turn;
   turns.hold(turn);
+  if (port.inspected())
+    port.inspect({.kind = InspectionKind::message,
+                  .session = options.session,
+                  .subject = input.message.source + "." + input.message.command,
+                  .detail = to_string(input.message),
+                  .message = std::make_shared<const Message>(input.message),
+                  .way = "session"});
   internal.push_back(std::move(input));
 }
 
@@ -73,7 +80,6 @@ std::vector<Step> Core::cancel_waits() {
     if (runner.for_user(wait))
       waits.push_back(wait);
   topics.forget_waits();
-  machine.clear_pushed();
   std::vector<Step> steps;
   for (auto wait : waits) {
     effects.forget(wait);

@@ -26,6 +26,7 @@ namespace parlour::dialogue {
 struct Input {
   Message message;
   TurnId turn = 0;
+  bool begins_turn = false; // the user spoke
 };
 
 struct Core {
@@ -81,7 +82,8 @@ struct Core {
   void resume(WaitId wait, Expected<Value> outcome);
   // The user wants out, or the session ends: what waits in the dialogue lane,
   // and what waits for the user anywhere, is to end with kind Cancelled
-  // (engine rule 2). The steps that tell them so, innermost first.
+  // (engine rule 2). The steps that tell them so, innermost first; pushed
+  // states are left to the caller.
   [[nodiscard]] std::vector<Step> cancel_waits();
   // False where there were too many of them without an external one: scripts
   // chase each other (engine rule 2). What is queued is dropped then.

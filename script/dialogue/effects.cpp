@@ -245,8 +245,10 @@ Value Effects::system(const script::Activation& activation,
     return in_topic && context.slot != script::no_id
                ? Value(core_.topic(current).slots[context.slot].name)
                : Value();
-  case frame_done:
-    return in_topic && core_.frame(current).done;
+  case frame_done: { // everywhere, and still so when the topic has completed
+    const auto shown = in_topic ? std::optional(current) : core_.order.latest();
+    return shown && core_.frame(*shown).done;
+  }
   default:
     return {}; // those of the message come from the activation
   }

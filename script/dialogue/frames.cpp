@@ -9,6 +9,9 @@ namespace parlour::dialogue {
 
 namespace {
 
+// Changes that are kept for the frame's actor; more travel as the frame.
+constexpr std::size_t most_untold = 256;
+
 std::shared_ptr<const List>
 variables_of(const script::Interpreter& interpreter) {
   List values;
@@ -37,6 +40,10 @@ FrameResult Frames::change(TopicId topic, FrameChange change, Timestamp now) {
   mine.frame = result.frame;
   if (mine.has_actor)
     mine.untold.push_back(std::move(change));
+  if (mine.untold.size() > most_untold) { // the whole frame is shorter
+    mine.untold.clear();
+    mine.has_actor = false;
+  }
   return result;
 }
 

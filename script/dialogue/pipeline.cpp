@@ -95,8 +95,10 @@ void Pipeline::hand_over(const Item& item) {
   if (steps.empty())
     return;
   // Cancel and start over pass every wait (engine rule 2).
-  if (core_.lane.held() && std::any_of(steps.begin(), steps.end(), wants_out))
+  if (core_.lane.held() && std::any_of(steps.begin(), steps.end(), wants_out)) {
     core_.lane.now(core_.cancel_waits());
+    core_.machine.clear_pushed();
+  }
   Step conclude;
   conclude.kind = StepKind::conclude;
   conclude.turn = item.turn;

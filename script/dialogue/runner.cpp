@@ -104,9 +104,11 @@ void Runner::report(const script::ActivationContext& context,
   auto detail = to_string(result.error);
   for (const auto& line : result.stack)
     detail += "\n  in " + line;
-  core_.inspect(InspectionKind::error, std::string(name_of(result.error.kind)),
-                detail);
-  if (!context.handles_error)
+  // To be cancelled is no fault of the script.
+  const bool cancelled = result.error.kind == ErrorKind::cancelled;
+  core_.inspect(cancelled ? InspectionKind::log : InspectionKind::error,
+                std::string(name_of(result.error.kind)), detail);
+  if (!cancelled && !context.handles_error)
     core_.raise("Script", "Error",
                 {result.error.message, result.error.place.file,
                  static_cast<std::int64_t>(result.error.place.line)},

@@ -58,23 +58,33 @@ void StateMachine::push(const Step& step) {
   enter(step);
 }
 
-void StateMachine::pop() {
+// First its Exit, in which it still is the active one; then back.
+void StateMachine::pop(const Step& step) {
   if (pushes_.empty())
     return;
-  Step leave_it;
-  leave_it.kind = StepKind::leave;
-  leave_it.state = core_.states.active();
+  if (step.mark == 0) {
+    core_.lane.now(way_out(core_.states.active()));
+    return;
+  }
   core_.states.pop();
   Step back;
   back.kind = StepKind::resume_wait;
   back.wait = pushes_.back();
   pushes_.pop_back();
-  if (core_.lane.waits(back.wait)) {
-    core_.lane.now({std::move(leave_it)});
+  if (core_.lane.waits(back.wait))
     core_.lane.wake(back.wait, back);
-  } else { // a handler's
-    core_.lane.now({std::move(leave_it), back});
-  }
+  else // a handler's
+    core_.lane.now({back});
+}
+
+std::vector<Step> StateMachine::way_out(StateId state) const {
+  Step leave;
+  leave.kind = StepKind::leave;
+  leave.state = state;
+  Step back;
+  back.kind = StepKind::pop;
+  back.mark = 1;
+  return {std::move(leave), std::move(back)};
 }
 
 void StateMachine::clear_pushed() {
@@ -91,12 +101,9 @@ void StateMachine::clear() {
 std::vector<Step> StateMachine::exits() const {
   std::vector<Step> steps;
   const auto& levels = core_.states.levels();
-  for (auto level = levels.rbegin(); level != levels.rend(); ++level) {
-    Step step;
-    step.kind = StepKind::leave;
-    step.state = *level;
-    steps.push_back(std::move(step));
-  }
+  for (auto level = levels.rbegin(); level != levels.rend(); ++level)
+    for (auto& step : way_out(*level))
+      steps.push_back(std::move(step));
   return steps;
 }
 

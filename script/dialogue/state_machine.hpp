@@ -16,7 +16,7 @@ public:
   void leave(const Step& step);
   void enter(const Step& step);
   void push(const Step& step);
-  void pop();
+  void pop(const Step& step);
   // Leaves every level without Exit (start over).
   void clear();
   // Leaves the pushed levels, whose activations were cancelled.
@@ -25,6 +25,8 @@ public:
   std::vector<Step> exits() const;
 
 private:
+  std::vector<Step> way_out(StateId state) const;
+
   Core& core_;
   std::vector<WaitId> pushes_; // the activations that pushed, innermost last
 };

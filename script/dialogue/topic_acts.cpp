@@ -82,6 +82,7 @@ void TopicEngine::cancel(TurnId turn) {
   if (topic == script::no_id && !core_.order.suspended().empty())
     topic = core_.order.suspended().front();
   auto steps = core_.cancel_waits();
+  core_.machine.clear_pushed();
   asked_.reset();
   if (topic == script::no_id) {
     say("cancelled", script::no_id, script::no_id, {}, turn);

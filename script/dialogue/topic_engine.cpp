@@ -26,18 +26,17 @@ TopicEngine::TopicEngine(Core& core) : core_(core) {}
 
 void TopicEngine::take(Step step) {
   switch (step.kind) {
-#define TAKES(kind)                                                            \
-  case StepKind::kind:                                                         \
-    kind(std::move(step));                                                     \
-    return;
-    TAKES(take_act)
-    TAKES(offer_act) TAKES(topic_act) TAKES(no_match) TAKES(conclude)
-        TAKES(activate) TAKES(fill) TAKES(filled) TAKES(rule) TAKES(report)
-            TAKES(settle) TAKES(finish) TAKES(complete) TAKES(reset)
-                TAKES(look_up) TAKES(looked_up) TAKES(answer) TAKES(ask)
-                    TAKES(ask_next) TAKES(resume_topic) TAKES(cancel_topic)
+// clang-format off
+#define TAKES(kind) \
+  case StepKind::kind: kind(std::move(step)); return;
+    TAKES(take_act) TAKES(offer_act) TAKES(topic_act) TAKES(no_match)
+    TAKES(conclude) TAKES(activate) TAKES(fill) TAKES(filled) TAKES(rule)
+    TAKES(report) TAKES(settle) TAKES(finish) TAKES(complete) TAKES(reset)
+    TAKES(look_up) TAKES(looked_up) TAKES(answer) TAKES(ask) TAKES(ask_next)
+    TAKES(resume_topic) TAKES(cancel_topic)
 #undef TAKES
-                        default : return; // another part's
+        // clang-format on
+        default : return; // another part's
   }
 }
 
@@ -114,21 +113,22 @@ void TopicEngine::keep_what_is_asked(Act& act, TopicId topic) const {
   });
 }
 
-// Whether the act answers the question that waits for one.
+// Whether the act answers the question that waits for one: the last that was
+// heard, or a <confirm> that other topics came in between of.
 bool TopicEngine::answer_to_question(const Step& step) {
   const auto kind = step.act.kind;
-  if (!asked_ || !asked_->heard || !step.act.slots.empty() ||
+  if (!step.act.slots.empty() ||
       (kind != ActKind::confirm && kind != ActKind::deny))
+    return false;
+  if (!asked_ && !confirms_.empty())
+    asked_ = confirms_.back();
+  if (!asked_ || !asked_->heard)
     return false;
   const bool yes = kind == ActKind::confirm;
   const auto asked = *asked_;
   switch (asked.purpose) {
   case Asked::For::yes_or_no:
-    asked_.reset();
-    std::erase_if(confirms_, [&](const Asked& confirm) {
-      return confirm.wait == asked.wait;
-    });
-    core_.resume(asked.wait, Value(yes));
+    answer_confirm(asked, yes);
     return true;
   case Asked::For::confirmation:
     asked_.reset();
@@ -143,6 +143,15 @@ bool TopicEngine::answer_to_question(const Step& step) {
   }
 }
 
+void TopicEngine::answer_confirm(const Asked& asked, bool yes) {
+  asked_.reset();
+  std::erase_if(confirms_, [&](const Asked& confirm) {
+    return confirm.wait == asked.wait;
+  });
+  core_.lane.now(back_to(asked.topic));
+  core_.resume(asked.wait, Value(yes));
+}
+
 void TopicEngine::confirm_slot(TopicId topic, SlotId slot, bool yes,
                                TurnId turn) {
   FrameChange change;
@@ -153,78 +162,6 @@ void TopicEngine::confirm_slot(TopicId topic, SlotId slot, bool yes,
   step.topic = topic;
   step.turn = turn;
   request(std::move(step), {std::move(change)});
-}
-
-void TopicEngine::begin_topic(TopicId topic, std::vector<Step>& steps) {
-  const auto status = core_.frame(topic).status;
-  leave_enquiry(topic);
-  auto left = core_.order.activate(topic);
-  if (left && *left != topic)
-    suspend(*left, steps);
-  if (asked_ && asked_->purpose != Asked::For::yes_or_no)
-    asked_.reset();
-  if (status == TopicStatus::completed || status == TopicStatus::cancelled)
-    change(topic, {.kind = FrameChange::Kind::reset});
-  if (status == TopicStatus::suspended)
-    run_body(core_.topic(topic).resumed, topic, script::no_id, 0, steps);
-  else if (status != TopicStatus::active && status != TopicStatus::resting)
-    run_body(core_.topic(topic).started, topic, script::no_id, 0, steps);
-  if (status != TopicStatus::resting)
-    set_status(topic, TopicStatus::active);
-  begin_needs(topic, steps);
-}
-
-// An enquiry that was not answered yet is not unfinished: it begins anew.
-void TopicEngine::leave_enquiry(TopicId next) {
-  auto current = core_.order.current();
-  if (current && *current != next &&
-      core_.topic(*current).kind == script::TopicKind::enquiry &&
-      core_.frame(*current).status == TopicStatus::active)
-    change(*current, {.kind = FrameChange::Kind::reset});
-}
-
-// `needs`: those topics first, then on with this one (engine rule 5). Topics
-// that need each other do not wait for each other.
-void TopicEngine::begin_needs(TopicId topic, std::vector<Step>& steps) {
-  for (const auto& name : core_.topic(topic).needs) {
-    auto need = core_.program->topic(name);
-    if (need != script::no_id && core_.order.registered(need) &&
-        core_.frame(need).status != TopicStatus::completed &&
-        !needs(need, topic))
-      steps.push_back(topic_step(StepKind::activate, need));
-  }
-}
-
-// Whether it needs the other one, perhaps by way of others.
-bool TopicEngine::needs(TopicId topic, TopicId other) const {
-  std::vector<TopicId> found{topic};
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    if (found[i] == other)
-      return true;
-    for (const auto& name : core_.topic(found[i]).needs)
-      if (auto need = core_.program->topic(name);
-          need != script::no_id &&
-          std::find(found.begin(), found.end(), need) == found.end())
-        found.push_back(need);
-  }
-  return false;
-}
-
-void TopicEngine::suspend(TopicId topic, std::vector<Step>& steps) {
-  core_.mouth.withdraw_questions();
-  set_status(topic, TopicStatus::suspended);
-  run_body(core_.topic(topic).suspended, topic, script::no_id, 0, steps);
-}
-
-void TopicEngine::activate(Step step) {
-  if (step.topic == script::no_id || !core_.order.registered(step.topic))
-    return;
-  std::vector<Step> steps;
-  begin_topic(step.topic, steps);
-  auto settle = topic_step(StepKind::settle, step.topic);
-  settle.turn = step.turn;
-  steps.push_back(std::move(settle));
-  core_.lane.now(std::move(steps));
 }
 
 // -- done, or what next -------------------------------------------------------

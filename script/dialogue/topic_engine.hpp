@@ -80,8 +80,8 @@ private:
     WaitId wait = 0;      // yes_or_no: the <confirm>'s activation
     std::string question; // yes_or_no: to ask it again
     OutputId output = 0;
-    bool pending = true; // still in the output queue
-    bool heard = false;  // released; with neither, it was withdrawn
+    bool pending = true;  // still in the output queue
+    bool heard = false;   // released; with neither, it was withdrawn
     bool repeats = false; // the same words again: not another question
   };
   struct Query {
@@ -119,6 +119,7 @@ private:
   bool is_generic(const Act& act) const;
   void generic_act(const Step& step);
   bool answer_to_question(const Step& step);
+  void answer_confirm(const Asked& asked, bool yes);
   void confirm_slot(TopicId topic, SlotId slot, bool yes, TurnId turn);
   void keep_what_is_asked(Act& act, TopicId topic) const;
   void help(TurnId turn);
@@ -132,9 +133,9 @@ private:
   void answer_resume(TopicId topic, bool yes, TurnId turn);
   void rest(TopicId topic);
   void set_status(TopicId topic, TopicStatus status);
-  bool needs(TopicId topic, TopicId other) const;
   TopicId needed_by(TopicId topic) const;
   void leave_enquiry(TopicId next);
+  std::vector<Step> back_to(TopicId topic);
   List unfinished_names() const;
 
   // Frames.
@@ -160,7 +161,7 @@ private:
   };
   Due due() const;
   SlotId to_ask(TopicId topic) const;
-  bool waits_for_user() const;
+  bool waits_for_user(TopicId topic) const;
   void ask_again();
   void unmark(TopicId topic);
   void ask_slot(TopicId topic, SlotId slot, OutputAct as, TurnId turn);

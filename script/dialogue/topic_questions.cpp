@@ -23,14 +23,18 @@ void TopicEngine::conclude(Step step) {
 
 void TopicEngine::ask_next(Step step) {
   auto current = core_.order.current();
-  if (core_.ending || waits_for_user() || !current)
+  if (core_.ending || !current || waits_for_user(*current))
     return;
   if (auto slot = to_ask(*current); slot != script::no_id)
     ask_slot(*current, slot, step.output, step.turn);
 }
 
-bool TopicEngine::waits_for_user() const {
-  return core_.lane.waits_for_user() || !confirms_.empty();
+// Whether the topic must not ask: in a subtask, or while it waits for a yes.
+bool TopicEngine::waits_for_user(TopicId topic) const {
+  return core_.states.pushed() ||
+         std::any_of(
+             confirms_.begin(), confirms_.end(),
+             [&](const Asked& confirm) { return confirm.topic == topic; });
 }
 
 // What is in doubt must be settled in any case; what is missing is asked for
@@ -48,7 +52,12 @@ SlotId TopicEngine::to_ask(TopicId topic) const {
 }
 
 void TopicEngine::ask(Step step) {
-  ask_slot(step.topic, step.slot, step.output, step.turn);
+  if (step.slot != script::no_id)
+    ask_slot(step.topic, step.slot, step.output, step.turn);
+  else if (!confirms_.empty()) {
+    asked_ = confirms_.back();
+    repeat_question(step.turn);
+  }
 }
 
 void TopicEngine::ask_slot(TopicId topic, SlotId slot, OutputAct as,
@@ -105,6 +114,8 @@ void TopicEngine::confirm(std::string question, TopicId topic, WaitId wait,
   asked.topic = topic;
   asked.wait = wait;
   asked.question = question;
+  asked.pending = false;
+  asked.heard = true; // as soon as it comes to that
   confirms_.push_back(asked);
   put(std::move(asked), "confirm", {}, std::move(question), OutputAct::question,
       turn);
@@ -148,8 +159,8 @@ void TopicEngine::released(const Output& output) {
     return;
   asked_->pending = false;
   asked_->heard = true;
-  if (asked_->slot == script::no_id || asked_->repeats
-      || asked_->purpose != Asked::For::value)
+  if (asked_->slot == script::no_id || asked_->repeats ||
+      asked_->purpose != Asked::For::value)
     return;
   FrameChange count;
   count.kind = FrameChange::Kind::asked;

@@ -21,7 +21,7 @@ TopicEngine::Due TopicEngine::due() const {
     return asked_->pending ? Due::nothing : Due::again;
   if (!confirms_.empty())
     return Due::confirmation;
-  if (core_.lane.waits_for_user())
+  if (core_.states.pushed())
     return Due::nothing;
   auto current = core_.order.current();
   if (current && to_ask(*current) != script::no_id)
@@ -53,10 +53,12 @@ void TopicEngine::silence() {
   case Due::again:
     ask_again();
     return;
-  case Due::confirmation:
-    asked_ = confirms_.back();
-    repeat_question(0);
+  case Due::confirmation: {
+    auto steps = back_to(confirms_.back().topic);
+    steps.push_back(topic_step(StepKind::ask, confirms_.back().topic));
+    core_.lane.queue(std::move(steps));
     return;
+  }
   case Due::question: {
     const auto topic = *core_.order.current();
     ask_slot(topic, to_ask(topic), OutputAct::resume, 0);

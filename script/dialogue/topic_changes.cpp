@@ -1,0 +1,77 @@
+// The part of the topic engine for changes of topic: one becomes the current
+// one, another is suspended for it (engine rule 5, "Which topic next").
+#include <utility>
+
+#include "script/dialogue/core.hpp"
+#include "script/dialogue/steps.hpp"
+#include "script/dialogue/topic_engine.hpp"
+
+namespace parlour::dialogue {
+
+void TopicEngine::begin_topic(TopicId topic, std::vector<Step>& steps) {
+  const auto status = core_.frame(topic).status;
+  leave_enquiry(topic);
+  auto left = core_.order.activate(topic);
+  if (left && *left != topic)
+    suspend(*left, steps);
+  // A <confirm> of this topic goes on waiting; another's comes again later.
+  if (asked_ &&
+      (asked_->purpose != Asked::For::yes_or_no || asked_->topic != topic))
+    asked_.reset();
+  if (status == TopicStatus::completed || status == TopicStatus::cancelled)
+    change(topic, {.kind = FrameChange::Kind::reset});
+  if (status == TopicStatus::suspended)
+    run_body(core_.topic(topic).resumed, topic, script::no_id, 0, steps);
+  else if (status != TopicStatus::active && status != TopicStatus::resting)
+    run_body(core_.topic(topic).started, topic, script::no_id, 0, steps);
+  if (status != TopicStatus::resting)
+    set_status(topic, TopicStatus::active);
+  begin_needs(topic, steps);
+}
+
+// An enquiry that was not answered yet is not unfinished: it begins anew.
+void TopicEngine::leave_enquiry(TopicId next) {
+  auto current = core_.order.current();
+  if (current && *current != next &&
+      core_.topic(*current).kind == script::TopicKind::enquiry &&
+      core_.frame(*current).status == TopicStatus::active)
+    change(*current, {.kind = FrameChange::Kind::reset});
+}
+
+// `needs`: those topics first, then on with this one (engine rule 5).
+void TopicEngine::begin_needs(TopicId topic, std::vector<Step>& steps) {
+  for (const auto& name : core_.topic(topic).needs) {
+    auto need = core_.program->topic(name);
+    if (need != script::no_id && core_.order.registered(need) &&
+        core_.frame(need).status != TopicStatus::completed)
+      steps.push_back(topic_step(StepKind::activate, need));
+  }
+}
+
+void TopicEngine::suspend(TopicId topic, std::vector<Step>& steps) {
+  core_.mouth.withdraw_questions();
+  set_status(topic, TopicStatus::suspended);
+  run_body(core_.topic(topic).suspended, topic, script::no_id, 0, steps);
+}
+
+void TopicEngine::activate(Step step) {
+  if (step.topic == script::no_id || !core_.order.registered(step.topic))
+    return;
+  std::vector<Step> steps;
+  begin_topic(step.topic, steps);
+  auto settle = topic_step(StepKind::settle, step.topic);
+  settle.turn = step.turn;
+  steps.push_back(std::move(settle));
+  core_.lane.now(std::move(steps));
+}
+
+// A topic whose <confirm> is asked again or answered is the current one.
+std::vector<Step> TopicEngine::back_to(TopicId topic) {
+  std::vector<Step> steps;
+  if (topic != script::no_id &&
+      core_.frame(topic).status == TopicStatus::suspended)
+    begin_topic(topic, steps);
+  return steps;
+}
+
+} // namespace parlour::dialogue

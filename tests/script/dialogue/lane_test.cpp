@@ -1,0 +1,102 @@
+#include <gtest/gtest.h>
+
+#include "script/dialogue/lane.hpp"
+#include "script/dialogue/steps.hpp"
+
+namespace parlour::dialogue {
+namespace {
+
+Step numbered(TurnId number) {
+  return body_step(0, number);
+}
+
+// The numbers of the steps that can be taken.
+std::vector<TurnId> taken(Lane& lane) {
+  std::vector<TurnId> numbers;
+  while (auto step = lane.next())
+    numbers.push_back(step->turn);
+  return numbers;
+}
+
+using Numbers = std::vector<TurnId>;
+
+TEST(Lane, ItemsOneAfterTheOther) {
+  Lane lane;
+  lane.queue({numbered(1), numbered(2)});
+  lane.queue({numbered(3)});
+  lane.queue({});
+  EXPECT_FALSE(lane.idle());
+  EXPECT_EQ(taken(lane), (Numbers{1, 2, 3}));
+  EXPECT_TRUE(lane.idle());
+}
+
+TEST(Lane, NowGoesInFront) {
+  Lane lane;
+  lane.queue({numbered(1), numbered(4)});
+  EXPECT_EQ(lane.next()->turn, 1u);
+  lane.now({numbered(2), numbered(3)});
+  EXPECT_EQ(taken(lane), (Numbers{2, 3, 4}));
+}
+
+TEST(Lane, AWaitHoldsItButForWhatItsScriptHandedOver) {
+  Lane lane;
+  lane.queue({numbered(1), numbered(5)});
+  lane.queue({numbered(6)});
+  lane.next();
+  lane.wait(9, false);
+  lane.now({numbered(2), numbered(3)});
+  EXPECT_EQ(taken(lane), (Numbers{2, 3}));
+  EXPECT_TRUE(lane.held());
+  EXPECT_FALSE(lane.idle());
+  EXPECT_FALSE(lane.waits_for_user());
+  EXPECT_TRUE(lane.wake(9, numbered(4)));
+  EXPECT_EQ(taken(lane), (Numbers{4, 5, 6}));
+  EXPECT_TRUE(lane.idle());
+}
+
+TEST(Lane, AWaitForTheUserLetsItemsBeTaken) {
+  Lane lane;
+  lane.queue({numbered(1), numbered(4)});
+  lane.next();
+  lane.wait(9, true);
+  EXPECT_TRUE(lane.idle());
+  EXPECT_TRUE(lane.waits_for_user());
+  lane.queue({numbered(2), numbered(3)});
+  EXPECT_FALSE(lane.idle());
+  EXPECT_EQ(lane.next()->turn, 2u);
+  EXPECT_FALSE(lane.returning());
+  EXPECT_TRUE(lane.wake(9, numbered(5)));
+  EXPECT_TRUE(lane.returning());
+  lane.queue({numbered(6)});
+  EXPECT_EQ(taken(lane), (Numbers{3, 5, 4, 6}));
+}
+
+TEST(Lane, WakingWhatDoesNotWait) {
+  Lane lane;
+  EXPECT_FALSE(lane.wake(1, numbered(1)));
+  EXPECT_FALSE(lane.next());
+}
+
+TEST(Lane, AbandonGivesTheWaitsInnermostFirst) {
+  Lane lane;
+  lane.queue({numbered(1), numbered(2)});
+  lane.next();
+  lane.wait(8, true);
+  lane.queue({numbered(3), numbered(4)});
+  lane.next();
+  lane.wait(9, false);
+  lane.queue({numbered(5)});
+  EXPECT_EQ(lane.abandon(), (std::vector<WaitId>{9, 8}));
+  EXPECT_EQ(taken(lane), Numbers{5});
+  EXPECT_FALSE(lane.waits(8));
+}
+
+TEST(Lane, ClearDropsWhatIsQueued) {
+  Lane lane;
+  lane.queue({numbered(1)});
+  lane.clear();
+  EXPECT_TRUE(lane.idle());
+}
+
+} // namespace
+} // namespace parlour::dialogue

@@ -1,0 +1,148 @@
+// How what is said gets its words and leaves (engine rule 3).
+#include <gtest/gtest.h>
+
+#include "script/dialogue/mouth.hpp"
+#include "tests/script/dialogue/conversation_world.hpp"
+
+namespace parlour::dialogue {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr const char* asking = R"xml(
+  <topic name="T"><slot name="S" type="Functional" question="S?"/>
+    <completed><speak param="Done."/></completed></topic>)xml";
+
+constexpr const char* speaking = R"xml(
+  <handler name="N"><messages><component><NLG><Speak>
+    <speak param="({_LPARAM1})"/></Speak></NLG></component></messages>
+  </handler>)xml";
+
+// With an NLG component that words things when the test says so, or inline.
+struct Worded : World {
+  explicit Worded(const std::string& script, bool in_line = false)
+      : World(script) {
+    components["Phrases"] = {"NLG"};
+    if (in_line)
+      answers = [](const Message& asked) {
+        return std::vector<Message>{speak(asked)};
+      };
+  }
+  static Message speak(const Message& asked) {
+    Message reply;
+    reply.source = "Phrases";
+    reply.command = "Speak";
+    reply.params = {asked.params[0].if_string()
+                        ? asked.params[0]
+                        : Value("<" + asked.params[0]["act"].text() + ">")};
+    reply.session = asked.session;
+    reply.correlation = asked.correlation;
+    return reply;
+  }
+  void word() {
+    auto reply = speak(messages.back());
+    conversation->receive(std::move(reply));
+    run();
+  }
+};
+
+TEST(Mouth, WordsOfAComponentByDefault) {
+  Worded world(asking);
+  world.say(inform("T", {}));
+  EXPECT_EQ(world.said(), Texts{});
+  EXPECT_EQ(world.posted(), Texts{"NLG.Generate(S?)"});
+  world.word();
+  EXPECT_EQ(world.said(), Texts{"S?"});
+}
+
+TEST(Mouth, WordsByAHandler) {
+  Worded world(std::string(asking) + speaking);
+  world.say(inform("T", {}));
+  world.word();
+  EXPECT_EQ(world.said(), Texts{"(S?)"});
+  world.say(inform({}, {{"S", 1}})); // literal speech passes no component
+  EXPECT_EQ(world.said(), Texts{"Done."});
+}
+
+TEST(Mouth, InlineWordsNeedNoTimer) {
+  Worded world(std::string(asking) + speaking, true);
+  world.say("thank");
+  EXPECT_EQ(world.said(), Texts{"(<thank>)"});
+  EXPECT_EQ(world.timers(), 1u); // the session's last only
+}
+
+TEST(Mouth, AComponentThatIsSilentIsGivenUp) {
+  Worded world(asking);
+  world.say("thank");
+  EXPECT_TRUE(world.conversation->waits_for_answer());
+  world.advance(10s);
+  EXPECT_EQ(world.said(), Texts{"[thank]"});
+  EXPECT_FALSE(world.conversation->waits_for_answer());
+}
+
+TEST(Mouth, OrderIsKeptWhileWordsAreWaitedFor) {
+  Worded world(std::string(asking) + R"xml(
+    <handler name="B"><messages><component><Bell><Rings>
+      <speak param="Ring."/></Rings></Bell></component></messages></handler>
+    )xml");
+  world.say("thank");
+  world.event("Bell", "Rings");
+  EXPECT_EQ(world.said(), Texts{});
+  world.word();
+  EXPECT_EQ(world.said(), (Texts{"<thank>", "Ring."}));
+}
+
+TEST(Mouth, AWithdrawnQuestionLetsOthersPass) {
+  Worded world(std::string(asking) + R"xml(
+    <topic name="U"><slot name="R" type="Functional"/>
+      <completed><speak param="U done."/></completed></topic>)xml");
+  world.say(inform("T", {}));                // its words are never given
+  world.say(inform("U", {{"R", 1}}));        // suspends it
+  EXPECT_EQ(world.said(), Texts{"U done."}); // and is not blocked by it
+}
+
+TEST(Mouth, AQuestionWithoutWordsEndsSomewhere) {
+  Worded world(std::string(asking) + R"xml(
+    <handler name="N"><messages><component><NLG><Speak/></NLG></component>
+    </messages></handler>)xml",
+               true);
+  world.say(inform("T", {}));
+  world.advance(10min);
+  EXPECT_EQ(world.said(), Texts{});
+  EXPECT_TRUE(world.has_ended);
+}
+
+TEST(Mouth, SilenceCountsFromTheEndOfTheSpeech) {
+  World world(asking);
+  world.hold_outputs = true;
+  world.say(inform("T", {}));
+  EXPECT_EQ(world.said(), Texts{"S?"});
+  world.advance(1min);
+  EXPECT_EQ(world.said(), Texts{});
+  world.hold_outputs = false;
+  world.run();
+  world.advance(8s);
+  EXPECT_EQ(world.said(), Texts{"S?"});
+}
+
+TEST(Mouth, GoodbyeIsSaidBeforeTheEnd) {
+  Worded world(asking);
+  world.say("bye");
+  EXPECT_FALSE(world.has_ended);
+  world.word();
+  EXPECT_EQ(world.said(), Texts{"<bye>"});
+  EXPECT_TRUE(world.has_ended);
+}
+
+TEST(Mouth, UncertainValuesAreEchoedOnce) {
+  World world(R"xml(<topic name="T"><slot name="A" type="Functional"/>
+    <slot name="B" type="Functional"/><slot name="C" type="Functional"/>
+    </topic>)xml");
+  world.say(inform("T", {{"A", 1}}));
+  EXPECT_EQ(world.said(), Texts{"[question T.B {implicit: {A: 1}}]"});
+  world.say(inform({}, {{"B", slot_value(2, 0.95)}}));
+  EXPECT_EQ(world.said(), Texts{"[question T.C]"});
+}
+
+} // namespace
+} // namespace parlour::dialogue

@@ -1,0 +1,99 @@
+#include <gtest/gtest.h>
+
+#include "script/dialogue/timers.hpp"
+
+namespace parlour::dialogue {
+namespace {
+
+using namespace std::chrono_literals;
+
+class Ports : public Port {
+public:
+  std::map<TimerId, Milliseconds> running;
+
+  void start_timer(TimerId id, Milliseconds after) override {
+    running[id] = after;
+  }
+  void cancel_timer(TimerId id) override {
+    running.erase(id);
+  }
+  std::vector<Message> post(Message) override {
+    return {};
+  }
+  bool reachable(const std::string&) const override {
+    return false;
+  }
+  bool is_source(const std::string&, const std::string&) const override {
+    return false;
+  }
+  void release(const Output&) override {}
+  void query(QueryRequest) override {}
+  void apply(TopicId, FrameRequest) override {}
+  bool inspected() const override {
+    return false;
+  }
+  void inspect(Inspection) override {}
+  void ended() override {}
+};
+
+Timer script_timer(std::string name, Milliseconds every = 0ms) {
+  Timer timer;
+  timer.name = std::move(name);
+  timer.every = every;
+  return timer;
+}
+
+TEST(Timers, FireOnce) {
+  Ports port;
+  Timers timers(port);
+  auto id = timers.start(5ms, script_timer("egg"));
+  EXPECT_EQ(port.running.at(id), 5ms);
+  port.running.clear();
+  EXPECT_EQ(timers.fired(id)->name, "egg");
+  EXPECT_FALSE(timers.fired(id));
+  EXPECT_TRUE(port.running.empty());
+}
+
+TEST(Timers, RepeatUntilCancelledByName) {
+  Ports port;
+  Timers timers(port);
+  auto id = timers.start(5ms, script_timer("tick", 7ms));
+  port.running.erase(id);
+  EXPECT_TRUE(timers.fired(id));
+  ASSERT_EQ(port.running.size(), 1u);
+  const auto [next, after] = *port.running.begin();
+  EXPECT_EQ(after, 7ms);
+  timers.cancel_named("tick");
+  EXPECT_TRUE(port.running.empty());
+  EXPECT_FALSE(timers.fired(next));
+}
+
+TEST(Timers, NamesAreScriptsOnly) {
+  Ports port;
+  Timers timers(port);
+  Timer wait;
+  wait.purpose = Timer::Purpose::wait;
+  wait.wait = 3;
+  timers.start(5ms, wait);
+  timers.cancel_named("");
+  EXPECT_EQ(port.running.size(), 1u);
+  timers.cancel_wait(4);
+  EXPECT_TRUE(timers.any(Timer::Purpose::wait));
+  timers.cancel_wait(3);
+  EXPECT_FALSE(timers.any(Timer::Purpose::wait));
+  EXPECT_TRUE(port.running.empty());
+}
+
+TEST(Timers, CancelAll) {
+  Ports port;
+  Timers timers(port);
+  auto id = timers.start(5ms, script_timer("a"));
+  timers.start(5ms, script_timer("b"));
+  timers.cancel(id);
+  EXPECT_EQ(port.running.size(), 1u);
+  timers.cancel_all();
+  EXPECT_TRUE(port.running.empty());
+}
+
+} // namespace
+} // namespace parlour::dialogue

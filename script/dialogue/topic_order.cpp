@@ -36,6 +36,10 @@ std::optional<TopicId> TopicOrder::current() const {
   return current_;
 }
 
+std::optional<TopicId> TopicOrder::latest() const {
+  return latest_;
+}
+
 std::optional<TopicId> TopicOrder::activate(TopicId topic) {
   std::optional<TopicId> left;
   if (current_ && *current_ != topic && unfinished(*current_)) {
@@ -43,7 +47,7 @@ std::optional<TopicId> TopicOrder::activate(TopicId topic) {
     suspended_.insert(suspended_.begin(), *current_);
   }
   std::erase(suspended_, topic);
-  current_ = topic;
+  current_ = latest_ = topic;
   started_[topic] = true;
   return left;
 }

@@ -24,6 +24,8 @@ public:
   std::vector<TopicId> unregistered() const;
 
   std::optional<TopicId> current() const;
+  // The current one, else the one that was it last, completed or not.
+  std::optional<TopicId> latest() const;
   // The topic that becomes suspended by it, if any: the current one, where it
   // is an unfinished task.
   std::optional<TopicId> activate(TopicId topic);
@@ -50,6 +52,7 @@ private:
   std::vector<bool> registered_;
   std::vector<bool> started_;
   std::optional<TopicId> current_;
+  std::optional<TopicId> latest_;
   std::vector<TopicId> suspended_;
   std::optional<TopicId> resting_;
   Timestamp rested_at_ = 0;

@@ -3,11 +3,25 @@
 #include <cstdlib>
 #include <iostream>
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include "tools/parlour/command_line.hpp"
 
+namespace {
+
+// A standard stream that is closed would be the next file opened, such as the
+// database, and the robot's words would be written into it.
+void open_standard_streams() {
+  for (const auto descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (fcntl(descriptor, F_GETFD) < 0)
+      (void)!open("/dev/null", O_RDWR); // takes the lowest free number
+}
+
+} // namespace
+
 int main(int count, char** arguments) {
+  open_standard_streams();
   // Characters on a terminal; numbers stay as they are written everywhere.
   std::setlocale(LC_CTYPE, "C.UTF-8");
   const auto* no_colour = std::getenv("NO_COLOR");

@@ -35,6 +35,15 @@ TEST_F(Order, TheSameTopicSuspendsNothing) {
   EXPECT_TRUE(order.suspended().empty());
 }
 
+TEST_F(Order, TheLatestStaysWhenItIsNotCurrentAnyMore) {
+  EXPECT_FALSE(order.latest());
+  order.activate(app.appointment);
+  order.activate(app.taxi);
+  order.completed(app.taxi);
+  EXPECT_FALSE(order.current());
+  EXPECT_EQ(order.latest(), app.taxi);
+}
+
 TEST_F(Order, AnEnquiryIsNeverUnfinished) {
   order.activate(app.facility);
   EXPECT_FALSE(order.unfinished(app.facility));

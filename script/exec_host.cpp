@@ -1,7 +1,8 @@
 #include "script/exec_host.hpp"
 
 #include <algorithm>
-#include <random>
+
+#include "runtime/base/random.hpp"
 
 namespace parlour::script {
 
@@ -79,7 +80,7 @@ public:
     return now_;
   }
   double random() override {
-    return static_cast<double>(dice_() >> 11) * 0x1p-53;
+    return dice_.fraction();
   }
 
 private:
@@ -91,7 +92,7 @@ private:
 
   const ExecOptions& options_;
   Interpreter interpreter_;
-  std::mt19937_64 dice_;
+  Random dice_;
   Timestamp now_ = 0;
   std::uint64_t order_ = 0;
   Milliseconds wait_{0};
@@ -184,9 +185,10 @@ std::optional<ExecFailure> ExecHost::run() {
   if (main == program.functions.end())
     return ExecFailure{{ErrorKind::compile, "there is no function 'main'", {}},
                        {}};
-  if (program.code[main->second].required_count > 0)
-    return ExecFailure{
-        {ErrorKind::compile, "'main' must not have parameters", {}}, {}};
+  if (const auto& code = program.code[main->second]; code.required_count > 0)
+    return ExecFailure{{ErrorKind::compile, "'main' must not have parameters",
+                        program.place(code.positions.front())},
+                       {}};
   begin_event();
   if (auto ready = interpreter_.initialise(*this); !ready)
     return ExecFailure{std::move(ready.error()), {}};

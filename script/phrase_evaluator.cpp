@@ -2,6 +2,7 @@
 
 #include <mutex>
 
+#include "runtime/base/random.hpp"
 #include "script/interpreter.hpp"
 
 namespace parlour::script {
@@ -13,7 +14,7 @@ class PhraseHost : public Host {
 public:
   explicit PhraseHost(const Value& say)
       : now_(say["now"].integer_or(0)),
-        state_(static_cast<std::uint64_t>(say["rotation"].integer_or(0))) {}
+        random_(static_cast<std::uint64_t>(say["rotation"].integer_or(0))) {}
 
   Performed perform(Activation&, Effect) override {
     return Error{ErrorKind::refused, "a phrase can only compute", {}};
@@ -31,17 +32,14 @@ public:
   Timestamp now() const override {
     return now_;
   }
-  // From the rotation, so that equal inputs give equal words (splitmix64).
+  // From the rotation, so that equal inputs give equal words.
   double random() override {
-    auto mixed = state_ += 0x9e3779b97f4a7c15;
-    mixed = (mixed ^ mixed >> 30) * 0xbf58476d1ce4e5b9;
-    mixed = (mixed ^ mixed >> 27) * 0x94d049bb133111eb;
-    return static_cast<double>((mixed ^ mixed >> 31) >> 11) * 0x1p-53;
+    return random_.fraction();
   }
 
 private:
   Timestamp now_;
-  std::uint64_t state_;
+  Random random_;
 };
 
 class Evaluator : public PhraseEvaluator {

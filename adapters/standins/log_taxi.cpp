@@ -1,15 +1,14 @@
 #include "adapters/standins/log_taxi.hpp"
 
+#include "runtime/base/random.hpp"
+
 namespace parlour::adapters {
 
 namespace {
 
-// SplitMix64: neighbours in, strangers out.
+// Neighbours in, strangers out.
 std::uint64_t scattered(std::uint64_t number) {
-  number += 0x9e3779b97f4a7c15;
-  number = (number ^ (number >> 30)) * 0xbf58476d1ce4e5b9;
-  number = (number ^ (number >> 27)) * 0x94d049bb133111eb;
-  return number ^ (number >> 31);
+  return Random(number).next();
 }
 
 } // namespace

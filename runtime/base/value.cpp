@@ -2,15 +2,19 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <functional>
 
 namespace parlour {
 
 namespace {
 
 const Value unknown_value;
+
+constexpr std::size_t searched = 16; // entries; larger maps have an index
 
 bool same_text(std::string_view left, std::string_view right) {
   auto lower = [](char c) {
@@ -92,25 +96,61 @@ bool Map::empty() const {
   return entries_.empty();
 }
 
+std::size_t Map::position(std::string_view key) const {
+  if (index_.empty()) {
+    const auto found =
+        std::find_if(entries_.begin(), entries_.end(),
+                     [&](const Entry& entry) { return entry.first == key; });
+    return static_cast<std::size_t>(found - entries_.begin());
+  }
+  const auto mask = index_.size() - 1;
+  for (auto at = std::hash<std::string_view>()(key) & mask; index_[at] != 0;
+       at = (at + 1) & mask)
+    if (entries_[index_[at] - 1].first == key)
+      return index_[at] - 1;
+  return entries_.size();
+}
+
+void Map::index(std::size_t position) {
+  const auto mask = index_.size() - 1;
+  auto at = std::hash<std::string_view>()(entries_[position].first) & mask;
+  while (index_[at] != 0)
+    at = (at + 1) & mask;
+  index_[at] = static_cast<std::uint32_t>(position + 1);
+}
+
+void Map::rebuild_index() {
+  index_.clear();
+  if (entries_.size() <= searched)
+    return;
+  index_.resize(std::bit_ceil(entries_.size() * 4));
+  for (std::size_t i = 0; i < entries_.size(); ++i)
+    index(i);
+}
+
 const Value* Map::find(std::string_view key) const {
-  for (const auto& entry : entries_)
-    if (entry.first == key)
-      return &entry.second;
-  return nullptr;
+  const auto at = position(key);
+  return at < entries_.size() ? &entries_[at].second : nullptr;
 }
 
 void Map::set(std::string_view key, Value value) {
-  for (auto& entry : entries_)
-    if (entry.first == key) {
-      entry.second = std::move(value);
-      return;
-    }
+  if (const auto at = position(key); at < entries_.size()) {
+    entries_[at].second = std::move(value);
+    return;
+  }
   entries_.emplace_back(std::string(key), std::move(value));
+  if (entries_.size() > searched && entries_.size() * 2 > index_.size())
+    rebuild_index();
+  else if (!index_.empty())
+    index(entries_.size() - 1);
 }
 
 void Map::erase(std::string_view key) {
-  std::erase_if(entries_,
-                [&](const Entry& entry) { return entry.first == key; });
+  const auto at = position(key);
+  if (at == entries_.size())
+    return;
+  entries_.erase(entries_.begin() + static_cast<std::ptrdiff_t>(at));
+  rebuild_index();
 }
 
 bool Map::operator==(const Map& other) const {

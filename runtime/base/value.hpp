@@ -20,7 +20,8 @@ class Value;
 
 using List = std::vector<Value>;
 
-// String keys in insertion order; small, so found by looking.
+// String keys in insertion order; found by looking, or in a large map by an
+// index, which only the changing functions touch.
 class Map {
 public:
   using Entry = std::pair<std::string, Value>;
@@ -43,7 +44,13 @@ public:
   bool operator==(const Map& other) const; // by content, order aside
 
 private:
+  std::size_t position(std::string_view key) const; // or size()
+  void index(std::size_t position);
+  void rebuild_index();
+
   std::vector<Entry> entries_;
+  // Positions plus one by the keys' hashes, at most half full; 0 is free.
+  std::vector<std::uint32_t> index_;
 };
 
 // What a query returns; cells row by row.

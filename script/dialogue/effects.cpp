@@ -25,7 +25,7 @@ Error not_yet(const script::Effect& effect) {
 
 } // namespace
 
-Effects::Effects(Core& core) : core_(core), random_state_(core.options.seed) {}
+Effects::Effects(Core& core) : core_(core), random_(core.options.seed) {}
 
 script::Performed Effects::perform(script::Activation& activation,
                                    script::Effect effect) {
@@ -262,14 +262,8 @@ Timestamp Effects::now() const {
   return core_.now;
 }
 
-// SplitMix64: small, good enough for dialogue, and the same everywhere.
 double Effects::random() {
-  random_state_ += 0x9e3779b97f4a7c15;
-  auto z = random_state_;
-  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9;
-  z = (z ^ (z >> 27)) * 0x94d049bb133111eb;
-  z ^= z >> 31;
-  return static_cast<double>(z >> 11) * 0x1.0p-53;
+  return random_.fraction();
 }
 
 bool Effects::watches_branches() const {

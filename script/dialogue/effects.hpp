@@ -6,6 +6,7 @@
 #include <set>
 #include <string>
 
+#include "runtime/base/random.hpp"
 #include "script/dialogue/port.hpp"
 #include "script/dialogue/step.hpp"
 #include "script/host.hpp"
@@ -76,7 +77,7 @@ private:
   std::map<QueryId, WaitId> queries_;
   std::map<std::string, Connection, std::less<>> connections_;
   std::string last_connection_;
-  std::uint64_t random_state_;
+  Random random_;
 };
 
 } // namespace parlour::dialogue

@@ -167,6 +167,39 @@ TEST(Map, LastOfEqualKeysHolds) {
   EXPECT_EQ(*map.find("a"), Value(2));
 }
 
+TEST(Map, FindsEveryKeyOfALargeOne) {
+  Map map;
+  for (int i = 0; i < 1000; ++i)
+    map.set("k" + std::to_string(i), i);
+  for (int i = 0; i < 1000; i += 2)
+    map.set("k" + std::to_string(i), -i);
+  for (int i = 3; i < 1000; i += 3)
+    map.erase("k" + std::to_string(i));
+  const Map copy = map;
+  map.set("k3", "back");
+  EXPECT_EQ(copy.size(), 667u);
+  for (int i = 0; i < 1000; ++i) {
+    const auto* found = copy.find("k" + std::to_string(i));
+    if (i > 0 && i % 3 == 0)
+      EXPECT_EQ(found, nullptr) << i;
+    else
+      EXPECT_EQ(*found, Value(i % 2 ? i : -i)) << i;
+  }
+  EXPECT_EQ(map.entries().back().first, "k3");
+}
+
+TEST(Map, ForgetsItsIndexWhenItIsSmallAgain) {
+  Map map;
+  for (int i = 0; i < 20; ++i)
+    map.set(std::to_string(i), i);
+  for (int i = 0; i < 19; ++i)
+    map.erase(std::to_string(i));
+  EXPECT_EQ(*map.find("19"), Value(19));
+  EXPECT_EQ(map.find("1"), nullptr);
+  const Map taken = std::move(map);
+  EXPECT_EQ(taken.size(), 1u);
+}
+
 TEST(ResultSet, FindsCellsByRowAndColumn) {
   auto rows = coffee_shops();
   EXPECT_EQ(rows.row_count(), 2u);

@@ -93,6 +93,15 @@ public:
                (reinterpret_cast<std::uint64_t>(target) & payload_mask));
   }
 
+  // An argument that the call leaves to the parameter's default; nothing that
+  // a script ever sees.
+  static Box missing() {
+    return Box(missing_bits);
+  }
+
+  bool is_missing() const {
+    return bits_ == missing_bits;
+  }
   bool is_unknown() const {
     return bits_ == unknown_bits;
   }
@@ -173,6 +182,7 @@ private:
   static constexpr std::uint64_t unknown_bits = special_tag << 48;
   static constexpr std::uint64_t false_bits = unknown_bits | 2;
   static constexpr std::uint64_t true_bits = unknown_bits | 3;
+  static constexpr std::uint64_t missing_bits = unknown_bits | 4;
 
   explicit Box(std::uint64_t bits) : bits_(bits) {}
   static std::uint64_t tag_of(ObjectType type) {

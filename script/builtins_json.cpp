@@ -111,8 +111,9 @@ public:
     skip();
     return well_ && at_ == text_.size();
   }
+  // Where it went wrong, in code points.
   std::size_t position() const {
-    return at_;
+    return count_code_points(text_.substr(0, well_ ? at_ : wrong_));
   }
 
 private:
@@ -123,6 +124,8 @@ private:
     at_ = std::min(text_.find_first_not_of(" \t\r\n", at_), text_.size());
   }
   Box fail() {
+    if (well_)
+      wrong_ = at_;
     well_ = false;
     return {};
   }
@@ -247,6 +250,7 @@ private:
   Heap& heap_;
   std::string_view text_;
   std::size_t at_ = 0;
+  std::size_t wrong_ = 0; // where it failed first
   bool well_ = true;
 };
 

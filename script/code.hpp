@@ -63,9 +63,8 @@ struct Code {
   std::vector<Position> positions; // one for each instruction
   std::vector<Box> constants;      // immortal, owned by the program's pool
   std::vector<std::string> parameter_names;
-  // Where to begin with required_count + i arguments: the defaults of the
-  // missing ones come first.
-  std::vector<std::uint32_t> entries;
+  // Where the body begins; before it, missing arguments get their defaults.
+  std::uint32_t body = 0;
   std::vector<CatchRange> catches; // innermost first
   std::vector<EffectShape> effects;
 };

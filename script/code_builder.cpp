@@ -156,10 +156,23 @@ Local* CodeBuilder::in_block(std::string_view name) {
   return nullptr;
 }
 
+void CodeBuilder::check_name(std::string_view name) {
+  if (is_reserved(name))
+    findings.error(position_, "'" + std::string(name) +
+                                  "' is a word of the language; a variable "
+                                  "needs another name");
+}
+
 Register CodeBuilder::declare(std::string_view name, bool is_constant,
                               bool is_parameter) {
+  check_name(name);
   locals_.push_back({std::string(name), allocate(), is_parameter, is_constant});
   return locals_.back().reg;
+}
+
+void CodeBuilder::declare_parameter(std::string_view name, Register target) {
+  check_name(name);
+  locals_.push_back({std::string(name), target, true, false});
 }
 
 Meaning CodeBuilder::find(std::string_view name) const {

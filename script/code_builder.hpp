@@ -83,6 +83,8 @@ public:
   std::uint16_t constant(Box box);
   std::uint16_t text_constant(std::string_view text);
   void load(Register target, Box constant_value);
+  // A parameter in a register that is allocated.
+  void declare_parameter(std::string_view name, Register target);
   void load_text(Register target, std::string_view text);
   std::uint16_t shape(EffectShape shape);
 
@@ -113,6 +115,8 @@ public:
   Code finish(); // adds the final give_unknown
 
 private:
+  void check_name(std::string_view name);
+
   Position position_;
   Register next_ = 0;
   bool too_large_ = false;

@@ -2,7 +2,9 @@
 // (language rule 3).
 #include "script/expression.hpp"
 
+#include <algorithm>
 #include <array>
+#include <limits>
 #include <optional>
 
 #include "script/lexer.hpp"
@@ -39,13 +41,6 @@ constexpr std::array products{Spelling{"*", Operator::multiply},
 constexpr std::array<std::string_view, 13> reserved{
     "and", "or", "not", "eq",   "ne",    "lt",     "le",
     "gt",  "ge", "in",  "true", "false", "unknown"};
-
-bool is_reserved(std::string_view word) {
-  for (auto each : reserved)
-    if (each == word)
-      return true;
-  return false;
-}
 
 // Operators in a row make a tree as deep as the row is long.
 constexpr int longest_row = 2000;
@@ -240,11 +235,18 @@ private:
       fail("the expression is nested too deep", node->offset);
     auto operand = failed() ? nullptr : negation();
     --depth_;
-    if (operand && operand->kind == NodeKind::integer) {
+    if (operand && operand->kind == NodeKind::integer &&
+        operand->integer != std::numeric_limits<std::int64_t>::min()) {
       operand->integer = -operand->integer;
       return operand;
     }
     if (operand && operand->kind == NodeKind::number) {
+      // The least integer, whose digits alone are too many for one.
+      if (operand->text == "9223372036854775808") {
+        operand->kind = NodeKind::integer;
+        operand->integer = std::numeric_limits<std::int64_t>::min();
+        return operand;
+      }
       operand->number = -operand->number;
       return operand;
     }
@@ -379,6 +381,10 @@ private:
 };
 
 } // namespace
+
+bool is_reserved(std::string_view word) {
+  return std::find(reserved.begin(), reserved.end(), word) != reserved.end();
+}
 
 Parsed parse_expression(std::string_view text) {
   return Parser(text).whole();

@@ -67,6 +67,8 @@ struct Parsed {
 };
 
 Parsed parse_expression(std::string_view text);
+// A word of the language, such as `and`: no variable can have this name.
+bool is_reserved(std::string_view word);
 // "a, b, c" as one list node.
 Parsed parse_arguments(std::string_view text);
 

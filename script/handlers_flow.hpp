@@ -134,6 +134,11 @@ PARLOUR_INLINE bool jump_if(Machine&, Cursor& c) {
   return true;
 }
 
+PARLOUR_INLINE bool jump_if_given(Machine&, Cursor& c) {
+  c.pc += c.r[c.pc->a].is_missing() ? 1 : c.pc->distance();
+  return true;
+}
+
 PARLOUR_INLINE void branch(Cursor& c, bool result) {
   c.pc += result == (c.pc->flag != 0) ? static_cast<std::int16_t>(c.pc->c) : 1;
 }

@@ -241,8 +241,9 @@ std::unique_ptr<Execution> Machine::start(CodeId code,
       std::min<std::size_t>(values.size(), callee.parameter_count);
   for (std::size_t i = 0; i < given; ++i)
     frame->registers()[i] = to_box(*heap_, values[i]);
-  if (!callee.entries.empty() && given >= callee.required_count)
-    frame->pc += callee.entries[given - callee.required_count];
+  for (std::size_t i = given; callee.body > 0 && i < callee.parameter_count;
+       ++i)
+    frame->registers()[i] = Box::missing();
   return activation;
 }
 

@@ -29,8 +29,9 @@ bool Machine::call(const Code& callee, Box* arguments, std::size_t count) {
   auto* registers = frame->registers();
   for (std::size_t i = 0; i < count; ++i)
     registers[i] = std::move(arguments[i]);
-  if (!callee.entries.empty())
-    frame->pc += callee.entries[count - callee.required_count];
+  if (callee.body > 0) // has defaults
+    for (auto i = count; i < callee.parameter_count; ++i)
+      registers[i] = Box::missing();
   fuel -= static_cast<std::int64_t>(
       std::min(callee.instructions.size(), dearest_call));
   return fuel > 0 || (within_limits() && refuel());

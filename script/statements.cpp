@@ -79,24 +79,24 @@ void StatementCompiler::parameters(const Element& function) {
                                                      !each->attribute("expr"));
     code.parameter_names.push_back(name ? name->value : "");
   }
+  const auto first = b_.allocate(all.size());
   for (std::size_t i = 0; i < all.size(); ++i) {
     const auto& name = code.parameter_names[i];
+    const auto target = static_cast<Register>(first + i);
     const auto* initial = all[i]->attribute("expr");
     if (b_.in_block(name))
       error(all[i]->position, "a second parameter named '" + name + "'");
     if (initial) {
-      // The missing ones are behind this, so their registers are free.
-      code.entries.push_back(b_.here());
       b_.at(all[i]->position);
-      const auto value = b_.allocate();
-      expressions_.expression(source_of(*initial), value);
-      b_.release(value);
-    } else if (!code.entries.empty()) {
+      const auto given = b_.emit(Operation::jump_if_given, target);
+      expressions_.expression(source_of(*initial), target);
+      b_.land(given);
+    } else if (i > 0 && all[i - 1]->attribute("expr")) {
       error(all[i]->position, "parameters with a default come last");
     }
-    b_.declare(name, false, true);
+    b_.declare_parameter(name, target);
   }
-  code.entries.push_back(b_.here());
+  code.body = b_.here();
 }
 
 const Attribute* StatementCompiler::required(const Element& element,

@@ -37,9 +37,9 @@ StatementCompiler::call_arguments(const Element& element,
     arguments[index] = given;
   }
   for (std::size_t i = 0; i < arguments.size(); ++i)
-    if (arguments[i].position.line == 0)
+    if (arguments[i].position.line == 0 && i < function->required)
       error(element.position, "the parameter '" + function->parameter_names[i] +
-                                  "' must be given, too, as a later one is");
+                                  "' has no default; it must be given");
   return arguments;
 }
 
@@ -47,6 +47,8 @@ StatementCompiler::call_arguments(const Element& element,
 // constants and system variables too, is by value.
 void StatementCompiler::argument(const Argument& argument, Register target,
                                  bool may_bind) {
+  if (argument.position.line == 0)
+    return b_.load(target, Box::missing());
   if (!argument.expression)
     return b_.load(target, Box());
   const auto source = source_of(*argument.expression);
@@ -85,13 +87,15 @@ void StatementCompiler::call(const Element& element) {
                  "there is no function '" + name->value + "'" +
                      did_you_mean(name->value, candidates));
   }
+  const auto findings = b_.findings.all().size();
   const auto arguments = call_arguments(element, function);
+  const bool well = b_.findings.all().size() == findings;
   const auto count = arguments.size();
   const std::size_t minimum =
       function ? function->required : builtin(*builtin_at).minimum;
   const std::size_t maximum =
       function ? function->parameters : builtin(*builtin_at).maximum;
-  if (count < minimum || count > std::min<std::size_t>(maximum, 255))
+  if (well && (count < minimum || count > std::min<std::size_t>(maximum, 255)))
     error(element.position,
           "'" + name->value + "' takes " + std::to_string(minimum) +
               (minimum == maximum ? "" : " to " + std::to_string(maximum)) +
@@ -162,7 +166,17 @@ void StatementCompiler::catch_errors(std::uint32_t from,
 void StatementCompiler::try_(const Element& element) {
   const auto from = b_.here();
   block(element, {"catch"});
-  catch_errors(from, element.child("catch"));
+  const Element* handler = nullptr;
+  for (const auto& child : element.children)
+    if (plain_name(child.name) == "catch") {
+      if (handler)
+        error(child.position, "a second <catch>; one takes all errors");
+      handler = &child;
+    }
+  if (handler)
+    return catch_errors(from, handler);
+  b_.findings.warning(element.position,
+                      "<try> needs a <catch>; without one, errors pass on");
 }
 
 } // namespace parlour::script

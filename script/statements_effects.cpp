@@ -252,6 +252,9 @@ void StatementCompiler::request(const Element& element) {
 }
 
 void StatementCompiler::fire(const Element& element) {
+  if (!element.attribute("event") && !element.attribute("param") &&
+      !element.child("param"))
+    error(element.position, "<fire> needs a 'param' with frames or an 'event'");
   const auto base = b_.allocate(2);
   if (element.attribute("event")) {
     operand(element, "event", F::text, base);

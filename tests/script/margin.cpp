@@ -1,0 +1,111 @@
+#include "tests/script/margin.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+
+#include <gtest/gtest.h>
+
+#include "script/exec_host.hpp"
+#include "tests/script/snippets.hpp"
+
+namespace parlour::test {
+
+namespace {
+
+// What follows `mark` up to the end of the comment.
+bool remark(const std::string& line, const std::string& mark,
+            std::string& text) {
+  const auto at = line.find("<!-- " + mark + ":");
+  if (at == std::string::npos)
+    return false;
+  const auto start = at + mark.size() + 6;
+  text = line.substr(start, line.find(" -->", start) - start);
+  if (text.starts_with(' '))
+    text.erase(0, 1);
+  return true;
+}
+
+std::string text_of(const std::filesystem::path& file) {
+  std::ifstream input(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(input), {}};
+}
+
+bool said(const std::vector<Remark>& all, const Remark& wanted) {
+  return std::any_of(all.begin(), all.end(), [&](const Remark& one) {
+    return one.line == wanted.line &&
+           one.text.find(wanted.text) != std::string::npos;
+  });
+}
+
+std::string listed(const std::vector<Remark>& all) {
+  std::string text;
+  for (const auto& [line, said] : all)
+    text += std::to_string(line) + ": " + said + '\n';
+  return text;
+}
+
+void expect_said(const std::vector<Remark>& all,
+                 const std::vector<Remark>& wanted, const char* what) {
+  for (const auto& one : wanted)
+    EXPECT_TRUE(said(all, one)) << "no " << what << " of line " << one.line
+                                << ": " << one.text << "\nbut:\n"
+                                << listed(all);
+  EXPECT_EQ(all.size(), wanted.size()) << listed(all);
+}
+
+} // namespace
+
+Expectation read_expectation(const std::string& script) {
+  Expectation expected;
+  expected.compiles = script.find("<!-- compiles -->") != std::string::npos;
+  std::istringstream input(script);
+  std::string line;
+  for (std::uint32_t number = 1; std::getline(input, line); ++number) {
+    std::string text;
+    if (remark(line, "expect", text))
+      expected.printed += text + '\n';
+    if (remark(line, "expect error at this line", text))
+      expected.errors.push_back({number, text});
+    if (remark(line, "expect finding at this line", text))
+      expected.findings.push_back({number, text});
+  }
+  return expected;
+}
+
+ScriptRun run_script(const std::shared_ptr<const script::Program>& program) {
+  ScriptRun run;
+  Timestamp clock = 1'795'251'600'000; // 2026-11-21 09:00 UTC
+  script::ExecOptions options;
+  options.print = [&](std::string_view text) {
+    run.printed.append(text) += '\n';
+  };
+  options.log = [](std::string_view) {};
+  options.now = [&] { return clock; };
+  options.wait_until = [&](Timestamp time) { clock = std::max(clock, time); };
+  options.instructions = 1'000'000;
+  if (const auto failure = script::run_main(program, options))
+    run.errors.push_back(
+        {failure->error.place.line, std::string(name_of(failure->error.kind)) +
+                                        ": " + failure->error.message});
+  return run;
+}
+
+void expect_as_in_margin(const std::filesystem::path& file) {
+  const auto expected = read_expectation(text_of(file));
+  ASSERT_FALSE(expected.empty()) << "the case expects nothing";
+  const auto compiled = script::compile_file(file, platform());
+  std::vector<Remark> findings;
+  for (const auto& finding : compiled.findings.all())
+    findings.push_back({finding.place.line, finding.message});
+  expect_said(findings, expected.findings, "finding");
+  EXPECT_TRUE(compiled.program || !expected.compiles);
+  if (!compiled.program || expected.compiles)
+    return;
+  const auto result = run_script(compiled.program);
+  EXPECT_EQ(result.printed, expected.printed);
+  expect_said(result.errors, expected.errors, "error");
+}
+
+} // namespace parlour::test

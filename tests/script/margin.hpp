@@ -1,0 +1,50 @@
+// A small script whose comments say what it does:
+//
+//   <!-- expect: text -->                   the next line printed
+//   <!-- expect error at this line: text --> ends with an error of this line
+//   <!-- expect finding at this line: text --> the compiler says so
+//   <!-- compiles -->                       without a finding; it does not run
+//
+// The text of an error or finding needs to be a part of what is said. It runs
+// as `parlour exec` would run it, in a time that only its waits move.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "script/program.hpp"
+
+namespace parlour::test {
+
+struct Remark {
+  std::uint32_t line = 0;
+  std::string text;
+
+  bool operator==(const Remark&) const = default;
+};
+
+struct Expectation {
+  std::string printed; // a line each
+  std::vector<Remark> errors;
+  std::vector<Remark> findings;
+  bool compiles = false;
+
+  bool empty() const {
+    return printed.empty() && errors.empty() && findings.empty() && !compiles;
+  }
+};
+
+Expectation read_expectation(const std::string& script);
+
+struct ScriptRun {
+  std::string printed;
+  std::vector<Remark> errors; // "Kind: message"
+};
+
+ScriptRun run_script(const std::shared_ptr<const script::Program>& program);
+
+// Compiles and runs the file; every difference from its margin is a failure.
+void expect_as_in_margin(const std::filesystem::path& file);
+
+} // namespace parlour::test

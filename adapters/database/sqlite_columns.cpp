@@ -28,8 +28,16 @@ bool is_name(std::string_view text) {
          });
 }
 
+bool is_there(const SQLiteOptions& options) {
+  return !options.in_memory() && std::filesystem::exists(options.file);
+}
+
+std::string source(const SQLiteOptions& options) {
+  return is_there(options) ? " from " + options.file.string() : "";
+}
+
 Expected<SQLiteHandle> open_to_read(const SQLiteOptions& options) {
-  if (!options.in_memory() && std::filesystem::exists(options.file))
+  if (is_there(options))
     return open_file(options.file, Missing::refuse);
   auto image = sqlite_image(options.schema, options.seed);
   if (!image)
@@ -69,9 +77,9 @@ Expected<std::vector<std::string>> read_column(const SQLiteOptions& options,
                          "\" where " + column + " is not null order by 1",
                      {}, Access::read);
   if (!answer)
-    return fail(answer.error().kind,
-                "The column '" + reference +
-                    "' cannot be read: " + answer.error().message);
+    return fail(answer.error().kind, "The column '" + reference +
+                                         "' cannot be read" + source(options) +
+                                         ": " + answer.error().message);
   std::vector<std::string> values;
   for (const auto& cell : answer->rows.cells)
     values.push_back(cell.text());

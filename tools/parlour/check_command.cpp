@@ -33,7 +33,7 @@ int check_command(const Places& places, const CheckOptions& options,
   if (options.json)
     print_json(console.out, *findings);
   else
-    print_lines(console.out, *findings);
+    print_lines(console.out, *findings, places);
   const auto counted = count(*findings);
   console.err << options.app << ": " << to_string(counted) << std::endl;
   return counted.errors > 0 ? exit_code::wrong : exit_code::well;

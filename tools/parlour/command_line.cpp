@@ -117,7 +117,9 @@ private:
         add("check", "Say everything that is wrong with an application",
             [this] { return check_command(places_, check_, console_); });
     add_app(command, check_.app, "A folder, a name, or one script file");
-    command->add_flag("--json", check_.json, "Findings as JSON");
+    command->add_flag("--json", check_.json,
+                      "Findings as a JSON array of {file, line, column, "
+                      "severity, message}");
   }
 
   void add_test() {
@@ -131,6 +133,7 @@ private:
         ->type_name("FILE");
     command->add_flag("--trace", test_.trace,
                       "Show what happened in those that failed");
+    command->add_flag("--quiet,-q", test_.quiet, "Leave out the coverage");
     command->add_option("--jobs,-j", test_.jobs,
                         "Conversations at a time; as many as cores");
   }

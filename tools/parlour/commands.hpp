@@ -25,6 +25,7 @@ struct TestOptions {
   std::vector<std::string> files; // none: all of dialogues/
   std::string junit;              // a file; empty: none
   bool trace = false;             // of failures
+  bool quiet = false;             // without coverage
   unsigned jobs = 0;              // threads; 0: as many as cores
 };
 int test_command(const Places& places, const TestOptions& options,

@@ -48,6 +48,13 @@ const PluginFactory* find_in(const std::vector<PluginFactory>& plugins,
   return found == plugins.end() ? nullptr : &*found;
 }
 
+// Whom a finding is about: the plug-in, where need be of which component.
+std::string whose(const ComponentSettings& component) {
+  return component.name == component.plugin
+             ? component.plugin
+             : component.name + ": " + component.plugin;
+}
+
 void check_options(const ComponentSettings& component,
                    const PluginDescription& plugin, Composition& composition) {
   std::vector<std::string> known;
@@ -62,8 +69,8 @@ void check_options(const ComponentSettings& component,
   for (const auto& [name, value] : component.options)
     if (std::find(known.begin(), known.end(), name) == known.end())
       composition.findings.push_back({Severity::error, component.place,
-                                      component.name + ": " + plugin.name +
-                                          " has no option '" + name + "'" +
+                                      whose(component) + " has no option '" +
+                                          name + "'" +
                                           script::did_you_mean(name, known)});
 }
 

@@ -125,13 +125,13 @@ Coverage::Part Coverage::part(const char* name,
   return made;
 }
 
-void print(std::ostream& out, const Coverage& coverage) {
+void print(std::ostream& out, const Coverage& coverage, const Places& places) {
   out << "coverage:\n";
   for (const auto& part : coverage.parts()) {
     out << "  " << part.name << ' ' << part.all - part.missing.size() << " of "
         << part.all << '\n';
     for (const auto& missing : part.missing)
-      out << "    not reached: " << missing << '\n';
+      out << "    not reached: " << shown_path(places, missing) << '\n';
   }
 }
 

@@ -11,6 +11,7 @@
 #include "runtime/base/inspection.hpp"
 #include "script/program.hpp"
 #include "tools/parlour/module_names.hpp"
+#include "tools/parlour/places.hpp"
 
 namespace parlour::tools {
 
@@ -44,6 +45,7 @@ private:
   std::set<std::string> branches_;
 };
 
-void print(std::ostream& out, const Coverage& coverage);
+// Files below the working folder are named from there.
+void print(std::ostream& out, const Coverage& coverage, const Places& places);
 
 } // namespace parlour::tools

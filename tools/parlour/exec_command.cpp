@@ -46,7 +46,7 @@ int exec_command(const Places& places, const std::string& file,
     say_error(console, compiled.error().message);
     return exit_code::usage;
   }
-  print_lines(console.err, compiled->findings.all());
+  print_lines(console.err, compiled->findings.all(), places);
   if (!compiled->program)
     return exit_code::wrong;
   const auto failure =
@@ -54,7 +54,9 @@ int exec_command(const Places& places, const std::string& file,
   console.out.flush();
   if (!failure)
     return exit_code::well;
-  console.err << to_string(failure->error) << '\n';
+  auto error = failure->error;
+  error.place.file = shown_path(places, error.place.file);
+  console.err << to_string(error) << '\n';
   for (const auto& caller : failure->stack)
     console.err << "  in " << caller << '\n';
   return exit_code::wrong;

@@ -28,9 +28,12 @@ std::string to_string(const FindingCount& count) {
 }
 
 void print_lines(std::ostream& out,
-                 const std::vector<script::Finding>& findings) {
-  for (const auto& finding : findings)
+                 const std::vector<script::Finding>& findings,
+                 const Places& places) {
+  for (auto finding : findings) {
+    finding.place.file = shown_path(places, finding.place.file);
     out << script::to_string(finding) << '\n';
+  }
 }
 
 void print_json(std::ostream& out,

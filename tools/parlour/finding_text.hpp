@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "script/findings.hpp"
+#include "tools/parlour/places.hpp"
 
 namespace parlour::tools {
 
@@ -19,11 +20,13 @@ FindingCount count(const std::vector<script::Finding>& findings);
 // "2 errors, 1 warning".
 std::string to_string(const FindingCount& count);
 
-// "file:line:column: severity: message", a line each.
+// "file:line:column: severity: message", a line each. Files below the working
+// folder are named from there.
 void print_lines(std::ostream& out,
-                 const std::vector<script::Finding>& findings);
+                 const std::vector<script::Finding>& findings,
+                 const Places& places);
 
-// An array of {file, line, column, severity, message}.
+// An array of {file, line, column, severity, message}; files are absolute.
 void print_json(std::ostream& out,
                 const std::vector<script::Finding>& findings);
 

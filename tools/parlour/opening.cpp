@@ -16,7 +16,7 @@ std::variant<Application, int> open_application(const Places& places,
   auto application = load_application(*folder, find_platform(places, *folder));
   if (!application.has_errors() && application.program)
     return application;
-  print_lines(console.err, application.findings);
+  print_lines(console.err, application.findings, places);
   say_error(console,
             app + " is not started: " + to_string(count(application.findings)));
   return exit_code::wrong;

@@ -45,6 +45,11 @@ Places process_places() {
   return places;
 }
 
+std::string shown_path(const Places& places, const std::string& file) {
+  const auto folder = places.working.string() + '/';
+  return file.rfind(folder, 0) == 0 ? file.substr(folder.size()) : file;
+}
+
 Expected<fs::path> find_application(const Places& places,
                                     const std::string& app) {
   std::vector<fs::path> candidates{places.working / app};

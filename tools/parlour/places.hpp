@@ -23,6 +23,10 @@ struct Places {
 // Those of the running program.
 Places process_places();
 
+// A file's name (or "file:line") as people want to read it: from the working
+// folder where it lies below that, else as it is.
+std::string shown_path(const Places& places, const std::string& file);
+
 // The folder, absolute: APP itself, ./config/apps/APP, an installed one. The
 // error (kind Settings) says where it was looked for.
 Expected<std::filesystem::path> find_application(const Places& places,

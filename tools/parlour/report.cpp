@@ -16,8 +16,9 @@ std::string failure_text(const ConversationResult& result) {
          "\n  found:    " + failure.found + '\n';
 }
 
-void print_report(std::ostream& out,
-                  const std::vector<ConversationResult>& results, bool trace) {
+void print_failures(std::ostream& out,
+                    const std::vector<ConversationResult>& results,
+                    bool trace) {
   for (const auto& result : results) {
     if (!result.failure)
       continue;
@@ -26,6 +27,10 @@ void print_report(std::ostream& out,
       for (const auto& line : result.trace)
         out << "  | " << line << '\n';
   }
+}
+
+void print_summary(std::ostream& out,
+                   const std::vector<ConversationResult>& results) {
   const auto passed =
       std::count_if(results.begin(), results.end(),
                     [](const auto& result) { return !result.failure; });

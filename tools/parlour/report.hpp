@@ -13,8 +13,12 @@ namespace parlour::tools {
 // and what came. Empty for one that passed.
 std::string failure_text(const ConversationResult& result);
 
-// Each failure, with its trace where wanted, and the count.
-void print_report(std::ostream& out,
-                  const std::vector<ConversationResult>& results, bool trace);
+// Each failure, with its trace where wanted.
+void print_failures(std::ostream& out,
+                    const std::vector<ConversationResult>& results, bool trace);
+
+// "2 of 3 conversations passed".
+void print_summary(std::ostream& out,
+                   const std::vector<ConversationResult>& results);
 
 } // namespace parlour::tools

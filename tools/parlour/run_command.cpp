@@ -1,4 +1,7 @@
-#include <ostream>
+#include <atomic>
+#include <cstdio>
+#include <fstream>
+#include <mutex>
 
 #include <unistd.h>
 
@@ -21,15 +24,22 @@ namespace {
 // Lines about the conversation, from any thread.
 class Notes {
 public:
-  explicit Notes(const Console& console) : console_(console) {}
-  void add(const std::string& text) {
+  Notes(const Console& console, std::filesystem::path log)
+      : console_(console), log_(std::move(log)) {}
+  void show(const std::string& text) {
     std::lock_guard lock(mutex_);
     console_.err << coloured(console_, grey, text) << std::endl;
+  }
+  // Where showing would be in the way.
+  void keep(const std::string& text) {
+    std::lock_guard lock(mutex_);
+    std::ofstream(log_, std::ios::app) << text << std::endl;
   }
 
 private:
   std::mutex mutex_;
   const Console& console_;
+  std::filesystem::path log_;
 };
 
 bool wants_terminal(const RunOptions& options) {
@@ -42,7 +52,7 @@ public:
       const Console& console, const std::filesystem::path& data,
       SignalWatch& signals)
       : application_(application), options_(options), console_(console),
-        data_(data), signals_(signals), notes_(console) {}
+        data_(data), signals_(signals), notes_(console, data / "log") {}
 
   int run() {
     for (const auto& notice : application_.composition.notices)
@@ -53,35 +63,56 @@ public:
       return exit_code::wrong;
     }
     signals_.on_interrupt([&] { (*node)->interrupt(); });
-    const auto ended =
-        wants_terminal(options_) ? on_terminal(**node) : by_lines(**node);
-    signals_.on_interrupt(nullptr);
-    (*node)->stop();
-    return ended || !signals_.interrupted() ? exit_code::well
-                                            : exit_code::interrupted;
+    if (wants_terminal(options_))
+      talk_on_terminal(**node);
+    else
+      talk_by_lines(**node);
+    return interrupted_ ? exit_code::interrupted : exit_code::well;
   }
 
 private:
   actors::NodeOptions options() {
     auto made = node_options(application_, application_.composition,
                              {data_.string(), options_.clock, options_.seed});
-    if (options_.trace)
-      made.on_inspection = [this](const Inspection& seen) {
-        if (seen.kind != InspectionKind::branch)
-          note(trace_line(seen));
-      };
-    made.log = [this](const std::string& text) { note(as_one_line(text)); };
+    made.on_inspection = [this](const Inspection& seen) { watch(seen); };
+    made.log = [this](const std::string& text) { log(as_one_line(text)); };
     return made;
   }
 
-  void note(const std::string& text) {
-    if (screen_)
-      screen_->note(text);
-    else
-      notes_.add(text);
+  // A script's errors are always shown.
+  void watch(const Inspection& seen) {
+    if (seen.kind == InspectionKind::branch)
+      return;
+    if (options_.trace || seen.kind == InspectionKind::error)
+      note(trace_line(seen));
+    else if (seen.kind == InspectionKind::log)
+      log(trace_line(seen));
   }
 
-  bool by_lines(actors::Node& node) {
+  // A conversation on a terminal is not interrupted by it unless asked for.
+  void log(const std::string& text) {
+    if (screen_ && !options_.trace)
+      notes_.keep(text);
+    else
+      note(text);
+  }
+
+  void note(const std::string& text) {
+    if (auto* screen = screen_.load())
+      screen->note(text);
+    else
+      notes_.show(text);
+  }
+
+  // An interrupt that came later than this would cut short what ends the
+  // sessions in order.
+  void end(actors::Node& node) {
+    signals_.on_interrupt(nullptr);
+    interrupted_ = signals_.interrupted();
+    node.stop();
+  }
+
+  void talk_by_lines(actors::Node& node) {
     RobotVoice voice(console_.out, [this] { signals_.raise_closed(); });
     const auto seat =
         node.open_seat({[&](const SessionId&, const dialogue::Output& output) {
@@ -92,13 +123,13 @@ private:
     DescriptorSource source(STDIN_FILENO, signals_.descriptor());
     RowReader rows(source, [this](const std::string& text) { note(text); });
     NodePartner partner(node, seat, options_.clock.has_value());
-    const auto ended = talk_by_rows(partner, rows) && !signals_.interrupted();
-    node.stop(); // while there is a voice
-    return ended;
+    talk_by_rows(partner, rows);
+    end(node); // while there is a voice
   }
 
-  bool on_terminal(actors::Node& node) {
-    Screen screen(signals_.descriptor(), data_ / "history", console_.colour);
+  void talk_on_terminal(actors::Node& node) {
+    Screen screen({stdin, stdout, signals_.descriptor()}, data_ / "history",
+                  console_.colour);
     screen_ = &screen;
     const auto seat =
         node.open_seat({[&](const SessionId&, const dialogue::Output& output) {
@@ -107,12 +138,10 @@ private:
                         {}});
     node.open(seat);
     NodePartner partner(node, seat, options_.clock.has_value());
-    const auto ended =
-        talk_on_terminal(partner, screen) && !signals_.interrupted();
-    node.stop();
+    tools::talk_on_terminal(partner, screen);
+    end(node);
     screen.flush();
     screen_ = nullptr;
-    return ended;
   }
 
   const Application& application_;
@@ -121,7 +150,8 @@ private:
   std::filesystem::path data_;
   SignalWatch& signals_;
   Notes notes_;
-  Screen* screen_ = nullptr; // while there is a terminal
+  std::atomic<Screen*> screen_ = nullptr; // while there is a terminal
+  bool interrupted_ = false;              // before the conversation had ended
 };
 
 } // namespace

@@ -10,12 +10,23 @@
 
 namespace parlour::tools {
 
+namespace {
+
+bool is_ignored(int signal) {
+  struct sigaction action {};
+  return sigaction(signal, nullptr, &action) == 0 &&
+         action.sa_handler == SIG_IGN;
+}
+
+} // namespace
+
 SignalWatch::SignalWatch() {
   sigset_t set;
   sigemptyset(&set);
   sigaddset(&set, SIGINT);
   sigaddset(&set, SIGTERM);
-  sigaddset(&set, SIGHUP); // the terminal was closed
+  if (!is_ignored(SIGHUP))   // as nohup has it
+    sigaddset(&set, SIGHUP); // the terminal was closed
   pthread_sigmask(SIG_BLOCK, &set, &before_);
   signal(SIGPIPE, SIG_IGN);
   signals_ = signalfd(-1, &set, SFD_CLOEXEC | SFD_NONBLOCK);

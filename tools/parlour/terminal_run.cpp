@@ -1,10 +1,12 @@
 #include "tools/parlour/terminal_run.hpp"
 
-#include <cstdio>
+#include <algorithm>
+#include <cwchar>
 
 #include <histedit.h>
 #include <poll.h>
 #include <sys/eventfd.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include "tools/parlour/line_reader.hpp"
@@ -15,18 +17,25 @@ namespace {
 
 constexpr int kept_lines = 1000; // of history
 
+constexpr int prompt_columns = 2;
 const wchar_t* prompt(EditLine*) {
   return L"> ";
+}
+
+int columns_of(std::FILE* terminal) {
+  winsize size{};
+  const auto known = ioctl(fileno(terminal), TIOCGWINSZ, &size) == 0;
+  return known && size.ws_col > 0 ? size.ws_col : 80;
 }
 
 } // namespace
 
 struct Screen::Editor {
-  Editor(Screen* owner, int interrupt_descriptor, std::string history_file)
-      : screen(owner), interrupt(interrupt_descriptor),
+  Editor(Screen* owner, const Terminal& both_ends, std::string history_file)
+      : screen(owner), terminal(both_ends),
         news(eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)),
         file(std::move(history_file)) {
-    line = el_init("parlour", stdin, stdout, stderr);
+    line = el_init("parlour", terminal.in, terminal.out, terminal.out);
     past = history_init();
     HistEvent event;
     history(past, &event, H_SETSIZE, kept_lines);
@@ -52,9 +61,9 @@ struct Screen::Editor {
     Editor* self = nullptr;
     el_get(line, EL_CLIENTDATA, &self);
     for (;;) {
-      pollfd waiting[] = {{self->interrupt, POLLIN, 0},
+      pollfd waiting[] = {{self->terminal.interrupt, POLLIN, 0},
                           {self->news, POLLIN, 0},
-                          {STDIN_FILENO, POLLIN, 0}};
+                          {fileno(self->terminal.in), POLLIN, 0}};
       if (poll(waiting, 3, -1) < 0)
         continue;
       if (waiting[0].revents)
@@ -67,11 +76,11 @@ struct Screen::Editor {
   }
 
   // A character of UTF-8; bytes that are none become U+FFFD.
-  int read_character(wchar_t* character) {
+  int read_character(wchar_t* character) const {
     std::mbstate_t state{};
     for (;;) {
       char byte;
-      if (::read(STDIN_FILENO, &byte, 1) != 1)
+      if (::read(fileno(terminal.in), &byte, 1) != 1)
         return 0;
       const auto size = std::mbrtowc(character, &byte, 1, &state);
       if (size == static_cast<std::size_t>(-1)) {
@@ -83,23 +92,36 @@ struct Screen::Editor {
     }
   }
 
+  // In place of the line that is being written, which goes on below.
   void show_news() {
-    std::fputs("\r\033[K", stdout);
+    if (const auto above = rows_above_cursor(); above > 0)
+      std::fprintf(terminal.out, "\033[%dA", above);
+    std::fputs("\r\033[J", terminal.out);
     screen->flush();
     el_set(line, EL_REFRESH);
   }
 
+  // Of prompt and line, where the line is longer than the terminal is wide.
+  int rows_above_cursor() const {
+    const auto* written = el_wline(line);
+    auto columns = prompt_columns;
+    for (const auto* at = written->buffer; at != written->cursor; ++at)
+      columns += std::max(wcwidth(*at), 0);
+    return columns / columns_of(terminal.out);
+  }
+
   Screen* screen;
-  int interrupt;
+  Terminal terminal;
   int news;
   std::string file;
   EditLine* line = nullptr;
   History* past = nullptr;
 };
 
-Screen::Screen(int interrupt, std::filesystem::path history, bool colour)
+Screen::Screen(const Terminal& terminal, std::filesystem::path history,
+               bool colour)
     : colour_(colour),
-      editor_(std::make_unique<Editor>(this, interrupt, history.string())) {}
+      editor_(std::make_unique<Editor>(this, terminal, history.string())) {}
 
 Screen::~Screen() = default;
 
@@ -122,9 +144,9 @@ void Screen::flush() {
   eventfd_t ignored;
   eventfd_read(editor_->news, &ignored);
   for (const auto& line : lines_)
-    std::fprintf(stdout, "%s\n", line.c_str());
+    std::fprintf(editor_->terminal.out, "%s\n", line.c_str());
   lines_.clear();
-  std::fflush(stdout);
+  std::fflush(editor_->terminal.out);
 }
 
 std::optional<std::string> Screen::read_line() {
@@ -132,7 +154,7 @@ std::optional<std::string> Screen::read_line() {
   int size = 0;
   const auto* text = el_gets(editor_->line, &size);
   if (!text || size <= 0) {
-    std::fputc('\n', stdout);
+    std::fputc('\n', editor_->terminal.out);
     return std::nullopt;
   }
   HistEvent event;
@@ -146,7 +168,7 @@ std::optional<std::string> Screen::read_line() {
   return line ? line->text : std::string();
 }
 
-bool talk_on_terminal(Partner& partner, Screen& screen) {
+void talk_on_terminal(Partner& partner, Screen& screen) {
   while (const auto line = screen.read_line()) {
     if (!is_blank(*line)) {
       partner.enter({*line});
@@ -156,7 +178,6 @@ bool talk_on_terminal(Partner& partner, Screen& screen) {
       partner.step_to_next_due();
     }
   }
-  return true;
 }
 
 } // namespace parlour::tools

@@ -2,6 +2,7 @@
 // says appears above the line that is being written.
 #pragma once
 
+#include <cstdio>
 #include <deque>
 #include <filesystem>
 #include <memory>
@@ -13,12 +14,20 @@
 
 namespace parlour::tools {
 
-// The terminal. say and note may be called from any thread; the rest from one.
+// Both ends of one terminal, and a descriptor that ends reading when it becomes
+// readable. Owns none of them.
+struct Terminal {
+  std::FILE* in;
+  std::FILE* out;
+  int interrupt;
+};
+
+// What is on the terminal. say and note may be called from any thread; the rest
+// from one.
 class Screen {
 public:
-  // Ends reading when `interrupt` becomes readable. Lines written are kept in
-  // the file `history`.
-  Screen(int interrupt, std::filesystem::path history, bool colour);
+  // Lines written are kept in the file `history`.
+  Screen(const Terminal& terminal, std::filesystem::path history, bool colour);
   Screen(const Screen&) = delete;
   Screen& operator=(const Screen&) = delete;
   ~Screen();
@@ -43,7 +52,7 @@ private:
 };
 
 // Each line is a turn; an empty line lets virtual time go to the next due
-// timer. False where a signal ended it.
-bool talk_on_terminal(Partner& partner, Screen& screen);
+// timer. Until the input ends or is interrupted.
+void talk_on_terminal(Partner& partner, Screen& screen);
 
 } // namespace parlour::tools

@@ -72,7 +72,8 @@ struct Suite {
   std::vector<script::Finding> findings;
 };
 
-Suite read_suite(const Application& application, const Paths& files) {
+Suite read_suite(const Application& application, const Paths& files,
+                 const Places& places) {
   Suite suite;
   for (const auto& file : files) {
     auto parsed = read_conversation(file);
@@ -81,6 +82,7 @@ Suite read_suite(const Application& application, const Paths& files) {
     suite.findings.insert(suite.findings.end(), parsed.errors.begin(),
                           parsed.errors.end());
     suite.findings.insert(suite.findings.end(), wrong.begin(), wrong.end());
+    parsed.conversation.file = shown_path(places, parsed.conversation.file);
     suite.conversations.push_back(std::move(parsed.conversation));
   }
   return suite;
@@ -127,11 +129,11 @@ bool all_passed(const std::vector<ConversationResult>& results) {
 }
 
 // Warnings are errors here.
-bool refused(const std::vector<script::Finding>& findings,
+bool refused(const std::vector<script::Finding>& findings, const Places& places,
              const Console& console) {
   if (findings.empty())
     return false;
-  print_lines(console.out, findings);
+  print_lines(console.out, findings, places);
   say_error(console, "no conversation is held: " + to_string(count(findings)));
   return true;
 }
@@ -149,9 +151,9 @@ int test_command(const Places& places, const TestOptions& options,
     say_error(console, files.error().message);
     return exit_code::usage;
   }
-  const auto suite = read_suite(application, *files);
-  if (refused(application.findings, console) ||
-      refused(suite.findings, console))
+  const auto suite = read_suite(application, *files, places);
+  if (refused(application.findings, places, console) ||
+      refused(suite.findings, places, console))
     return exit_code::wrong;
   if (suite.conversations.empty())
     say_warning(console, options.app + " has no conversations in dialogues/");
@@ -161,8 +163,10 @@ int test_command(const Places& places, const TestOptions& options,
                         ? options.jobs
                         : std::max(1u, std::thread::hardware_concurrency());
   const auto results = hold_all(application, suite, jobs, coverage);
-  print(console.out, coverage);
-  print_report(console.out, results, options.trace);
+  print_failures(console.out, results, options.trace);
+  if (!options.quiet)
+    print(console.out, coverage, places);
+  print_summary(console.out, results);
   const auto written = write_junit(options, application.program->settings.name,
                                    results, console);
   return written && all_passed(results) ? exit_code::well : exit_code::wrong;

@@ -64,8 +64,8 @@ TEST(Composition, names_the_nearest_plugin) {
 
 TEST(Composition, names_the_nearest_option) {
   EXPECT_THAT(findings_of(component("SQLiteDatabase", {{"fil", "x.db"}})),
-              ElementsAre("settings.xml:3:5: error: SQLiteDatabase: "
-                          "SQLiteDatabase has no option 'fil', did you mean "
+              ElementsAre("settings.xml:3:5: error: SQLiteDatabase has no "
+                          "option 'fil', did you mean "
                           "'file'?"));
 }
 

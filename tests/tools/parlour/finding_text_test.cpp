@@ -22,8 +22,16 @@ TEST(FindingText, counts) {
 
 TEST(FindingText, prints_a_line_each) {
   std::ostringstream out;
-  print_lines(out, {findings[0]});
-  EXPECT_EQ(out.str(), "a.xml:3:5: error: wrong\n");
+  Places places;
+  places.working = "/site";
+  auto below = findings[0];
+  below.place.file = "/site/app/a.xml";
+  auto beside = findings[0];
+  beside.place.file = "/sites/a.xml";
+  print_lines(out, {findings[0], below, beside}, places);
+  EXPECT_EQ(out.str(), "a.xml:3:5: error: wrong\n"
+                       "app/a.xml:3:5: error: wrong\n"
+                       "/sites/a.xml:3:5: error: wrong\n");
 }
 
 TEST(FindingText, prints_json_whatever_the_bytes) {

@@ -92,6 +92,13 @@ TEST_F(PlacesTest, keeps_data_where_the_environment_says) {
             "/home/ada/.local/share/parlour/desk");
 }
 
+TEST_F(PlacesTest, shows_files_from_the_working_folder) {
+  places_.working = "/site";
+  EXPECT_EQ(shown_path(places_, "/site/app/a.xml:3"), "app/a.xml:3");
+  EXPECT_EQ(shown_path(places_, "/sitemap/a.xml"), "/sitemap/a.xml");
+  EXPECT_EQ(shown_path(places_, "a.xml"), "a.xml");
+}
+
 TEST(ProcessPlaces, finds_the_source_tree_of_a_program_not_installed) {
   const auto places = process_places();
   ASSERT_FALSE(places.shares.empty());

@@ -12,9 +12,10 @@ namespace {
 using testing::HasSubstr;
 
 // A run by pipe is a process: its input is its own.
-std::string piped(const std::string& input, const std::string& arguments) {
+std::string piped(const std::string& input, const std::string& arguments,
+                  const std::string& errors = "2>/dev/null") {
   const auto command = "printf '" + input + "' | " PARLOUR_PROGRAM " run " +
-                       arguments + " 2>/dev/null";
+                       arguments + " " + errors;
   auto* pipe = popen(command.c_str(), "r");
   std::string all;
   char buffer[4096];
@@ -33,6 +34,21 @@ TEST_F(CommandTest, run_talks_by_pipe_in_virtual_time) {
   EXPECT_EQ(piped("bye\\n\\nagain", arguments),
             "Hello.\nGoodbye.\nHello.\nYou said again.\n0");
   EXPECT_EQ(piped("", arguments), "Hello.\n0");
+}
+
+TEST_F(CommandTest, run_tells_a_script_s_error_and_goes_on) {
+  test::TemporaryFolder folder;
+  folder.write("settings.xml", "<settings name=\"own\" start=\"Welcome\">"
+                               "<Scripts><Script>own.xml</Script></Scripts>"
+                               "</settings>");
+  folder.write("own.xml", "<dialogue><state name=\"Welcome\"><Entrance>\n"
+                          "<speak param=\"{1 / 0}\"/>\n"
+                          "</Entrance></state></dialogue>");
+  const auto arguments =
+      folder.path().string() + " --data " + (folder.path() / "data").string();
+  EXPECT_EQ(piped("", arguments),
+            "I am sorry, I cannot do that at the moment.\n0");
+  EXPECT_THAT(piped("", arguments, "2>&1"), HasSubstr("own.xml:2"));
 }
 
 TEST_F(CommandTest, run_starts_nothing_of_a_broken_application) {

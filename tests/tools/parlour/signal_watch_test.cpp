@@ -30,6 +30,25 @@ TEST(SignalWatch, calls_at_the_first_signal_and_wakes_a_reader) {
   close(ends[1]);
 }
 
+TEST(SignalWatch, leaves_a_hang_up_alone_that_was_to_be_ignored) {
+  const auto before = signal(SIGHUP, SIG_IGN);
+  {
+    SignalWatch watch;
+    sigset_t blocked;
+    pthread_sigmask(SIG_SETMASK, nullptr, &blocked);
+    EXPECT_EQ(sigismember(&blocked, SIGINT), 1);
+    EXPECT_EQ(sigismember(&blocked, SIGHUP), 0);
+  }
+  signal(SIGHUP, SIG_DFL);
+  {
+    SignalWatch watch;
+    sigset_t blocked;
+    pthread_sigmask(SIG_SETMASK, nullptr, &blocked);
+    EXPECT_EQ(sigismember(&blocked, SIGHUP), 1);
+  }
+  signal(SIGHUP, before);
+}
+
 TEST(SignalWatch, takes_a_closed_output_for_no_interruption) {
   SignalWatch watch;
   watch.raise_closed();

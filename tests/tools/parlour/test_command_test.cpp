@@ -8,7 +8,8 @@ using testing::HasSubstr;
 
 TEST_F(CommandTest, test_holds_conversations_and_prints_coverage) {
   EXPECT_EQ(call({"test", "greeter"}), exit_code::well) << out_.str();
-  EXPECT_THAT(out_.str(), HasSubstr("1 of 1 conversations passed"));
+  EXPECT_THAT(out_.str(), testing::StartsWith("coverage:\n"));
+  EXPECT_THAT(out_.str(), testing::EndsWith("\n1 of 1 conversations passed\n"));
   EXPECT_THAT(out_.str(), HasSubstr("states 1 of 1"));
   EXPECT_THAT(out_.str(), HasSubstr("handlers 1 of 1"));
 }
@@ -26,6 +27,25 @@ TEST_F(CommandTest, test_shows_the_first_line_that_differs) {
                         "one.\n  expected: R: You said two.\n  found:    "
                         "R: You said one.\n"));
   EXPECT_THAT(folder.read("report.xml"), HasSubstr("failures=\"1\""));
+}
+
+TEST_F(CommandTest, test_names_files_from_the_working_folder) {
+  test::TemporaryFolder folder;
+  folder.write("dialogues/bad.txt", "R: Nothing.\n");
+  const auto app = application("greeter");
+  places_.working = folder.path();
+  EXPECT_EQ(call({"test", app, "dialogues/bad.txt"}), exit_code::wrong);
+  EXPECT_THAT(out_.str(), testing::StartsWith("FAILED dialogues/bad.txt:1:\n"));
+  folder.write("dialogues/brief.txt", "R: Hello.\n");
+  places_.working = app;
+  EXPECT_EQ(call({"test", app, (folder.path() / "dialogues/brief.txt")}),
+            exit_code::well);
+  EXPECT_THAT(out_.str(), HasSubstr("    not reached: greeter.xml:"));
+}
+
+TEST_F(CommandTest, test_is_brief_where_that_is_wanted) {
+  EXPECT_EQ(call({"test", "greeter", "--quiet"}), exit_code::well);
+  EXPECT_EQ(out_.str(), "1 of 1 conversations passed\n");
 }
 
 TEST_F(CommandTest, test_fails_for_what_is_left_over) {

@@ -1,0 +1,66 @@
+// Loads the applications beside this file, and small ones made by a test.
+#pragma once
+
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/support/temporary_folder.hpp"
+#include "tools/parlour/application.hpp"
+
+namespace parlour::tools {
+
+class ApplicationTest : public testing::Test {
+protected:
+  Application load(const std::string& name) const {
+    return load_application(std::string(PARLOUR_SOURCE_DIR) +
+                                "/tests/tools/parlour/applications/" + name,
+                            platform());
+  }
+  // An application of this test's own: `settings` and `dialogue` are what
+  // stands inside of <settings> and <dialogue>.
+  Application load(const std::string& settings,
+                   const std::string& dialogue) const {
+    folder_.write("settings.xml", "<settings name=\"own\">" + settings +
+                                      "<Scripts><Script>own.xml</Script>"
+                                      "</Scripts></settings>");
+    folder_.write("own.xml", "<dialogue>" + dialogue + "</dialogue>");
+    return load_application(std::filesystem::canonical(folder_.path()),
+                            platform());
+  }
+  static std::filesystem::path platform() {
+    return std::string(PARLOUR_SOURCE_DIR) + "/config/platform";
+  }
+  // The findings as text, without the own application's folder.
+  std::string findings(const Application& application) const {
+    const auto folder = std::filesystem::canonical(folder_.path()).string();
+    std::string all;
+    for (auto finding : application.findings) {
+      if (finding.place.file.rfind(folder, 0) == 0)
+        finding.place.file.erase(0, folder.size() + 1);
+      all += to_string(finding) + '\n';
+    }
+    return all;
+  }
+
+  test::TemporaryFolder folder_;
+};
+
+// What a slot and a grammar that read a database's column need.
+inline constexpr const char* guest_settings =
+    "<Plugins><Plugin>GrammarNLU</Plugin><Plugin>SQLiteDatabase</Plugin>"
+    "</Plugins><component name=\"SQLiteDatabase\">"
+    "<option name=\"file\" value=\"own.db\"/>"
+    "<option name=\"schema\" value=\"schema.sql\"/></component>";
+inline constexpr const char* guest_schema =
+    "create table guest (name text);\n"
+    "insert into guest values ('Ada Lovelace');\n";
+inline constexpr const char* guest_topic =
+    "<topic name=\"Visit\">"
+    "<slot name=\"Guest\" type=\"Functional\" question=\"Who?\">"
+    "<cardinality type=\"query\" source=\"db:guest.name\"/></slot>"
+    "<examples><value>I am looking for [Ada](Guest)</value></examples>"
+    "</topic>";
+
+} // namespace parlour::tools

@@ -1,0 +1,51 @@
+#include "tests/tools/parlour/application_fixture.hpp"
+
+namespace parlour::tools {
+namespace {
+
+using testing::HasSubstr;
+using testing::MatchesRegex;
+
+class ResourceCheckTest : public ApplicationTest {
+protected:
+  std::string wrong(const std::string& dialogue) const {
+    const auto application = load(guest_settings, dialogue);
+    EXPECT_EQ(application.program == nullptr, application.has_errors());
+    return findings(application);
+  }
+};
+
+TEST_F(ResourceCheckTest, is_content_where_columns_and_grammars_are_there) {
+  folder_.write("schema.sql", guest_schema);
+  EXPECT_EQ(wrong(guest_topic), "");
+}
+
+TEST_F(ResourceCheckTest, misses_a_file_of_sql) {
+  EXPECT_THAT(wrong(guest_topic), HasSubstr("schema.sql"));
+  EXPECT_THAT(wrong(guest_topic), HasSubstr(": error: "));
+}
+
+TEST_F(ResourceCheckTest, places_a_mistake_in_sql) {
+  folder_.write("schema.sql", "create table guest (name text);\n\n"
+                              "insert into gest values ('Ada');\n");
+  EXPECT_THAT(wrong(guest_topic),
+              MatchesRegex("schema.sql:3:[0-9]+: error: [^\n]*gest[^\n]*\n"));
+}
+
+TEST_F(ResourceCheckTest, misses_a_column) {
+  folder_.write("schema.sql", "create table guest (surname text);\n");
+  EXPECT_THAT(wrong(guest_topic),
+              MatchesRegex("[^\n]*: error: [^\n]*name[^\n]*\n"));
+}
+
+TEST_F(ResourceCheckTest, places_a_mistake_in_a_grammar) {
+  folder_.write("schema.sql", guest_schema);
+  folder_.write("desk.jsgf", "#JSGF V1.0;\ngrammar desk;\n"
+                             "public <desk> = (hello | good <nobody>;\n");
+  EXPECT_THAT(wrong(std::string(guest_topic) +
+                    "<grammar name=\"desk\" file=\"desk.jsgf\"/>"),
+              HasSubstr("desk.jsgf:3:"));
+}
+
+} // namespace
+} // namespace parlour::tools

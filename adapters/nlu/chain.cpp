@@ -60,7 +60,7 @@ private:
   void add(std::size_t position, const Island& island) {
     const auto befores = ends_[position];
     for (const auto before : befores) {
-      const auto& last = nodes_[before].link;
+      const auto last = nodes_[before].link; // nodes_ grows below
       if (island.weak && !(last.island && last.island->is_marker()))
         continue;
       if (!island.is_content()) {

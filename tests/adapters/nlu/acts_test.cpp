@@ -1,0 +1,86 @@
+#include "tests/adapters/nlu/stages.hpp"
+
+namespace parlour::adapters::nlu::test {
+namespace {
+
+constexpr const char* marks = R"(
+  public <no> = no {act=deny};
+  public <not> = not {act=deny} {denies=next};
+  public <mend> = sorry {act=correct};
+  public <thanks> = thank you {act=thank};
+  public <leads> = how about;
+  public <kind> = @Facility.Category;
+  public <when> = @time {Appointment.Time};)";
+
+List acts(const std::string& text, double threshold = 0.4) {
+  const Stages stages(std::string(sample_grammar) + marks, text);
+  const auto chains =
+      best_chains(stages.islands, stages.utterance.size(), stages.context);
+  List made;
+  for (const auto& act : build_acts(chains.at(0), stages.utterance,
+                                    stages.schema, stages.context, threshold))
+    made.push_back(
+        act_value(act, stages.utterance, stages.spans, stages.schema));
+  return made;
+}
+
+TEST(Acts, AreMadeOfIslands) {
+  struct {
+    const char* text;
+    const char* expected;
+  } const cases[] = {
+      {"", ""},
+      // islands of one topic together
+      {"I am Bob from Comptec at ten",
+       "inform Appointment Visitor=Bob Organisation=Comptec Time=10:00"},
+      // the topic's own act where the rule says none
+      {"on the second floor", "~request Facility Location=2"},
+      {"how about toilet", "~request Facility Category=toilet"},
+      {"need a taxi", "inform Taxi"},
+      // two sentences of one topic
+      {"is there a bank and where is a toilet",
+       "request Facility Category=bank + request Facility Category=toilet"},
+      // corrections: before, between, of what is not wanted
+      {"no, at ten", "correct Appointment Time=10:00"},
+      {"at three sorry at four", "inform Appointment Time=16:00"},
+      {"not at three", "deny Appointment Time=15:00"},
+      {"not at three at four", "correct Appointment Time=16:00"},
+      {"no", "deny"},
+      {"no, where is a toilet", "deny + request Facility Category=toilet"},
+      // courtesy is left out beside what matters, and said once
+      {"thank you is there a bank", "request Facility Category=bank"},
+      {"thank you thank you", "thank"},
+  };
+  for (const auto& [text, expected] : cases)
+    EXPECT_EQ(summary(acts(text)), expected) << text;
+}
+
+TEST(Acts, CarryConfidenceAndWords) {
+  const auto made = acts("hello, is there a cofee shop");
+  ASSERT_EQ(made.size(), 1U);
+  EXPECT_EQ(made[0]["text"], Value("is there a cofee shop"));
+  const auto slot = made[0]["slots"]["Category"];
+  EXPECT_EQ(slot["value"], Value("coffee shop"));
+  EXPECT_EQ(slot["text"], Value("cofee shop"));
+  EXPECT_LT(slot["confidence"].number_or(-1), 1);
+  EXPECT_GT(slot["confidence"].number_or(-1), 0.8);
+  EXPECT_LT(made[0]["confidence"].number_or(-1),
+            1); // "hello" was not understood
+}
+
+TEST(Acts, BelowTheThresholdAreLeftOut) {
+  const auto* text = "zig zag zog is there a bank";
+  EXPECT_EQ(acts(text, 0.4).size(), 1U);
+  EXPECT_EQ(acts(text, 0.9).size(), 0U);
+}
+
+TEST(Acts, KeepCandidates) {
+  const auto made = acts("to meet Hui Min");
+  ASSERT_EQ(made.size(), 1U);
+  const auto slot = made[0]["slots"]["Host"];
+  EXPECT_TRUE(slot["value"].is_unknown());
+  EXPECT_EQ(slot["candidates"], Value(List{"Ho Hui Min", "Tan Hui Min"}));
+}
+
+} // namespace
+} // namespace parlour::adapters::nlu::test

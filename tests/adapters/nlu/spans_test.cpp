@@ -1,0 +1,84 @@
+#include "tests/adapters/nlu/stages.hpp"
+
+namespace parlour::adapters::nlu::test {
+namespace {
+
+// Every kind of value is looked for.
+constexpr const char* grammar = R"(
+  public <a> = x @time; public <b> = x @level; public <c> = x @words;
+  public <d> = x @db:staff.name; public <e> = x @Facility.Category;)";
+
+using Lines = std::vector<std::string>;
+
+// The words of each span, and those of its value where they are fewer.
+Lines texts(const Stages& stages, const std::vector<std::uint32_t>& spans) {
+  Lines made;
+  for (const auto index : spans) {
+    const auto& span = stages.spans[index];
+    made.push_back(stages.words(span.begin, span.end));
+    if (span.core != span.begin)
+      made.back() += " (" + stages.words(span.core, span.end) + ")";
+  }
+  return made;
+}
+
+Lines known(const char* reference, const char* text, std::size_t position) {
+  Stages stages(grammar, text);
+  return texts(stages, stages.spans.at(stages.entity(reference), position));
+}
+
+Lines open(const char* reference, const char* text, std::size_t position) {
+  Stages stages(grammar, text);
+  return texts(stages,
+               stages.spans.open(stages.entity(reference), position, 3));
+}
+
+TEST(Spans, AreWhereValuesStand) {
+  EXPECT_EQ(known("time", "come at half past ten", 2), Lines{"half past ten"});
+  EXPECT_EQ(known("time", "come at half past ten", 0), Lines());
+  EXPECT_EQ(known("level", "on level b1", 1), Lines{"level b1"});
+  EXPECT_EQ(known("date", "tomorrow", 0), Lines()); // no grammar has a date
+  EXPECT_EQ(known("Facility.Category", "a food court", 1), Lines{"food court"});
+}
+
+TEST(Spans, CountTitlesAndDeterminersIn) {
+  EXPECT_EQ(known("db:staff.name", "meet Dr. Jeffery Ho", 1),
+            Lines{"Dr. Jeffery Ho (Jeffery Ho)"});
+  EXPECT_EQ(known("db:staff.name", "meet Dr. Jeffery Ho", 2),
+            Lines{"Jeffery Ho"});
+  EXPECT_EQ(known("Facility.Category", "any food court", 0),
+            Lines{"any food court (food court)"});
+  EXPECT_EQ(known("Facility.Category", "any, food court", 0), Lines());
+}
+
+TEST(Spans, KeepEquallyGoodValues) {
+  Stages stages(grammar, "Hui Min");
+  const auto found = stages.spans.at(stages.entity("db:staff.name"), 0);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(stages.spans[found[0]].values, (std::vector<std::uint32_t>{1, 3}));
+}
+
+TEST(Spans, OfOpenWordsEndWhereTheyMust) {
+  EXPECT_EQ(open("words", "Comptec Asia Pacific East", 0),
+            (Lines{"Comptec", "Comptec Asia", "Comptec Asia Pacific"}));
+  EXPECT_EQ(open("words", "Comptec, Asia", 0), Lines{"Comptec"});
+  EXPECT_EQ(open("words", "Bank of China", 0),
+            (Lines{"Bank", "Bank of China"})); // not after "of"
+  EXPECT_EQ(open("words", "to Bedok", 0), Lines());
+  EXPECT_EQ(open("words", "the Fullerton", 0),
+            Lines{"the Fullerton (Fullerton)"});
+}
+
+TEST(Spans, OfWordsThatASetDoesNotHave) {
+  EXPECT_EQ(open("Facility.Category", "helipad", 0), Lines{"helipad"});
+  EXPECT_EQ(open("Facility.Category", "toilet", 0), Lines());
+  Stages stages(grammar, "helipad");
+  const auto entity = stages.entity("Facility.Category");
+  const auto made = stages.spans.open(entity, 0, 3);
+  EXPECT_TRUE(stages.spans[made.at(0)].unmatched);
+  EXPECT_EQ(stages.spans.open(entity, 0, 3), made); // made once
+  EXPECT_TRUE(stages.spans.at(entity, 0).empty());
+}
+
+} // namespace
+} // namespace parlour::adapters::nlu::test

@@ -2,24 +2,13 @@
 
 #include <utility>
 
+#include "actors/thrown.hpp"
+
 namespace parlour::actors {
 
 namespace {
 
 using Self = component_host_actor::stateful_pointer<component_host_state>;
-
-// What `action` threw, in words; nothing where it did not.
-template <class Action>
-std::optional<std::string> thrown_by(Action&& action) {
-  try {
-    action();
-    return std::nullopt;
-  } catch (const std::exception& exception) {
-    return exception.what();
-  } catch (...) {
-    return "an exception of an unknown type";
-  }
-}
 
 void report(Self self, const std::string& reason, Work work) {
   self->send(

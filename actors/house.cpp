@@ -9,6 +9,7 @@
 #include "actors/message_centre.hpp"
 #include "actors/session_manager.hpp"
 #include "actors/supervisor.hpp"
+#include "actors/thrown.hpp"
 
 namespace parlour::actors {
 
@@ -22,6 +23,29 @@ constexpr Milliseconds drain_time = 2s;
 std::unique_ptr<Drive> make_drive(const NodeOptions& options) {
   return options.virtual_start ? make_virtual_drive(*options.virtual_start)
                                : make_real_drive(options.threads);
+}
+
+// In place of a plug-in that its factory did not make.
+class Unmade : public IPlugin {
+public:
+  explicit Unmade(std::string reason) : reason_(std::move(reason)) {}
+
+protected:
+  Expected<void> on_start(const Options&) override {
+    return fail(ErrorKind::settings, "was not made: " + reason_);
+  }
+  void on_message(const Message&) override {}
+
+private:
+  std::string reason_;
+};
+
+std::unique_ptr<IPlugin> make_plugin(const PluginFactory& factory) {
+  std::unique_ptr<IPlugin> plugin;
+  auto reason = thrown_by([&] { plugin = factory.create(); });
+  if (plugin)
+    return plugin;
+  return std::make_unique<Unmade>(reason.value_or("its factory gave none"));
 }
 
 } // namespace
@@ -62,7 +86,8 @@ void House::set_up_services() {
   if (options_.on_inspection)
     services_.inspect = [this](const Inspection& inspection) {
       std::lock_guard lock(watching_);
-      options_.on_inspection(inspection);
+      if (auto reason = thrown_by([&] { options_.on_inspection(inspection); }))
+        services_.log("who watches failed: " + *reason);
     };
 }
 
@@ -81,7 +106,7 @@ void House::add_component(ComponentOrder order) {
   component->options = std::move(order.options);
   component->description = std::move(order.factory.description);
   component->door = std::make_shared<PluginDoor>(services_, order.name);
-  component->plugin = order.factory.create();
+  component->plugin = make_plugin(order.factory);
   auto host =
       component->description.blocks && drive_->detaches()
           ? system_->spawn<caf::detached>(component_host, &services_, component)

@@ -79,6 +79,9 @@ SeatId Node::open_seat(SeatCallbacks callbacks) {
     if (tell)
       tell(session);
   };
+  calls.on_next = [&self, id](const SessionId& session) {
+    self.set_session(id, session);
+  };
   auto actor = self.house.open_seat(std::move(calls));
   std::lock_guard lock(self.mutex);
   self.seats[id].actor = std::move(actor);

@@ -48,7 +48,8 @@ struct NodeOptions {
   std::string data_folder;        // absolute, writable
   std::string application_folder; // absolute
   unsigned threads = 0;           // of the scheduler; 0: as many as cores
-  // One call at a time, from any thread; may be empty.
+  // One call at a time, from any thread; may be empty. What on_inspection
+  // throws is logged; log may not throw.
   std::function<void(const Inspection&)> on_inspection;
   std::function<void(const std::string&)> log;
 };
@@ -56,7 +57,7 @@ struct NodeOptions {
 using SeatId = std::string;
 
 // Called one at a time for each seat, in real time from threads of the node.
-// They may not call the node.
+// They may not call the node; what they throw is logged.
 struct SeatCallbacks {
   std::function<void(const SessionId&, const dialogue::Output&)> on_output;
   std::function<void(const SessionId&)> on_session_end;

@@ -1,16 +1,26 @@
 #include "actors/seat.hpp"
 
+#include "actors/thrown.hpp"
+
 namespace parlour::actors {
 
 seat_actor::behavior_type seat(seat_actor::stateful_pointer<seat_state> self,
                                Services* services, SeatCalls calls) {
   return {
       [=](const say& what) {
-        calls.on_say(what.session, *what.output);
+        const auto reason =
+            thrown_by([&] { calls.on_say(what.session, *what.output); });
+        if (reason)
+          services->log("a seat did not show what was said: " + *reason);
         if (auto session = services->sessions.find(what.session))
-          self->send(session, output_done{what.output->id, true, what.work});
+          self->send(session, output_done{what.output->id, !reason, what.work});
       },
-      [=](const session_over& what) { calls.on_over(what.session); },
+      [=](const session_over& what) {
+        if (auto reason = thrown_by([&] { calls.on_over(what.session); }))
+          services->log("a seat did not take its session's end: " + *reason);
+        if (!what.next.empty() && calls.on_next)
+          calls.on_next(what.next);
+      },
   };
 }
 

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "actors/thrown.hpp"
+
 namespace parlour::actors {
 
 namespace {
@@ -24,7 +26,8 @@ void go_on(Self self) {
   auto& conversation = *state.conversation;
   if (conversation.ended()) {
     tell_waiting(state, false);
-    state.port->close();
+    state.port->close(state.asked_to_end ? std::vector<Message>()
+                                         : conversation.take_unread());
     self->quit();
     return;
   }
@@ -100,16 +103,16 @@ void ask_frame(Self self, const topic_frame_actor& frame,
             go_on(self);
           },
           [=](const caf::error& error) {
-            services->log("a topic's frame was lost: " +
-                          self->system().render(error));
-            self->state.port->close();
-            self->quit(error);
+            self->quit(caf::make_error(caf::sec::runtime_error,
+                                       "a topic's frame was lost: " +
+                                           self->system().render(error)));
           });
 }
 
 session_actor::behavior_type
 session(session_actor::stateful_pointer<session_state> self, Services* services,
         SessionOrder order) {
+  end_by_what_is_thrown(self);
   set_up(self, services, std::move(order));
   return {
       [=](const begin_session&) {
@@ -123,6 +126,7 @@ session(session_actor::stateful_pointer<session_state> self, Services* services,
       [=](const output_done& what) { hear_seat(self, what); },
       [=](const look& what) { what.at(*self->state.conversation); },
       [=](const end_session&) {
+        self->state.asked_to_end = true;
         self->state.conversation->close(now(self));
         go_on(self);
       },

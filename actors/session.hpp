@@ -21,8 +21,9 @@ struct session_state {
   Services* services = nullptr;
   std::unique_ptr<SessionPort> port; // before the conversation: outlives it
   std::unique_ptr<dialogue::Conversation> conversation;
-  bool stepping = false; // a take_step is in the mailbox
-  bool waits = false;    // as the work count knows it
+  bool stepping = false;     // a take_step is in the mailbox
+  bool waits = false;        // as the work count knows it
+  bool asked_to_end = false; // from outside: nothing goes on after it
   ~session_state();
 };
 

@@ -21,12 +21,32 @@ session_opened open(Self self, Services& services, const open_session& what) {
   return {std::move(id)};
 }
 
-void forget(Self self, Services& services, const SessionId& id,
-            const Work& work) {
-  auto entry = self->state.sessions.extract(id);
-  services.sessions.remove(id);
-  if (!entry.empty())
-    self->send(entry.mapped().seat, session_over{id, work});
+// Turns that a session left unread begin the seat's next one (a goodbye and a
+// further turn in one row); answers to the old one mean nothing to it.
+SessionId begin_next(Self self, Services& services, const seat_actor& seat,
+                     const session_gone& what) {
+  std::vector<Message> turns;
+  for (const auto& message : what.unread)
+    if (message.correlation == 0)
+      turns.push_back(message);
+  if (turns.empty())
+    return {};
+  auto id = open(self, services, open_session{seat, what.work}).session;
+  for (auto& turn : turns)
+    turn.session = id;
+  self->send(self->state.sessions[id].session,
+             deliver{std::move(turns), what.work});
+  return id;
+}
+
+void forget(Self self, Services& services, const session_gone& what) {
+  auto entry = self->state.sessions.extract(what.session);
+  services.sessions.remove(what.session);
+  if (entry.empty())
+    return;
+  const auto& seat = entry.mapped().seat;
+  auto next = begin_next(self, services, seat, what);
+  self->send(seat, session_over{what.session, what.work, std::move(next)});
 }
 
 // A session that ended without a word: its actor was lost to an exception.
@@ -35,7 +55,7 @@ void notice_loss(Self self, Services& services, const caf::down_msg& down) {
     if (entry.session.address() == down.source) {
       services.log("session " + id +
                    " was lost: " + self->system().render(down.reason));
-      forget(self, services, SessionId(id), services.work.begin());
+      forget(self, services, {SessionId(id), services.work.begin()});
       return;
     }
 }
@@ -74,9 +94,7 @@ session_manager_actor::behavior_type session_manager(
           pass_on(self, *services, message, what.work);
       },
       [=](const close_session& what) { close(self, what); },
-      [=](const session_gone& what) {
-        forget(self, *services, what.session, what.work);
-      },
+      [=](const session_gone& what) { forget(self, *services, what); },
   };
 }
 

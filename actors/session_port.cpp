@@ -1,6 +1,5 @@
 #include "actors/session_port.hpp"
 
-#include <stdexcept>
 #include <utility>
 
 #include <caf/send.hpp>
@@ -8,6 +7,7 @@
 #include "actors/component_host.hpp"
 #include "actors/query.hpp"
 #include "actors/session.hpp"
+#include "actors/thrown.hpp"
 #include "actors/timer.hpp"
 #include "actors/topic_frame.hpp"
 
@@ -55,22 +55,22 @@ void SessionPort::carry(Message message, std::vector<Message>& back,
 // A component without state, in the session's own turn.
 std::vector<Message> SessionPort::ask_directly(const Target& target,
                                                const Message& message) {
-  std::vector<Message> events;
-  try {
-    for (auto& answer : target.direct->answers(message)) {
-      Message event;
-      event.source = target.name;
-      event.command = std::move(answer.command);
-      event.params = std::move(answer.params);
-      event.session = message.session;
-      event.correlation = message.correlation;
-      events.push_back(std::move(event));
-    }
-  } catch (const std::exception& exception) {
+  std::vector<Answer> answers;
+  if (auto reason =
+          thrown_by([&] { answers = target.direct->answers(message); })) {
     self_->send(services_.supervisor,
-                component_failed{target.name, exception.what(),
-                                 services_.work.begin()});
-    events = {failure_answer(target.name, message, exception.what())};
+                component_failed{target.name, *reason, services_.work.begin()});
+    return {failure_answer(target.name, message, *reason)};
+  }
+  std::vector<Message> events;
+  for (auto& answer : answers) {
+    Message event;
+    event.source = target.name;
+    event.command = std::move(answer.command);
+    event.params = std::move(answer.params);
+    event.session = message.session;
+    event.correlation = message.correlation;
+    events.push_back(std::move(event));
   }
   return events;
 }
@@ -146,13 +146,15 @@ void SessionPort::apply(script::TopicId topic, dialogue::FrameRequest request) {
 
 // -- watching, ending ---------------------------------------------------------
 
+void SessionPort::unhandled(const Message& message) {
+  services_.unhandled(message, "no state and no handler takes it");
+}
+
 bool SessionPort::inspected() const {
-  return true; // what nobody took is counted, watched or not
+  return static_cast<bool>(services_.inspect);
 }
 
 void SessionPort::inspect(Inspection inspection) {
-  if (inspection.kind == InspectionKind::unhandled)
-    ++services_.counters->unhandled;
   if (services_.inspect)
     services_.inspect(std::move(inspection));
 }
@@ -161,8 +163,9 @@ void SessionPort::ended() {
   // The session looks at Conversation::ended() after each input.
 }
 
-void SessionPort::close() {
-  self_->send(services_.manager, session_gone{id_, services_.work.begin()});
+void SessionPort::close(std::vector<Message> unread) {
+  self_->send(services_.manager,
+              session_gone{id_, services_.work.begin(), std::move(unread)});
 }
 
 SessionPort::~SessionPort() {

@@ -27,6 +27,7 @@ public:
   void cancel_timer(dialogue::TimerId id) override;
   void query(dialogue::QueryRequest request) override;
   void apply(script::TopicId topic, dialogue::FrameRequest request) override;
+  void unhandled(const Message& message) override;
   bool inspected() const override;
   void inspect(Inspection inspection) override;
   void ended() override;
@@ -35,7 +36,7 @@ public:
   void timer_is_over(dialogue::TimerId id);
   void query_is_over(dialogue::QueryId id);
   // Says that the session is gone.
-  void close();
+  void close(std::vector<Message> unread);
 
 private:
   struct Timer {

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "actors/thrown.hpp"
 #include "script/dialogue/frame_evaluator.hpp"
 
 namespace parlour::actors {
@@ -32,6 +33,7 @@ frame_changed change(Self self, Services& services, script::TopicId topic,
 topic_frame_actor::behavior_type
 topic_frame(topic_frame_actor::stateful_pointer<topic_frame_state> self,
             Services* services, script::TopicId topic) {
+  end_by_what_is_thrown(self);
   return {
       [=](const apply_changes& what) {
         return change(self, *services, topic, what);

@@ -183,10 +183,12 @@ struct say {
   std::shared_ptr<const dialogue::Output> output;
   Work work;
 };
-// The seat's session is over; the next turn opens another.
+// The seat's session is over; the next turn opens another. `next` has opened
+// already, for turns that the old one did not come to; else it is empty.
 struct session_over {
   SessionId session;
   Work work;
+  SessionId next = {};
 };
 
 using seat_actor =
@@ -213,10 +215,12 @@ struct close_session {
   SessionId session;
   Work work;
 };
-// A session ended by itself.
+// A session ended by itself. What it was given and did not read begins the
+// seat's next session.
 struct session_gone {
   SessionId session;
   Work work;
+  std::vector<Message> unread = {};
 };
 
 using session_manager_actor =

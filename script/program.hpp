@@ -29,16 +29,21 @@ inline constexpr SlotId slot_asked = 0xfffffff1;
 inline constexpr SlotId slot_relaxed = 0xfffffff2;
 
 struct Cardinality {
-  std::string type;            // "", set, range, pattern, number, date, …, query
-  std::vector<CodeId> values;  // of a set
-  CodeId minimum = no_code;    // of a range
+  std::string type; // "", set, range, pattern, number, date, …, query
+  std::vector<CodeId> values; // of a set
+  CodeId minimum = no_code;   // of a range
   CodeId maximum = no_code;
-  std::string pattern;         // RE2
-  std::string source;          // of a query: "db:table.column"
+  std::string pattern; // RE2
+  std::string source;  // of a query: "db:table.column"
   Position position;
 };
 
-enum class ConfirmPolicy : std::uint8_t { automatic, explicitly, implicitly, never };
+enum class ConfirmPolicy : std::uint8_t {
+  automatic,
+  explicitly,
+  implicitly,
+  never
+};
 enum class Match : std::uint8_t { equal, prefix, contains };
 
 // <noinput count="2"> and <nomatch count="3">.
@@ -56,8 +61,8 @@ struct Slot {
   Match match = Match::equal;
   std::string grammar;
   CodeId initial = no_code;
-  CodeId question = no_code;        // its text
-  std::vector<CodeId> help;         // further wordings
+  CodeId question = no_code; // its text
+  std::vector<CodeId> help;  // further wordings
   std::vector<CodeId> explain;
   Cardinality cardinality;
   CodeId filled = no_code;
@@ -146,7 +151,7 @@ struct State {
   CodeId entrance = no_code;
   CodeId exit = no_code;
   std::vector<Reaction> messages;
-  std::vector<Reaction> online;  // source: the agent, "*" for any
+  std::vector<Reaction> online; // source: the agent, "*" for any
   std::vector<Reaction> offline;
   Position position;
 };
@@ -159,7 +164,7 @@ struct Route {
   CodeId condition = no_code;
   bool drop = false;
   std::vector<std::string> to;
-  std::string as; // empty: the command stays
+  std::string as;             // empty: the command stays
   std::vector<CodeId> params; // empty: the parameters stay
   bool has_params = false;
   Position position;

@@ -123,8 +123,7 @@ void Effects::unhandled(const Message& message, TurnId turn) {
   }
   if (is_reserved(message.source))
     return; // raised for those who listen; nobody has to
-  core_.inspect(InspectionKind::unhandled,
-                message.source + "." + message.command, to_string(message));
+  core_.port.unhandled(message);
 }
 
 // -- databases ----------------------------------------------------------------

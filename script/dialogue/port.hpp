@@ -56,6 +56,9 @@ public:
   // next input, before any other.
   virtual void apply(TopicId topic, FrameRequest request) = 0;
 
+  // No state and no handler took it: to be counted and logged.
+  virtual void unhandled(const Message& message) = 0;
+
   virtual bool inspected() const = 0; // else inspect need not be called
   virtual void inspect(Inspection inspection) = 0;
 

@@ -125,7 +125,7 @@ protected:
     options.program = compile(elements, settings, beginning);
     ASSERT_TRUE(options.program);
     options.on_inspection = [this](const Inspection& seen) {
-      if (seen.message)
+      if (seen.kind == InspectionKind::message)
         ways.push_back(to_string(*seen.message) + " | " + seen.way);
       if (seen.kind == InspectionKind::error)
         errors.push_back(seen.detail);
@@ -177,13 +177,15 @@ protected:
   std::vector<std::string> ways;
   std::vector<std::string> logs;
   std::vector<std::string> errors;
-  std::unique_ptr<Node> node;
-  SeatId seat;
   std::atomic<int> over = 0;
 
 private:
   std::mutex mutex_;
   std::vector<std::string> said_;
+
+protected:
+  SeatId seat;
+  std::unique_ptr<Node> node; // last: what it says when it goes is taken
 };
 
 } // namespace parlour::actors

@@ -41,6 +41,23 @@ TEST_F(NodeTest, EndsASessionAndOpensAnother) {
   EXPECT_NE(node->session_at(seat), first);
 }
 
+// What the ended session did not come to begins the next one; nothing is lost.
+TEST_F(NodeTest, TakesFurtherTurnsOfARowToTheNextSession) {
+  start(R"(<handler name="H"><messages><component>
+      <ASR><RecognitionResult>
+        <speak param="You said: {_LPARAM1}"/>
+        <if cond="_LPARAM1 == 'bye'"><end/></if>
+      </RecognitionResult></ASR>
+    </component></messages></handler>)");
+  const auto first = node->open(seat);
+  EXPECT_THAT(say({"bye", "hello", "you"}),
+              ElementsAre("You said: bye", "You said: hello", "You said: you"));
+  EXPECT_EQ(over, 1);
+  EXPECT_NE(node->session_at(seat), first);
+  EXPECT_NE(node->session_at(seat), "");
+  EXPECT_THAT(say({"again"}), testing::Contains("You said: again"));
+}
+
 TEST_F(NodeTest, EndsItsSessionsWhenItStops) {
   start(R"(<state name="Welcome"><Exit><speak param="Bye."/></Exit></state>)",
         "", "Welcome");

@@ -94,6 +94,33 @@ TEST_F(SessionTest, EqualInputsGiveEqualRuns) {
   EXPECT_EQ(runs[0], runs[1]);
 }
 
+// What its port throws (words that cannot be found) ends that session: a log
+// line says so, its seat may begin again, and the others do not notice.
+TEST_F(SessionTest, EndsWithALogLineWhenItsPortThrows) {
+  class Throwing : public PhraseEvaluator {
+    std::optional<std::string> render(const Value&) const override {
+      throw std::runtime_error("no dictionary");
+    }
+  };
+  options.phrases = std::make_shared<Throwing>();
+  start(R"(<handler name="H"><messages><component><ASR><RecognitionResult>
+      <if cond="_LPARAM1 == 'fail'"><throw expr="'oops'"/></if>
+      <speak param="You said: {_LPARAM1}"/>
+    </RecognitionResult></ASR></component></messages></handler>)");
+  const auto other = node->open_seat({[](auto&, auto&) {}, {}});
+  node->enter(other, {"hello"});
+  say({"hello"});
+  const auto lost = node->session_at(seat);
+  EXPECT_THAT(say({"fail", "never heard"}), IsEmpty());
+  EXPECT_THAT(logs, ElementsAre(testing::AllOf(
+                        HasSubstr("session " + lost + " was lost: "),
+                        HasSubstr("no dictionary"))));
+  EXPECT_EQ(over, 1);
+  EXPECT_EQ(node->session_at(seat), "");
+  EXPECT_NE(node->session_at(other), "");
+  EXPECT_THAT(say({"again"}), ElementsAre("You said: again"));
+}
+
 TEST_F(SessionTest, ManySessionsDoNotMix) {
   options.virtual_start.reset();
   start_order();

@@ -249,6 +249,11 @@ void World::apply(TopicId topic, FrameRequest request) {
   applied_ = std::move(result);
 }
 
+void World::unhandled(const Message& message) {
+  inspect({InspectionKind::unhandled, message.session,
+           message.source + "." + message.command, to_string(message)});
+}
+
 void World::inspect(Inspection inspection) {
   seen_.push_back(std::move(inspection));
 }

@@ -91,6 +91,7 @@ public:
   void cancel_timer(TimerId id) override;
   void query(QueryRequest request) override;
   void apply(TopicId topic, FrameRequest request) override;
+  void unhandled(const Message& message) override;
   bool inspected() const override {
     return true;
   }

@@ -29,6 +29,7 @@ public:
   void release(const Output&) override {}
   void query(QueryRequest) override {}
   void apply(TopicId, FrameRequest) override {}
+  void unhandled(const Message&) override {}
   bool inspected() const override {
     return false;
   }

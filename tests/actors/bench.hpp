@@ -1,0 +1,206 @@
+// A bench: single actors on it, without a house around them; virtual time. What
+// the actor under test sends goes to probes that note it down. For one thread.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <caf/send.hpp>
+
+#include "actors/drive.hpp"
+#include "tests/actors/house_fixture.hpp"
+
+namespace parlour::actors {
+
+class Bench {
+public:
+  explicit Bench(const std::string& elements = "",
+                 std::vector<Target> targets = {}) {
+    drive->configure(config_);
+    system = std::make_unique<caf::actor_system>(config_);
+    drive->attach(*system, services);
+    services.clock = &drive->clock();
+    services.log = [this](const std::string& line) { logs.push_back(line); };
+    services.new_seed = [] { return 1; };
+    services.new_session_id = [this] { return "s" + std::to_string(++ids_); };
+    services.program = compile(elements);
+    set_table(std::move(targets));
+  }
+
+  ~Bench() {
+    for (const auto& session : services.sessions.all())
+      caf::anon_send_exit(session, caf::exit_reason::kill);
+    for (const auto& actor : spawned_)
+      caf::anon_send_exit(actor, caf::exit_reason::kill);
+    run();
+    services.sessions.clear();
+    services.centre = nullptr;
+    services.manager = nullptr;
+    services.supervisor = nullptr;
+    services.table.store(nullptr);
+    spawned_.clear();
+    run(); // what went with them may have sent something
+  }
+
+  void set_table(std::vector<Target> targets) {
+    RoutingTable::Parts parts;
+    parts.program = services.program;
+    parts.targets = std::move(targets);
+    parts.clock = services.clock;
+    parts.numbers = std::make_shared<std::atomic<std::uint64_t>>(0);
+    parts.counters = services.counters;
+    services.table.store(
+        std::make_shared<const RoutingTable>(std::move(parts)));
+  }
+
+  template <class... Arguments>
+  auto spawn(Arguments&&... arguments) {
+    auto actor = system->spawn(std::forward<Arguments>(arguments)...);
+    spawned_.push_back(caf::actor_cast<caf::strong_actor_ptr>(actor));
+    return actor;
+  }
+
+  template <class Actor, class What>
+  void send(const Actor& actor, What what) {
+    caf::anon_send(actor, std::move(what));
+    run();
+  }
+
+  void run() {
+    drive->run_until_quiet();
+  }
+
+  Work work() {
+    return services.work.begin();
+  }
+
+  // -- probes: what they are sent stands in `seen` ---------------------------
+
+  session_actor session_probe(const std::string& name) {
+    auto note = [this, name](const std::string& what) {
+      seen.push_back(name + " " + what);
+    };
+    return spawn(
+        [note](session_actor::pointer self,
+               Bench*) -> session_actor::behavior_type {
+          return {
+              [=](const begin_session&) { note("begins"); },
+              [=](const deliver& what) {
+                for (const auto& message : what.messages)
+                  note("gets " + to_string(message));
+              },
+              [=](const take_step&) { note("steps"); },
+              [=](const timer_due& what) {
+                note("rings " + std::to_string(what.id));
+              },
+              [=](const query_outcome&) { note("has an outcome"); },
+              [=](const output_done& what) {
+                note((what.played ? "played " : "did not play ") +
+                     std::to_string(what.id));
+              },
+              [=](const look&) {},
+              [=](const end_session&) {
+                note("ends");
+                self->quit();
+              },
+          };
+        },
+        this);
+  }
+
+  seat_actor seat_probe() {
+    return spawn(
+        [this](seat_actor::pointer, Bench*) -> seat_actor::behavior_type {
+          return {
+              [this](const say& what) {
+                seen.push_back("says " + what.output->text);
+              },
+              [this](const session_over& what) {
+                seen.push_back(what.session + " is over");
+              },
+          };
+        },
+        this);
+  }
+
+  query_actor query_probe() {
+    return spawn(
+        [this](query_actor::pointer, Bench*) -> query_actor::behavior_type {
+          return {
+              [this](const component_event& what) {
+                seen.push_back("event " + to_string(what.event));
+              },
+              [](const give_up&) {},
+          };
+        },
+        this);
+  }
+
+  message_centre_actor centre_probe() {
+    return spawn(
+        [this](message_centre_actor::pointer,
+               Bench*) -> message_centre_actor::behavior_type {
+          return {
+              [this](const publish& what) {
+                for (const auto& message : what.messages)
+                  seen.push_back(to_string(message));
+              },
+              [](const use_table&) {},
+          };
+        },
+        this);
+  }
+
+  component_host_actor component_probe(const std::string& name) {
+    return spawn(
+        [this, name](component_host_actor::pointer,
+                     Bench*) -> component_host_actor::behavior_type {
+          return {
+              [](const start_component&) {},
+              [this, name](const handle_message& what) {
+                seen.push_back(name + " gets " + to_string(what.message));
+              },
+              [this, name](const run_after& what) {
+                seen.push_back(name + " is to wait");
+                what.action();
+                services.due_times.remove(what.due);
+              },
+              [](const run_now&) {},
+              [](const stop_component&) {},
+          };
+        },
+        this);
+  }
+
+  std::unique_ptr<Drive> drive = make_virtual_drive(nine_o_clock);
+  Services services{drive->gate()};
+  std::unique_ptr<caf::actor_system> system;
+  std::vector<std::string> logs;
+  std::vector<std::string> seen;
+
+private:
+  caf::actor_system_config config_;
+  std::vector<caf::strong_actor_ptr> spawned_;
+  int ids_ = 0;
+};
+
+// A target with this host; up.
+inline Target target(std::string name, std::vector<std::string> roles,
+                     component_host_actor host) {
+  return {std::move(name), std::move(roles), std::move(host), nullptr,
+          std::make_shared<std::atomic<bool>>(true)};
+}
+
+inline Message event(std::string source, std::string command,
+                     std::vector<Value> params = {}, SessionId session = "") {
+  Message message;
+  message.source = std::move(source);
+  message.command = std::move(command);
+  message.params = std::move(params);
+  message.session = std::move(session);
+  return message;
+}
+
+} // namespace parlour::actors

@@ -1,0 +1,76 @@
+#include "actors/plugin_door.hpp"
+#include "tests/actors/bench.hpp"
+
+namespace parlour::actors {
+namespace {
+
+class PluginDoorTest : public testing::Test {
+protected:
+  PluginDoorTest() {
+    bench.services.centre = bench.centre_probe();
+  }
+
+  Bench bench;
+  PluginDoor door{bench.services, "Ear"};
+};
+
+TEST_F(PluginDoorTest, LetsNobodySpeakUnderAReservedName) {
+  struct {
+    const char* claimed;
+    const char* published;
+  } const cases[] = {{"", "Ear"},        {"Robot7", "Robot7"},
+                     {"System", "Ear"},  {"Script", "Ear"},
+                     {"Session", "Ear"}, {"Dialogue", "Ear"},
+                     {"Timer", "Ear"}};
+  for (const auto& [claimed, published] : cases) {
+    bench.seen.clear();
+    door.fire_event(event(claimed, "Heard"));
+    bench.run();
+    EXPECT_THAT(bench.seen, ElementsAre(std::string(published) + ".Heard()"))
+        << claimed;
+  }
+}
+
+TEST_F(PluginDoorTest, AnEventGoesNowhereInParticularAMessageDoes) {
+  auto message = event("", "Stop");
+  message.sinks = {"Robot7"};
+  door.fire_event(message);
+  door.send_message(message);
+  bench.run();
+  EXPECT_THAT(bench.seen, ElementsAre("Ear.Stop()", "Ear.Stop() -> Robot7"));
+}
+
+TEST_F(PluginDoorTest, CallsBackThroughTheHost) {
+  auto host = bench.component_probe("host");
+  door.belongs_to(host);
+  int calls = 0;
+  door.after(Milliseconds(5), [&] { ++calls; });
+  EXPECT_TRUE(bench.services.due_times.component_pending());
+  bench.run();
+  EXPECT_EQ(calls, 1);
+  EXPECT_THAT(bench.seen, ElementsAre("host is to wait"));
+}
+
+TEST_F(PluginDoorTest, ForgetsDelaysOfAHostThatIsGone) {
+  door.after(Milliseconds(5), [] { FAIL() << "called back"; });
+  bench.run();
+  EXPECT_FALSE(bench.services.due_times.component_pending());
+}
+
+TEST_F(PluginDoorTest, ShowsWhatThePlatformShares) {
+  bench.services.data_folder = "/data";
+  bench.services.application_folder = "/app";
+  EXPECT_EQ(door.data_folder(), "/data");
+  EXPECT_EQ(door.application_folder(), "/app");
+  EXPECT_EQ(door.clock().now(), nine_o_clock);
+  EXPECT_EQ(door.column("db:t.c").error().kind, ErrorKind::database);
+  bench.services.columns = [](const std::string& name) {
+    return Expected<std::vector<std::string>>({name, "x"});
+  };
+  EXPECT_THAT(*door.column("db:t.c"), ElementsAre("db:t.c", "x"));
+  door.log("is deaf");
+  EXPECT_THAT(bench.logs, ElementsAre("Ear: is deaf"));
+}
+
+} // namespace
+} // namespace parlour::actors

@@ -1,0 +1,149 @@
+#include "actors/session.hpp"
+#include "actors/session_port.hpp"
+#include "actors/supervisor.hpp"
+#include "tests/actors/bench.hpp"
+
+namespace parlour::actors {
+namespace {
+
+using Self = session_actor::stateful_pointer<session_state>;
+
+// A port whose session does what the test says, and notes what it hears.
+class SessionPortTest : public testing::Test {
+protected:
+  SessionPortTest() {
+    bench.services.centre = bench.centre_probe();
+    bench.services.supervisor = bench.spawn(supervisor, &bench.services);
+  }
+
+  void with_port(std::function<void(SessionPort&)> use) {
+    auto seat = bench.seat_probe();
+    user = bench.spawn(
+        [=, this](Self self, int) -> session_actor::behavior_type {
+          auto port =
+              std::make_shared<SessionPort>(self, bench.services, "s1", seat);
+          return {
+              [=](const begin_session&) { use(*port); },
+              [](const deliver&) {},
+              [](const take_step&) {},
+              [=, this](const timer_due& what) {
+                port->timer_is_over(what.id);
+                heard.push_back("rings " + std::to_string(what.id));
+              },
+              [=, this](const query_outcome& what) {
+                port->query_is_over(what.id);
+                heard.push_back(what.outcome ? "rows"
+                                             : what.outcome.error().message);
+              },
+              [](const output_done&) {},
+              [](const look&) {},
+              [self](const end_session&) { self->quit(); },
+          };
+        },
+        0);
+    bench.send(user, begin_session{bench.work()});
+  }
+
+  // Posts "Robot.Greet(…)" to NLG; what comes back at once.
+  std::vector<std::string> post(std::vector<Value> params = {}) {
+    std::vector<std::string> back;
+    with_port([&](SessionPort& port) {
+      auto message = event("Session", "Greet", params);
+      message.sinks = {"NLG"};
+      message.correlation = 4;
+      for (const auto& one : port.post(message))
+        back.push_back(one.session + " " + to_string(one) + " to " +
+                       std::to_string(one.correlation));
+    });
+    return back;
+  }
+
+  void install(InlineFunctionPlugin::Function function) {
+    auto words = target("Words", {"NLG"}, bench.component_probe("Words"));
+    words.direct = std::make_shared<InlineFunctionPlugin>(std::move(function));
+    bench.set_table({words});
+  }
+
+  Bench bench;
+  session_actor user;
+  std::vector<std::string> heard;
+};
+
+TEST_F(SessionPortTest, PostsToAMailbox) {
+  bench.set_table({target("Words", {"NLG"}, bench.component_probe("Words"))});
+  EXPECT_THAT(post(), IsEmpty());
+  EXPECT_THAT(bench.seen, ElementsAre("Words gets Session.Greet() -> NLG"));
+}
+
+TEST_F(SessionPortTest, AsksAnInlineComponentAtOnce) {
+  install([](const Message& message) -> std::vector<Answer> {
+    return {{"Text", message.params}, {"Done", {}}};
+  });
+  EXPECT_THAT(post({"hi"}),
+              ElementsAre("s1 Words.Text(hi) to 4", "s1 Words.Done() to 4"));
+  EXPECT_THAT(bench.seen, IsEmpty());
+}
+
+TEST_F(SessionPortTest, AnswersForAnInlineComponentThatThrows) {
+  install([](const Message&) -> std::vector<Answer> { throw 1; });
+  EXPECT_THAT(post(), ElementsAre(HasSubstr("s1 Words.Failed(")));
+  EXPECT_THAT(bench.logs, ElementsAre(HasSubstr("Words failed: ")));
+}
+
+TEST_F(SessionPortTest, CountsAndLogsOnceWhatNobodyTakes) {
+  EXPECT_THAT(post(), IsEmpty());
+  with_port([](SessionPort& port) { port.unhandled(event("Bell", "Rings")); });
+  EXPECT_EQ(bench.services.counters->unhandled, 2u);
+  EXPECT_THAT(bench.logs, ElementsAre(HasSubstr("nobody is there for NLG"),
+                                      HasSubstr("Bell.Rings(): ")));
+}
+
+TEST_F(SessionPortTest, IsInspectedWhenSomebodyListens) {
+  with_port([](SessionPort& port) { EXPECT_FALSE(port.inspected()); });
+  int shown = 0;
+  bench.services.inspect = [&](const auto&) { ++shown; };
+  with_port([](SessionPort& port) {
+    EXPECT_TRUE(port.inspected());
+    port.inspect({});
+  });
+  EXPECT_EQ(shown, 1);
+}
+
+TEST_F(SessionPortTest, ATimerRingsOnceAndIsReplacedAndCancelled) {
+  with_port([](SessionPort& port) {
+    port.start_timer(1, 5ms);
+    port.start_timer(2, 5ms);
+    port.start_timer(1, 20ms);
+    port.start_timer(3, 5ms);
+    port.cancel_timer(3);
+    port.cancel_timer(99);
+  });
+  bench.drive->advance(10ms);
+  EXPECT_THAT(heard, ElementsAre("rings 2"));
+  bench.drive->advance(1h);
+  EXPECT_THAT(heard, ElementsAre("rings 2", "rings 1"));
+  EXPECT_FALSE(bench.services.due_times.next());
+}
+
+TEST_F(SessionPortTest, AQueryHasAnOutcome) {
+  with_port([](SessionPort& port) {
+    port.query({5, "", "select 1", {}, false});
+  });
+  EXPECT_THAT(heard, ElementsAre("no database component is there"));
+  EXPECT_FALSE(bench.services.due_times.next());
+}
+
+TEST_F(SessionPortTest, LeavesNothingBehind) {
+  bench.set_table({target("db", {"Database"}, bench.component_probe("db"))});
+  with_port([](SessionPort& port) {
+    port.start_timer(1, 1h);
+    port.query({5, "", "select 1", {}, false});
+  });
+  EXPECT_TRUE(bench.services.due_times.next());
+  bench.send(user, end_session{bench.work()});
+  EXPECT_FALSE(bench.services.due_times.next());
+  EXPECT_TRUE(bench.services.work.none());
+}
+
+} // namespace
+} // namespace parlour::actors

@@ -121,8 +121,10 @@ void Effects::unhandled(const Message& message, TurnId turn) {
     core_.mouth.say(std::move(what));
     return;
   }
-  if (is_reserved(message.source))
-    return; // raised for those who listen; nobody has to
+  // Raised for those who listen, the engine's own look-ups among them: nobody
+  // has to.
+  if (is_reserved(message.source) || message.source == "Knowledge")
+    return;
   core_.port.unhandled(message);
 }
 

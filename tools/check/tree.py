@@ -6,7 +6,8 @@ from pathlib import Path
 
 ROOMS = ("runtime", "script", "actors", "adapters", "config", "tests", "tools")
 CODE = (".hpp", ".cpp")
-SKIPPED = {"build", "__pycache__"}
+# .git is a file where the tree is one of several work trees.
+SKIPPED = {"build", "__pycache__", ".git"}
 
 
 def root():
@@ -22,7 +23,8 @@ def files(top, *suffixes):
         folders[:] = [f for f in folders
                       if f not in SKIPPED and not f.startswith(".")]
         found += [Path(folder, name).relative_to(top) for name in names
-                  if not suffixes or name.endswith(suffixes)]
+                  if name not in SKIPPED
+                  and (not suffixes or name.endswith(suffixes))]
     return sorted(found)
 
 

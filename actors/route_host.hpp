@@ -3,28 +3,24 @@
 #pragma once
 
 #include "runtime/base/message.hpp"
-#include "script/host.hpp"
+#include "script/computing_host.hpp"
 
 namespace parlour::actors {
 
-class RouteHost : public script::Host {
+class RouteHost : public script::ComputingHost {
 public:
-  RouteHost(const Message& message, Timestamp now);
+  RouteHost(const Message& message, Timestamp now)
+      : ComputingHost("a route's condition", now), message_(message) {}
 
-  script::Performed perform(script::Activation& activation,
-                            script::Effect effect) override;
-  Value slot(script::TopicId topic, script::SlotId slot) const override;
-  void set_slot(script::TopicId topic, script::SlotId slot,
-                Value value) override;
-  Value system(const script::Activation& activation,
-               script::SystemVariable variable) const override;
-  bool online(const std::string& agent) const override;
-  Timestamp now() const override;
-  double random() override;
+  Value system(const script::Activation&,
+               script::SystemVariable variable) const override {
+    if (variable == script::SystemVariable::session)
+      return message_.session;
+    return {};
+  }
 
 private:
   const Message& message_;
-  Timestamp now_;
 };
 
 } // namespace parlour::actors

@@ -3,42 +3,25 @@
 #include <mutex>
 
 #include "runtime/base/random.hpp"
+#include "script/computing_host.hpp"
 #include "script/interpreter.hpp"
 
 namespace parlour::script {
 
 namespace {
 
-// Phrases compute; they cannot act.
-class PhraseHost : public Host {
+class PhraseHost : public ComputingHost {
 public:
   explicit PhraseHost(const Value& say)
-      : now_(say["now"].integer_or(0)),
+      : ComputingHost("a phrase", say["now"].integer_or(0)),
         random_(static_cast<std::uint64_t>(say["rotation"].integer_or(0))) {}
 
-  Performed perform(Activation&, Effect) override {
-    return Error{ErrorKind::refused, "a phrase can only compute", {}};
-  }
-  Value slot(TopicId, SlotId) const override {
-    return {};
-  }
-  void set_slot(TopicId, SlotId, Value) override {}
-  Value system(const Activation&, SystemVariable) const override {
-    return {};
-  }
-  bool online(const std::string&) const override {
-    return false;
-  }
-  Timestamp now() const override {
-    return now_;
-  }
   // From the rotation, so that equal inputs give equal words.
   double random() override {
     return random_.fraction();
   }
 
 private:
-  Timestamp now_;
   Random random_;
 };
 

@@ -1,31 +1,24 @@
 #include "script/dialogue/frame_evaluator.hpp"
 
+#include "script/computing_host.hpp"
 #include "script/dialogue/frame_view.hpp"
 
 namespace parlour::dialogue {
 
 namespace {
 
-// A host without a world: slots from one frame, everything else refused.
-class FrameHost : public script::Host {
+class FrameHost : public script::ComputingHost {
 public:
   FrameHost(const script::Program& program, const Frame& frame, Timestamp now,
             std::vector<SlotId>* reads)
-      : program_(program), frame_(frame), now_(now), reads_(reads) {}
-
-  script::Performed perform(script::Activation&, script::Effect) override {
-    return Error{ErrorKind::refused,
-                 "a condition or text can only compute; it cannot act",
-                 {}};
-  }
+      : ComputingHost("a condition or text", now), program_(program),
+        frame_(frame), reads_(reads) {}
 
   Value slot(TopicId, SlotId slot) const override {
     if (reads_)
       reads_->push_back(slot);
     return read_slot(frame_, slot);
   }
-
-  void set_slot(TopicId, SlotId, Value) override {}
 
   Value system(const script::Activation&,
                script::SystemVariable variable) const override {
@@ -37,22 +30,9 @@ public:
     return {};
   }
 
-  bool online(const std::string&) const override {
-    return false;
-  }
-
-  Timestamp now() const override {
-    return now_;
-  }
-
-  double random() override {
-    return 0;
-  }
-
 private:
   const script::Program& program_;
   const Frame& frame_;
-  Timestamp now_;
   std::vector<SlotId>* reads_; // may be null
 };
 

@@ -85,6 +85,11 @@ const PlainEffect* plain_effect(const Element& element) {
   return there == plain_effects().end() ? nullptr : &there->second;
 }
 
+bool means_own_topic(const PlainEffect& effect, const Element& element) {
+  return effect.kind == K::complete ||
+         (effect.kind == K::reset_topic && !element.attribute("topic"));
+}
+
 bool is_computed(const std::string& text) {
   return text.find('{') != std::string::npos;
 }
@@ -121,6 +126,9 @@ void StatementCompiler::effect(const Element& element) {
   const auto* plain = plain_effect(element);
   if (!plain)
     return error(element.position, "<" + element.name + "> is not a statement");
+  if (means_own_topic(*plain, element) && !b_.context.topic)
+    return error(element.position,
+                 "<" + element.name + "> has a meaning in a topic only");
   std::size_t count = 0;
   while (count < plain->operands.size() && plain->operands[count].attribute)
     ++count;

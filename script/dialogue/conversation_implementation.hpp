@@ -2,6 +2,7 @@
 // header of this folder; the door is conversation.hpp.
 #pragma once
 
+#include <cstdint>
 #include <deque>
 #include <memory>
 #include <optional>
@@ -49,11 +50,21 @@ private:
   void started(WaitId wait);
   void start_over();
 
+  void leave();
+  void take_internal();
+  bool at_rest() const;
+  void finish();
+  void give_up_turns();
+
   void watch_silence();
   void watch_for(Milliseconds length, Timer::Purpose purpose);
   void stop_silence();
 
+  // The session's end: its Exits run, then Session.Ended has been told.
+  enum class Leaving : std::uint8_t { no, exits, told };
+
   std::optional<Watch> watch_;
+  Leaving leaving_ = Leaving::no;
 };
 
 } // namespace parlour::dialogue

@@ -47,7 +47,7 @@ std::vector<Step> Conversation::Implementation::beginning() const {
 }
 
 void Conversation::Implementation::close() {
-  if (core.ended)
+  if (leaving_ != Leaving::no)
     return;
   core.ending = true;
   core.mouth.withdraw_questions();
@@ -60,13 +60,46 @@ void Conversation::Implementation::close() {
     steps.push_back(std::move(exit));
   core.lane.clear();
   core.lane.now(std::move(steps));
+  Timer deadline;
+  deadline.purpose = Timer::Purpose::leaving;
+  core.timers.start(core.program->settings.sessions.request_timeout,
+                    std::move(deadline));
+  leaving_ = Leaving::exits;
+  leave();
+}
+
+// Exit runs, then Session.Ended is told; each may wait for a component.
+void Conversation::Implementation::leave() {
   run_lane();
-  core.raise("Session", "Ended", {});
+  take_internal();
+  if (!at_rest())
+    return;
+  if (leaving_ == Leaving::exits) {
+    leaving_ = Leaving::told;
+    core.raise("Session", "Ended", {});
+    take_internal();
+  }
+  if (at_rest())
+    finish();
+}
+
+void Conversation::Implementation::take_internal() {
   while (!core.internal.empty() && core.one_more_internal_event()) {
     auto input = std::move(core.internal.front());
     core.internal.pop_front();
-    core.pipeline.take(std::move(input));
+    process(std::move(input));
+    run_lane();
   }
+}
+
+// Nothing that was begun waits for anybody but the user, who is gone.
+bool Conversation::Implementation::at_rest() const {
+  return core.lane.idle() && core.internal.empty() &&
+         core.pipeline.waits().empty() && !core.runner.has_slices() &&
+         !core.topics.awaiting_frame();
+}
+
+void Conversation::Implementation::finish() {
   core.mouth.withdraw_questions();
   core.mouth.release();
   core.timers.cancel_all();
@@ -129,7 +162,7 @@ void Conversation::Implementation::take_input() {
     if (core.one_more_internal_event())
       process(std::move(input));
     else
-      core.turns.let_go(input.turn);
+      core.drop(input);
   } else if (auto next = next_input(); next != core.inbox.end()) {
     auto input = std::move(*next);
     core.inbox.erase(next);
@@ -189,10 +222,19 @@ void Conversation::Implementation::act_on(Timer timer) {
   case Timer::Purpose::closing:
     core.ending = true;
     break;
+  case Timer::Purpose::leaving:
+    finish();
+    break;
   }
 }
 
 void Conversation::Implementation::go_on() {
+  if (leaving_ != Leaving::no) {
+    if (!core.ended)
+      leave();
+    return;
+  }
+  give_up_turns();
   run_lane();
   if (core.ending && !core.topics.awaiting_frame() &&
       !core.mouth.wants_release() && core.mouth.all_released())
@@ -201,10 +243,20 @@ void Conversation::Implementation::go_on() {
     watch_silence();
 }
 
+// The understanding of what was said never came.
+void Conversation::Implementation::give_up_turns() {
+  for (auto turn : core.turns.expire(core.now)) {
+    Step step;
+    step.kind = StepKind::no_match;
+    step.turn = turn;
+    core.turns.hold(turn);
+    core.lane.queue({std::move(step)});
+  }
+}
+
 // -- silence ------------------------------------------------------------------
 
 void Conversation::Implementation::watch_silence() {
-  core.turns.expire(core.now);
   const bool open = core.turns.any_open(core.now);
   if (core.ending || !core.lane.idle() || !core.mouth.silent() ||
       core.topics.awaiting_frame()) {

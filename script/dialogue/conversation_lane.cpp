@@ -19,6 +19,10 @@ void Conversation::Implementation::run_lane() {
 void Conversation::Implementation::take(Step step) {
   using enum StepKind;
   switch (step.kind) {
+  case react:
+    if (!core.topics.consumed())
+      run_body(std::move(step));
+    break;
   case run:
     run_body(std::move(step));
     break;
@@ -60,8 +64,6 @@ void Conversation::Implementation::start_over() {
 }
 
 void Conversation::Implementation::run_body(Step step) {
-  if (step.message && core.topics.consumed())
-    return; // an act that an earlier reaction has kept for itself
   script::ActivationContext context;
   context.message = std::move(step.message);
   context.topic = step.topic;

@@ -36,7 +36,8 @@ void Core::raise(const char* source, std::string command,
 
 Correlation Core::post(std::string module, std::string command,
                        std::vector<Value> params, TurnId turn) {
-  if (command == "DoNLU" && params.size() == 1 && port.is_source("NLU", module))
+  const bool meaning = command == "DoNLU" && port.is_source("NLU", module);
+  if (meaning && params.size() == 1)
     params.push_back(topics.understanding_context());
   Message message;
   message.source = "Script";
@@ -47,7 +48,8 @@ Correlation Core::post(std::string module, std::string command,
   message.correlation = next_id();
   const auto correlation = message.correlation;
   turns.asked(correlation, turn,
-              now + program->settings.sessions.request_timeout.count());
+              now + program->settings.sessions.request_timeout.count(),
+              meaning);
   for (auto& event : port.post(std::move(message))) {
     turns.hold(turn);
     turns.answered(correlation);
@@ -98,9 +100,14 @@ bool Core::one_more_internal_event() {
     inspect(InspectionKind::error, "Limit",
             "more than 100 internal events without an external one; the rest "
             "is dropped");
-  for (auto& input : std::exchange(internal, {}))
-    turns.let_go(input.turn);
+  for (const auto& input : std::exchange(internal, {}))
+    drop(input);
   return false;
+}
+
+void Core::drop(const Input& input) {
+  turns.let_go(input.turn);
+  mouth.handled(input.message, false);
 }
 
 void Core::inspect(InspectionKind kind, std::string subject,

@@ -88,6 +88,8 @@ struct Core {
   // False where there were too many of them without an external one: scripts
   // chase each other (engine rule 2). What is queued is dropped then.
   bool one_more_internal_event();
+  // An event that nobody is to handle any more; what hangs on it goes on.
+  void drop(const Input& input);
   void inspect(InspectionKind kind, std::string subject, std::string detail);
 };
 

@@ -23,6 +23,11 @@ Error not_yet(const script::Effect& effect) {
           {}};
 }
 
+// Those that name no topic and mean the one that they stand in.
+bool means_own_topic(StepKind kind) {
+  return kind == StepKind::complete || kind == StepKind::reset;
+}
+
 } // namespace
 
 Effects::Effects(Core& core) : core_(core), random_(core.options.seed) {}
@@ -173,6 +178,8 @@ script::Performed Effects::later(StepKind kind, Context context, Call effect) {
       return missing("state", effect.operand(0));
     step.code = effect.body;
     step.arguments = effect.captured;
+    step.slot = context.slot;
+    step.message = context.message;
   } else if (kind == StepKind::ask) {
     step.slot = context.topic == script::no_id
                     ? script::no_id
@@ -183,6 +190,9 @@ script::Performed Effects::later(StepKind kind, Context context, Call effect) {
     step.topic = core_.program->topic(effect.operand(0).text());
     if (step.topic == script::no_id)
       return missing("topic", effect.operand(0));
+  } else if (step.topic == script::no_id && means_own_topic(kind)) {
+    return Error{
+        ErrorKind::refused, "only a topic's own script can do this", {}};
   }
   core_.runner.later(std::move(step));
   return Value();

@@ -116,7 +116,8 @@ void Effects::unhandled(const Message& message, TurnId turn) {
   if (message.source == "Script" && message.command == "Error") {
     Say what;
     what.act = "unavailable";
-    what.data = Map{{"reason", message.params.at(0)}};
+    what.data =
+        Map{{"reason", message.params.empty() ? Value() : message.params[0]}};
     what.turn = turn;
     core_.mouth.say(std::move(what));
     return;

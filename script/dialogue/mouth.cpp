@@ -107,8 +107,12 @@ void Mouth::word(OutputId id, std::string text) {
 
 void Mouth::handled(const Message& event, bool taken) {
   auto found = wording_.find(event.correlation);
-  if (found == wording_.end() || event.command != "Speak")
+  if (found == wording_.end())
     return;
+  if (event.command != "Speak") {
+    give_up_wording(event.correlation);
+    return;
+  }
   auto text = !taken && !event.params.empty() ? event.params[0].text() : "";
   speak(std::move(text), event.correlation, 0, true);
 }

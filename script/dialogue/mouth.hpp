@@ -42,6 +42,7 @@ public:
                  bool interruptible);
   // The handlers of an NLG event are done: an entry that none of them worded
   // takes the event's own text, or is dropped where a handler took the event.
+  // Any other answer than Speak means that there are no words to come.
   void handled(const Message& event, bool taken);
   // The NLG component did not answer in time.
   void give_up_wording(Correlation correlation);

@@ -128,8 +128,7 @@ bool Pipeline::resume(WaitId wait, Expected<Value> outcome) {
 void Pipeline::finish(std::unique_ptr<Item> item) {
   const bool taken = item->next > 0;
   core_.mouth.handled(*item->message, taken);
-  if (item->message->command == "NoResult" &&
-      core_.port.is_source("NLU", item->message->source))
+  if (means_nothing(*item))
     not_understood(*item, taken);
   else if (!taken)
     core_.effects.unhandled(*item->message, item->turn);
@@ -142,7 +141,15 @@ void Pipeline::finish(std::unique_ptr<Item> item) {
   }
 }
 
-// The understanding gave up: the question that was asked comes again; a handler
+// The understanding gave up, or broke.
+bool Pipeline::means_nothing(const Item& item) const {
+  const auto& event = *item.message;
+  const bool broke = event.command == "Failed" && item.turn != 0;
+  return (broke || event.command == "NoResult") &&
+         core_.port.is_source("NLU", event.source);
+}
+
+// The question that was asked comes again; a handler
 // that took the event has made the apology (engine rule 5).
 void Pipeline::not_understood(const Item& item, bool taken) {
   Step step;

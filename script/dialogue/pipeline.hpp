@@ -54,6 +54,7 @@ private:
   void go_on(std::unique_ptr<Item> item);
   void finish(std::unique_ptr<Item> item);
   void hand_over(const Item& item);
+  bool means_nothing(const Item& item) const;
   void not_understood(const Item& item, bool taken);
   bool captures_everything() const;
 

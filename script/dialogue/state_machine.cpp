@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "script/dialogue/core.hpp"
+#include "script/dialogue/steps.hpp"
 
 namespace parlour::dialogue {
 
@@ -12,24 +13,19 @@ std::string name_of(const Core& core, StateId state) {
   return state == script::no_id ? "" : core.program->states[state].name;
 }
 
-Step run(CodeId code, std::vector<Value> arguments = {}) {
-  Step step;
-  step.code = code;
-  step.arguments = std::move(arguments);
-  return step;
-}
-
 } // namespace
 
 void StateMachine::transit(Step step) {
   std::vector<Step> steps(1);
   steps[0].kind = StepKind::leave;
   steps[0].state = core_.states.active();
-  if (step.code != script::no_code)
-    steps.push_back(run(step.code, std::move(step.arguments)));
   Step enter;
   enter.kind = StepKind::enter;
   enter.state = step.state;
+  // In between, what stands in <transit>: with the topic, message and turn of
+  // the script that it is a part of.
+  if (step.code != script::no_code)
+    steps.push_back(make_step(StepKind::run, std::move(step)));
   steps.push_back(std::move(enter));
   core_.lane.now(std::move(steps));
 }
@@ -39,7 +35,7 @@ void StateMachine::leave(const Step& step) {
     return;
   if (auto code = core_.program->states[step.state].exit;
       code != script::no_code)
-    core_.lane.now({run(code)});
+    core_.lane.now({body_step(code, 0)});
 }
 
 void StateMachine::enter(const Step& step) {
@@ -49,7 +45,7 @@ void StateMachine::enter(const Step& step) {
   core_.states.enter(step.state);
   const auto& state = core_.program->states[step.state];
   if (state.entrance != script::no_code)
-    core_.lane.now({run(state.entrance)});
+    core_.lane.now({body_step(state.entrance, 0)});
 }
 
 void StateMachine::push(const Step& step) {

@@ -43,6 +43,7 @@ using script::StateId;
   X(restart, "everything begins again") \
   X(end, "the session ends") \
   X(run, "a body of script") \
+  X(react, "a reaction's body, unless one before has kept the act for itself") \
   X(resume_wait, "a waiting activation goes on with `data`") \
   X(transit, "leave the state for another") \
   X(leave, "the state's Exit") \

@@ -21,6 +21,7 @@ struct Timer {
     silence,  // nobody says anything
     patience, // a component does not answer; then the turn is over
     closing,  // the session's last
+    leaving,  // the last that Exit and Session.Ended may wait for
   };
   // clang-format on
   Purpose purpose = Purpose::script;

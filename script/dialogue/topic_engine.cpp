@@ -63,9 +63,10 @@ void TopicEngine::offer_act(Step step) {
   bool captured = false;
   for (const auto& match :
        core_.pipeline.matches("Dialogue", shared->command)) {
-    auto run = body_step(match.reaction->body, step.turn);
-    run.message = shared;
-    steps.push_back(std::move(run));
+    auto reaction = body_step(match.reaction->body, step.turn);
+    reaction.kind = StepKind::react;
+    reaction.message = shared;
+    steps.push_back(std::move(reaction));
     captured = captured || match.captures;
   }
   auto state = core_.states.active();

@@ -28,10 +28,11 @@ void Turns::let_go(TurnId turn) {
   }
 }
 
-void Turns::asked(Correlation correlation, TurnId turn, Timestamp until) {
+void Turns::asked(Correlation correlation, TurnId turn, Timestamp until,
+                  bool meaning) {
   if (turns_.count(turn) == 0)
     return;
-  questions_[correlation] = Question{turn, until, true};
+  questions_[correlation] = Question{turn, until, true, meaning};
   if (questions_.size() <= remembered_questions)
     return;
   const auto oldest = questions_.begin()->second.turn;
@@ -59,12 +60,18 @@ void Turns::taken_up(TurnId turn) {
   }
 }
 
-void Turns::expire(Timestamp now) {
-  for (auto& [correlation, question] : questions_)
-    if (question.open && question.until <= now) {
-      question.open = false;
-      close_if_idle(question.turn);
-    }
+std::vector<TurnId> Turns::expire(Timestamp now) {
+  std::vector<TurnId> without_meaning;
+  for (auto& [correlation, question] : questions_) {
+    if (!question.open || question.until > now)
+      continue;
+    question.open = false;
+    const auto turn = turns_.find(question.turn);
+    if (question.meaning && turn != turns_.end() && !turn->second.taken)
+      without_meaning.push_back(question.turn);
+    close_if_idle(question.turn);
+  }
+  return without_meaning;
 }
 
 bool Turns::any_open(Timestamp now) const {

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <vector>
 
 #include "runtime/base/clock.hpp"
 #include "runtime/base/message.hpp"
@@ -25,8 +26,9 @@ public:
   void let_go(TurnId turn);
 
   // A component was asked on the turn's behalf; its first answer, or the
-  // timeout, ends that.
-  void asked(Correlation correlation, TurnId turn, Timestamp until);
+  // timeout, ends that. `meaning`: it was asked what the turn means.
+  void asked(Correlation correlation, TurnId turn, Timestamp until,
+             bool meaning = false);
   // The turn that an answer belongs to; 0 where it answers nothing we know.
   TurnId of(Correlation correlation) const;
   void answered(Correlation correlation);
@@ -35,7 +37,8 @@ public:
   void taken_up(TurnId turn);
 
   // Forgets questions whose time is over, and turns that hang on nothing else.
-  void expire(Timestamp now);
+  // Returns the turns that were not taken up and whose meaning never came.
+  std::vector<TurnId> expire(Timestamp now);
 
   // Whether some turn is open.
   bool any_open(Timestamp now) const;
@@ -55,6 +58,7 @@ private:
     TurnId turn = 0;
     Timestamp until = 0;
     bool open = true;
+    bool meaning = false;
   };
 
   // The latest time until which a component is waited for; 0: none.

@@ -275,6 +275,15 @@ TEST(Effects, EventsOfScripts) {
   EXPECT_EQ(world.said(), Texts{"Rung 5."});
 }
 
+TEST(Effects, AScriptsOwnErrorEventNeedsNoParameter) {
+  World world(R"xml(<handler name="H"><messages><component><Bell><Rings>
+    <fire event="Error"/></Rings></Bell></component></messages></handler>)xml");
+  world.components["Bell"] = {};
+  world.event("Bell", "Rings");
+  EXPECT_EQ(world.said(), Texts{"[unavailable {reason: unknown}]"});
+  EXPECT_FALSE(world.has_ended);
+}
+
 TEST(Effects, MoreThanAHundredInternalEventsAreStopped) {
   Bell world("<fire event='Again'/>", R"xml(
     <var name="count" expr="0"/>

@@ -71,6 +71,34 @@ TEST(Mouth, InlineWordsNeedNoTimer) {
   EXPECT_EQ(world.timers(), 1u); // the session's last only
 }
 
+TEST(Mouth, AComponentThatBreaksIsGivenUpAtOnce) {
+  Worded world(asking);
+  world.answers = [](const Message& asked) {
+    auto reply = Worded::speak(asked);
+    reply.command = "Failed";
+    return std::vector<Message>{reply};
+  };
+  world.say("thank");
+  EXPECT_EQ(world.said(), Texts{"[thank]"});
+  world.say(inform("T", {}));
+  EXPECT_EQ(world.said(), Texts{"S?"});
+}
+
+TEST(Mouth, WordsDroppedWithChasingEventsAreSpokenAllTheSame) {
+  Worded world(std::string(asking) + R"xml(
+    <handler name="C"><messages><component><Script><Chase>
+      <fire event="Chase"/></Chase></Script><Bell><Rings>
+      <fire event="Chase"/></Rings></Bell></component></messages></handler>
+    <handler name="E"><messages><component><Timer><Fired>
+      </Fired></Timer></component></messages></handler>)xml",
+               true);
+  world.queue(inform("T", {}));
+  world.event("Bell", "Rings");
+  EXPECT_EQ(world.said(), Texts{"S?"});
+  world.say("thank");
+  EXPECT_EQ(world.said(), (Texts{"<thank>"}));
+}
+
 TEST(Mouth, AComponentThatIsSilentIsGivenUp) {
   Worded world(asking);
   world.say("thank");

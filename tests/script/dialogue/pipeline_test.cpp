@@ -110,6 +110,33 @@ TEST(Pipeline, NothingUnderstoodCountsOnTheQuestion) {
   EXPECT_EQ(world.said(), Texts{"Which S?"});
 }
 
+// An application whose understanding is asked and does not answer by itself.
+struct Understood : World {
+  Understood()
+      : World(R"xml(<handler name="U"><messages><component><ASR>
+          <RecognitionResult><post module="NLU" command="DoNLU"
+            param="_LPARAM1"/><consume/></RecognitionResult>
+          </ASR></component></messages></handler>)xml") {
+    components["Grammar"] = {"NLU"};
+    event("ASR", "RecognitionResult", {"well"});
+  }
+};
+
+TEST(Pipeline, AnUnderstandingThatBreaksLeavesNoTurnWithoutAWord) {
+  Understood world;
+  EXPECT_EQ(world.said(), Texts{});
+  world.event("Grammar", "Failed", {"oh"}, world.messages.back().correlation);
+  EXPECT_EQ(world.said(), Texts{"[no_match]"});
+  world.advance(10s);
+  EXPECT_EQ(world.said(), Texts{});
+}
+
+TEST(Pipeline, NeitherDoesOneThatNeverAnswers) {
+  Understood world;
+  world.advance(10s);
+  EXPECT_EQ(world.said(), Texts{"[no_match]"});
+}
+
 TEST(Pipeline, ActsAreMessagesOfTheDialogue) {
   Bells world(R"xml(
     <topic name="T"><slot name="S" type="Functional"/>

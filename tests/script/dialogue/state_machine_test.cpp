@@ -70,6 +70,26 @@ TEST(StateMachine, TheLastTransitCounts) {
             (Texts{"Still here.", "Out of A.", "Yes.", "In C."}));
 }
 
+TEST(StateMachine, WhatStandsInATransitKeepsTopicAndMessage) {
+  WorldOptions options;
+  options.start = "T";
+  World world(R"xml(
+    <state name="A"/>
+    <handler name="H"><messages><component><Bell><Go><transit state="A">
+      <speak param="{_SOURCE} {_LPARAM1}"/></transit></Go></Bell></component>
+      </messages></handler>
+    <topic name="T"><slot name="S" type="Functional" question="S?">
+      <filled><transit state="A"><speak param="S is {this.S}."/></transit>
+      </filled></slot></topic>)xml",
+              options);
+  world.components["Bell"] = {};
+  world.said();
+  world.say(inform("T", {{"S", 1}}));
+  EXPECT_EQ(world.said(), Texts{"S is 1."});
+  world.event("Bell", "Go", {"now"});
+  EXPECT_EQ(world.said(), Texts{"Bell now"});
+}
+
 TEST(StateMachine, TransitInsideAFunction) {
   Rooms world;
   EXPECT_EQ(world.ring("Call"), (Texts{"Out of A.", "In C."}));
@@ -101,6 +121,49 @@ TEST(StateMachine, TheSessionsEndRunsEveryExit) {
   world.conversation->close(world.now);
   EXPECT_EQ(world.said(), (Texts{"Out of Sub.", "Out of A."}));
   EXPECT_TRUE(world.has_ended);
+}
+
+struct Leaving : World {
+  Leaving()
+      : World(R"xml(
+    <state name="A"><Exit>
+      <querydb param="SELECT 1" return="r"/><speak param="First."/>
+      <wait for="2s"/><speak param="Second."/></Exit></state>
+    <handler name="H"><messages><component><Session><Ended>
+      <wait for="3s"/><speak param="Ended."/></Ended></Session></component>
+      </messages></handler>)xml",
+              starting_in("A")) {
+    components["Store"] = {"Database"};
+    database = [](const QueryRequest&) { return ResultSet(); };
+    conversation->close(now);
+    run();
+  }
+};
+
+TEST(StateMachine, ExitAndSessionEndedMayWait) {
+  Leaving world;
+  EXPECT_EQ(world.said(), Texts{"First."});
+  EXPECT_FALSE(world.has_ended);
+  world.advance(2s);
+  EXPECT_EQ(world.said(), Texts{"Second."});
+  EXPECT_FALSE(world.has_ended);
+  world.advance(3s);
+  EXPECT_EQ(world.said(), Texts{"Ended."});
+  EXPECT_TRUE(world.has_ended);
+  EXPECT_EQ(world.timers(), 0u);
+}
+
+TEST(StateMachine, AnExitThatWaitsForeverIsEnded) {
+  World world(R"xml(
+    <state name="A"><Exit><wait for="1h"/><speak param="Late."/></Exit></state>
+    )xml",
+              starting_in("A"));
+  world.conversation->close(world.now);
+  world.run();
+  EXPECT_FALSE(world.has_ended);
+  world.advance(10s); // sessions request-timeout
+  EXPECT_TRUE(world.has_ended);
+  EXPECT_EQ(world.said(), Texts{});
 }
 
 TEST(StateMachine, StatesThatChaseEachOtherAreStopped) {

@@ -20,14 +20,15 @@ bool map_case(BuiltinCall& call, Mapping mapping) {
   std::string text;
   if (!call.text(0, text) || !call.room(text.size() * 3))
     return false;
-  static thread_local const auto* casemap = [] {
+  // Never changed, so that all threads may share it.
+  static const icu::LocalUCaseMapPointer casemap([] {
     auto error = U_ZERO_ERROR;
     return ucasemap_open("", 0, &error);
-  }();
+  }());
   std::string mapped(text.size() * 3 + 1, '\0');
   auto error = U_ZERO_ERROR;
   const auto size =
-      mapping(casemap, mapped.data(), static_cast<int32_t>(mapped.size()),
+      mapping(casemap.getAlias(), mapped.data(), static_cast<int32_t>(mapped.size()),
               text.data(), static_cast<int32_t>(text.size()), &error);
   if (U_FAILURE(error))
     return call.fail(ErrorKind::type, "the text is not well-formed");

@@ -46,8 +46,14 @@ function(parlour_test folder)
   add_executable(test_${name} ${sources})
   target_link_libraries(test_${name} PRIVATE ${arg_LINK} parlour_testing)
   target_precompile_headers(test_${name} REUSE_FROM ${arg_HEADERS})
-  gtest_discover_tests(test_${name}
-    TEST_PREFIX "${folder}: " DISCOVERY_MODE PRE_TEST
-    WORKING_DIRECTORY "${PROJECT_SOURCE_DIR}"
-    DISCOVERY_TIMEOUT 60)
+  if(PARLOUR_SANITIZE)
+    # One process for all of a folder: under sanitizers starting it is dear.
+    add_test(NAME "${folder}" COMMAND test_${name} --gtest_brief=1
+      WORKING_DIRECTORY "${PROJECT_SOURCE_DIR}")
+  else()
+    gtest_discover_tests(test_${name}
+      TEST_PREFIX "${folder}: " DISCOVERY_MODE PRE_TEST
+      WORKING_DIRECTORY "${PROJECT_SOURCE_DIR}"
+      DISCOVERY_TIMEOUT 60)
+  endif()
 endfunction()

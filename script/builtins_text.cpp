@@ -27,9 +27,9 @@ bool map_case(BuiltinCall& call, Mapping mapping) {
   }());
   std::string mapped(text.size() * 3 + 1, '\0');
   auto error = U_ZERO_ERROR;
-  const auto size =
-      mapping(casemap.getAlias(), mapped.data(), static_cast<int32_t>(mapped.size()),
-              text.data(), static_cast<int32_t>(text.size()), &error);
+  const auto size = mapping(casemap.getAlias(), mapped.data(),
+                            static_cast<int32_t>(mapped.size()), text.data(),
+                            static_cast<int32_t>(text.size()), &error);
   if (U_FAILURE(error))
     return call.fail(ErrorKind::type, "the text is not well-formed");
   mapped.resize(static_cast<std::size_t>(size));

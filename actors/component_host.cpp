@@ -1,5 +1,7 @@
 #include "actors/component_host.hpp"
 
+#include <optional>
+#include <string>
 #include <utility>
 
 #include "actors/thrown.hpp"
@@ -16,10 +18,20 @@ void report(Self self, const std::string& reason, Work work) {
       component_failed{self->state.component->name, reason, std::move(work)});
 }
 
+// What the plug-in throws when it is called, in words.
+template <class Action>
+std::optional<std::string> thrown_by_plugin(Component& component,
+                                            Action&& action) {
+  component.at_work = true;
+  auto thrown = thrown_by(std::forward<Action>(action));
+  component.at_work = false;
+  return thrown;
+}
+
 void start(Self self, const start_component& what) {
   auto& component = *self->state.component;
   Expected<void> outcome;
-  auto thrown = thrown_by([&] {
+  auto thrown = thrown_by_plugin(component, [&] {
     outcome = component.plugin->start(*component.door, component.options);
   });
   if (thrown)
@@ -30,7 +42,8 @@ void start(Self self, const start_component& what) {
 
 void handle(Self self, const handle_message& what) {
   auto& component = *self->state.component;
-  auto reason = thrown_by([&] { component.plugin->receive(what.message); });
+  auto reason = thrown_by_plugin(
+      component, [&] { component.plugin->receive(what.message); });
   if (!reason)
     return;
   report(self, *reason, what.work);
@@ -41,7 +54,7 @@ void handle(Self self, const handle_message& what) {
 }
 
 void put_off(Self self, const run_after& what) {
-  self->state.delays.insert(what.due);
+  self->state.delays.insert(what.due->id());
   if (what.delay > Milliseconds::zero())
     self->delayed_send(self, what.delay, run_now{what.due, what.action});
   else
@@ -49,17 +62,22 @@ void put_off(Self self, const run_after& what) {
 }
 
 void call_back(Self self, const run_now& what) {
+  auto& due_times = self->state.services->due_times;
+  const auto due = what.due->id();
+  self->state.delays.erase(due);
+  if (!due_times.has(due))
+    return; // cancelled
   auto work = self->state.services->work.begin();
-  if (auto reason = thrown_by(what.action))
+  if (auto reason = thrown_by_plugin(*self->state.component, what.action))
     report(self, *reason, work);
-  self->state.delays.erase(what.due);
-  self->state.services->due_times.remove(what.due);
+  due_times.remove(due);
 }
 
 void stop(Self self) {
   auto& component = *self->state.component;
   *component.up = false;
-  if (auto reason = thrown_by([&] { component.plugin->stop(); }))
+  if (auto reason =
+          thrown_by_plugin(component, [&] { component.plugin->stop(); }))
     self->state.services->log(component.name +
                               " did not stop well: " + *reason);
   self->quit();

@@ -19,13 +19,16 @@ struct Component {
   std::shared_ptr<IPlugin> plugin;
   std::shared_ptr<std::atomic<bool>> up =
       std::make_shared<std::atomic<bool>>(false);
+  std::atomic<bool> at_work = false; // a call into the plug-in has not returned
 };
 
 struct component_host_state {
   static inline const char* name = "component_host";
   std::shared_ptr<Component> component;
   Services* services = nullptr;
-  std::set<DueTimes::Id> delays; // that it has not called back for yet
+  // That it has not called back for yet: CAF's clock holds their messages, and
+  // tickets, until they are due, whether there still is a host or not.
+  std::set<DueTimes::Id> delays;
   ~component_host_state();
 };
 

@@ -31,6 +31,9 @@ public:
   // Until `done`, or at most so long in real time. False if it did not come.
   virtual bool run_until(const std::function<bool()>& done,
                          Milliseconds at_most) = 0;
+  // Carries `action` out. False where that takes longer in real time: it then
+  // goes on by itself, and whatever it uses has to stay for good.
+  virtual bool finish(std::function<void()> action, Milliseconds at_most) = 0;
 };
 
 // 0 threads: as many as cores.

@@ -59,6 +59,10 @@ public:
   DueTicket& operator=(DueTicket&& other) noexcept;
   ~DueTicket();
 
+  DueTimes::Id id() const {
+    return id_;
+  }
+
 private:
   DueTimes* times_ = nullptr;
   DueTimes::Id id_ = 0;

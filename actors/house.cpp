@@ -1,5 +1,6 @@
 #include "actors/house.hpp"
 
+#include <cassert>
 #include <future>
 #include <utility>
 
@@ -14,11 +15,6 @@
 namespace parlour::actors {
 
 namespace {
-
-using namespace std::chrono_literals;
-
-// How long sessions and components get to end by themselves.
-constexpr Milliseconds drain_time = 2s;
 
 std::unique_ptr<Drive> make_drive(const NodeOptions& options) {
   return options.virtual_start ? make_virtual_drive(*options.virtual_start)
@@ -61,7 +57,8 @@ House::House(NodeOptions options)
 }
 
 House::~House() {
-  stop();
+  [[maybe_unused]] const bool down = stop();
+  assert(down);
 }
 
 // -- bringing up --------------------------------------------------------------
@@ -79,12 +76,16 @@ void House::set_up_services() {
   services_.new_session_id = [this] { return chance_.session_id(); };
   services_.new_seed = [this] { return chance_.session_seed(); };
   services_.log = [this](const std::string& line) {
+    if (services_.left_behind)
+      return;
     std::lock_guard lock(logging_);
     if (options_.log)
       options_.log(line);
   };
   if (options_.on_inspection)
     services_.inspect = [this](const Inspection& inspection) {
+      if (services_.left_behind)
+        return;
       std::lock_guard lock(watching_);
       if (auto reason = thrown_by([&] { options_.on_inspection(inspection); }))
         services_.log("who watches failed: " + *reason);
@@ -185,27 +186,50 @@ SessionId House::open_session(const seat_actor& seat) {
 
 // -- bringing down ------------------------------------------------------------
 
-void House::stop() {
+bool House::stop() {
+  if (services_.left_behind)
+    return false;
   if (!system_)
-    return;
+    return true;
   services_.work.forget_interrupt();
   stop_sessions();
   stop_components();
-  stop_actors();
-  system_.reset();
+  const auto at_work = who_is_at_work();
+  auto rest = [this] {
+    stop_actors();
+    system_->await_all_actors_done();
+  };
+  if (drive_->finish(rest, options_.drain_time)) {
+    system_.reset(); // here: CAF's logger belongs to the thread that made it
+    return true;
+  }
+  services_.log(at_work + " does not come to an end and is left behind");
+  services_.left_behind = true;
+  return false;
+}
+
+// The components whose call does not return, or else something: a seat.
+std::string House::who_is_at_work() const {
+  std::string names;
+  for (const auto& [component, host] : components_)
+    if (component->at_work)
+      names += (names.empty() ? "" : ", ") + component->name;
+  return names.empty() ? "something" : names;
 }
 
 void House::stop_sessions() {
   caf::anon_send(services_.manager, close_session{{}, services_.work.begin()});
   auto quiet = [this] { return services_.work.none(); };
-  if (!drive_->run_until(quiet, drain_time))
-    services_.log("something is still at work; stopping all the same");
+  if (!drive_->run_until(quiet, options_.drain_time))
+    services_.log(who_is_at_work() +
+                  " is still at work; stopping all the same");
 }
 
 void House::stop_components() {
   for (const auto& running : components_)
     caf::anon_send(running.host, stop_component{services_.work.begin()});
-  drive_->run_until([this] { return services_.work.none(); }, drain_time);
+  drive_->run_until([this] { return services_.work.none(); },
+                    options_.drain_time);
 }
 
 void House::stop_actors() {

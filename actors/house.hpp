@@ -27,8 +27,10 @@ public:
   Expected<void> start_components();
   seat_actor open_seat(SeatCalls calls);
   SessionId open_session(const seat_actor& seat);
-  // Sessions, then components, then the rest; safe to call again.
-  void stop();
+  // Sessions, then components, then the rest, each for at most the drain time;
+  // safe to call again. False where something does not come to an end: this
+  // house may then never be destroyed.
+  bool stop();
 
   Services& services() {
     return services_;
@@ -51,6 +53,7 @@ private:
   void stop_sessions();
   void stop_components();
   void stop_actors();
+  std::string who_is_at_work() const;
 
   // In the order of their making: what is below may use what is above.
   NodeOptions options_;

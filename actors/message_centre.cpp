@@ -60,6 +60,7 @@ message_centre_actor::behavior_type message_centre(
   return {
       [=](const publish& what) { carry(self, *services, what); },
       [=](const use_table& what) { services->table.store(what.table); },
+      [=](const retire& what) { self->send(what.session, leave{what.work}); },
   };
 }
 

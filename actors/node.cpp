@@ -55,14 +55,31 @@ void Node::Implementation::look_at(
 Node::Node(std::unique_ptr<Implementation> implementation)
     : implementation_(std::move(implementation)) {}
 
+namespace {
+
+// What cannot be destroyed, as threads of it still run; kept where it can be
+// found, as it is no leak.
+void leave_behind(std::shared_ptr<void> what) {
+  static auto& mutex = *new std::mutex;
+  static auto& all = *new std::vector<std::shared_ptr<void>>;
+  std::lock_guard lock(mutex);
+  all.push_back(std::move(what));
+}
+
+} // namespace
+
 Node::~Node() {
-  stop();
+  if (!stop())
+    leave_behind(std::move(implementation_));
 }
 
 Expected<std::unique_ptr<Node>> Node::start(NodeOptions options) {
   auto implementation = std::make_unique<Implementation>(std::move(options));
-  if (auto started = implementation->house.start_components(); !started)
+  if (auto started = implementation->house.start_components(); !started) {
+    if (!implementation->house.stop())
+      leave_behind(std::move(implementation));
     return tl::make_unexpected(started.error());
+  }
   return std::unique_ptr<Node>(new Node(std::move(implementation)));
 }
 
@@ -129,10 +146,12 @@ void Node::end(const SessionId& session) {
                    close_session{session, services.work.begin()});
 }
 
-void Node::stop() {
-  implementation_->house.stop();
+bool Node::stop() {
+  if (!implementation_->house.stop())
+    return false;
   for (auto& [id, seat] : implementation_->seats)
     seat = {};
+  return true;
 }
 
 // -- time ---------------------------------------------------------------------

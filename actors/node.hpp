@@ -48,6 +48,8 @@ struct NodeOptions {
   std::string data_folder;        // absolute, writable
   std::string application_folder; // absolute
   unsigned threads = 0;           // of the scheduler; 0: as many as cores
+  // How long sessions, then components, then the rest get to end in real time.
+  Milliseconds drain_time{2'000};
   // One call at a time, from any thread; may be empty. What on_inspection
   // throws is logged; log may not throw.
   std::function<void(const Inspection&)> on_inspection;
@@ -77,7 +79,7 @@ public:
   // All components are up when this returns, or an error names the first that
   // does not start, and nothing runs.
   static Expected<std::unique_ptr<Node>> start(NodeOptions options);
-  ~Node(); // stops
+  ~Node(); // stops, and leaves behind what does not
 
   SeatId open_seat(SeatCallbacks callbacks);
   // A conversation begins: Session.Started is handled and the opening prompt
@@ -113,8 +115,11 @@ public:
   NodeCounters counters() const;
 
   void end(const SessionId& session);
-  // Ends all sessions, then the components. Nothing runs afterwards.
-  void stop();
+  // Ends all sessions, then the components. Nothing runs afterwards, but where
+  // it returns false: then a component or a callback has not returned within
+  // the drain times. It keeps its threads and its memory, calls nobody any
+  // more, and should not be waited for: the process had better end.
+  bool stop();
 
 private:
   class Implementation;

@@ -44,19 +44,23 @@ void PluginDoor::send_message(Message message) {
   publish_as_itself(std::move(message));
 }
 
-void PluginDoor::after(Milliseconds delay, std::function<void()> action) {
-  auto due = services_.due_times.add(clock().now() + delay.count(),
-                                     DueTimes::Of::component);
-  auto order = [this, delay, due, action = std::move(action),
+PluginHost::DelayId PluginDoor::after(Milliseconds delay,
+                                      std::function<void()> action) {
+  const auto id = services_.due_times.add(clock().now() + delay.count(),
+                                          DueTimes::Of::component);
+  auto due = std::make_shared<const DueTicket>(services_.due_times, id);
+  auto order = [this, delay, due = std::move(due), action = std::move(action),
                 work = services_.work.begin()] {
-    auto host = caf::actor_cast<caf::strong_actor_ptr>(host_);
-    if (host)
+    if (auto host = caf::actor_cast<caf::strong_actor_ptr>(host_))
       caf::anon_send(caf::actor_cast<component_host_actor>(host),
                      run_after{delay, due, action, work});
-    else
-      services_.due_times.remove(due);
   };
   services_.gate.enter(std::move(order));
+  return id;
+}
+
+void PluginDoor::cancel(DelayId delay) {
+  services_.due_times.remove(delay);
 }
 
 const Clock& PluginDoor::clock() const {

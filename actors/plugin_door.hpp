@@ -20,7 +20,8 @@ public:
 
   void fire_event(Message event) override;
   void send_message(Message message) override;
-  void after(Milliseconds delay, std::function<void()> action) override;
+  DelayId after(Milliseconds delay, std::function<void()> action) override;
+  void cancel(DelayId delay) override;
   const Clock& clock() const override;
   void log(const std::string& text) override;
   std::shared_ptr<const UnderstandingModel> understanding() const override;

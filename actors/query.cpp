@@ -1,5 +1,6 @@
 #include "actors/query.hpp"
 
+#include <optional>
 #include <utility>
 
 namespace parlour::actors {
@@ -39,6 +40,20 @@ bool ask(Self self, Message message, const Work& work) {
   return !routed.deliveries.empty();
 }
 
+// Databases name the kind of an error in front of its words; a component that
+// failed has words alone.
+std::optional<ErrorKind> kind_of(const Message& event) {
+  if (event.command != "Error" || event.params.size() < 2)
+    return std::nullopt;
+  const auto named = event.params.front().text();
+#define X(kind, text, sentence)                                                \
+  if (named == text)                                                           \
+    return ErrorKind::kind;
+  PARLOUR_ERROR_KINDS(X)
+#undef X
+  return std::nullopt;
+}
+
 } // namespace
 
 query_state::~query_state() {
@@ -55,7 +70,7 @@ Expected<ResultSet> outcome_of(const Message& event) {
   }
   auto reason =
       event.params.empty() ? event.command : event.params.back().text();
-  return fail(ErrorKind::database, std::move(reason));
+  return fail(kind_of(event).value_or(ErrorKind::database), std::move(reason));
 }
 
 query_actor::behavior_type

@@ -1,4 +1,6 @@
+#include <future>
 #include <thread>
+#include <utility>
 
 #include "actors/drive.hpp"
 
@@ -33,6 +35,7 @@ public:
   void advance(Milliseconds time) override;
   bool run_until(const std::function<bool()>& done,
                  Milliseconds at_most) override;
+  bool finish(std::function<void()> action, Milliseconds at_most) override;
 
 private:
   bool quiet() const;
@@ -81,6 +84,18 @@ void RealDrive::advance(Milliseconds time) {
 bool RealDrive::run_until(const std::function<bool()>& done,
                           Milliseconds at_most) {
   return services_->work.wait(done, std::chrono::steady_clock::now() + at_most);
+}
+
+bool RealDrive::finish(std::function<void()> action, Milliseconds at_most) {
+  std::packaged_task<void()> task(std::move(action));
+  auto done = task.get_future();
+  std::thread thread(std::move(task));
+  const bool over = done.wait_for(at_most) == std::future_status::ready;
+  if (over)
+    thread.join();
+  else
+    thread.detach();
+  return over;
 }
 
 } // namespace

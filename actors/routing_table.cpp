@@ -37,15 +37,23 @@ const Target* RoutingTable::named(std::string_view name) const {
   return nullptr;
 }
 
-const Target* RoutingTable::find(std::string_view module) const {
-  if (auto target = named(module))
-    return *target->up ? target : nullptr;
-  const auto wanted = role(module);
+std::vector<const Target*>
+RoutingTable::targets_of(std::string_view sink) const {
+  if (auto target = named(sink))
+    return *target->up ? std::vector{target} : std::vector<const Target*>();
+  const bool all = sink.ends_with('*');
+  const auto wanted = role(sink.substr(0, sink.size() - all));
+  std::vector<const Target*> found;
   for (const auto& target : parts_.targets)
-    if (*target.up &&
+    if (*target.up && (all || found.empty()) &&
         std::count(target.roles.begin(), target.roles.end(), wanted))
-      return &target;
-  return nullptr;
+      found.push_back(&target);
+  return found;
+}
+
+const Target* RoutingTable::find(std::string_view module) const {
+  const auto found = targets_of(module);
+  return found.empty() ? nullptr : found.front();
 }
 
 bool RoutingTable::is_source(std::string_view module,
@@ -55,6 +63,11 @@ bool RoutingTable::is_source(std::string_view module,
   auto target = named(source);
   return target &&
          std::count(target->roles.begin(), target->roles.end(), role(module));
+}
+
+bool RoutingTable::begins_turn(const Message& message) const {
+  return message.command == "RecognitionResult" &&
+         is_source("ASR", message.source);
 }
 
 bool RoutingTable::subscribed(const Message& message) const {
@@ -143,7 +156,7 @@ void RoutingTable::send_copies(const script::Route& route,
   for (const auto& to : route.to) {
     auto copy = copy_for(route, message, to);
     tap(copy, (route.is_filter ? "filter -> " : "relay -> ") + to);
-    deliver(std::move(copy), to, routed);
+    deliver(copy, to, routed);
   }
 }
 
@@ -163,13 +176,13 @@ Message RoutingTable::copy_for(const script::Route& route,
   return copy;
 }
 
-void RoutingTable::deliver(Message message, const std::string& to,
+void RoutingTable::deliver(const Message& message, const std::string& to,
                            Routed& routed) const {
-  if (auto target = find(to)) {
-    routed.deliveries.push_back({target, std::move(message)});
-    return;
-  }
-  routed.unreachable.push_back(to);
+  const auto targets = targets_of(to);
+  if (targets.empty())
+    routed.unreachable.push_back(to);
+  for (const auto* target : targets)
+    routed.deliveries.push_back({target, message});
 }
 
 void RoutingTable::tap(const Message& message, const std::string& way) const {

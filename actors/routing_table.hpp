@@ -78,11 +78,13 @@ public:
   Routed route(Message message) const;
 
   // By instance name, else the first component that is up and fills the role
-  // or alias; null where there is none.
+  // or alias; null where there is none. "Role*" is found like "Role".
   const Target* find(std::string_view module) const;
   // Whether a message's source is meant by `module`: "*", the same name, or a
   // role or alias that it fills.
   bool is_source(std::string_view module, std::string_view source) const;
+  // Whether it is a user's turn: what a recogniser heard (engine rule 3).
+  bool begins_turn(const Message& message) const;
   // Whether a handler or a state of the program takes such a message.
   bool subscribed(const Message& message) const;
 
@@ -96,6 +98,8 @@ public:
 private:
   std::string_view role(std::string_view name) const;
   const Target* named(std::string_view name) const;
+  // All that a sink means: for "Role*" each that is up (language rule 1).
+  std::vector<const Target*> targets_of(std::string_view sink) const;
   void stamp(Message& message) const;
   bool matches(const script::Route& route, const Message& message) const;
   Expected<Value> evaluate(script::CodeId code, const Message& message) const;
@@ -104,7 +108,8 @@ private:
                    const std::string& to) const;
   void send_copies(const script::Route& route, const Message& message,
                    Routed& routed) const;
-  void deliver(Message message, const std::string& to, Routed& routed) const;
+  void deliver(const Message& message, const std::string& to,
+               Routed& routed) const;
   bool apply_routes(const Message& message, Routed& routed) const;
   void tap(const Message& message, const std::string& way) const;
 

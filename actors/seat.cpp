@@ -8,6 +8,8 @@ seat_actor::behavior_type seat(seat_actor::stateful_pointer<seat_state> self,
                                Services* services, SeatCalls calls) {
   return {
       [=](const say& what) {
+        if (services->left_behind)
+          return;
         const auto reason =
             thrown_by([&] { calls.on_say(what.session, *what.output); });
         if (reason)
@@ -18,8 +20,10 @@ seat_actor::behavior_type seat(seat_actor::stateful_pointer<seat_state> self,
       [=](const session_over& what) {
         if (auto reason = thrown_by([&] { calls.on_over(what.session); }))
           services->log("a seat did not take its session's end: " + *reason);
-        if (!what.next.empty() && calls.on_next)
-          calls.on_next(what.next);
+      },
+      [=](const next_session& what) {
+        if (calls.on_next)
+          calls.on_next(what.session);
       },
   };
 }

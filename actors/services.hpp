@@ -41,6 +41,10 @@ struct Services {
   std::string application_folder;
   const Clock* clock = nullptr;
 
+  // Something did not come to an end in time: what is left of the actors calls
+  // nobody outside any more.
+  std::atomic<bool> left_behind = false;
+
   // One call at a time; empty where nobody watches.
   std::function<void(Inspection)> inspect;
   // One call at a time; never empty.

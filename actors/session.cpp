@@ -14,6 +14,25 @@ Timestamp now(Self self) {
   return self->state.services->clock->now();
 }
 
+// Between its end and the moment when nobody can find it any more: what still
+// comes may be the seat's next session's.
+session_actor::behavior_type over(Self self) {
+  return {
+      [](const begin_session&) {},
+      [=](const deliver& what) {
+        self->send(self->state.services->manager,
+                   forward{what.messages, what.work});
+      },
+      [](const take_step&) {},
+      [](const timer_due&) {},
+      [](const query_outcome&) {},
+      [](const output_done&) {},
+      [=](const look& what) { what.at(*self->state.conversation); },
+      [](const end_session&) {},
+      [=](const leave&) { self->quit(); },
+  };
+}
+
 void tell_waiting(session_state& state, bool waits) {
   if (std::exchange(state.waits, waits) != waits)
     state.services->work.session_waits(waits);
@@ -28,7 +47,7 @@ void go_on(Self self) {
     tell_waiting(state, false);
     state.port->close(state.asked_to_end ? std::vector<Message>()
                                          : conversation.take_unread());
-    self->quit();
+    self->become(over(self));
     return;
   }
   tell_waiting(state, conversation.waits_for_answer());
@@ -130,6 +149,7 @@ session(session_actor::stateful_pointer<session_state> self, Services* services,
         self->state.conversation->close(now(self));
         go_on(self);
       },
+      [](const leave&) {},
   };
 }
 

@@ -1,5 +1,6 @@
 #include "actors/session_manager.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "actors/session.hpp"
@@ -10,7 +11,24 @@ namespace {
 
 using Self = session_manager_actor::stateful_pointer<session_manager_state>;
 
-session_opened open(Self self, Services& services, const open_session& what) {
+// -- opening ------------------------------------------------------------------
+
+// Where sessions end faster than late turns come.
+constexpr std::size_t most_departed = 1'000;
+
+SessionId session_at(const session_manager_state& state,
+                     const seat_actor& seat) {
+  for (const auto& [id, entry] : state.sessions)
+    if (entry.seat == seat)
+      return id;
+  return {};
+}
+
+SessionId open(Self self, Services& services, const open_session& what) {
+  if (auto id = session_at(self->state, what.seat); !id.empty())
+    return id;
+  if (self->state.closing)
+    return {};
   auto id = services.new_session_id();
   auto session = self->spawn<caf::monitored>(
       actors::session, &services,
@@ -18,35 +36,69 @@ session_opened open(Self self, Services& services, const open_session& what) {
   services.sessions.add(id, session);
   self->send(session, begin_session{what.work});
   self->state.sessions[id] = {std::move(session), what.seat};
-  return {std::move(id)};
-}
-
-// Turns that a session left unread begin the seat's next one (a goodbye and a
-// further turn in one row); answers to the old one mean nothing to it.
-SessionId begin_next(Self self, Services& services, const seat_actor& seat,
-                     const session_gone& what) {
-  std::vector<Message> turns;
-  for (const auto& message : what.unread)
-    if (message.correlation == 0)
-      turns.push_back(message);
-  if (turns.empty())
-    return {};
-  auto id = open(self, services, open_session{seat, what.work}).session;
-  for (auto& turn : turns)
-    turn.session = id;
-  self->send(self->state.sessions[id].session,
-             deliver{std::move(turns), what.work});
   return id;
 }
 
+// -- turns without a session --------------------------------------------------
+
+seat_actor last_seat_of(const session_manager_state& state,
+                        const SessionId& session) {
+  for (const auto& [id, seat] : state.departed)
+    if (id == session)
+      return seat;
+  return {};
+}
+
+void leave_unhandled(Services& services, const std::vector<Message>& messages) {
+  for (const auto& message : messages)
+    services.unhandled(message, "its session is over");
+}
+
+void bring(Self self, Services& services, const seat_actor& seat,
+           std::vector<Message> turns, const Work& work) {
+  auto& state = self->state;
+  const bool opens = session_at(state, seat).empty();
+  const auto id = open(self, services, {seat, work});
+  if (id.empty())
+    return leave_unhandled(services, turns);
+  if (opens)
+    self->send(seat, next_session{id, work});
+  for (auto& turn : turns)
+    turn.session = id;
+  self->send(state.sessions[id].session, deliver{std::move(turns), work});
+}
+
+// What a session that is over will not read: user turns are the next one's at
+// its seat, answers and events meant the old one.
+void take_further(Self self, Services& services, const SessionId& session,
+                  std::vector<Message> messages, const Work& work) {
+  const auto seat = last_seat_of(self->state, session);
+  const auto table = services.table.load();
+  auto others = std::stable_partition(
+      messages.begin(), messages.end(), [&](const Message& message) {
+        return seat && table->begins_turn(message);
+      });
+  leave_unhandled(services, {others, messages.end()});
+  messages.erase(others, messages.end());
+  if (!messages.empty())
+    bring(self, services, seat, std::move(messages), work);
+}
+
+// -- the end ------------------------------------------------------------------
+
 void forget(Self self, Services& services, const session_gone& what) {
-  auto entry = self->state.sessions.extract(what.session);
+  auto& state = self->state;
+  auto entry = state.sessions.extract(what.session);
   services.sessions.remove(what.session);
   if (entry.empty())
     return;
-  const auto& seat = entry.mapped().seat;
-  auto next = begin_next(self, services, seat, what);
-  self->send(seat, session_over{what.session, what.work, std::move(next)});
+  auto& [session, seat] = entry.mapped();
+  state.departed.emplace_back(what.session, seat);
+  if (state.departed.size() > most_departed)
+    state.departed.pop_front();
+  self->send(services.centre, retire{std::move(session), what.work});
+  self->send(seat, session_over{what.session, what.work});
+  take_further(self, services, what.session, what.unread, what.work);
 }
 
 // A session that ended without a word: its actor was lost to an exception.
@@ -60,21 +112,33 @@ void notice_loss(Self self, Services& services, const caf::down_msg& down) {
     }
 }
 
-void pass_on(Self self, Services& services, const Message& message,
-             const Work& work) {
-  auto found = self->state.sessions.find(message.session);
-  if (found != self->state.sessions.end())
-    self->send(found->second.session, deliver{{message}, work});
-  else if (!message.session.empty())
-    services.unhandled(message, "its session is over");
-  else if (services.table.load()->subscribed(message))
+// -- messages -----------------------------------------------------------------
+
+void pass_to_all(Self self, Services& services, const Message& message,
+                 const Work& work) {
+  if (services.table.load()->subscribed(message))
     for (const auto& [id, entry] : self->state.sessions)
       self->send(entry.session, deliver{{message}, work});
   else if (message.source != "System") // raised for those who listen
     services.unhandled(message, "no session listens to it");
 }
 
+void pass_on(Self self, Services& services, const forward& what) {
+  if (what.messages.empty())
+    return;
+  const auto& id = what.messages.front().session;
+  auto found = self->state.sessions.find(id);
+  if (found != self->state.sessions.end())
+    self->send(found->second.session, deliver{what.messages, what.work});
+  else if (!id.empty())
+    take_further(self, services, id, what.messages, what.work);
+  else
+    for (const auto& message : what.messages)
+      pass_to_all(self, services, message, what.work);
+}
+
 void close(Self self, const close_session& what) {
+  self->state.closing |= what.session.empty();
   for (const auto& [id, entry] : self->state.sessions)
     if (what.session.empty() || what.session == id)
       self->send(entry.session, end_session{what.work});
@@ -88,11 +152,10 @@ session_manager_actor::behavior_type session_manager(
   self->set_down_handler(
       [=](const caf::down_msg& down) { notice_loss(self, *services, down); });
   return {
-      [=](const open_session& what) { return open(self, *services, what); },
-      [=](const forward& what) {
-        for (const auto& message : what.messages)
-          pass_on(self, *services, message, what.work);
+      [=](const open_session& what) {
+        return session_opened{open(self, *services, what)};
       },
+      [=](const forward& what) { pass_on(self, *services, what); },
       [=](const close_session& what) { close(self, what); },
       [=](const session_gone& what) { forget(self, *services, what); },
   };

@@ -1,8 +1,11 @@
 // The session manager: opens sessions at seats, knows them all, and notices
-// when one is gone.
+// when one is gone. A user turn that its session did not come to, or that came
+// when it had ended, is taken to the seat's next session.
 #pragma once
 
+#include <deque>
 #include <map>
+#include <utility>
 
 #include "actors/services.hpp"
 
@@ -14,7 +17,10 @@ struct session_manager_state {
     session_actor session;
     seat_actor seat;
   };
-  std::map<SessionId, Entry> sessions;
+  std::map<SessionId, Entry> sessions; // a seat has one at a time
+  // Those that ended last, and where: for turns that come too late for them.
+  std::deque<std::pair<SessionId, seat_actor>> departed;
+  bool closing = false;
 };
 
 session_manager_actor::behavior_type session_manager(

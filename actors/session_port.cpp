@@ -166,16 +166,21 @@ void SessionPort::ended() {
 void SessionPort::close(std::vector<Message> unread) {
   self_->send(services_.manager,
               session_gone{id_, services_.work.begin(), std::move(unread)});
+  end_all();
 }
 
 SessionPort::~SessionPort() {
-  for (const auto& [id, timer] : timers_)
+  end_all();
+}
+
+void SessionPort::end_all() {
+  for (const auto& [id, timer] : std::exchange(timers_, {}))
     end_timer(timer);
-  for (const auto& [id, query] : queries_) {
+  for (const auto& [id, query] : std::exchange(queries_, {})) {
     services_.due_times.remove(query.due);
     caf::anon_send_exit(query.actor, caf::exit_reason::user_shutdown);
   }
-  for (const auto& [topic, frame] : frames_)
+  for (const auto& [topic, frame] : std::exchange(frames_, {}))
     caf::anon_send_exit(frame, caf::exit_reason::user_shutdown);
 }
 

@@ -35,7 +35,7 @@ public:
   // What it started is over by itself.
   void timer_is_over(dialogue::TimerId id);
   void query_is_over(dialogue::QueryId id);
-  // Says that the session is gone.
+  // Says that the session is gone, and ends whatever still works for it.
   void close(std::vector<Message> unread);
 
 private:
@@ -52,6 +52,7 @@ private:
   std::vector<Message> ask_directly(const Target& target,
                                     const Message& message);
   void end_timer(const Timer& timer);
+  void end_all();
   const topic_frame_actor& frame_of(script::TopicId topic);
   Timestamp due_at(Milliseconds after) const;
 

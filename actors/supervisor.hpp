@@ -1,5 +1,9 @@
-// The supervisor: hears of every component that failed, counts it, shows it,
-// and tells the sessions (System.ComponentFailed).
+// The supervisor: hears of every call into a component that threw, counts it,
+// shows it, and tells the sessions (System.ComponentFailed).
+//
+// It does nothing else yet: a component that hangs has no deadline, one that
+// floods no credit; none is restarted, and one that fails again and again stays
+// the first of its role (there is no System.ComponentDown).
 #pragma once
 
 #include <map>

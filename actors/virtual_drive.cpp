@@ -53,6 +53,10 @@ public:
     run_until_quiet();
     return done();
   }
+  bool finish(std::function<void()> action, Milliseconds) override {
+    action();
+    return true;
+  }
 
 private:
   void jump_to(Timestamp time);

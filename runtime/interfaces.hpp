@@ -25,26 +25,12 @@ struct Output;
 
 namespace parlour::actors {
 
+class DueTicket;    // actors/due_times.hpp
 class RoutingTable; // actors/routing_table.hpp
 
 // Held while what a message asks for is not done, so that it is known when the
 // house is quiet (actors/work_count.hpp).
 using Work = std::shared_ptr<const void>;
-
-// -- the message centre -------------------------------------------------------
-
-// Messages that happened together: stamped, routed and counted in this order.
-struct publish {
-  std::vector<Message> messages;
-  Work work;
-};
-// The table of components and routes was replaced.
-struct use_table {
-  std::shared_ptr<const RoutingTable> table;
-};
-
-using message_centre_actor =
-    caf::typed_actor<caf::reacts_to<publish>, caf::reacts_to<use_table>>;
 
 // -- a session ----------------------------------------------------------------
 
@@ -87,12 +73,39 @@ struct look {
 struct end_session {
   Work work;
 };
+// It has ended and nothing more is on its way to it: go.
+struct leave {
+  Work work;
+};
 
 using session_actor =
     caf::typed_actor<caf::reacts_to<begin_session>, caf::reacts_to<deliver>,
                      caf::reacts_to<take_step>, caf::reacts_to<timer_due>,
                      caf::reacts_to<query_outcome>, caf::reacts_to<output_done>,
-                     caf::reacts_to<look>, caf::reacts_to<end_session>>;
+                     caf::reacts_to<look>, caf::reacts_to<end_session>,
+                     caf::reacts_to<leave>>;
+
+// -- the message centre -------------------------------------------------------
+
+// Messages that happened together: stamped, routed and counted in this order.
+struct publish {
+  std::vector<Message> messages;
+  Work work;
+};
+// The table of components and routes was replaced.
+struct use_table {
+  std::shared_ptr<const RoutingTable> table;
+};
+// A session has ended and can no longer be found. What was sent to it before
+// is in its mailbox when the centre lets it go.
+struct retire {
+  session_actor session;
+  Work work;
+};
+
+using message_centre_actor =
+    caf::typed_actor<caf::reacts_to<publish>, caf::reacts_to<use_table>,
+                     caf::reacts_to<retire>>;
 
 // -- what a session spawns ----------------------------------------------------
 
@@ -143,17 +156,17 @@ struct handle_message {
   Message message;
   Work work;
 };
-// Work that the plug-in asked for later; `due` is its entry among the due times
-// (actors/due_times.hpp).
+// Work that the plug-in asked for later; `due` is its entry among the due
+// times, which goes with the message where nobody takes it.
 struct run_after {
   Milliseconds delay;
-  std::uint64_t due;
+  std::shared_ptr<const DueTicket> due;
   std::function<void()> action;
   Work work;
 };
 // The delay of a run_after is over.
 struct run_now {
-  std::uint64_t due;
+  std::shared_ptr<const DueTicket> due;
   std::function<void()> action;
 };
 // Drain, stop the plug-in, end.
@@ -183,20 +196,25 @@ struct say {
   std::shared_ptr<const dialogue::Output> output;
   Work work;
 };
-// The seat's session is over; the next turn opens another. `next` has opened
-// already, for turns that the old one did not come to; else it is empty.
+// The seat's session is over; the next turn opens another.
 struct session_over {
   SessionId session;
   Work work;
-  SessionId next = {};
+};
+// Another has opened by itself, for turns that the last one did not come to.
+struct next_session {
+  SessionId session;
+  Work work;
 };
 
 using seat_actor =
-    caf::typed_actor<caf::reacts_to<say>, caf::reacts_to<session_over>>;
+    caf::typed_actor<caf::reacts_to<say>, caf::reacts_to<session_over>,
+                     caf::reacts_to<next_session>>;
 
 // -- sessions of a node -------------------------------------------------------
 
-// A conversation begins at a seat; answered with its session's id.
+// A conversation begins at a seat, unless one is going on there; answered with
+// its session's id, which is empty when the house is closing.
 struct open_session {
   seat_actor seat;
   Work work;
@@ -204,18 +222,18 @@ struct open_session {
 struct session_opened {
   SessionId session;
 };
-// Messages for a session that the sender found no handle of; without a session:
-// for every session.
+// Messages for one session that the sender found no handle of, or that has
+// ended; without a session: for every session.
 struct forward {
   std::vector<Message> messages;
   Work work;
 };
-// End one session, or every session for an empty id.
+// End one session, or for an empty id every session: none opens afterwards.
 struct close_session {
   SessionId session;
   Work work;
 };
-// A session ended by itself. What it was given and did not read begins the
+// A session ended. User turns that it was given and did not read begin the
 // seat's next session.
 struct session_gone {
   SessionId session;
@@ -235,6 +253,7 @@ using session_manager_actor =
 
 PARLOUR_LOCAL_MESSAGE(publish)
 PARLOUR_LOCAL_MESSAGE(use_table)
+PARLOUR_LOCAL_MESSAGE(retire)
 PARLOUR_LOCAL_MESSAGE(begin_session)
 PARLOUR_LOCAL_MESSAGE(deliver)
 PARLOUR_LOCAL_MESSAGE(take_step)
@@ -243,6 +262,7 @@ PARLOUR_LOCAL_MESSAGE(query_outcome)
 PARLOUR_LOCAL_MESSAGE(output_done)
 PARLOUR_LOCAL_MESSAGE(look)
 PARLOUR_LOCAL_MESSAGE(end_session)
+PARLOUR_LOCAL_MESSAGE(leave)
 PARLOUR_LOCAL_MESSAGE(apply_changes)
 PARLOUR_LOCAL_MESSAGE(frame_changed)
 PARLOUR_LOCAL_MESSAGE(ring)
@@ -257,6 +277,7 @@ PARLOUR_LOCAL_MESSAGE(stop_component)
 PARLOUR_LOCAL_MESSAGE(component_failed)
 PARLOUR_LOCAL_MESSAGE(say)
 PARLOUR_LOCAL_MESSAGE(session_over)
+PARLOUR_LOCAL_MESSAGE(next_session)
 PARLOUR_LOCAL_MESSAGE(open_session)
 PARLOUR_LOCAL_MESSAGE(session_opened)
 PARLOUR_LOCAL_MESSAGE(forward)

@@ -93,8 +93,11 @@ Expected<std::unique_ptr<SQLiteConnection>> SQLiteDatabase::connect() const {
 void SQLiteDatabase::stop() {
   if (transactions_.held() && writer_)
     (void)writer_->rollback();
+  for (const auto& [ticket, delay] : std::exchange(delays_, {}))
+    host().cancel(delay);
   while (auto waiting = transactions_.next())
-    fail_with(*waiting, {ErrorKind::offline, "The database was closed.", {}});
+    fail_with(waiting->message,
+              {ErrorKind::offline, "The database was closed.", {}});
   transactions_ = {};
   reader_.reset();
   writer_.reset();
@@ -138,13 +141,28 @@ void SQLiteDatabase::wait(const Message& message) {
   if (!ticket)
     return fail_with(message,
                      {ErrorKind::limit, "Too many wait for the database.", {}});
-  host().after(options_.busy_timeout, [this, ticket] {
-    if (auto waiting = transactions_.leave(*ticket))
-      fail_with(*waiting, {ErrorKind::timeout,
-                           "Another conversation's transaction holds the "
-                           "database.",
-                           {}});
+  give_time(*ticket, options_.busy_timeout, &SQLiteDatabase::give_up_waiting);
+}
+
+void SQLiteDatabase::give_up_waiting(Ticket ticket) {
+  if (auto waiting = transactions_.leave(ticket))
+    fail_with(*waiting, {ErrorKind::timeout,
+                         "Another conversation's transaction holds the "
+                         "database.",
+                         {}});
+}
+
+void SQLiteDatabase::give_time(Ticket ticket, Milliseconds time,
+                               TimeIsUp time_is_up) {
+  delays_[ticket] = host().after(time, [this, ticket, time_is_up] {
+    delays_.erase(ticket);
+    (this->*time_is_up)(ticket);
   });
+}
+
+void SQLiteDatabase::no_longer_timed(Ticket ticket) {
+  if (auto delay = delays_.extract(ticket))
+    host().cancel(delay.mapped());
 }
 
 void SQLiteDatabase::let_others_on() {
@@ -152,7 +170,8 @@ void SQLiteDatabase::let_others_on() {
     const auto waiting = transactions_.next();
     if (!waiting)
       return;
-    handle(*waiting);
+    no_longer_timed(waiting->ticket);
+    handle(waiting->message);
   }
 }
 
@@ -199,6 +218,7 @@ void SQLiteDatabase::query(const Message& message) {
 void SQLiteDatabase::notice_lost_transaction(const SessionId& session) {
   if (!transactions_.held_by(session) || writer_->in_transaction())
     return;
+  no_longer_timed(transactions_.ticket());
   transactions_.take_away();
   let_others_on();
 }
@@ -213,8 +233,7 @@ void SQLiteDatabase::begin(const Message& message) {
     return fail_with(message, begun.error());
   transactions_.forget_loss(message.session);
   const auto ticket = transactions_.hold(message.session);
-  host().after(options_.transaction_timeout,
-               [this, ticket] { take_away(ticket); });
+  give_time(ticket, options_.transaction_timeout, &SQLiteDatabase::take_away);
   answer(message, "Result", {ResultSet{}});
 }
 
@@ -228,6 +247,7 @@ void SQLiteDatabase::end(const Message& message) {
       message.command == "Commit" ? writer_->commit() : writer_->rollback();
   if (!ended && message.command == "Commit")
     (void)writer_->rollback();
+  no_longer_timed(transactions_.ticket());
   transactions_.release();
   if (ended)
     answer(message, "Result", {ResultSet{}});

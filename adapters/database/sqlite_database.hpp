@@ -39,6 +39,7 @@ private:
   void handle(const Message& message);
   bool must_wait(const Message& message) const;
   void wait(const Message& message);
+  void give_up_waiting(Ticket ticket);
   void let_others_on();
 
   void check_connection(const Message& message);
@@ -47,12 +48,17 @@ private:
   void end(const Message& message);
   void notice_lost_transaction(const SessionId& session);
   void take_away(Ticket ticket);
+  // For who holds or waits with the ticket: what happens after so long.
+  using TimeIsUp = void (SQLiteDatabase::*)(Ticket);
+  void give_time(Ticket ticket, Milliseconds time, TimeIsUp time_is_up);
+  void no_longer_timed(Ticket ticket);
   void fail_with(const Message& message, const Error& error);
 
   SQLiteOptions options_;
   std::unique_ptr<SQLiteConnection> writer_; // and all of a transaction
   std::unique_ptr<SQLiteConnection> reader_; // none in memory
   SQLiteTransactions transactions_;
+  std::map<Ticket, PluginHost::DelayId> delays_;
 };
 
 PluginFactory sqlite_database_factory();

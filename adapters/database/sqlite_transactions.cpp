@@ -8,6 +8,7 @@ namespace parlour::adapters {
 namespace {
 
 constexpr std::size_t most_waiting = 1'000;
+constexpr std::size_t most_lost = 1'000;
 
 } // namespace
 
@@ -21,13 +22,21 @@ void SQLiteTransactions::release() {
 }
 
 void SQLiteTransactions::take_away() {
-  if (holder_)
-    lost_.insert(*holder_);
+  if (holder_) {
+    forget_loss(*holder_);
+    lost_.push_back(*holder_);
+  }
+  if (lost_.size() > most_lost)
+    lost_.pop_front();
   holder_.reset();
 }
 
+bool SQLiteTransactions::lost_by(const SessionId& session) const {
+  return std::find(lost_.begin(), lost_.end(), session) != lost_.end();
+}
+
 void SQLiteTransactions::forget_loss(const SessionId& session) {
-  lost_.erase(session);
+  std::erase(lost_, session);
 }
 
 std::optional<SQLiteTransactions::Ticket>
@@ -38,8 +47,12 @@ SQLiteTransactions::wait(const Message& message) {
   return last_ticket_;
 }
 
-std::optional<Message> SQLiteTransactions::next() {
-  return waiting_.empty() ? std::nullopt : leave(waiting_.front().ticket);
+std::optional<SQLiteTransactions::Waiting> SQLiteTransactions::next() {
+  if (waiting_.empty())
+    return {};
+  auto first = std::move(waiting_.front());
+  waiting_.pop_front();
+  return first;
 }
 
 std::optional<Message> SQLiteTransactions::leave(Ticket ticket) {

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <deque>
 #include <optional>
-#include <set>
 
 #include "runtime/base/message.hpp"
 
@@ -21,15 +20,18 @@ public:
   bool held_by(const SessionId& session) const {
     return holder_ == session;
   }
-  // Its transaction was taken away and it has not been told yet.
-  bool lost_by(const SessionId& session) const {
-    return lost_.count(session) > 0;
-  }
+  // Its transaction was taken away and it has not been told yet; known of the
+  // latest only, as sessions may never ask.
+  bool lost_by(const SessionId& session) const;
 
   // The ticket names this holding, so that a late timeout ends no other.
   Ticket hold(const SessionId& session);
   bool holds(Ticket ticket) const {
     return held() && ticket_ == ticket;
+  }
+  // Of the holder, where there is one.
+  Ticket ticket() const {
+    return ticket_;
   }
   void release();
   void take_away();
@@ -37,18 +39,17 @@ public:
 
   // Nothing where too many wait already.
   std::optional<Ticket> wait(const Message& message);
-  // The message that waits longest, or the one with the ticket.
-  std::optional<Message> next();
-  std::optional<Message> leave(Ticket ticket);
-
-private:
   struct Waiting {
     Ticket ticket;
     Message message;
   };
+  // What waits longest, or the message with the ticket.
+  std::optional<Waiting> next();
+  std::optional<Message> leave(Ticket ticket);
 
+private:
   std::optional<SessionId> holder_;
-  std::set<SessionId> lost_;
+  std::deque<SessionId> lost_;
   std::deque<Waiting> waiting_;
   Ticket ticket_ = 0;      // of the holder
   Ticket last_ticket_ = 0; // given to anybody

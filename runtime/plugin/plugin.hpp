@@ -6,6 +6,7 @@
 // PluginHost may be called from any thread, also later than on_message.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <memory>
@@ -53,8 +54,14 @@ public:
   // sinks).
   virtual void send_message(Message message) = 0;
 
-  // Calls back on the plug-in's own thread.
-  virtual void after(Milliseconds delay, std::function<void()> action) = 0;
+  // Calls back on the plug-in's own thread, unless it is cancelled before.
+  // While it is due, a run by pipe waits for it: cancel what has lost its
+  // purpose.
+  using DelayId = std::uint64_t;
+  virtual DelayId after(Milliseconds delay, std::function<void()> action) = 0;
+  // From the plug-in's own thread: no call comes any more. Nothing happens
+  // where it has come already.
+  virtual void cancel(DelayId delay) = 0;
 
   virtual const Clock& clock() const = 0;
   virtual void log(const std::string& text) = 0;

@@ -105,6 +105,7 @@ public:
                 note("ends");
                 self->quit();
               },
+              [=](const leave&) { self->quit(); },
           };
         },
         this);
@@ -119,6 +120,9 @@ public:
               },
               [this](const session_over& what) {
                 seen.push_back(what.session + " is over");
+              },
+              [this](const next_session& what) {
+                seen.push_back(what.session + " is next");
               },
           };
         },
@@ -140,7 +144,7 @@ public:
 
   message_centre_actor centre_probe() {
     return spawn(
-        [this](message_centre_actor::pointer,
+        [this](message_centre_actor::pointer self,
                Bench*) -> message_centre_actor::behavior_type {
           return {
               [this](const publish& what) {
@@ -148,6 +152,9 @@ public:
                   seen.push_back(to_string(message));
               },
               [](const use_table&) {},
+              [=](const retire& what) {
+                self->send(what.session, leave{what.work});
+              },
           };
         },
         this);
@@ -165,7 +172,7 @@ public:
               [this, name](const run_after& what) {
                 seen.push_back(name + " is to wait");
                 what.action();
-                services.due_times.remove(what.due);
+                services.due_times.remove(what.due->id());
               },
               [](const run_now&) {},
               [](const stop_component&) {},

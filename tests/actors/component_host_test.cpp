@@ -55,6 +55,20 @@ TEST_F(ComponentHostTest, SurvivesWhatItsPluginThrows) {
   EXPECT_THAT(say({"home"}), ElementsAre("S2"));
 }
 
+TEST_F(ComponentHostTest, IsNotCalledBackForWhatItCancelled) {
+  options.components = {
+      component("City", "Taxi", [](auto& self, const Message& message) {
+        const auto delay = self.host().after(
+            2s, [&self, message] { self.answer(message, "Booked", {"S1"}); });
+        self.host().after(1s, [&self, delay] { self.host().cancel(delay); });
+      })};
+  start(ask_taxi);
+  say({"home"});
+  EXPECT_TRUE(node->step_to_next_due(1s));
+  node->advance(5s);
+  EXPECT_THAT(said(), IsEmpty());
+}
+
 TEST_F(ComponentHostTest, HearsOfADeadComponentInItsDelays) {
   options.components = {
       component("City", "Taxi", [](auto& self, const Message&) {

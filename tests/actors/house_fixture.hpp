@@ -129,6 +129,8 @@ protected:
         ways.push_back(to_string(*seen.message) + " | " + seen.way);
       if (seen.kind == InspectionKind::error)
         errors.push_back(seen.detail);
+      if (watch)
+        watch(seen);
     };
     options.log = [this](const std::string& line) { logs.push_back(line); };
     auto started = Node::start(std::move(options));
@@ -174,6 +176,7 @@ protected:
     result.seed = 1;
     return result;
   }();
+  std::function<void(const Inspection&)> watch; // may be empty
   std::vector<std::string> ways;
   std::vector<std::string> logs;
   std::vector<std::string> errors;

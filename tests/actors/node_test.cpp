@@ -1,3 +1,4 @@
+#include <future>
 #include <thread>
 
 #include "actors/node.hpp"
@@ -56,6 +57,76 @@ TEST_F(NodeTest, TakesFurtherTurnsOfARowToTheNextSession) {
   EXPECT_NE(node->session_at(seat), first);
   EXPECT_NE(node->session_at(seat), "");
   EXPECT_THAT(say({"again"}), testing::Contains("You said: again"));
+}
+
+// It ends while the visitor speaks: the turn finds its session still there, but
+// nobody at home.
+TEST_F(NodeTest, TakesATurnThatComesDuringTheEndToTheNextSession) {
+  watch = [&](const Inspection& seen) {
+    if (seen.message && seen.message->command == "Ended" && over == 0)
+      node->enter(seat, {"late"});
+  };
+  start(R"(<handler name="H"><messages><component>
+      <ASR><RecognitionResult>
+        <speak param="You said: {_LPARAM1}"/>
+        <if cond="_LPARAM1 == 'bye'"><end/></if>
+      </RecognitionResult></ASR>
+    </component></messages></handler>)");
+  const auto first = node->open(seat);
+  EXPECT_THAT(say({"bye"}), ElementsAre("You said: bye", "You said: late"));
+  EXPECT_EQ(over, 1);
+  EXPECT_NE(node->session_at(seat), first);
+  EXPECT_NE(node->session_at(seat), "");
+  EXPECT_THAT(logs, IsEmpty());
+}
+
+// What nobody waits for does not open a session in an empty room.
+TEST_F(NodeTest, OpensNoSessionForWhatIsNoTurn) {
+  watch = [&](const Inspection& seen) {
+    if (seen.message && seen.message->command == "Ended")
+      node->inject(seen.session, [] {
+        Message event;
+        event.source = "System";
+        event.command = "ComponentFailed";
+        return event;
+      }());
+  };
+  start(R"(<handler name="H"><messages><component>
+      <ASR><RecognitionResult><end/></RecognitionResult></ASR>
+    </component></messages></handler>)");
+  say({"bye"});
+  EXPECT_EQ(node->session_at(seat), "");
+  EXPECT_THAT(logs, ElementsAre(HasSubstr("its session is over")));
+}
+
+// A component that never returns does not keep the house from stopping.
+TEST_F(NodeTest, LeavesBehindWhatDoesNotEnd) {
+  std::promise<void> begun;
+  std::promise<void> released;
+  std::promise<void> gone;
+  options.virtual_start.reset();
+  options.drain_time = Milliseconds(10);
+  std::shared_ptr<void> token(nullptr, [&](void*) { gone.set_value(); });
+  options.components = {component(
+      "Stuck", "Taxi",
+      [&, token = std::move(token)](auto&, const Message&) {
+        begun.set_value();
+        released.get_future().wait();
+      },
+      true)};
+  start(R"(<handler name="H"><messages><component>
+      <ASR><RecognitionResult><post module="Taxi" command="Book"/>
+      </RecognitionResult></ASR></component></messages></handler>)");
+  node->enter(seat, {"go"});
+  begun.get_future().wait();
+  EXPECT_FALSE(node->stop());
+  EXPECT_FALSE(node->stop());
+  node = nullptr;
+  EXPECT_THAT(logs,
+              ElementsAre("Stuck is still at work; stopping all the same",
+                          "Stuck does not come to an end and is left behind"));
+  released.set_value();
+  gone.get_future().wait(); // all of it ends after all
 }
 
 TEST_F(NodeTest, EndsItsSessionsWhenItStops) {

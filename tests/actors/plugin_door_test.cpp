@@ -57,6 +57,24 @@ TEST_F(PluginDoorTest, ForgetsDelaysOfAHostThatIsGone) {
   EXPECT_FALSE(bench.services.due_times.component_pending());
 }
 
+// The host has gone, but somebody still holds it: nobody takes the message.
+TEST_F(PluginDoorTest, ForgetsDelaysOfAHostThatHasQuit) {
+  auto host = bench.component_probe("host");
+  door.belongs_to(host);
+  caf::anon_send_exit(host, caf::exit_reason::user_shutdown);
+  bench.run();
+  door.after(Milliseconds(5), [] { FAIL() << "called back"; });
+  bench.run();
+  EXPECT_FALSE(bench.services.due_times.component_pending());
+}
+
+TEST_F(PluginDoorTest, ForgetsWhatIsCancelled) {
+  const auto delay = door.after(Milliseconds(5), [] {});
+  door.cancel(delay);
+  door.cancel(delay);
+  EXPECT_FALSE(bench.services.due_times.component_pending());
+}
+
 TEST_F(PluginDoorTest, ShowsWhatThePlatformShares) {
   bench.services.data_folder = "/data";
   bench.services.application_folder = "/app";

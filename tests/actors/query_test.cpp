@@ -37,6 +37,16 @@ TEST_F(QueryTest, BringsTheDatabasesError) {
   EXPECT_THAT(say({"go"}), ElementsAre("Database: no such table"));
 }
 
+// A <catch kind="Refused"> takes what a database refuses.
+TEST_F(QueryTest, BringsTheKindOfTheDatabasesError) {
+  options.components = {
+      component("db", "Database", [](auto& self, const Message&) {
+        self.fire_event("Error", {"Refused", "read only"});
+      })};
+  start(ask_database);
+  EXPECT_THAT(say({"go"}), ElementsAre("Refused: read only"));
+}
+
 TEST_F(QueryTest, GivesUpInTime) {
   options.components = {component("db", "Database", [](auto&, const auto&) {})};
   start(ask_database);
@@ -67,6 +77,22 @@ TEST(QueryOutcome, OfEachEvent) {
   event.command = "Error";
   event.params = {"Database", "locked"};
   EXPECT_EQ(outcome_of(event).error().message, "locked");
+  struct {
+    const char* named;
+    ErrorKind kind;
+  } const cases[] = {
+      {"Database", ErrorKind::database}, {"Refused", ErrorKind::refused},
+      {"Limit", ErrorKind::limit},       {"Timeout", ErrorKind::timeout},
+      {"Offline", ErrorKind::offline},   {"Whatever", ErrorKind::database}};
+  for (const auto& [named, kind] : cases) {
+    event.params = {named, "no"};
+    EXPECT_EQ(outcome_of(event).error().kind, kind) << named;
+  }
+  event.params = {"Timeout"}; // words, no kind
+  EXPECT_EQ(outcome_of(event).error().kind, ErrorKind::database);
+  event.command = "Failed";
+  event.params = {"Timeout", "no"};
+  EXPECT_EQ(outcome_of(event).error().kind, ErrorKind::database);
 }
 
 } // namespace

@@ -76,6 +76,32 @@ TEST_F(RoutingTableTest, GivesASinkToTheFirstThatIsUp) {
   EXPECT_EQ(table->counters().unhandled, 0u); // its sender counts
 }
 
+TEST_F(RoutingTableTest, GivesAStarToAllThatAreUp) {
+  make(R"(<routes><relay source="Record" command="BufferFull" to="ASR*"/>
+          </routes>)");
+  EXPECT_THAT(delivered(table->route(event("Mic", "BufferFull"))),
+              ElementsAre(HasSubstr("Fast: Mic.BufferFull"),
+                          HasSubstr("Good: Mic.BufferFull")));
+  auto message = event("Script", "DoRecognition");
+  message.sinks = {"ASR*"};
+  *up[1] = false;
+  EXPECT_THAT(delivered(table->route(message)),
+              ElementsAre(HasSubstr("Good: Script.DoRecognition")));
+  EXPECT_EQ(table->find("ASR*")->name, "Good");
+  *up[2] = false;
+  EXPECT_THAT(table->route(message).unreachable, ElementsAre("ASR*"));
+  EXPECT_EQ(table->find("ASR*"), nullptr);
+  message.sinks = {"Record*"}; // an alias
+  EXPECT_THAT(delivered(table->route(message)), ElementsAre(HasSubstr("Mic")));
+}
+
+TEST_F(RoutingTableTest, KnowsAUsersTurn) {
+  make("");
+  EXPECT_TRUE(table->begins_turn(event("Good", "RecognitionResult")));
+  EXPECT_FALSE(table->begins_turn(event("Mic", "RecognitionResult")));
+  EXPECT_FALSE(table->begins_turn(event("Good", "Partial")));
+}
+
 TEST_F(RoutingTableTest, RelaysACopyAndGoesOn) {
   make(R"(<routes><relay source="Record" command="BufferFull" to="ASR, Good"
           as="DoRecognition"/></routes>)");

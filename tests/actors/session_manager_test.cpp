@@ -11,11 +11,18 @@ protected:
   SessionManagerTest() {
     bench.services.manager = manager;
     bench.services.centre = bench.centre_probe();
-    seat = bench.seat_probe();
   }
 
-  void open() {
+  // At a seat of its own.
+  seat_actor open() {
+    auto seat = bench.seat_probe();
     bench.send(manager, open_session{seat, bench.work()});
+    return seat;
+  }
+  void say(const std::string& session, std::vector<Message> messages) {
+    for (auto& message : messages)
+      message.session = session;
+    forward_all(std::move(messages));
   }
   void forward_all(std::vector<Message> messages) {
     bench.send(manager, forward{std::move(messages), bench.work()});
@@ -25,9 +32,10 @@ protected:
     <state name="Here"><Exit><speak param="Bye."/></Exit></state>
     <handler name="H"><messages><component>
       <Bell><Rings><speak param="Ding {_LPARAM1}"/></Rings></Bell>
+      <ASR><RecognitionResult><speak param="{_LPARAM1}!"/></RecognitionResult>
+      </ASR>
     </component></messages></handler>)"};
   session_manager_actor manager = bench.spawn(session_manager, &bench.services);
-  seat_actor seat;
 };
 
 TEST_F(SessionManagerTest, OpensAndClosesOneOfSeveral) {
@@ -53,17 +61,61 @@ TEST_F(SessionManagerTest, ClosesAll) {
 TEST_F(SessionManagerTest, PassesMessagesOn) {
   open();
   open();
-  forward_all({event("Bell", "Rings", {1}, "s2"), event("Bell", "Rings", {2})});
+  forward_all({event("Bell", "Rings", {1}, "s2")});
+  forward_all({event("Bell", "Rings", {2})});
   EXPECT_THAT(bench.seen, testing::UnorderedElementsAre(
                               "says Ding 1", "says Ding 2", "says Ding 2"));
 }
 
 TEST_F(SessionManagerTest, SaysWhatNobodyTakes) {
   open();
-  forward_all({event("Bell", "Rings", {}, "nobody"), event("Bell", "Falls"),
+  forward_all({event("Bell", "Rings", {}, "nobody")});
+  forward_all({event("Bell", "Falls"),
                event("System", "Falls")}); // for those who listen, if any
   EXPECT_THAT(bench.logs, ElementsAre(HasSubstr("its session is over"),
                                       HasSubstr("no session listens to it")));
+}
+
+TEST_F(SessionManagerTest, HasOneSessionAtASeat) {
+  auto seat = open();
+  bench.send(manager, open_session{seat, bench.work()});
+  EXPECT_FALSE(bench.services.sessions.find("s2"));
+}
+
+// A turn on its way to a session that has ended is the next one's at its seat;
+// what answered the old one is not.
+TEST_F(SessionManagerTest, TakesLateTurnsToTheSeatsNextSession) {
+  auto seat = open();
+  bench.send(manager, close_session{"s1", bench.work()});
+  bench.seen.clear();
+  say("s1", {event("ASR", "RecognitionResult", {"one"}),
+             event("System", "ComponentFailed"),
+             event("ASR", "RecognitionResult", {"two"})});
+  EXPECT_THAT(bench.seen, ElementsAre("s2 is next", "says one!", "says two!"));
+  EXPECT_THAT(bench.logs, ElementsAre(HasSubstr("System.ComponentFailed")));
+  bench.seen.clear();
+  say("s1", {event("ASR", "RecognitionResult", {"three"})});
+  EXPECT_THAT(bench.seen, ElementsAre("says three!"));
+  EXPECT_TRUE(bench.services.work.none());
+}
+
+// A recogniser that answers a message copies its correlation.
+TEST_F(SessionManagerTest, KnowsATurnByWhatItIs) {
+  open();
+  bench.send(manager, close_session{"s1", bench.work()});
+  bench.seen.clear();
+  auto heard = event("ASR", "RecognitionResult", {"one"}, "s1");
+  heard.correlation = 7;
+  forward_all({heard});
+  EXPECT_THAT(bench.seen, ElementsAre("s2 is next", "says one!"));
+}
+
+TEST_F(SessionManagerTest, OpensNothingWhenTheHouseCloses) {
+  open();
+  bench.send(manager, close_session{"", bench.work()});
+  say("s1", {event("ASR", "RecognitionResult", {"one"})});
+  EXPECT_THAT(bench.services.sessions.all(), IsEmpty());
+  EXPECT_THAT(bench.logs, ElementsAre(HasSubstr("its session is over")));
 }
 
 TEST_F(SessionManagerTest, NoticesALoss) {

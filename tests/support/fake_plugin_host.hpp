@@ -23,8 +23,16 @@ public:
   void send_message(Message message) override {
     sent.push_back(message);
   }
-  void after(Milliseconds delay, std::function<void()> action) override {
-    later_.push_back({time.now() + delay.count(), std::move(action)});
+  DelayId after(Milliseconds delay, std::function<void()> action) override {
+    later_.push_back({time.now() + delay.count(), std::move(action), ++last_});
+    return last_;
+  }
+  void cancel(DelayId delay) override {
+    std::erase_if(later_, [&](const Later& one) { return one.id == delay; });
+  }
+  // How many calls are to come.
+  std::size_t pending() const {
+    return later_.size();
   }
   const Clock& clock() const override {
     return time;
@@ -85,6 +93,7 @@ private:
   struct Later {
     Timestamp due;
     std::function<void()> action;
+    DelayId id;
   };
 
   Later* earliest(Timestamp end) {
@@ -95,6 +104,7 @@ private:
   }
 
   std::vector<Later> later_;
+  DelayId last_ = 0;
 };
 
 // A message as a session sends it.

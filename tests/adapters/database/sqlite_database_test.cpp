@@ -187,6 +187,22 @@ TEST_F(SQLiteDatabaseTest, DoesNotTakeALaterTransactionAway) {
   EXPECT_EQ(tell("Commit"), "Result([])");
 }
 
+// A delay that outlives its purpose would be waited for.
+TEST_F(SQLiteDatabaseTest, LeavesNoDelaysBehind) {
+  ASSERT_TRUE(start(file_options()));
+  tell("Begin");
+  send("s2", "Begin");
+  EXPECT_EQ(host.pending(), 2u);
+  send("s1", "Commit");
+  EXPECT_EQ(host.pending(), 1u); // of s2, which goes on
+  send("s2", "Rollback");
+  EXPECT_EQ(host.pending(), 0u);
+  send("s1", "Begin");
+  send("s2", "Begin");
+  plugin->stop();
+  EXPECT_EQ(host.pending(), 0u);
+}
+
 TEST_F(SQLiteDatabaseTest, RefusesTransactionsOutOfOrder) {
   ASSERT_TRUE(start(file_options()));
   EXPECT_THAT(tell("Commit"), StartsWith("Error(Database, Commit: "));

@@ -28,6 +28,16 @@ TEST(SQLiteTransactions, RememberWhoLostOne) {
   EXPECT_FALSE(transactions.lost_by("a"));
 }
 
+TEST(SQLiteTransactions, ForgetThoseWhoNeverAsk) {
+  SQLiteTransactions transactions;
+  for (int session = 0; session <= 1'000; ++session) {
+    transactions.hold(std::to_string(session));
+    transactions.take_away();
+  }
+  EXPECT_FALSE(transactions.lost_by("0"));
+  EXPECT_TRUE(transactions.lost_by("1"));
+}
+
 TEST(SQLiteTransactions, LetOthersWaitInOrder) {
   SQLiteTransactions transactions;
   EXPECT_FALSE(transactions.next());
@@ -36,8 +46,8 @@ TEST(SQLiteTransactions, LetOthersWaitInOrder) {
   (void)transactions.wait(test::message("Third"));
   EXPECT_EQ(transactions.leave(*second)->command, "Second");
   EXPECT_FALSE(transactions.leave(*second));
-  EXPECT_EQ(transactions.next()->command, "First");
-  EXPECT_EQ(transactions.next()->command, "Third");
+  EXPECT_EQ(transactions.next()->message.command, "First");
+  EXPECT_EQ(transactions.next()->message.command, "Third");
   EXPECT_FALSE(transactions.next());
 }
 

@@ -1,5 +1,9 @@
 #include "adapters/database/sqlite_options.hpp"
 
+#include <utility>
+
+#include "runtime/plugin/folder.hpp"
+
 namespace parlour::adapters {
 
 namespace {
@@ -13,10 +17,17 @@ std::string text_of(const Options& options, const std::string& name) {
   return {};
 }
 
-std::filesystem::path below(const std::string& folder,
-                            const std::string& name) {
-  return name.empty() ? std::filesystem::path{}
-                      : std::filesystem::path(folder) / name;
+// Empty where the option says nothing.
+Expected<void> read(const Options& options, const char* name,
+                    const std::string& folder, std::filesystem::path& path) {
+  const auto text = text_of(options, name);
+  if (text.empty())
+    return {};
+  auto found = inside(folder, text, name);
+  if (!found)
+    return tl::make_unexpected(found.error());
+  path = std::move(*found);
+  return {};
 }
 
 Expected<void> read(const Options& options, const char* name,
@@ -66,12 +77,13 @@ read_sqlite_options(const Options& options, const std::string& data_folder,
   const auto file = text_of(options, "file");
   if (file.empty())
     return fail(ErrorKind::settings, "option 'file' is empty");
-  if (file != ":memory:")
-    made.file = below(data_folder, file);
-  made.schema = below(application_folder, text_of(options, "schema"));
-  made.seed = below(application_folder, text_of(options, "seed"));
+  const auto of_file = file == ":memory:"
+                           ? Expected<void>()
+                           : read(options, "file", data_folder, made.file);
   for (auto&& read :
-       {read(options, "busy-timeout", made.busy_timeout),
+       {of_file, read(options, "schema", application_folder, made.schema),
+        read(options, "seed", application_folder, made.seed),
+        read(options, "busy-timeout", made.busy_timeout),
         read(options, "transaction-timeout", made.transaction_timeout),
         read(options, "max-rows", made.limits.rows),
         read(options, "max-bytes", made.limits.bytes)})

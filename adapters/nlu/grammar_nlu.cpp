@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "adapters/nlu/understander.hpp"
+#include "runtime/plugin/folder.hpp"
 
 namespace parlour::adapters {
 
@@ -51,10 +52,10 @@ protected:
     if (wanted.threshold < 0 || wanted.threshold > 1)
       return fail(ErrorKind::settings,
                   "GrammarNLU: threshold is a number from 0 to 1");
-    const auto generic = read_generic(options);
+    auto generic = nlu::read_generic(options, host().application_folder());
     if (!generic)
       return tl::make_unexpected(generic.error());
-    wanted.generic = *generic;
+    wanted.generic = {std::move(*generic)};
     return build(std::move(wanted));
   }
 
@@ -67,21 +68,6 @@ private:
     if (!context.find("now"))
       context.set("now", host().clock().now());
     return context;
-  }
-
-  static Expected<std::vector<GrammarModel>>
-  read_generic(const Options& options) {
-    const auto platform = option(options, "platform", "");
-    const auto shipped =
-        platform.empty() ? "" : platform + "/generic-acts.jsgf";
-    const auto path = option(options, "generic", shipped);
-    if (path.empty())
-      return fail(ErrorKind::settings, "GrammarNLU: neither the option "
-                                       "'platform' nor 'generic' is set");
-    auto grammar = nlu::read_grammar(path);
-    if (!grammar)
-      return tl::make_unexpected(grammar.error());
-    return std::vector<GrammarModel>{std::move(*grammar)};
   }
 
   Expected<void> build(nlu::Understander::Options wanted) {
@@ -114,6 +100,19 @@ Expected<GrammarModel> read_grammar(const std::string& path) {
       name.substr(0, name.find('.')), std::move(text), {path, 1, 1}};
 }
 
+Expected<GrammarModel> read_generic(const Options& options,
+                                    const std::string& application_folder) {
+  const auto own = option(options, "generic", "");
+  const auto platform = option(options, "platform", "");
+  if (!own.empty())
+    return inside(application_folder, own, "generic")
+        .and_then([](const auto& path) { return read_grammar(path.string()); });
+  if (platform.empty())
+    return fail(ErrorKind::settings, "GrammarNLU: neither the option "
+                                     "'platform' nor 'generic' is set");
+  return read_grammar(platform + "/generic-acts.jsgf");
+}
+
 } // namespace nlu
 
 PluginFactory grammar_nlu_factory() {
@@ -124,7 +123,8 @@ PluginFactory grammar_nlu_factory() {
   description.options = {
       {"threshold", "0.4", "acts with a lower score are not understood", false},
       {"platform", "", "folder of what the platform ships", false},
-      {"generic", "", "grammar of generic acts, instead of the platform's",
+      {"generic", "",
+       "the application's grammar of generic acts, instead of the platform's",
        false}};
   description.is_inline = true;
   return {std::move(description),

@@ -2,10 +2,11 @@
 // FrameInfo(act…) or NoResult(text) (understanding; roles).
 //
 // Options: threshold (0.4); platform, the folder of what the platform ships
-// (config/platform), set by the composition root; generic, another file than
-// its generic-acts.jsgf.
+// (config/platform), set by the composition root; generic, a file of the
+// application's folder instead of its generic-acts.jsgf.
 //
-// Names and values are read from the database once, at start.
+// Names and values are read from the database once, at start: what is written
+// to it later is understood after the next start.
 #pragma once
 
 #include "runtime/plugin/plugin.hpp"
@@ -18,6 +19,11 @@ namespace nlu {
 
 // A grammar's file as it is.
 Expected<GrammarModel> read_grammar(const std::string& path);
+
+// The grammar of generic acts that the options choose. The application's folder
+// is absolute.
+Expected<GrammarModel> read_generic(const Options& options,
+                                    const std::string& application_folder);
 
 } // namespace nlu
 

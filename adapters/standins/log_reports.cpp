@@ -1,6 +1,6 @@
 #include "adapters/standins/log_reports.hpp"
 
-#include <filesystem>
+#include "runtime/plugin/folder.hpp"
 
 namespace parlour::adapters {
 
@@ -25,8 +25,10 @@ Expected<void> LogReports::on_options(const Options& options) {
   if (name.empty())
     return fail(ErrorKind::settings,
                 "option 'reports' names the file of what is reported");
-  auto table = ReportTable::read(
-      std::filesystem::path(host().application_folder()) / name, keys_);
+  const auto path = inside(host().application_folder(), name, "reports");
+  if (!path)
+    return tl::make_unexpected(path.error());
+  auto table = ReportTable::read(*path, keys_);
   if (!table)
     return tl::make_unexpected(table.error());
   table_ = std::move(*table);

@@ -13,17 +13,6 @@ std::string option(const ChosenComponent& component, const char* name) {
   return found == component.options.end() ? "" : found->second;
 }
 
-Expected<std::vector<GrammarModel>>
-read_generic(const ChosenComponent& component) {
-  auto path = option(component, "generic");
-  if (path.empty())
-    path = option(component, "platform") + "/generic-acts.jsgf";
-  auto grammar = nlu::read_grammar(path);
-  if (!grammar)
-    return tl::make_unexpected(grammar.error());
-  return std::vector<GrammarModel>{std::move(*grammar)};
-}
-
 } // namespace
 
 tl::expected<nlu::Understander, std::vector<Error>>
@@ -33,10 +22,11 @@ build_understander(const Application& application,
   nlu::Understander::Options options;
   const auto threshold = parse_number(option(component, "threshold"));
   options.threshold = threshold.number_or(options.threshold);
-  auto generic = read_generic(component);
+  auto generic =
+      nlu::read_generic(component.options, application.folder.string());
   if (!generic)
     return tl::make_unexpected(std::vector<Error>{generic.error()});
-  options.generic = std::move(*generic);
+  options.generic = {std::move(*generic)};
   const auto& model = application.program->understanding;
   return nlu::Understander::build(model ? *model : UnderstandingModel{},
                                   columns, std::move(options));

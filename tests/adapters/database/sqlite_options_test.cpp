@@ -22,13 +22,24 @@ TEST(SQLiteOptions, HaveDefaults) {
 TEST(SQLiteOptions, AreTakenRelativeToTheirFolders) {
   auto options = read_sqlite_options({{"file", "a.db"},
                                       {"schema", "sql/schema.sql"},
-                                      {"seed", "/elsewhere/seed.sql"}},
+                                      {"seed", "sql/../seed.sql"}},
                                      "/data", "/app");
   ASSERT_TRUE(options);
   EXPECT_FALSE(options->in_memory());
   EXPECT_EQ(options->file, "/data/a.db");
   EXPECT_EQ(options->schema, "/app/sql/schema.sql");
-  EXPECT_EQ(options->seed, "/elsewhere/seed.sql");
+  EXPECT_EQ(options->seed, "/app/seed.sql");
+}
+
+TEST(SQLiteOptions, DoNotLeaveTheirFolders) {
+  for (const auto* name : {"file", "schema", "seed"})
+    for (const auto* text : {"/elsewhere/x", "../x", "sql/../../app/../x"}) {
+      auto options = read_sqlite_options({{name, text}}, "/data", "/app");
+      ASSERT_FALSE(options) << name << text;
+      EXPECT_EQ(options.error().kind, ErrorKind::settings);
+      EXPECT_THAT(options.error().message,
+                  testing::AllOf(HasSubstr(name), HasSubstr(text)));
+    }
 }
 
 TEST(SQLiteOptions, NameWhatIsWrong) {

@@ -54,6 +54,10 @@ TEST_F(GrammarNLU, TakesTheTimeOfThePlatform) {
 TEST_F(GrammarNLU, DoesNotStartWithWrongSettings) {
   EXPECT_EQ(start({}).error().kind, ErrorKind::settings);
   EXPECT_EQ(start({{"platform", "/nowhere"}}).error().kind, ErrorKind::file);
+  for (const auto* outside : {"../acts.jsgf", "/etc/passwd"})
+    EXPECT_EQ(
+        start({{"platform", platform_}, {"generic", outside}}).error().kind,
+        ErrorKind::settings);
   EXPECT_EQ(
       start({{"platform", platform_}, {"threshold", "much"}}).error().kind,
       ErrorKind::settings);

@@ -27,6 +27,15 @@ TEST_F(LogReportsTest, ReadsOutTheWeather) {
   EXPECT_THAT(record("weather"), HasSubstr("\tAsk\tchangi,2026-11-22\n"));
 }
 
+TEST_F(LogReportsTest, ReadsNothingOutsideOfTheApplication) {
+  for (const auto* name : {"../weather.tsv", "/etc/passwd"}) {
+    const auto started = start(log_weather_factory(), {{"reports", name}});
+    ASSERT_FALSE(started) << name;
+    EXPECT_EQ(started.error().kind, ErrorKind::settings);
+    EXPECT_THAT(started.error().message, HasSubstr("option 'reports'"));
+  }
+}
+
 TEST_F(LogReportsTest, SaysWhatThereIs) {
   ASSERT_TRUE(start(log_traffic_factory(), {{"reports", "traffic.tsv"}}));
   EXPECT_THAT(tell("Ask", {"Orchard Road"}),

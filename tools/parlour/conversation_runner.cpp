@@ -6,6 +6,7 @@
 #include <re2/re2.h>
 
 #include "tools/parlour/data_folder.hpp"
+#include "tools/parlour/module_names.hpp"
 #include "tools/parlour/node_options.hpp"
 #include "tools/parlour/trace.hpp"
 

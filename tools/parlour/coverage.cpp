@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <ostream>
+#include <utility>
 
 #include "script/instruction.hpp"
 
@@ -17,19 +18,6 @@ std::vector<std::string> slot_names(const Program& program) {
   for (const auto& topic : program.topics)
     for (const auto& slot : topic.slots)
       names.push_back(topic.name + "." + slot.name);
-  return names;
-}
-
-std::string reaction_name(const script::Handler& handler,
-                          const script::Reaction& reaction) {
-  return handler.name + " (" + reaction.source + "." + reaction.event + ")";
-}
-
-std::vector<std::string> reaction_names(const Program& program) {
-  std::vector<std::string> names;
-  for (const auto& handler : program.handlers)
-    for (const auto& reaction : handler.reactions)
-      names.push_back(reaction_name(handler, reaction));
   return names;
 }
 
@@ -53,6 +41,19 @@ std::vector<std::string> branch_names(const Program& program) {
   return names;
 }
 
+// "Turn (ASR.RecognitionResult)" of each, and what it is noted as when it runs.
+using NamedPlaces = std::vector<std::pair<std::string, std::string>>;
+
+NamedPlaces reactions_of(const Program& program) {
+  NamedPlaces found;
+  for (const auto& handler : program.handlers)
+    for (const auto& reaction : handler.reactions)
+      found.emplace_back(handler.name + " (" + reaction.source + "." +
+                             reaction.event + ")",
+                         place_name(program.place(reaction.position)));
+  return found;
+}
+
 template <class Named>
 std::vector<std::string> names_of(const std::vector<Named>& all) {
   std::vector<std::string> names;
@@ -63,8 +64,7 @@ std::vector<std::string> names_of(const std::vector<Named>& all) {
 
 } // namespace
 
-Coverage::Coverage(const Program& program, const ModuleNames& names)
-    : program_(&program), names_(&names) {}
+Coverage::Coverage(const Program& program) : program_(&program) {}
 
 void Coverage::note(const Inspection& inspection) {
   switch (inspection.kind) {
@@ -80,39 +80,32 @@ void Coverage::note(const Inspection& inspection) {
   case InspectionKind::branch:
     branches_.insert(inspection.subject);
     break;
-  case InspectionKind::message:
-    if (inspection.message && inspection.message->sinks.empty())
-      note_message(*inspection.message);
-    break;
   default:
     break;
   }
-}
-
-// A message without a sink goes to the session, whose handlers take it.
-void Coverage::note_message(const Message& message) {
-  for (const auto& handler : program_->handlers)
-    for (const auto& reaction : handler.reactions)
-      if ((reaction.event == "*" || reaction.event == message.command) &&
-          (reaction.source == "*" ||
-           names_->same(reaction.source, message.source)))
-        reactions_.insert(reaction_name(handler, reaction));
 }
 
 void Coverage::add(const Coverage& other) {
   states_.insert(other.states_.begin(), other.states_.end());
   topics_.insert(other.topics_.begin(), other.topics_.end());
   slots_.insert(other.slots_.begin(), other.slots_.end());
-  reactions_.insert(other.reactions_.begin(), other.reactions_.end());
   branches_.insert(other.branches_.begin(), other.branches_.end());
 }
 
 std::vector<Coverage::Part> Coverage::parts() const {
   return {part("states", names_of(program_->states), states_),
           part("topics", names_of(program_->topics), topics_),
-          part("slots", slot_names(*program_), slots_),
-          part("handlers", reaction_names(*program_), reactions_),
+          part("slots", slot_names(*program_), slots_), handlers(),
           part("branches", branch_names(*program_), branches_)};
+}
+
+Coverage::Part Coverage::handlers() const {
+  const auto all = reactions_of(*program_);
+  Part made{"handlers", all.size(), {}};
+  for (const auto& [name, place] : all)
+    if (branches_.count(place) == 0)
+      made.missing.push_back(name);
+  return made;
 }
 
 Coverage::Part Coverage::part(const char* name,

@@ -10,7 +10,6 @@
 
 #include "runtime/base/inspection.hpp"
 #include "script/program.hpp"
-#include "tools/parlour/module_names.hpp"
 #include "tools/parlour/places.hpp"
 
 namespace parlour::tools {
@@ -18,7 +17,7 @@ namespace parlour::tools {
 class Coverage {
 public:
   // The program must outlive this.
-  Coverage(const script::Program& program, const ModuleNames& names);
+  explicit Coverage(const script::Program& program);
 
   void note(const Inspection& inspection);
   // What another one of the same program has seen.
@@ -32,17 +31,15 @@ public:
   std::vector<Part> parts() const;
 
 private:
-  void note_message(const Message& message);
+  Part handlers() const;
   Part part(const char* name, const std::vector<std::string>& all,
             const std::set<std::string>& reached) const;
 
   const script::Program* program_;
-  const ModuleNames* names_;
   std::set<std::string> states_;
   std::set<std::string> topics_;
   std::set<std::string> slots_;
-  std::set<std::string> reactions_;
-  std::set<std::string> branches_;
+  std::set<std::string> branches_; // and handlers, by their places
 };
 
 // Files below the working folder are named from there.

@@ -1,8 +1,10 @@
 // RowReader: piped input to rows of user turns (dialogues.md, "Running and
 // testing"). A row ends at an empty line, at the end of input, or when no byte
-// came for 50 ms. Knows neither a clock nor a file: both are the ByteSource.
+// came for 50 ms; one that never ends is taken in parts, so that no more of it
+// is held than that. Knows neither a clock nor a file: both are the ByteSource.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <deque>
 #include <functional>
@@ -16,6 +18,8 @@
 namespace parlour::tools {
 
 inline constexpr Milliseconds row_pause{50};
+inline constexpr std::size_t longest_row = 1'000;           // turns
+inline constexpr std::size_t longest_row_bytes = 1'000'000; // about
 
 struct Read {
   enum class Kind : std::uint8_t { bytes, silence, end, interrupted };
@@ -40,6 +44,8 @@ struct RowEvent {
   };
   Kind kind = Kind::end;
   std::vector<std::string> turns;
+  // Of `turns`: the row goes on; wait until quiet before you read on.
+  bool is_part = false;
 };
 
 class RowReader {
@@ -54,6 +60,7 @@ public:
 private:
   void take(Line line);
   void end_row();
+  void end_part();
   void read_more();
   void read_rest(); // of a source that has ended
 
@@ -61,6 +68,8 @@ private:
   Note note_;
   LineReader lines_;
   std::vector<std::string> row_;
+  std::size_t row_bytes_ = 0;
+  bool told_of_parts_ = false;
   std::deque<RowEvent> events_;
   std::uint64_t number_ = 0;
   // The last line was a turn: the next empty line ends its row, also where a

@@ -1,5 +1,6 @@
 #include <atomic>
 #include <cstdio>
+#include <cstdlib>
 #include <fstream>
 #include <mutex>
 
@@ -11,7 +12,7 @@
 #include "tools/parlour/exit_code.hpp"
 #include "tools/parlour/node_options.hpp"
 #include "tools/parlour/opening.hpp"
-#include "tools/parlour/robot_voice.hpp"
+#include "tools/parlour/printer.hpp"
 #include "tools/parlour/signal_watch.hpp"
 #include "tools/parlour/terminal_run.hpp"
 #include "tools/parlour/text_run.hpp"
@@ -24,11 +25,10 @@ namespace {
 // Lines about the conversation, from any thread.
 class Notes {
 public:
-  Notes(const Console& console, std::filesystem::path log)
-      : console_(console), log_(std::move(log)) {}
+  Notes(const Console& console, Printer& printer, std::filesystem::path log)
+      : console_(console), printer_(printer), log_(std::move(log)) {}
   void show(const std::string& text) {
-    std::lock_guard lock(mutex_);
-    console_.err << coloured(console_, grey, text) << std::endl;
+    printer_.err(coloured(console_, grey, text));
   }
   // Where showing would be in the way.
   void keep(const std::string& text) {
@@ -37,9 +37,28 @@ public:
   }
 
 private:
-  std::mutex mutex_;
+  std::mutex mutex_; // of the log
   const Console& console_;
+  Printer& printer_;
   std::filesystem::path log_;
+};
+
+// Talks no faster than somebody reads.
+class PacedPartner : public NodePartner {
+public:
+  PacedPartner(NodePartner partner, Printer& printer)
+      : NodePartner(std::move(partner)), printer_(printer) {}
+  void enter(const std::vector<std::string>& turns) override {
+    printer_.wait_for_room();
+    NodePartner::enter(turns);
+  }
+  void step_to_next_due() override {
+    printer_.wait_for_room();
+    NodePartner::step_to_next_due();
+  }
+
+private:
+  Printer& printer_;
 };
 
 bool wants_terminal(const RunOptions& options) {
@@ -52,21 +71,28 @@ public:
       const Console& console, const std::filesystem::path& data,
       SignalWatch& signals)
       : application_(application), options_(options), console_(console),
-        data_(data), signals_(signals), notes_(console, data / "log") {}
+        data_(data), signals_(signals),
+        printer_(console.out, console.err, [this] { signals_.raise_closed(); }),
+        notes_(console, printer_, data / "log") {}
 
   int run() {
     for (const auto& notice : application_.composition.notices)
       say_warning(console_, notice);
     auto node = actors::Node::start(options());
     if (!node) {
+      printer_.finish(); // what was noted before
       say_error(console_, to_string(node.error()));
       return exit_code::wrong;
     }
-    signals_.on_interrupt([&] { (*node)->interrupt(); });
+    signals_.on_interrupt([&] {
+      (*node)->interrupt();
+      printer_.give_up();
+    });
     if (wants_terminal(options_))
       talk_on_terminal(**node);
     else
       talk_by_lines(**node);
+    finish();
     return interrupted_ ? exit_code::interrupted : exit_code::well;
   }
 
@@ -109,22 +135,32 @@ private:
   void end(actors::Node& node) {
     signals_.on_interrupt(nullptr);
     interrupted_ = signals_.interrupted();
-    node.stop();
+    has_stopped_ = node.stop();
+  }
+
+  // What was said reaches its reader, unless nobody wants to wait for that.
+  // With something that does not return, a process ends without its farewells.
+  void finish() {
+    signals_.on_interrupt([this] { printer_.give_up(); });
+    const bool all_read = printer_.finish();
+    signals_.on_interrupt(nullptr);
+    if (!all_read || !has_stopped_)
+      std::_Exit(signals_.interrupted() ? exit_code::interrupted
+                                        : exit_code::wrong);
   }
 
   void talk_by_lines(actors::Node& node) {
-    RobotVoice voice(console_.out, [this] { signals_.raise_closed(); });
     const auto seat =
         node.open_seat({[&](const SessionId&, const dialogue::Output& output) {
-                          voice.say(output.text);
+                          printer_.out(as_one_line(output.text));
                         },
                         {}});
     node.open(seat);
     DescriptorSource source(STDIN_FILENO, signals_.descriptor());
     RowReader rows(source, [this](const std::string& text) { note(text); });
-    NodePartner partner(node, seat, options_.clock.has_value());
+    PacedPartner partner({node, seat, options_.clock.has_value()}, printer_);
     talk_by_rows(partner, rows);
-    end(node); // while there is a voice
+    end(node);
   }
 
   void talk_on_terminal(actors::Node& node) {
@@ -149,9 +185,11 @@ private:
   const Console& console_;
   std::filesystem::path data_;
   SignalWatch& signals_;
+  Printer printer_;
   Notes notes_;
   std::atomic<Screen*> screen_ = nullptr; // while there is a terminal
   bool interrupted_ = false;              // before the conversation had ended
+  bool has_stopped_ = true;               // the node, all of it
 };
 
 } // namespace

@@ -18,13 +18,18 @@ bool is_ignored(int signal) {
          action.sa_handler == SIG_IGN;
 }
 
-} // namespace
-
-SignalWatch::SignalWatch() {
+sigset_t requests_to_end() {
   sigset_t set;
   sigemptyset(&set);
   sigaddset(&set, SIGINT);
   sigaddset(&set, SIGTERM);
+  return set;
+}
+
+} // namespace
+
+SignalWatch::SignalWatch() {
+  auto set = requests_to_end();
   if (!is_ignored(SIGHUP))   // as nohup has it
     sigaddset(&set, SIGHUP); // the terminal was closed
   pthread_sigmask(SIG_BLOCK, &set, &before_);
@@ -60,17 +65,25 @@ void SignalWatch::watch() {
       {signals_, POLLIN, 0}, {stop_, POLLIN, 0}, {wake_, POLLIN, 0}};
   auto count = nfds_t{3};
   while (poll(waiting, count, -1) >= 0 && !(waiting[1].revents & POLLIN)) {
-    signalfd_siginfo signal;
-    while (read(signals_, &signal, sizeof signal) == sizeof signal) {
-      interrupted_ = true;
-      eventfd_write(wake_, 1);
-    }
+    take_signal();
     if (interrupted_ || closed_) {
       act();
       count = 2; // the descriptor stays readable
       waiting[2].revents = 0;
     }
   }
+}
+
+// From the first one on this thread is there for the second. Not so a second
+// SIGHUP: both the terminal and its shell send one.
+void SignalWatch::take_signal() {
+  signalfd_siginfo signal;
+  if (read(signals_, &signal, sizeof signal) != sizeof signal)
+    return;
+  interrupted_ = true;
+  eventfd_write(wake_, 1);
+  const auto set = requests_to_end();
+  pthread_sigmask(SIG_UNBLOCK, &set, nullptr);
 }
 
 void SignalWatch::act() {

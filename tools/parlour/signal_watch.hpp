@@ -1,9 +1,10 @@
 // SignalWatch: Ctrl-C and requests to terminate as a call on a thread of its
 // own, so that what happens then may be anything; and a descriptor that a
-// waiting reader can poll. While it lives the signals SIGINT, SIGTERM and
-// SIGHUP (unless it was ignored) are blocked in the thread that made it and in
-// those it starts, and SIGPIPE is ignored: a closed output shows as a failed
-// write.
+// waiting reader can poll. Until the first of them came, the signals SIGINT,
+// SIGTERM and SIGHUP (unless it was ignored) are blocked in the thread that
+// made it and in those it starts; a second SIGINT or SIGTERM does what it would
+// do without a watch, whatever hangs then. SIGPIPE is ignored: a closed output
+// shows as a failed write.
 #pragma once
 
 #include <atomic>
@@ -43,6 +44,7 @@ public:
 
 private:
   void watch();
+  void take_signal();
   void act();
 
   sigset_t before_{};

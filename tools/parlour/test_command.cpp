@@ -155,10 +155,13 @@ int test_command(const Places& places, const TestOptions& options,
   if (refused(application.findings, places, console) ||
       refused(suite.findings, places, console))
     return exit_code::wrong;
-  if (suite.conversations.empty())
-    say_warning(console, options.app + " has no conversations in dialogues/");
-  const ModuleNames names(application.composition);
-  Coverage coverage(*application.program, names);
+  if (suite.conversations.empty()) {
+    say_error(console, options.app + " has no conversations: nothing was "
+                                     "tested; write one into dialogues/, a "
+                                     "file that ends in .txt");
+    return exit_code::wrong;
+  }
+  Coverage coverage(*application.program);
   const auto jobs = options.jobs
                         ? options.jobs
                         : std::max(1u, std::thread::hardware_concurrency());

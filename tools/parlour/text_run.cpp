@@ -9,7 +9,7 @@ bool talk_by_rows(Partner& partner, RowReader& rows) {
     case RowEvent::Kind::turns:
       partner.enter(event.turns);
       // In real time the world goes on by itself while we read.
-      if (partner.is_virtual())
+      if (partner.is_virtual() || event.is_part)
         partner.run_until_quiet();
       break;
     case RowEvent::Kind::quiet:

@@ -24,8 +24,7 @@ protected:
   }
 
   Application greeter_ = load("greeter");
-  ModuleNames names_{greeter_.composition};
-  Coverage coverage_{*greeter_.program, names_};
+  Coverage coverage_{*greeter_.program};
 };
 
 TEST_F(ConversationRunnerTest, holds_a_conversation) {

@@ -22,24 +22,14 @@ protected:
     topic.slots.emplace_back().name = "Guest";
     auto& handler = program_.handlers.emplace_back();
     handler.name = "Turn";
-    handler.reactions = {{"Record", "BufferFull", script::no_code, {}},
-                         {"*", "Odd", script::no_code, {}}};
+    handler.reactions = {{"Record", "BufferFull", script::no_code, {0, 4, 1}},
+                         {"*", "Odd", script::no_code, {0, 9, 1}}};
   }
   std::vector<std::string> missing(std::size_t part) const {
     return coverage_.parts()[part].missing;
   }
-  void note_message(const std::string& source, const std::string& command,
-                    std::vector<std::string> sinks = {}) {
-    auto message = std::make_shared<Message>();
-    message->source = source;
-    message->command = command;
-    message->sinks = std::move(sinks);
-    coverage_.note({InspectionKind::message, "s", "", "", message, ""});
-  }
-
   script::Program program_;
-  ModuleNames names_{Composition{}};
-  Coverage coverage_{program_, names_};
+  Coverage coverage_{program_};
 };
 
 TEST_F(CoverageTest, notes_states_topics_and_slots) {
@@ -52,18 +42,22 @@ TEST_F(CoverageTest, notes_states_topics_and_slots) {
   EXPECT_THAT(missing(2), ElementsAre());
 }
 
-TEST_F(CoverageTest, notes_reactions_to_messages_that_reach_the_session) {
-  note_message("Microphone", "BufferFull", {"ASR"});
+// A message alone says nothing: it may have been captured or consumed before.
+TEST_F(CoverageTest, notes_handlers_that_ran) {
+  auto message = std::make_shared<Message>();
+  message->source = "Record";
+  message->command = "BufferFull";
+  coverage_.note({InspectionKind::message, "s", "", "", message, "session"});
   EXPECT_THAT(missing(3),
               ElementsAre("Turn (Record.BufferFull)", "Turn (*.Odd)"));
-  note_message("Microphone", "BufferFull");
+  coverage_.note({InspectionKind::branch, "s", "/site/desk.xml:4", ""});
   EXPECT_THAT(missing(3), ElementsAre("Turn (*.Odd)"));
-  note_message("Anybody", "Odd");
+  coverage_.note({InspectionKind::branch, "s", "/site/desk.xml:9", ""});
   EXPECT_THAT(missing(3), ElementsAre());
 }
 
 TEST_F(CoverageTest, adds_what_another_has_seen) {
-  Coverage other(program_, names_);
+  Coverage other(program_);
   other.note({InspectionKind::transition, "s", "Rest", ""});
   coverage_.add(other);
   EXPECT_THAT(missing(0), ElementsAre("Welcome"));

@@ -2,8 +2,10 @@
 """parlour run with what should not happen: garbage in, streams closed, signals,
 damaged files. An answer or a clean end each time, and the database intact."""
 
+import fcntl
 import os
 import pathlib
+import select
 import shutil
 import signal
 import sqlite3
@@ -24,8 +26,8 @@ APPOINTMENT = b"I am David from Comptec to meet Dr. Jeffery Ho\n"
 class Hostile(unittest.TestCase):
 
     def setUp(self):
-        if not os.path.exists(PROGRAM):
-            self.skipTest("parlour is not built")
+        self.assertTrue(os.path.exists(PROGRAM),
+                        f"PARLOUR_PROGRAM names no program: '{PROGRAM}'")
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.data = pathlib.Path(folder.name) / "data"
@@ -142,6 +144,22 @@ class Streams(Hostile):
         self.assertEqual((ended.returncode, ended.stdout), (0, GREETING))
 
 
+    def test_input_without_a_pause(self):
+        ended = self.run_with(b"x\n" * 1001)
+        self.assertEqual(ended.returncode, 0)
+        self.assertIn(b"taken in parts", ended.stderr)
+
+    def test_a_reader_that_has_stopped(self):
+        running = self.start()
+        given = running.stdin.fileno()
+        fcntl.fcntl(running.stdout, fcntl.F_SETPIPE_SZ, 4096)
+        os.set_blocking(given, False)
+        while select.select([], [given], [], 2)[1]:  # until it reads no more
+            os.write(given, ASK_GYM * 100 + b"\n")
+        running.send_signal(signal.SIGINT)
+        self.assertEqual(running.wait(60), 130)
+
+
 class Signals(Hostile):
 
     def test_ends_sessions_first(self):
@@ -151,6 +169,13 @@ class Signals(Hostile):
                 running.send_signal(number)
                 self.assertEqual(running.wait(60), 130)
                 self.still_usable()
+
+    def test_ends_at_once_at_the_second(self):
+        running = self.start()
+        running.send_signal(signal.SIGINT)
+        running.send_signal(signal.SIGTERM)
+        self.assertIn(running.wait(60), (130, -signal.SIGTERM))
+        self.still_usable()
 
     def test_killed_in_the_middle(self):
         running = self.start()

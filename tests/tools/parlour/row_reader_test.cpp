@@ -105,6 +105,34 @@ TEST(RowReader, takes_an_empty_line_after_a_pause_as_the_row_s_end) {
       ElementsAre("one", "quiet", "step", "end"));
 }
 
+// As `yes` writes: no pause, no empty line, no end.
+TEST(RowReader, takes_a_row_without_end_in_parts) {
+  std::string many;
+  for (std::size_t i = 0; i < 2 * longest_row + 1; ++i)
+    many += "y\n";
+  ScriptedSource source({bytes(many)});
+  std::vector<std::string> notes;
+  RowReader reader(source,
+                   [&](const std::string& note) { notes.push_back(note); });
+  for (const auto& [size, is_part] :
+       {std::pair(longest_row, true), {longest_row, true}, {1, false}}) {
+    const auto event = reader.next();
+    EXPECT_EQ(event.turns.size(), size);
+    EXPECT_EQ(event.is_part, is_part);
+  }
+  EXPECT_EQ(reader.next().kind, RowEvent::Kind::end);
+  EXPECT_THAT(notes, ElementsAre(HasSubstr("taken in parts")));
+}
+
+TEST(RowReader, takes_long_lines_in_parts) {
+  std::string many;
+  for (int i = 0; i < 12; ++i)
+    many += std::string(longest_line, 'x') + "\n";
+  ScriptedSource source({bytes(many)});
+  RowReader reader(source, [](const std::string&) {});
+  EXPECT_EQ(reader.next().turns.size(), 10u);
+}
+
 TEST(RowReader, leaves_half_a_line_out_of_a_row_that_a_pause_ends) {
   EXPECT_THAT(read_all({bytes("one\ntw"), silence, bytes("o\n")}).events,
               ElementsAre("one", "two", "end"));

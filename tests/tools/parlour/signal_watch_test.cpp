@@ -30,6 +30,27 @@ TEST(SignalWatch, calls_at_the_first_signal_and_wakes_a_reader) {
   close(ends[1]);
 }
 
+// Whatever hangs in the first one's action.
+TEST(SignalWatchDeathTest, ends_at_once_at_the_second_signal) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  EXPECT_EXIT(
+      {
+        signal(SIGTERM, SIG_DFL);
+        SignalWatch watch;
+        std::promise<void> called;
+        std::promise<void> never;
+        watch.on_interrupt([&] {
+          called.set_value();
+          never.get_future().wait();
+        });
+        kill(getpid(), SIGINT);
+        called.get_future().wait();
+        kill(getpid(), SIGTERM);
+        never.get_future().wait();
+      },
+      testing::KilledBySignal(SIGTERM), "");
+}
+
 TEST(SignalWatch, leaves_a_hang_up_alone_that_was_to_be_ignored) {
   const auto before = signal(SIGHUP, SIG_IGN);
   {

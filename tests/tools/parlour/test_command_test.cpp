@@ -43,6 +43,18 @@ TEST_F(CommandTest, test_names_files_from_the_working_folder) {
   EXPECT_THAT(out_.str(), HasSubstr("    not reached: greeter.xml:"));
 }
 
+// A renamed folder is no green build.
+TEST_F(CommandTest, test_fails_where_there_is_no_conversation) {
+  test::TemporaryFolder folder;
+  folder.write("settings.xml", "<settings name=\"own\" start=\"Welcome\">"
+                               "<Scripts><Script>own.xml</Script></Scripts>"
+                               "</settings>");
+  folder.write("own.xml", "<dialogue><state name=\"Welcome\"/></dialogue>");
+  folder.write("dialogs/hello.txt", "R: Hello.\n");
+  EXPECT_EQ(call({"test", folder.path().string()}), exit_code::wrong);
+  EXPECT_THAT(err_.str(), HasSubstr("has no conversations"));
+}
+
 TEST_F(CommandTest, test_is_brief_where_that_is_wanted) {
   EXPECT_EQ(call({"test", "greeter", "--quiet"}), exit_code::well);
   EXPECT_EQ(out_.str(), "1 of 1 conversations passed\n");

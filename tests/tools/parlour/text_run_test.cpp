@@ -59,6 +59,14 @@ TEST(TalkByRows, goes_on_reading_in_real_time) {
               ElementsAre("enter 1", "quiet"));
 }
 
+TEST(TalkByRows, reads_on_after_a_part_when_all_is_quiet) {
+  std::string many;
+  for (std::size_t i = 0; i < longest_row; ++i)
+    many += "y\n";
+  EXPECT_THAT(calls_for({Read::Kind::bytes, many + "z\n"}, false, true),
+              ElementsAre("enter 1000", "quiet", "enter 1", "quiet"));
+}
+
 TEST(TalkByRows, ends_when_interrupted) {
   EXPECT_THAT(calls_for({Read::Kind::interrupted, {}}, false, false),
               ElementsAre());

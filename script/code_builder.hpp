@@ -42,11 +42,19 @@ struct Meaning {
 // A text and where it begins, to place what stands inside of it.
 struct Source {
   std::string_view text;
-  Position start;
+  Position start;         // for instructions; entities before it count as one
+  bool collapsed = false; // the text went through script::collapsed
+  Position value{};       // where the whole value begins; line 0: at `start`
+  std::size_t skip = 0;   // bytes of the value before the text
 
   Position at(std::size_t offset) const;
   Source part(std::size_t offset, std::size_t length) const {
-    return {text.substr(offset, length), at(offset)};
+    return {text.substr(offset, length), at(offset), collapsed,
+            value.line > 0 ? value : start, skip + offset};
+  }
+  // For findings: exact.
+  Spot spot(std::size_t offset = 0, std::size_t length = 0) const {
+    return {value.line > 0 ? value : start, skip + offset, length, collapsed};
   }
 };
 

@@ -267,7 +267,7 @@ private:
         expect("]");
         node = std::move(outer);
       } else if (accept(".")) {
-        auto outer = make(NodeKind::field, offset);
+        auto outer = make(NodeKind::field, peek().offset);
         if (peek().kind != TokenKind::word)
           fail("a name is missing after '.'", peek().offset);
         outer->text = take().text;

@@ -30,22 +30,6 @@ bool is_number(const Node& node) {
 
 } // namespace
 
-void ExpressionCompiler::error(const Node& node, const Source& source,
-                               std::string message) {
-  b_.findings.error(source.at(node.offset), std::move(message));
-}
-
-void ExpressionCompiler::unknown_name(const Node& node, const Source& source) {
-  if (node.text == "this")
-    return error(node, source, "'this' is followed by a slot: this.Name");
-  if (b_.function(node.text) || is_builtin(node.text))
-    return error(node, source,
-                 "'" + node.text + "' is a function; call it with (…)");
-  error(node, source,
-        "'" + node.text + "' is not declared" +
-            did_you_mean(node.text, b_.visible_names()));
-}
-
 bool ExpressionCompiler::constant_of(const Node& node, Box& box) {
   switch (node.kind) {
   case NodeKind::unknown:
@@ -211,12 +195,7 @@ void ExpressionCompiler::call(const Node& node, const Source& source,
                 std::to_string(count));
     b_.emit(Operation::call_builtin, base, *index, count);
   } else {
-    auto candidates = b_.function_names();
-    candidates.insert(candidates.end(), builtin_names().begin(),
-                      builtin_names().end());
-    error(node, source,
-          "there is no function '" + node.text + "'" +
-              did_you_mean(node.text, candidates));
+    unknown_function(node, source);
   }
   b_.emit(Operation::move, target, base);
   b_.at(before);
@@ -371,7 +350,7 @@ bool ExpressionCompiler::assign(const Node& node, const Source& source,
   else if (meaning.kind == Meaning::Kind::variable)
     b_.emit(Operation::store_variable, from, meaning.index);
   else if (meaning.kind == Meaning::Kind::nothing)
-    unknown_name(node, source);
+    unknown_target(node, source);
   else
     error(node, source, "'" + node.text + "' is read-only");
   return true;

@@ -1,5 +1,6 @@
 #include "script/lexer.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -19,6 +20,16 @@ bool starts_word(char c) {
 
 bool is_blank(char c) {
   return c == ' ' || c == '\t' || c == '\n' || c == '\r';
+}
+
+// They are letters to nobody, but beyond ASCII.
+std::size_t find_typographic_quote(std::string_view word) {
+  for (std::size_t i = 0; i + 2 < word.size(); ++i)
+    if (word[i] == '\xe2' && word[i + 1] == '\x80' &&
+        static_cast<unsigned char>(word[i + 2]) >= 0x98 &&
+        static_cast<unsigned char>(word[i + 2]) <= 0x9f)
+      return i;
+  return std::min(word.find("\xc2\xab"), word.find("\xc2\xbb"));
 }
 
 // The longest first.
@@ -75,6 +86,9 @@ private:
       ++at_;
     token.kind = TokenKind::word;
     token.text = text_.substr(start, at_ - start);
+    if (const auto quote = find_typographic_quote(token.text);
+        quote != std::string::npos)
+      fail("a typographic quotation mark has no meaning here", start + quote);
   }
 
   void digits() {

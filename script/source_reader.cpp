@@ -15,10 +15,6 @@ namespace {
 constexpr auto npos = std::string_view::npos;
 constexpr auto parse_options = pugi::parse_default | pugi::parse_doctype;
 
-std::string quoted_tag(const std::string& name) {
-  return "<" + name + ">";
-}
-
 // What the parser expected where it gave up, tags that do not match aside.
 const char* sentence_of(pugi::xml_parse_status status) {
   switch (status) {
@@ -57,13 +53,14 @@ private:
   std::size_t beginning(pugi::xml_parse_status status,
                         std::size_t offset) const;
   void explain(const pugi::xml_parse_result& result);
-  std::string tag_sentence(const TagProblem& problem) const;
   void check_document();
   void build(pugi::xml_node node, Element& element, std::size_t depth);
   void read_attributes(pugi::xml_node node, Element& element);
   void read_text(pugi::xml_node node, Element& element);
   void check_name(const char* name, std::size_t offset);
   void error(std::size_t offset, std::string message);
+  // What is wrong and does not keep the rest from being read.
+  void tell(const XmlSlip& slip);
   std::size_t offset_of(const char* inside) const {
     return static_cast<std::size_t>(inside - buffer_.data());
   }
@@ -78,7 +75,17 @@ private:
 
 void Reader::error(std::size_t offset, std::string message) {
   failed_ = true;
-  findings_.error(positions_.at(offset), std::move(message));
+  tell({offset, 0, std::move(message)});
+}
+
+void Reader::tell(const XmlSlip& slip) {
+  findings_.add({Severity::error,
+                 {.start = positions_.at(slip.offset),
+                  .length = slip.length,
+                  .raw = true},
+                 slip.message,
+                 "xml",
+                 slip.replacement});
 }
 
 void Reader::check_text() {
@@ -88,19 +95,6 @@ void Reader::check_text() {
     if (static_cast<unsigned char>(text_[i]) < 0x20 &&
         !std::strchr("\t\r\n", text_[i] ? text_[i] : 1))
       return error(i, "a control character may not stand in XML");
-}
-
-std::string Reader::tag_sentence(const TagProblem& problem) const {
-  const auto line = std::to_string(positions_.at(problem.open.offset).line);
-  const auto open =
-      quoted_tag(problem.open.name) + " of line " + line + " is open";
-  if (problem.found.empty())
-    return "the file ends while " + open + "; expected </" + problem.open.name +
-           ">";
-  if (problem.open.name.empty())
-    return "</" + problem.found + "> closes nothing: no element is open";
-  return "</" + problem.found + "> does not fit: " + open + "; expected </" +
-         problem.open.name + ">";
 }
 
 // What does not end is told where it begins.
@@ -117,13 +111,12 @@ std::size_t Reader::beginning(pugi::xml_parse_status status,
 
 void Reader::explain(const pugi::xml_parse_result& result) {
   const auto offset = static_cast<std::size_t>(result.offset);
-  const auto tags = find_tag_problem(text_);
-  const bool mismatch = result.status == pugi::status_end_element_mismatch ||
-                        result.status == pugi::status_bad_end_element;
-  if (mismatch && tags.offset != npos &&
-      !(tags.found.empty() && tags.open.name.empty()))
-    return error(tags.offset, tag_sentence(tags));
-  error(beginning(result.status, offset), sentence_of(result.status));
+  const auto slips = find_xml_slips(text_);
+  for (const auto& slip : slips)
+    tell(slip);
+  failed_ = true;
+  if (slips.empty())
+    error(beginning(result.status, offset), sentence_of(result.status));
 }
 
 void Reader::check_name(const char* name, std::size_t offset) {
@@ -134,16 +127,14 @@ void Reader::check_name(const char* name, std::size_t offset) {
 }
 
 void Reader::read_attributes(pugi::xml_node node, Element& element) {
-  auto report = [this](std::size_t offset, std::string sentence) {
-    error(offset, std::move(sentence));
-  };
+  auto report = [this](const XmlSlip& slip) { tell(slip); };
   for (auto attribute : node.attributes()) {
     const auto at = offset_of(attribute.name());
     const auto value_at = offset_of(attribute.value());
     check_name(attribute.name(), at);
     check_characters(text_, value_at, true, report);
     if (element.attribute(attribute.name()))
-      error(at, "'" + std::string(attribute.name()) + "' is given twice");
+      tell({at, 0, "'" + std::string(attribute.name()) + "' is given twice"});
     element.attributes.push_back({attribute.name(), attribute.value(),
                                   positions_.at(at), positions_.at(value_at)});
   }
@@ -153,9 +144,7 @@ void Reader::read_text(pugi::xml_node node, Element& element) {
   const auto offset = offset_of(node.value());
   if (node.type() == pugi::node_pcdata)
     check_characters(text_, offset, false,
-                     [this](std::size_t at, std::string sentence) {
-                       error(at, std::move(sentence));
-                     });
+                     [this](const XmlSlip& slip) { tell(slip); });
   if (element.text.empty()) {
     const auto first = text_.find_first_not_of(" \t\r\n", offset);
     element.text_position = positions_.at(first);

@@ -115,6 +115,7 @@ private:
                  const Source& arguments_source, Register target,
                  Register values);
   void joined_sql(const Node& node, const Source& source);
+  void impure_sql(std::string_view name, const Source& source);
   void end_transactions(std::size_t outside);
 
   // -- helpers ----------------------------------------------------------------

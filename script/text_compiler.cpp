@@ -47,7 +47,7 @@ bool prints_as_written(const Node& node, std::string_view text) {
 NodePointer ExpressionCompiler::parse(const Source& source) {
   auto parsed = parse_expression(source.text);
   if (!parsed.node)
-    b_.findings.error(source.at(parsed.error_offset), parsed.error);
+    report(source, parsed);
   return std::move(parsed.node);
 }
 
@@ -102,10 +102,11 @@ void ExpressionCompiler::warn_of_text(const Source& source) {
                           ? nearest(word, b_.visible_names())
                           : std::string();
     if (!near.empty())
-      b_.findings.warning(source.start, "'" + word +
-                                            "' is taken as text; for "
-                                            "the variable write '" +
-                                            near + "'");
+      b_.findings.add({Severity::warning, source.spot(),
+                       "'" + word +
+                           "' is taken as text; for the variable write '" +
+                           near + "'",
+                       "text-like-expression"});
     return;
   }
   for (const auto& part : split_text(source))
@@ -126,10 +127,11 @@ void ExpressionCompiler::warn_of_text(const Source& source) {
                        (source.text[end] == '[' || source.text[end] == '(');
     if (is_declared(word) &&
         (opens || before.ends_with('+') || after.starts_with('+'))) {
-      b_.findings.warning(source.at(at), "this is taken as text, although '" +
-                                             word +
-                                             "' is declared; it is not "
-                                             "well-formed as an expression");
+      b_.findings.add({Severity::warning, source.spot(at, word.size()),
+                       "this is taken as text, although '" + word +
+                           "' is declared; it is not well-formed as an "
+                           "expression",
+                       "text-like-expression"});
       return;
     }
     at = end;

@@ -49,6 +49,18 @@ Position TextPositions::at(std::size_t offset) const {
                                      static_cast<std::size_t>(inside) + 1)};
 }
 
+std::size_t TextPositions::offset_of(std::uint32_t line,
+                                     std::uint32_t column) const {
+  if (line == 0 || line > starts_.size())
+    return text_.size();
+  auto offset = starts_[line - 1];
+  for (; column > 1 && offset < text_.size(); --column)
+    do
+      ++offset;
+    while (offset < text_.size() && continues(text_[offset]));
+  return offset;
+}
+
 std::optional<std::size_t> find_invalid_utf8(std::string_view text) {
   for (std::size_t i = 0; i < text.size();) {
     const auto first = static_cast<unsigned char>(text[i]);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -17,6 +18,8 @@ public:
   TextPositions(std::string_view text, std::uint16_t file);
 
   Position at(std::size_t offset) const;
+  // The offset of a line's column; the text's end where there is none.
+  std::size_t offset_of(std::uint32_t line, std::uint32_t column) const;
 
 private:
   std::string_view text_;

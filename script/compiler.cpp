@@ -1,6 +1,5 @@
 #include "script/compiler.hpp"
 
-#include "script/allowances.hpp"
 #include "script/application_loader.hpp"
 #include "script/declaration_compiler.hpp"
 #include "script/settings_reader.hpp"
@@ -71,16 +70,14 @@ void Compiler::load_phrases() {
 }
 
 Compiled Compiler::finish() {
-  auto documents = loader_.take_documents();
+  const auto documents = loader_.take_documents();
   compile_declarations(documents, {settings_ ? &*settings_ : nullptr}, loader_,
                        *program_, findings_);
   program_->files = findings_.files();
   findings_.sort();
-  take_allowed(findings_);
   if (findings_.has_errors())
-    program_ = nullptr;
-  return {std::move(program_), std::move(findings_), std::move(documents),
-          std::move(settings_)};
+    return {nullptr, std::move(findings_)};
+  return {std::move(program_), std::move(findings_)};
 }
 
 Compiled Compiler::application(const fs::path& folder) {

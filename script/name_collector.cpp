@@ -11,11 +11,9 @@ std::string quoted(const std::string& name) {
 }
 
 std::string there_already(const char* what, const std::string& name,
-                          const Place& first, const Place& second) {
-  const auto slash = first.file.rfind('/') + 1; // npos + 1 is 0
+                          const Place& first) {
   return std::string("there is a ") + what + " " + quoted(name) +
-         " already, in line " + std::to_string(first.line) +
-         (first.file == second.file ? "" : " of " + first.file.substr(slash));
+         " already, at " + first.file + ":" + std::to_string(first.line);
 }
 
 // The parameters of a <function>; the body compiler judges them.
@@ -65,8 +63,7 @@ bool NameCollector::add(std::map<std::string, Position, std::less<>>& names,
   const auto [place, is_new] = names.emplace(name, element.position);
   if (!is_new) {
     findings_.error(element.position,
-                    there_already(what, name, findings_.place(place->second),
-                                  findings_.place(element.position)));
+                    there_already(what, name, findings_.place(place->second)));
     return false;
   }
   T entry;
@@ -83,8 +80,7 @@ void NameCollector::add_variable(const Element& element) {
     return findings_.error(
         element.position,
         there_already("variable", name,
-                      findings_.place(variable_positions_[name]),
-                      findings_.place(element.position)));
+                      findings_.place(variable_positions_[name])));
   variable_positions_[name] = element.position;
   Variable variable;
   variable.name = name;
@@ -123,8 +119,7 @@ void NameCollector::add_functions(const FunctionNames& functions,
     if (!is_new && !platform)
       findings_.error(function.position,
                       there_already("function", name,
-                                    findings_.place(place->second.position),
-                                    findings_.place(function.position)));
+                                    findings_.place(place->second.position)));
   }
 }
 
@@ -161,8 +156,7 @@ FunctionNames collect_functions(const Element& holder, Program& program,
       return findings.error(
           element.position,
           there_already("function", name,
-                        findings.place(found->second.position),
-                        findings.place(element.position)));
+                        findings.place(found->second.position)));
     auto function = signature_of(element);
     function.code = static_cast<CodeId>(program.code.size());
     program.code.emplace_back();

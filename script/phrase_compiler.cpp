@@ -15,10 +15,8 @@ void check_act(const Attribute& act, Findings& findings) {
     return;
   const auto hint = did_you_mean(act.value, known);
   if (!hint.empty())
-    findings.add({Severity::warning,
-                  {act.value_position},
-                  "the engine says no act '" + act.value + "'" + hint,
-                  "unknown-act"});
+    findings.warning(act.value_position,
+                     "the engine says no act '" + act.value + "'" + hint);
 }
 
 void check_topic(const Element& phrase, const Compilation& compilation) {

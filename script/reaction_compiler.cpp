@@ -25,11 +25,9 @@ void warn_of_source(const std::string& name, Position position,
                     Compilation& compilation) {
   auto hint = did_you_mean(name, compilation.sources);
   if (!hint.empty() || !compilation.program.single_file)
-    compilation.findings.add(
-        {Severity::warning,
-         {position},
-         "no component, role or agent is called '" + name + "'" + hint,
-         "unknown-module"});
+    compilation.findings.warning(position, "no component, role or agent is "
+                                           "called '" +
+                                               name + "'" + hint);
 }
 
 std::string checked_source(const std::string& name, Position position,
@@ -127,11 +125,9 @@ EventName checked_event(EventName name, Position source, Position event,
   const auto events = names_of(role->events);
   const auto found = spelt_as(name.event, events);
   if (found.empty())
-    compilation.findings.add({Severity::warning,
-                              {event},
-                              name.source + " has no event '" + name.event +
-                                  "'" + did_you_mean(name.event, events),
-                              "unknown-event"});
+    compilation.findings.warning(event, name.source + " has no event '" +
+                                            name.event + "'" +
+                                            did_you_mean(name.event, events));
   else
     name.event = found;
   return name;

@@ -94,11 +94,8 @@ std::string SettingsReader::variable(const std::string& name,
                                      Position position) {
   auto value = environment_ ? environment_(name) : std::string();
   if (value.empty())
-    findings_.add(
-        {Severity::warning,
-         {position},
-         "the environment has no '" + name + "'; ${" + name + "} is empty",
-         "missing-environment"});
+    findings_.warning(position, "the environment has no '" + name + "'; ${" +
+                                    name + "} is empty");
   return value;
 }
 
@@ -138,10 +135,7 @@ void SettingsReader::read_component(const Element& element) {
       return findings_.error(element.position,
                              "'" + name + "' is not in <Plugins>" +
                                  did_you_mean(name, known) +
-                                 (did_you_mean(name, known).empty()
-                                      ? "; list it there, or, for a further "
-                                        "instance, say plugin=\"…\""
-                                      : ""));
+                                 " A further instance says plugin=\"…\"");
     }
     settings_.components.push_back(
         {name, own_name(plugin->value), {}, place(element)});

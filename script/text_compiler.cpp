@@ -47,7 +47,7 @@ bool prints_as_written(const Node& node, std::string_view text) {
 NodePointer ExpressionCompiler::parse(const Source& source) {
   auto parsed = parse_expression(source.text);
   if (!parsed.node)
-    report(source, parsed);
+    b_.findings.error(source.at(parsed.error_offset), parsed.error);
   return std::move(parsed.node);
 }
 
@@ -102,13 +102,16 @@ void ExpressionCompiler::warn_of_text(const Source& source) {
                           ? nearest(word, b_.visible_names())
                           : std::string();
     if (!near.empty())
-      b_.findings.add({Severity::warning, source.spot(),
-                       "'" + word +
-                           "' is taken as text; for the variable write '" +
-                           near + "'",
-                       "text-like-expression"});
+      b_.findings.warning(source.start, "'" + word +
+                                            "' is taken as text; for "
+                                            "the variable write '" +
+                                            near + "'");
     return;
   }
+  if (std::none_of(text.begin(), text.end(), [](char letter) {
+        return letter == '+' || letter == '[' || letter == '(';
+      }))
+    return;
   for (const auto& part : split_text(source))
     if (part.node)
       return; // it embeds what it means to
@@ -125,13 +128,12 @@ void ExpressionCompiler::warn_of_text(const Source& source) {
     const auto after = trimmed(source.text.substr(end));
     const bool opens = end < source.text.size() &&
                        (source.text[end] == '[' || source.text[end] == '(');
-    if (is_declared(word) &&
-        (opens || before.ends_with('+') || after.starts_with('+'))) {
-      b_.findings.add({Severity::warning, source.spot(at, word.size()),
-                       "this is taken as text, although '" + word +
-                           "' is declared; it is not well-formed as an "
-                           "expression",
-                       "text-like-expression"});
+    if ((opens || before.ends_with('+') || after.starts_with('+')) &&
+        is_declared(word)) {
+      b_.findings.warning(source.at(at), "this is taken as text, although '" +
+                                             word +
+                                             "' is declared; it is not "
+                                             "well-formed as an expression");
       return;
     }
     at = end;
@@ -177,7 +179,9 @@ std::vector<TextPart> ExpressionCompiler::split_text(const Source& source) {
   std::vector<TextPart> parts;
   const auto text = source.text;
   for (std::size_t at = 0; at < text.size();) {
-    const auto brace = std::min(text.find_first_of("{}", at), text.size());
+    auto brace = at;
+    while (brace < text.size() && text[brace] != '{' && text[brace] != '}')
+      ++brace;
     if (brace > at)
       add_literal(parts, text.substr(at, brace - at));
     at = brace;

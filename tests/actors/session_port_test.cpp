@@ -38,7 +38,6 @@ protected:
               [](const output_done&) {},
               [](const look&) {},
               [self](const end_session&) { self->quit(); },
-              [](const leave&) {},
           };
         },
         0);

@@ -1,4 +1,0 @@
-insert into robot (name, room, skill) values
-  ('Rover', 'room 12', 'grasping'),
-  ('Pepper', 'room 3', 'talking'),
-  ('Spot', 'room 12', 'walking');

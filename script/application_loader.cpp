@@ -64,7 +64,7 @@ ApplicationLoader::read(const fs::path& path,
     findings_.error(place, path.string() + ": " + bytes.error().message);
     return std::nullopt;
   }
-  const auto file = findings_.add_file(path.string());
+  const auto file = findings_.add_file(path.string(), *bytes);
   auto root = read_source(std::move(*bytes), file, findings_);
   if (!root || !validate(*root, roots, findings_))
     return std::nullopt;

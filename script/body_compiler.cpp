@@ -93,7 +93,7 @@ CodeId BodyCompiler::text(const std::string& text, Position position,
                           const std::vector<std::string>& parameters) {
   return value(program_, names_, findings_, context, position, parameters,
                [&](ExpressionCompiler& compiler, Register target) {
-                 compiler.text({text, position}, target);
+                 compiler.text({text, position, true}, target);
                });
 }
 

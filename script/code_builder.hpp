@@ -42,11 +42,19 @@ struct Meaning {
 // A text and where it begins, to place what stands inside of it.
 struct Source {
   std::string_view text;
-  Position start;
+  Position start;         // for instructions; entities before it count as one
+  bool collapsed = false; // the text went through script::collapsed
+  Position value{};       // where the whole value begins; line 0: at `start`
+  std::size_t skip = 0;   // bytes of the value before the text
 
   Position at(std::size_t offset) const;
   Source part(std::size_t offset, std::size_t length) const {
-    return {text.substr(offset, length), at(offset)};
+    return {text.substr(offset, length), at(offset), collapsed,
+            value.line > 0 ? value : start, skip + offset};
+  }
+  // For findings: exact.
+  Spot spot(std::size_t offset = 0, std::size_t length = 0) const {
+    return {value.line > 0 ? value : start, skip + offset, length, collapsed};
   }
 };
 
@@ -69,7 +77,7 @@ public:
     return position_;
   }
   Label emit(Operation operation, std::size_t a = 0, std::size_t b = 0,
-             std::size_t c = 0, std::uint8_t flag = 0);
+             std::size_t c = 0, bool flag = false);
   Label emit_wide(Operation operation, std::size_t a, std::uint32_t wide,
                   std::uint8_t flag = 0);
   std::uint32_t here() const {
@@ -87,11 +95,6 @@ public:
   void declare_parameter(std::string_view name, Register target);
   void load_text(Register target, std::string_view text);
   std::uint16_t shape(EffectShape shape);
-  // What was emitted since `from`, where it is a single instruction of this
-  // kind; else null.
-  Instruction* only(std::uint32_t from, Operation operation);
-  // Takes that instruction back.
-  Instruction take_back();
 
   // -- registers --------------------------------------------------------------
   Register allocate(std::size_t count = 1);
@@ -101,8 +104,6 @@ public:
   void release(Register mark) {
     next_ = mark;
   }
-  // The last register allocated, with nothing in it that a name stands for.
-  bool is_last_temporary(Register reg) const;
 
   // -- names ------------------------------------------------------------------
   void open_scope();

@@ -1,5 +1,6 @@
 #include "script/compiler.hpp"
 
+#include "script/allowances.hpp"
 #include "script/application_loader.hpp"
 #include "script/declaration_compiler.hpp"
 #include "script/settings_reader.hpp"
@@ -70,14 +71,16 @@ void Compiler::load_phrases() {
 }
 
 Compiled Compiler::finish() {
-  const auto documents = loader_.take_documents();
+  auto documents = loader_.take_documents();
   compile_declarations(documents, {settings_ ? &*settings_ : nullptr}, loader_,
                        *program_, findings_);
   program_->files = findings_.files();
   findings_.sort();
+  take_allowed(findings_);
   if (findings_.has_errors())
-    return {nullptr, std::move(findings_)};
-  return {std::move(program_), std::move(findings_)};
+    program_ = nullptr;
+  return {std::move(program_), std::move(findings_), std::move(documents),
+          std::move(settings_)};
 }
 
 Compiled Compiler::application(const fs::path& folder) {

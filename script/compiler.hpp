@@ -5,7 +5,10 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
+#include <vector>
 
+#include "script/application_loader.hpp"
 #include "script/findings.hpp"
 #include "script/program.hpp"
 
@@ -20,6 +23,10 @@ struct CompileOptions {
 struct Compiled {
   std::shared_ptr<const Program> program; // null where there are errors
   Findings findings;
+  // What it was made of, for those that look further; mended by the validator
+  // where there are errors.
+  std::vector<Document> documents{};
+  std::optional<Element> settings{}; // of an application
 };
 
 // An application's folder with its settings.xml.

@@ -51,7 +51,7 @@ struct Node {
   NodeKind kind = NodeKind::unknown;
   Operator operation = Operator::equal;
   bool flag = false;
-  std::uint32_t offset = 0; // bytes from the text's beginning
+  std::uint32_t offset = 0; // bytes from the text's beginning; a field's name
   std::int64_t integer = 0;
   double number = 0;
   std::string text;

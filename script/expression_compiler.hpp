@@ -1,6 +1,7 @@
 // From expressions and texts (language rules 3 and 4) to instructions.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -32,12 +33,14 @@ public:
   // -- attributes -------------------------------------------------------------
   // Null and a finding where it is not well-formed.
   NodePointer parse(const Source& source);
+  // Tells what is wrong with one that is not well-formed.
+  void report(const Source& source, const Parsed& parsed);
   // Always an expression.
   void expression(const Source& source, Register target);
   // Language rule 4: the tree if it is an expression, null if it is text.
   NodePointer decide(const Source& source);
   void text_or_expression(const Source& source, Register target);
-  std::vector<TextPart> split_text(const Source& source);
+  static std::vector<TextPart> split_text(const Source& source);
   void text(const Source& source, Register target);
 
   // Stores register `from` where a <set> says; false: not assignable.
@@ -56,8 +59,12 @@ private:
   void compare_jump(const Node& node, const Source& source, bool when,
                     std::vector<Label>& labels);
   bool constant_of(const Node& node, Box& box);
-  void error(const Node& node, const Source& source, std::string message);
+  // At the node's name or operator, with a correction where one is sure.
+  void error(const Node& node, const Source& source, std::string message,
+             std::optional<std::string> replacement = {});
+  void unknown_function(const Node& node, const Source& source);
   void unknown_name(const Node& node, const Source& source);
+  void unknown_target(const Node& node, const Source& source); // of a <set>
   bool is_declared(const std::string& name) const;
   void warn_of_text(const Source& source);
   struct Mentions {

@@ -44,9 +44,35 @@ std::size_t distance(std::string_view a, std::string_view b) {
   return table.back();
 }
 
-// A third of the letters may be wrong, one of a short name.
+// A third of the letters may be wrong, one of a short name; of a name of one
+// letter only its size.
 std::size_t tolerance(std::string_view name) {
+  if (name.size() == 1)
+    return 1;
   return std::max<std::size_t>(10, name.size() * 10 / 3);
+}
+
+// More help nobody; and each costs time.
+constexpr std::size_t most_findings = 1000;
+
+// How a piece of a value is written in the file, where `delimiter` stands
+// before the value. Strings in it get the other quotes where these end it.
+std::string as_in_file(std::string text, char delimiter) {
+  const char other = delimiter == '"' ? '\'' : '"';
+  if ((delimiter == '"' || delimiter == '\'') &&
+      text.find(other) == std::string::npos)
+    std::replace(text.begin(), text.end(), delimiter, other);
+  std::string written;
+  for (const char letter : text)
+    if (letter == '&')
+      written += "&amp;";
+    else if (letter == '<')
+      written += "&lt;";
+    else if (letter == delimiter && (letter == '"' || letter == '\''))
+      written += letter == '"' ? "&quot;" : "&apos;";
+    else
+      written += letter;
+  return written;
 }
 
 } // namespace
@@ -60,17 +86,62 @@ std::string to_string(const Finding& finding) {
   return text + finding.message;
 }
 
-std::uint16_t Findings::add_file(std::string name) {
+std::uint16_t Findings::add_file(std::string name, std::string text) {
   files_.push_back(std::move(name));
+  texts_.emplace_back(std::move(text));
   return static_cast<std::uint16_t>(files_.size() - 1);
 }
 
 void Findings::error(Position position, std::string message) {
-  findings_.push_back({Severity::error, place(position), std::move(message)});
+  add({Severity::error, {position}, std::move(message)});
 }
 
 void Findings::warning(Position position, std::string message) {
-  findings_.push_back({Severity::warning, place(position), std::move(message)});
+  add({Severity::warning, {position}, std::move(message)});
+}
+
+void Findings::add(Report report) {
+  if (findings_.size() > most_findings) {
+    if (report.severity == Severity::error)
+      findings_.back().severity = Severity::error;
+    return;
+  }
+  if (findings_.size() == most_findings)
+    report = {report.severity, report.spot,
+              "there is more; this is the last "
+              "place that is told"};
+  const auto& spot = report.spot;
+  Finding finding{report.severity, place(spot.start), std::move(report.message),
+                  std::move(report.name)};
+  const auto file = spot.start.file;
+  finding.place.column += static_cast<std::uint32_t>(spot.skip);
+  if (spot.start.line > 0 && file < texts_.size() &&
+      !texts_[file].text().empty()) {
+    const auto& source = texts_[file];
+    const auto start = source.offset_of(spot.start);
+    auto& [begin, end] = finding.range;
+    begin = start;
+    if (spot.skip > 0 || spot.collapsed)
+      begin = source.inside(start, spot.skip, spot.collapsed);
+    end = spot.length == 0 ? source.end_of(begin)
+          : spot.raw
+              ? begin + spot.length
+              : source.inside(start, spot.skip + spot.length, spot.collapsed);
+    const auto first = source.at(begin), last = source.at(end);
+    finding.place = {files_[file], first.line, first.column};
+    finding.end = {files_[file], last.line, last.column};
+    if (report.replacement)
+      finding.fix.push_back(
+          {finding.range,
+           spot.raw ? std::move(*report.replacement)
+                    : as_in_file(*report.replacement,
+                                 start > 0 ? source.text()[start - 1] : '\0')});
+  }
+  findings_.push_back(std::move(finding));
+}
+
+void Findings::add_edit(Edit edit) {
+  findings_.back().fix.push_back(std::move(edit));
 }
 
 bool Findings::has_errors() const {
@@ -114,6 +185,16 @@ std::string nearest(std::string_view name,
     }
   }
   return found;
+}
+
+std::string same_but_case(std::string_view name,
+                          const std::vector<std::string>& candidates) {
+  for (const auto& candidate : candidates)
+    if (candidate != name &&
+        std::equal(name.begin(), name.end(), candidate.begin(), candidate.end(),
+                   [](char a, char b) { return lower(a) == lower(b); }))
+      return candidate;
+  return {};
 }
 
 std::string did_you_mean(std::string_view name,

@@ -22,6 +22,16 @@ bool is_blank(char c) {
   return c == ' ' || c == '\t' || c == '\n' || c == '\r';
 }
 
+// They are letters to nobody, but beyond ASCII.
+std::size_t find_typographic_quote(std::string_view word) {
+  for (std::size_t i = 0; i + 2 < word.size(); ++i)
+    if (word[i] == '\xe2' && word[i + 1] == '\x80' &&
+        static_cast<unsigned char>(word[i + 2]) >= 0x98 &&
+        static_cast<unsigned char>(word[i + 2]) <= 0x9f)
+      return i;
+  return std::min(word.find("\xc2\xab"), word.find("\xc2\xbb"));
+}
+
 // The longest first.
 constexpr std::array<std::string_view, 24> symbols{
     "==", "!=", "<=", ">=", "||", "&&", "<", ">", "+", "-", "*", "/",
@@ -29,9 +39,7 @@ constexpr std::array<std::string_view, 24> symbols{
 
 class Lexer {
 public:
-  explicit Lexer(std::string_view text) : text_(text) {
-    result_.tokens.reserve(std::min<std::size_t>(text.size(), 64) / 2 + 2);
-  }
+  explicit Lexer(std::string_view text) : text_(text) {}
 
   Tokens run() {
     while (result_.error.empty()) {
@@ -44,7 +52,7 @@ public:
         break;
       }
       read(token);
-      result_.tokens.push_back(token);
+      result_.tokens.push_back(std::move(token));
     }
     return std::move(result_);
   }
@@ -78,6 +86,9 @@ private:
       ++at_;
     token.kind = TokenKind::word;
     token.text = text_.substr(start, at_ - start);
+    if (const auto quote = find_typographic_quote(token.text);
+        quote != std::string::npos)
+      fail("a typographic quotation mark has no meaning here", start + quote);
   }
 
   void digits() {
@@ -124,27 +135,16 @@ private:
   void string(Token& token, char quote) {
     const auto start = at_++;
     token.kind = TokenKind::string;
-    while (at_ < text_.size() && text_[at_] != quote && text_[at_] != '\\')
-      ++at_;
-    token.text = text_.substr(start + 1, at_ - start - 1);
-    if (at_ < text_.size() && text_[at_] == '\\')
-      token.text = with_escapes(token.text, quote);
+    while (at_ < text_.size() && text_[at_] != quote && result_.error.empty())
+      if (text_[at_] == '\\')
+        escape(token.text);
+      else
+        token.text += text_[at_++];
     if (!result_.error.empty())
       return;
     if (at_ == text_.size())
       return fail("the string has no closing quote", start);
     ++at_;
-  }
-
-  // Goes on up to the quote or a fault.
-  std::string_view with_escapes(std::string_view begun, char quote) {
-    auto& value = result_.unescaped.emplace_front(begun);
-    while (at_ < text_.size() && text_[at_] != quote && result_.error.empty())
-      if (text_[at_] == '\\')
-        escape(value);
-      else
-        value += text_[at_++];
-    return value;
   }
 
   void escape(std::string& text) {
@@ -190,8 +190,7 @@ private:
 
   void symbol(Token& token) {
     for (auto candidate : symbols)
-      if (candidate[0] == text_[at_] &&
-          text_.substr(at_).starts_with(candidate)) {
+      if (text_.substr(at_).starts_with(candidate)) {
         token.kind = TokenKind::symbol;
         token.text = candidate;
         at_ += candidate.size();

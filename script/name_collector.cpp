@@ -11,9 +11,11 @@ std::string quoted(const std::string& name) {
 }
 
 std::string there_already(const char* what, const std::string& name,
-                          const Place& first) {
+                          const Place& first, const Place& second) {
+  const auto slash = first.file.rfind('/') + 1; // npos + 1 is 0
   return std::string("there is a ") + what + " " + quoted(name) +
-         " already, at " + first.file + ":" + std::to_string(first.line);
+         " already, in line " + std::to_string(first.line) +
+         (first.file == second.file ? "" : " of " + first.file.substr(slash));
 }
 
 // The parameters of a <function>; the body compiler judges them.
@@ -63,7 +65,8 @@ bool NameCollector::add(std::map<std::string, Position, std::less<>>& names,
   const auto [place, is_new] = names.emplace(name, element.position);
   if (!is_new) {
     findings_.error(element.position,
-                    there_already(what, name, findings_.place(place->second)));
+                    there_already(what, name, findings_.place(place->second),
+                                  findings_.place(element.position)));
     return false;
   }
   T entry;
@@ -80,7 +83,8 @@ void NameCollector::add_variable(const Element& element) {
     return findings_.error(
         element.position,
         there_already("variable", name,
-                      findings_.place(variable_positions_[name])));
+                      findings_.place(variable_positions_[name]),
+                      findings_.place(element.position)));
   variable_positions_[name] = element.position;
   Variable variable;
   variable.name = name;
@@ -119,7 +123,8 @@ void NameCollector::add_functions(const FunctionNames& functions,
     if (!is_new && !platform)
       findings_.error(function.position,
                       there_already("function", name,
-                                    findings_.place(place->second.position)));
+                                    findings_.place(place->second.position),
+                                    findings_.place(function.position)));
   }
 }
 
@@ -156,7 +161,8 @@ FunctionNames collect_functions(const Element& holder, Program& program,
       return findings.error(
           element.position,
           there_already("function", name,
-                        findings.place(found->second.position)));
+                        findings.place(found->second.position),
+                        findings.place(element.position)));
     auto function = signature_of(element);
     function.code = static_cast<CodeId>(program.code.size());
     program.code.emplace_back();

@@ -15,8 +15,10 @@ void check_act(const Attribute& act, Findings& findings) {
     return;
   const auto hint = did_you_mean(act.value, known);
   if (!hint.empty())
-    findings.warning(act.value_position,
-                     "the engine says no act '" + act.value + "'" + hint);
+    findings.add({Severity::warning,
+                  {act.value_position},
+                  "the engine says no act '" + act.value + "'" + hint,
+                  "unknown-act"});
 }
 
 void check_topic(const Element& phrase, const Compilation& compilation) {

@@ -25,9 +25,11 @@ void warn_of_source(const std::string& name, Position position,
                     Compilation& compilation) {
   auto hint = did_you_mean(name, compilation.sources);
   if (!hint.empty() || !compilation.program.single_file)
-    compilation.findings.warning(position, "no component, role or agent is "
-                                           "called '" +
-                                               name + "'" + hint);
+    compilation.findings.add(
+        {Severity::warning,
+         {position},
+         "no component, role or agent is called '" + name + "'" + hint,
+         "unknown-module"});
 }
 
 std::string checked_source(const std::string& name, Position position,
@@ -125,9 +127,11 @@ EventName checked_event(EventName name, Position source, Position event,
   const auto events = names_of(role->events);
   const auto found = spelt_as(name.event, events);
   if (found.empty())
-    compilation.findings.warning(event, name.source + " has no event '" +
-                                            name.event + "'" +
-                                            did_you_mean(name.event, events));
+    compilation.findings.add({Severity::warning,
+                              {event},
+                              name.source + " has no event '" + name.event +
+                                  "'" + did_you_mean(name.event, events),
+                              "unknown-event"});
   else
     name.event = found;
   return name;

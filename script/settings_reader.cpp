@@ -94,8 +94,11 @@ std::string SettingsReader::variable(const std::string& name,
                                      Position position) {
   auto value = environment_ ? environment_(name) : std::string();
   if (value.empty())
-    findings_.warning(position, "the environment has no '" + name + "'; ${" +
-                                    name + "} is empty");
+    findings_.add(
+        {Severity::warning,
+         {position},
+         "the environment has no '" + name + "'; ${" + name + "} is empty",
+         "missing-environment"});
   return value;
 }
 
@@ -135,7 +138,10 @@ void SettingsReader::read_component(const Element& element) {
       return findings_.error(element.position,
                              "'" + name + "' is not in <Plugins>" +
                                  did_you_mean(name, known) +
-                                 " A further instance says plugin=\"…\"");
+                                 (did_you_mean(name, known).empty()
+                                      ? "; list it there, or, for a further "
+                                        "instance, say plugin=\"…\""
+                                      : ""));
     }
     settings_.components.push_back(
         {name, own_name(plugin->value), {}, place(element)});

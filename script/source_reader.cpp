@@ -2,7 +2,6 @@
 
 #include <cstring>
 #include <fstream>
-#include <iterator>
 
 #include <pugixml.hpp>
 
@@ -14,13 +13,7 @@ namespace parlour::script {
 namespace {
 
 constexpr auto npos = std::string_view::npos;
-// As a fragment, so that text outside of the root element is seen.
-constexpr auto parse_options =
-    pugi::parse_default | pugi::parse_doctype | pugi::parse_fragment;
-
-std::string quoted_tag(const std::string& name) {
-  return "<" + name + ">";
-}
+constexpr auto parse_options = pugi::parse_default | pugi::parse_doctype;
 
 // What the parser expected where it gave up, tags that do not match aside.
 const char* sentence_of(pugi::xml_parse_status status) {
@@ -60,13 +53,14 @@ private:
   std::size_t beginning(pugi::xml_parse_status status,
                         std::size_t offset) const;
   void explain(const pugi::xml_parse_result& result);
-  std::string tag_sentence(const TagProblem& problem) const;
   void check_document();
   void build(pugi::xml_node node, Element& element, std::size_t depth);
   void read_attributes(pugi::xml_node node, Element& element);
   void read_text(pugi::xml_node node, Element& element);
   void check_name(const char* name, std::size_t offset);
   void error(std::size_t offset, std::string message);
+  // What is wrong and does not keep the rest from being read.
+  void tell(const XmlSlip& slip);
   std::size_t offset_of(const char* inside) const {
     return static_cast<std::size_t>(inside - buffer_.data());
   }
@@ -81,29 +75,26 @@ private:
 
 void Reader::error(std::size_t offset, std::string message) {
   failed_ = true;
-  findings_.error(positions_.at(offset), std::move(message));
+  tell({offset, 0, std::move(message)});
+}
+
+void Reader::tell(const XmlSlip& slip) {
+  findings_.add({Severity::error,
+                 {.start = positions_.at(slip.offset),
+                  .length = slip.length,
+                  .raw = true},
+                 slip.message,
+                 "xml",
+                 slip.replacement});
 }
 
 void Reader::check_text() {
   if (const auto invalid = find_invalid_utf8(text_))
     return error(*invalid, "this is not UTF-8; save the file as UTF-8");
   for (std::size_t i = 0; i < text_.size(); ++i)
-    if (static_cast<unsigned char>(text_[i]) < 0x20 && text_[i] != '\n' &&
-        text_[i] != '\t' && text_[i] != '\r')
+    if (static_cast<unsigned char>(text_[i]) < 0x20 &&
+        !std::strchr("\t\r\n", text_[i] ? text_[i] : 1))
       return error(i, "a control character may not stand in XML");
-}
-
-std::string Reader::tag_sentence(const TagProblem& problem) const {
-  const auto line = std::to_string(positions_.at(problem.open.offset).line);
-  const auto open =
-      quoted_tag(problem.open.name) + " of line " + line + " is open";
-  if (problem.found.empty())
-    return "the file ends while " + open + "; expected </" + problem.open.name +
-           ">";
-  if (problem.open.name.empty())
-    return "</" + problem.found + "> closes nothing: no element is open";
-  return "</" + problem.found + "> does not fit: " + open + "; expected </" +
-         problem.open.name + ">";
 }
 
 // What does not end is told where it begins.
@@ -120,13 +111,12 @@ std::size_t Reader::beginning(pugi::xml_parse_status status,
 
 void Reader::explain(const pugi::xml_parse_result& result) {
   const auto offset = static_cast<std::size_t>(result.offset);
-  const auto tags = find_tag_problem(text_);
-  const bool mismatch = result.status == pugi::status_end_element_mismatch ||
-                        result.status == pugi::status_bad_end_element;
-  if (mismatch && tags.offset != npos &&
-      !(tags.found.empty() && tags.open.name.empty()))
-    return error(tags.offset, tag_sentence(tags));
-  error(beginning(result.status, offset), sentence_of(result.status));
+  const auto slips = find_xml_slips(text_);
+  for (const auto& slip : slips)
+    tell(slip);
+  failed_ = true;
+  if (slips.empty())
+    error(beginning(result.status, offset), sentence_of(result.status));
 }
 
 void Reader::check_name(const char* name, std::size_t offset) {
@@ -137,18 +127,14 @@ void Reader::check_name(const char* name, std::size_t offset) {
 }
 
 void Reader::read_attributes(pugi::xml_node node, Element& element) {
-  auto report = [this](std::size_t offset, std::string sentence) {
-    error(offset, std::move(sentence));
-  };
-  element.attributes.reserve(static_cast<std::size_t>(
-      std::distance(node.attributes_begin(), node.attributes_end())));
+  auto report = [this](const XmlSlip& slip) { tell(slip); };
   for (auto attribute : node.attributes()) {
     const auto at = offset_of(attribute.name());
     const auto value_at = offset_of(attribute.value());
     check_name(attribute.name(), at);
     check_characters(text_, value_at, true, report);
     if (element.attribute(attribute.name()))
-      error(at, "'" + std::string(attribute.name()) + "' is given twice");
+      tell({at, 0, "'" + std::string(attribute.name()) + "' is given twice"});
     element.attributes.push_back({attribute.name(), attribute.value(),
                                   positions_.at(at), positions_.at(value_at)});
   }
@@ -158,9 +144,7 @@ void Reader::read_text(pugi::xml_node node, Element& element) {
   const auto offset = offset_of(node.value());
   if (node.type() == pugi::node_pcdata)
     check_characters(text_, offset, false,
-                     [this](std::size_t at, std::string sentence) {
-                       error(at, std::move(sentence));
-                     });
+                     [this](const XmlSlip& slip) { tell(slip); });
   if (element.text.empty()) {
     const auto first = text_.find_first_not_of(" \t\r\n", offset);
     element.text_position = positions_.at(first);
@@ -177,8 +161,6 @@ void Reader::build(pugi::xml_node node, Element& element, std::size_t depth) {
     return error(offset, "elements are nested deeper than " +
                              std::to_string(deepest_nesting) + " levels");
   read_attributes(node, element);
-  element.children.reserve(
-      static_cast<std::size_t>(std::distance(node.begin(), node.end())));
   for (auto child : node.children()) {
     if (child.type() == pugi::node_element)
       build(child, element.children.emplace_back(), depth + 1);
@@ -199,19 +181,16 @@ void Reader::check_document() {
     if (node.type() == pugi::node_element && ++roots == 2)
       error(offset_of(node.name()) - 1,
             "a second root element; a file has one");
-    if (node.type() == pugi::node_pcdata || node.type() == pugi::node_cdata)
-      error(text_.find_first_not_of(" \t\r\n", offset_of(node.value())),
-            "text outside of the root element");
   }
-  if (roots == 0)
-    error(0, sentence_of(pugi::status_no_document_element));
+  if (const auto outside = find_text_outside(text_); outside != npos)
+    error(outside, "text outside of the root element");
 }
 
 std::optional<Element> Reader::read() {
   check_text();
   if (failed_)
     return std::nullopt;
-  buffer_ = text_ + '\n'; // its last byte is the parser's
+  buffer_ = text_;
   const auto result = document_.load_buffer_inplace(
       buffer_.data(), buffer_.size(), parse_options, pugi::encoding_utf8);
   if (!result) {
@@ -220,8 +199,7 @@ std::optional<Element> Reader::read() {
   }
   check_document();
   Element root;
-  if (!failed_)
-    build(document_.document_element(), root, 1);
+  build(document_.document_element(), root, 1);
   if (failed_)
     return std::nullopt;
   return root;
@@ -247,14 +225,10 @@ Expected<std::string> read_bytes(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   if (!file)
     return fail(ErrorKind::file, "this file cannot be read");
-  constexpr std::size_t part = 64 << 10;
-  std::string text;
-  while (file && text.size() <= largest_source) {
-    const auto size = text.size();
-    text.resize(size + part);
-    file.read(text.data() + size, part);
-    text.resize(size + static_cast<std::size_t>(file.gcount()));
-  }
+  std::string text(largest_source + 1, '\0');
+  file.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(file.gcount()));
+  text.shrink_to_fit();
   return text;
 }
 

@@ -71,6 +71,19 @@ void StatementCompiler::argument(const Argument& argument, Register target,
   expressions_.into(*node, source, target);
 }
 
+namespace {
+
+// " (who, when)", for those who forgot what the function wants.
+std::string parameters_text(const FunctionName* function) {
+  std::string text;
+  if (function)
+    for (const auto& name : function->parameter_names)
+      text += (text.empty() ? " (" : ", ") + name;
+  return text.empty() ? text : text + ")";
+}
+
+} // namespace
+
 void StatementCompiler::call(const Element& element) {
   const auto* name = required(element, "function");
   if (!name)
@@ -99,7 +112,8 @@ void StatementCompiler::call(const Element& element) {
     error(element.position,
           "'" + name->value + "' takes " + std::to_string(minimum) +
               (minimum == maximum ? "" : " to " + std::to_string(maximum)) +
-              " arguments, not " + std::to_string(count));
+              (maximum == 1 ? " argument" : " arguments") +
+              parameters_text(function) + ", not " + std::to_string(count));
   const auto base = b_.allocate(count ? count : 1);
   for (std::size_t i = 0; i < count; ++i)
     argument(arguments[i], static_cast<Register>(base + i), function);
@@ -108,8 +122,7 @@ void StatementCompiler::call(const Element& element) {
     b_.emit_wide(Operation::call, base, function->code,
                  static_cast<std::uint8_t>(count));
   else
-    b_.emit(Operation::call_builtin, base, *builtin_at, base,
-            static_cast<std::uint8_t>(count));
+    b_.emit(Operation::call_builtin, base, *builtin_at, count);
   store_result(element.attribute("return"), base);
 }
 
@@ -132,12 +145,10 @@ void StatementCompiler::return_(const Element& element) {
     b_.emit(Operation::give_unknown);
     return;
   }
-  const auto source = source_of(*expression);
-  if (const auto node = expressions_.parse(source)) {
-    const auto value = expressions_.any(*node, source);
-    end_transactions(0);
-    b_.emit(Operation::give_back, value);
-  }
+  const auto value = b_.allocate();
+  expressions_.expression(source_of(*expression), value);
+  end_transactions(0);
+  b_.emit(Operation::give_back, value);
   b_.release(mark);
 }
 
@@ -178,8 +189,10 @@ void StatementCompiler::try_(const Element& element) {
     }
   if (handler)
     return catch_errors(from, handler);
-  b_.findings.warning(element.position,
-                      "<try> needs a <catch>; without one, errors pass on");
+  b_.findings.add({Severity::warning,
+                   {element.position},
+                   "<try> needs a <catch>; without one, errors pass on",
+                   "catchless-try"});
 }
 
 } // namespace parlour::script

@@ -43,13 +43,20 @@ bool is_plain_literal(const Node& node) {
 void StatementCompiler::joined_sql(const Node& node, const Source& source) {
   if (!joins(node) || b_.program.settings.unsafe_sql)
     return;
-  const std::string message =
-      "SQL must not be built with '+': write {expr} in the text, or ? and "
-      "args, so that values are bound";
-  if (b_.program.single_file)
-    b_.findings.warning(source.at(node.offset), message);
-  else
-    error(source.at(node.offset), message);
+  b_.findings.add(
+      {b_.program.single_file ? Severity::warning : Severity::error,
+       source.spot(node.offset, 1),
+       "SQL must not be built with '+': write {expr} in the text, or ? and "
+       "args, so that values are bound",
+       "joined-sql"});
+}
+
+void StatementCompiler::impure_sql(std::string_view name,
+                                   const Source& source) {
+  b_.findings.add({Severity::warning, source.spot(),
+                   "the database's own " + std::string(name) +
+                       " cannot be repeated; pass now()",
+                   "impure-sql"});
 }
 
 // Every {expr} and every ? becomes a bound value, in the order of the text.
@@ -64,8 +71,10 @@ void StatementCompiler::bound_sql(const Source& source,
   for (auto& part : expressions_.split_text(source)) {
     if (part.node) {
       if (quote)
-        error(part.source.start, "{…} is a bound value; leave out the quotes "
-                                 "around it");
+        b_.findings.add({Severity::error, part.source.spot(),
+                         "{…} is a bound value; leave out the quotes around "
+                         "it",
+                         "expression"});
       sql += '?';
       bound.emplace_back(std::move(part.node), part.source);
       continue;
@@ -83,12 +92,11 @@ void StatementCompiler::bound_sql(const Source& source,
   if (used != arguments.size())
     error(source.start, "the statement has " + std::to_string(used) +
                             " placeholders '?', but args has " +
-                            std::to_string(arguments.size()) + " values");
+                            std::to_string(arguments.size()) +
+                            (arguments.size() == 1 ? " value" : " values"));
   const auto name = impure_function(sql);
   if (!name.empty())
-    b_.findings.warning(source.start, "the database's own " +
-                                          std::string(name) +
-                                          " cannot be repeated; pass now()");
+    impure_sql(name, source);
   b_.load_text(target, sql);
   const auto base = b_.allocate(bound.size());
   for (std::size_t i = 0; i < bound.size(); ++i)
@@ -104,7 +112,7 @@ void StatementCompiler::sql(const Attribute& attribute, const Attribute* args,
   const Source arguments_source = args ? source_of(*args) : Source{};
   auto parsed = parse_arguments(args ? args->value : "");
   if (!parsed.node)
-    error(arguments_source.at(parsed.error_offset), parsed.error);
+    expressions_.report(arguments_source, parsed);
   const auto node = expressions_.decide(source);
   if (!node) {
     auto arguments = parsed.node ? std::move(parsed.node->children)
@@ -115,9 +123,7 @@ void StatementCompiler::sql(const Attribute& attribute, const Attribute* args,
   joined_sql(*node, source);
   if (is_plain_literal(*node))
     if (const auto name = impure_function(node->text); !name.empty())
-      b_.findings.warning(source.start, "the database's own " +
-                                            std::string(name) +
-                                            " cannot be repeated; pass now()");
+      impure_sql(name, source);
   expressions_.into(*node, source, target);
   if (parsed.node)
     expressions_.into(*parsed.node, arguments_source, values);

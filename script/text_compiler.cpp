@@ -47,7 +47,7 @@ bool prints_as_written(const Node& node, std::string_view text) {
 NodePointer ExpressionCompiler::parse(const Source& source) {
   auto parsed = parse_expression(source.text);
   if (!parsed.node)
-    b_.findings.error(source.at(parsed.error_offset), parsed.error);
+    report(source, parsed);
   return std::move(parsed.node);
 }
 
@@ -102,16 +102,13 @@ void ExpressionCompiler::warn_of_text(const Source& source) {
                           ? nearest(word, b_.visible_names())
                           : std::string();
     if (!near.empty())
-      b_.findings.warning(source.start, "'" + word +
-                                            "' is taken as text; for "
-                                            "the variable write '" +
-                                            near + "'");
+      b_.findings.add({Severity::warning, source.spot(),
+                       "'" + word +
+                           "' is taken as text; for the variable write '" +
+                           near + "'",
+                       "text-like-expression"});
     return;
   }
-  if (std::none_of(text.begin(), text.end(), [](char letter) {
-        return letter == '+' || letter == '[' || letter == '(';
-      }))
-    return;
   for (const auto& part : split_text(source))
     if (part.node)
       return; // it embeds what it means to
@@ -128,12 +125,13 @@ void ExpressionCompiler::warn_of_text(const Source& source) {
     const auto after = trimmed(source.text.substr(end));
     const bool opens = end < source.text.size() &&
                        (source.text[end] == '[' || source.text[end] == '(');
-    if ((opens || before.ends_with('+') || after.starts_with('+')) &&
-        is_declared(word)) {
-      b_.findings.warning(source.at(at), "this is taken as text, although '" +
-                                             word +
-                                             "' is declared; it is not "
-                                             "well-formed as an expression");
+    if (is_declared(word) &&
+        (opens || before.ends_with('+') || after.starts_with('+'))) {
+      b_.findings.add({Severity::warning, source.spot(at, word.size()),
+                       "this is taken as text, although '" + word +
+                           "' is declared; it is not well-formed as an "
+                           "expression",
+                       "text-like-expression"});
       return;
     }
     at = end;
@@ -179,9 +177,7 @@ std::vector<TextPart> ExpressionCompiler::split_text(const Source& source) {
   std::vector<TextPart> parts;
   const auto text = source.text;
   for (std::size_t at = 0; at < text.size();) {
-    auto brace = at;
-    while (brace < text.size() && text[brace] != '{' && text[brace] != '}')
-      ++brace;
+    const auto brace = std::min(text.find_first_of("{}", at), text.size());
     if (brace > at)
       add_literal(parts, text.substr(at, brace - at));
     at = brace;

@@ -145,10 +145,12 @@ void TopicCompiler::compile(const FunctionNames* functions) {
   compile_bodies();
   if (topic_.kind == TopicKind::enquiry && topic_.queries.empty() &&
       topic_.filled == no_code)
-    compilation_.findings.warning(topic_.position,
-                                  "the enquiry '" + topic_.name +
-                                      "' has no <query> and no <filled>: "
-                                      "nothing answers it");
+    compilation_.findings.add({Severity::warning,
+                               {topic_.position},
+                               "the enquiry '" + topic_.name +
+                                   "' has no <query> and no <filled>: nothing "
+                                   "answers it",
+                               "unanswered-enquiry"});
 }
 
 } // namespace

@@ -3,6 +3,9 @@
 #include <algorithm>
 
 #include "script/attribute_check.hpp"
+#include "script/expression_slips.hpp"
+#include "script/slips.hpp"
+#include "script/tag_rename.hpp"
 
 namespace parlour::script {
 
@@ -35,6 +38,32 @@ std::string hint(const std::string& name,
   return otherwise + alternatives(candidates);
 }
 
+bool holds(const ElementRule& rule, const char* what) {
+  return std::find(rule.holds.begin(), rule.holds.end(), what) !=
+         rule.holds.end();
+}
+
+// The attribute that a text was meant for; null: there is none.
+const char* attribute_of_text(const ElementRule& rule) {
+  for (const auto* name : {"param", "expr"})
+    if (rule.attribute(name) && !holds(rule, "statements"))
+      return name;
+  return nullptr;
+}
+
+// What the text in an element that takes none was meant to be.
+std::string instead_of_text(const ElementRule& rule, const std::string& text) {
+  const auto* name = attribute_of_text(rule);
+  if (!name && holds(rule, "statements"))
+    return "to say it, write <speak param=\"" + text + "\"/>";
+  if (!name)
+    return "expected elements only";
+  const auto parsed = parse_expression(text);
+  const bool computes = parsed.node && parsed.node->kind != NodeKind::name;
+  return "write it as an attribute: " + std::string(name) + "=\"" +
+         (*name == 'e' && !computes ? quoted_text(text) : text) + "\"";
+}
+
 class Validator {
 public:
   explicit Validator(Findings& findings) : findings_(findings) {}
@@ -45,35 +74,86 @@ private:
   // False where the element must be taken out. `inside` names its parent.
   bool validate(Element& element, const ElementRule& parent,
                 const std::string& inside);
-  bool validate(Element& element, const ElementRule& rule);
   void validate_inside(Element& element, const ElementRule& rule);
-  void report_unknown(const Element& element, const ElementRule& parent,
-                      const std::string& inside);
+  void add(const Element& element, std::string message, const char* name);
+  void rename(const Element& element, const std::string& name);
+  void report_misplaced(const Element& element,
+                        const std::vector<std::string>& parents,
+                        const std::string& inside);
+  std::string report_unknown(const Element& element, const ElementRule& parent,
+                             const std::string& inside);
+  std::string report_unknown(const Attribute& attribute,
+                             const std::string& element,
+                             const std::vector<std::string>& names);
   bool replace_unavailable(Element& element, const ElementRule& rule);
   void check_text(const Element& element, const ElementRule& rule);
-  void check_attributes(Element& element, const ElementRule& rule);
-  void report_missing(const Element& element, const ElementRule& rule);
-  bool fill_missing(Element& element, const ElementRule& rule);
+  // The names of those that are there, wrong or not.
+  std::vector<std::string> check_attributes(Element& element,
+                                            const ElementRule& rule);
+  bool fill_missing(Element& element, const ElementRule& rule,
+                    const std::vector<std::string>& given);
 
   Findings& findings_;
 };
 
-void Validator::report_unknown(const Element& element,
-                               const ElementRule& parent,
-                               const std::string& inside) {
-  const auto parents = parents_of(element.name);
+void Validator::add(const Element& element, std::string message,
+                    const char* name) {
+  findings_.add(
+      {Severity::error, {element.position}, std::move(message), name});
+}
+
+// Another name for the element is sure enough to be put in its place.
+void Validator::rename(const Element& element, const std::string& name) {
+  constexpr std::size_t most = 100; // each looks for its end tag
+  if (findings_.all().size() > most)
+    return;
+  const auto& source = findings_.text(element.position.file);
+  for (auto& edit :
+       rename_tags(source.text(), source.offset_of(element.position), name))
+    findings_.add_edit(std::move(edit));
+}
+
+void Validator::report_misplaced(const Element& element,
+                                 const std::vector<std::string>& parents,
+                                 const std::string& inside) {
+  auto text = tag(element.name) + " may not stand in " + tag(inside) + "; ";
+  text += parents.size() > 6
+              ? "it is a statement: put it into a <function>, a state's "
+                "<Entrance>, an event or the like"
+              : "it belongs in " + tags(parents);
+  add(element, text, "element");
+}
+
+// What it was meant to be is how it goes on; empty: nobody knows.
+std::string Validator::report_unknown(const Element& element,
+                                      const ElementRule& parent,
+                                      const std::string& inside) {
   const auto allowed = names_within(parent.holds);
-  std::string text;
-  if (!parents.empty()) {
-    text = tag(element.name) + " may not stand in " + tag(inside) + "; ";
-    text += parents.size() > 6 ? "it is a statement"
-                               : "it belongs in " + tags(parents);
+  auto text = "unknown element " + tag(element.name) + " in " + tag(inside);
+  auto right = same_but_case(element.name, allowed);
+  const auto* slip = right.empty()
+                         ? find_slip(SlipPlace::element, element.name, &allowed)
+                         : nullptr;
+  bool sure = !right.empty();
+  if (sure) {
+    text +=
+        ", did you mean " + tag(right) + "? Small and capital letters differ";
+  } else if (slip && !slip->meant.empty()) {
+    right = slip->meant;
+    sure = slip->sentence.empty();
+    text += "; here it is called " + tag(right) + (sure ? "" : " ") +
+            std::string(slip->sentence);
+  } else if (slip) {
+    text += "; " + std::string(slip->sentence);
   } else {
-    text = "unknown element " + tag(element.name) + " in " + tag(inside);
+    right = nearest(element.name, allowed);
     text += allowed.empty() ? "; it holds no elements"
                             : hint(element.name, allowed, "; expected ");
   }
-  findings_.error(element.position, text);
+  add(element, text, "element");
+  if (sure)
+    rename(element, right);
+  return right;
 }
 
 // Where it would have set a variable, the variable is declared, so that its
@@ -92,52 +172,88 @@ bool Validator::replace_unavailable(Element& element, const ElementRule& rule) {
 }
 
 void Validator::check_text(const Element& element, const ElementRule& rule) {
-  if (element.text.empty() || rule.holds_text())
-    return;
   auto text = collapsed(element.text);
-  if (text.empty())
+  if (text.empty() || rule.holds_text())
     return;
   if (text.size() > 40)
     text = text.substr(0, text.find(' ', 20)) + " …";
-  findings_.error(element.text_position,
-                  "text '" + text + "' may not stand in " + tag(rule.name) +
-                      "; expected elements only");
+  findings_.add({Severity::error,
+                 {.start = element.text_position, .length = text.size()},
+                 "text '" + text + "' may not stand in " + tag(rule.name) +
+                     "; " + instead_of_text(rule, text),
+                 "text"});
 }
 
-void Validator::check_attributes(Element& element, const ElementRule& rule) {
-  std::erase_if(element.attributes, [&](const Attribute& attribute) {
+std::string Validator::report_unknown(const Attribute& attribute,
+                                      const std::string& element,
+                                      const std::vector<std::string>& names) {
+  auto text = tag(element) + " has no attribute '" + attribute.name + "'";
+  auto right = same_but_case(attribute.name, names);
+  bool sure = !right.empty();
+  if (sure) {
+    text += ", did you mean '" + right + "'? Small and capital letters differ";
+  } else if (const auto* slip =
+                 find_slip(SlipPlace::attribute, attribute.name, &names)) {
+    right = slip->meant;
+    sure = slip->sentence.empty();
+    text += "; here it is called '" + right + "'" + (sure ? "" : ", and ") +
+            std::string(slip->sentence);
+  } else {
+    right = nearest(attribute.name, names);
+    text += hint(attribute.name, names, "; it has ");
+  }
+  findings_.add({Severity::error,
+                 {.start = attribute.position,
+                  .length = attribute.name.size(),
+                  .raw = true},
+                 text,
+                 "attribute",
+                 sure ? std::optional(right) : std::nullopt});
+  return right;
+}
+
+std::vector<std::string> Validator::check_attributes(Element& element,
+                                                     const ElementRule& rule) {
+  std::vector<std::string> given;
+  const auto names = rule.attribute_names();
+  std::erase_if(element.attributes, [&](Attribute& attribute) {
     const auto* found = rule.attribute(attribute.name);
     if (!found) {
-      auto text = tag(name_of(element, rule)) + " has no attribute '" +
-                  attribute.name + "'";
-      findings_.error(
-          attribute.position,
-          text + hint(attribute.name, rule.attribute_names(), "; it has "));
-      return true;
+      // What it was meant to be is how it goes on.
+      auto right = report_unknown(attribute, name_of(element, rule), names);
+      found = right.empty() || element.attribute(right) ? nullptr
+                                                        : rule.attribute(right);
+      if (!found)
+        return true;
+      attribute.name = std::move(right);
     }
+    given.push_back(attribute.name);
     auto wrong = wrong_value(rule, *found, attribute.value);
     if (wrong.empty())
       return false;
-    findings_.error(attribute.value_position, std::move(wrong));
+    const auto right = same_but_case(attribute.value, found->words);
+    findings_.add({Severity::error,
+                   {attribute.value_position},
+                   std::move(wrong),
+                   "value",
+                   right.empty() ? std::nullopt : std::optional(right)});
     return true;
   });
+  return given;
 }
 
-void Validator::report_missing(const Element& element,
-                               const ElementRule& rule) {
-  for (const auto& attribute : rule.attributes)
-    if (attribute.required && !element.attribute(attribute.name))
-      findings_.error(element.position,
-                      tag(rule.name) + " needs the attribute '" +
-                          attribute.name + "': " + attribute.sentence);
-}
-
-bool Validator::fill_missing(Element& element, const ElementRule& rule) {
+bool Validator::fill_missing(Element& element, const ElementRule& rule,
+                             const std::vector<std::string>& given) {
   using enum AttributeKind;
   bool usable = true;
   for (const auto& attribute : rule.attributes) {
     if (!attribute.required || element.attribute(attribute.name))
       continue;
+    if (std::find(given.begin(), given.end(), attribute.name) == given.end())
+      add(element,
+          tag(rule.name) + " needs the attribute '" + attribute.name +
+              "': " + attribute.sentence,
+          "attribute");
     const bool mendable =
         attribute.kind == expression || attribute.kind == text_or_expression;
     usable = usable && mendable;
@@ -150,27 +266,33 @@ bool Validator::fill_missing(Element& element, const ElementRule& rule) {
 
 void Validator::validate_inside(Element& element, const ElementRule& rule) {
   check_text(element, rule);
-  const auto& inside = name_of(element, rule);
+  const auto inside = name_of(element, rule);
   std::erase_if(element.children,
                 [&](Element& child) { return !validate(child, rule, inside); });
 }
 
 bool Validator::validate(Element& element, const ElementRule& parent,
                          const std::string& inside) {
-  const auto* rule = parent.child(element.name);
-  if (rule)
-    return validate(element, *rule);
-  report_unknown(element, parent, inside);
-  return false;
-}
-
-bool Validator::validate(Element& element, const ElementRule& rule) {
-  if (!rule.available)
-    return replace_unavailable(element, rule);
-  report_missing(element, rule);
-  check_attributes(element, rule);
-  const bool usable = fill_missing(element, rule);
-  validate_inside(element, rule);
+  const auto* rule = find_rule(element.name, parent.holds);
+  if (!rule) {
+    const auto parents = parents_of(element.name);
+    const auto meant = parents.empty() ? report_unknown(element, parent, inside)
+                                       : std::string();
+    if (!parents.empty())
+      report_misplaced(element, parents, inside);
+    rule = meant.empty() ? nullptr : find_rule(meant, parent.holds);
+    if (!rule)
+      return false;
+    element.name = meant;
+  }
+  if (!rule->available)
+    return replace_unavailable(element, *rule);
+  auto given = check_attributes(element, *rule);
+  if (const auto* meant = attribute_of_text(*rule);
+      meant && !element.text.empty())
+    given.push_back(meant); // as text: told already
+  const bool usable = fill_missing(element, *rule, given);
+  validate_inside(element, *rule);
   return usable;
 }
 
@@ -179,12 +301,13 @@ bool Validator::validate_root(Element& root,
   const auto matches = [&](const std::string& name) {
     return same_name(name, root.name);
   };
-  const auto* rule = find_rule(root.name, {"root"});
-  if (rule && std::any_of(roots.begin(), roots.end(), matches))
-    return validate(root, *rule);
-  findings_.error(root.position, "the root element is " + tag(root.name) +
-                                     "; expected " + tags(roots));
-  return false;
+  if (std::none_of(roots.begin(), roots.end(), matches)) {
+    findings_.error(root.position, "the root element is " + tag(root.name) +
+                                       "; expected " + tags(roots));
+    return false;
+  }
+  static const ElementRule document{"", {}, {"root"}, true, "", {}};
+  return validate(root, document, "");
 }
 
 } // namespace

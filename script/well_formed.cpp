@@ -1,24 +1,12 @@
 #include "script/well_formed.hpp"
 
-#include <algorithm>
-#include <vector>
+#include <cctype>
 
 namespace parlour::script {
 
 namespace {
 
 constexpr auto npos = std::string_view::npos;
-
-bool is_name_end(char letter) {
-  return std::string_view(" \t\r\n/>=<").find(letter) != npos;
-}
-
-std::string_view name_at(std::string_view text, std::size_t offset) {
-  auto end = offset;
-  while (end < text.size() && !is_name_end(text[end]))
-    ++end;
-  return text.substr(offset, end - offset);
-}
 
 // Behind a comment, CDATA section, declaration or instruction; npos where it
 // does not end; `offset` itself where none of these begins there.
@@ -64,46 +52,65 @@ bool is_entity(std::string_view text) {
   return end != 0 && end != npos && text[end] == ';';
 }
 
+XmlSlip lone_ampersand(std::string_view text, std::size_t offset) {
+  if (text.substr(offset).starts_with("&&"))
+    return {offset, 2,
+            "'&&' must be written &amp;&amp; (in an expression: and)",
+            "&amp;&amp;"};
+  auto end = offset + 1;
+  while (end < text.size() &&
+         std::isalnum(static_cast<unsigned char>(text[end])))
+    ++end;
+  if (end > offset + 1 && end < text.size() && text[end] == ';') {
+    const auto name = std::string(text.substr(offset, end + 1 - offset));
+    return {offset, name.size(),
+            "there is no " + name + " in XML: write the character itself"};
+  }
+  return {offset, 1, "'&' must be written &amp; (in an expression: and)",
+          "&amp;"};
+}
+
 } // namespace
 
-TagProblem find_tag_problem(std::string_view text) {
-  std::vector<OpenElement> open;
-  auto problem = [&](std::size_t offset, std::string_view found) {
-    return TagProblem{offset, std::string(found),
-                      open.empty() ? OpenElement{} : open.back()};
-  };
-  for (auto i = text.find('<'); i != npos; i = text.find('<', i)) {
+std::size_t find_text_outside(std::string_view text) {
+  int depth = 0;
+  for (std::size_t i = 0; i < text.size();) {
+    i = depth == 0 ? text.find_first_not_of(" \t\r\n", i) : text.find('<', i);
+    if (i == npos)
+      return npos;
+    if (text[i] != '<')
+      return i;
     if (const auto next = skip_special(text, i); next != i) {
       i = next;
       continue;
     }
-    const bool closes = text.substr(i).starts_with("</");
-    const auto name = name_at(text, i + (closes ? 2 : 1));
     const auto end = end_of_tag(text, i + 1);
     if (end == npos)
-      return problem(i, closes ? name : "");
-    if (closes && (open.empty() || open.back().name != name))
-      return problem(i, name);
-    if (closes)
-      open.pop_back();
+      return npos;
+    if (text[i + 1] == '/')
+      --depth;
     else if (text[end - 1] != '/')
-      open.push_back({std::string(name), i});
-    i = end;
+      ++depth;
+    i = end + 1;
   }
-  return open.empty() ? TagProblem{npos, "", {}} : problem(text.size(), "");
+  return npos;
 }
 
-void check_characters(
-    std::string_view text, std::size_t offset, bool in_attribute,
-    const std::function<void(std::size_t, std::string)>& report) {
-  const auto end = text.find(in_attribute ? text[offset - 1] : '<', offset);
-  const auto part = text.substr(0, end);
-  for (auto i = part.find('&', offset); i != npos; i = part.find('&', i + 1))
-    if (!is_entity(part.substr(i, 12)))
-      report(i, "'&' must be written &amp; (in an expression: and)");
-  if (in_attribute)
-    for (auto i = part.find('<', offset); i != npos; i = part.find('<', i + 1))
-      report(i, "'<' in a value must be written &lt; (in an expression: lt)");
+void check_characters(std::string_view text, std::size_t offset,
+                      bool in_attribute,
+                      const std::function<void(const XmlSlip&)>& report) {
+  const char end = in_attribute ? text[offset - 1] : '<';
+  for (auto i = offset; i < text.size() && text[i] != end; ++i) {
+    if (text[i] == '&' && !is_entity(text.substr(i, 12))) {
+      auto slip = lone_ampersand(text, i);
+      i += slip.length - 1;
+      report(slip);
+    }
+    if (in_attribute && text[i] == '<')
+      report({i, 1,
+              "'<' in a value must be written &lt; (in an expression: lt)",
+              "&lt;"});
+  }
 }
 
 } // namespace parlour::script

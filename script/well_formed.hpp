@@ -4,32 +4,20 @@
 
 #include <cstddef>
 #include <functional>
-#include <string>
 #include <string_view>
+
+#include "script/xml_slips.hpp"
 
 namespace parlour::script {
 
-// An element that is still open somewhere in a text.
-struct OpenElement {
-  std::string name;
-  std::size_t offset = 0; // of its start tag
-};
+// The first text outside of the root element of a well-formed document; npos
+// where there is none.
+std::size_t find_text_outside(std::string_view text);
 
-// Why the tags of a text do not match, where they do not.
-struct TagProblem {
-  std::size_t offset = 0;
-  std::string found; // the end tag that fits nothing, or empty
-  OpenElement open;  // what was open there; name may be empty
-};
-
-// The first end tag that closes what is not open, or the innermost element
-// that is never closed; nothing (offset npos) where all tags match.
-TagProblem find_tag_problem(std::string_view text);
-
-// Calls `report(offset, sentence)` for every `&` that begins no entity, and,
-// in an attribute's value, every `<`.
-void check_characters(
-    std::string_view text, std::size_t offset, bool in_attribute,
-    const std::function<void(std::size_t, std::string)>& report);
+// Reports every `&` that begins no entity, and, in an attribute's value, every
+// `<`.
+void check_characters(std::string_view text, std::size_t offset,
+                      bool in_attribute,
+                      const std::function<void(const XmlSlip&)>& report);
 
 } // namespace parlour::script

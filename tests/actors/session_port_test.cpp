@@ -38,6 +38,7 @@ protected:
               [](const output_done&) {},
               [](const look&) {},
               [self](const end_session&) { self->quit(); },
+              [](const leave&) {},
           };
         },
         0);

@@ -23,18 +23,18 @@ INSTANTIATE_TEST_SUITE_P(
     names, WrongDeclarations,
     testing::Values(
         WrongDeclaration{"<state name='s'/><state name='s'/>",
-                         "28: error: there is a state 's' already, at a.xml:1"},
+                         "28: error: there is a state 's' already, in line 1"},
         WrongDeclaration{"<topic name='t'/><topic name='t'/>",
-                         "28: error: there is a topic 't' already, at a.xml:1"},
+                         "28: error: there is a topic 't' already, in line 1"},
         WrongDeclaration{
             "<handler name='h'/><handler name='h'/>",
-            "30: error: there is a handler 'h' already, at a.xml:1"},
+            "30: error: there is a handler 'h' already, in line 1"},
         WrongDeclaration{
             "<var name='v'/><const name='v' expr='1'/>",
-            "26: error: there is a variable 'v' already, at a.xml:1"},
+            "26: error: there is a variable 'v' already, in line 1"},
         WrongDeclaration{
             "<function name='f'/><function name='f'/>",
-            "31: error: there is a function 'f' already, at a.xml:1"},
+            "31: error: there is a function 'f' already, in line 1"},
         WrongDeclaration{
             "<function name='length'/>",
             "11: error: there is a built-in function 'length'; choose "
@@ -47,7 +47,7 @@ INSTANTIATE_TEST_SUITE_P(
                          "56: error: parameters with a default come last"},
         WrongDeclaration{
             "<topic name='t'><slot name='s'/><slot name='s'/></topic>",
-            "43: error: there is a slot 's' already, at a.xml:1"},
+            "43: error: there is a slot 's' already, in line 1"},
         WrongDeclaration{"<facts name='f'/><facts name='f'/>",
                          "28: error: there are <facts> named 'f' already"},
         WrongDeclaration{"<grammar name='g'>#JSGF V1.0;</grammar>"

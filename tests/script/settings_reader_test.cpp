@@ -88,7 +88,7 @@ TEST(SettingsReader, tells_what_does_not_fit) {
           "s.xml:1:74: error: <Plugin> is empty; expected the name of a "
           "plug-in",
           "s.xml:1:102: error: 'GrammerNLU' is not in <Plugins>, did you "
-          "mean 'GrammarNLU'? A further instance says plugin=\"…\"",
+          "mean 'GrammarNLU'?",
           "s.xml:1:185: error: ${ without its }",
           "s.xml:1:191: error: the option 'a' of 'GrammarNLU' is given "
           "twice"));

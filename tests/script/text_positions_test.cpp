@@ -22,6 +22,17 @@ TEST(TextPositions, know_all_ends_of_lines) {
   EXPECT_EQ(positions.at(7), (Position{0, 4, 1}));
 }
 
+TEST(TextPositions, find_the_offset_of_a_place) {
+  const std::string text = "aé日x\nb";
+  TextPositions positions(text, 0);
+  for (std::size_t offset : {0u, 1u, 3u, 6u, 7u, 8u, 9u}) {
+    const auto place = positions.at(offset);
+    EXPECT_EQ(positions.offset_of(place.line, place.column), offset);
+  }
+  EXPECT_EQ(positions.offset_of(7, 1), text.size());
+  EXPECT_EQ(positions.offset_of(0, 0), text.size());
+}
+
 TEST(Utf8, is_told_from_what_is_not) {
   EXPECT_FALSE(find_invalid_utf8("Grüße, 日本, 😀"));
   EXPECT_EQ(find_invalid_utf8("a\xff"), 1u);

@@ -48,14 +48,18 @@ INSTANTIATE_TEST_SUITE_P(
                 "state, topic, facts, grammar or phrases"},
         Mistake{"<slot name='s'/>", "11: error: <slot> may not stand in "
                                     "<dialogue>; it belongs in <topic>"},
-        Mistake{
-            "<post module='A' command='b'/>",
-            "11: error: <post> may not stand in <dialogue>; it is a statement"},
+        Mistake{"<post module='A' command='b'/>",
+                "11: error: <post> may not stand in <dialogue>; it is a "
+                "statement: put it into a <function>, a state's <Entrance>, an "
+                "event or the like"},
         Mistake{"<filled/>",
                 "11: error: <filled> may not stand in <dialogue>; it "
                 "belongs in <slot> or <topic>"},
         Mistake{"<state name='s'><Enter/></state>",
-                "27: error: unknown element <Enter> in <state>; expected "
+                "27: error: unknown element <Enter> in <state>; here it is "
+                "called <Entrance>"},
+        Mistake{"<state name='s'><Before/></state>",
+                "27: error: unknown element <Before> in <state>; expected "
                 "functions, messages, Entrance, Exit, Online or Offline"},
         Mistake{"<include href='x'><a/></include>",
                 "29: error: unknown element <a> in <include>; it holds no "
@@ -134,7 +138,7 @@ TEST(Validator, leaves_the_levels_of_sources_and_events_free) {
                     "</component></messages></handler></dialogue>"),
               IsEmpty());
   EXPECT_THAT(judge("<dialogue><handler name='h'><messages><component>"
-                    "<Foo x='1'><Bar><prnt/></Bar></Foo>"
+                    "<Foo x='1'><Bar><prnt param='a'/></Bar></Foo>"
                     "</component></messages></handler></dialogue>"),
               ElementsAre("a.xml:1:55: error: <Foo> has no attribute 'x'",
                           "a.xml:1:66: error: unknown element <prnt> in <Bar>, "
@@ -143,7 +147,7 @@ TEST(Validator, leaves_the_levels_of_sources_and_events_free) {
 
 TEST(Validator, tells_all_at_once) {
   EXPECT_EQ(judge("<dialogue>a<b/><var/><state nam='x'/></dialogue>").size(),
-            5u);
+            4u);
 }
 
 TEST(Validator, wants_the_right_root) {

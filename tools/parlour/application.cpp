@@ -5,8 +5,10 @@
 #include <tuple>
 
 #include "script/application_loader.hpp"
+#include "script/lint/lint.hpp"
 #include "script/settings_reader.hpp"
 #include "tools/parlour/resource_check.hpp"
+#include "tools/parlour/sql_lint.hpp"
 
 namespace parlour::tools {
 
@@ -50,6 +52,15 @@ Settings settings_alone(const fs::path& folder, const fs::path& platform) {
       environment_value, said);
 }
 
+void lint(script::Compiled& compiled, const Application& application) {
+  script::lint::Options options;
+  for (const auto& component : application.composition.components)
+    options.component_roles[component.name] =
+        component.factory.description.roles;
+  lint_sql(compiled, application.composition, application.folder);
+  script::lint::lint(compiled, options);
+}
+
 void sort(std::vector<script::Finding>& findings) {
   std::stable_sort(
       findings.begin(), findings.end(), [](const auto& a, const auto& b) {
@@ -66,17 +77,20 @@ bool Application::has_errors() const {
   });
 }
 
-Application load_application(const fs::path& folder, const fs::path& platform) {
+Application load_application(const fs::path& folder, const fs::path& platform,
+                             Scrutiny scrutiny) {
   Application application{folder, platform, nullptr, {}, {}};
-  const auto compiled = compile_folder(folder, platform);
+  auto compiled = compile_folder(folder, platform);
   application.program = compiled.program;
-  application.findings = compiled.findings.all();
   if (application.program)
     application.composition = compose(application.program->settings);
   else
     application.composition = compose(settings_alone(folder, platform));
   tell_platform(application.composition, platform);
+  if (scrutiny == Scrutiny::lint)
+    lint(compiled, application);
   auto& findings = application.findings;
+  findings = compiled.findings.all();
   const auto& chosen = application.composition.findings;
   findings.insert(findings.end(), chosen.begin(), chosen.end());
   check_resources(application);

@@ -26,11 +26,15 @@ struct Application {
   bool has_errors() const;
 };
 
+// Whether what is right but probably not meant is looked for, too.
+enum class Scrutiny { compile, lint };
+
 // Compiles, checks plug-ins and options, loads the database's SQL in memory,
 // reads the columns that grammars and slots name, builds the understanding.
 // Creates nothing on the disk.
 Application load_application(const std::filesystem::path& folder,
-                             const std::filesystem::path& platform);
+                             const std::filesystem::path& platform,
+                             Scrutiny scrutiny = Scrutiny::compile);
 
 // What the compiler alone says of an application, and of one script file.
 script::Compiled compile_folder(const std::filesystem::path& folder,

@@ -1,12 +1,12 @@
 #include "tools/parlour/command_line.hpp"
 
 #include <algorithm>
-#include <ostream>
+#include <iostream>
 
 #include <CLI/CLI.hpp>
 
 #include "script/findings.hpp"
-#include "tools/bench/script_bench.hpp"
+#include "script/lint/lints.hpp"
 #include "tools/parlour/commands.hpp"
 #include "tools/parlour/completion.hpp"
 #include "tools/parlour/exit_code.hpp"
@@ -26,10 +26,11 @@ public:
                 "application or file; 130 after Ctrl-C.");
     add_run();
     add_check();
+    add_format();
+    add_schema();
     add_test();
     add_exec();
     add_understand();
-    add_bench();
     add_completion();
   }
 
@@ -120,8 +121,38 @@ private:
             [this] { return check_command(places_, check_, console_); });
     add_app(command, check_.app, "A folder, a name, or one script file");
     command->add_flag("--json", check_.json,
-                      "Findings as a JSON array of {file, line, column, "
-                      "severity, message}");
+                      "Findings as a JSON array of {file, line, column, end, "
+                      "kind, name, message, fix}");
+    command->add_flag("--fix", check_.fix,
+                      "Correct in the files what can safely be corrected");
+    std::string lints = "Warned of, besides errors (a comment <!-- check: "
+                        "allow NAME --> takes one out):\n";
+    for (const auto& lint : script::lint::lints())
+      lints +=
+          "  " + lint.name +
+          std::string(22 - std::min<std::size_t>(lint.name.size(), 21), ' ') +
+          lint.sentence + "\n";
+    command->footer(lints);
+  }
+
+  void add_format() {
+    auto* command = add("format", "Lay scripts out", [this] {
+      return format_command(places_, format_, std::cin, console_);
+    });
+    command
+        ->add_option("FILE", format_.files,
+                     "Scripts, laid out where they are; - reads standard "
+                     "input and writes standard output")
+        ->required();
+    command->add_flag("--check", format_.check,
+                      "Change nothing; status 1 where a file is not laid out");
+  }
+
+  void add_schema() {
+    auto* command = add("schema", "Print a schema of scripts, for editors",
+                        [this] { return schema_command(schema_, console_); });
+    command->add_flag("--xsd", schema_.xsd,
+                      "An XML Schema; otherwise it is RELAX NG");
   }
 
   void add_test() {
@@ -159,18 +190,6 @@ private:
               "The time that \"tomorrow\" counts from");
   }
 
-  void add_bench() {
-    auto* command = add("bench", "Measure beside others who do the same work",
-                        [this] { return bench_command(bench_, console_); });
-    command->add_option("NAME", bench_.name, "script")
-        ->required()
-        ->check(CLI::IsMember({"script"}));
-    command->add_option("--runs", bench_.runs, "Of each; the median counts")
-        ->check(CLI::Range(1, 1000));
-    command->add_option("--only", bench_.only, "One row of the table")
-        ->check(CLI::IsMember(script_bench_rows()));
-  }
-
   void add_completion() {
     auto* command =
         add("completion", "Print a shell's completion script", [this] {
@@ -192,9 +211,10 @@ private:
   std::function<int()> chosen_;
   RunOptions run_;
   CheckOptions check_;
+  FormatOptions format_;
+  SchemaOptions schema_;
   TestOptions test_;
   UnderstandOptions understand_;
-  BenchOptions bench_;
   std::string exec_file_;
   std::string shell_;
 };

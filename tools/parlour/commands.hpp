@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <iosfwd>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,6 +17,7 @@ namespace parlour::tools {
 struct CheckOptions {
   std::string app; // an application, or one file
   bool json = false;
+  bool fix = false; // what can safely be corrected
 };
 int check_command(const Places& places, const CheckOptions& options,
                   const Console& console);
@@ -43,15 +45,20 @@ struct RunOptions {
 int run_command(const Places& places, const RunOptions& options,
                 const Console& console);
 
+struct FormatOptions {
+  std::vector<std::string> files; // "-": from standard input to the output
+  bool check = false;             // only say which are not formatted
+};
+int format_command(const Places& places, const FormatOptions& options,
+                   std::istream& in, const Console& console);
+
+struct SchemaOptions {
+  bool xsd = false;
+};
+int schema_command(const SchemaOptions& options, const Console& console);
+
 int exec_command(const Places& places, const std::string& file,
                  const Console& console);
-
-struct BenchOptions {
-  std::string name; // script
-  int runs = 5;
-  std::string only; // one row; empty: all
-};
-int bench_command(const BenchOptions& options, const Console& console);
 
 struct UnderstandOptions {
   std::string app;

@@ -24,6 +24,12 @@ script::ExecOptions exec_options(const Console& console) {
   return options;
 }
 
+// "function f (file:line)" with the file as people want to read it.
+std::string shown_caller(const Places& places, const std::string& caller) {
+  const auto at = caller.find(" (") + 2;
+  return caller.substr(0, at) + shown_path(places, caller.substr(at));
+}
+
 Expected<script::Compiled> compile(const Places& places,
                                    const std::string& file) {
   std::error_code ignored;
@@ -58,7 +64,7 @@ int exec_command(const Places& places, const std::string& file,
   error.place.file = shown_path(places, error.place.file);
   console.err << to_string(error) << '\n';
   for (const auto& caller : failure->stack)
-    console.err << "  in " << caller << '\n';
+    console.err << "  in " << shown_caller(places, caller) << '\n';
   return exit_code::wrong;
 }
 

@@ -39,6 +39,34 @@ void check_database(Application& application,
     report(application, image.error(), component.place, component.name);
 }
 
+// Files of the application that components read when they start.
+struct FileOption {
+  const char* plugin;
+  const char* option;
+};
+constexpr FileOption file_options[] = {{"LogWeather", "reports"},
+                                       {"LogTraffic", "reports"}};
+
+void check_files(Application& application, const ChosenComponent& component) {
+  for (const auto& [plugin, option] : file_options) {
+    const auto given = component.options.find(option);
+    std::error_code ignored;
+    if (component.factory.description.name != plugin ||
+        given == component.options.end() || given->second.empty() ||
+        std::filesystem::is_regular_file(application.folder / given->second,
+                                         ignored))
+      continue;
+    auto place = component.place;
+    place.column = std::max(place.column, 1u);
+    application.findings.push_back({Severity::warning, std::move(place),
+                                    component.name + ": there is no file '" +
+                                        given->second +
+                                        "', which the option '" + option +
+                                        "' names, in the application's folder",
+                                    "missing-file"});
+  }
+}
+
 void check_understanding(Application& application,
                          const ChosenComponent& component) {
   const auto built =
@@ -58,8 +86,11 @@ void check_resources(Application& application) {
   for (const auto& component : composition.components)
     if (component.factory.description.name == "SQLiteDatabase")
       check_database(application, component);
+  const auto failed = application.findings.size();
+  for (const auto& component : composition.components)
+    check_files(application, component);
   // Columns of a database that cannot be made would only say so again.
-  if (!application.program || application.findings.size() > before)
+  if (!application.program || failed > before)
     return;
   for (const auto& component : composition.components)
     if (component.factory.description.name == "GrammarNLU")

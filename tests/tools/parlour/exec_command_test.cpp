@@ -20,6 +20,19 @@ TEST_F(CommandTest, exec_prints_an_error_with_its_place) {
   EXPECT_THAT(err_.str(), HasSubstr("x.xml:2: "));
 }
 
+TEST_F(CommandTest, exec_prints_the_script_s_stack) {
+  test::TemporaryFolder folder;
+  folder.write("x.xml", "<dialogue>\n<function name=\"inner\">\n"
+                        "<throw expr=\"'out of order'\"/></function>\n"
+                        "<function name=\"main\">\n"
+                        "<call function=\"inner\"/></function></dialogue>");
+  places_.working = folder.path();
+  EXPECT_EQ(call({"exec", "x.xml"}), exit_code::wrong);
+  EXPECT_EQ(err_.str(), "x.xml:3: out of order\n"
+                        "  in function inner (x.xml:3)\n"
+                        "  in function main (x.xml:5)\n");
+}
+
 TEST_F(CommandTest, exec_knows_a_file_that_is_not_there) {
   EXPECT_EQ(call({"exec", "none.xml"}), exit_code::usage);
 }

@@ -47,5 +47,17 @@ TEST_F(ResourceCheckTest, places_a_mistake_in_a_grammar) {
               HasSubstr("desk.jsgf:3:"));
 }
 
+TEST_F(ResourceCheckTest, misses_a_file_that_an_option_names) {
+  const std::string settings =
+      "<Plugins><Plugin>LogWeather</Plugin></Plugins>"
+      "<component name=\"LogWeather\">"
+      "<option name=\"reports\" value=\"weather.tsv\"/></component>";
+  EXPECT_THAT(findings(load(settings, "")),
+              HasSubstr("warning: LogWeather: there is no file 'weather.tsv', "
+                        "which the option 'reports' names"));
+  folder_.write("weather.tsv", "");
+  EXPECT_EQ(findings(load(settings, "")), "");
+}
+
 } // namespace
 } // namespace parlour::tools

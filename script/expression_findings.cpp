@@ -1,0 +1,86 @@
+// What the compiler of expressions says: the nearest right name, or what the
+// author may have meant.
+#include "script/builtins.hpp"
+#include "script/expression_compiler.hpp"
+#include "script/expression_slips.hpp"
+#include "script/slips.hpp"
+
+namespace parlour::script {
+
+void ExpressionCompiler::report(const Source& source, const Parsed& parsed) {
+  for (auto& slip : find_slips(source.text, parsed))
+    b_.findings.add({Severity::error, source.spot(slip.offset, slip.length),
+                     std::move(slip.message), "expression",
+                     std::move(slip.replacement)});
+}
+
+void ExpressionCompiler::error(const Node& node, const Source& source,
+                               std::string message,
+                               std::optional<std::string> replacement) {
+  b_.findings.add({Severity::error, source.spot(node.offset, node.text.size()),
+                   std::move(message), "expression", std::move(replacement)});
+}
+
+// The nearest right name, or else what it may have been meant to be.
+void ExpressionCompiler::unknown_name(const Node& node, const Source& source) {
+  const auto& name = node.text;
+  const auto quoted = "'" + name + "'";
+  const auto known = b_.visible_names();
+  if (name == "this")
+    return error(node, source, "'this' is followed by a slot: this.Name");
+  if (b_.context.topic && b_.context.topic->slot(name) != no_id)
+    return error(node, source,
+                 quoted + " is not declared; the topic's slot is this." + name,
+                 "this." + name);
+  if (b_.function(name) || is_builtin(name))
+    return error(node, source, quoted + " is a function; call it with (…)");
+  if (auto right = same_but_case(name, known); !right.empty())
+    return error(node, source,
+                 quoted + " is not declared, did you mean '" + right +
+                     "'? Small and capital letters differ",
+                 right);
+  if (const auto* slip = find_slip(SlipPlace::operand, name))
+    return error(node, source,
+                 quoted + " is not declared; it is written '" +
+                     std::string(slip->meant) + "'",
+                 std::string(slip->meant));
+  auto near = did_you_mean(name, known);
+  if (near.empty())
+    near = "; declare it with <var>, or put a text into quotes: " + quoted;
+  error(node, source, quoted + " is not declared" + near);
+}
+
+void ExpressionCompiler::unknown_target(const Node& node,
+                                        const Source& source) {
+  const auto known = b_.visible_names();
+  if (!did_you_mean(node.text, known).empty() || node.text == "this" ||
+      b_.function(node.text))
+    return unknown_name(node, source);
+  error(node, source,
+        "'" + node.text + "' is not declared; <var name=\"" + node.text +
+            "\"/> before this declares it");
+}
+
+void ExpressionCompiler::unknown_function(const Node& node,
+                                          const Source& source) {
+  const auto quoted = "'" + node.text + "'";
+  auto known = b_.function_names();
+  known.insert(known.end(), builtin_names().begin(), builtin_names().end());
+  if (auto right = same_but_case(node.text, known); !right.empty())
+    return error(node, source,
+                 "there is no function " + quoted + ", did you mean '" + right +
+                     "'? Small and capital letters differ",
+                 right);
+  const auto* slip = find_slip(SlipPlace::function, node.text, &known);
+  if (slip && !slip->meant.empty())
+    return error(node, source,
+                 "there is no function " + quoted + "; it is called '" +
+                     std::string(slip->meant) + "'",
+                 std::string(slip->meant));
+  error(node, source,
+        "there is no function " + quoted +
+            (slip ? "; " + std::string(slip->sentence)
+                  : did_you_mean(node.text, known)));
+}
+
+} // namespace parlour::script

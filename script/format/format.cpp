@@ -1,0 +1,200 @@
+#include "script/format/format.hpp"
+
+#include <algorithm>
+
+#include "script/element_table.hpp"
+#include "script/format/layout_tree.hpp"
+#include "script/source_reader.hpp"
+
+namespace parlour::script {
+
+namespace {
+
+constexpr std::size_t width = 80; // code points
+constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
+
+std::size_t columns(std::string_view text) {
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char byte) {
+        return (static_cast<unsigned char>(byte) & 0xc0u) != 0x80u;
+      }));
+}
+
+// Where blanks alone may mean something.
+bool may_hold_text(std::string_view name) {
+  bool known = false;
+  for (const auto& rule : element_table()) {
+    if (!same_name(rule.name, name))
+      continue;
+    known = true;
+    if (rule.holds_text())
+      return true;
+  }
+  return !known;
+}
+
+class Layout {
+public:
+  explicit Layout(std::string_view line_end) : line_end_(line_end) {}
+
+  std::string document(const std::vector<LayoutNode>& nodes) {
+    children(nodes, 0);
+    out_ += line_end_;
+    return std::move(out_);
+  }
+
+private:
+  void children(const std::vector<LayoutNode>& nodes, std::size_t indent);
+  void node(const LayoutNode& node, std::size_t indent);
+  void element(const LayoutNode& node, std::size_t indent);
+  void start_tag(const LayoutNode& node, std::string_view close);
+  void new_line(std::size_t indent) {
+    if (!out_.empty())
+      out_ += line_end_;
+    out_.append(indent, ' ');
+  }
+  std::size_t column() const {
+    const auto line = out_.rfind('\n') + 1; // npos + 1 is 0
+    return columns(std::string_view(out_).substr(line));
+  }
+
+  std::string_view line_end_;
+  std::string out_;
+};
+
+bool is_comment(const LayoutNode& node) {
+  return node.raw.starts_with("<!--"); // and no instruction
+}
+
+bool is_empty(const LayoutNode& node) {
+  return node.children.empty() &&
+         (node.inside.empty() || !may_hold_text(node.name));
+}
+
+// What stands before its children, in one line.
+std::string tag_in_one_line(const LayoutNode& node, std::string_view close) {
+  auto text = "<" + std::string(node.name);
+  for (std::size_t i = 0; i < node.names.size(); ++i)
+    text.append(" ").append(node.names[i]).append("=").append(node.values[i]);
+  return text.append(close);
+}
+
+std::string in_one_line(const LayoutNode& node) {
+  if (node.kind != LayoutNode::Kind::element)
+    return std::string(node.raw);
+  if (is_empty(node))
+    return tag_in_one_line(node, "/>");
+  auto text = tag_in_one_line(node, ">");
+  if (node.has_text() || node.children.empty())
+    text += node.inside;
+  else
+    for (const auto& child : node.children)
+      text += in_one_line(child);
+  return text + "</" + std::string(node.name) + ">";
+}
+
+// As many attributes in a line as fit, each line's below the first.
+void Layout::start_tag(const LayoutNode& node, std::string_view close) {
+  const auto line = tag_in_one_line(node, close);
+  if (column() + columns(line) <= width &&
+      line.find('\n') == std::string::npos) {
+    out_ += line;
+    return;
+  }
+  out_.append("<").append(node.name);
+  const auto indent = column() + 1;
+  for (std::size_t i = 0; i < node.names.size(); ++i) {
+    const auto attribute =
+        std::string(node.names[i]) + "=" + std::string(node.values[i]);
+    const auto last = i + 1 == node.names.size() ? close.size() : 0;
+    const auto first_line = attribute.substr(0, attribute.find('\n'));
+    if (i > 0 && column() + 1 + columns(first_line) + last > width)
+      new_line(indent);
+    else
+      out_ += ' ';
+    out_ += attribute;
+  }
+  out_ += close;
+}
+
+void Layout::element(const LayoutNode& node, std::size_t indent) {
+  if (is_empty(node))
+    return start_tag(node, "/>");
+  const bool as_it_is = node.has_text() || node.children.empty();
+  if (!as_it_is && node.is_one_line()) {
+    const auto line = in_one_line(node);
+    if (column() + columns(line) <= width) {
+      out_ += line;
+      return;
+    }
+  }
+  start_tag(node, ">");
+  if (as_it_is) {
+    out_ += node.inside;
+  } else {
+    children(node.children, indent + 2);
+    new_line(indent);
+  }
+  out_.append("</").append(node.name).append(">");
+}
+
+void Layout::node(const LayoutNode& node, std::size_t indent) {
+  if (node.kind == LayoutNode::Kind::element)
+    element(node, indent);
+  else
+    out_ += node.raw;
+}
+
+// Comments stay behind what they stood behind, and elements behind a comment.
+void Layout::children(const std::vector<LayoutNode>& nodes,
+                      std::size_t indent) {
+  const LayoutNode* previous = nullptr;
+  for (const auto& one : nodes) {
+    const bool beside =
+        one.on_same_line && !out_.empty() &&
+        (is_comment(one) || (previous && is_comment(*previous)));
+    if (one.after_empty_line)
+      out_ += line_end_;
+    if (beside)
+      out_ += ' ';
+    else
+      new_line(indent);
+    node(one, indent);
+    previous = &one;
+  }
+}
+
+} // namespace
+
+bool means_the_same(const Element& a, const Element& b) {
+  const auto same_attribute = [](const Attribute& one, const Attribute& other) {
+    return one.name == other.name && one.value == other.value;
+  };
+  return a.name == b.name && a.text == b.text &&
+         std::equal(a.attributes.begin(), a.attributes.end(),
+                    b.attributes.begin(), b.attributes.end(), same_attribute) &&
+         std::equal(a.children.begin(), a.children.end(), b.children.begin(),
+                    b.children.end(), means_the_same);
+}
+
+std::optional<std::string>
+format_source(const std::string& text, std::uint16_t file, Findings& findings) {
+  const auto before = read_source(text, file, findings);
+  if (!before || findings.has_errors())
+    return std::nullopt;
+  const bool marked = text.starts_with(byte_order_mark);
+  const auto body =
+      std::string_view(text).substr(marked ? byte_order_mark.size() : 0);
+  const auto* line_end = text.find("\r\n") == std::string::npos ? "\n" : "\r\n";
+  auto formatted = (marked ? std::string(byte_order_mark) : std::string()) +
+                   Layout(line_end).document(layout_tree(body));
+  Findings none;
+  const auto after = read_source(formatted, none.add_file(""), none);
+  if (after && means_the_same(*before, *after))
+    return formatted;
+  findings.error({file, 0, 0}, "this file cannot be formatted without changing "
+                               "what it means; please report it");
+  return std::nullopt;
+}
+
+} // namespace parlour::script

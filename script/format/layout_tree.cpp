@@ -1,0 +1,119 @@
+#include "script/format/layout_tree.hpp"
+
+#include <algorithm>
+
+namespace parlour::script {
+
+namespace {
+
+constexpr auto npos = std::string_view::npos;
+constexpr std::string_view blanks = " \t\r\n";
+
+// What is no element, and its end.
+struct Special {
+  std::string_view begin;
+  std::string_view end;
+  LayoutNode::Kind kind;
+};
+constexpr Special specials[] = {
+    {"<!--", "-->", LayoutNode::Kind::comment},
+    {"<![CDATA[", "]]>", LayoutNode::Kind::text},
+    {"<?", "?>", LayoutNode::Kind::comment},
+};
+
+// The text is well-formed: what is looked for is there.
+class Reader {
+public:
+  explicit Reader(std::string_view text) : text_(text) {}
+
+  std::vector<LayoutNode> nodes() {
+    std::vector<LayoutNode> nodes;
+    for (;;) {
+      const auto from = at_;
+      at_ = std::min(text_.find_first_not_of(blanks, at_), text_.size());
+      if (at_ == text_.size() || text_.substr(at_).starts_with("</"))
+        return nodes;
+      const auto lines =
+          std::count(text_.begin() + static_cast<std::ptrdiff_t>(from),
+                     text_.begin() + static_cast<std::ptrdiff_t>(at_), '\n');
+      auto node = read();
+      node.on_same_line = lines == 0 && from > 0;
+      node.after_empty_line = lines > 1 && !nodes.empty();
+      nodes.push_back(std::move(node));
+    }
+  }
+
+private:
+  LayoutNode read() {
+    const auto rest = text_.substr(at_);
+    for (const auto& special : specials)
+      if (rest.starts_with(special.begin))
+        return plain(special.kind, rest.find(special.end) + special.end.size());
+    if (rest.starts_with('<'))
+      return element();
+    return plain(LayoutNode::Kind::text, std::min(rest.find('<'), rest.size()));
+  }
+
+  LayoutNode plain(LayoutNode::Kind kind, std::size_t length) {
+    LayoutNode node;
+    node.kind = kind;
+    node.raw = text_.substr(at_, length);
+    at_ += node.raw.size();
+    return node;
+  }
+
+  std::string_view take_until(std::string_view ends) {
+    const auto end = std::min(text_.find_first_of(ends, at_), text_.size());
+    const auto taken = text_.substr(at_, end - at_);
+    at_ = end;
+    return taken;
+  }
+
+  void attribute(LayoutNode& node) {
+    node.names.push_back(take_until("= \t\r\n"));
+    at_ = std::min(text_.find_first_of("\"'", at_), text_.size() - 1);
+    const auto end =
+        std::min(text_.find(text_[at_], at_ + 1), text_.size() - 1);
+    node.values.push_back(text_.substr(at_, end + 1 - at_));
+    at_ = end + 1;
+  }
+
+  LayoutNode element() {
+    LayoutNode node;
+    const auto begin = at_++;
+    node.name = take_until(" \t\r\n/>");
+    for (;;) {
+      at_ = std::min(text_.find_first_not_of(blanks, at_), text_.size());
+      if (at_ == text_.size() || text_[at_] == '>' || text_[at_] == '/')
+        break;
+      attribute(node);
+    }
+    if (text_.substr(at_).starts_with("/>")) {
+      at_ += 2;
+    } else {
+      const auto from = ++at_;
+      node.children = nodes();
+      node.inside = text_.substr(from, at_ - from);
+      at_ = std::min(text_.find('>', at_), text_.size() - 1) + 1;
+    }
+    node.raw = text_.substr(begin, at_ - begin);
+    return node;
+  }
+
+  std::string_view text_;
+  std::size_t at_ = 0;
+};
+
+} // namespace
+
+bool LayoutNode::has_text() const {
+  return std::any_of(children.begin(), children.end(), [](const auto& child) {
+    return child.kind == Kind::text;
+  });
+}
+
+std::vector<LayoutNode> layout_tree(std::string_view text) {
+  return Reader(text).nodes();
+}
+
+} // namespace parlour::script

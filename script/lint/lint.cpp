@@ -1,0 +1,29 @@
+#include "script/lint/lint.hpp"
+
+#include "script/allowances.hpp"
+#include "script/lint/passes.hpp"
+
+namespace parlour::script::lint {
+
+namespace {
+
+constexpr Pass passes[] = {
+    lint_states, lint_functions, lint_variables,  lint_messages,   lint_slots,
+    lint_loops,  lint_texts,     lint_joined_sql, lint_allowances,
+};
+
+} // namespace
+
+void lint(Compiled& compiled, const Options& options) {
+  if (!compiled.program)
+    return;
+  const Subject subject{*compiled.program, compiled.documents,
+                        compiled.settings ? &*compiled.settings : nullptr,
+                        options};
+  for (const auto pass : passes)
+    pass(subject, compiled.findings);
+  compiled.findings.sort();
+  take_allowed(compiled.findings);
+}
+
+} // namespace parlour::script::lint

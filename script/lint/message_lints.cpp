@@ -1,0 +1,114 @@
+// unknown-module and unknown-command, from the table of roles.
+#include <algorithm>
+
+#include "runtime/base/roles.hpp"
+#include "script/compilation.hpp"
+#include "script/lint/passes.hpp"
+#include "script/reaction_compiler.hpp"
+
+namespace parlour::script::lint {
+
+namespace {
+
+std::vector<std::string> agents_of(const Element* settings) {
+  std::vector<std::string> names;
+  if (const auto* agents = settings ? settings->child("agents") : nullptr)
+    for (const auto& agent : agents->children)
+      names.push_back(agent.value("name"));
+  return names;
+}
+
+class MessageLint {
+public:
+  MessageLint(const Subject& subject, Findings& findings)
+      : subject_(subject), findings_(findings),
+        modules_(known_sources(subject.program, agents_of(subject.settings))) {}
+
+  void message(const Element& element);
+  void route(const Element& element);
+
+private:
+  bool check_module(std::string name, Position position);
+  void check_command(const std::string& module, const Attribute& command);
+  std::vector<std::string> roles_of(const std::string& module) const;
+
+  const Subject& subject_;
+  Findings& findings_;
+  std::vector<std::string> modules_;
+};
+
+// A file by itself does not know which components there will be: only what
+// looks like a slip is worth a word.
+bool MessageLint::check_module(std::string name, Position position) {
+  if (name.ends_with('*'))
+    name.pop_back();
+  if (name.empty() || is_computed(name) ||
+      std::find(modules_.begin(), modules_.end(), name) != modules_.end())
+    return true;
+  const auto hint = did_you_mean(name, modules_);
+  if (!hint.empty() || subject_.settings)
+    warn(findings_, "unknown-module", position,
+         "no component, role or agent is called '" + name + "'" +
+             (hint.empty() ? "; name a role such as ASR, or a component of "
+                             "the settings"
+                           : hint));
+  return false;
+}
+
+std::vector<std::string>
+MessageLint::roles_of(const std::string& module) const {
+  if (find_role(module))
+    return {module};
+  const auto& known = subject_.options.component_roles;
+  const auto found = known.find(module);
+  return found == known.end() ? std::vector<std::string>() : found->second;
+}
+
+// A component by its own name may understand more than its roles say: there,
+// again, only slips are told.
+void MessageLint::check_command(const std::string& module,
+                                const Attribute& command) {
+  std::vector<std::string> commands;
+  for (const auto& name : roles_of(module))
+    if (const auto* role = find_role(name))
+      for (const auto& one : role->commands)
+        commands.push_back(one.name);
+  const auto& name = command.value;
+  if (commands.empty() || is_computed(name) ||
+      std::find(commands.begin(), commands.end(), name) != commands.end())
+    return;
+  const auto hint = did_you_mean(name, commands);
+  if (hint.empty() && !find_role(module))
+    return;
+  warn(
+      findings_, "unknown-command", command.value_position,
+      module + " has no command '" + name + "'" +
+          (hint.empty() ? "; it understands " + alternatives(commands) : hint));
+}
+
+void MessageLint::message(const Element& element) {
+  const auto* module = element.attribute("module");
+  const auto* command = element.attribute("command");
+  if (module && check_module(module->value, module->value_position) && command)
+    check_command(module->value, *command);
+}
+
+void MessageLint::route(const Element& element) {
+  if (const auto* to = element.attribute("to"))
+    for (const auto& name : split_names(to->value))
+      check_module(name, to->value_position);
+}
+
+} // namespace
+
+void lint_messages(const Subject& subject, Findings& findings) {
+  MessageLint lint(subject, findings);
+  walk(subject, false, [&](const Element& element, const ElementRule& rule) {
+    if (is_statement(rule) && (element.is("post") || element.is("request")))
+      lint.message(element);
+    else if (element.is("relay") || element.is("filter"))
+      lint.route(element);
+  });
+}
+
+} // namespace parlour::script::lint

@@ -1,0 +1,123 @@
+// unfillable-slot.
+#include <algorithm>
+#include <optional>
+
+#include "script/lint/passes.hpp"
+
+namespace parlour::script::lint {
+
+namespace {
+
+// "[David](Host)" in one of the topic's examples.
+bool is_marked(const Element& topic, const std::string& slot) {
+  const auto* examples = topic.child("examples");
+  return examples &&
+         std::any_of(examples->children.begin(), examples->children.end(),
+                     [&](const Element& example) {
+                       return example.text.find("](" + slot + ")") !=
+                              std::string::npos;
+                     });
+}
+
+// A grammar's tags name slots in ways of their own: the bare word will do.
+bool is_in_grammar(const Subject& subject, const std::string& slot) {
+  const auto& model = subject.program.understanding;
+  return model &&
+         std::any_of(model->grammars.begin(), model->grammars.end(),
+                     [&](const GrammarModel& grammar) {
+                       return grammar.text.find(slot) != std::string::npos;
+                     });
+}
+
+bool is_set(const Element& topic, const ElementRule& rule,
+            const std::string& slot) {
+  bool found = false;
+  walk(topic, rule, [&](const Element& element, const ElementRule&) {
+    const auto name = element.value(
+        element.is("set") || element.is("append") ? "name" : "return");
+    found |= name.starts_with("this." + slot);
+    found |= element.is("ask") && (element.value("slot") == slot ||
+                                   is_computed(element.value("slot")));
+  });
+  return found;
+}
+
+// Frames that a script makes by itself may fill anything.
+bool fires_frames(const Subject& subject) {
+  bool found = false;
+  walk(subject, false, [&](const Element& element, const ElementRule& rule) {
+    found |= is_statement(rule) && element.is("fire") &&
+             element.value("param").find('{') != std::string::npos;
+  });
+  return found;
+}
+
+std::optional<double> constant(const Element& element, const char* attribute) {
+  const auto parsed = parse_expression(element.value(attribute));
+  if (parsed.node && parsed.node->kind == NodeKind::integer)
+    return static_cast<double>(parsed.node->integer);
+  if (parsed.node && parsed.node->kind == NodeKind::number)
+    return parsed.node->number;
+  return {};
+}
+
+void lint_range(const Element& slot, Findings& findings) {
+  const auto* cardinality = slot.child("cardinality");
+  if (!cardinality || cardinality->value("type") != "range")
+    return;
+  const auto from = constant(*cardinality, "from");
+  const auto to = constant(*cardinality, "to");
+  if (from && to && *from > *to)
+    warn(findings, "unfillable-slot", cardinality->position,
+         "no value is right for the slot '" + slot.value("name") +
+             "': its range begins at " + cardinality->value("from") +
+             " and ends at " + cardinality->value("to"));
+}
+
+void lint_slot(const Subject& subject, const Element& topic,
+               const ElementRule& rule, const Element& slot,
+               Findings& findings) {
+  lint_range(slot, findings);
+  const auto name = slot.value("name");
+  const bool can_be_filled =
+      slot.attribute("question") || slot.attribute("expr") ||
+      slot.attribute("grammar") || slot.child("cardinality") ||
+      slot.child("help") || is_marked(topic, name) ||
+      is_in_grammar(subject, name) || is_set(topic, rule, name);
+  if (!can_be_filled)
+    warn(findings, "unfillable-slot", slot.position,
+         "nothing fills the slot '" + name +
+             "'; give it a question=\"…\", a <cardinality>, or an example "
+             "with [words](" +
+             name + ")");
+}
+
+// What another understanding than the platform's own finds is not known here.
+bool has_foreign_understanding(const Subject& subject) {
+  const auto& known = subject.options.component_roles;
+  const auto& components = subject.program.settings.components;
+  return std::any_of(
+      components.begin(), components.end(), [&](const auto& component) {
+        const auto found = known.find(component.name);
+        return found != known.end() && component.plugin != "GrammarNLU" &&
+               std::find(found->second.begin(), found->second.end(), "NLU") !=
+                   found->second.end();
+      });
+}
+
+} // namespace
+
+void lint_slots(const Subject& subject, Findings& findings) {
+  if (fires_frames(subject) || has_foreign_understanding(subject))
+    return;
+  walk(subject, false, [&](const Element& topic, const ElementRule& rule) {
+    if (!topic.is("topic") || std::find(rule.holds.begin(), rule.holds.end(),
+                                        "topic") == rule.holds.end())
+      return;
+    for (const auto& slot : topic.children)
+      if (slot.is("slot"))
+        lint_slot(subject, topic, rule, slot, findings);
+  });
+}
+
+} // namespace parlour::script::lint

@@ -1,0 +1,64 @@
+// Subject: what the passes of the lint look at, and how they walk through it.
+#pragma once
+
+#include <functional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "script/element_table.hpp"
+#include "script/expression.hpp"
+#include "script/lint/lint.hpp"
+
+namespace parlour::script::lint {
+
+struct Subject {
+  const Program& program;
+  const std::vector<Document>& documents;
+  const Element* settings; // null: a file by itself
+  const Options& options;
+
+  // Whether nothing can be missing: an application, or a file that is run.
+  bool is_whole() const {
+    return settings || program.functions.count("main") > 0;
+  }
+};
+
+// Calls `visit(element, rule)` for the element, which `rule` is for, and for
+// all inside of it.
+using Visit = std::function<void(const Element&, const ElementRule&)>;
+void walk(const Element& element, const ElementRule& rule, const Visit& visit);
+
+// The same for every document of the application itself (or of the platform
+// too), and for the settings.
+void walk(const Subject& subject, bool platform, const Visit& visit);
+
+// The trees of all expressions in an element's own attributes and text: of
+// those that are one, and of those embedded in text.
+void visit_expressions(const Element& element, const ElementRule& rule,
+                       const std::function<void(const Node&)>& visit);
+
+// Names of variables that an element's own attributes read, and functions that
+// they call. What may be a text or an expression counts as both.
+struct Mentions {
+  std::set<std::string> names;
+  std::set<std::string> calls;
+  std::set<std::string> slots; // this.Name
+};
+void mentions_of(const Node& node, Mentions& mentions);
+void mentions_of(const Element& element, const ElementRule& rule,
+                 Mentions& mentions);
+// All inside of the element too.
+Mentions all_mentions(const Element& element, const ElementRule& rule);
+
+// The rule of a document's or the settings' outermost element.
+const ElementRule& rule_of(const Element& root);
+
+bool is_statement(const ElementRule& rule);
+bool is_computed(std::string_view text); // has a brace
+
+void warn(Findings& findings, const char* lint, Position position,
+          std::string message);
+
+} // namespace parlour::script::lint

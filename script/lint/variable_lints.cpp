@@ -1,0 +1,70 @@
+// unread-variable.
+#include "script/attribute_check.hpp"
+#include "script/lint/passes.hpp"
+
+namespace parlour::script::lint {
+
+namespace {
+
+// The variable that a statement declares, where that is a plain name.
+const Attribute* written(const Element& element) {
+  const Attribute* attribute = nullptr;
+  if (element.is("var") || element.is("const") || element.is("object") ||
+      element.is("getlist"))
+    attribute = element.attribute("name");
+  return attribute && is_identifier(attribute->value) ? attribute : nullptr;
+}
+
+void report(const Element& element, const Attribute& name, Findings& findings) {
+  warn(findings, "unread-variable", name.value_position,
+       "nothing reads the variable '" + name.value +
+           "'; use it, or take the <" + element.name + "> out");
+}
+
+// Variables of one body: whatever happens to them happens in there.
+void lint_locals(const Element& owner, const ElementRule& rule,
+                 const std::set<std::string>& session, Findings& findings) {
+  auto read = all_mentions(owner, rule).names;
+  // What takes the result of a statement may be there for that alone.
+  walk(owner, rule, [&](const Element& element, const ElementRule&) {
+    read.insert(element.value("return"));
+  });
+  std::set<std::string> told = session;
+  walk(owner, rule, [&](const Element& element, const ElementRule& its) {
+    const auto* name = is_statement(its) ? written(element) : nullptr;
+    if (name && !read.count(name->value) && told.insert(name->value).second)
+      report(element, *name, findings);
+  });
+}
+
+std::set<std::string> read_anywhere(const Subject& subject) {
+  Mentions mentions;
+  walk(subject, true, [&](const Element& element, const ElementRule& rule) {
+    mentions_of(element, rule, mentions);
+  });
+  return mentions.names;
+}
+
+} // namespace
+
+void lint_variables(const Subject& subject, Findings& findings) {
+  std::set<std::string> session;
+  for (const auto& variable : subject.program.variables)
+    session.insert(variable.name);
+  const auto read = read_anywhere(subject);
+  for (const auto& document : subject.documents) {
+    const auto& rule = rule_of(document.root);
+    for (const auto& child : document.root.children) {
+      const auto* inside = find_rule(child.name, rule.holds);
+      if (document.platform || !inside)
+        continue;
+      if (!child.is("var") && !child.is("const"))
+        lint_locals(child, *inside, session, findings);
+      else if (const auto* name = written(child);
+               name && subject.is_whole() && !read.count(name->value))
+        report(child, *name, findings);
+    }
+  }
+}
+
+} // namespace parlour::script::lint

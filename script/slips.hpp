@@ -1,0 +1,32 @@
+// Slips: words of other languages and what they are called here, one table
+// (slips.def). Immutable; any thread.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace parlour::script {
+
+enum class SlipPlace : unsigned char {
+  operand,
+  operation,
+  function,
+  element,
+  attribute,
+};
+
+struct Slip {
+  SlipPlace place;
+  std::string_view written; // small letters
+  std::string_view meant;
+  std::string_view sentence;
+};
+
+// The first row of that place and word whose meaning is among `allowed`, or
+// which has no meaning but a sentence; null where there is none. `allowed`
+// null: any.
+const Slip* find_slip(SlipPlace place, std::string_view written,
+                      const std::vector<std::string>* allowed = nullptr);
+
+} // namespace parlour::script

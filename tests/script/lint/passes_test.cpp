@@ -1,0 +1,220 @@
+// Every pass: what it finds, and what it leaves in peace.
+#include <ostream>
+
+#include <gtest/gtest.h>
+
+#include "script/lint/passes.hpp"
+#include "tests/script/snippets.hpp"
+
+namespace parlour::script::lint {
+
+namespace {
+
+struct Linted {
+  const char* dialogue; // inside of <dialogue>
+  const char* said;     // "line:column name", each; empty: nothing
+};
+
+void PrintTo(const Linted& linted, std::ostream* stream) {
+  *stream << linted.dialogue;
+}
+
+std::string lints_of(const std::string& dialogue,
+                     const std::string& start = "Welcome") {
+  test::TemporaryFolder folder;
+  folder.write("settings.xml", "<settings start='" + start +
+                                   "'><Scripts><Script>a.xml</Script>"
+                                   "</Scripts></settings>");
+  folder.write("a.xml", "<dialogue>\n<state name='Welcome'/>\n" + dialogue +
+                            "\n</dialogue>");
+  auto compiled = compile_application(folder.path(), test::platform());
+  EXPECT_FALSE(compiled.findings.has_errors())
+      << to_string(compiled.findings.all().front());
+  lint(compiled, {});
+  std::string said;
+  for (const auto& finding : compiled.findings.all())
+    said += (said.empty() ? "" : ", ") + std::to_string(finding.place.line) +
+            ":" + std::to_string(finding.place.column) + " " + finding.name;
+  return said;
+}
+
+std::string in_main(const std::string& body) {
+  return "<function name='main'>" + body + "</function>";
+}
+
+} // namespace
+
+class LintCase : public testing::TestWithParam<Linted> {};
+
+TEST_P(LintCase, finds_what_is_there_and_nothing_else) {
+  EXPECT_EQ(lints_of(GetParam().dialogue), GetParam().said);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    states, LintCase,
+    testing::Values(
+        Linted{"", ""}, // one state alone is where the topics live
+        Linted{"<state name='B'/>", "3:1 unreachable-state"},
+        Linted{"<state name='B'><Entrance><transit state='C'/></Entrance>"
+               "</state><state name='C'><Entrance><print param='x'/>"
+               "</Entrance></state>",
+               "3:1 unreachable-state, 3:66 unreachable-state, 3:66 "
+               "state-without-exit"},
+        Linted{"<state name='B'><Entrance><end/></Entrance></state><handler "
+               "name='h'><messages><on source='*' event='*'><transit "
+               "state='B'/></on></messages></handler>",
+               ""},
+        Linted{"<state name='B'><Entrance><transit state='C'/></Entrance>"
+               "</state><state name='C'><Entrance><transit state='B'/>"
+               "</Entrance></state>",
+               "3:1 unreachable-state, 3:1 endless-loop, 3:66 "
+               "unreachable-state"},
+        Linted{"<state name='B'/><function name='main'><transit "
+               "state='{_LPARAM1}'/></function>",
+               ""}));
+
+INSTANTIATE_TEST_SUITE_P(
+    functions, LintCase,
+    testing::Values(Linted{"<function name='f'/>", "3:1 unused-function"},
+                    Linted{"<function name='f'><call function='f'/></function>",
+                           "3:1 unused-function"},
+                    Linted{"<function name='f'/><function name='main'><call "
+                           "function='f'/></function>",
+                           ""},
+                    Linted{"<function name='f'/><function name='main'><print "
+                           "param='{f()}'/></function>",
+                           ""},
+                    Linted{"<function name='f'/><function name='main'><call "
+                           "function='{_LPARAM1}'/></function>",
+                           ""},
+                    Linted{"<function name='f'/><phrases><phrase "
+                           "act='help'>{f()}</phrase></phrases>",
+                           ""}));
+
+INSTANTIATE_TEST_SUITE_P(
+    variables, LintCase,
+    testing::Values(
+        Linted{"<var name='v' expr='1'/>", "3:12 unread-variable"},
+        Linted{"<var name='v' expr='1'/><function name='main'><set name='v' "
+               "expr='2'/></function>",
+               "3:12 unread-variable"},
+        Linted{"<var name='v' expr='1'/><phrases><phrase "
+               "act='help'>{v}</phrase></phrases>",
+               ""},
+        Linted{"<function name='main'><var name='v' expr='1'/></function>",
+               "3:34 unread-variable"},
+        Linted{"<function name='main'><object name='v' class='list'/><append "
+               "name='v' expr='1'/><print param='{v}'/></function>",
+               ""},
+        Linted{"<function name='main'><querydb param='select 1' "
+               "return='r'/></function>",
+               ""},
+        Linted{"<function name='main'><var name='v' expr='1'/><call "
+               "function='append'><var expr='v'/><var "
+               "expr='1'/></call></function>",
+               ""}));
+
+INSTANTIATE_TEST_SUITE_P(
+    messages, LintCase,
+    testing::Values(Linted{"<function name='main'><post module='ARS' "
+                           "command='Finish'/></function>",
+                           "3:37 unknown-module"},
+                    Linted{"<function name='main'><post module='ASR' "
+                           "command='Finsh'/></function>",
+                           "3:51 unknown-command"},
+                    Linted{"<function name='main'><post module='{_LPARAM1}' "
+                           "command='x'/><post module='Record' "
+                           "command='start_mic'/></function>",
+                           ""},
+                    Linted{"<routes><relay source='ASR' command='*' "
+                           "to='NLU, Spekaer'/></routes>",
+                           "3:45 unknown-module"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    slots, LintCase,
+    testing::Values(
+        Linted{"<topic name='T'><slot name='S'/></topic>",
+               "3:17 unfillable-slot"},
+        Linted{"<topic name='T'><slot name='S' question='Which?'/></topic>",
+               ""},
+        Linted{"<topic name='T'><slot name='S'/><examples><value>a "
+               "[b](S)</value></examples></topic>",
+               ""},
+        Linted{"<topic name='T'><slot name='S'/><started><set "
+               "name='this.S' expr='1'/></started></topic>",
+               ""},
+        Linted{"<topic name='T'><slot name='S' question='Which?'><cardinality "
+               "type='range' from='3' to='1'/></slot></topic>",
+               "3:50 unfillable-slot"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    loops, LintCase,
+    testing::Values(
+        Linted{"<function name='main'><while cond='true'/></function>",
+               "3:36 endless-loop"},
+        Linted{"<function name='main'><while "
+               "cond='true'><break/></while></function>",
+               ""},
+        Linted{"<function name='main'><var name='i' expr='1'/><while cond='i "
+               "lt 3'><print param='x'/></while></function>",
+               "3:60 endless-loop"},
+        Linted{"<function name='main'><var name='i' expr='1'/><while cond='i "
+               "lt 3'><set name='i' expr='i + 1'/></while></function>",
+               ""},
+        Linted{"<function name='main'><while cond='false'/></function>",
+               "3:36 empty-loop"},
+        Linted{"<function name='main'><for name='i' from='3' "
+               "to='1'/></function>",
+               "3:23 empty-loop"},
+        Linted{"<function name='main'><for name='i' from='3' to='1' "
+               "step='-1'/></function>",
+               ""}));
+
+INSTANTIATE_TEST_SUITE_P(
+    texts, LintCase,
+    testing::Values(
+        Linted{"<function name='main'><param name='who'/><print param='Hello "
+               "{who'/></function>",
+               "3:62 text-like-expression"},
+        Linted{"<function name='main'><param name='who'/><print param='Hello "
+               "{{who}}'/></function>",
+               "3:62 text-like-expression"},
+        Linted{"<function name='main'><param name='who'/><print param='Hello "
+               "{who} {so on} {{it}}'/></function>",
+               ""}));
+
+INSTANTIATE_TEST_SUITE_P(
+    sql, LintCase,
+    testing::Values(
+        Linted{"<function name='main'><param name='x'/><var name='q' "
+               "expr=\"'select * from t where a=' + x\"/><querydb param='q' "
+               "return='r'/><print param='r'/></function>",
+               "3:60 joined-sql"},
+        Linted{"<function name='main'><param name='x'/><querydb param='select "
+               "* from t where a={x}' return='r'/><print "
+               "param='r'/></function>",
+               ""}));
+
+TEST(LintAllowances, take_warnings_out) {
+  const auto loop = in_main("\n<while cond='true'/>");
+  EXPECT_EQ(lints_of(loop), "4:14 endless-loop");
+  for (const auto* comment :
+       {"\n<!-- check: allow endless-loop -->\n<while cond='true'/>",
+        "\n<while cond='true'/> <!-- check: allow endless-loop -->",
+        "\n<!-- check: allow unread-variable, endless-loop -->\n"
+        "<while cond='true'/>",
+        "<!-- check: allow endless-loop in this file -->\n\n\n"
+        "<while cond='true'/>"})
+    EXPECT_EQ(lints_of(in_main(comment)), "") << comment;
+}
+
+TEST(LintAllowances, allow_no_more_than_they_say) {
+  EXPECT_EQ(lints_of(in_main("\n<!-- check: allow endless-loop -->\n\n"
+                             "<while cond='true'/>")),
+            "6:14 endless-loop");
+  EXPECT_EQ(lints_of(in_main("\n<!-- check: allow endles-loop -->\n"
+                             "<while cond='true'/>")),
+            "4:19 unknown-lint, 5:14 endless-loop");
+}
+
+} // namespace parlour::script::lint

@@ -1,0 +1,16 @@
+#include "tests/tools/parlour/command_fixture.hpp"
+
+namespace parlour::tools {
+namespace {
+
+using testing::HasSubstr;
+
+TEST_F(CommandTest, schema_prints_relax_ng_or_xsd) {
+  EXPECT_EQ(call({"schema"}), exit_code::well);
+  EXPECT_THAT(out_.str(), HasSubstr("http://relaxng.org/ns/structure/1.0"));
+  EXPECT_EQ(call({"schema", "--xsd"}), exit_code::well);
+  EXPECT_THAT(out_.str(), HasSubstr("http://www.w3.org/2001/XMLSchema"));
+}
+
+} // namespace
+} // namespace parlour::tools

@@ -1,0 +1,92 @@
+#!/usr/bin/env python3
+"""The schemas accept every application of the tree and refuse what is wrong.
+Validated by xmllint, which knows nothing of ours."""
+
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+PROGRAM = os.environ.get("PARLOUR_PROGRAM", "build/debug/bin/parlour")
+ROOT = pathlib.Path(__file__).resolve().parents[3]
+RIGHT = [path for folder in ("config", "tests/fixtures")
+         for path in sorted((ROOT / folder).rglob("*.xml"))]
+WRONG = {
+    "misspelt element": "<dialogue><stat name='a'/></dialogue>",
+    "misplaced element": "<dialogue><print param='a'/></dialogue>",
+    "case outside of switch": "<dialogue><function name='f'>"
+                              "<case value='1'/></function></dialogue>",
+    "misspelt attribute": "<dialogue><var nmae='a'/></dialogue>",
+    "missing attribute": "<dialogue><state/></dialogue>",
+    "wrong word": "<dialogue><topic name='t' kind='question'/></dialogue>",
+    "wrong boolean": "<dialogue><function name='f'>"
+                     "<speak param='a' interrupt='maybe'/></function>"
+                     "</dialogue>",
+    "wrong duration": "<dialogue><function name='f'><wait for='soon'/>"
+                      "</function></dialogue>",
+    "wrong name": "<dialogue><var name='1 a'/></dialogue>",
+    "statement in an event": "<dialogue><handler name='h'><messages>"
+                             "<component><ASR><RecognitionResult><speek/>"
+                             "</RecognitionResult></ASR></component>"
+                             "</messages></handler></dialogue>",
+    "text between statements": "<dialogue><function name='f'>hello"
+                               "</function></dialogue>",
+    "wrong root": "<script/>",
+}
+ODD = {
+    "first letters": "<Dialogue><function name='f'><Print param='a'/>"
+                     "<wait for='{x}'/></function></Dialogue>",
+    "names beyond ASCII": "<dialogue><var name='größe'/></dialogue>",
+    "any source": "<dialogue><handler name='h'><messages><component><MyOwn>"
+                  "<Event><speak param='a'/></Event></MyOwn></component>"
+                  "<on source='*' event='*'/></messages></handler></dialogue>",
+    "free columns": "<dialogue><facts><fact a='1' b='2'/></facts></dialogue>",
+}
+
+
+class Schema(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.schemas = {}
+        for option, arguments in (("--relaxng", []), ("--schema", ["--xsd"])):
+            text = subprocess.run([PROGRAM, "schema", *arguments], check=True,
+                                  capture_output=True).stdout
+            path = pathlib.Path(cls.folder.name) / option.strip("-")
+            path.write_bytes(text)
+            cls.schemas[option] = path
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.folder.cleanup()
+
+    def judge(self, option, *arguments, **more):
+        return subprocess.run(
+            ["xmllint", "--noout", option, str(self.schemas[option]),
+             *arguments], capture_output=True, text=True, **more)
+
+    def test_accepts_what_is_right(self):
+        self.assertGreater(len(RIGHT), 10)
+        for option in self.schemas:
+            said = self.judge(option, *map(str, RIGHT))
+            self.assertEqual(said.returncode, 0, said.stderr)
+
+    def test_accepts_what_is_odd(self):
+        for option in self.schemas:
+            for name, text in ODD.items():
+                with self.subTest(option=option, case=name):
+                    said = self.judge(option, "-", input=text)
+                    self.assertEqual(said.returncode, 0, said.stderr)
+
+    def test_refuses_what_is_wrong(self):
+        for option in self.schemas:
+            for name, text in WRONG.items():
+                with self.subTest(option=option, case=name):
+                    said = self.judge(option, "-", input=text)
+                    self.assertIn(said.returncode, (3, 4), said.stderr)
+
+
+if __name__ == "__main__":
+    sys.exit(unittest.main())

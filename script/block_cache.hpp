@@ -38,7 +38,8 @@ private:
     Link* next;
   };
   static constexpr std::size_t step = 16;
-  static constexpr std::size_t classes = 32; // up to 496 bytes
+  static constexpr std::size_t extra = 8;
+  static constexpr std::size_t classes = 32; // up to 504 bytes
 #ifdef __SANITIZE_ADDRESS__
   static constexpr unsigned kept = 0; // so that misuse is seen
 #else
@@ -53,11 +54,12 @@ private:
         block = next;
       }
   }
+  // As large as what malloc takes anyhow.
   static std::size_t class_of(std::size_t bytes) {
-    return (bytes + step - 1) / step;
+    return (bytes + step - 1 - extra) / step;
   }
   static void* fresh(std::size_t bytes, std::size_t size) {
-    auto* block = std::malloc(size < classes ? size * step : bytes);
+    auto* block = std::malloc(size < classes ? size * step + extra : bytes);
     if (!block)
       throw std::bad_alloc();
     return block;

@@ -39,7 +39,7 @@ struct MapObject;
 struct ResultObject;
 struct ErrorObject;
 
-void destroy(Object* object);
+void destroy(Object* object) noexcept;
 
 class Box {
 public:
@@ -49,17 +49,49 @@ public:
   }
   Box(Box&& other) noexcept : bits_(std::exchange(other.bits_, unknown_bits)) {}
   Box& operator=(const Box& other) {
-    Box copy(other);
-    std::swap(bits_, copy.bits_);
+    other.retain();
+    replace(other.bits_);
     return *this;
   }
   Box& operator=(Box&& other) noexcept {
-    Box taken(std::move(other));
-    std::swap(bits_, taken.bits_);
+    replace(std::exchange(other.bits_, unknown_bits));
     return *this;
   }
   ~Box() {
-    release();
+    release(bits_);
+  }
+
+  // Moves `other` in here, where nothing was that is counted.
+  void take(Box& other) {
+    bits_ = std::exchange(other.bits_, unknown_bits);
+  }
+
+  // -- small integers: what the instructions do with them -------------------
+  static bool both_small(const Box& left, const Box& right) {
+    constexpr auto tag = integer_tag << 48;
+    return (((left.bits_ ^ tag) | (right.bits_ ^ tag)) >> 48) == 0;
+  }
+  // Takes their sum; false: it does not fit, and nothing is taken.
+  bool take_sum(const Box& left, const Box& right) {
+    return take_small(left.bits_ + (right.bits_ - zero_bits));
+  }
+  bool take_difference(const Box& left, const Box& right) {
+    return take_small(left.bits_ - (right.bits_ - zero_bits));
+  }
+  bool take_product(const Box& left, const Box& right) {
+    std::int64_t product = 0;
+    return !__builtin_mul_overflow(left.as_small(), right.as_small(),
+                                   &product) &&
+           take_small(zero_bits + static_cast<std::uint64_t>(product));
+  }
+  // By the order of small integers.
+  std::uint64_t ordered_bits() const {
+    return bits_;
+  }
+
+  // Takes the value of `other`, where neither is counted.
+  void set_uncounted(const Box& other) {
+    bits_ = other.bits_;
   }
 
   static Box boolean(bool value) {
@@ -70,8 +102,7 @@ public:
   }
   // The caller knows that it fits (see fits).
   static Box small(std::int64_t value) {
-    return Box(integer_tag << 48 |
-               (static_cast<std::uint64_t>(value) & payload_mask));
+    return Box(zero_bits + static_cast<std::uint64_t>(value));
   }
   static bool fits(std::int64_t value) {
     return value >= -(std::int64_t{1} << 47) && value < std::int64_t{1} << 47;
@@ -126,6 +157,10 @@ public:
   bool is_string() const {
     return bits_ >> 48 == string_tag;
   }
+  // Neither holds others nor is bound to one: may be put anywhere.
+  bool is_simple() const {
+    return bits_ < list_tag << 48 && !is_reference();
+  }
   bool is_list() const {
     return bits_ >> 48 == list_tag;
   }
@@ -140,7 +175,7 @@ public:
     return std::bit_cast<double>(bits_);
   }
   std::int64_t as_small() const {
-    return static_cast<std::int64_t>(bits_ << 16) >> 16;
+    return static_cast<std::int64_t>(bits_ - zero_bits);
   }
   Object* object() const {
     return reinterpret_cast<Object*>(bits_ & payload_mask);
@@ -173,6 +208,10 @@ public:
 private:
   static constexpr std::uint64_t payload_mask = 0xffffffffffff;
   static constexpr std::uint64_t integer_tag = 0xfff9;
+  // Small integers count from the middle of their range, so that sums and
+  // differences of the bits are those of the integers.
+  static constexpr std::uint64_t zero_bits =
+      integer_tag << 48 | std::uint64_t{1} << 47;
   static constexpr std::uint64_t special_tag = 0xfffa;
   static constexpr std::uint64_t reference_tag = 0xfffb;
   static constexpr std::uint64_t string_tag = 0xfffc;
@@ -195,9 +234,23 @@ private:
     if (is_object() && object()->heap)
       ++object()->count;
   }
-  void release() {
-    if (is_object() && object()->heap && --object()->count == 0)
-      destroy(object());
+  bool take_small(std::uint64_t bits) {
+    if (bits >> 48 != integer_tag) [[unlikely]]
+      return false;
+    replace(bits);
+    return true;
+  }
+  void replace(std::uint64_t bits) {
+    const auto old = bits_;
+    bits_ = bits;
+    release(old);
+  }
+  static void release(std::uint64_t bits) {
+    if (bits < string_tag << 48) [[likely]]
+      return;
+    auto* object = reinterpret_cast<Object*>(bits & payload_mask);
+    if (object->heap && --object->count == 0)
+      destroy(object);
   }
 
   std::uint64_t bits_ = unknown_bits;

@@ -73,6 +73,18 @@ bool BuiltinCall::text(std::size_t index, std::string& value) {
   return work(value.size());
 }
 
+bool BuiltinCall::string(std::size_t index, Box& value) {
+  if (arguments[index].is_string()) {
+    value = arguments[index];
+    return work(value.string()->size);
+  }
+  std::string printed;
+  if (!text(index, printed))
+    return false;
+  value = make_string(heap(), printed);
+  return true;
+}
+
 bool BuiltinCall::number(std::size_t index, Numeric& value) {
   const auto found = numeric(arguments[index]);
   if (!found)
@@ -82,6 +94,10 @@ bool BuiltinCall::number(std::size_t index, Numeric& value) {
 }
 
 bool BuiltinCall::integer(std::size_t index, std::int64_t& value) {
+  if (arguments[index].is_small()) {
+    value = arguments[index].as_small();
+    return true;
+  }
   Numeric found;
   if (!numeric(arguments[index]))
     return wrong_type(index, "an integer");

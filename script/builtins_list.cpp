@@ -89,6 +89,28 @@ bool remove(BuiltinCall& call) {
   return call.give(std::move(removed));
 }
 
+namespace {
+
+// Most lists that are sorted are of integers alone, and equal ones are the
+// same.
+bool sort_integers(Boxes& elements, bool descending) {
+  if (!std::all_of(elements.begin(), elements.end(),
+                   [](const Box& box) { return box.is_small(); }))
+    return false;
+  std::vector<std::int64_t> integers;
+  integers.reserve(elements.size());
+  for (const auto& element : elements)
+    integers.push_back(element.as_small());
+  std::sort(integers.begin(), integers.end());
+  if (descending)
+    std::reverse(integers.begin(), integers.end());
+  for (std::size_t i = 0; i < integers.size(); ++i)
+    elements[i].set_uncounted(Box::small(integers[i]));
+  return true;
+}
+
+} // namespace
+
 // Numbers with numbers, or strings with strings.
 bool sort(BuiltinCall& call) {
   ListObject* list = nullptr;
@@ -110,6 +132,8 @@ bool sort(BuiltinCall& call) {
                                           direction + "'");
   if (!call.machine.charge(elements.size() * 2))
     return false;
+  if (sort_integers(elements, direction == "descending"))
+    return call.give(call[0]);
   auto before = [&](const Box& a, const Box& b) {
     return numbers ? compare(*numeric(a), *numeric(b)) < 0
                    : a.text() < b.text();

@@ -25,6 +25,10 @@ bool rounded(BuiltinCall& call, double (*round)(double)) {
 }
 
 bool extreme(BuiltinCall& call, int sign) {
+  if (call.count == 2 && Box::both_small(call[0], call[1])) {
+    const bool less = call[0].as_small() < call[1].as_small();
+    return call.give(call[less == (sign < 0) ? 0 : 1]);
+  }
   const Box* begin = call.arguments;
   auto count = call.count;
   ListObject* list = nullptr;

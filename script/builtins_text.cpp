@@ -54,19 +54,8 @@ Box part_of(BuiltinCall& call, const Box& string, std::size_t from,
             std::size_t to) {
   const auto first = byte_position(*string.string(), from);
   const auto last = byte_position(*string.string(), to);
-  return make_string(call.heap(), string.text().substr(first, last - first));
-}
-
-void replace_all(std::string& text, std::string_view part,
-                 std::string_view with) {
-  std::string replaced;
-  std::size_t at = 0;
-  for (auto found = text.find(part); found != std::string::npos;
-       found = text.find(part, at)) {
-    replaced.append(text, at, found - at).append(with);
-    at = found + part.size();
-  }
-  text = replaced.append(text, at);
+  return make_string(call.heap(), string.text().substr(first, last - first),
+                     static_cast<std::uint32_t>(to - from));
 }
 
 std::size_t occurrences(std::string_view text, std::string_view part) {
@@ -75,6 +64,19 @@ std::size_t occurrences(std::string_view text, std::string_view part) {
        at = text.find(part, at + part.size()))
     ++count;
   return count;
+}
+
+// Fills a string that is as large as the result.
+void replace_all(std::string_view text, std::string_view part,
+                 std::string_view with, char* target) {
+  std::size_t at = 0;
+  for (auto found = text.find(part); found != std::string_view::npos;
+       found = text.find(part, at)) {
+    target = std::copy(text.begin() + at, text.begin() + found, target);
+    target = std::copy(with.begin(), with.end(), target);
+    at = found + part.size();
+  }
+  std::copy(text.begin() + at, text.end(), target);
 }
 
 } // namespace
@@ -97,11 +99,10 @@ bool trim(BuiltinCall& call) {
 }
 
 bool substring(BuiltinCall& call) {
-  std::string text;
+  Box string;
   std::int64_t start = 0;
-  if (!call.text(0, text) || !call.integer(1, start))
+  if (!call.string(0, string) || !call.integer(1, start))
     return false;
-  const auto string = make_string(call.heap(), text);
   const auto size = string.string()->code_points;
   std::int64_t count = size;
   if (call.has(2) && !call.integer(2, count))
@@ -131,19 +132,22 @@ bool find(BuiltinCall& call) {
 }
 
 bool replace(BuiltinCall& call) {
-  std::string text;
-  std::string part;
-  std::string with;
-  if (!call.text(0, text) || !call.text(1, part) || !call.text(2, with))
+  Box text;
+  Box part;
+  Box with;
+  if (!call.string(0, text) || !call.string(1, part) || !call.string(2, with))
     return false;
-  if (part.empty())
-    return call.give_text(text);
-  const auto count = occurrences(text, part);
-  if (with.size() > part.size() &&
-      !call.room(text.size() + count * (with.size() - part.size())))
+  const auto count =
+      part.text().empty() ? 0 : occurrences(text.text(), part.text());
+  if (count == 0)
+    return call.give(text);
+  const auto size = text.text().size() - count * part.text().size() +
+                    count * with.text().size();
+  if (!call.room(size) || !call.work(size))
     return false;
-  replace_all(text, part, with);
-  return call.give_text(text);
+  auto* replaced = raw_string(call.heap(), size);
+  replace_all(text.text(), part.text(), with.text(), replaced->data());
+  return call.give(finish_string(replaced));
 }
 
 namespace {

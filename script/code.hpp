@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "script/box.hpp"
+#include "script/jump_table.hpp"
 #include "script/source.hpp"
 
 namespace parlour::script {
@@ -59,6 +60,7 @@ struct Code {
   std::uint16_t parameter_count = 0;
   std::uint16_t required_count = 0;
   std::uint16_t register_count = 0;
+  std::uint16_t cost = 1; // fuel of a call; its loops and calls cost their own
   std::vector<Instruction> instructions;
   std::vector<Position> positions; // one for each instruction
   std::vector<Box> constants;      // immortal, owned by the program's pool
@@ -67,6 +69,7 @@ struct Code {
   std::uint32_t body = 0;
   std::vector<CatchRange> catches; // innermost first
   std::vector<EffectShape> effects;
+  std::vector<JumpTable> tables;
 };
 
 } // namespace parlour::script

@@ -8,6 +8,7 @@ namespace parlour::script {
 namespace {
 
 constexpr std::size_t largest = 0xffff;
+constexpr std::size_t dearest_call = 32;
 
 } // namespace
 
@@ -53,14 +54,16 @@ CodeBuilder::CodeBuilder(Program& shared_program, const Names& all_names,
     : program(shared_program), names(all_names), findings(all_findings),
       context(std::move(body_context)) {
   code.name = context.name;
+  code.instructions.reserve(16);
+  code.positions.reserve(16);
 }
 
 Label CodeBuilder::emit(Operation operation, std::size_t a, std::size_t b,
-                        std::size_t c, bool flag) {
-  code.instructions.push_back(
-      {static_cast<std::uint8_t>(operation), static_cast<std::uint8_t>(flag),
-       static_cast<std::uint16_t>(a), static_cast<std::uint16_t>(b),
-       static_cast<std::uint16_t>(c)});
+                        std::size_t c, std::uint8_t flag) {
+  code.instructions.push_back({static_cast<std::uint8_t>(operation), flag,
+                               static_cast<std::uint16_t>(a),
+                               static_cast<std::uint16_t>(b),
+                               static_cast<std::uint16_t>(c)});
   code.positions.push_back(position_);
   return code.instructions.size() - 1;
 }
@@ -125,6 +128,26 @@ std::uint16_t CodeBuilder::shape(EffectShape effect) {
   code.effects.push_back(effect);
   too_large_ |= code.effects.size() > largest;
   return static_cast<std::uint16_t>(code.effects.size() - 1);
+}
+
+Instruction* CodeBuilder::only(std::uint32_t from, Operation operation) {
+  if (here() != from + 1)
+    return nullptr;
+  auto& last = code.instructions.back();
+  return static_cast<Operation>(last.operation) == operation ? &last : nullptr;
+}
+
+Instruction CodeBuilder::take_back() {
+  const auto last = code.instructions.back();
+  code.instructions.pop_back();
+  code.positions.pop_back();
+  return last;
+}
+
+bool CodeBuilder::is_last_temporary(Register reg) const {
+  return reg + 1 == next_ &&
+         std::none_of(locals_.begin(), locals_.end(),
+                      [&](const Local& local) { return local.reg == reg; });
 }
 
 Register CodeBuilder::allocate(std::size_t count) {
@@ -224,6 +247,8 @@ std::vector<std::string> CodeBuilder::function_names() const {
 
 Code CodeBuilder::finish() {
   emit(Operation::give_unknown);
+  code.cost = static_cast<std::uint16_t>(
+      std::min(code.instructions.size(), dearest_call));
   if (too_large_)
     findings.error(position_,
                    "this body is too long; divide it into functions");

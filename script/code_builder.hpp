@@ -77,7 +77,7 @@ public:
     return position_;
   }
   Label emit(Operation operation, std::size_t a = 0, std::size_t b = 0,
-             std::size_t c = 0, bool flag = false);
+             std::size_t c = 0, std::uint8_t flag = 0);
   Label emit_wide(Operation operation, std::size_t a, std::uint32_t wide,
                   std::uint8_t flag = 0);
   std::uint32_t here() const {
@@ -95,6 +95,11 @@ public:
   void declare_parameter(std::string_view name, Register target);
   void load_text(Register target, std::string_view text);
   std::uint16_t shape(EffectShape shape);
+  // What was emitted since `from`, where it is a single instruction of this
+  // kind; else null.
+  Instruction* only(std::uint32_t from, Operation operation);
+  // Takes that instruction back.
+  Instruction take_back();
 
   // -- registers --------------------------------------------------------------
   Register allocate(std::size_t count = 1);
@@ -104,6 +109,8 @@ public:
   void release(Register mark) {
     next_ = mark;
   }
+  // The last register allocated, with nothing in it that a name stands for.
+  bool is_last_temporary(Register reg) const;
 
   // -- names ------------------------------------------------------------------
   void open_scope();

@@ -1,6 +1,7 @@
 #include "script/element_table.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <sstream>
 
 namespace parlour::script {
@@ -25,6 +26,7 @@ std::vector<ElementRule> read_table() {
                  words_of(holds),                                              \
                  availability == ready,                                        \
                  sentence,                                                     \
+                 {},                                                           \
                  {}});
 #define ATTRIBUTE(name, kind, need, words, sentence)                           \
   all.back().attributes.push_back({name, AttributeKind::kind,                  \
@@ -34,6 +36,14 @@ std::vector<ElementRule> read_table() {
 #undef ELEMENT
 #undef ATTRIBUTE
   return all;
+}
+
+std::string with_small_letter(std::string_view name) {
+  std::string small(name);
+  if (!small.empty())
+    small[0] =
+        static_cast<char>(std::tolower(static_cast<unsigned char>(small[0])));
+  return small;
 }
 
 bool overlap(const std::vector<std::string>& a,
@@ -79,8 +89,22 @@ std::vector<std::string> ElementRule::attribute_names() const {
 }
 
 const std::vector<ElementRule>& element_table() {
-  static const std::vector<ElementRule> table = read_table();
+  static const std::vector<ElementRule> table = [] {
+    auto all = read_table();
+    for (auto& parent : all)
+      for (const auto& rule : all)
+        if (overlap(rule.in, parent.holds))
+          parent.inside.emplace(with_small_letter(rule.name), &rule);
+    return all;
+  }();
   return table;
+}
+
+const ElementRule* ElementRule::child(std::string_view child_name) const {
+  auto found = inside.find(with_small_letter(child_name));
+  if (found == inside.end())
+    found = inside.find("*");
+  return found == inside.end() ? nullptr : found->second;
 }
 
 const ElementRule* find_rule(std::string_view name,

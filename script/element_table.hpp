@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "script/source.hpp"
@@ -56,7 +57,12 @@ struct ElementRule {
   bool available = true;
   std::string sentence;
   std::vector<AttributeRule> attributes;
+  // The rules of what may stand inside, by names with a small first letter;
+  // known in element_table() only.
+  std::unordered_map<std::string, const ElementRule*> inside = {};
 
+  // The rule of an element in here; null where it may not stand here.
+  const ElementRule* child(std::string_view child_name) const;
   // Null where there is none; "*" rules stand for all names.
   const AttributeRule* attribute(std::string_view attribute_name) const;
   bool holds_text() const;

@@ -42,14 +42,17 @@ constexpr std::array<std::string_view, 13> reserved{
     "and", "or", "not", "eq",   "ne",    "lt",     "le",
     "gt",  "ge", "in",  "true", "false", "unknown"};
 
-// Operators in a row make a tree as deep as the row is long.
-constexpr int longest_row = 2000;
+constexpr int longest_row = 2000; // of operators; a tree as deep as that
 
 NodePointer make(NodeKind kind, std::uint32_t offset) {
   auto node = std::make_unique<Node>();
   node->kind = kind;
   node->offset = offset;
   return node;
+}
+
+std::string unexpected(const Token& token) {
+  return "'" + std::string(token.text) + "' is not expected here";
 }
 
 class Parser {
@@ -80,8 +83,8 @@ private:
   using Level = NodePointer (Parser::*)();
 
   Parsed finish(NodePointer node) {
-    if (!failed() && peek().kind != TokenKind::end)
-      fail("'" + peek().text + "' is not expected here", peek().offset);
+    if (peek().kind != TokenKind::end)
+      fail(unexpected(peek()), peek().offset);
     if (failed())
       return {nullptr, error_, error_offset_};
     return {std::move(node), {}, 0};
@@ -106,9 +109,9 @@ private:
     return token;
   }
   bool is(std::string_view text) const {
-    return (peek().kind == TokenKind::symbol ||
-            peek().kind == TokenKind::word) &&
-           peek().text == text;
+    const auto& token = peek();
+    return (token.kind == TokenKind::symbol || token.kind == TokenKind::word) &&
+           token.text[0] == text[0] && token.text == text;
   }
   bool accept(std::string_view text) {
     if (!is(text))
@@ -319,7 +322,7 @@ private:
       return node;
     }
     if (is_reserved(token.text))
-      fail("'" + token.text + "' is not expected here", token.offset);
+      fail(unexpected(token), token.offset);
     auto node = make(NodeKind::name, token.offset);
     node->text = token.text;
     if (accept("(")) {
@@ -352,7 +355,7 @@ private:
     }
     if (accept("{"))
       return map(offset);
-    fail("'" + peek().text + "' is not expected here", offset);
+    fail(unexpected(peek()), offset);
     return nullptr;
   }
 
@@ -363,7 +366,7 @@ private:
       if (key.kind != TokenKind::string && key.kind != TokenKind::word &&
           key.kind != TokenKind::integer)
         fail("a key is missing", key.offset);
-      node->keys.push_back(key.text);
+      node->keys.emplace_back(key.text);
       expect(":");
       add(node, choice());
       if (!is("}"))

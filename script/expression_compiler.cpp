@@ -1,6 +1,7 @@
 #include "script/expression_compiler.hpp"
 
 #include <array>
+#include <optional>
 
 #include "script/builtins.hpp"
 
@@ -24,8 +25,20 @@ constexpr std::array<Operation, 12> plain_operations{
     Operation::contained,  Operation::add,    Operation::subtract,
     Operation::multiply,   Operation::divide, Operation::modulo};
 
-bool is_number(const Node& node) {
-  return node.kind == NodeKind::integer || node.kind == NodeKind::number;
+// Of a small integer on the right.
+std::optional<Operation> constant_operation(Operator operation) {
+  switch (operation) {
+  case Operator::add:
+    return Operation::add_constant;
+  case Operator::subtract:
+    return Operation::subtract_constant;
+  case Operator::multiply:
+    return Operation::multiply_constant;
+  case Operator::modulo:
+    return Operation::modulo_constant;
+  default:
+    return {};
+  }
 }
 
 } // namespace
@@ -173,7 +186,11 @@ void ExpressionCompiler::arguments(const Node& node, const Source& source,
 void ExpressionCompiler::call(const Node& node, const Source& source,
                               Register target) {
   const auto count = node.children.size();
-  const auto base = b_.allocate(count ? count : 1);
+  // Arguments and result in the target itself, where nobody reads it.
+  const bool in_target = b_.is_last_temporary(target);
+  const auto base = in_target ? target : b_.allocate(count ? count : 1);
+  if (in_target && count > 1)
+    b_.allocate(count - 1);
   arguments(node, source, base);
   const auto before = b_.position();
   b_.at(source.at(node.offset));
@@ -186,6 +203,8 @@ void ExpressionCompiler::call(const Node& node, const Source& source,
                 ", not " + std::to_string(count));
     b_.emit_wide(Operation::call, base, function->code,
                  static_cast<std::uint8_t>(count));
+    if (base != target)
+      b_.emit(Operation::move, target, base);
   } else if (const auto index = builtin_index(node.text)) {
     const auto& entry = builtin(*index);
     if (count < entry.minimum || count > entry.maximum)
@@ -193,11 +212,11 @@ void ExpressionCompiler::call(const Node& node, const Source& source,
             "'" + node.text + "' takes " +
                 range_text(entry.minimum, entry.maximum) + ", not " +
                 std::to_string(count));
-    b_.emit(Operation::call_builtin, base, *index, count);
+    b_.emit(Operation::call_builtin, base, *index, target,
+            static_cast<std::uint8_t>(count));
   } else {
     unknown_function(node, source);
   }
-  b_.emit(Operation::move, target, base);
   b_.at(before);
 }
 
@@ -222,11 +241,10 @@ void ExpressionCompiler::binary(const Node& node, const Source& source,
   const auto operation = node.operation;
   const auto left = any(*node.children[0], source);
   Box box;
-  if ((operation == Operator::add || operation == Operator::subtract) &&
-      is_number(*node.children[1]) && constant_of(*node.children[1], box)) {
-    b_.emit(operation == Operator::add ? Operation::add_constant
-                                       : Operation::subtract_constant,
-            target, left, b_.constant(box));
+  const auto with_constant = constant_operation(operation);
+  if (with_constant && node.children[1]->kind == NodeKind::integer &&
+      constant_of(*node.children[1], box) && box.is_small()) {
+    b_.emit(*with_constant, target, left, b_.constant(box));
     return;
   }
   const auto right = any(*node.children[1], source);
@@ -241,13 +259,14 @@ void ExpressionCompiler::binary(const Node& node, const Source& source,
 // own, as the target may be read by the second operand.
 void ExpressionCompiler::logical(const Node& node, const Source& source,
                                  Register target) {
-  const auto value = b_.allocate();
+  const auto value = b_.is_last_temporary(target) ? target : b_.allocate();
   into(*node.children[0], source, value);
   const auto decided =
       b_.emit(Operation::jump_if, value, 0, 0, node.kind == NodeKind::either);
   into(*node.children[1], source, value);
   b_.land(decided);
-  b_.emit(Operation::move, target, value);
+  if (value != target)
+    b_.emit(Operation::move, target, value);
 }
 
 void ExpressionCompiler::choice(const Node& node, const Source& source,
@@ -259,57 +278,6 @@ void ExpressionCompiler::choice(const Node& node, const Source& source,
   b_.land(otherwise);
   into(*node.children[2], source, target);
   b_.land(done);
-}
-
-// -- conditions ---------------------------------------------------------------
-
-void ExpressionCompiler::jump(const Node& node, const Source& source, bool when,
-                              std::vector<Label>& labels) {
-  const auto mark = b_.mark();
-  if (node.kind == NodeKind::invert) {
-    jump(*node.children[0], source, !when, labels);
-  } else if (node.kind == NodeKind::both || node.kind == NodeKind::either) {
-    // `either` decides on true, `both` on false.
-    const bool decides = node.kind == NodeKind::either;
-    std::vector<Label> past;
-    jump(*node.children[0], source, decides, decides == when ? labels : past);
-    jump(*node.children[1], source, when, labels);
-    b_.land(past);
-  } else if (node.kind == NodeKind::binary && node.operation < Operator::in) {
-    compare_jump(node, source, when, labels);
-  } else {
-    const auto value = any(node, source);
-    labels.push_back(b_.emit(Operation::jump_if, value, 0, 0, when));
-  }
-  b_.release(mark);
-}
-
-void ExpressionCompiler::compare_jump(const Node& node, const Source& source,
-                                      bool when, std::vector<Label>& labels) {
-  constexpr std::array<Operation, 6> with_constant{
-      Operation::jump_if_equal_constant,
-      Operation::jump_if_equal_constant,
-      Operation::jump_if_less_constant,
-      Operation::jump_if_less_equal_constant,
-      Operation::jump_if_greater_constant,
-      Operation::jump_if_greater_equal_constant};
-  constexpr std::array<Operation, 6> with_register{
-      Operation::jump_if_equal, Operation::jump_if_equal,
-      Operation::jump_if_less,  Operation::jump_if_less_equal,
-      Operation::jump_if_less,  Operation::jump_if_less_equal};
-  const auto operation = static_cast<std::size_t>(node.operation);
-  const bool flag = when != (node.operation == Operator::unequal);
-  const auto left = any(*node.children[0], source);
-  Box box;
-  if (constant_of(*node.children[1], box)) {
-    labels.push_back(
-        b_.emit(with_constant[operation], left, b_.constant(box), 0, flag));
-    return;
-  }
-  const auto right = any(*node.children[1], source);
-  const bool swapped = node.operation >= Operator::greater;
-  labels.push_back(b_.emit(with_register[operation], swapped ? right : left,
-                           swapped ? left : right, 0, flag));
 }
 
 // -- assignment ---------------------------------------------------------------

@@ -8,6 +8,12 @@ namespace parlour::script::handlers {
 
 // -- containers ---------------------------------------------------------------
 
+PARLOUR_INLINE bool get_entry(Cursor& c, MapObject& map, const Box& key) {
+  const auto* value = map.find(*key.string());
+  c.r[c.pc->a] = value ? *value : Box();
+  return next(c);
+}
+
 PARLOUR_INLINE bool get_index(Machine& m, Cursor& c) {
   const auto& container = c.r[c.pc->b];
   const auto& key = c.r[c.pc->c];
@@ -18,24 +24,48 @@ PARLOUR_INLINE bool get_index(Machine& m, Cursor& c) {
       c.r[c.pc->a] = elements[at];
       return next(c);
     }
+  } else if (container.is_map() && key.is_string()) {
+    return get_entry(c, *container.map(), key);
   }
   save(m, c);
   return m.get_index(container, key, c.r[c.pc->a]) && next(c);
 }
 
 PARLOUR_INLINE bool get_field(Machine& m, Cursor& c) {
+  const auto& container = c.r[c.pc->b];
+  if (container.is_map())
+    return get_entry(c, *container.map(), c.k[c.pc->c]);
   save(m, c);
-  return m.get_field(c.r[c.pc->b], c.k[c.pc->c], c.r[c.pc->a]) && next(c);
+  return m.get_field(container, c.k[c.pc->c], c.r[c.pc->a]) && next(c);
+}
+
+// What is there already takes a simple value at once.
+PARLOUR_INLINE bool set(Machine& m, Cursor& c, const Box& key) {
+  const auto& container = c.r[c.pc->a];
+  const auto& value = c.r[c.pc->c];
+  if (container.is_map() && key.is_string() && value.is_simple()) {
+    if (auto* there = container.map()->find(*key.string())) [[likely]] {
+      *there = value;
+      return next(c);
+    }
+  } else if (container.is_list() && key.is_small() && value.is_simple()) {
+    auto& elements = container.list()->elements;
+    const auto at = static_cast<std::uint64_t>(key.as_small());
+    if (at < elements.size()) [[likely]] {
+      elements[at] = value;
+      return next(c);
+    }
+  }
+  save(m, c);
+  return m.set_index(container, key, value) && next(c);
 }
 
 PARLOUR_INLINE bool set_index(Machine& m, Cursor& c) {
-  save(m, c);
-  return m.set_index(c.r[c.pc->a], c.r[c.pc->b], c.r[c.pc->c]) && next(c);
+  return set(m, c, c.r[c.pc->b]);
 }
 
 PARLOUR_INLINE bool set_field(Machine& m, Cursor& c) {
-  save(m, c);
-  return m.set_index(c.r[c.pc->a], c.k[c.pc->b], c.r[c.pc->c]) && next(c);
+  return set(m, c, c.k[c.pc->b]);
 }
 
 PARLOUR_INLINE bool new_list(Machine& m, Cursor& c) {
@@ -54,8 +84,17 @@ PARLOUR_INLINE bool new_array(Machine& m, Cursor& c) {
 }
 
 PARLOUR_INLINE bool append(Machine& m, Cursor& c) {
+  const auto& list = c.r[c.pc->a];
+  const auto& value = c.r[c.pc->b];
+  if (list.is_list() && value.is_simple()) {
+    auto& elements = list.list()->elements;
+    if (elements.size() < elements.capacity()) [[likely]] {
+      elements.push_back(value);
+      return next(c);
+    }
+  }
   save(m, c);
-  return m.append(c.r[c.pc->a], c.r[c.pc->b]) && next(c);
+  return m.append(list, value) && next(c);
 }
 
 PARLOUR_INLINE bool concatenate(Machine& m, Cursor& c) {
@@ -82,15 +121,12 @@ PARLOUR_INLINE bool for_prepare(Machine& m, Cursor& c) {
 PARLOUR_INLINE bool for_next(Machine& m, Cursor& c) {
   auto* loop = &c.r[c.pc->a];
   const auto left = loop[0].as_small();
-  if (left == 0)
+  if (left == 0) [[unlikely]]
     return next(c);
-  const auto following = loop[1].is_small() && loop[2].is_small()
-                             ? loop[1].as_small() + loop[2].as_small()
-                             : std::int64_t{1} << 60;
-  if (Box::fits(following)) [[likely]] {
-    loop[0] = Box::small(left - 1);
-    loop[1] = Box::small(following);
-    loop[4] = Box::small(following);
+  if (Box::both_small(loop[1], loop[2]) && loop[4].take_sum(loop[1], loop[2]))
+      [[likely]] {
+    loop[0].set_uncounted(Box::small(left - 1));
+    loop[1].set_uncounted(loop[4]);
     return back(m, c);
   }
   save(m, c);
@@ -120,16 +156,21 @@ PARLOUR_INLINE bool each_next(Machine&, Cursor& c) {
 
 PARLOUR_INLINE bool call(Machine& m, Cursor& c) {
   save(m, c);
-  const auto well =
-      m.call(m.program->code[c.pc->wide()], &c.r[c.pc->a], c.pc->flag);
-  c = at_top(*m.execution);
-  return well;
+  const auto& callee = m.code[c.pc->wide()];
+  auto* frame = m.enter(Frame::of(c.r), callee, &c.r[c.pc->a], c.pc->flag);
+  if (!frame) [[unlikely]]
+    return false;
+  c = {frame->pc, frame->registers(), callee.constants.data()};
+  m.fuel -= callee.cost;
+  if (m.fuel > 0) [[likely]]
+    return true;
+  return m.within_limits() && m.refuel();
 }
 
 PARLOUR_INLINE bool call_builtin(Machine& m, Cursor& c) {
   save(m, c);
-  auto* arguments = &c.r[c.pc->a];
-  return m.call_builtin(c.pc->b, arguments, c.pc->c, *arguments) && next(c);
+  return m.call_builtin(c.pc->b, &c.r[c.pc->a], c.pc->flag, c.r[c.pc->c]) &&
+         next(c);
 }
 
 PARLOUR_INLINE bool call_named(Machine& m, Cursor& c) {
@@ -139,18 +180,31 @@ PARLOUR_INLINE bool call_named(Machine& m, Cursor& c) {
   return well;
 }
 
-PARLOUR_INLINE bool give_back(Machine& m, Cursor& c) {
-  if (!m.give_back(std::move(c.r[c.pc->a])))
-    return false;
-  c = at_top(*m.execution);
+PARLOUR_INLINE bool leave(Machine& m, Cursor& c, Box value) {
+  auto* frame = Frame::of(c.r);
+  auto* caller = frame->caller;
+  if (!caller || m.execution->copy_outs) [[unlikely]] {
+    if (!m.give_back(std::move(value)))
+      return false;
+    c = at_top(*m.execution);
+    return true;
+  }
+  frame->clear();
+  m.execution->top = caller;
+  const auto* pc = caller->pc;
+  c = {pc + 1, caller->registers(), caller->code->constants.data()};
+  c.r[pc->a] = std::move(value);
   return true;
 }
 
+PARLOUR_INLINE bool give_back(Machine& m, Cursor& c) {
+  auto& value = c.r[c.pc->a];
+  return leave(m, c,
+               value.is_reference() ? Box(*value.target()) : std::move(value));
+}
+
 PARLOUR_INLINE bool give_unknown(Machine& m, Cursor& c) {
-  if (!m.give_back(Box()))
-    return false;
-  c = at_top(*m.execution);
-  return true;
+  return leave(m, c, Box());
 }
 
 PARLOUR_INLINE bool raise(Machine& m, Cursor& c) {

@@ -16,7 +16,7 @@ PARLOUR_INLINE bool are_equal(Machine& m, Cursor& c, const Box& left,
     result = true;
     return true;
   }
-  if (left.is_small() && right.is_small()) {
+  if (Box::both_small(left, right)) {
     result = false;
     return true;
   }
@@ -60,8 +60,8 @@ inline bool holds(Relation relation, Order order) {
 template <Relation relation>
 PARLOUR_INLINE bool compared(Machine& m, Cursor& c, const Box& left,
                              const Box& right, bool& result) {
-  if (left.is_small() && right.is_small()) {
-    result = holds(relation, left.as_small(), right.as_small());
+  if (Box::both_small(left, right)) [[likely]] {
+    result = holds(relation, left.ordered_bits(), right.ordered_bits());
     return true;
   }
   if (left.is_number() && right.is_number()) {
@@ -129,7 +129,9 @@ PARLOUR_INLINE bool loop(Machine& m, Cursor& c) {
 
 PARLOUR_INLINE bool jump_if(Machine&, Cursor& c) {
   const auto& box = c.r[c.pc->a];
-  const bool is_true = box.is_boolean() ? box.is_true() : truth(box.resolved());
+  const bool is_true = box.is_boolean() ? box.is_true()
+                       : box.is_small() ? box.as_small() != 0
+                                        : truth(box.resolved());
   c.pc += is_true == (c.pc->flag != 0) ? c.pc->distance() : 1;
   return true;
 }
@@ -190,6 +192,13 @@ PARLOUR_INLINE bool jump_if_greater_constant(Machine& m, Cursor& c) {
 
 PARLOUR_INLINE bool jump_if_greater_equal_constant(Machine& m, Cursor& c) {
   return branch_order<Relation::greater_equal>(m, c, c.k[c.pc->b]);
+}
+
+PARLOUR_INLINE bool jump_by_table(Machine&, Cursor& c) {
+  const auto& code = *Frame::of(c.r)->code;
+  const auto* target = code.tables[c.pc->b].find(c.r[c.pc->a].resolved());
+  c.pc = target ? code.instructions.data() + *target : c.pc + 1;
+  return true;
 }
 
 } // namespace parlour::script::handlers

@@ -6,12 +6,6 @@
 
 #include "script/machine.hpp"
 
-#if defined(__GNUC__)
-#define PARLOUR_INLINE [[gnu::always_inline]] inline
-#else
-#define PARLOUR_INLINE inline
-#endif
-
 namespace parlour::script::handlers {
 
 struct Cursor {
@@ -25,8 +19,8 @@ PARLOUR_INLINE Cursor at_top(const Execution& execution) {
   return {frame->pc, frame->registers(), frame->code->constants.data()};
 }
 
-PARLOUR_INLINE void save(Machine& m, Cursor& c) {
-  m.execution->top->pc = c.pc;
+PARLOUR_INLINE void save(Machine&, Cursor& c) {
+  Frame::of(c.r)->pc = c.pc;
 }
 
 PARLOUR_INLINE bool next(Cursor& c, bool well = true) {
@@ -107,97 +101,115 @@ PARLOUR_INLINE bool finite(double value) {
   return value - value == 0;
 }
 
-PARLOUR_INLINE bool sum(Machine& m, Cursor& c, const Box& left,
-                        const Box& right) {
-  auto& result = c.r[c.pc->a];
-  if (left.is_small() && right.is_small()) {
-    const auto value = left.as_small() + right.as_small();
-    if (Box::fits(value)) [[likely]] {
-      result = Box::small(value);
-      return next(c);
-    }
-  } else if (left.is_number() && right.is_number()) {
-    const auto value = left.as_number() + right.as_number();
-    if (finite(value)) [[likely]] {
-      result = Box::number(value);
-      return next(c);
-    }
-  }
-  save(m, c);
-  return m.add(left, right, result) && next(c);
-}
-
-PARLOUR_INLINE bool difference(Machine& m, Cursor& c, const Box& left,
-                               const Box& right) {
-  auto& result = c.r[c.pc->a];
-  if (left.is_small() && right.is_small()) {
-    const auto value = left.as_small() - right.as_small();
-    if (Box::fits(value)) [[likely]] {
-      result = Box::small(value);
-      return next(c);
-    }
-  } else if (left.is_number() && right.is_number()) {
-    const auto value = left.as_number() - right.as_number();
-    if (finite(value)) [[likely]] {
-      result = Box::number(value);
-      return next(c);
-    }
-  }
-  save(m, c);
-  return m.arithmetic(Arithmetic::subtract, left, right, result) && next(c);
+PARLOUR_INLINE bool put_number(Cursor& c, double value) {
+  if (!finite(value)) [[unlikely]]
+    return false;
+  c.r[c.pc->a] = Box::number(value);
+  return true;
 }
 
 PARLOUR_INLINE bool add(Machine& m, Cursor& c) {
-  return sum(m, c, c.r[c.pc->b], c.r[c.pc->c]);
+  const auto& left = c.r[c.pc->b];
+  const auto& right = c.r[c.pc->c];
+  if (Box::both_small(left, right)) [[likely]] {
+    if (c.r[c.pc->a].take_sum(left, right)) [[likely]]
+      return next(c);
+  } else if (left.is_number() && right.is_number()) {
+    if (put_number(c, left.as_number() + right.as_number())) [[likely]]
+      return next(c);
+  }
+  save(m, c);
+  return m.add(left, right, c.r[c.pc->a]) && next(c);
 }
 
-PARLOUR_INLINE bool add_constant(Machine& m, Cursor& c) {
-  return sum(m, c, c.r[c.pc->b], c.k[c.pc->c]);
+PARLOUR_INLINE bool slow_arithmetic(Machine& m, Cursor& c, Arithmetic operation,
+                                    const Box& right) {
+  save(m, c);
+  return m.arithmetic(operation, c.r[c.pc->b], right, c.r[c.pc->a]) && next(c);
 }
 
 PARLOUR_INLINE bool subtract(Machine& m, Cursor& c) {
-  return difference(m, c, c.r[c.pc->b], c.r[c.pc->c]);
+  const auto& left = c.r[c.pc->b];
+  const auto& right = c.r[c.pc->c];
+  if (Box::both_small(left, right)) [[likely]] {
+    if (c.r[c.pc->a].take_difference(left, right)) [[likely]]
+      return next(c);
+  } else if (left.is_number() && right.is_number()) {
+    if (put_number(c, left.as_number() - right.as_number())) [[likely]]
+      return next(c);
+  }
+  return slow_arithmetic(m, c, Arithmetic::subtract, right);
+}
+
+PARLOUR_INLINE bool add_constant(Machine& m, Cursor& c) {
+  const auto& left = c.r[c.pc->b];
+  const auto& right = c.k[c.pc->c]; // small, as in all that take a constant
+  if (left.is_small() && c.r[c.pc->a].take_sum(left, right)) [[likely]]
+    return next(c);
+  save(m, c);
+  return m.add(left, right, c.r[c.pc->a]) && next(c);
 }
 
 PARLOUR_INLINE bool subtract_constant(Machine& m, Cursor& c) {
-  return difference(m, c, c.r[c.pc->b], c.k[c.pc->c]);
+  const auto& left = c.r[c.pc->b];
+  const auto& right = c.k[c.pc->c];
+  if (left.is_small() && c.r[c.pc->a].take_difference(left, right)) [[likely]]
+    return next(c);
+  return slow_arithmetic(m, c, Arithmetic::subtract, right);
 }
 
 PARLOUR_INLINE bool multiply(Machine& m, Cursor& c) {
   const auto& left = c.r[c.pc->b];
   const auto& right = c.r[c.pc->c];
-  std::int64_t value = 0;
-  if (left.is_small() && right.is_small() &&
-      !__builtin_mul_overflow(left.as_small(), right.as_small(), &value) &&
-      Box::fits(value)) {
-    c.r[c.pc->a] = Box::small(value);
-    return next(c);
+  if (Box::both_small(left, right)) [[likely]] {
+    if (c.r[c.pc->a].take_product(left, right)) [[likely]]
+      return next(c);
+  } else if (left.is_number() && right.is_number()) {
+    if (put_number(c, left.as_number() * right.as_number())) [[likely]]
+      return next(c);
   }
-  save(m, c);
-  return m.arithmetic(Arithmetic::multiply, left, right, c.r[c.pc->a]) &&
-         next(c);
+  return slow_arithmetic(m, c, Arithmetic::multiply, right);
 }
 
-PARLOUR_INLINE bool slow_arithmetic(Machine& m, Cursor& c,
-                                    Arithmetic operation) {
-  save(m, c);
-  return m.arithmetic(operation, c.r[c.pc->b], c.r[c.pc->c], c.r[c.pc->a]) &&
-         next(c);
-}
-
-PARLOUR_INLINE bool divide(Machine& m, Cursor& c) {
-  return slow_arithmetic(m, c, Arithmetic::divide);
+// Of what is not negative; the short division takes half as long.
+PARLOUR_INLINE std::int64_t rest_of(std::int64_t left, std::int64_t right) {
+  if (((left | right) >> 32) == 0) [[likely]]
+    return static_cast<std::uint32_t>(left) % static_cast<std::uint32_t>(right);
+  return left % right;
 }
 
 PARLOUR_INLINE bool modulo(Machine& m, Cursor& c) {
   const auto& left = c.r[c.pc->b];
   const auto& right = c.r[c.pc->c];
-  if (left.is_small() && right.is_small() && left.as_small() >= 0 &&
-      right.as_small() > 0) {
-    c.r[c.pc->a] = Box::small(left.as_small() % right.as_small());
+  if (Box::both_small(left, right) && left.as_small() >= 0 &&
+      right.as_small() > 0) [[likely]] {
+    c.r[c.pc->a] = Box::small(rest_of(left.as_small(), right.as_small()));
     return next(c);
   }
-  return slow_arithmetic(m, c, Arithmetic::modulo);
+  return slow_arithmetic(m, c, Arithmetic::modulo, right);
+}
+
+PARLOUR_INLINE bool multiply_constant(Machine& m, Cursor& c) {
+  const auto& left = c.r[c.pc->b];
+  const auto& right = c.k[c.pc->c];
+  if (left.is_small() && c.r[c.pc->a].take_product(left, right)) [[likely]]
+    return next(c);
+  return slow_arithmetic(m, c, Arithmetic::multiply, right);
+}
+
+PARLOUR_INLINE bool divide(Machine& m, Cursor& c) {
+  return slow_arithmetic(m, c, Arithmetic::divide, c.r[c.pc->c]);
+}
+
+PARLOUR_INLINE bool modulo_constant(Machine& m, Cursor& c) {
+  const auto& left = c.r[c.pc->b];
+  const auto& right = c.k[c.pc->c];
+  if (left.is_small() && left.as_small() >= 0 && right.as_small() > 0)
+      [[likely]] {
+    c.r[c.pc->a] = Box::small(rest_of(left.as_small(), right.as_small()));
+    return next(c);
+  }
+  return slow_arithmetic(m, c, Arithmetic::modulo, right);
 }
 
 PARLOUR_INLINE bool negate(Machine& m, Cursor& c) {

@@ -3,7 +3,11 @@
 // implements it; the interpreter knows nothing else of the world.
 #pragma once
 
+#include <array>
+#include <cassert>
 #include <cstdint>
+#include <initializer_list>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -20,9 +24,35 @@ enum class EffectKind : std::uint8_t {
 #undef EFFECT
 };
 
+// The operands of an effect: few, and without memory of their own.
+class Operands {
+public:
+  static constexpr std::size_t most = 4;
+
+  Operands() = default;
+  Operands(std::initializer_list<Value> values) {
+    for (const auto& value : values)
+      push_back(value);
+  }
+  void push_back(Value value) {
+    assert(size_ < most);
+    values_[size_++] = std::move(value);
+  }
+  std::size_t size() const {
+    return size_;
+  }
+  const Value& operator[](std::size_t index) const {
+    return values_[index];
+  }
+
+private:
+  std::array<Value, most> values_;
+  std::size_t size_ = 0;
+};
+
 struct Effect {
   EffectKind kind = EffectKind::log;
-  std::vector<Value> operands; // as effects.def names them
+  Operands operands;           // as effects.def names them
   CodeId body = no_code;       // of timer and transit
   std::vector<Value> captured; // the body's arguments: visible locals, copied
   Position position;

@@ -39,7 +39,9 @@ constexpr std::array<std::string_view, 24> symbols{
 
 class Lexer {
 public:
-  explicit Lexer(std::string_view text) : text_(text) {}
+  explicit Lexer(std::string_view text) : text_(text) {
+    result_.tokens.reserve(std::min<std::size_t>(text.size(), 64) / 2 + 2);
+  }
 
   Tokens run() {
     while (result_.error.empty()) {
@@ -52,7 +54,7 @@ public:
         break;
       }
       read(token);
-      result_.tokens.push_back(std::move(token));
+      result_.tokens.push_back(token);
     }
     return std::move(result_);
   }
@@ -135,16 +137,27 @@ private:
   void string(Token& token, char quote) {
     const auto start = at_++;
     token.kind = TokenKind::string;
-    while (at_ < text_.size() && text_[at_] != quote && result_.error.empty())
-      if (text_[at_] == '\\')
-        escape(token.text);
-      else
-        token.text += text_[at_++];
+    while (at_ < text_.size() && text_[at_] != quote && text_[at_] != '\\')
+      ++at_;
+    token.text = text_.substr(start + 1, at_ - start - 1);
+    if (at_ < text_.size() && text_[at_] == '\\')
+      token.text = with_escapes(token.text, quote);
     if (!result_.error.empty())
       return;
     if (at_ == text_.size())
       return fail("the string has no closing quote", start);
     ++at_;
+  }
+
+  // Goes on up to the quote or a fault.
+  std::string_view with_escapes(std::string_view begun, char quote) {
+    auto& value = result_.unescaped.emplace_front(begun);
+    while (at_ < text_.size() && text_[at_] != quote && result_.error.empty())
+      if (text_[at_] == '\\')
+        escape(value);
+      else
+        value += text_[at_++];
+    return value;
   }
 
   void escape(std::string& text) {
@@ -190,7 +203,8 @@ private:
 
   void symbol(Token& token) {
     for (auto candidate : symbols)
-      if (text_.substr(at_).starts_with(candidate)) {
+      if (candidate[0] == text_[at_] &&
+          text_.substr(at_).starts_with(candidate)) {
         token.kind = TokenKind::symbol;
         token.text = candidate;
         at_ += candidate.size();

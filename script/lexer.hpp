@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <forward_list>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,18 +20,20 @@ enum class TokenKind : std::uint8_t {
 
 struct Token {
   TokenKind kind = TokenKind::end;
-  std::string text; // of a string: its value
+  std::string_view text; // of a string: its value
   std::uint32_t offset = 0;
   std::int64_t integer = 0;
   double number = 0;
 };
 
 struct Tokens {
-  std::vector<Token> tokens; // ends with `end`
-  std::string error;         // empty: well-formed
+  std::vector<Token> tokens; // ends with `end`; they look into the text
+  std::forward_list<std::string> unescaped; // values of strings with escapes
+  std::string error;                        // empty: well-formed
   std::uint32_t error_offset = 0;
 };
 
+// The text must outlive the tokens.
 Tokens tokenize(std::string_view text);
 
 // In UTF-8.

@@ -30,24 +30,48 @@ Execution::~Execution() {
     pop();
 }
 
-Frame* Execution::push(const Code& code, Frame* caller) {
-  auto* memory =
-      heap_->allocate(sizeof(Frame) + code.register_count * sizeof(Box));
-  auto* frame = new (memory) Frame{&code, caller, code.instructions.data()};
-  std::uninitialized_default_construct_n(frame->registers(),
-                                         code.register_count);
+// In place of a smaller one that may be there.
+Frame* Execution::make_above(std::uint32_t registers) {
+  release_above();
+  auto* memory = heap_->allocate(sizeof(Frame) + registers * sizeof(Box));
+  auto* frame =
+      new (memory) Frame{nullptr, top, nullptr, nullptr, registers, 1};
+  std::uninitialized_default_construct_n(frame->registers(), registers);
+  if (top) {
+    top->above = frame;
+    frame->depth = top->depth + 1;
+  }
+  return frame;
+}
+
+Frame* Execution::push(const Code& code) {
+  auto* frame = top ? top->above : nullptr;
+  if (!frame || frame->capacity < code.register_count)
+    frame = make_above(code.register_count);
+  frame->code = &code;
+  frame->pc = code.instructions.data();
   top = frame;
-  ++depth;
   return frame;
 }
 
 void Execution::pop() {
-  auto* frame = top;
-  const auto count = frame->code->register_count;
-  top = frame->caller;
-  --depth;
-  std::destroy_n(frame->registers(), count);
-  heap_->release(frame, sizeof(Frame) + count * sizeof(Box));
+  auto* frame = std::exchange(top, top->caller);
+  frame->clear();
+  if (!top)
+    release(frame);
+}
+
+void Execution::release_above() {
+  if (top)
+    release(std::exchange(top->above, nullptr));
+}
+
+void Execution::release(Frame* frame) {
+  while (frame) {
+    auto* next = frame->above;
+    heap_->release(frame, sizeof(Frame) + frame->capacity * sizeof(Box));
+    frame = next;
+  }
 }
 
 // -- errors -------------------------------------------------------------------
@@ -225,18 +249,18 @@ private:
 Machine::Machine(std::shared_ptr<const Program> shared_program)
     : heap_(std::make_shared<Heap>(shared_program,
                                    shared_program->settings.limits.bytes)),
-      program(std::move(shared_program)),
+      program(std::move(shared_program)), code(program->code.data()),
       instructions(program->settings.limits.instructions) {
   variables.resize(program->variables.size());
   new_event();
 }
 
-std::unique_ptr<Execution> Machine::start(CodeId code,
+std::unique_ptr<Execution> Machine::start(CodeId body,
                                           const std::vector<Value>& values,
                                           ActivationContext context) {
-  const auto& callee = program->code[code];
+  const auto& callee = program->code[body];
   auto activation = std::make_unique<Execution>(heap_, std::move(context));
-  auto* frame = activation->push(callee, nullptr);
+  auto* frame = activation->push(callee);
   const auto given =
       std::min<std::size_t>(values.size(), callee.parameter_count);
   for (std::size_t i = 0; i < given; ++i)

@@ -10,15 +10,33 @@
 #include "script/interpreter.hpp"
 #include "script/operations.hpp"
 
+#if defined(__GNUC__)
+#define PARLOUR_INLINE [[gnu::always_inline]] inline
+#else
+#define PARLOUR_INLINE inline
+#endif
+
 namespace parlour::script {
 
+// One call in progress. The frame above stays for the next call when its own
+// call ends; its registers are unknown then.
 struct Frame {
   const Code* code;
   Frame* caller;
-  const Instruction* pc; // the one being carried out
+  const Instruction* pc;  // the one being carried out
+  Frame* above;           // null: not made yet
+  std::uint32_t capacity; // registers that there is room for
+  std::uint32_t depth;    // from 1
 
   Box* registers() {
     return reinterpret_cast<Box*>(this + 1);
+  }
+  static Frame* of(Box* registers) {
+    return reinterpret_cast<Frame*>(registers) - 1;
+  }
+  void clear() {
+    for (std::uint32_t i = 0; i < code->register_count; ++i)
+      registers()[i] = Box();
   }
 };
 
@@ -36,15 +54,21 @@ public:
       : Activation(std::move(context)), heap_(std::move(heap)) {}
   ~Execution() override;
 
-  Frame* push(const Code& code, Frame* caller);
+  // A new top frame; its registers are unknown. Not deeper than the caller
+  // of this checks.
+  Frame* push(const Code& code);
   void pop(); // the top frame
+  // While it waits it holds no frames but those in use.
+  void release_above();
 
   Frame* top = nullptr;
-  std::uint32_t depth = 0;
   bool waiting = false;
-  std::vector<CopyOut> copy_outs;
+  std::unique_ptr<std::vector<CopyOut>> copy_outs; // null: none
 
 private:
+  Frame* make_above(std::uint32_t registers);
+  void release(Frame* frame); // and those above
+
   std::shared_ptr<Heap> heap_;
 };
 
@@ -61,7 +85,7 @@ public:
   RunResult run(Execution& activation, Host& current_host, bool to_the_end);
   RunResult resume(Execution& activation, Expected<Value> outcome,
                    Host& current_host);
-  std::unique_ptr<Execution> start(CodeId code,
+  std::unique_ptr<Execution> start(CodeId body,
                                    const std::vector<Value>& values,
                                    ActivationContext context);
 
@@ -103,6 +127,26 @@ public:
   bool each_prepare(const Box& collection, Box* loop);
 
   // -- calls, effects, the world (machine_calls.cpp) --------------------------
+  // The callee's frame; null: raised.
+  PARLOUR_INLINE Frame* enter(Frame* caller, const Code& callee, Box* arguments,
+                              std::size_t count) {
+    auto* frame = caller->above;
+    if (!frame || frame->capacity < callee.register_count) [[unlikely]] {
+      if (!may_call(callee))
+        return nullptr;
+      frame = execution->push(callee);
+    }
+    frame->code = &callee;
+    frame->pc = callee.instructions.data();
+    execution->top = frame;
+    auto* registers = frame->registers();
+    for (std::size_t i = 0; i < count; ++i)
+      registers[i].take(arguments[i]);
+    if (callee.body > 0) [[unlikely]] // has defaults
+      for (auto i = count; i < callee.parameter_count; ++i)
+        registers[i] = Box::missing();
+    return frame;
+  }
   bool call(const Code& callee, Box* arguments, std::size_t count);
   bool call_builtin(std::uint16_t index, Box* arguments, std::size_t count,
                     Box& result);
@@ -120,6 +164,7 @@ public:
   bool recover();
 
   std::shared_ptr<const Program> program;
+  const Code* code; // of the program
   std::vector<Box> variables;
   // Of the run in progress.
   Host* host = nullptr;
@@ -132,6 +177,7 @@ private:
   friend class RunScope;
 
   void dispatch();
+  bool may_call(const Code& callee); // false: too deep, raised
   void take_slice();
   void note_stack();
   void release_bindings(); // before a wait

@@ -10,39 +10,31 @@ namespace parlour::script {
 
 namespace {
 
-// What a call costs beyond its loops and calls, which count for themselves.
-constexpr std::size_t dearest_call = 32;
-
 std::string arguments(std::size_t count) {
   return std::to_string(count) + (count == 1 ? " argument" : " arguments");
 }
 
 } // namespace
 
+bool Machine::may_call(const Code& callee) {
+  if (execution->top->depth < program->settings.limits.depth)
+    return true;
+  return raise(ErrorKind::limit,
+               "more than " + std::to_string(program->settings.limits.depth) +
+                   " calls inside of each other, the last one of " +
+                   callee.name);
+}
+
 bool Machine::call(const Code& callee, Box* arguments, std::size_t count) {
-  if (execution->depth >= program->settings.limits.depth)
-    return raise(ErrorKind::limit,
-                 "more than " + std::to_string(program->settings.limits.depth) +
-                     " calls inside of each other, the last one of " +
-                     callee.name);
-  auto* frame = execution->push(callee, execution->top);
-  auto* registers = frame->registers();
-  for (std::size_t i = 0; i < count; ++i)
-    registers[i] = std::move(arguments[i]);
-  if (callee.body > 0) // has defaults
-    for (auto i = count; i < callee.parameter_count; ++i)
-      registers[i] = Box::missing();
-  fuel -= static_cast<std::int64_t>(
-      std::min(callee.instructions.size(), dearest_call));
+  if (!enter(execution->top, callee, arguments, count))
+    return false;
+  fuel -= callee.cost;
   return fuel > 0 || (within_limits() && refuel());
 }
 
 bool Machine::call_builtin(std::uint16_t index, Box* arguments,
                            std::size_t count, Box& result) {
   const auto& entry = builtin(index);
-  for (std::size_t i = 0; i < count; ++i)
-    if (arguments[i].is_reference())
-      arguments[i] = Box(*arguments[i].target());
   Box value;
   BuiltinCall made{*this, entry.name, arguments, count, value};
   fuel -= 2;
@@ -64,6 +56,9 @@ bool Machine::call_named(Box* named, std::size_t count) {
                    "'" + name + "' does not take " + arguments(count));
     return call(callee, given, count);
   }
+  for (std::size_t i = 0; i < count; ++i)
+    if (given[i].is_reference())
+      given[i] = Box(*given[i].target());
   const auto index = builtin_index(name);
   if (!index)
     return raise(ErrorKind::type, "there is no function '" + name + "'");
@@ -77,9 +72,8 @@ bool Machine::call_named(Box* named, std::size_t count) {
 }
 
 bool Machine::give_back(Box value) {
-  auto* frame = execution->top;
-  auto* caller = frame->caller;
-  copy_out(*frame);
+  auto* caller = execution->top->caller;
+  copy_out(*execution->top);
   execution->pop();
   if (!caller) {
     value_ = std::move(value);
@@ -93,12 +87,29 @@ bool Machine::give_back(Box value) {
 
 // -- by-reference parameters across a wait (language rule 5, <call>) ----------
 
+namespace {
+
+bool has_bound_parameter(Frame& frame) {
+  for (std::uint16_t i = 0; i < frame.code->parameter_count; ++i)
+    if (frame.registers()[i].is_reference())
+      return true;
+  return false;
+}
+
+} // namespace
+
 void Machine::release_bindings() {
+  bool bound = false;
+  for (auto* frame = execution->top; frame; frame = frame->caller)
+    bound = bound || has_bound_parameter(*frame);
+  if (!bound)
+    return;
   std::vector<Frame*> frames;
   for (auto* frame = execution->top; frame; frame = frame->caller)
     frames.push_back(frame);
   std::vector<Box*> held(variables.size(), nullptr);
   const std::less<const Box*> before;
+  auto& pending = execution->copy_outs;
   for (auto each = frames.rbegin(); each != frames.rend(); ++each)
     for (std::uint16_t i = 0; i < (*each)->code->parameter_count; ++i) {
       auto& parameter = (*each)->registers()[i];
@@ -115,21 +126,24 @@ void Machine::release_bindings() {
       }
       held[variable] = &parameter;
       parameter = Box(*target);
-      execution->copy_outs.push_back(
-          {*each, i, static_cast<std::uint32_t>(variable)});
+      if (!pending)
+        pending = std::make_unique<std::vector<CopyOut>>();
+      pending->push_back({*each, i, static_cast<std::uint32_t>(variable)});
     }
 }
 
 void Machine::copy_out(Frame& frame) {
   auto& pending = execution->copy_outs;
-  if (pending.empty()) [[likely]]
+  if (!pending) [[likely]]
     return;
-  std::erase_if(pending, [&](const CopyOut& copy) {
+  std::erase_if(*pending, [&](const CopyOut& copy) {
     if (copy.frame != &frame)
       return false;
     variables[copy.variable] = frame.registers()[copy.parameter];
     return true;
   });
+  if (pending->empty())
+    pending.reset();
 }
 
 // -- effects ------------------------------------------------------------------
@@ -166,6 +180,7 @@ bool Machine::perform(const EffectShape& shape, const Box* operands,
   if (to_the_end_)
     return raise(ErrorKind::refused, "nothing can be waited for here");
   release_bindings();
+  execution->release_above();
   execution->waiting = true;
   stop_ = Stop::waiting;
   return false;

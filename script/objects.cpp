@@ -69,7 +69,7 @@ void Heap::release(void* block, std::size_t bytes) {
 
 // A long chain of lists would need as deep a stack: what falls to zero while
 // another object is being taken down waits for its turn.
-void destroy(Object* object) {
+void destroy(Object* object) noexcept {
   auto& heap = *object->heap;
   if (object->type == ObjectType::string) {
     remove(object);
@@ -91,7 +91,7 @@ std::uint32_t hash_of(std::string_view text) {
   std::uint32_t hash = 2166136261u;
   for (const char byte : text)
     hash = (hash ^ static_cast<unsigned char>(byte)) * 16777619u;
-  return hash | 1; // never 0, which means "not computed"
+  return hash ? hash : 1; // 0 means "not computed"
 }
 
 std::uint32_t hash_of(const StringObject& string) {
@@ -112,6 +112,13 @@ Box make_string(Heap& heap, std::string_view text) {
   return Box::adopt(new_string(memory, &heap, text));
 }
 
+Box make_string(Heap& heap, std::string_view text, std::uint32_t code_points) {
+  auto* string = raw_string(heap, text.size());
+  if (!text.empty())
+    std::memcpy(string->data(), text.data(), text.size());
+  return finish_string(string, code_points);
+}
+
 StringObject* raw_string(Heap& heap, std::size_t size) {
   auto* memory = heap.allocate(sizeof(StringObject) + size);
   return new (memory) StringObject{{&heap, 1, ObjectType::string},
@@ -122,7 +129,11 @@ StringObject* raw_string(Heap& heap, std::size_t size) {
 }
 
 Box finish_string(StringObject* string) {
-  string->code_points = count_code_points(string->text());
+  return finish_string(string, count_code_points(string->text()));
+}
+
+Box finish_string(StringObject* string, std::uint32_t code_points) {
+  string->code_points = code_points;
   return Box::adopt(string);
 }
 
@@ -178,21 +189,21 @@ constexpr std::size_t indexed_from = 9;
 
 std::size_t MapObject::position(std::string_view key, std::uint32_t hash,
                                 const StringObject* same) const {
-  auto matches = [&](const Entry& entry) {
-    const auto* string = entry.key.string();
-    return string == same ||
-           (string->size == key.size() && string->text() == key);
-  };
   if (index.empty()) {
-    for (std::size_t i = 0; i < entries.size(); ++i)
-      if (matches(entries[i]))
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+      const auto* string = entries[i].key.string();
+      if (string == same ||
+          (string->size == key.size() && string->text() == key))
         return i;
+    }
     return none;
   }
   const auto mask = index.size() - 1;
-  for (auto i = hash & mask; index[i] != 0; i = (i + 1) & mask)
-    if (matches(entries[index[i] - 1]))
+  for (auto i = hash & mask; index[i] != 0; i = (i + 1) & mask) {
+    const auto* string = entries[index[i] - 1].key.string();
+    if (string == same || (string->hash == hash && string->text() == key))
       return index[i] - 1;
+  }
   return none;
 }
 
@@ -210,9 +221,21 @@ void MapObject::rebuild_index() {
   }
 }
 
+// Mostly the very string that was put in: then no text is looked at.
 Box* MapObject::find(const StringObject& key) {
-  const auto at = position(key.text(), index.empty() ? 0 : hash_of(key), &key);
-  return at == none ? nullptr : &entries[at].value;
+  if (index.empty()) {
+    const auto at = position(key.text(), 0, &key);
+    return at == none ? nullptr : &entries[at].value;
+  }
+  const auto hash = hash_of(key);
+  const auto mask = index.size() - 1;
+  for (auto i = hash & mask; index[i] != 0; i = (i + 1) & mask) {
+    auto& entry = entries[index[i] - 1];
+    const auto* string = entry.key.string();
+    if (string == &key || (string->hash == hash && equal_strings(*string, key)))
+      return &entry.value;
+  }
+  return nullptr;
 }
 
 Box* MapObject::find(std::string_view key) {

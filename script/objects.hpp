@@ -42,7 +42,7 @@ public:
   }
 
 private:
-  friend void destroy(Object* object);
+  friend void destroy(Object* object) noexcept;
 
   std::shared_ptr<const void> keep_;
   std::size_t limit_;
@@ -133,9 +133,12 @@ std::uint32_t hash_of(const StringObject& string);
 std::uint32_t count_code_points(std::string_view text);
 
 Box make_string(Heap& heap, std::string_view text);
+// The same, where the number of code points is known.
+Box make_string(Heap& heap, std::string_view text, std::uint32_t code_points);
 // Room for `size` bytes, to be filled in before anything else; then finish.
 StringObject* raw_string(Heap& heap, std::size_t size);
 Box finish_string(StringObject* string);
+Box finish_string(StringObject* string, std::uint32_t code_points);
 Box make_integer(Heap& heap, std::int64_t value);
 Box make_list(Heap& heap, std::size_t reserve = 0);
 Box make_map(Heap& heap);

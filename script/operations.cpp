@@ -1,6 +1,8 @@
 #include "script/operations.hpp"
 
+#include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 
 namespace parlour::script {
@@ -114,12 +116,57 @@ Outcome too_large(Heap& heap) {
                      std::to_string(heap.limit()) + " bytes"};
 }
 
+// What a value is printed as; a string as it stands, without a copy.
+class Printed {
+public:
+  Printed(const Box& box, std::size_t limit) {
+    if (box.is_string()) {
+      text_ = box.text();
+      code_points_ = box.string()->code_points;
+      fits_ = text_.size() <= limit;
+    } else if (box.is_small()) {
+      const auto end =
+          std::to_chars(digits_.begin(), digits_.end(), box.as_small()).ptr;
+      text_ = {digits_.data(), static_cast<std::size_t>(end - digits_.data())};
+      code_points_ = static_cast<std::uint32_t>(text_.size());
+    } else {
+      fits_ = print(longer_, box, limit);
+      text_ = longer_;
+      code_points_ = count_code_points(text_);
+    }
+  }
+  Printed(const Printed&) = delete;
+  Printed& operator=(const Printed&) = delete;
+
+  bool fits() const {
+    return fits_;
+  }
+  std::string_view text() const {
+    return text_;
+  }
+  std::uint32_t code_points() const {
+    return code_points_;
+  }
+
+private:
+  std::array<char, 24> digits_;
+  std::string longer_;
+  std::string_view text_;
+  std::uint32_t code_points_ = 0;
+  bool fits_ = true;
+};
+
 Outcome join(Heap& heap, const Box& left, const Box& right, Box& result) {
-  std::string text;
-  if (!print(text, left, heap.limit()) || !print(text, right, heap.limit()) ||
-      !heap.has_room(text.size()))
+  const Printed first(left, heap.limit());
+  const Printed second(right, heap.limit());
+  const auto size = first.text().size() + second.text().size();
+  if (!first.fits() || !second.fits() || !heap.has_room(size))
     return too_large(heap);
-  result = make_string(heap, text);
+  auto* string = raw_string(heap, size);
+  auto* end =
+      std::copy(first.text().begin(), first.text().end(), string->data());
+  std::copy(second.text().begin(), second.text().end(), end);
+  result = finish_string(string, first.code_points() + second.code_points());
   return {};
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstring>
 #include <fstream>
+#include <iterator>
 
 #include <pugixml.hpp>
 
@@ -128,6 +129,8 @@ void Reader::check_name(const char* name, std::size_t offset) {
 
 void Reader::read_attributes(pugi::xml_node node, Element& element) {
   auto report = [this](const XmlSlip& slip) { tell(slip); };
+  element.attributes.reserve(static_cast<std::size_t>(
+      std::distance(node.attributes_begin(), node.attributes_end())));
   for (auto attribute : node.attributes()) {
     const auto at = offset_of(attribute.name());
     const auto value_at = offset_of(attribute.value());
@@ -161,6 +164,8 @@ void Reader::build(pugi::xml_node node, Element& element, std::size_t depth) {
     return error(offset, "elements are nested deeper than " +
                              std::to_string(deepest_nesting) + " levels");
   read_attributes(node, element);
+  element.children.reserve(
+      static_cast<std::size_t>(std::distance(node.begin(), node.end())));
   for (auto child : node.children()) {
     if (child.type() == pugi::node_element)
       build(child, element.children.emplace_back(), depth + 1);
@@ -225,10 +230,14 @@ Expected<std::string> read_bytes(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   if (!file)
     return fail(ErrorKind::file, "this file cannot be read");
-  std::string text(largest_source + 1, '\0');
-  file.read(text.data(), static_cast<std::streamsize>(text.size()));
-  text.resize(static_cast<std::size_t>(file.gcount()));
-  text.shrink_to_fit();
+  constexpr std::size_t part = 64 << 10;
+  std::string text;
+  while (file && text.size() <= largest_source) {
+    const auto size = text.size();
+    text.resize(size + part);
+    file.read(text.data() + size, part);
+    text.resize(size + static_cast<std::size_t>(file.gcount()));
+  }
   return text;
 }
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
-#include <map>
+#include <unordered_map>
 
 namespace parlour::script {
 
@@ -16,7 +16,7 @@ std::string plain_name(const std::string& name) {
 
 StatementCompiler::Method StatementCompiler::find(const std::string& name) {
   using S = StatementCompiler;
-  static const std::map<std::string, Method> methods{
+  static const std::unordered_map<std::string, Method> methods{
       {"var", &S::declare_variable},
       {"const", &S::declare_constant},
       {"set", &S::set},

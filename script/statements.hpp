@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "script/expression_compiler.hpp"
+#include "script/table_builder.hpp"
 
 namespace parlour::script {
 
@@ -68,6 +69,20 @@ private:
   void continue_(const Element& element);
   void end_loop();
   void reached(const Element& element);
+  struct Case {
+    const Element* element;
+    Label label;
+    std::optional<Box> constant; // that the table holds
+  };
+  struct Switch {
+    Register value;
+    std::optional<TableBuilder> table;
+    std::vector<Case> cases;
+  };
+  void test(Switch& arms, const Element& element);
+  std::optional<Box> compared(std::uint32_t start);
+  std::optional<TableBuilder> enter_by_table(std::uint32_t& start,
+                                             std::vector<Label>& otherwise);
   std::vector<Label> condition(const Element& element, const char* attribute);
 
   // statements_calls.cpp

@@ -122,7 +122,8 @@ void StatementCompiler::call(const Element& element) {
     b_.emit_wide(Operation::call, base, function->code,
                  static_cast<std::uint8_t>(count));
   else
-    b_.emit(Operation::call_builtin, base, *builtin_at, count);
+    b_.emit(Operation::call_builtin, base, *builtin_at, base,
+            static_cast<std::uint8_t>(count));
   store_result(element.attribute("return"), base);
 }
 
@@ -145,10 +146,12 @@ void StatementCompiler::return_(const Element& element) {
     b_.emit(Operation::give_unknown);
     return;
   }
-  const auto value = b_.allocate();
-  expressions_.expression(source_of(*expression), value);
-  end_transactions(0);
-  b_.emit(Operation::give_back, value);
+  const auto source = source_of(*expression);
+  if (const auto node = expressions_.parse(source)) {
+    const auto value = expressions_.any(*node, source);
+    end_transactions(0);
+    b_.emit(Operation::give_back, value);
+  }
   b_.release(mark);
 }
 

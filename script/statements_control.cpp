@@ -21,9 +21,48 @@ std::vector<Label> StatementCompiler::condition(const Element& element,
   return otherwise;
 }
 
+// The constant that the test since `start` compares a local with, where it is
+// no more than that.
+std::optional<Box> StatementCompiler::compared(std::uint32_t start) {
+  const auto* test = b_.only(start, Operation::jump_if_equal_constant);
+  if (!test || test->flag)
+    return {};
+  return b_.code.constants[test->b];
+}
+
+// A table in front of the first test, which is moved behind it.
+std::optional<TableBuilder>
+StatementCompiler::enter_by_table(std::uint32_t& start,
+                                  std::vector<Label>& otherwise) {
+  if (!compared(start))
+    return {};
+  const auto test = b_.take_back();
+  TableBuilder table(b_, test.a);
+  start = b_.here();
+  otherwise = {b_.emit(Operation::jump_if_equal_constant, test.a, test.b)};
+  return table;
+}
+
+// A chain of conditions that compare one local with constants is entered by a
+// table.
 void StatementCompiler::if_(const Element& element) {
   std::vector<Label> done;
+  auto start = b_.here();
   auto otherwise = condition(element, "cond");
+  std::optional<TableBuilder> table;
+  if (element.children.size() >= TableBuilder::fewest_tests)
+    table = enter_by_table(start, otherwise);
+  const auto value = table ? b_.code.instructions[start].a : 0;
+  const auto arm = [&] {
+    if (!table)
+      return;
+    auto constant = compared(start);
+    if (constant && b_.code.instructions[start].a != value)
+      constant.reset();
+    if (table->takes(start, constant))
+      table->arm(*constant, b_.here());
+  };
+  arm();
   reached(element);
   block(element, {"elseif", "else"});
   for (const auto& child : element.children) {
@@ -33,46 +72,72 @@ void StatementCompiler::if_(const Element& element) {
     done.push_back(b_.emit(Operation::jump));
     b_.land(otherwise);
     b_.at(child.position);
+    start = b_.here();
     otherwise =
         name == "elseif" ? condition(child, "cond") : std::vector<Label>{};
+    arm();
     reached(child);
     block(child);
   }
+  if (table)
+    table->end(b_.here());
   b_.land(otherwise);
   b_.land(done);
+}
+
+// The test of a <case>: jumps where it is the value.
+void StatementCompiler::test(Switch& arms, const Element& element) {
+  const auto* candidate = element.attribute("value");
+  if (!candidate)
+    return;
+  b_.at(element.position);
+  const auto start = b_.here();
+  const auto operand = b_.allocate();
+  expressions_.text_or_expression(source_of(*candidate), operand);
+  b_.release(operand);
+  Case arm{&element, 0, {}};
+  if (b_.only(start, Operation::load_constant)) {
+    const auto constant = b_.take_back().b;
+    arm.constant = b_.code.constants[constant];
+    arm.label = b_.emit(Operation::jump_if_equal_constant, arms.value, constant,
+                        0, true);
+  } else {
+    arm.label = b_.emit(Operation::jump_if_equal, arms.value, operand, 0, true);
+  }
+  if (arms.table && !arms.table->takes(start, arm.constant))
+    arm.constant.reset();
+  arms.cases.push_back(std::move(arm));
 }
 
 // All tests first, then the bodies; no fall-through.
 void StatementCompiler::switch_(const Element& element) {
   const auto mark = b_.mark();
-  const auto value = b_.allocate();
+  Switch arms{b_.allocate(), {}, {}};
   if (const auto* subject = required(element, "expr"))
-    expressions_.expression(source_of(*subject), value);
-  std::vector<std::pair<const Element*, Label>> cases;
+    expressions_.expression(source_of(*subject), arms.value);
+  if (element.children.size() >= TableBuilder::fewest_tests)
+    arms.table.emplace(b_, arms.value);
   const Element* otherwise = nullptr;
   for (const auto& child : element.children) {
     if (plain_name(child.name) == "default")
       otherwise = &child;
-    const auto* candidate = child.attribute("value");
-    if (plain_name(child.name) != "case" || !candidate)
-      continue;
-    b_.at(child.position);
-    const auto test = b_.allocate();
-    expressions_.text_or_expression(source_of(*candidate), test);
-    cases.emplace_back(&child,
-                       b_.emit(Operation::jump_if_equal, value, test, 0, true));
-    b_.release(test);
+    else if (plain_name(child.name) == "case")
+      test(arms, child);
   }
+  if (arms.table)
+    arms.table->end(b_.here());
   std::vector<Label> done;
   if (otherwise) {
     reached(*otherwise);
     block(*otherwise);
   }
   done.push_back(b_.emit(Operation::jump));
-  for (const auto& [child, label] : cases) {
-    b_.land(label);
-    reached(*child);
-    block(*child);
+  for (const auto& arm : arms.cases) {
+    b_.land(arm.label);
+    if (arms.table && arm.constant)
+      arms.table->arm(*arm.constant, b_.here());
+    reached(*arm.element);
+    block(*arm.element);
     done.push_back(b_.emit(Operation::jump));
   }
   b_.land(done);

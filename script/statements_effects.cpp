@@ -1,7 +1,7 @@
 // Statements that leave the script: each becomes an Effect whose operands
 // stand as effects.def lists them (language rule 5).
 #include <array>
-#include <map>
+#include <unordered_map>
 
 #include "runtime/base/clock.hpp"
 #include "script/statements.hpp"
@@ -24,8 +24,8 @@ struct PlainEffect {
 using F = OperandForm;
 using K = EffectKind;
 
-const std::map<std::string, PlainEffect>& plain_effects() {
-  static const std::map<std::string, PlainEffect> effects{
+const std::unordered_map<std::string, PlainEffect>& plain_effects() {
+  static const std::unordered_map<std::string, PlainEffect> effects{
       {"speak", {K::speak, {{{"param", F::either}, {"interrupt", F::value}}}}},
       {"send",
        {K::send,

@@ -109,6 +109,10 @@ void ExpressionCompiler::warn_of_text(const Source& source) {
                        "text-like-expression"});
     return;
   }
+  if (std::none_of(text.begin(), text.end(), [](char letter) {
+        return letter == '+' || letter == '[' || letter == '(';
+      }))
+    return;
   for (const auto& part : split_text(source))
     if (part.node)
       return; // it embeds what it means to
@@ -125,8 +129,8 @@ void ExpressionCompiler::warn_of_text(const Source& source) {
     const auto after = trimmed(source.text.substr(end));
     const bool opens = end < source.text.size() &&
                        (source.text[end] == '[' || source.text[end] == '(');
-    if (is_declared(word) &&
-        (opens || before.ends_with('+') || after.starts_with('+'))) {
+    if ((opens || before.ends_with('+') || after.starts_with('+')) &&
+        is_declared(word)) {
       b_.findings.add({Severity::warning, source.spot(at, word.size()),
                        "this is taken as text, although '" + word +
                            "' is declared; it is not well-formed as an "
@@ -177,7 +181,9 @@ std::vector<TextPart> ExpressionCompiler::split_text(const Source& source) {
   std::vector<TextPart> parts;
   const auto text = source.text;
   for (std::size_t at = 0; at < text.size();) {
-    const auto brace = std::min(text.find_first_of("{}", at), text.size());
+    auto brace = at;
+    while (brace < text.size() && text[brace] != '{' && text[brace] != '}')
+      ++brace;
     if (brace > at)
       add_literal(parts, text.substr(at, brace - at));
     at = brace;

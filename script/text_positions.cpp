@@ -1,6 +1,7 @@
 #include "script/text_positions.hpp"
 
 #include <algorithm>
+#include <cstring>
 
 namespace parlour::script {
 
@@ -30,23 +31,33 @@ bool second_is_wrong(unsigned char first, unsigned char second) {
 
 TextPositions::TextPositions(std::string_view text, std::uint16_t file)
     : text_(text), file_(file), starts_{0} {
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const bool lone_return =
-        text[i] == '\r' && (i + 1 == text.size() || text[i + 1] != '\n');
-    if (text[i] == '\n' || lone_return)
+  for (std::size_t i = 0; i < text.size(); ++i)
+    if (text[i] == '\n' ||
+        (text[i] == '\r' && (i + 1 == text.size() || text[i + 1] != '\n')))
       starts_.push_back(i + 1);
-  }
 }
 
 Position TextPositions::at(std::size_t offset) const {
   offset = std::min(offset, text_.size());
-  const auto next = std::upper_bound(starts_.begin(), starts_.end(), offset);
-  const auto start = *(next - 1);
-  const auto part = text_.substr(start, offset - start);
-  const auto inside = std::count_if(part.begin(), part.end(), continues);
-  return {file_, static_cast<std::uint32_t>(next - starts_.begin()),
-          static_cast<std::uint32_t>(part.size() -
-                                     static_cast<std::size_t>(inside) + 1)};
+  const auto ends = [this](std::size_t line) {
+    return line + 1 < starts_.size() ? starts_[line + 1] : text_.size() + 1;
+  };
+  if (offset < offset_ || offset >= ends(line_)) {
+    if (offset < offset_ || offset >= ends(line_ + 1))
+      line_ = static_cast<std::size_t>(
+          std::upper_bound(starts_.begin(), starts_.end(), offset) -
+          starts_.begin() - 1);
+    else
+      ++line_;
+    offset_ = starts_[line_];
+    column_ = 0;
+  }
+  const auto part = text_.substr(offset_, offset - offset_);
+  column_ += part.size() - static_cast<std::size_t>(std::count_if(
+                               part.begin(), part.end(), continues));
+  offset_ = offset;
+  return {file_, static_cast<std::uint32_t>(line_ + 1),
+          static_cast<std::uint32_t>(column_ + 1)};
 }
 
 std::size_t TextPositions::offset_of(std::uint32_t line,
@@ -61,8 +72,24 @@ std::size_t TextPositions::offset_of(std::uint32_t line,
   return offset;
 }
 
+namespace {
+
+// Bytes from `i` on that are ASCII, in steps of eight.
+std::size_t ascii_after(std::string_view text, std::size_t i) {
+  std::uint64_t eight = 0;
+  for (; i + sizeof eight <= text.size(); i += sizeof eight) {
+    std::memcpy(&eight, text.data() + i, sizeof eight);
+    if (eight & 0x8080808080808080u)
+      break;
+  }
+  return i;
+}
+
+} // namespace
+
 std::optional<std::size_t> find_invalid_utf8(std::string_view text) {
-  for (std::size_t i = 0; i < text.size();) {
+  for (auto i = ascii_after(text, 0); i < text.size();
+       i = ascii_after(text, i)) {
     const auto first = static_cast<unsigned char>(text[i]);
     const auto length = length_of(first);
     if (length == 0 || i + length > text.size())

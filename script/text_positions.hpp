@@ -17,6 +17,7 @@ public:
   // The text must outlive this. A line ends with LF, CR LF or CR.
   TextPositions(std::string_view text, std::uint16_t file);
 
+  // Quickest in the order of the text.
   Position at(std::size_t offset) const;
   // The offset of a line's column; the text's end where there is none.
   std::size_t offset_of(std::uint32_t line, std::uint32_t column) const;
@@ -25,6 +26,10 @@ private:
   std::string_view text_;
   std::uint16_t file_;
   std::vector<std::size_t> starts_; // of the lines
+  // Where it was asked for last.
+  mutable std::size_t line_ = 0;
+  mutable std::size_t offset_ = 0;
+  mutable std::size_t column_ = 0; // code points before it
 };
 
 // The offset of the first byte that is not UTF-8, if any.

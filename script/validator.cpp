@@ -172,8 +172,10 @@ bool Validator::replace_unavailable(Element& element, const ElementRule& rule) {
 }
 
 void Validator::check_text(const Element& element, const ElementRule& rule) {
+  if (element.text.empty() || rule.holds_text())
+    return;
   auto text = collapsed(element.text);
-  if (text.empty() || rule.holds_text())
+  if (text.empty())
     return;
   if (text.size() > 40)
     text = text.substr(0, text.find(' ', 20)) + " …";
@@ -215,12 +217,12 @@ std::string Validator::report_unknown(const Attribute& attribute,
 std::vector<std::string> Validator::check_attributes(Element& element,
                                                      const ElementRule& rule) {
   std::vector<std::string> given;
-  const auto names = rule.attribute_names();
   std::erase_if(element.attributes, [&](Attribute& attribute) {
     const auto* found = rule.attribute(attribute.name);
     if (!found) {
       // What it was meant to be is how it goes on.
-      auto right = report_unknown(attribute, name_of(element, rule), names);
+      auto right = report_unknown(attribute, name_of(element, rule),
+                                  rule.attribute_names());
       found = right.empty() || element.attribute(right) ? nullptr
                                                         : rule.attribute(right);
       if (!found)
@@ -273,7 +275,9 @@ void Validator::validate_inside(Element& element, const ElementRule& rule) {
 
 bool Validator::validate(Element& element, const ElementRule& parent,
                          const std::string& inside) {
-  const auto* rule = find_rule(element.name, parent.holds);
+  const auto* rule = parent.inside.empty()
+                         ? find_rule(element.name, parent.holds)
+                         : parent.child(element.name);
   if (!rule) {
     const auto parents = parents_of(element.name);
     const auto meant = parents.empty() ? report_unknown(element, parent, inside)

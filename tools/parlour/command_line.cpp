@@ -7,6 +7,7 @@
 
 #include "script/findings.hpp"
 #include "script/lint/lints.hpp"
+#include "tools/bench/script_bench.hpp"
 #include "tools/parlour/commands.hpp"
 #include "tools/parlour/completion.hpp"
 #include "tools/parlour/exit_code.hpp"
@@ -31,6 +32,7 @@ public:
     add_test();
     add_exec();
     add_understand();
+    add_bench();
     add_completion();
   }
 
@@ -190,6 +192,18 @@ private:
               "The time that \"tomorrow\" counts from");
   }
 
+  void add_bench() {
+    auto* command = add("bench", "Measure beside others who do the same work",
+                        [this] { return bench_command(bench_, console_); });
+    command->add_option("NAME", bench_.name, "script")
+        ->required()
+        ->check(CLI::IsMember({"script"}));
+    command->add_option("--runs", bench_.runs, "Of each; the median counts")
+        ->check(CLI::Range(1, 1000));
+    command->add_option("--only", bench_.only, "One row of the table")
+        ->check(CLI::IsMember(script_bench_rows()));
+  }
+
   void add_completion() {
     auto* command =
         add("completion", "Print a shell's completion script", [this] {
@@ -215,6 +229,7 @@ private:
   SchemaOptions schema_;
   TestOptions test_;
   UnderstandOptions understand_;
+  BenchOptions bench_;
   std::string exec_file_;
   std::string shell_;
 };

@@ -60,6 +60,13 @@ int schema_command(const SchemaOptions& options, const Console& console);
 int exec_command(const Places& places, const std::string& file,
                  const Console& console);
 
+struct BenchOptions {
+  std::string name; // script
+  int runs = 5;
+  std::string only; // one row; empty: all
+};
+int bench_command(const BenchOptions& options, const Console& console);
+
 struct UnderstandOptions {
   std::string app;
   std::string text;

@@ -1,0 +1,62 @@
+// A host of Lua 5.4 or LuaJIT for one workload:
+//
+//   bench_lua5.4 FILE [--interpreter]
+//
+// The file gives a function; it gives the number of operations and a result.
+// Prints nanoseconds of CPU time for one operation, and the result.
+#include <cstdio>
+#include <cstring>
+#include <ctime>
+
+#include <lua.hpp>
+#ifdef LUAJIT_VERSION
+#include <luajit.h>
+#endif
+
+namespace {
+
+// The built-in that the workload `builtin` calls.
+int larger(lua_State* state) {
+  const auto a = lua_tonumber(state, 1);
+  const auto b = lua_tonumber(state, 2);
+  lua_pushnumber(state, a > b ? a : b);
+  return 1;
+}
+
+double seconds() {
+  timespec time{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) +
+         static_cast<double>(time.tv_nsec) * 1e-9;
+}
+
+bool run(lua_State* state, const char* file) {
+  if (luaL_loadfile(state, file) || lua_pcall(state, 0, 1, 0))
+    return false;
+  const auto start = seconds();
+  if (lua_pcall(state, 0, 2, 0))
+    return false;
+  const auto spent = seconds() - start;
+  std::printf("%.3f %.14g\n", spent * 1e9 / lua_tonumber(state, -2),
+              lua_tonumber(state, -1));
+  return true;
+}
+
+} // namespace
+
+int main(int count, char** arguments) {
+  if (count < 2)
+    return 2;
+  auto* state = luaL_newstate();
+  luaL_openlibs(state);
+  lua_register(state, "larger", larger);
+#ifdef LUAJIT_VERSION
+  if (count > 2 && std::strcmp(arguments[2], "--interpreter") == 0)
+    luaJIT_setmode(state, 0, LUAJIT_MODE_ENGINE | LUAJIT_MODE_OFF);
+#endif
+  const bool well = run(state, arguments[1]);
+  if (!well)
+    std::fprintf(stderr, "%s\n", lua_tostring(state, -1));
+  lua_close(state);
+  return well ? 0 : 1;
+}

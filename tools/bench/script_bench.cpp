@@ -1,0 +1,240 @@
+#include "tools/bench/script_bench.hpp"
+
+#include <filesystem>
+#include <fstream>
+#include <ostream>
+#include <sstream>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "tools/bench/load_bench.hpp"
+#include "tools/bench/lua_peer.hpp"
+#include "tools/bench/script_workload.hpp"
+
+namespace parlour::tools {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path workloads = PARLOUR_WORKLOADS;
+
+// A workload that Lua does too: at most `bar` of Lua 5.4's time.
+struct Contest {
+  const char* name;
+  const char* sentence;
+  double bar;
+};
+
+constexpr Contest contests[] = {
+    {"calls", "a function call (fib 30)", 0.60},
+    {"loop", "an iteration with integers", 0.90},
+    {"strings", "join, part, replace", 0.45},
+    {"lists", "append, index, sort", 0.40},
+    {"maps", "read and write an entry", 0.50},
+    {"dispatch", "if and else over 8 texts", 0.70},
+    {"suspend", "suspend and resume", 0.15},
+    {"builtin", "call of a built-in", 0.45},
+};
+
+constexpr std::size_t load_bytes = 100'000;
+
+// The median of all runs of one workload by one who does it.
+struct Series {
+  std::vector<double> figures;
+  std::string result;
+  std::string trouble; // empty: all well
+
+  void add(const Expected<Measured>& measured) {
+    if (!measured) {
+      trouble = measured.error().message;
+      return;
+    }
+    figures.push_back(measured->nanoseconds);
+    result = measured->result;
+  }
+};
+
+std::string verdict(double ratio, double bar) {
+  return fmt::format("{:.2f}, bar {:.2f}: {}", ratio, bar,
+                     ratio <= bar ? "met" : "missed");
+}
+
+class ScriptBench {
+public:
+  ScriptBench(const ScriptBenchOptions& options, std::ostream& out)
+      : runs_(options.runs), only_(options.only), out_(out) {}
+
+  bool run();
+
+private:
+  void contest(const Contest& contest);
+  void compare(const Series& ours, const Series& theirs, const LuaPeer& peer,
+               double bar);
+  void switches();
+  void suspended();
+  void load();
+  void fail(const std::string& name, const std::string& message);
+  Series measure(const std::string& name);
+
+  bool wanted(const std::string& name) const {
+    return only_.empty() || only_ == name;
+  }
+
+  int runs_;
+  std::string only_;
+  std::ostream& out_;
+  bool well_ = true;
+};
+
+void ScriptBench::fail(const std::string& name, const std::string& message) {
+  out_ << fmt::format("{:<10} {}\n", name, message);
+  well_ = false;
+}
+
+void ScriptBench::compare(const Series& ours, const Series& theirs,
+                          const LuaPeer& peer, double bar) {
+  if (!peer.is_there()) {
+    out_ << fmt::format("; {}: not built, as {} is missing", peer.title,
+                        peer.package);
+    return;
+  }
+  if (!theirs.trouble.empty() || ours.result != theirs.result) {
+    out_ << fmt::format("; {}: no comparison, {}", peer.title,
+                        theirs.trouble.empty()
+                            ? "its result is " + theirs.result + ", not " +
+                                  ours.result
+                            : theirs.trouble);
+    well_ = false;
+    return;
+  }
+  const auto figure = median(theirs.figures);
+  const auto ratio = median(ours.figures) / figure;
+  out_ << fmt::format("; {} {:.1f} ({})", peer.title, figure,
+                      bar > 0 ? verdict(ratio, bar)
+                              : fmt::format("{:.2f}", ratio));
+}
+
+void ScriptBench::contest(const Contest& contest) {
+  const auto file = workloads / contest.name;
+  const auto workload =
+      ScriptWorkload::load(fs::path(file).replace_extension(".xml"));
+  if (!workload)
+    return fail(contest.name, workload.error().message);
+  Series ours;
+  std::vector<Series> theirs(lua_peers().size());
+  for (int run = 0; run < runs_; ++run) {
+    ours.add(workload->run());
+    for (std::size_t i = 0; i < theirs.size(); ++i)
+      if (lua_peers()[i].is_there())
+        theirs[i].add(
+            lua_peers()[i].run(fs::path(file).replace_extension(".lua")));
+  }
+  if (!ours.trouble.empty())
+    return fail(contest.name, ours.trouble);
+  out_ << fmt::format("{:<10} {:<28} {:6.1f} ns", contest.name,
+                      contest.sentence, median(ours.figures));
+  for (std::size_t i = 0; i < theirs.size(); ++i)
+    compare(ours, theirs[i], lua_peers()[i], i == 0 ? contest.bar : 0);
+  out_ << std::endl;
+}
+
+Series ScriptBench::measure(const std::string& name) {
+  Series series;
+  const auto workload = ScriptWorkload::load(workloads / name);
+  if (!workload)
+    series.trouble = workload.error().message;
+  for (int run = 0; run < runs_ && workload; ++run)
+    series.add(workload->run());
+  return series;
+}
+
+void ScriptBench::switches() {
+  const auto few = measure("switch_8.xml");
+  const auto many = measure("switch_64.xml");
+  if (!few.trouble.empty() || !many.trouble.empty())
+    return fail("switch", few.trouble + many.trouble);
+  const auto of_8 = median(few.figures);
+  const auto of_64 = median(many.figures);
+  out_ << fmt::format("{:<10} {:<28} {:6.1f} ns; of 8 arms {:.1f} ({})\n",
+                      "switch", "of 64 arms", of_64, of_8,
+                      verdict(of_64 / of_8, 1.5));
+}
+
+void ScriptBench::suspended() {
+  constexpr double bar = 200;
+  const auto workload = ScriptWorkload::load(workloads / "suspended.xml");
+  const auto bytes = workload ? workload->suspended_bytes()
+                              : tl::make_unexpected(workload.error());
+  if (!bytes)
+    return fail("suspended", bytes.error().message);
+  out_ << fmt::format("{:<10} {:<28} {:6.0f} B ; bar {:.0f}: {}", "suspended",
+                      "bytes of an activation", *bytes, bar,
+                      *bytes <= bar ? "met" : "missed");
+  for (const auto& peer : lua_peers())
+    if (peer.is_there())
+      if (const auto theirs = peer.run(workloads / "suspended.lua"))
+        out_ << "; " << peer.title << " " << theirs->result;
+  out_ << std::endl;
+}
+
+void ScriptBench::load() {
+  std::ifstream pattern(workloads / "load.xml");
+  std::ostringstream text;
+  text << pattern.rdbuf();
+  const auto file =
+      fs::temp_directory_path() / fmt::format("parlour-bench-{}.xml", getpid());
+  std::ofstream(file) << repeated_script(text.str(), load_bytes);
+  std::vector<double> ours;
+  std::vector<double> theirs;
+  std::string trouble;
+  for (int run = 0; run < runs_ * 10 && trouble.empty(); ++run) {
+    const auto times = load_once(file);
+    if (!times) {
+      trouble = times.error().message;
+      break;
+    }
+    ours.push_back(times->ours);
+    theirs.push_back(times->parse_and_walk);
+  }
+  fs::remove(file);
+  if (!trouble.empty())
+    return fail("load", trouble);
+  out_ << fmt::format("{:<10} {:<28} {:6.2f} ms; pugixml, parse and walk only "
+                      "{:.2f} ({}); bar 2 ms: {}\n",
+                      "load", "a script of 100 KB", median(ours) / 1e6,
+                      median(theirs) / 1e6,
+                      verdict(median(ours) / median(theirs), 2),
+                      median(ours) < 2e6 ? "met" : "missed");
+}
+
+bool ScriptBench::run() {
+  out_ << fmt::format("CPU time of one operation, median of {} runs\n", runs_);
+  for (const auto& each : contests)
+    if (wanted(each.name))
+      contest(each);
+  if (wanted("switch"))
+    switches();
+  if (wanted("suspended"))
+    suspended();
+  if (wanted("load"))
+    load();
+  return well_;
+}
+
+} // namespace
+
+std::vector<std::string> script_bench_rows() {
+  std::vector<std::string> names;
+  for (const auto& each : contests)
+    names.emplace_back(each.name);
+  names.insert(names.end(), {"switch", "suspended", "load"});
+  return names;
+}
+
+bool script_bench(const ScriptBenchOptions& options, std::ostream& out) {
+  return ScriptBench(options, out).run();
+}
+
+} // namespace parlour::tools

@@ -1,0 +1,22 @@
+// `parlour bench script`: the script engine, beside Lua 5.4 and LuaJIT's
+// interpreter where they are installed, as a table.
+#pragma once
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace parlour::tools {
+
+struct ScriptBenchOptions {
+  int runs = 5;     // of each; their median counts
+  std::string only; // one row; empty: all
+};
+
+// The names of the rows.
+std::vector<std::string> script_bench_rows();
+
+// False where something could not be measured; that is told in the table.
+bool script_bench(const ScriptBenchOptions& options, std::ostream& out);
+
+} // namespace parlour::tools

@@ -7,6 +7,7 @@
 #include <caf/scoped_actor.hpp>
 #include <caf/send.hpp>
 
+#include "actors/file_keeper.hpp"
 #include "actors/message_centre.hpp"
 #include "actors/session_manager.hpp"
 #include "actors/supervisor.hpp"
@@ -73,6 +74,8 @@ void House::set_up_services() {
   services_.data_folder = options_.data_folder;
   services_.application_folder = options_.application_folder;
   services_.clock = &drive_->clock();
+  services_.files = options_.files;
+  services_.sockets = options_.sockets;
   services_.new_session_id = [this] { return chance_.session_id(); };
   services_.new_seed = [this] { return chance_.session_seed(); };
   services_.log = [this](const std::string& line) {
@@ -96,6 +99,9 @@ void House::spawn_actors() {
   services_.centre = system_->spawn(message_centre, &services_);
   services_.supervisor = system_->spawn(supervisor, &services_);
   services_.manager = system_->spawn(session_manager, &services_);
+  services_.file_keeper =
+      drive_->detaches() ? system_->spawn<caf::detached>(file_keeper, &services_)
+                         : system_->spawn(file_keeper, &services_);
   for (auto& order : options_.components)
     add_component(std::move(order));
   publish_table();
@@ -242,12 +248,14 @@ void House::stop_actors() {
     caf::anon_send_exit(running.host, reason);
   caf::anon_send_exit(services_.manager, reason);
   caf::anon_send_exit(services_.supervisor, reason);
+  caf::anon_send_exit(services_.file_keeper, reason);
   caf::anon_send_exit(services_.centre, reason);
   drive_->run_until_quiet();
   services_.table.store(nullptr);
   services_.sessions.clear();
   services_.manager = nullptr;
   services_.supervisor = nullptr;
+  services_.file_keeper = nullptr;
   services_.centre = nullptr;
 }
 

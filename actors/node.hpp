@@ -16,8 +16,10 @@
 #include <vector>
 
 #include "runtime/base/clock.hpp"
+#include "runtime/base/files.hpp"
 #include "runtime/base/inspection.hpp"
 #include "runtime/base/phrases.hpp"
+#include "runtime/base/sockets.hpp"
 #include "runtime/base/understanding.hpp"
 #include "runtime/plugin/plugin.hpp"
 #include "script/dialogue/output_queue.hpp"
@@ -50,6 +52,10 @@ struct NodeOptions {
   unsigned threads = 0;           // of the scheduler; 0: as many as cores
   // How long sessions, then components, then the rest get to end in real time.
   Milliseconds drain_time{2'000};
+  // The files of the data folder and the network; without, scripts are refused
+  // what wants them.
+  FileAccess files = {};
+  std::shared_ptr<Sockets> sockets = {};
   // One call at a time, from any thread; may be empty. What on_inspection
   // throws is logged; log may not throw.
   std::function<void(const Inspection&)> on_inspection;

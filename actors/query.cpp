@@ -9,12 +9,18 @@ namespace {
 
 using Self = query_actor::stateful_pointer<query_state>;
 
+const char* command_of(dialogue::QueryRequest::Kind kind) {
+  constexpr const char* commands[] = {"Query", "Begin", "Commit", "Rollback"};
+  return commands[static_cast<std::size_t>(kind)];
+}
+
 Message as_message(const QueryOrder& order, Correlation correlation) {
   const auto& request = order.request;
   Message message;
   message.source = "Session";
-  message.command = "Query";
-  message.params = {request.sql, request.values, request.write};
+  message.command = command_of(request.kind);
+  if (request.kind == dialogue::QueryRequest::Kind::query)
+    message.params = {request.sql, request.values, request.write};
   message.sinks = {request.database.empty() ? std::string("Database")
                                             : request.database};
   message.session = order.session_id;

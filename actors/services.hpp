@@ -40,6 +40,9 @@ struct Services {
   std::string data_folder;
   std::string application_folder;
   const Clock* clock = nullptr;
+  // Both may be empty: then scripts have none.
+  FileAccess files;
+  std::shared_ptr<Sockets> sockets;
 
   // Something did not come to an end in time: what is left of the actors calls
   // nobody outside any more.
@@ -59,6 +62,7 @@ struct Services {
   message_centre_actor centre;
   session_manager_actor manager;
   supervisor_actor supervisor;
+  file_keeper_actor file_keeper;
 
   // To the message centre, from any thread.
   void publish(std::vector<Message> messages);

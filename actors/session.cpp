@@ -84,6 +84,31 @@ void hear_query(Self self, const query_outcome& what) {
   go_on(self);
 }
 
+void hear_file(Self self, const file_outcome& what) {
+  self->state.conversation->file_answered(what.id, what.outcome, now(self));
+  go_on(self);
+}
+
+// Its messages go the way of all others: by the routes, then queued.
+void hear_socket(Self self, const socket_told& what) {
+  using enum SocketEvent::Kind;
+  auto& state = self->state;
+  auto& conversation = *state.conversation;
+  if (what.event.kind == opened)
+    conversation.socket_opened(what.id, {}, now(self));
+  else if (what.event.kind == failed)
+    conversation.socket_opened(
+        what.id, fail(ErrorKind::network, what.event.text), now(self));
+  else
+    for (auto& message : state.port->hear_socket(what.id, what.event))
+      conversation.receive(std::move(message));
+  if (what.event.kind == closed || what.event.kind == failed)
+    state.port->socket_is_over(what.id);
+  if (what.event.kind == closed)
+    conversation.socket_closed(what.id);
+  go_on(self);
+}
+
 void hear_seat(Self self, const output_done& what) {
   self->state.conversation->output_finished(what.id, what.played, now(self));
   go_on(self);
@@ -142,6 +167,8 @@ session(session_actor::stateful_pointer<session_state> self, Services* services,
       [=](const take_step&) { take_one_step(self); },
       [=](const timer_due& what) { hear_timer(self, what); },
       [=](const query_outcome& what) { hear_query(self, what); },
+      [=](const file_outcome& what) { hear_file(self, what); },
+      [=](const socket_told& what) { hear_socket(self, what); },
       [=](const output_done& what) { hear_seat(self, what); },
       [=](const look& what) { what.at(*self->state.conversation); },
       [=](const end_session&) {

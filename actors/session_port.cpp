@@ -1,5 +1,6 @@
 #include "actors/session_port.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include <caf/send.hpp>
@@ -23,7 +24,7 @@ constexpr int inline_depth = 8;
 SessionPort::SessionPort(Self self, Services& services, SessionId id,
                          seat_actor seat)
     : self_(self), services_(services), id_(std::move(id)),
-      seat_(std::move(seat)) {}
+      seat_(std::move(seat)), sockets_(services, id_) {}
 
 // -- messages -----------------------------------------------------------------
 
@@ -89,7 +90,7 @@ void SessionPort::release(const dialogue::Output& output) {
                          services_.work.begin()});
 }
 
-// -- timers, queries, frames --------------------------------------------------
+// -- timers, queries ----------------------------------------------------------
 
 Timestamp SessionPort::due_at(Milliseconds after) const {
   return services_.clock->now() + after.count();
@@ -131,6 +132,55 @@ void SessionPort::query(dialogue::QueryRequest request) {
 void SessionPort::query_is_over(dialogue::QueryId id) {
   queries_.erase(id);
 }
+
+// -- files, sockets -----------------------------------------------------------
+
+void SessionPort::file(dialogue::QueryId id, FileRequest request) {
+  self_->send(services_.file_keeper,
+              file_order{id, std::move(request), session_actor(self_),
+                         services_.work.begin()});
+}
+
+void SessionPort::open_socket(dialogue::SocketRequest request) {
+  const auto id = request.id;
+  if (!sockets_.open(std::move(request)))
+    self_->send(self_, socket_told{id,
+                                   {SocketEvent::Kind::failed,
+                                    "this run has no network, as its time is virtual"},
+                                   services_.work.begin()});
+}
+
+Expected<void> SessionPort::send_socket(dialogue::SocketId id,
+                                        const std::string& text) {
+  return sockets_.send(id, text);
+}
+
+void SessionPort::socket_taken(dialogue::SocketId id) {
+  sockets_.taken(id);
+}
+
+void SessionPort::close_socket(dialogue::SocketId id) {
+  sockets_.close(id);
+}
+
+void SessionPort::socket_is_over(dialogue::SocketId id) {
+  sockets_.forget(id);
+}
+
+std::vector<Message> SessionPort::hear_socket(dialogue::SocketId id,
+                                              const SocketEvent& event) {
+  std::vector<Message> messages;
+  if (auto message = sockets_.message(id, event))
+    carry(std::move(*message), messages, 0);
+  // A text that the routes ended is dealt with.
+  if (std::none_of(messages.begin(), messages.end(), [](const Message& message) {
+        return message.command == "Data";
+      }))
+    sockets_.taken(id);
+  return messages;
+}
+
+// -- frames -------------------------------------------------------------------
 
 const topic_frame_actor& SessionPort::frame_of(script::TopicId topic) {
   auto& frame = frames_[topic];

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "actors/services.hpp"
+#include "actors/session_sockets.hpp"
 #include "script/dialogue/port.hpp"
 
 namespace parlour::actors {
@@ -26,6 +27,12 @@ public:
   void start_timer(dialogue::TimerId id, Milliseconds after) override;
   void cancel_timer(dialogue::TimerId id) override;
   void query(dialogue::QueryRequest request) override;
+  void file(dialogue::QueryId id, FileRequest request) override;
+  void open_socket(dialogue::SocketRequest request) override;
+  Expected<void> send_socket(dialogue::SocketId id,
+                             const std::string& text) override;
+  void socket_taken(dialogue::SocketId id) override;
+  void close_socket(dialogue::SocketId id) override;
   void apply(script::TopicId topic, dialogue::FrameRequest request) override;
   void unhandled(const Message& message) override;
   bool inspected() const override;
@@ -35,6 +42,10 @@ public:
   // What it started is over by itself.
   void timer_is_over(dialogue::TimerId id);
   void query_is_over(dialogue::QueryId id);
+  void socket_is_over(dialogue::SocketId id);
+  // What a socket said as messages for the conversation, after the routes.
+  std::vector<Message> hear_socket(dialogue::SocketId id,
+                                   const SocketEvent& event);
   // Says that the session is gone, and ends whatever still works for it.
   void close(std::vector<Message> unread);
 
@@ -62,6 +73,7 @@ private:
   const seat_actor seat_;
   std::map<dialogue::TimerId, Timer> timers_;
   std::map<dialogue::QueryId, Query> queries_;
+  SessionSockets sockets_;
   std::map<script::TopicId, topic_frame_actor> frames_;
 };
 

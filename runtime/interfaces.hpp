@@ -14,7 +14,9 @@
 
 #include "runtime/base/clock.hpp"
 #include "runtime/base/error.hpp"
+#include "runtime/base/files.hpp"
 #include "runtime/base/message.hpp"
+#include "runtime/base/sockets.hpp"
 
 namespace parlour::dialogue {
 class Conversation;
@@ -58,6 +60,18 @@ struct query_outcome {
   Expected<ResultSet> outcome;
   Work work;
 };
+// What became of a file that a script wanted.
+struct file_outcome {
+  std::uint64_t id;
+  Expected<Value> outcome;
+  Work work;
+};
+// A socket of this session is open, has a text, or is over.
+struct socket_told {
+  std::uint64_t id;
+  SocketEvent event;
+  Work work;
+};
 // The speaker or page is done with an output.
 struct output_done {
   std::uint64_t id;
@@ -81,9 +95,24 @@ struct leave {
 using session_actor =
     caf::typed_actor<caf::reacts_to<begin_session>, caf::reacts_to<deliver>,
                      caf::reacts_to<take_step>, caf::reacts_to<timer_due>,
-                     caf::reacts_to<query_outcome>, caf::reacts_to<output_done>,
-                     caf::reacts_to<look>, caf::reacts_to<end_session>,
-                     caf::reacts_to<leave>>;
+                     caf::reacts_to<query_outcome>,
+                     caf::reacts_to<file_outcome>, caf::reacts_to<socket_told>,
+                     caf::reacts_to<output_done>, caf::reacts_to<look>,
+                     caf::reacts_to<end_session>, caf::reacts_to<leave>>;
+
+// -- files --------------------------------------------------------------------
+
+// A session's script wants something of a file in the data folder; file_outcome
+// follows. One actor does them all, on a thread of its own, so that no session
+// waits for the disk and no two write at once.
+struct file_order {
+  std::uint64_t id;
+  FileRequest request;
+  session_actor session;
+  Work work;
+};
+
+using file_keeper_actor = caf::typed_actor<caf::reacts_to<file_order>>;
 
 // -- the message centre -------------------------------------------------------
 
@@ -259,6 +288,9 @@ PARLOUR_LOCAL_MESSAGE(deliver)
 PARLOUR_LOCAL_MESSAGE(take_step)
 PARLOUR_LOCAL_MESSAGE(timer_due)
 PARLOUR_LOCAL_MESSAGE(query_outcome)
+PARLOUR_LOCAL_MESSAGE(file_outcome)
+PARLOUR_LOCAL_MESSAGE(socket_told)
+PARLOUR_LOCAL_MESSAGE(file_order)
 PARLOUR_LOCAL_MESSAGE(output_done)
 PARLOUR_LOCAL_MESSAGE(look)
 PARLOUR_LOCAL_MESSAGE(end_session)

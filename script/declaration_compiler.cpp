@@ -70,9 +70,11 @@ private:
 
 void DeclarationCompiler::prepare(SettingsSource settings) {
   compilation_.sources = known_sources(program_, agents_of(settings));
-  for (const auto& document : documents_)
+  for (const auto& document : documents_) {
+    add_socket_names(document.root, compilation_.sources);
     collect_grammars(document.root, compilation_.grammars,
                      compilation_.findings);
+  }
   for (const auto& document : documents_)
     for (const auto& child : document.root.children)
       if (child.is("facts"))

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "runtime/base/random.hpp"
+#include "script/file_effect.hpp"
 
 namespace parlour::script {
 
@@ -89,6 +90,7 @@ private:
                                    RunResult result);
   std::optional<ExecFailure> run_due(Due due);
   Performed add_timer(const Effect& effect);
+  Performed access_file(const FileRequest& request);
 
   const ExecOptions& options_;
   Interpreter interpreter_;
@@ -120,7 +122,18 @@ Performed ExecHost::add_timer(const Effect& effect) {
   return Value();
 }
 
+Performed ExecHost::access_file(const FileRequest& request) {
+  auto outcome = options_.files(request);
+  if (!outcome)
+    return std::move(outcome.error());
+  return std::move(*outcome);
+}
+
 Performed ExecHost::perform(Activation&, Effect effect) {
+  const auto most_bytes = interpreter_.program().settings.limits.result;
+  if (const auto request = file_request(effect, most_bytes);
+      request && options_.files)
+    return access_file(*request);
   switch (effect.kind) {
   case EffectKind::print:
     options_.print(effect.operand(0).text());

@@ -1,6 +1,7 @@
 // `parlour exec`: the language without the dialogue (language rule 7). Prints
 // and logs go to the given sinks, timers and waits run in the order of their
-// times; everything else is an error of kind Refused.
+// times, files are read and written at once; everything else is an error of kind
+// Refused.
 #pragma once
 
 #include <functional>
@@ -10,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "runtime/base/files.hpp"
 #include "script/interpreter.hpp"
 
 namespace parlour::script {
@@ -20,6 +22,8 @@ struct ExecOptions {
   std::function<Timestamp()> now;
   // Returns at or after this time. Tests move a clock of their own.
   std::function<void(Timestamp)> wait_until;
+  // Empty: there are no files, and statements that want them are refused.
+  FileAccess files = {};
   std::uint64_t seed = 1;
   std::uint64_t instructions = defaults::exec_instructions; // of one event
 };

@@ -28,7 +28,7 @@ void warn_of_source(const std::string& name, Position position,
     compilation.findings.add(
         {Severity::warning,
          {position},
-         "no component, role or agent is called '" + name + "'" + hint,
+         "no component, role, agent or socket is called '" + name + "'" + hint,
          "unknown-module"});
 }
 
@@ -116,6 +116,14 @@ std::vector<std::string> known_sources(const Program& program,
     names.push_back(component.plugin);
   }
   return names;
+}
+
+void add_socket_names(const Element& root, std::vector<std::string>& names) {
+  for (const auto& child : root.children) {
+    if (child.is("socket"))
+      names.push_back(child.value("name"));
+    add_socket_names(child, names);
+  }
 }
 
 EventName checked_event(EventName name, Position source, Position event,

@@ -143,6 +143,8 @@ void StatementCompiler::query(const Element& element) {
 // -- transactions -------------------------------------------------------------
 
 void StatementCompiler::transaction(const Element& element) {
+  if (!transactions_.empty())
+    error(element.position, "a <transaction> cannot stand in another one");
   b_.open_scope();
   const auto database = b_.allocate();
   const auto outcome = b_.allocate();
@@ -163,7 +165,8 @@ void StatementCompiler::transaction(const Element& element) {
   b_.close_scope();
 }
 
-// A return, break or continue leaves a transaction well: it is committed.
+// A return, break or continue leaves a transaction well: it is committed
+// (language rule 11.4).
 void StatementCompiler::end_transactions(std::size_t outside) {
   const auto mark = b_.mark();
   const auto outcome = b_.allocate();

@@ -54,8 +54,34 @@ void Conversation::query_answered(QueryId id, Expected<ResultSet> outcome,
   core.now = now;
   implementation_->begin_event();
   if (core.topics.query_answered(id, outcome) ||
-      core.effects.query_answered(id, outcome))
+      core.effects.answered(id, std::move(outcome).map([](ResultSet rows) {
+        return Value(std::move(rows));
+      })))
     implementation_->go_on();
+}
+
+void Conversation::file_answered(QueryId id, Expected<Value> outcome,
+                                 Timestamp now) {
+  if (ended())
+    return;
+  implementation_->core.now = now;
+  implementation_->begin_event();
+  if (implementation_->core.effects.answered(id, std::move(outcome)))
+    implementation_->go_on();
+}
+
+void Conversation::socket_opened(SocketId id, Expected<void> outcome,
+                                 Timestamp now) {
+  if (ended())
+    return;
+  implementation_->core.now = now;
+  implementation_->begin_event();
+  implementation_->core.effects.sockets.opened(id, std::move(outcome));
+  implementation_->go_on();
+}
+
+void Conversation::socket_closed(SocketId id) {
+  implementation_->core.effects.sockets.closed(id);
 }
 
 void Conversation::timer_fired(TimerId id, Timestamp now) {

@@ -49,6 +49,10 @@ public:
 
   void frame_applied(FrameResult result, Timestamp now);
   void query_answered(QueryId id, Expected<ResultSet> outcome, Timestamp now);
+  void file_answered(QueryId id, Expected<Value> outcome, Timestamp now);
+  void socket_opened(SocketId id, Expected<void> outcome, Timestamp now);
+  // By the other side. Whoever tells of it receives its message, too.
+  void socket_closed(SocketId id);
   void timer_fired(TimerId id, Timestamp now);
   // The speaker is done with it; `played` false: it was interrupted.
   void output_finished(OutputId id, bool played, Timestamp now);

@@ -6,6 +6,7 @@
 #include "script/dialogue/effect_operands.hpp"
 #include "script/dialogue/frame_view.hpp"
 #include "script/dialogue/steps.hpp"
+#include "script/file_effect.hpp"
 
 namespace parlour::dialogue {
 
@@ -30,7 +31,8 @@ bool means_own_topic(StepKind kind) {
 
 } // namespace
 
-Effects::Effects(Core& core) : core_(core), random_(core.options.seed) {}
+Effects::Effects(Core& core)
+    : sockets(core), core_(core), random_(core.options.seed) {}
 
 script::Performed Effects::perform(script::Activation& activation,
                                    script::Effect effect) {
@@ -67,10 +69,6 @@ script::Performed Effects::perform(script::Activation& activation,
     return Value();
   case wait:
     return wait_for(milliseconds(effect.operand(0)));
-  case connectdb:
-    return connect_database(effect);
-  case querydb:
-    return query_database(effect);
   case confirm:
     return this->confirm(context, effect);
   case log:
@@ -111,6 +109,34 @@ script::Performed Effects::perform_dialogue(Context context, Call effect) {
   case register_topic:
   case unregister_topic:
     return this->register_topic(effect);
+  default:
+    return perform_outside(effect);
+  }
+}
+
+// Databases, files, sockets.
+script::Performed Effects::perform_outside(Call effect) {
+  using enum script::EffectKind;
+  if (auto request = script::file_request(
+          effect, core_.program->settings.limits.result))
+    return file(std::move(*request));
+  switch (effect.kind) {
+  case connectdb:
+    return connect_database(effect);
+  case querydb:
+    return query_database(effect);
+  case begin:
+    return transaction(effect, QueryRequest::Kind::begin);
+  case commit:
+    return transaction(effect, QueryRequest::Kind::commit);
+  case rollback:
+    return transaction(effect, QueryRequest::Kind::rollback);
+  case open_socket:
+    return this->open_socket(effect);
+  case send_socket:
+    return sockets.send(effect);
+  case close_socket:
+    return sockets.close(effect);
   default:
     return not_yet(effect);
   }

@@ -8,6 +8,7 @@
 
 #include "runtime/base/random.hpp"
 #include "script/dialogue/port.hpp"
+#include "script/dialogue/sockets.hpp"
 #include "script/dialogue/step.hpp"
 #include "script/host.hpp"
 #include "script/interpreter.hpp"
@@ -37,12 +38,16 @@ public:
   void unhandled(const Message& message, TurnId turn);
   // A reply to a <request>; false where none waits for it.
   bool reply(const Message& message);
-  // A query's outcome for a <querydb>; false where it is none of these.
-  bool query_answered(QueryId id, Expected<ResultSet>& outcome);
+  // The outcome of a <querydb>, of a transaction's ends, of a <readfile> …;
+  // false where it is none of these.
+  bool answered(QueryId id, Expected<Value> outcome);
   bool waits_for_answer() const {
-    return !requests_.empty() || !queries_.empty();
+    return !requests_.empty() || !queries_.empty() ||
+           sockets.waits_for_answer();
   }
   void forget(WaitId wait);
+
+  ScriptSockets sockets;
 
 private:
   using Performed = script::Performed;
@@ -57,6 +62,11 @@ private:
   Performed timer(Context context, Call effect);
   Performed connect_database(Call effect);
   Performed query_database(Call effect);
+  Performed transaction(Call effect, QueryRequest::Kind kind);
+  Performed ask_database(QueryRequest request, const Value& named);
+  Performed perform_outside(Call effect);
+  Performed file(FileRequest request);
+  Performed open_socket(Call effect);
   Performed confirm(Context context, Call effect);
   Performed later(StepKind kind, Context context, Call effect);
   Performed push(Context context, Call effect);
@@ -72,9 +82,14 @@ private:
     bool write = false;
   };
 
+  struct Query {
+    WaitId wait = 0;
+    bool rollback = false; // never fails: the error that led to it counts
+  };
+
   Core& core_;
   std::map<Correlation, WaitId> requests_;
-  std::map<QueryId, WaitId> queries_;
+  std::map<QueryId, Query> queries_;
   std::map<std::string, Connection, std::less<>> connections_;
   std::string last_connection_;
   Random random_;

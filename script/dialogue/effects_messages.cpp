@@ -1,5 +1,4 @@
-// What scripts want of components: messages, requests, frames, speech,
-// databases.
+// What scripts want of components: messages, requests, frames, speech.
 #include <utility>
 
 #include "runtime/base/roles.hpp"
@@ -80,9 +79,11 @@ bool Effects::reply(const Message& message) {
 }
 
 void Effects::forget(WaitId wait) {
-  auto mine = [&](const auto& entry) { return entry.second == wait; };
-  std::erase_if(requests_, mine);
-  std::erase_if(queries_, mine);
+  std::erase_if(requests_,
+                [&](const auto& entry) { return entry.second == wait; });
+  std::erase_if(queries_,
+                [&](const auto& entry) { return entry.second.wait == wait; });
+  sockets.forget(wait);
 }
 
 script::Performed Effects::fire_frames(Context context, Call effect) {
@@ -127,56 +128,6 @@ void Effects::unhandled(const Message& message, TurnId turn) {
   if (is_reserved(message.source) || message.source == "Knowledge")
     return;
   core_.port.unhandled(message);
-}
-
-// -- databases ----------------------------------------------------------------
-
-script::Performed Effects::connect_database(Call effect) {
-  auto name =
-      effect.operand(0).is_unknown() ? std::string() : effect.operand(0).text();
-  auto component =
-      effect.operand(1).is_unknown() ? std::string() : effect.operand(1).text();
-  if (!core_.port.reachable(component.empty() ? "Database" : component))
-    return Error{ErrorKind::offline,
-                 "no database component '" + component + "' is there",
-                 {}};
-  connections_[name] = {component, static_cast<bool>(effect.operand(2))};
-  last_connection_ = name;
-  return Value(true);
-}
-
-script::Performed Effects::query_database(Call effect) {
-  const auto& named = effect.operand(2);
-  auto connection =
-      connections_.find(named.is_unknown() ? last_connection_ : named.text());
-  if (connection == connections_.end() && !named.is_unknown() &&
-      !core_.port.reachable(named.text()))
-    return missing("database", named);
-  QueryRequest request;
-  request.id = core_.next_id();
-  request.sql = effect.operand(0).text();
-  request.values = list_of(effect.operand(1));
-  if (connection != connections_.end()) {
-    request.database = connection->second.component;
-    request.write = connection->second.write;
-  } else if (!named.is_unknown()) {
-    request.database = named.text();
-  }
-  queries_[request.id] = begin_wait(false);
-  core_.port.query(std::move(request));
-  return script::Waits{};
-}
-
-bool Effects::query_answered(QueryId id, Expected<ResultSet>& outcome) {
-  auto found = queries_.find(id);
-  if (found == queries_.end())
-    return false;
-  auto wait = found->second;
-  queries_.erase(found);
-  core_.resume(wait, std::move(outcome).map([](ResultSet rows) {
-    return Value(std::move(rows));
-  }));
-  return true;
 }
 
 } // namespace parlour::dialogue

@@ -128,6 +128,7 @@ bool Pipeline::resume(WaitId wait, Expected<Value> outcome) {
 void Pipeline::finish(std::unique_ptr<Item> item) {
   const bool taken = item->next > 0;
   core_.mouth.handled(*item->message, taken);
+  core_.effects.sockets.handled(*item->message);
   if (means_nothing(*item))
     not_understood(*item, taken);
   else if (!taken)

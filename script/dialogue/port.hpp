@@ -9,8 +9,10 @@
 #include <vector>
 
 #include "runtime/base/clock.hpp"
+#include "runtime/base/files.hpp"
 #include "runtime/base/inspection.hpp"
 #include "runtime/base/message.hpp"
+#include "runtime/base/sockets.hpp"
 #include "script/dialogue/frame.hpp"
 #include "script/dialogue/output_queue.hpp"
 
@@ -18,13 +20,23 @@ namespace parlour::dialogue {
 
 using TimerId = std::uint64_t;
 using QueryId = std::uint64_t;
+using SocketId = std::uint64_t; // a session's own
 
 struct QueryRequest {
+  enum class Kind : std::uint8_t { query, begin, commit, rollback };
+
   QueryId id = 0;
+  Kind kind = Kind::query;
   std::string database; // a connection's name; empty: the first Database
   std::string sql;
   List values; // bound to its `?` in order
   bool write = false;
+};
+
+struct SocketRequest {
+  SocketId id = 0;
+  std::string name; // the source of its messages
+  SocketOrder order;
 };
 
 class Port {
@@ -51,6 +63,16 @@ public:
   virtual void start_timer(TimerId id, Milliseconds after) = 0;
   virtual void cancel_timer(TimerId id) = 0;
   virtual void query(QueryRequest request) = 0;
+  // Conversation::file_answered follows.
+  virtual void file(QueryId id, FileRequest request) = 0;
+
+  // Conversation::socket_opened follows, then its texts as messages, and after
+  // the last one Conversation::socket_closed, if it was not closed here.
+  virtual void open_socket(SocketRequest request) = 0;
+  virtual Expected<void> send_socket(SocketId id, const std::string& text) = 0;
+  // A text of it was dealt with.
+  virtual void socket_taken(SocketId id) = 0;
+  virtual void close_socket(SocketId id) = 0;
 
   // One request to the topic's frame actor; Conversation::frame_applied is the
   // next input, before any other.

@@ -96,6 +96,14 @@ public:
                 note("rings " + std::to_string(what.id));
               },
               [=](const query_outcome&) { note("has an outcome"); },
+              [=](const file_outcome& what) {
+                note("has of a file " +
+                     (what.outcome ? to_string(*what.outcome)
+                                   : to_string(what.outcome.error())));
+              },
+              [=](const socket_told& what) {
+                note("is told " + what.event.text);
+              },
               [=](const output_done& what) {
                 note((what.played ? "played " : "did not play ") +
                      std::to_string(what.id));

@@ -35,6 +35,8 @@ protected:
                 heard.push_back(what.outcome ? "rows"
                                              : what.outcome.error().message);
               },
+              [](const file_outcome&) {},
+              [](const socket_told&) {},
               [](const output_done&) {},
               [](const look&) {},
               [self](const end_session&) { self->quit(); },

@@ -61,6 +61,15 @@ TEST(Exec, WhatNeedsAnApplicationIsRefused) {
             "<fire> needs a running application");
 }
 
+TEST(Exec, WithoutADataFolderThereAreNoFiles) {
+  const auto execution = execute("<function name='main'>"
+                                 "<deletefile name='a'/></function>");
+  ASSERT_TRUE(execution.failure);
+  EXPECT_EQ(execution.failure->error.kind, ErrorKind::refused);
+  EXPECT_EQ(execution.failure->error.message,
+            "<deletefile> needs a running application");
+}
+
 } // namespace
 
 } // namespace parlour::script

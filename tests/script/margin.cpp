@@ -7,8 +7,10 @@
 
 #include <gtest/gtest.h>
 
+#include "adapters/files/data_files.hpp"
 #include "script/exec_host.hpp"
 #include "tests/script/snippets.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace parlour::test {
 
@@ -76,6 +78,7 @@ Expectation read_expectation(const std::string& script) {
 
 ScriptRun run_script(const std::shared_ptr<const script::Program>& program) {
   ScriptRun run;
+  const TemporaryFolder folder;
   Timestamp clock = 1'795'251'600'000; // 2026-11-21 09:00 UTC
   script::ExecOptions options;
   options.print = [&](std::string_view text) {
@@ -85,6 +88,7 @@ ScriptRun run_script(const std::shared_ptr<const script::Program>& program) {
   options.now = [&] { return clock; };
   options.wait_until = [&](Timestamp time) { clock = std::max(clock, time); };
   options.instructions = 1'000'000;
+  options.files = adapters::data_files(folder.path() / "data");
   if (const auto failure = script::run_main(program, options))
     run.errors.push_back(
         {failure->error.place.line, std::string(name_of(failure->error.kind)) +

@@ -67,10 +67,10 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"hello <var name='x'/>",
                 "11: error: text 'hello' may not stand in "
                 "<dialogue>; expected elements only"},
-        Mistake{"<function name='f'><socket name='a' connect='b'/></function>",
-                "30: error: <socket> is not available yet"},
-        Mistake{"<function name='f'><transaction><x/></transaction></function>",
-                "30: error: <transaction> is not available yet"}));
+        Mistake{"<function name='f'><subscribe source='ASR'/></function>",
+                "30: error: <subscribe> is not available yet"},
+        Mistake{"<function name='f'><send agent='A' command='b'><x/></send></function>",
+                "30: error: <send> is not available yet"}));
 
 INSTANTIATE_TEST_SUITE_P(
     attributes, Mistakes,

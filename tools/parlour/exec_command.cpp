@@ -1,6 +1,7 @@
 #include <ostream>
 #include <thread>
 
+#include "adapters/files/data_files.hpp"
 #include "script/exec_host.hpp"
 #include "tools/parlour/application.hpp"
 #include "tools/parlour/commands.hpp"
@@ -30,33 +31,40 @@ std::string shown_caller(const Places& places, const std::string& caller) {
   return caller.substr(0, at) + shown_path(places, caller.substr(at));
 }
 
-Expected<script::Compiled> compile(const Places& places,
-                                   const std::string& file) {
+struct Loaded {
+  script::Compiled compiled;
+  std::filesystem::path folder; // the file's, or the application's
+};
+
+Expected<Loaded> load(const Places& places, const std::string& file) {
   std::error_code ignored;
   const auto path = places.working / file;
   if (std::filesystem::is_regular_file(path, ignored))
-    return load_file(path, places);
+    return Loaded{load_file(path, places), path.parent_path()};
   const auto folder = find_application(places, file);
   if (!folder)
     return fail(ErrorKind::settings,
                 "there is no file or application '" + file + "'");
-  return compile_folder(*folder, find_platform(places, *folder));
+  return Loaded{compile_folder(*folder, find_platform(places, *folder)),
+                *folder};
 }
 
 } // namespace
 
 int exec_command(const Places& places, const std::string& file,
                  const Console& console) {
-  const auto compiled = compile(places, file);
-  if (!compiled) {
-    say_error(console, compiled.error().message);
+  const auto loaded = load(places, file);
+  if (!loaded) {
+    say_error(console, loaded.error().message);
     return exit_code::usage;
   }
-  print_lines(console.err, compiled->findings.all(), places);
-  if (!compiled->program)
+  const auto& compiled = loaded->compiled;
+  print_lines(console.err, compiled.findings.all(), places);
+  if (!compiled.program)
     return exit_code::wrong;
-  const auto failure =
-      script::run_main(compiled->program, exec_options(console));
+  auto options = exec_options(console);
+  options.files = adapters::data_files(loaded->folder / "data");
+  const auto failure = script::run_main(compiled.program, options);
   console.out.flush();
   if (!failure)
     return exit_code::well;

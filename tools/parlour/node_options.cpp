@@ -1,5 +1,7 @@
 #include "tools/parlour/node_options.hpp"
 
+#include "adapters/files/data_files.hpp"
+#include "adapters/network/tcp_sockets.hpp"
 #include "script/phrase_evaluator.hpp"
 #include "tools/parlour/module_names.hpp"
 
@@ -21,6 +23,11 @@ actors::NodeOptions node_options(const Application& application,
   options.seed = wishes.seed;
   options.data_folder = wishes.data_folder;
   options.application_folder = application.folder.string();
+  if (!wishes.data_folder.empty())
+    options.files = adapters::data_files(wishes.data_folder);
+  // What comes from a network comes in real time.
+  if (!wishes.virtual_start)
+    options.sockets = std::make_shared<adapters::TcpSockets>();
   return options;
 }
 

@@ -148,6 +148,12 @@ bool World::move() {
     conversation->query_answered(request.id, std::move(outcome), now);
     return true;
   }
+  if (files && !wanted_files_.empty()) {
+    const auto [id, request] = wanted_files_.front();
+    wanted_files_.pop_front();
+    conversation->file_answered(id, files(request), now);
+    return true;
+  }
   return false;
 }
 
@@ -236,6 +242,51 @@ void World::cancel_timer(TimerId id) {
 
 void World::query(QueryRequest request) {
   queries.push_back(std::move(request));
+}
+
+void World::file(QueryId id, FileRequest request) {
+  wanted_files_.emplace_back(id, std::move(request));
+}
+
+void World::open_socket(SocketRequest request) {
+  opening.push_back(std::move(request));
+}
+
+void World::answer_socket(const std::string& failure) {
+  const auto request = opening.front();
+  opening.pop_front();
+  Expected<void> outcome;
+  if (failure.empty())
+    sockets[request.name] = request.id;
+  else
+    outcome = fail(ErrorKind::network, failure);
+  conversation->socket_opened(request.id, outcome, now);
+  run();
+}
+
+void World::end_socket(const std::string& name, const std::string& why) {
+  conversation->socket_closed(sockets.at(name));
+  event(name, "Closed", {why});
+}
+
+std::string World::socket(SocketId id) const {
+  for (const auto& [name, known] : sockets)
+    if (known == id)
+      return name;
+  return "?";
+}
+
+Expected<void> World::send_socket(SocketId id, const std::string& text) {
+  sent.push_back(socket(id) + " " + text);
+  return {};
+}
+
+void World::socket_taken(SocketId id) {
+  sent.push_back(socket(id) + " taken");
+}
+
+void World::close_socket(SocketId id) {
+  sent.push_back(socket(id) + " closed");
 }
 
 void World::apply(TopicId topic, FrameRequest request) {

@@ -52,6 +52,10 @@ public:
   void open();
   void run();
   void advance(Milliseconds time);
+  // The oldest socket that is to be opened is, or fails with this text.
+  void answer_socket(const std::string& failure = "");
+  // The other side of a socket closes.
+  void end_socket(const std::string& name, const std::string& why);
 
   // What was said since the last call.
   Texts said();
@@ -73,6 +77,12 @@ public:
   // What inline components answer; may be empty.
   std::function<std::vector<Message>(const Message&)> answers;
   std::function<Expected<ResultSet>(const QueryRequest&)> database;
+  // What becomes of files; without, there are none.
+  FileAccess files;
+  // Sockets: what was asked for and not answered yet, what was sent, by name.
+  std::deque<SocketRequest> opening;
+  std::map<std::string, SocketId> sockets;
+  Texts sent;
   bool hold_queries = false;
   bool hold_outputs = false; // they are played until the test says otherwise
   std::deque<QueryRequest> queries; // not answered yet
@@ -90,6 +100,11 @@ public:
   void start_timer(TimerId id, Milliseconds after) override;
   void cancel_timer(TimerId id) override;
   void query(QueryRequest request) override;
+  void file(QueryId id, FileRequest request) override;
+  void open_socket(SocketRequest request) override;
+  Expected<void> send_socket(SocketId id, const std::string& text) override;
+  void socket_taken(SocketId id) override;
+  void close_socket(SocketId id) override;
   void apply(TopicId topic, FrameRequest request) override;
   void unhandled(const Message& message) override;
   bool inspected() const override {
@@ -102,7 +117,10 @@ private:
   bool move(); // one thing that happens by itself; false: nothing does
 
   test::TemporaryFolder folder_;
+  std::string socket(SocketId id) const; // its name
+
   Texts said_;
+  std::deque<std::pair<QueryId, FileRequest>> wanted_files_;
   std::size_t posted_ = 0;
   std::vector<Inspection> seen_;
   std::map<TimerId, Timestamp> timers_;

@@ -28,6 +28,13 @@ public:
   }
   void release(const Output&) override {}
   void query(QueryRequest) override {}
+  void file(QueryId, FileRequest) override {}
+  void open_socket(SocketRequest) override {}
+  Expected<void> send_socket(SocketId, const std::string&) override {
+    return {};
+  }
+  void socket_taken(SocketId) override {}
+  void close_socket(SocketId) override {}
   void apply(TopicId, FrameRequest) override {}
   void unhandled(const Message&) override {}
   bool inspected() const override {

@@ -1,0 +1,94 @@
+// What scripts want of databases, files and the network. Each waits, holding no
+// thread; the outcome comes back by answered().
+#include <utility>
+
+#include "script/dialogue/core.hpp"
+#include "script/dialogue/effect_operands.hpp"
+#include "script/dialogue/effects.hpp"
+
+namespace parlour::dialogue {
+
+bool Effects::answered(QueryId id, Expected<Value> outcome) {
+  const auto found = queries_.find(id);
+  if (found == queries_.end())
+    return false;
+  const auto query = found->second;
+  queries_.erase(found);
+  if (query.rollback)
+    outcome = Value();
+  core_.resume(query.wait, std::move(outcome));
+  return true;
+}
+
+// -- databases ----------------------------------------------------------------
+
+script::Performed Effects::connect_database(Call effect) {
+  auto name =
+      effect.operand(0).is_unknown() ? std::string() : effect.operand(0).text();
+  auto component =
+      effect.operand(1).is_unknown() ? std::string() : effect.operand(1).text();
+  if (!core_.port.reachable(component.empty() ? "Database" : component))
+    return Error{ErrorKind::offline,
+                 "no database component '" + component + "' is there",
+                 {}};
+  connections_[name] = {component, static_cast<bool>(effect.operand(2))};
+  last_connection_ = name;
+  return Value(true);
+}
+
+// `named`: the connection's name, else the last one, else the first Database.
+script::Performed Effects::ask_database(QueryRequest request,
+                                        const Value& named) {
+  auto connection =
+      connections_.find(named.is_unknown() ? last_connection_ : named.text());
+  if (connection == connections_.end() && !named.is_unknown() &&
+      !core_.port.reachable(named.text()))
+    return missing("database", named);
+  request.id = core_.next_id();
+  if (connection != connections_.end()) {
+    request.database = connection->second.component;
+    request.write = connection->second.write;
+  } else if (!named.is_unknown()) {
+    request.database = named.text();
+  }
+  queries_[request.id] = {begin_wait(false),
+                          request.kind == QueryRequest::Kind::rollback};
+  core_.port.query(std::move(request));
+  return script::Waits{};
+}
+
+script::Performed Effects::query_database(Call effect) {
+  QueryRequest request;
+  request.sql = effect.operand(0).text();
+  request.values = list_of(effect.operand(1));
+  return ask_database(std::move(request), effect.operand(2));
+}
+
+script::Performed Effects::transaction(Call effect, QueryRequest::Kind kind) {
+  QueryRequest request;
+  request.kind = kind;
+  return ask_database(std::move(request), effect.operand(0));
+}
+
+// -- files, sockets -----------------------------------------------------------
+
+script::Performed Effects::file(FileRequest request) {
+  const auto id = core_.next_id();
+  const auto wait = begin_wait(false);
+  queries_[id] = {wait, false};
+  // A disk may hang: a share of the network, for one.
+  core_.timers.start(
+      core_.program->settings.sessions.request_timeout,
+      {.purpose = Timer::Purpose::wait, .wait = wait, .correlation = id});
+  core_.port.file(id, std::move(request));
+  return script::Waits{};
+}
+
+script::Performed Effects::open_socket(Call effect) {
+  if (auto may = sockets.may_open(effect.operand(0).text()); !may)
+    return may.error();
+  sockets.open(effect, begin_wait(false));
+  return script::Waits{};
+}
+
+} // namespace parlour::dialogue

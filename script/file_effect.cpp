@@ -1,0 +1,35 @@
+#include "script/file_effect.hpp"
+
+namespace parlour::script {
+
+namespace {
+
+std::optional<FileAction> action_of(EffectKind kind) {
+  switch (kind) {
+  case EffectKind::read_file:
+    return FileAction::read;
+  case EffectKind::write_file:
+    return FileAction::write;
+  case EffectKind::append_file:
+    return FileAction::append;
+  case EffectKind::delete_file:
+    return FileAction::remove;
+  case EffectKind::list_files:
+    return FileAction::list;
+  default:
+    return {};
+  }
+}
+
+} // namespace
+
+std::optional<FileRequest> file_request(const Effect& effect,
+                                        std::size_t most_bytes) {
+  const auto action = action_of(effect.kind);
+  if (!action)
+    return {};
+  return FileRequest{*action, effect.operand(0).text(),
+                     effect.operand(1).text(), most_bytes};
+}
+
+} // namespace parlour::script

@@ -1,0 +1,98 @@
+// The other side: a server on the loopback interface, at a port that was free,
+// driven by the test's own thread. All calls block.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <arpa/inet.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+namespace parlour::test {
+
+class Listener {
+public:
+  explicit Listener(int buffer = 0)
+      : listening_(socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
+    if (buffer > 0)
+      setsockopt(listening_, SOL_SOCKET, SO_RCVBUF, &buffer, sizeof buffer);
+    sockaddr_in address{};
+    address.sin_family = AF_INET;
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    socklen_t size = sizeof address;
+    auto* raw = reinterpret_cast<sockaddr*>(&address);
+    if (bind(listening_, raw, size) != 0 || ::listen(listening_, 8) != 0 ||
+        getsockname(listening_, raw, &size) != 0)
+      throw std::runtime_error("no port is free");
+    port_ = ntohs(address.sin_port);
+  }
+  Listener(const Listener&) = delete;
+  Listener& operator=(const Listener&) = delete;
+  ~Listener() {
+    hang_up();
+    for (auto client : before_)
+      close(client);
+    close(listening_);
+  }
+
+  std::string address() const {
+    return "127.0.0.1:" + std::to_string(port_);
+  }
+  // The next client; those before stay as they are.
+  void accept() {
+    if (connected_ >= 0)
+      before_.push_back(connected_);
+    connected_ = ::accept(listening_, nullptr, nullptr);
+  }
+  // Until so much came, or the other side closed.
+  std::string receive(std::size_t bytes) {
+    std::string text(bytes, '\0');
+    std::size_t have = 0;
+    while (have < bytes) {
+      const auto got = recv(connected_, text.data() + have, bytes - have, 0);
+      if (got <= 0)
+        break;
+      have += static_cast<std::size_t>(got);
+    }
+    text.resize(have);
+    return text;
+  }
+  void send(const std::string& text) {
+    (void)!::send(connected_, text.data(), text.size(), MSG_NOSIGNAL);
+  }
+  // How many bytes the other side takes before it makes us wait.
+  std::size_t fill(std::size_t at_most) {
+    const std::string text(64 << 10, '\n');
+    std::size_t sent = 0;
+    while (sent < at_most) {
+      const auto took = ::send(connected_, text.data(), text.size(),
+                               MSG_NOSIGNAL | MSG_DONTWAIT);
+      if (took < 0)
+        break;
+      sent += static_cast<std::size_t>(took);
+    }
+    return sent;
+  }
+  void hang_up() {
+    if (connected_ >= 0)
+      close(connected_);
+    connected_ = -1;
+  }
+  // With a reset.
+  void break_off() {
+    const linger now{1, 0};
+    setsockopt(connected_, SOL_SOCKET, SO_LINGER, &now, sizeof now);
+    hang_up();
+  }
+
+private:
+  int listening_;
+  int connected_ = -1;
+  std::vector<int> before_;
+  int port_ = 0;
+};
+
+} // namespace parlour::test

@@ -100,8 +100,9 @@ void House::spawn_actors() {
   services_.supervisor = system_->spawn(supervisor, &services_);
   services_.manager = system_->spawn(session_manager, &services_);
   services_.file_keeper =
-      drive_->detaches() ? system_->spawn<caf::detached>(file_keeper, &services_)
-                         : system_->spawn(file_keeper, &services_);
+      drive_->detaches()
+          ? system_->spawn<caf::detached>(file_keeper, &services_)
+          : system_->spawn(file_keeper, &services_);
   for (auto& order : options_.components)
     add_component(std::move(order));
   publish_table();

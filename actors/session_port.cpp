@@ -144,10 +144,11 @@ void SessionPort::file(dialogue::QueryId id, FileRequest request) {
 void SessionPort::open_socket(dialogue::SocketRequest request) {
   const auto id = request.id;
   if (!sockets_.open(std::move(request)))
-    self_->send(self_, socket_told{id,
-                                   {SocketEvent::Kind::failed,
-                                    "this run has no network, as its time is virtual"},
-                                   services_.work.begin()});
+    self_->send(self_,
+                socket_told{id,
+                            {SocketEvent::Kind::failed,
+                             "this run has no network, as its time is virtual"},
+                            services_.work.begin()});
 }
 
 Expected<void> SessionPort::send_socket(dialogue::SocketId id,
@@ -173,9 +174,9 @@ std::vector<Message> SessionPort::hear_socket(dialogue::SocketId id,
   if (auto message = sockets_.message(id, event))
     carry(std::move(*message), messages, 0);
   // A text that the routes ended is dealt with.
-  if (std::none_of(messages.begin(), messages.end(), [](const Message& message) {
-        return message.command == "Data";
-      }))
+  if (std::none_of(
+          messages.begin(), messages.end(),
+          [](const Message& message) { return message.command == "Data"; }))
     sockets_.taken(id);
   return messages;
 }

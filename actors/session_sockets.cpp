@@ -60,15 +60,14 @@ void SessionSockets::forget(dialogue::SocketId id) {
   sockets_.erase(id);
 }
 
-std::optional<Message>
-SessionSockets::message(dialogue::SocketId id, const SocketEvent& event) const {
+std::optional<Message> SessionSockets::message(dialogue::SocketId id,
+                                               const SocketEvent& event) const {
   const auto found = sockets_.find(id);
   if (found == sockets_.end())
     return {};
   Message message;
   message.source = found->second.name;
-  message.command =
-      event.kind == SocketEvent::Kind::closed ? "Closed" : "Data";
+  message.command = event.kind == SocketEvent::Kind::closed ? "Closed" : "Data";
   message.params = {event.text};
   message.session = session_;
   return message;

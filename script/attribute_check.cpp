@@ -5,6 +5,7 @@
 #include <charconv>
 
 #include "runtime/base/clock.hpp"
+#include "script/expression.hpp"
 #include "script/findings.hpp"
 
 namespace parlour::script {
@@ -64,6 +65,15 @@ std::string wrong_value(const ElementRule& element, const AttributeRule& rule,
 bool is_identifier(std::string_view text) {
   return !text.empty() && is_name_start(text.front()) &&
          std::all_of(text.begin(), text.end(), is_name_part);
+}
+
+std::string variable_fault(std::string_view name) {
+  const auto quoted = "'" + std::string(name) + "'";
+  if (name.starts_with('_'))
+    return quoted + " begins with '_', as only the system's variables do";
+  if (is_reserved(name) || name == "this")
+    return quoted + " is a word of the language; a variable needs another name";
+  return {};
 }
 
 std::optional<std::size_t> parse_size(std::string_view text) {

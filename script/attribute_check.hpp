@@ -18,6 +18,9 @@ std::string wrong_value(const ElementRule& element, const AttributeRule& rule,
 // A letter or _, then letters, digits or _; letters beyond ASCII included.
 bool is_identifier(std::string_view text);
 
+// Why a variable or parameter cannot be called so; empty where it can.
+std::string variable_fault(std::string_view name);
+
 // "500", "64KB", "16MB", "1GB"; nothing where it is none of these.
 std::optional<std::size_t> parse_size(std::string_view text);
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <charconv>
 
+#include "script/attribute_check.hpp"
+
 namespace parlour::script {
 
 namespace {
@@ -180,10 +182,8 @@ Local* CodeBuilder::in_block(std::string_view name) {
 }
 
 void CodeBuilder::check_name(std::string_view name) {
-  if (is_reserved(name))
-    findings.error(position_, "'" + std::string(name) +
-                                  "' is a word of the language; a variable "
-                                  "needs another name");
+  if (const auto fault = variable_fault(name); !fault.empty())
+    findings.error(position_, fault);
 }
 
 Register CodeBuilder::declare(std::string_view name, bool is_constant,
@@ -191,6 +191,15 @@ Register CodeBuilder::declare(std::string_view name, bool is_constant,
   check_name(name);
   locals_.push_back({std::string(name), allocate(), is_parameter, is_constant});
   return locals_.back().reg;
+}
+
+Register CodeBuilder::adopt(std::string_view name, bool is_constant) {
+  locals_.push_back({std::string(name), allocate(), false, is_constant});
+  return locals_.back().reg;
+}
+
+void CodeBuilder::alias(std::string_view name, Register target) {
+  locals_.push_back({std::string(name), target, false, true});
 }
 
 void CodeBuilder::declare_parameter(std::string_view name, Register target) {

@@ -92,6 +92,10 @@ public:
   std::uint16_t text_constant(std::string_view text);
   void load(Register target, Box constant_value);
   // A parameter in a register that is allocated.
+  // One that was declared elsewhere: its name is not judged again.
+  Register adopt(std::string_view name, bool is_constant);
+  // A further, constant name of a register, until the scope closes.
+  void alias(std::string_view name, Register target);
   void declare_parameter(std::string_view name, Register target);
   void load_text(Register target, std::string_view text);
   std::uint16_t shape(EffectShape shape);

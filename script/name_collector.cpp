@@ -1,5 +1,6 @@
 #include "script/name_collector.hpp"
 
+#include "script/attribute_check.hpp"
 #include "script/builtins.hpp"
 
 namespace parlour::script {
@@ -78,6 +79,8 @@ bool NameCollector::add(std::map<std::string, Position, std::less<>>& names,
 
 void NameCollector::add_variable(const Element& element) {
   const auto name = element.value("name");
+  if (const auto fault = variable_fault(name); !fault.empty())
+    findings_.error(element.position, fault);
   const auto index = static_cast<std::uint32_t>(program_.variables.size());
   if (!names_.variables.emplace(name, index).second)
     return findings_.error(

@@ -171,6 +171,7 @@ void StatementCompiler::catch_errors(std::uint32_t from,
   b_.open_scope();
   const auto* name = handler ? handler->attribute("name") : nullptr;
   const auto error_register = b_.declare(name ? name->value : " ");
+  b_.alias("_ERROR", error_register);
   b_.code.catches.push_back({from, to, b_.here(), error_register, false});
   if (handler) {
     reached(*handler);

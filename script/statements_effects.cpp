@@ -297,7 +297,7 @@ CodeId StatementCompiler::detached(const Element& element, bool in_timer,
   CodeBuilder builder(b_.program, b_.names, b_.findings, context);
   builder.at(element.position);
   for (const auto* local : captured) {
-    builder.declare(local->name, local->is_constant);
+    builder.adopt(local->name, local->is_constant);
     builder.code.parameter_names.push_back(local->name);
   }
   builder.code.parameter_count = static_cast<std::uint16_t>(captured.size());

@@ -85,7 +85,6 @@ private:
   std::string report_unknown(const Attribute& attribute,
                              const std::string& element,
                              const std::vector<std::string>& names);
-  bool replace_unavailable(Element& element, const ElementRule& rule);
   void check_text(const Element& element, const ElementRule& rule);
   // The names of those that are there, wrong or not.
   std::vector<std::string> check_attributes(Element& element,
@@ -154,21 +153,6 @@ std::string Validator::report_unknown(const Element& element,
   if (sure)
     rename(element, right);
   return right;
-}
-
-// Where it would have set a variable, the variable is declared, so that its
-// uses are no further findings.
-bool Validator::replace_unavailable(Element& element, const ElementRule& rule) {
-  findings_.error(element.position, tag(rule.name) + " is not available yet");
-  const auto* variable = element.attribute("return");
-  if (!variable || !is_identifier(variable->value))
-    return false;
-  auto name = *variable;
-  name.name = "name";
-  element.name = "var";
-  element.attributes = {name};
-  element.children.clear();
-  return true;
 }
 
 void Validator::check_text(const Element& element, const ElementRule& rule) {
@@ -289,8 +273,11 @@ bool Validator::validate(Element& element, const ElementRule& parent,
       return false;
     element.name = meant;
   }
-  if (!rule->available)
-    return replace_unavailable(element, *rule);
+  if (!rule->available) {
+    findings_.error(element.position,
+                    tag(rule->name) + " is not available yet");
+    return false;
+  }
   auto given = check_attributes(element, *rule);
   if (const auto* meant = attribute_of_text(*rule);
       meant && !element.text.empty())

@@ -42,9 +42,8 @@ Expected<Value> act(const Folder& folder, const std::string& name,
 Error of_request(const FileRequest& request, Error error) {
   constexpr const char* doing[] = {"reading", "writing", "appending to",
                                    "deleting", "listing"};
-  error.message =
-      std::string(doing[static_cast<std::size_t>(request.action)]) + ' ' +
-      shown_name(request.name) + ": " + error.message;
+  error.message = std::string(doing[static_cast<std::size_t>(request.action)]) +
+                  ' ' + shown_name(request.name) + ": " + error.message;
   return error;
 }
 

@@ -45,8 +45,8 @@ Expected<void> to_disk(int file) {
 // Of no other file, ever, of this process; of none of another one that runs.
 std::string temporary_name() {
   static std::atomic<std::uint64_t> last = 0;
-  return ".parlour-" + std::to_string(getpid()) + "-" +
-         std::to_string(++last) + ".new";
+  return ".parlour-" + std::to_string(getpid()) + "-" + std::to_string(++last) +
+         ".new";
 }
 
 // A file of its own that takes the place of another, or goes again.

@@ -84,10 +84,9 @@ Expected<Folder> Folder::folder(const std::string& name,
 
 // Without waiting for the other end of a pipe.
 Expected<Descriptor> Folder::file(const std::string& name, int flags) const {
-  Descriptor descriptor(
-      openat(get(), name.c_str(),
-             flags | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC,
-             file_mode));
+  Descriptor descriptor(openat(
+      get(), name.c_str(),
+      flags | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC, file_mode));
   if (!descriptor)
     return not_opened(name);
   struct stat found {};

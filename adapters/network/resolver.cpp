@@ -74,12 +74,12 @@ Endpoints resolve_now(const Address& address) {
   wanted.ai_family = AF_UNSPEC;
   wanted.ai_socktype = SOCK_STREAM;
   addrinfo* found = nullptr;
-  const auto status = getaddrinfo(address.host.c_str(), address.port.c_str(),
-                                  &wanted, &found);
+  const auto status =
+      getaddrinfo(address.host.c_str(), address.port.c_str(), &wanted, &found);
   if (status != 0)
-    return fail(ErrorKind::network, "the host '" + address.host +
-                                        "' is not found: " +
-                                        gai_strerror(status));
+    return fail(ErrorKind::network,
+                "the host '" + address.host +
+                    "' is not found: " + gai_strerror(status));
   std::vector<Endpoint> endpoints;
   for (const auto* each = found; each; each = each->ai_next) {
     Endpoint endpoint;

@@ -53,7 +53,13 @@ public:
   }
 
 private:
-  enum class State : std::uint8_t { resolving, connecting, open, closing, over };
+  enum class State : std::uint8_t {
+    resolving,
+    connecting,
+    open,
+    closing,
+    over
+  };
 
   void try_next();
   void connected();

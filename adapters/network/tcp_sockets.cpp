@@ -18,8 +18,8 @@ using Steady = std::chrono::steady_clock;
 int milliseconds_until(TcpConnection::Moment moment) {
   if (moment == TcpConnection::Moment::max())
     return -1;
-  const auto left = std::chrono::ceil<std::chrono::milliseconds>(
-      moment - Steady::now());
+  const auto left =
+      std::chrono::ceil<std::chrono::milliseconds>(moment - Steady::now());
   return static_cast<int>(std::clamp<std::int64_t>(left.count(), 0, 60'000));
 }
 
@@ -69,9 +69,9 @@ Sockets::Id TcpSockets::add(SocketOrder order, Tell tell) {
   std::lock_guard lock(mutex_);
   if (!thread_.joinable())
     thread_ = std::thread([this] { work(); });
-  connections_.emplace(++last_, std::make_unique<TcpConnection>(
-                                    std::move(order), std::move(tell),
-                                    Steady::now()));
+  connections_.emplace(
+      ++last_, std::make_unique<TcpConnection>(std::move(order),
+                                               std::move(tell), Steady::now()));
   return last_;
 }
 

@@ -29,6 +29,14 @@ bool means_own_topic(StepKind kind) {
   return kind == StepKind::complete || kind == StepKind::reset;
 }
 
+// What a message Script.Error tells, as <catch> would see it.
+Value error_of(const Message& message) {
+  const Value params(message.params);
+  return Map{{"message", params.at(0)},
+             {"file", params.at(1)},
+             {"line", params.at(2)}};
+}
+
 } // namespace
 
 Effects::Effects(Core& core)
@@ -117,8 +125,8 @@ script::Performed Effects::perform_dialogue(Context context, Call effect) {
 // Databases, files, sockets.
 script::Performed Effects::perform_outside(Call effect) {
   using enum script::EffectKind;
-  if (auto request = script::file_request(
-          effect, core_.program->settings.limits.result))
+  if (auto request =
+          script::file_request(effect, core_.program->settings.limits.result))
     return file(std::move(*request));
   switch (effect.kind) {
   case connectdb:
@@ -285,6 +293,8 @@ Value Effects::system(const script::Activation& activation,
     const auto shown = in_topic ? std::optional(current) : core_.order.latest();
     return shown && core_.frame(*shown).done;
   }
+  case error: // in a <catch> it is a local of the script
+    return context.handles_error ? error_of(*context.message) : Value();
   default:
     return {}; // those of the message come from the activation
   }

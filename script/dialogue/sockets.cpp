@@ -75,9 +75,8 @@ script::Performed ScriptSockets::close(const script::Effect& effect) {
 }
 
 ScriptSockets::Entries::iterator ScriptSockets::find(SocketId id) {
-  return std::find_if(sockets_.begin(), sockets_.end(), [&](const auto& entry) {
-    return entry.second.id == id;
-  });
+  return std::find_if(sockets_.begin(), sockets_.end(),
+                      [&](const auto& entry) { return entry.second.id == id; });
 }
 
 void ScriptSockets::opened(SocketId id, Expected<void> outcome) {
@@ -111,9 +110,9 @@ void ScriptSockets::forget(WaitId wait) {
 }
 
 bool ScriptSockets::waits_for_answer() const {
-  return std::any_of(
-      sockets_.begin(), sockets_.end(),
-      [](const auto& entry) { return entry.second.opening != 0; });
+  return std::any_of(sockets_.begin(), sockets_.end(), [](const auto& entry) {
+    return entry.second.opening != 0;
+  });
 }
 
 } // namespace parlour::dialogue

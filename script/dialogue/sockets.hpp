@@ -1,6 +1,6 @@
-// Sockets: the TCP clients that a session's scripts opened, by name. Their texts
-// come as messages of that name, `Data` and at last `Closed`, like those of a
-// component.
+// Sockets: the TCP clients that a session's scripts opened, by name. Their
+// texts come as messages of that name, `Data` and at last `Closed`, like those
+// of a component.
 #pragma once
 
 #include <map>

@@ -1,7 +1,6 @@
-#include "actors/file_keeper.hpp"
-
 #include <map>
 
+#include "actors/file_keeper.hpp"
 #include "tests/actors/bench.hpp"
 
 namespace parlour::actors {
@@ -17,8 +16,9 @@ TEST(FileKeeper, TellsTheSession) {
   auto keeper = bench.spawn(file_keeper, &bench.services);
   auto session = bench.session_probe("s1");
   for (auto name : {"a", "bad"})
-    bench.send(keeper, file_order{1, {FileAction::read, name, "", 10}, session,
-                                  bench.work()});
+    bench.send(
+        keeper,
+        file_order{1, {FileAction::read, name, "", 10}, session, bench.work()});
   EXPECT_THAT(bench.seen,
               ElementsAre("s1 has of a file a!", "s1 has of a file disk gone"));
 }

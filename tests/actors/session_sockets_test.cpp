@@ -1,7 +1,6 @@
-#include "actors/session_sockets.hpp"
-
 #include <map>
 
+#include "actors/session_sockets.hpp"
 #include "tests/actors/house_fixture.hpp"
 
 namespace parlour::actors {

@@ -161,10 +161,11 @@ INSTANTIATE_TEST_SUITE_P(
             "</ARS></component></messages></handler>",
             "50: warning: no component, role, agent or socket is called "
             "'ARS', did you mean 'ASR'?"},
-        WrongDeclaration{"<handler name='h'><messages><on source='Robbot' "
-                         "event='*'/></messages></handler>",
-                         "51: warning: no component, role, agent or socket is called "
-                         "'Robbot', did you mean 'Robot'?"},
+        WrongDeclaration{
+            "<handler name='h'><messages><on source='Robbot' "
+            "event='*'/></messages></handler>",
+            "51: warning: no component, role, agent or socket is called "
+            "'Robbot', did you mean 'Robot'?"},
         WrongDeclaration{"<routes><filter source='ASR' command='*'/></routes>",
                          "19: error: <filter> needs 'to' or drop=\"true\""},
         WrongDeclaration{

@@ -1,6 +1,6 @@
-#include "script/file_effect.hpp"
-
 #include <gtest/gtest.h>
+
+#include "script/file_effect.hpp"
 
 namespace parlour::script {
 

@@ -6,8 +6,8 @@
 //   <!-- compiles -->                       without a finding; it does not run
 //
 // The text of an error or finding needs to be a part of what is said. It runs
-// as `parlour exec` would run it, in a time that only its waits move, with a data
-// folder of its own.
+// as `parlour exec` would run it, in a time that only its waits move, with a
+// data folder of its own.
 #pragma once
 
 #include <filesystem>

@@ -72,9 +72,10 @@ TEST_F(FilesTest, AFileHasSoManyBytesAndNoMore) {
 
 TEST_F(FilesTest, NoSpellingLeadsOutside) {
   for (const std::string name :
-       {"../secret.txt", "..", ".", "", "/", "/etc/passwd", "a/../../secret.txt",
-        "./../secret.txt", "a/..", "//etc/passwd", "data/../../secret.txt",
-        "..\\secret.txt", ".lock", "a/.hidden", "secret.txt/", "a//b"})
+       {"../secret.txt", "..", ".", "", "/", "/etc/passwd",
+        "a/../../secret.txt", "./../secret.txt", "a/..", "//etc/passwd",
+        "data/../../secret.txt", "..\\secret.txt", ".lock", "a/.hidden",
+        "secret.txt/", "a//b"})
     for (auto action : {FileAction::read, FileAction::write, FileAction::append,
                         FileAction::remove, FileAction::list})
       EXPECT_THAT(ask(action, name, "x"), StartsWith("error: the file name"))
@@ -191,7 +192,7 @@ TEST_F(FilesTest, ARaceLeadsNowhere) {
       std::filesystem::rename(aside, folder, ignored);
     }
   });
-  for (int i = 0; i < 2'000; ++i) {
+  for (int i = 0; i < 500; ++i) {
     EXPECT_NE(read("folder/a.txt"), "outside");
     append("folder/a.txt", "x");
   }

@@ -1,7 +1,7 @@
-#include "adapters/files/data_name.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "adapters/files/data_name.hpp"
 
 namespace parlour::adapters {
 namespace {

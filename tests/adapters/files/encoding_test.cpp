@@ -1,6 +1,6 @@
-#include "adapters/files/encoding.hpp"
-
 #include <gtest/gtest.h>
+
+#include "adapters/files/encoding.hpp"
 
 namespace parlour::adapters {
 namespace {

@@ -1,5 +1,4 @@
 #include "adapters/files/file_list.hpp"
-
 #include "tests/adapters/files/files_fixture.hpp"
 
 namespace parlour::adapters {

@@ -1,9 +1,8 @@
-#include "adapters/files/file_text.hpp"
-
 #include <csignal>
 
 #include <sys/resource.h>
 
+#include "adapters/files/file_text.hpp"
 #include "tests/adapters/files/files_fixture.hpp"
 
 namespace parlour::adapters {

@@ -1,7 +1,6 @@
-#include "adapters/files/folder.hpp"
-
 #include <fcntl.h>
 
+#include "adapters/files/folder.hpp"
 #include "tests/adapters/files/files_fixture.hpp"
 
 namespace parlour::adapters {

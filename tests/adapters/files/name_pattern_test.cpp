@@ -1,8 +1,8 @@
-#include "adapters/files/name_pattern.hpp"
-
 #include <string>
 
 #include <gtest/gtest.h>
+
+#include "adapters/files/name_pattern.hpp"
 
 namespace parlour::adapters {
 namespace {

@@ -1,8 +1,8 @@
-#include "adapters/network/address.hpp"
-
 #include <string>
 
 #include <gtest/gtest.h>
+
+#include "adapters/network/address.hpp"
 
 namespace parlour::adapters {
 namespace {

@@ -1,8 +1,8 @@
-#include "adapters/network/resolver.hpp"
-
 #include <future>
 
 #include <gtest/gtest.h>
+
+#include "adapters/network/resolver.hpp"
 
 namespace parlour::adapters {
 namespace {
@@ -10,8 +10,8 @@ namespace {
 Endpoints resolve(const Address& address) {
   Resolver resolver;
   std::promise<Endpoints> answer;
-  resolver.resolve(address,
-                   [&](Endpoints found) { answer.set_value(std::move(found)); });
+  resolver.resolve(
+      address, [&](Endpoints found) { answer.set_value(std::move(found)); });
   return answer.get_future().get();
 }
 

@@ -1,10 +1,9 @@
-#include "adapters/network/tcp_connection.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <poll.h>
 
 #include "adapters/network/resolver.hpp"
+#include "adapters/network/tcp_connection.hpp"
 #include "tests/adapters/network/listener.hpp"
 #include "tests/adapters/network/told.hpp"
 
@@ -30,8 +29,8 @@ protected:
 
   TcpConnection::Moment start{};
   Told told;
-  TcpConnection connection{
-      SocketOrder{"there:1", true, 3s}, told.teller(), start};
+  TcpConnection connection{SocketOrder{"there:1", true, 3s}, told.teller(),
+                           start};
 };
 
 TEST_F(TcpConnectionTest, TriesOneAddressAfterTheOther) {
@@ -68,8 +67,9 @@ TEST_F(TcpConnectionTest, NothingIsToldOnceItIsClosed) {
 
 TEST_F(TcpConnectionTest, WithoutAnAddressThereIsNone) {
   connection.connect({});
-  EXPECT_THAT(told.now(),
-              ElementsAre("failed: no connection to there:1: it has no address"));
+  EXPECT_THAT(
+      told.now(),
+      ElementsAre("failed: no connection to there:1: it has no address"));
 }
 
 } // namespace

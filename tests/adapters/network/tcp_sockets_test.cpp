@@ -1,8 +1,7 @@
-#include "adapters/network/tcp_sockets.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "adapters/network/tcp_sockets.hpp"
 #include "tests/adapters/network/listener.hpp"
 #include "tests/adapters/network/told.hpp"
 
@@ -48,8 +47,8 @@ TEST(TcpSockets, SaysWhyItIsNotOpened) {
   Told told;
   TcpSockets sockets;
   sockets.open(order(address), told.teller());
-  EXPECT_EQ(told.wait_for(1)[0], "failed: no connection to " + address +
-                                     ": Connection refused");
+  EXPECT_EQ(told.wait_for(1)[0],
+            "failed: no connection to " + address + ": Connection refused");
   sockets.open(order("no..such:80"), told.teller());
   EXPECT_THAT(told.wait_for(2)[1], HasSubstr("is not found"));
   sockets.open(order("nonsense"), told.teller());

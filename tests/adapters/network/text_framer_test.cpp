@@ -1,7 +1,7 @@
-#include "adapters/network/text_framer.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "adapters/network/text_framer.hpp"
 
 namespace parlour::adapters {
 namespace {

@@ -105,9 +105,10 @@ TEST(ScriptSockets, OneOfANameAtATime) {
   Feed world(std::string(open_feed) + open_feed);
   world.ring();
   world.answer_socket();
-  EXPECT_EQ(world.said(),
-            (Texts{"open", "Network: there is a socket 'feed' already; close it "
-                           "before"}));
+  EXPECT_EQ(
+      world.said(),
+      (Texts{"open", "Network: there is a socket 'feed' already; close it "
+                     "before"}));
 }
 
 // Or its messages would pass for a recogniser's, or the engine's.

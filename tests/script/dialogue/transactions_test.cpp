@@ -120,9 +120,11 @@ TEST(Transactions, RollBackPastALimit) {
 }
 
 TEST(Transactions, RollBackPastTheLimitOfMemory) {
+  WorldOptions options;
+  options.settings = "<limits bytes='64KB'/>";
   Bank world("<transaction><var name='l' expr='[1]'/><while cond='true'>"
              "<set name='l' expr='l + l'/></while></transaction>",
-             "", {.settings = "<limits bytes='64KB'/>"});
+             "", options);
   EXPECT_EQ(world.ring(), (Texts{"begin SQLite", "rollback SQLite"}));
 }
 

@@ -1,0 +1,218 @@
+#include "tests/script/dialogue/play.hpp"
+
+#include <fstream>
+#include <iterator>
+#include <regex>
+#include <sstream>
+
+#include "tests/script/dialogue/conversation_world.hpp"
+
+namespace parlour::dialogue {
+
+namespace {
+
+struct Line {
+  std::string verb; // "say"
+  std::string rest; // "inform Taxi Time=3pm"
+};
+
+std::string text_of(const std::filesystem::path& file) {
+  std::ifstream input(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(input), {}};
+}
+
+std::vector<Line> lines_of(const std::string& script) {
+  static const std::regex comment("<!-- ([a-z]+)(?:: (.*?))? -->");
+  std::vector<Line> lines;
+  for (std::sregex_iterator at(script.begin(), script.end(), comment), end;
+       at != end; ++at)
+    lines.push_back({(*at)[1], (*at)[2]});
+  return lines;
+}
+
+// The children of <dialogue>.
+std::string declarations(const std::string& script) {
+  const auto start = script.find("<dialogue>") + 10;
+  return script.substr(start, script.rfind("</dialogue>") - start);
+}
+
+std::vector<std::string> words_of(const std::string& text, char separator) {
+  std::vector<std::string> words;
+  std::istringstream input(text);
+  for (std::string word; std::getline(input, word, separator);)
+    if (const auto start = word.find_first_not_of(' ');
+        start != std::string::npos)
+      words.push_back(word.substr(start));
+  return words;
+}
+
+std::vector<Value> values_of(const std::vector<std::string>& words,
+                             std::size_t from) {
+  std::vector<Value> values;
+  for (auto at = from; at < words.size(); ++at)
+    values.emplace_back(words[at]);
+  return values;
+}
+
+class Play {
+public:
+  explicit Play(const std::string& script)
+      : lines_(lines_of(script)),
+        world_(declarations(script), options_of(lines_)) {
+    world_.database = [this](const QueryRequest& request) {
+      constexpr const char* kinds[] = {"", "begin", "commit", "rollback"};
+      asked_.push_back(kinds[static_cast<std::size_t>(request.kind)] +
+                       request.sql + " " + to_string(Value(request.values)));
+      return request.kind == QueryRequest::Kind::query ? rows_ : ResultSet{};
+    };
+  }
+
+  void run() {
+    for (const auto& line : lines_)
+      if (line.verb == "component")
+        add_component(words_of(line.rest, ' '));
+    world_.open();
+    for (const auto& line : lines_) {
+      SCOPED_TRACE(line.verb + ": " + line.rest);
+      if (!act(line))
+        expect(line);
+    }
+    listen();
+    EXPECT_EQ(said_, Texts{});
+    EXPECT_EQ(posted_, Texts{});
+    EXPECT_EQ(asked_, Texts{});
+    for (auto at = errors_; at < errors().size(); ++at)
+      ADD_FAILURE() << errors()[at];
+  }
+
+private:
+  static WorldOptions options_of(const std::vector<Line>& lines) {
+    WorldOptions options;
+    options.open = false;
+    for (const auto& line : lines)
+      if (line.verb == "start")
+        options.start = line.rest;
+      else if (line.verb == "settings")
+        options.settings = line.rest;
+    return options;
+  }
+
+  void add_component(const std::vector<std::string>& words) {
+    world_.components[words.at(0)] = {words.begin() + 1, words.end()};
+  }
+
+  bool act(const Line& line) {
+    const auto words = words_of(line.rest, ' ');
+    if (line.verb == "say")
+      say(words);
+    else if (line.verb == "event")
+      event(words, 0);
+    else if (line.verb == "reply")
+      event(words, world_.messages.back().correlation);
+    else if (line.verb == "wait")
+      world_.advance(*parse_duration(line.rest));
+    else if (line.verb == "rows")
+      set_rows(words_of(line.rest, ';'));
+    else
+      return line.verb == "start" || line.verb == "settings" ||
+             line.verb == "component";
+    return true;
+  }
+
+  void say(const std::vector<std::string>& words) {
+    Map slots;
+    for (std::size_t i = 2; i < words.size(); ++i) {
+      const auto equals = words[i].find('=');
+      slots.set(words[i].substr(0, equals),
+                slot_value(words[i].substr(equals + 1), 1));
+    }
+    world_.say(dialogue::act(words.at(0).c_str(),
+                             words.size() > 1 ? Value(words[1]) : Value(),
+                             std::move(slots)));
+  }
+
+  void event(const std::vector<std::string>& words, Correlation correlation) {
+    const auto dot = words.at(0).find('.');
+    world_.event(words[0].substr(0, dot), words[0].substr(dot + 1),
+                 values_of(words, 1), correlation);
+  }
+
+  void set_rows(const std::vector<std::string>& words) {
+    rows_ = rows({words.at(0)}, values_of(words, 1));
+  }
+
+  void listen() {
+    for (auto& text : world_.said())
+      said_.push_back(std::move(text));
+    for (auto& text : world_.posted())
+      posted_.push_back(std::move(text));
+  }
+
+  void expect(const Line& line) {
+    listen();
+    if (line.verb == "said")
+      EXPECT_EQ(first_of(said_), line.rest);
+    else if (line.verb == "posted")
+      EXPECT_EQ(first_of(posted_), line.rest);
+    else if (line.verb == "asked")
+      EXPECT_EQ(first_of(asked_), line.rest);
+    else if (line.verb == "state")
+      EXPECT_EQ(world_.conversation->state(), line.rest);
+    else if (line.verb == "topic")
+      EXPECT_EQ(world_.conversation->current_topic(), line.rest);
+    else if (line.verb == "slot")
+      expect_slot(line.rest);
+    else if (line.verb == "error")
+      expect_error(line.rest);
+    else if (line.verb == "ended")
+      EXPECT_TRUE(world_.has_ended);
+    else
+      ADD_FAILURE() << "'" << line.verb << "' is no part of a play";
+  }
+
+  static std::string first_of(Texts& texts) {
+    if (texts.empty())
+      return "(nothing)";
+    auto first = texts.front();
+    texts.erase(texts.begin());
+    return first;
+  }
+
+  void expect_slot(const std::string& text) {
+    const auto dot = text.find('.');
+    const auto equals = text.find(" = ");
+    EXPECT_EQ(world_
+                  .slot(text.substr(0, dot).c_str(),
+                        text.substr(dot + 1, equals - dot - 1).c_str())
+                  .text(),
+              text.substr(equals + 3));
+  }
+
+  Texts errors() const {
+    return world_.seen(InspectionKind::error);
+  }
+
+  void expect_error(const std::string& text) {
+    ASSERT_LT(errors_, errors().size()) << "no error";
+    const auto error = errors()[errors_++];
+    EXPECT_NE(error.find(text), std::string::npos) << error;
+  }
+
+  std::vector<Line> lines_;
+  World world_;
+  ResultSet rows_;
+  Texts said_;
+  Texts posted_;
+  Texts asked_;
+  std::size_t errors_ = 0; // expected so far
+};
+
+} // namespace
+
+void expect_as_in_play(const std::filesystem::path& file) {
+  const auto script = text_of(file);
+  ASSERT_FALSE(lines_of(script).empty()) << "nothing happens in the play";
+  Play(script).run();
+}
+
+} // namespace parlour::dialogue

@@ -1,0 +1,30 @@
+// A play: a script whose comments are a conversation with it, taken in order:
+//
+//   <!-- start: Welcome -->           the settings' start
+//   <!-- settings: <limits …/> -->    further children of <settings>
+//   <!-- component: Exchange Telephone --> a component and its roles
+//   <!-- say: inform Taxi Time=3pm --> an act of the user, its topic, its slots
+//   <!-- event: Bell.Rings a b -->    an event; parameters are texts
+//   <!-- reply: Exchange.Busy a -->   one that answers the last message
+//   <!-- rows: name; Ann; Ben -->     what the database gives from now on
+//   <!-- wait: 2s -->                 time passes
+//
+//   <!-- said: text -->               the next thing that was said
+//   <!-- posted: Telephone.Call(1) --> the next message that was sent
+//   <!-- asked: select … [Ann] -->    the next statement and its values
+//   <!-- slot: Taxi.Time = 3pm -->    <!-- state: Welcome --> <!-- topic: Taxi
+//   -->
+//   <!-- error: text -->              the next error that was inspected, in
+//   part
+//   <!-- ended -->
+//
+// What was said, posted or asked and is not expected is a failure.
+#pragma once
+
+#include <filesystem>
+
+namespace parlour::dialogue {
+
+void expect_as_in_play(const std::filesystem::path& file);
+
+} // namespace parlour::dialogue

@@ -1,0 +1,37 @@
+// Language cases that need a conversation: scripts with it in the margin
+// (play.hpp) below plays/.
+#include <algorithm>
+#include <filesystem>
+
+#include <gtest/gtest.h>
+
+#include "tests/script/dialogue/play.hpp"
+
+namespace parlour::dialogue {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<fs::path> plays() {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(
+           PARLOUR_SOURCE_DIR "/tests/script/dialogue/plays"))
+    if (entry.path().extension() == ".xml")
+      files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+class LanguagePlay : public testing::TestWithParam<fs::path> {};
+
+TEST_P(LanguagePlay, GoesAsItsMarginSays) {
+  expect_as_in_play(GetParam());
+}
+
+INSTANTIATE_TEST_SUITE_P(Language, LanguagePlay, testing::ValuesIn(plays()),
+                         [](const auto& info) {
+                           return info.param.stem().string();
+                         });
+
+} // namespace
+} // namespace parlour::dialogue

@@ -29,8 +29,8 @@ TEST_P(LanguagePlay, GoesAsItsMarginSays) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Language, LanguagePlay, testing::ValuesIn(plays()),
-                         [](const auto& info) {
-                           return info.param.stem().string();
+                         [](const auto& play) {
+                           return play.param.stem().string();
                          });
 
 } // namespace

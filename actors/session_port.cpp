@@ -174,9 +174,11 @@ std::vector<Message> SessionPort::hear_socket(dialogue::SocketId id,
   if (auto message = sockets_.message(id, event))
     carry(std::move(*message), messages, 0);
   // A text that the routes ended is dealt with.
-  if (std::none_of(
-          messages.begin(), messages.end(),
-          [](const Message& message) { return message.command == "Data"; }))
+  const bool goes_on =
+      std::any_of(messages.begin(), messages.end(), [](const Message& message) {
+        return message.command == "Data";
+      });
+  if (event.kind == SocketEvent::Kind::text && !goes_on)
     sockets_.taken(id);
   return messages;
 }

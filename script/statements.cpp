@@ -84,10 +84,10 @@ void StatementCompiler::parameters(const Element& function) {
     const auto& name = code.parameter_names[i];
     const auto target = static_cast<Register>(first + i);
     const auto* initial = all[i]->attribute("expr");
+    b_.at(all[i]->position);
     if (b_.in_block(name))
       error(all[i]->position, "a second parameter named '" + name + "'");
     if (initial) {
-      b_.at(all[i]->position);
       const auto given = b_.emit(Operation::jump_if_given, target);
       expressions_.expression(source_of(*initial), target);
       b_.land(given);

@@ -26,6 +26,8 @@ session_actor::behavior_type over(Self self) {
       [](const take_step&) {},
       [](const timer_due&) {},
       [](const query_outcome&) {},
+      [](const file_outcome&) {},
+      [](const socket_told&) {},
       [](const output_done&) {},
       [=](const look& what) { what.at(*self->state.conversation); },
       [](const end_session&) {},

@@ -233,6 +233,7 @@ void SessionPort::end_all() {
     services_.due_times.remove(query.due);
     caf::anon_send_exit(query.actor, caf::exit_reason::user_shutdown);
   }
+  sockets_.close_all();
   for (const auto& [topic, frame] : std::exchange(frames_, {}))
     caf::anon_send_exit(frame, caf::exit_reason::user_shutdown);
 }

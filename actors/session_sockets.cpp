@@ -23,8 +23,8 @@ Sockets::Tell teller(Services& services, SessionId session,
 
 } // namespace
 
-SessionSockets::~SessionSockets() {
-  for (const auto& [id, socket] : sockets_)
+void SessionSockets::close_all() {
+  for (const auto& [id, socket] : std::exchange(sockets_, {}))
     services_.sockets->close(socket.id);
 }
 

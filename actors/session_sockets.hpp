@@ -19,13 +19,16 @@ public:
       : services_(services), session_(std::move(session)) {}
   SessionSockets(const SessionSockets&) = delete;
   SessionSockets& operator=(const SessionSockets&) = delete;
-  ~SessionSockets();
+  ~SessionSockets() {
+    close_all();
+  }
 
   // False where this run has no network.
   bool open(dialogue::SocketRequest request);
   Expected<void> send(dialogue::SocketId id, const std::string& text);
   void taken(dialogue::SocketId id);
   void close(dialogue::SocketId id);
+  void close_all();
 
   // What was told as a message from the socket; nothing where it was closed
   // meanwhile.

@@ -1,5 +1,6 @@
 #include "actors/house.hpp"
 
+#include <algorithm>
 #include <cassert>
 #include <future>
 #include <utility>
@@ -78,6 +79,7 @@ void House::set_up_services() {
   services_.sockets = options_.sockets;
   services_.new_session_id = [this] { return chance_.session_id(); };
   services_.new_seed = [this] { return chance_.session_seed(); };
+  services_.inspect_all = options_.inspect_all;
   services_.log = [this](const std::string& line) {
     if (services_.left_behind)
       return;
@@ -138,7 +140,7 @@ void House::publish_table() {
           std::dynamic_pointer_cast<const InlinePlugin>(component->plugin);
     parts.targets.push_back(std::move(target));
   }
-  if (services_.inspect)
+  if (services_.inspect && services_.inspect_all)
     parts.taps.push_back(inspection_tap(services_));
   auto table = std::make_shared<const RoutingTable>(std::move(parts));
   services_.table.store(table);
@@ -146,14 +148,28 @@ void House::publish_table() {
 }
 
 Expected<void> House::start_components() {
-  for (const auto& running : components_)
-    if (auto started = start(running); !started) {
+  for (const auto* running : in_starting_order())
+    if (auto started = start(*running); !started) {
       auto error = started.error();
-      error.message = running.component->name + ": " + error.message;
+      const auto name = running->component->name + ": ";
+      if (!error.message.starts_with(name))
+        error.message = name + error.message;
       stop();
       return tl::make_unexpected(std::move(error));
     }
   return {};
+}
+
+// Others read from the databases when they start.
+std::vector<const House::Running*> House::in_starting_order() const {
+  std::vector<const Running*> order;
+  for (const auto& running : components_)
+    order.push_back(&running);
+  std::ranges::stable_partition(order, [](const Running* running) {
+    const auto& roles = running->component->description.roles;
+    return std::ranges::find(roles, "Database") != roles.end();
+  });
+  return order;
 }
 
 Expected<void> House::start(const Running& running) {

@@ -49,6 +49,7 @@ private:
   void spawn_actors();
   void add_component(ComponentOrder order);
   void publish_table();
+  std::vector<const Running*> in_starting_order() const;
   Expected<void> start(const Running& running);
   void stop_sessions();
   void stop_components();

@@ -59,6 +59,9 @@ struct NodeOptions {
   // One call at a time, from any thread; may be empty. What on_inspection
   // throws is logged; log may not throw.
   std::function<void(const Inspection&)> on_inspection;
+  // False: on_inspection hears of errors, logs and unhandled messages only,
+  // and nobody pays for the rest.
+  bool inspect_all = true;
   std::function<void(const std::string&)> log;
 };
 

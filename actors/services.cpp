@@ -16,9 +16,10 @@ void Services::publish(std::vector<Message> messages) {
 
 void Services::unhandled(const Message& message, const std::string& why) {
   ++counters->unhandled;
-  log(to_string(message) + ": " + why);
-  if (!inspect)
+  if (!inspect) {
+    log(to_string(message) + ": " + why);
     return;
+  }
   Inspection inspection;
   inspection.kind = InspectionKind::unhandled;
   inspection.session = message.session;

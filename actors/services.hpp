@@ -48,8 +48,10 @@ struct Services {
   // nobody outside any more.
   std::atomic<bool> left_behind = false;
 
-  // One call at a time; empty where nobody watches.
+  // One call at a time; empty where nobody watches. Unless `inspect_all`, who
+  // watches is told of errors, logs and unhandled messages only.
   std::function<void(Inspection)> inspect;
+  bool inspect_all = true;
   // One call at a time; never empty.
   std::function<void(const std::string&)> log;
   // The next session's id and seed; called by the session manager only.
@@ -66,7 +68,7 @@ struct Services {
 
   // To the message centre, from any thread.
   void publish(std::vector<Message> messages);
-  // Counted and shown: a message that nobody took.
+  // Counted, and shown or else logged: a message that nobody took.
   void unhandled(const Message& message, const std::string& why);
 };
 

@@ -204,12 +204,15 @@ void SessionPort::unhandled(const Message& message) {
 }
 
 bool SessionPort::inspected() const {
-  return static_cast<bool>(services_.inspect);
+  return services_.inspect && services_.inspect_all;
 }
 
 void SessionPort::inspect(Inspection inspection) {
   if (services_.inspect)
     services_.inspect(std::move(inspection));
+  else if (inspection.kind == InspectionKind::error ||
+           inspection.kind == InspectionKind::log)
+    services_.log(inspection.subject + ": " + inspection.detail);
 }
 
 void SessionPort::ended() {

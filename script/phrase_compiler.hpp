@@ -14,8 +14,9 @@ namespace parlour::script {
   X(answer, "data: rows, asked, relaxed of an enquiry") \
   X(none_found, "an enquiry found nothing; data: asked") \
   X(ambiguous, "data: candidates") \
-  X(invalid, "data: value, reason") \
+  X(invalid, "data: value, reason, type, choices") \
   X(confirm, "asks whether a value is right; data: value") \
+  X(clarify, "asks which topic is meant; data: topics") \
   X(resume, "asks whether to take an unfinished topic up again") \
   X(choices, "what can be answered; data: choices") \
   X(person, "offers somebody to talk to") \
@@ -27,6 +28,7 @@ namespace parlour::script {
   X(greet, "answers a greeting") \
   X(bye, "answers a goodbye; data: unfinished") \
   X(thank, "answers thanks") \
+  X(acknowledge, "a yes or no that answers no question") \
   X(no_match, "nothing was understood; data: count") \
   X(no_input, "nothing was said; data: count") \
   X(unavailable, "a service is away; data: service") \

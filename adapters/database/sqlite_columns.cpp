@@ -36,6 +36,13 @@ std::string source(const SQLiteOptions& options) {
   return is_there(options) ? " from " + options.file.string() : "";
 }
 
+std::string way_out(const SQLiteOptions& options) {
+  return is_there(options) ? ". Put a database of this application in its "
+                             "place, or move it away to have it made anew from "
+                             "schema and seed."
+                           : "";
+}
+
 Expected<SQLiteHandle> open_to_read(const SQLiteOptions& options) {
   if (is_there(options))
     return open_file(options.file, Missing::refuse);
@@ -79,7 +86,8 @@ Expected<std::vector<std::string>> read_column(const SQLiteOptions& options,
   if (!answer)
     return fail(answer.error().kind, "The column '" + reference +
                                          "' cannot be read" + source(options) +
-                                         ": " + answer.error().message);
+                                         ": " + answer.error().message +
+                                         way_out(options));
   std::vector<std::string> values;
   for (const auto& cell : answer->rows.cells)
     values.push_back(cell.text());

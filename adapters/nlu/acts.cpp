@@ -97,7 +97,7 @@ private:
   // Whether this island goes on with what the group says.
   bool continues(const ChainLink& link) const {
     const auto& island = *link.island;
-    if (link.topic != group_.topic)
+    if (link.topic != group_.topic || asks_further())
       return false;
     if (marker_ || island.rule->bare)
       return true;
@@ -105,6 +105,11 @@ private:
       return find(group_.fills, fill.slot) != nullptr;
     });
     return !(again && !island.act.empty());
+  }
+
+  // "… and a bank?": another question, not more of the same one.
+  bool asks_further() const {
+    return lead_in_ && !marker_ && schema_.at(group_.topic).enquiry;
   }
 
   void begin_group(const ChainLink& link) {
@@ -169,6 +174,11 @@ private:
   }
 
   void drop_courtesies() {
+    // "sorry, what did you say": it corrects nothing.
+    if (acts_.size() > 1)
+      std::erase_if(acts_, [](const BuiltAct& act) {
+        return act.topic == no_topic && act.act == "correct";
+      });
     const auto is_courtesy = [](const BuiltAct& act) {
       return act.topic == no_topic &&
              std::ranges::find(courtesies, act.act) != courtesies.end();
@@ -246,7 +256,7 @@ Value fill_value(const Fill& fill, const Utterance& utterance,
   } else if (fill.span) {
     const auto& span = spans[*fill.span];
     made.set(act_key::confidence, in_thousandths(span.confidence));
-    if (is_form(span.entity))
+    if (is_form(span.entity) && !span.unmatched)
       made.set(act_key::value, span.value);
     if (span.unmatched)
       made.set("unmatched", true);

@@ -61,7 +61,7 @@ private:
     const auto befores = ends_[position];
     for (const auto before : befores) {
       const auto last = nodes_[before].link; // nodes_ grows below
-      if (island.weak && !(last.island && last.island->is_marker()))
+      if (island.weak && !may_be_meant(island, last))
         continue;
       if (!island.is_content()) {
         append(before, {&island, last.topic}, 0);
@@ -74,13 +74,27 @@ private:
     }
   }
 
+  // "no, four"; "and the third?" where such a thing was asked before.
+  bool may_be_meant(const Island& island, const ChainLink& last) const {
+    if (!last.island || last.island->is_content())
+      return false;
+    const bool leads_in = last.island->act.empty();
+    return last.island->is_marker() ||
+           (leads_in &&
+            std::ranges::any_of(island.topics, [&](TopicNumber topic) {
+              return context_.bonus(topic) > 0;
+            }));
+  }
+
   double expectation(const Island& island, const ChainLink& last,
                      TopicNumber topic) const {
-    double bonus = 0;
+    const bool changes = topic != last.topic && last.topic != no_topic;
+    double bonus = changes ? -change_cost : 0;
     if (topic != last.topic)
-      bonus +=
-          context_.bonus(topic) - (last.topic == no_topic ? 0 : change_cost);
-    if (topic == context_.asked_topic && island.find(context_.asked_slot))
+      bonus += context_.bonus(topic);
+    // "what time is it now?": what ends a question is no answer to ours.
+    if (topic == context_.asked_topic && island.find(context_.asked_slot) &&
+        !changes)
       bonus += asked_bonus;
     return bonus;
   }

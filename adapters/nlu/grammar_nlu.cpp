@@ -1,5 +1,6 @@
 #include "adapters/nlu/grammar_nlu.hpp"
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 
@@ -17,8 +18,16 @@ std::string option(const Options& options, const std::string& name,
                                                          : found->second;
 }
 
-// All of them in one: the first one's place, a line for each.
+bool is_of_data(const Error& error) {
+  return error.kind == ErrorKind::database || error.kind == ErrorKind::file;
+}
+
+// All of them in one: the first one's place, a line for each. Where the data
+// cannot be read, the first says why for all.
 Error joined(const std::vector<Error>& errors) {
+  const auto data = std::ranges::find_if(errors, is_of_data);
+  if (data != errors.end())
+    return *data;
   auto all = errors.front();
   for (std::size_t at = 1; at < errors.size(); ++at) {
     const auto& error = errors[at];

@@ -140,7 +140,7 @@ void Matcher::take_entity(std::size_t position, const Item& item,
     const auto known = spans_.at(entity, position);
     for (const auto index : known)
       take_span(item, arc, index, expected);
-    if (!known.empty() || !is_set(entity))
+    if (!known.empty() || (is_form(entity) && !asked))
       return;
   }
   if (expected)

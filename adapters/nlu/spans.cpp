@@ -2,9 +2,24 @@
 
 #include <algorithm>
 
+#include "adapters/nlu/number_words.hpp"
 #include "adapters/nlu/words.hpp"
 
 namespace parlour::adapters::nlu {
+
+namespace {
+
+// For a number that is no value of what was asked: anything else that makes
+// sense of it is likelier.
+constexpr float wrong_number_gain = 0.15F;
+
+bool is_number_like(const Tokens& tokens, std::size_t position) {
+  const auto& word = tokens.list[position].word;
+  return word.find_first_of("0123456789@") != std::string::npos ||
+         number_at(tokens, position).has_value();
+}
+
+} // namespace
 
 Spans::Spans(const Schema& schema, const Utterance& utterance,
              const std::vector<EntityId>& entities, Now now)
@@ -58,11 +73,12 @@ void Spans::add_values(const std::vector<EntityId>& entities) {
 
 // Adds it once for each title or determiner that may be counted in.
 void Spans::add(Span span) {
-  const auto tokens = span.end - span.begin;
-  span.gain = static_cast<float>(tokens) * span.confidence;
-  span.covered =
-      static_cast<float>(utterance_.weight_of(span.begin, span.end)) *
-      span.confidence;
+  const auto tokens = static_cast<float>(span.end - span.begin);
+  const auto weight =
+      static_cast<float>(utterance_.weight_of(span.begin, span.end));
+  span.covered = weight * span.confidence;
+  // "now" is worth no more than the word.
+  span.gain = (span.weak ? weight : tokens) * span.confidence;
   while (true) {
     by_begin_[span.begin].push_back(static_cast<std::uint32_t>(spans_.size()));
     spans_.push_back(span);
@@ -121,6 +137,31 @@ float Spans::open_gain(std::size_t position) const {
   return plain_[position] ? 0.2F : 0.8F;
 }
 
+// One span, where nothing else is meant by it for certain.
+std::vector<std::uint32_t>
+Spans::open_number(EntityId entity, std::size_t position, std::size_t most) {
+  const auto& tokens = utterance_.tokens;
+  const auto last = std::min(position + most, utterance_.size());
+  auto end = position;
+  while (end < last && is_number_like(tokens, end) &&
+         (end == position || tokens.list[end].before == Break::none) &&
+         std::ranges::none_of(by_begin_[end], [&](std::uint32_t index) {
+           return spans_[index].entity == entity || !spans_[index].weak;
+         }))
+    ++end;
+  if (end == position)
+    return {};
+  const auto begin = static_cast<std::uint32_t>(position);
+  Span span{entity, begin, static_cast<std::uint32_t>(end),
+            begin,  {},    {},
+            1,      false, true,
+            0,      0};
+  span.gain = wrong_number_gain * static_cast<float>(end - position);
+  span.covered = static_cast<float>(utterance_.weight_of(position, end)) * 0.7F;
+  spans_.push_back(std::move(span));
+  return {static_cast<std::uint32_t>(spans_.size() - 1)};
+}
+
 std::vector<std::uint32_t> Spans::open(EntityId entity, std::size_t position,
                                        std::size_t most) {
   for (const auto& opened : opened_)
@@ -128,6 +169,11 @@ std::vector<std::uint32_t> Spans::open(EntityId entity, std::size_t position,
         opened.most == most)
       return opened.spans;
   Opened made{entity, position, most, {}};
+  if (is_form(entity)) {
+    made.spans = open_number(entity, position, most);
+    opened_.push_back(made);
+    return made.spans;
+  }
   const bool of_set = is_set(entity);
   const auto size = utterance_.size();
   auto first = position;

@@ -32,7 +32,8 @@ public:
   std::vector<std::uint32_t> at(EntityId entity, std::size_t position) const;
 
   // The same for open words, up to `most` of them. For a set (`entity`) they
-  // are words for which it has no value; none where it has one.
+  // are words for which it has no value; none where it has one. For a normal
+  // form they are numbers that are none of it: "25:00".
   std::vector<std::uint32_t> open(EntityId entity, std::size_t position,
                                   std::size_t most);
 
@@ -52,6 +53,8 @@ private:
   bool inside_name(std::size_t position) const;
   bool value_near(EntityId entity, std::size_t first, std::size_t last) const;
   bool can_stand(std::size_t position) const;
+  std::vector<std::uint32_t> open_number(EntityId entity, std::size_t position,
+                                         std::size_t most);
   float open_gain(std::size_t position) const;
 
   struct Opened {

@@ -157,6 +157,14 @@ std::optional<FormAt> spoken_time(FormReader reader) {
   return finish(reader, time);
 }
 
+std::optional<std::int64_t> hour_by_name(FormReader& reader) {
+  if (reader.skip_any({"noon", "midday"}))
+    return 12;
+  if (reader.skip("midnight"))
+    return 0;
+  return {};
+}
+
 std::optional<std::int64_t> fraction(FormReader& reader) {
   if (reader.skip("half"))
     return 30;
@@ -173,7 +181,8 @@ std::optional<std::int64_t> fraction(FormReader& reader) {
   return {};
 }
 
-// "half past ten", "a quarter to three", "ten minutes past nine".
+// "half past ten", "a quarter to three", "ten minutes past nine", "half past
+// noon".
 std::optional<FormAt> relative_time(FormReader reader) {
   const auto count = fraction(reader);
   if (!count)
@@ -181,6 +190,8 @@ std::optional<FormAt> relative_time(FormReader reader) {
   const bool past = reader.skip_any({"past", "after"});
   if (!past && !reader.skip_any({"to", "before", "till"}))
     return {};
+  if (const auto named = hour_by_name(reader))
+    return reader.form(clock_text(*named * 60 + (past ? *count : -*count)));
   const auto hour = reader.number();
   if (!hour || hour->ordinal || hour->value < 1 || hour->value > 12)
     return {};
@@ -193,11 +204,9 @@ std::optional<FormAt> relative_time(FormReader reader) {
 
 std::optional<FormAt> named_time(FormReader reader) {
   reader.skip_any({"12", "twelve"});
-  if (reader.skip_any({"noon", "midday"}))
-    return reader.form("12:00");
-  if (reader.skip("midnight"))
-    return reader.form("00:00");
-  return {};
+  const auto hour = hour_by_name(reader);
+  return hour ? std::optional(reader.form(clock_text(*hour * 60)))
+              : std::nullopt;
 }
 
 std::int64_t minute_of_day(Timestamp now) {
@@ -206,12 +215,20 @@ std::int64_t minute_of_day(Timestamp now) {
   return number / 100 * 60 + number % 100;
 }
 
-// "now", "in ten minutes", "in half an hour".
+bool skip_at_once(FormReader& reader) {
+  return reader.skip_any({"immediately", "asap"}) ||
+         reader.skip_all({"right", "now"}) ||
+         reader.skip_all({"right", "away"}) ||
+         reader.skip_all({"straight", "away"}) ||
+         reader.skip_all({"as", "soon", "as", "possible"});
+}
+
+// "now", "right away", "in ten minutes", "in half an hour".
 std::optional<FormAt> time_from_now(FormReader reader, Now now) {
   if (!now)
     return {};
   const auto current = minute_of_day(*now);
-  if (reader.skip("right") ? reader.skip("now") : reader.skip("now"))
+  if (reader.skip("now") || skip_at_once(reader))
     return reader.form(clock_text(current), true);
   if (!reader.skip("in"))
     return {};

@@ -14,7 +14,10 @@ namespace {
 
 constexpr float bare_bias = -0.3F;
 constexpr float part_bias = -0.2F;
+// As near as this to the best: nearer than what the context is worth, so that
+// the topic that is expected decides between equals.
 constexpr double alternative_range = 0.1;
+constexpr double tolerance = 1e-6;
 // How much worse the words of another topic may fit.
 constexpr double fit_range = 0.35;
 
@@ -141,7 +144,7 @@ void add_alternative(Alternatives& alternatives, const BuiltAct& best,
                      std::vector<BuiltAct> acts) {
   if (acts.size() != 1 || acts[0].topic == no_topic ||
       acts[0].topic == best.topic ||
-      acts[0].score < best.score - alternative_range)
+      acts[0].score < best.score - alternative_range + tolerance)
     return;
   alternatives.same_slots =
       alternatives.same_slots ||

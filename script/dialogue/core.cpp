@@ -23,6 +23,7 @@ void Core::raise(const char* source, std::string command,
   input.message.params = std::move(params);
   input.message.session = options.session;
   input.turn = turn;
+  input.raised = true;
   turns.hold(turn);
   if (port.inspected())
     port.inspect({.kind = InspectionKind::message,
@@ -53,7 +54,7 @@ Correlation Core::post(std::string module, std::string command,
   for (auto& event : port.post(std::move(message))) {
     turns.hold(turn);
     turns.answered(correlation);
-    internal.push_back({std::move(event), turn});
+    internal.push_back({.message = std::move(event), .turn = turn});
   }
   return correlation;
 }
@@ -110,9 +111,19 @@ void Core::drop(const Input& input) {
   mouth.handled(input.message, false);
 }
 
+void Core::script_failed(const Error& error, TurnId turn) {
+  inspect(InspectionKind::error, std::string(name_of(error.kind)),
+          to_string(error));
+  raise("Script", "Error",
+        {error.message, error.place.file,
+         static_cast<std::int64_t>(error.place.line)},
+        turn);
+}
+
 void Core::inspect(InspectionKind kind, std::string subject,
                    std::string detail) {
-  if (port.inspected())
+  if (port.inspected() || kind == InspectionKind::error ||
+      kind == InspectionKind::log)
     port.inspect({.kind = kind,
                   .session = options.session,
                   .subject = std::move(subject),

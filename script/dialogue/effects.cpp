@@ -180,8 +180,11 @@ script::Performed Effects::timer(Context context, Call effect) {
 }
 
 script::Performed Effects::confirm(Context context, Call effect) {
+  auto slot = script::no_id;
+  if (!effect.operand(1).is_unknown() && context.topic != script::no_id)
+    slot = core_.topic(context.topic).slot(effect.operand(1).text());
   auto wait = begin_wait(true);
-  core_.topics.confirm(effect.operand(0).text(), context.topic, wait,
+  core_.topics.confirm(effect.operand(0).text(), context.topic, slot, wait,
                        context.turn);
   return script::Waits{};
 }

@@ -34,8 +34,8 @@ public:
   void reached(script::Position position) override;
 
   // A message that no state and no handler took: the engine's own reaction to
-  // it, or counted as unhandled.
-  void unhandled(const Message& message, TurnId turn);
+  // it, or counted as unhandled; nobody has to take what the engine raised.
+  void unhandled(const Message& message, TurnId turn, bool raised);
   // A reply to a <request>; false where none waits for it.
   bool reply(const Message& message);
   // The outcome of a <querydb>, of a transaction's ends, of a <readfile> …;

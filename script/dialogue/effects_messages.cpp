@@ -20,11 +20,6 @@ Reply meaning(const Port& port, const Message& message) {
   return Reply::answer;
 }
 
-bool is_reserved(const std::string& source) {
-  const auto* role = find_role(source);
-  return role && role->reserved;
-}
-
 } // namespace
 
 // -- messages -----------------------------------------------------------------
@@ -113,7 +108,7 @@ script::Performed Effects::speak(Context context, Call effect) {
   return Value();
 }
 
-void Effects::unhandled(const Message& message, TurnId turn) {
+void Effects::unhandled(const Message& message, TurnId turn, bool raised) {
   if (message.source == "Script" && message.command == "Error") {
     Say what;
     what.act = "unavailable";
@@ -123,11 +118,8 @@ void Effects::unhandled(const Message& message, TurnId turn) {
     core_.mouth.say(std::move(what));
     return;
   }
-  // Raised for those who listen, the engine's own look-ups among them: nobody
-  // has to.
-  if (is_reserved(message.source) || message.source == "Knowledge")
-    return;
-  core_.port.unhandled(message);
+  if (!raised)
+    core_.port.unhandled(message);
 }
 
 } // namespace parlour::dialogue

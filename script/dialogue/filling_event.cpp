@@ -19,6 +19,13 @@ Value accepted_value(const SlotState& slot) {
   return slot.previous;
 }
 
+// A refused value leaves the old one; but who says a day, though a wrong one,
+// does not mean the day that was taken by default.
+void drop_default(SlotState& slot) {
+  if (slot.by_default)
+    empty_slot(slot);
+}
+
 bool has(const std::vector<SlotId>& slots, SlotId slot) {
   return std::find(slots.begin(), slots.end(), slot) != slots.end();
 }
@@ -140,12 +147,14 @@ void FillingEvent::match_offer(SlotId id, const FrameChange& change) {
       slot.status == SlotStatus::ambiguous
           ? match_choice(definition, change, slot.candidates, by_code)
           : match(definition, change, by_code);
-  if (!matched)
+  if (!matched) {
     report(id, SlotOutcome::refused).offered = said(change);
-  else if (matched.candidates.empty())
+    drop_default(slot);
+  } else if (matched.candidates.empty()) {
     put_value(id, change, matched.value);
-  else
+  } else {
     put_candidates(id, change, std::move(matched.candidates));
+  }
 }
 
 void FillingEvent::put_value(SlotId id, const FrameChange& change,
@@ -208,6 +217,7 @@ void FillingEvent::refuse(const std::vector<SlotId>& reads,
     report.outcome = SlotOutcome::refused;
     report.reason = reason;
     frame_.slots[report.slot] = unfilled_[report.slot];
+    drop_default(frame_.slots[report.slot]);
   }
 }
 

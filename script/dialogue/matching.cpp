@@ -113,10 +113,12 @@ Matched match_said(const script::Slot& slot, const Value& said, bool unmatched,
     return {in_range(cardinality, said, evaluate), {}};
   if (cardinality.type == "pattern")
     return {by_pattern(cardinality.pattern, said), {}};
-  if (has_normal_form(cardinality.type))
+  // Only the understanding knows a query's values; what it found to be none
+  // of a normal form is none.
+  const bool formed = has_normal_form(cardinality.type);
+  const bool refused = unmatched && (formed || cardinality.type == "query");
+  if (formed && !refused)
     return {normal_form(cardinality.type, said), {}};
-  // Only the understanding knows a query's values.
-  const bool refused = cardinality.type == "query" && unmatched;
   return {refused || is_empty(said) ? Value() : said, {}};
 }
 

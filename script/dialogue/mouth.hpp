@@ -41,7 +41,8 @@ public:
   OutputId speak(std::string text, Correlation handled, TurnId turn,
                  bool interruptible);
   // The handlers of an NLG event are done: an entry that none of them worded
-  // takes the event's own text, or is dropped where a handler took the event.
+  // takes the event's own text, or is dropped where a handler that names the
+  // event took it.
   // Any other answer than Speak means that there are no words to come.
   void handled(const Message& event, bool taken);
   // The NLG component did not answer in time.

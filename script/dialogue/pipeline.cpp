@@ -26,14 +26,31 @@ void Pipeline::take(Input input) {
   for (auto& item : waiting_)
     if (item->message->source == input.message.source &&
         item->message->command == input.message.command) {
-      item->behind.push_back(std::move(input));
+      hold(*item, std::move(input));
       return;
     }
   auto item = std::make_unique<Item>();
   item->turn = input.turn;
+  item->raised = input.raised;
   item->reactions = matches(input.message.source, input.message.command);
   item->message = std::make_shared<const Message>(std::move(input.message));
   go_on(std::move(item));
+}
+
+void Pipeline::hold(Item& item, Input input) {
+  if (item.behind.size() < most_held) {
+    item.behind.push_back(std::move(input));
+    return;
+  }
+  core_.inspect(InspectionKind::error, "Limit",
+                "more than " + std::to_string(most_held) + " messages " +
+                    item.message->source + "." + item.message->command +
+                    " wait behind a handler that waits; this one is dropped");
+  core_.drop(input);
+}
+
+bool Pipeline::Match::named() const {
+  return reaction->source != "*" && reaction->event != "*";
 }
 
 std::vector<Pipeline::Match> Pipeline::matches(const std::string& source,
@@ -127,12 +144,17 @@ bool Pipeline::resume(WaitId wait, Expected<Value> outcome) {
 
 void Pipeline::finish(std::unique_ptr<Item> item) {
   const bool taken = item->next > 0;
-  core_.mouth.handled(*item->message, taken);
+  // Who listens to everything has not meant to say it in other words.
+  const bool worded = std::any_of(
+      item->reactions.begin(),
+      item->reactions.begin() + static_cast<std::ptrdiff_t>(item->next),
+      [](const Match& match) { return match.named(); });
+  core_.mouth.handled(*item->message, worded);
   core_.effects.sockets.handled(*item->message);
   if (means_nothing(*item))
     not_understood(*item, taken);
   else if (!taken)
-    core_.effects.unhandled(*item->message, item->turn);
+    core_.effects.unhandled(*item->message, item->turn, item->raised);
   core_.turns.let_go(item->turn);
   auto behind = std::move(item->behind);
   // The held messages go first, before what came after them.

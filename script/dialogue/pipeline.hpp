@@ -17,10 +17,15 @@ namespace parlour::dialogue {
 struct Core;
 struct Input;
 
+// Messages of one source and command that wait behind a handler that waits.
+inline constexpr std::size_t most_held = 100;
+
 class Pipeline {
 public:
   explicit Pipeline(Core& core);
 
+  // Behind an activation that waits at most most_held wait; a further one
+  // is an error and is dropped.
   void take(Input input);
   // An activation of this lane goes on; false where it is none of ours.
   bool resume(WaitId wait, Expected<Value> outcome);
@@ -36,6 +41,7 @@ public:
   struct Match {
     const script::Reaction* reaction = nullptr;
     bool captures = false; // ends the search by itself
+    bool named() const;    // it names the source and the event, no '*'
   };
   std::vector<Match> matches(const std::string& source,
                              const std::string& event) const;
@@ -44,6 +50,7 @@ private:
   struct Item {
     std::shared_ptr<const Message> message;
     TurnId turn = 0;
+    bool raised = false;
     std::vector<Match> reactions;
     std::size_t next = 0;
     bool consumed = false;
@@ -51,6 +58,7 @@ private:
     std::deque<Input> behind; // same source and command
   };
 
+  void hold(Item& item, Input input);
   void go_on(std::unique_ptr<Item> item);
   void finish(std::unique_ptr<Item> item);
   void hand_over(const Item& item);

@@ -43,9 +43,11 @@ CodeId explain_wording(const script::Slot& slot, const SlotState& state) {
 
 CodeId counted_body(const std::vector<script::CountedBody>& bodies,
                     std::uint32_t count) {
-  auto found = std::find_if(bodies.begin(), bodies.end(),
-                            [&](const auto& b) { return b.count == count; });
-  return found == bodies.end() ? no_code : found->body;
+  const script::CountedBody* due = nullptr;
+  for (const auto& body : bodies)
+    if (body.count <= count && (!due || body.count >= due->count))
+      due = &body;
+  return due ? due->body : no_code;
 }
 
 std::string_view name_of(LadderStep step) {

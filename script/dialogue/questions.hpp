@@ -16,8 +16,8 @@ CodeId question_wording(const script::Slot& slot, const SlotState& state);
 // The next of the <explain> texts; no_code where there is none.
 CodeId explain_wording(const script::Slot& slot, const SlotState& state);
 
-// The <noinput> or <nomatch> for exactly this count; no_code where there is
-// none, and the ladder applies.
+// The <noinput> or <nomatch> that is due: each holds from its count on, until
+// the next higher one; no_code before the first, where the ladder applies.
 CodeId counted_body(const std::vector<script::CountedBody>& bodies,
                     std::uint32_t count);
 

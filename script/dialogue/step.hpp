@@ -35,6 +35,7 @@ using script::StateId;
   X(looked_up, "its outcome") \
   X(answer, "an enquiry's <filled> has run: answer if it said nothing") \
   X(ask, "the question for a slot") \
+  X(ask_still, "the question once more, unless its ladder's step went on") \
   X(ask_next, "the question for what the current topic misses") \
   X(resume_topic, "back to a suspended topic") \
   X(cancel_topic, "the user wants out of it") \

@@ -23,6 +23,10 @@ void TopicEngine::look_up(Step step) {
     look_up_facts(std::move(step));
     return;
   }
+  if (step.statement.kind != "db") {
+    refuse_source(std::move(step));
+    return;
+  }
   QueryRequest request;
   request.id = core_.next_id();
   request.database = step.statement.name;
@@ -38,6 +42,17 @@ void TopicEngine::look_up_facts(Step step) {
                           core_.frame(step.topic), step.statement);
   step.kind = StepKind::looked_up;
   step.data = std::move(rows).map([](ResultSet set) { return Value(set); });
+  core_.lane.now({std::move(step)});
+}
+
+// A kind of knowledge that this build does not have.
+void TopicEngine::refuse_source(Step step) {
+  const auto& source = core_.topic(step.topic).queries[step.statement.source];
+  step.kind = StepKind::looked_up;
+  step.data = fail(ErrorKind::refused,
+                   "<query source=\"" + source.kind +
+                       "\"> is not available yet; use a database or <facts>",
+                   core_.program->place(source.position));
   core_.lane.now({std::move(step)});
 }
 
@@ -93,6 +108,8 @@ void TopicEngine::answer(Step step) {
             {"relaxed", List(frame.relaxed.begin(), frame.relaxed.end())}},
         step.turn);
   rest(step.topic);
+  if (auto next = needed_by(step.topic); next != script::no_id)
+    core_.lane.now({topic_step(StepKind::activate, next)});
 }
 
 void TopicEngine::rest(TopicId topic) {

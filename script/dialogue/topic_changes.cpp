@@ -8,6 +8,15 @@
 
 namespace parlour::dialogue {
 
+namespace {
+
+// What needs such a topic may go on.
+bool dealt_with(TopicStatus status) {
+  return status == TopicStatus::completed || status == TopicStatus::resting;
+}
+
+} // namespace
+
 void TopicEngine::begin_topic(TopicId topic, std::vector<Step>& steps) {
   const auto status = core_.frame(topic).status;
   leave_enquiry(topic);
@@ -29,10 +38,11 @@ void TopicEngine::begin_topic(TopicId topic, std::vector<Step>& steps) {
   begin_needs(topic, steps);
 }
 
-// An enquiry that was not answered yet is not unfinished: it begins anew.
+// An enquiry that was not answered yet is not unfinished: it begins anew,
+// unless it is left for a topic that it needs.
 void TopicEngine::leave_enquiry(TopicId next) {
   auto current = core_.order.current();
-  if (current && *current != next &&
+  if (current && *current != next && !core_.order.needs(*current, next) &&
       core_.topic(*current).kind == script::TopicKind::enquiry &&
       core_.frame(*current).status == TopicStatus::active)
     change(*current, {.kind = FrameChange::Kind::reset});
@@ -43,7 +53,7 @@ void TopicEngine::begin_needs(TopicId topic, std::vector<Step>& steps) {
   for (const auto& name : core_.topic(topic).needs) {
     auto need = core_.program->topic(name);
     if (need != script::no_id && core_.order.registered(need) &&
-        core_.frame(need).status != TopicStatus::completed)
+        !dealt_with(core_.frame(need).status))
       steps.push_back(topic_step(StepKind::activate, need));
   }
 }

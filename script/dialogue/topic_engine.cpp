@@ -9,19 +9,6 @@
 
 namespace parlour::dialogue {
 
-namespace {
-
-bool refused_any(const Step& step) {
-  return step.result &&
-         std::any_of(step.result->reports.begin(), step.result->reports.end(),
-                     [](const auto& report) {
-                       return report.outcome == SlotOutcome::refused ||
-                              report.outcome == SlotOutcome::rejected;
-                     });
-}
-
-} // namespace
-
 TopicEngine::TopicEngine(Core& core) : core_(core) {}
 
 void TopicEngine::take(Step step) {
@@ -33,7 +20,7 @@ void TopicEngine::take(Step step) {
     TAKES(conclude) TAKES(activate) TAKES(fill) TAKES(filled) TAKES(rule)
     TAKES(report) TAKES(settle) TAKES(finish) TAKES(complete) TAKES(reset)
     TAKES(look_up) TAKES(looked_up) TAKES(answer) TAKES(ask) TAKES(ask_next)
-    TAKES(resume_topic) TAKES(cancel_topic)
+    TAKES(ask_still) TAKES(resume_topic) TAKES(cancel_topic)
 #undef TAKES
         // clang-format on
         default : return; // another part's
@@ -84,6 +71,7 @@ void TopicEngine::topic_act(Step step) {
   if (std::exchange(consumed_, false) || answer_to_question(step))
     return;
   auto& act = step.act;
+  complete_by_answer(act);
   step.topic = core_.program->topic(act.topic);
   if (step.topic == script::no_id && is_generic(act)) {
     generic_act(step);
@@ -91,12 +79,21 @@ void TopicEngine::topic_act(Step step) {
   }
   if (step.topic == script::no_id || !core_.order.registered(step.topic))
     step.topic = classify(*core_.program, act, classifier_context());
+  const bool answers_nothing =
+      !asked_ && act.topic.empty() && act.slots.empty() &&
+      (act.kind == ActKind::confirm || act.kind == ActKind::deny);
+  if (answers_nothing) { // "ok", and nobody had asked
+    say("acknowledge", script::no_id, script::no_id, {}, step.turn);
+    return;
+  }
   const bool says_nothing =
       act.topic.empty() && act.slots.empty() && !act.elliptical;
   if (step.topic == script::no_id || says_nothing) {
     not_understood(step.turn, true);
     return;
   }
+  if (ask_which(step))
+    return;
   keep_what_is_asked(act, step.topic);
   std::vector<Step> steps;
   begin_topic(step.topic, steps);
@@ -146,11 +143,24 @@ bool TopicEngine::answer_to_question(const Step& step) {
 
 void TopicEngine::answer_confirm(const Asked& asked, bool yes) {
   asked_.reset();
+  settle_confirmed(asked, yes);
   std::erase_if(confirms_, [&](const Asked& confirm) {
     return confirm.wait == asked.wait;
   });
   core_.lane.now(back_to(asked.topic));
   core_.resume(asked.wait, Value(yes));
+}
+
+// A <confirm slot>: yes accepts the slot's value, no empties the slot, before
+// <yes> or <no> runs.
+void TopicEngine::settle_confirmed(const Asked& asked, bool yes) {
+  if (asked.about == script::no_id)
+    return;
+  if (!yes)
+    redirect();
+  change(asked.topic,
+         {.kind = yes ? FrameChange::Kind::confirmed : FrameChange::Kind::clear,
+          .slot = asked.about});
 }
 
 void TopicEngine::confirm_slot(TopicId topic, SlotId slot, bool yes,
@@ -165,86 +175,7 @@ void TopicEngine::confirm_slot(TopicId topic, SlotId slot, bool yes,
   request(std::move(step), {std::move(change)});
 }
 
-// -- done, or what next -------------------------------------------------------
-
-void TopicEngine::settle(Step step) {
-  const auto& topic = core_.topic(step.topic);
-  const auto& frame = core_.frame(step.topic);
-  if (topic.kind == script::TopicKind::enquiry) {
-    settle_enquiry(step);
-    return;
-  }
-  if (frame.status != TopicStatus::active || !frame.done ||
-      doubtful(step.topic) != script::no_id)
-    return;
-  std::vector<Step> steps;
-  run_body(topic.filled, step.topic, script::no_id, step.turn, steps);
-  auto finish = make_step(StepKind::finish, step);
-  finish.mark = redirections_;
-  steps.push_back(std::move(finish));
-  core_.lane.now(std::move(steps));
-}
-
-void TopicEngine::settle_enquiry(const Step& step) {
-  auto ask = make_step(StepKind::ask, step);
-  ask.slot = doubtful(step.topic);
-  const bool looked_for = step.result && step.result->query_slot_filled;
-  if (ask.slot == script::no_id && !looked_for)
-    ask.slot = missing(step.topic);
-  if (ask.slot != script::no_id) {
-    set_status(step.topic, TopicStatus::active);
-    if (!asked_ || asked_->topic != step.topic) // by an <ambiguous>
-      core_.lane.now({std::move(ask)});
-  } else if (!looked_for && refused_any(step)) {
-    rest(step.topic); // nothing is left to look for
-  } else if (!core_.topic(step.topic).queries.empty()) {
-    core_.lane.now({make_step(StepKind::look_up, step)});
-  } else {
-    answer_enquiry(step);
-  }
-}
-
-void TopicEngine::answer_enquiry(const Step& step) {
-  std::vector<Step> steps;
-  run_body(core_.topic(step.topic).filled, step.topic, script::no_id, step.turn,
-           steps);
-  auto answer = make_step(StepKind::answer, step);
-  answer.mark = core_.mouth.spoken();
-  steps.push_back(std::move(answer));
-  core_.lane.now(std::move(steps));
-}
-
-// The frame is completed unless its <filled> asked, cleared or left.
-void TopicEngine::finish(Step step) {
-  const auto& frame = core_.frame(step.topic);
-  if (step.mark == redirections_ && frame.done &&
-      frame.status == TopicStatus::active)
-    core_.lane.now({make_step(StepKind::complete, step)});
-}
-
-void TopicEngine::complete(Step step) {
-  set_status(step.topic, TopicStatus::completed);
-  core_.order.completed(step.topic);
-  if (asked_ && asked_->topic == step.topic)
-    asked_.reset();
-  std::vector<Step> steps;
-  run_body(core_.topic(step.topic).completed, step.topic, script::no_id,
-           step.turn, steps);
-  if (auto next = needed_by(step.topic); next != script::no_id)
-    steps.push_back(topic_step(StepKind::activate, next));
-  core_.lane.now(std::move(steps));
-}
-
-// The suspended topic that waited for this one to be completed.
-TopicId TopicEngine::needed_by(TopicId topic) const {
-  const auto& name = core_.topic(topic).name;
-  for (auto other : core_.order.suspended()) {
-    const auto& needs = core_.topic(other).needs;
-    if (std::find(needs.begin(), needs.end(), name) != needs.end())
-      return other;
-  }
-  return script::no_id;
-}
+// -- ending one --------------------------------------------------------------
 
 void TopicEngine::cancel_topic(Step step) {
   core_.mouth.withdraw_questions();

@@ -3,6 +3,7 @@
 // to, which question comes next, and what happens when nobody says anything.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,8 +32,10 @@ public:
   void released(const Output& output);
   void withdrawn(const Output& output);
   void unspoken(OutputId output); // no words were found for it
-  // A <confirm>'s question, for the wait of its activation.
-  void confirm(std::string question, TopicId topic, WaitId wait, TurnId turn);
+  // A <confirm>'s question, for the wait of its activation; about that slot,
+  // or no_id.
+  void confirm(std::string question, TopicId topic, SlotId slot, WaitId wait,
+               TurnId turn);
   // All waits in the dialogue lane, and all <confirm>s, are being ended.
   void forget_waits();
   // <consume/> in a reaction to an act.
@@ -73,12 +76,15 @@ private:
       choice,       // between candidates
       yes_or_no,    // a script's <confirm>
       resume,       // whether to go on with a topic
+      which_topic,  // that an act is about
     };
     For purpose = For::value;
     TopicId topic = script::no_id;
     SlotId slot = script::no_id;
-    WaitId wait = 0;      // yes_or_no: the <confirm>'s activation
-    std::string question; // yes_or_no: to ask it again
+    WaitId wait = 0;                // yes_or_no: the <confirm>'s activation
+    std::string question;           // yes_or_no: to ask it again
+    SlotId about = script::no_id;   // yes_or_no: the slot
+    std::shared_ptr<const Act> act; // which_topic: what was said
     OutputId output = 0;
     bool pending = true;  // still in the output queue
     bool heard = false;   // released; with neither, it was withdrawn
@@ -109,6 +115,7 @@ private:
   void answer(Step step);
   void ask(Step step);
   void ask_next(Step step);
+  void ask_still(Step step);
   void resume_topic(Step step);
   void cancel_topic(Step step);
 
@@ -120,8 +127,14 @@ private:
   void generic_act(const Step& step);
   bool answer_to_question(const Step& step);
   void answer_confirm(const Asked& asked, bool yes);
+  void settle_confirmed(const Asked& asked, bool yes);
   void confirm_slot(TopicId topic, SlotId slot, bool yes, TurnId turn);
   void keep_what_is_asked(Act& act, TopicId topic) const;
+  // Whether the act might be about several topics: they are asked for.
+  bool ask_which(const Step& step);
+  void ask_which_again(Asked asked, OutputAct as, TurnId turn);
+  // The answer to that: what was said before, about the topic that it names.
+  void complete_by_answer(Act& act);
   void help(TurnId turn);
   void cancel(TurnId turn);
 
@@ -142,10 +155,12 @@ private:
   void request(Step step, std::vector<FrameChange> changes);
   std::vector<FrameChange> changes_of(const Step& step) const;
   FrameChange inherit(const Step& step) const;
+  Value refusal(TopicId topic, const SlotReport& report);
   void inspect_report(TopicId topic, const SlotReport& report);
   void settle_enquiry(const Step& step);
   void answer_enquiry(const Step& step);
   void look_up_facts(Step step);
+  void refuse_source(Step step);
   SlotId missing(TopicId topic) const;
   SlotId doubtful(TopicId topic) const;
 
@@ -171,6 +186,7 @@ private:
            OutputAct as, TurnId turn);
   void reprompt(TurnId turn, bool heard_something);
   void climb(TopicId topic, SlotId slot, std::uint32_t times, TurnId turn);
+  void climb_own(TopicId topic, SlotId slot, std::uint32_t times, TurnId turn);
   void repeat_question(TurnId turn);
   Value choices_of(TopicId topic, SlotId slot);
   std::string text_of(CodeId code, TopicId topic);

@@ -9,14 +9,6 @@
 
 namespace parlour::dialogue {
 
-namespace {
-
-Map data_of(std::initializer_list<Map::Entry> entries) {
-  return Map(entries);
-}
-
-} // namespace
-
 void TopicEngine::fill(Step step) {
   auto changes = changes_of(step);
   request(std::move(step), std::move(changes));
@@ -66,7 +58,9 @@ FrameChange TopicEngine::inherit(const Step& step) const {
                           core_.program->settings.sessions.context_for) ==
       step.topic;
   const bool keeps =
-      frame.status == TopicStatus::active || (resting && step.act.elliptical);
+      frame.status == TopicStatus::active ||
+      frame.status == TopicStatus::suspended || // by a topic that it needs
+      (resting && step.act.elliptical);
   for (SlotId slot = 0; keeps && slot < slots.size(); ++slot)
     if (std::find(frame.relaxed.begin(), frame.relaxed.end(),
                   slots[slot].name) == frame.relaxed.end())
@@ -78,6 +72,8 @@ void TopicEngine::frame_applied(FrameResult result) {
   core_.frames.store(result.frame);
   auto step = std::move(*awaiting_);
   awaiting_.reset();
+  for (const auto& error : result.errors) // of constraints
+    core_.script_failed(error, step.turn);
   step.kind = StepKind::filled;
   step.result = std::make_shared<const FrameResult>(std::move(result));
   core_.lane.now({std::move(step)});
@@ -114,11 +110,20 @@ void TopicEngine::inspect_report(TopicId topic, const SlotReport& report) {
                 value + " (" + std::string(name_of(report.outcome)) + ")");
 }
 
+// What was wrong, and what would be right.
+Value TopicEngine::refusal(TopicId topic, const SlotReport& report) {
+  auto choices = choices_of(topic, report.slot);
+  const auto& type = core_.topic(topic).slots[report.slot].cardinality.type;
+  return Map{{"value", report.offered},
+             {"reason", report.reason},
+             {"type", type},
+             {"choices", choices["choices"]}};
+}
+
 void TopicEngine::rule(Step step) {
   auto holds = core_.runner.evaluate(step.condition, {}, step.topic);
   if (!holds) {
-    core_.inspect(InspectionKind::error, core_.topic(step.topic).name,
-                  to_string(holds.error()));
+    core_.script_failed(holds.error(), step.turn);
     return;
   }
   std::vector<Step> steps;
@@ -140,8 +145,7 @@ void TopicEngine::report(Step step) {
     if (slot.invalid != script::no_code)
       run_body(slot.invalid, step.topic, step.slot, step.turn, steps);
     else
-      say("invalid", step.topic, step.slot,
-          data_of({{"value", report.offered}, {"reason", report.reason}}),
+      say("invalid", step.topic, step.slot, refusal(step.topic, report),
           step.turn);
     break;
   case SlotOutcome::ambiguous:

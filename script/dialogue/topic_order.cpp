@@ -42,7 +42,8 @@ std::optional<TopicId> TopicOrder::latest() const {
 
 std::optional<TopicId> TopicOrder::activate(TopicId topic) {
   std::optional<TopicId> left;
-  if (current_ && *current_ != topic && unfinished(*current_)) {
+  if (current_ && *current_ != topic &&
+      (unfinished(*current_) || needs(*current_, topic))) {
     left = current_;
     suspended_.insert(suspended_.begin(), *current_);
   }
@@ -77,7 +78,14 @@ const std::vector<TopicId>& TopicOrder::suspended() const {
   return suspended_;
 }
 
-// Enquiries are never unfinished (engine rule 5, "Kinds").
+bool TopicOrder::needs(TopicId topic, TopicId other) const {
+  const auto& names = program_->topics[topic].needs;
+  return std::find(names.begin(), names.end(), program_->topics[other].name) !=
+         names.end();
+}
+
+// Enquiries are never unfinished (engine rule 5, "Kinds"), except while they
+// wait for a topic that they need.
 bool TopicOrder::unfinished(TopicId topic) const {
   if (std::find(suspended_.begin(), suspended_.end(), topic) !=
       suspended_.end())

@@ -27,7 +27,7 @@ public:
   // The current one, else the one that was it last, completed or not.
   std::optional<TopicId> latest() const;
   // The topic that becomes suspended by it, if any: the current one, where it
-  // is an unfinished task.
+  // is an unfinished task or needs this topic.
   std::optional<TopicId> activate(TopicId topic);
   void completed(TopicId topic); // or cancelled: forgotten
   void rests(TopicId topic, Timestamp now);
@@ -37,6 +37,8 @@ public:
   // Most recently suspended first.
   const std::vector<TopicId>& suspended() const;
   bool unfinished(TopicId topic) const;
+  // Whether `topic` names the other one in its `needs`.
+  bool needs(TopicId topic, TopicId other) const;
 
   // What comes after silence: the most recently suspended task that may
   // resume (not one that never asks), else the next registered topic with

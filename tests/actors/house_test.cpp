@@ -62,6 +62,16 @@ protected:
   std::vector<std::string> notes;
 };
 
+TEST_F(HouseOfActors, StartsDatabasesBeforeWhatReadsFromThem) {
+  auto database = noting("Shelf");
+  database.factory.description.roles = {"Database"};
+  options.components = {noting("Ear"), std::move(database), noting("Mouth")};
+  House house(std::move(options));
+  ASSERT_TRUE(house.start_components());
+  EXPECT_EQ(notes, (std::vector<std::string>{"Shelf starts", "Ear starts",
+                                             "Mouth starts"}));
+}
+
 TEST_F(HouseOfActors, ComesUpAndGoesDownInOrder) {
   options.components = {noting("Ear"), noting("Mouth")};
   House house(std::move(options));

@@ -112,6 +112,26 @@ TEST_F(SessionPortTest, IsInspectedWhenSomebodyListens) {
   EXPECT_EQ(shown, 1);
 }
 
+TEST_F(SessionPortTest, TellsOfTroubleWithoutBeingWatched) {
+  with_port([](SessionPort& port) {
+    port.inspect({.kind = InspectionKind::error,
+                  .subject = "Type",
+                  .detail = "a.xml:3: no"});
+    port.inspect(
+        {.kind = InspectionKind::log, .subject = "info", .detail = "here"});
+    port.inspect({.kind = InspectionKind::slot, .subject = "T.S"});
+  });
+  EXPECT_THAT(bench.logs, ElementsAre("Type: a.xml:3: no", "info: here"));
+  bench.services.inspect_all = false;
+  int shown = 0;
+  bench.services.inspect = [&](const auto&) { ++shown; };
+  with_port([](SessionPort& port) {
+    EXPECT_FALSE(port.inspected()); // nobody makes what is not wanted
+    port.inspect({.kind = InspectionKind::error});
+  });
+  EXPECT_EQ(shown, 1);
+}
+
 TEST_F(SessionPortTest, ATimerRingsOnceAndIsReplacedAndCancelled) {
   with_port([](SessionPort& port) {
     port.start_timer(1, 5ms);

@@ -1,5 +1,6 @@
 // The one program: hands the process's streams and arguments to command_line.
 #include <clocale>
+#include <csignal>
 #include <cstdlib>
 #include <iostream>
 
@@ -7,6 +8,7 @@
 #include <unistd.h>
 
 #include "tools/parlour/command_line.hpp"
+#include "tools/parlour/exit_code.hpp"
 
 namespace {
 
@@ -18,9 +20,27 @@ void open_standard_streams() {
       (void)!open("/dev/null", O_RDWR); // takes the lowest free number
 }
 
+// Until somebody watches for signals nothing has begun that would have to be
+// ended in order.
+void end_at_once(int) {
+  _exit(parlour::tools::exit_code::interrupted);
+}
+
+void watch_signals() {
+  for (const auto number : {SIGINT, SIGTERM}) {
+    struct sigaction action {};
+    sigaction(number, nullptr, &action);
+    if (action.sa_handler == SIG_IGN)
+      continue;
+    action.sa_handler = &end_at_once;
+    sigaction(number, &action, nullptr);
+  }
+}
+
 } // namespace
 
 int main(int count, char** arguments) {
+  watch_signals();
   open_standard_streams();
   // Characters on a terminal; numbers stay as they are written everywhere.
   std::setlocale(LC_CTYPE, "C.UTF-8");

@@ -100,19 +100,26 @@ private:
   actors::NodeOptions options() {
     auto made = node_options(application_, application_.composition,
                              {data_.string(), options_.clock, options_.seed});
+    made.inspect_all = options_.trace;
     made.on_inspection = [this](const Inspection& seen) { watch(seen); };
     made.log = [this](const std::string& text) { log(as_one_line(text)); };
     return made;
   }
 
-  // A script's errors are always shown.
+  // A script's errors are always shown, and what it logs as such.
   void watch(const Inspection& seen) {
     if (seen.kind == InspectionKind::branch)
       return;
-    if (options_.trace || seen.kind == InspectionKind::error)
+    if (options_.trace || is_trouble(seen))
       note(trace_line(seen));
-    else if (seen.kind == InspectionKind::log)
+    else
       log(trace_line(seen));
+  }
+
+  static bool is_trouble(const Inspection& seen) {
+    return seen.kind == InspectionKind::error ||
+           (seen.kind == InspectionKind::log &&
+            (seen.subject == "error" || seen.subject == "warning"));
   }
 
   // A conversation on a terminal is not interrupted by it unless asked for.

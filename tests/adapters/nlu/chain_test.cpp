@@ -72,11 +72,32 @@ TEST(Chain, FollowsTheContext) {
   EXPECT_EQ(best({island(0, 1, 1, {0, 1}, "Time")}, 1, context), "0-1:0");
 }
 
+TEST(Chain, WhatEndsAQuestionIsNoAnswerToTheAskedOne) {
+  Context context;
+  context.asked_topic = 0;
+  context.asked_slot = "Time";
+  const auto whole = island(0, 3, 2, {1});
+  const auto question = island(0, 2, 1.6, {1});
+  const auto now = island(2, 3, 0.7, {0}, "Time");
+  EXPECT_EQ(best({whole, question, now}, 3, context), "0-3:1");
+}
+
 TEST(Chain, TakesAWeakIslandOnlyAfterACorrection) {
   auto four = island(1, 2, 1, {0});
   four.weak = true;
   EXPECT_EQ(best({four}, 2), "");
   EXPECT_EQ(best({marker(0), four}, 2), "0-1:- 1-2:0");
+}
+
+TEST(Chain, TakesAWeakIslandAfterALeadInWhereItIsExpected) {
+  auto third = island(1, 2, 1, {0, 1});
+  third.weak = true;
+  auto and_what = marker(0);
+  and_what.act = "";
+  EXPECT_EQ(best({and_what, third}, 2), "0-1:-");
+  Context context;
+  context.resting = 1;
+  EXPECT_EQ(best({and_what, third}, 2, context), "0-1:- 1-2:1");
 }
 
 TEST(Chain, DoesNotSayASlotTwiceUnlessItIsCorrected) {

@@ -55,6 +55,24 @@ INSTANTIATE_TEST_SUITE_P(
         Turn{"", "please book a ride to Orchard Road at 5pm",
              "inform Taxi Destination=Orchard Road Time=17:00"}));
 
+// A number that the asked slot cannot take is said of that slot.
+INSTANTIATE_TEST_SUITE_P(
+    WrongNumbers, Turns,
+    testing::Values(
+        Turn{"Taxi.Phone", "12", "~inform Taxi Phone=12?"},
+        Turn{"Taxi.Phone", "my number is 12", "~inform Taxi Phone=12?"},
+        Turn{"Taxi.Time", "at 25:00", "~inform Taxi Time=25:00?"},
+        Turn{"Taxi.Time", "9123 4567", "~inform Taxi Phone=91234567"},
+        Turn{"Taxi.Phone", "is there a bank on level 2",
+             "request Facility Category=bank Location=2"},
+        Turn{"", "25:00", ""}));
+
+INSTANTIATE_TEST_SUITE_P(AskedFurther, Turns,
+                         testing::Values(Turn{
+                             "", "is there a bank and a toilet",
+                             "request Facility Category=bank + "
+                             "~request Facility Category=toilet"}));
+
 INSTANTIATE_TEST_SUITE_P(
     Elliptical, Turns,
     testing::Values(

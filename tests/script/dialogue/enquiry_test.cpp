@@ -140,6 +140,40 @@ TEST(Enquiry, DatabaseGone) {
   EXPECT_EQ(world.said().size(), 1u);
 }
 
+TEST(Enquiry, AKindOfKnowledgeThatIsNotThereIsRefused) {
+  World world(R"xml(
+    <topic name="Chat" kind="enquiry"><slot name="Topic"/>
+      <query source="aiml" param="bot"><by slot="Topic" column="topic"/></query>
+    </topic>)xml");
+  world.say(inform("Chat", {{"Topic", "tea"}}));
+  ASSERT_EQ(world.said().size(), 1u); // unavailable
+  const auto errors = world.seen(InspectionKind::error);
+  ASSERT_EQ(errors.size(), 1u);
+  EXPECT_NE(errors[0].find("<query source=\"aiml\"> is not available yet"),
+            std::string::npos)
+      << errors[0];
+  EXPECT_NE(errors[0].find("test.xml:"), std::string::npos) << errors[0];
+}
+
+TEST(Enquiry, WhatIsNotThereIsNotLeftOutOfTheQuestion) {
+  World world(facilities);
+  world.say(ask({{"Category", Map{{"value", "helipad"}, {"unmatched", true}}},
+                 {"Level", 1}}));
+  // Category has no cardinality here: anything may be asked for.
+  EXPECT_EQ(world.said(), Texts{"[] [Level]"});
+  World strict(R"xml(
+    <facts name="Room"><fact size="9" level="1"/></facts>
+    <topic name="Room" kind="enquiry">
+      <slot name="Size"><cardinality type="number"/></slot>
+      <slot name="Level"><cardinality type="level"/></slot>
+      <query source="facts:Room"><by slot="Size" column="size"/>
+        <by slot="Level" column="level"/></query></topic>)xml");
+  strict.say(inform("Room", {{"Size", "huge"}, {"Level", 1}}));
+  const auto said = strict.said();
+  ASSERT_EQ(said.size(), 1u);
+  EXPECT_EQ(said[0].rfind("[invalid Room.Size {value: huge", 0), 0u) << said[0];
+}
+
 TEST(Enquiry, CancelPassesTheWaitForTheDatabase) {
   World world(from_database);
   world.hold_queries = true;

@@ -55,6 +55,16 @@ TEST(Mouth, WordsOfAComponentByDefault) {
   EXPECT_EQ(world.said(), Texts{"S?"});
 }
 
+TEST(Mouth, WhoListensToEverythingDoesNotSwallowWords) {
+  Worded world(std::string(asking) + R"xml(
+    <handler name="N"><messages><component>
+      <on source="*" event="*"><log param="{_COMMAND}"/></on>
+    </component></messages></handler>)xml");
+  world.say(inform("T", {}));
+  world.word();
+  EXPECT_EQ(world.said(), Texts{"S?"});
+}
+
 TEST(Mouth, WordsByAHandler) {
   Worded world(std::string(asking) + speaking);
   world.say(inform("T", {}));

@@ -64,11 +64,32 @@ TEST(Pipeline, AWaitHoldsOnlyItsOwnKind) {
 TEST(Pipeline, ManyHeldMessagesAreNotScriptsChasingEachOther) {
   Bells world(handler("A", "<Rings><if cond='_LPARAM1 == 0'><wait for='5s'/>"
                            "</if><speak param='{_LPARAM1}'/></Rings>"));
-  for (int i = 0; i < 150; ++i)
+  for (int i = 0; i < 101; ++i)
     world.event("Bell", "Rings", {i});
   world.advance(5s);
-  EXPECT_EQ(world.said().size(), 150u);
+  EXPECT_EQ(world.said().size(), 101u);
   EXPECT_EQ(world.seen(InspectionKind::error), Texts{});
+}
+
+TEST(Pipeline, HoldsNoMoreThanItsLimit) {
+  Bells world(handler("A", "<Rings><if cond='_LPARAM1 == 0'><wait for='5s'/>"
+                           "</if><speak param='{_LPARAM1}'/></Rings>"));
+  for (int i = 0; i < 103; ++i)
+    world.event("Bell", "Rings", {i});
+  const auto errors = world.seen(InspectionKind::error);
+  ASSERT_EQ(errors.size(), 2u);
+  EXPECT_EQ(errors[0], "Limit: more than 100 messages Bell.Rings wait behind a "
+                       "handler that waits; this one is dropped");
+  world.advance(5s);
+  EXPECT_EQ(world.said().size(), 101u);
+}
+
+TEST(Pipeline, WhatTheEngineRaisesNeedNotBeTaken) {
+  Bells world(handler("A", "<Rings><fire event='Heard'/></Rings>"));
+  world.event("Bell", "Rings");
+  EXPECT_EQ(world.seen(InspectionKind::unhandled), Texts{});
+  world.event("Knowledge", "Result"); // a component of that name
+  EXPECT_EQ(world.seen(InspectionKind::unhandled).size(), 1u);
 }
 
 TEST(Pipeline, ConfirmInAHandlerWaitsWhileOthersRun) {

@@ -48,12 +48,13 @@ TEST(Questions, ExplainInTurn) {
   EXPECT_EQ(explain_wording(slot, asked(3)), 7u);
 }
 
-TEST(Questions, ABodyCountsForExactlyItsCount) {
+TEST(Questions, ABodyHoldsFromItsCountOn) {
   const std::vector<script::CountedBody> bodies{{2, 5}, {3, 6}};
   EXPECT_EQ(counted_body(bodies, 1), no_code);
   EXPECT_EQ(counted_body(bodies, 2), 5u);
   EXPECT_EQ(counted_body(bodies, 3), 6u);
-  EXPECT_EQ(counted_body(bodies, 4), no_code);
+  EXPECT_EQ(counted_body(bodies, 4), 6u);
+  EXPECT_EQ(counted_body({{3, 6}, {1, 4}}, 2), 4u);
   EXPECT_EQ(counted_body({}, 1), no_code);
 }
 

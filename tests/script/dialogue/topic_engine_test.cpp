@@ -77,9 +77,9 @@ TEST(TopicEngine, ARefusedValueLeavesTheOldOne) {
   world.say(inform("Booking", {{"Place", "Hall"}}));
   world.said();
   world.say(inform("Booking", {{"Place", "Moon"}}));
-  EXPECT_EQ(
-      world.said(),
-      (Texts{"[invalid Booking.Place {value: Moon, reason: }]", "When?"}));
+  EXPECT_EQ(world.said(), (Texts{"[invalid Booking.Place {value: Moon, reason: "
+                                 ", type: set, choices: [Hall, Garden]}]",
+                                 "When?"}));
   EXPECT_EQ(world.slot("Booking", "Place"), "Hall");
 }
 

@@ -177,6 +177,18 @@ class Signals(Hostile):
         self.assertIn(running.wait(60), (130, -signal.SIGTERM))
         self.still_usable()
 
+    def test_before_anything_has_begun(self):
+        application = self.data.parent / "slow"
+        application.mkdir()
+        os.mkfifo(application / "settings.xml")
+        checking = subprocess.Popen([PROGRAM, "check", str(application)],
+                                    stderr=subprocess.DEVNULL)
+        self.addCleanup(checking.wait)
+        self.addCleanup(checking.kill)
+        with open(application / "settings.xml", "wb"):  # it reads now
+            checking.send_signal(signal.SIGINT)
+            self.assertEqual(checking.wait(60), 130)
+
     def test_killed_in_the_middle(self):
         running = self.start()
         running.kill()
@@ -219,6 +231,21 @@ class Files(Hostile):
     def test_a_database_without_its_tables(self):
         sqlite3.connect(self.database()).execute("create table t (x)")
         self.refused("receptionist.db")
+
+    def test_one_error_for_a_broken_database(self):
+        self.database().write_bytes(b"garbage" * 5000)
+        errors = self.run_with(b"").stderr.decode().strip().split("\n")
+        self.assertEqual(len(errors), 1, errors)
+        self.assertIn("SQLiteDatabase", errors[0])
+        self.assertIn("receptionist.db", errors[0])
+        self.assertIn("move it away", errors[0])
+
+    def test_one_error_for_a_database_of_something_else(self):
+        sqlite3.connect(self.database()).execute("create table t (x)")
+        errors = self.run_with(b"").stderr.decode().strip().split("\n")
+        self.assertEqual(len(errors), 1, errors)
+        self.assertIn("receptionist.db", errors[0])
+        self.assertIn("move it away", errors[0])
 
     def test_a_database_that_another_holds(self):
         self.said(b"")

@@ -51,6 +51,21 @@ TEST_F(CommandTest, run_tells_a_script_s_error_and_goes_on) {
   EXPECT_THAT(piped("", arguments, "2>&1"), HasSubstr("own.xml:2"));
 }
 
+TEST_F(CommandTest, run_shows_what_a_script_logs) {
+  test::TemporaryFolder folder;
+  folder.write("settings.xml", "<settings name=\"own\" start=\"Welcome\">"
+                               "<Scripts><Script>own.xml</Script></Scripts>"
+                               "</settings>");
+  folder.write("own.xml", "<dialogue><state name=\"Welcome\"><Entrance>"
+                          "<log param=\"low\" level=\"warning\"/>"
+                          "<log param=\"here\"/>"
+                          "</Entrance></state></dialogue>");
+  const auto arguments =
+      folder.path().string() + " --data " + (folder.path() / "data").string();
+  EXPECT_EQ(piped("", arguments, "2>&1"), "log         warning: low\n"
+                                          "log         info: here\n0");
+}
+
 TEST_F(CommandTest, run_starts_nothing_of_a_broken_application) {
   test::TemporaryFolder folder;
   const auto data = folder.path() / "data";

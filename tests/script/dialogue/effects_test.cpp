@@ -221,7 +221,7 @@ TEST(Effects, CancelEndsAConfirm) {
   world.say("cancel");
   EXPECT_EQ(world.said(), (Texts{"Cancelled.", "[cancelled Transfer]"}));
   world.say("confirm");
-  EXPECT_EQ(world.said(), Texts{"[no_match]"});
+  EXPECT_EQ(world.said(), Texts{"[acknowledge]"});
 }
 
 TEST(Effects, AConfirmIsAskedAgainAfterAnotherTopic) {

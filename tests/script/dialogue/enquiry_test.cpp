@@ -142,9 +142,13 @@ TEST(Enquiry, DatabaseGone) {
 
 TEST(Enquiry, AKindOfKnowledgeThatIsNotThereIsRefused) {
   World world(R"xml(
+    <facts name="Chat"><fact topic="tea"/></facts>
     <topic name="Chat" kind="enquiry"><slot name="Topic"/>
-      <query source="aiml" param="bot"><by slot="Topic" column="topic"/></query>
+      <query source="facts:Chat"><by slot="Topic" column="topic"/></query>
     </topic>)xml");
+  // As from a program of a version that knows more.
+  auto& program = const_cast<script::Program&>(*world.program);
+  program.topics[0].queries[0].kind = "aiml";
   world.say(inform("Chat", {{"Topic", "tea"}}));
   ASSERT_EQ(world.said().size(), 1u); // unavailable
   const auto errors = world.seen(InspectionKind::error);

@@ -42,7 +42,7 @@ TEST(TopicClarify, AsksWhichTopicIsMeant) {
   world.say("deny"); // neither
   EXPECT_EQ(world.said(),
             (Texts{"[clarify {topics: [Call, Visit]}]",
-                   "[clarify {topics: [Call, Visit]}]", "[no_match]"}));
+                   "[clarify {topics: [Call, Visit]}]", "[acknowledge]"}));
 }
 
 } // namespace

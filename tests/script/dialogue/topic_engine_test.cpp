@@ -273,7 +273,8 @@ TEST(TopicEngine, ConstraintsRefuseWithTheirMessage) {
   World world(meeting);
   world.say(inform("Meeting", {{"Start", 12}, {"End", 11}}));
   EXPECT_EQ(world.said().front(),
-            "[invalid Meeting.Start {value: 12, reason: It must end later.}]");
+            "[invalid Meeting.Start {value: 12, reason: It must end later., "
+            "type: , choices: []}]");
   EXPECT_EQ(world.slot("Meeting", "Start"), Value());
 }
 

@@ -7,6 +7,12 @@
 
 namespace parlour::script {
 
+namespace {
+
+constexpr std::size_t most_explained = 1000; // to look for words takes time
+
+} // namespace
+
 void ExpressionCompiler::report(const Source& source, const Parsed& parsed) {
   for (auto& slip : find_slips(source.text, parsed))
     b_.findings.add({Severity::error, source.spot(slip.offset, slip.length),
@@ -25,6 +31,8 @@ void ExpressionCompiler::error(const Node& node, const Source& source,
 void ExpressionCompiler::unknown_name(const Node& node, const Source& source) {
   const auto& name = node.text;
   const auto quoted = "'" + name + "'";
+  if (b_.findings.all().size() > most_explained)
+    return error(node, source, quoted + " is not declared");
   const auto known = b_.visible_names();
   if (name == "this")
     return error(node, source, "'this' is followed by a slot: this.Name");
@@ -52,6 +60,8 @@ void ExpressionCompiler::unknown_name(const Node& node, const Source& source) {
 
 void ExpressionCompiler::unknown_target(const Node& node,
                                         const Source& source) {
+  if (b_.findings.all().size() > most_explained)
+    return unknown_name(node, source);
   const auto known = b_.visible_names();
   if (!did_you_mean(node.text, known).empty() || node.text == "this" ||
       b_.function(node.text))
@@ -64,6 +74,8 @@ void ExpressionCompiler::unknown_target(const Node& node,
 void ExpressionCompiler::unknown_function(const Node& node,
                                           const Source& source) {
   const auto quoted = "'" + node.text + "'";
+  if (b_.findings.all().size() > most_explained)
+    return error(node, source, "there is no function " + quoted);
   auto known = b_.function_names();
   known.insert(known.end(), builtin_names().begin(), builtin_names().end());
   if (auto right = same_but_case(node.text, known); !right.empty())

@@ -113,8 +113,11 @@ void Nesting::close(std::string_view name, std::size_t begin, std::size_t end) {
 }
 
 void Nesting::finish() {
+  constexpr int most = 200; // elements that are looked at
+  int looked = 0;
   bool told = false; // one end tag that is missing explains those around it
-  for (; !open_.empty() && slips_.size() < most_slips; open_.pop_back()) {
+  for (; !open_.empty() && slips_.size() < most_slips && looked < most;
+       open_.pop_back(), ++looked) {
     const auto& open = open_.back();
     const bool empty = holds_nothing(open.name);
     if (empty || !told)

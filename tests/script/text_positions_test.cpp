@@ -33,6 +33,24 @@ TEST(TextPositions, find_the_offset_of_a_place) {
   EXPECT_EQ(positions.offset_of(0, 0), text.size());
 }
 
+TEST(TextPositions, know_long_lines) {
+  std::string text;
+  for (int i = 0; i < 3000; ++i)
+    text += i % 3 == 0 ? "日" : "x";
+  text = "é\n" + text + "\n" + text;
+  TextPositions positions(text, 0);
+  std::uint32_t line = 1, column = 1;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    if ((static_cast<unsigned char>(text[at]) & 0xc0) == 0x80)
+      continue;
+    ASSERT_EQ(positions.at(at), (Position{0, line, column}));
+    ASSERT_EQ(positions.offset_of(line, column), at);
+    const bool ends = text[at] == '\n';
+    column = ends ? 1 : column + 1;
+    line += ends ? 1 : 0;
+  }
+}
+
 TEST(Utf8, is_told_from_what_is_not) {
   EXPECT_FALSE(find_invalid_utf8("Grüße, 日本, 😀"));
   EXPECT_EQ(find_invalid_utf8("a\xff"), 1u);

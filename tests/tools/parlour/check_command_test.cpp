@@ -24,9 +24,9 @@ TEST_F(CommandTest, check_says_all_that_is_wrong_at_once) {
 broken/broken.xml:5:23: error: there is no state 'Wellcome', did you mean 'Welcome'?
     5 |       <transit state="Wellcome"/>
       |                       ^^^^^^^^
-broken/broken.xml:6:28: error: a value is missing behind '+'
+broken/broken.xml:6:29: error: a value is missing behind '+'
     6 |       <var name="x" expr="1 +"/>
-      |                            ^
+      |                             ^
 broken/settings.xml:1:32: error: there is no state or topic 'Nowhere' to start with
     1 | <settings name="broken" start="Nowhere">
       |                                ^^^^^^^

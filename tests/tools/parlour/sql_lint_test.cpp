@@ -30,12 +30,12 @@ TEST_F(SqlLintTest, is_silent_where_statements_fit) {
 
 TEST_F(SqlLintTest, names_columns_and_tables_with_their_places) {
   EXPECT_EQ(said_of_query("param=\"select nme from guest where name={x}\""),
-            "own.xml:1:72: warning: the database says: no such column: nme, "
+            "own.xml:1:73: warning: the database says: no such column: nme, "
             "did you mean 'name'?\n");
   EXPECT_THAT(said_of_query("param=\"select name from guests\""),
               HasSubstr("no such table: guests, did you mean 'guest'?"));
   EXPECT_EQ(said_of_query("param=\"select name frm guest where\""),
-            "own.xml:1:81: warning: the database says: near \"guest\": syntax "
+            "own.xml:1:82: warning: the database says: near \"guest\": syntax "
             "error\n");
 }
 

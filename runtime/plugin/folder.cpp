@@ -37,8 +37,9 @@ Expected<fs::path> inside(const fs::path& folder, const std::string& name,
     return wrong("there is no name");
   if (path.is_absolute())
     return wrong("'" + name + "' is an absolute path");
-  auto full = (folder / path).lexically_normal();
-  if (!is_below(real(full), real(folder)))
+  const auto base = fs::current_path() / folder;
+  auto full = (base / path).lexically_normal();
+  if (!is_below(real(full), real(base)))
     return wrong("'" + name + "' leaves its folder");
   return full;
 }

@@ -1,6 +1,8 @@
 // Short ways to read the operands of an effect (script/effects.def).
 #pragma once
 
+#include <string>
+
 #include "runtime/base/clock.hpp"
 #include "runtime/base/error.hpp"
 #include "runtime/base/value.hpp"
@@ -15,6 +17,10 @@ inline List list_of(const Value& value) {
 
 inline Milliseconds milliseconds(const Value& value) {
   return Milliseconds(value.integer_or(0));
+}
+
+inline std::string text_or(const Value& value, const char* otherwise) {
+  return value.is_unknown() ? otherwise : value.text();
 }
 
 inline Error missing(const char* what, const Value& name) {

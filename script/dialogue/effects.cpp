@@ -81,7 +81,7 @@ script::Performed Effects::perform(script::Activation& activation,
     return this->confirm(context, effect);
   case log:
   case print:
-    core_.inspect(InspectionKind::log, effect.operand(1).text(),
+    core_.inspect(InspectionKind::log, text_or(effect.operand(1), "info"),
                   effect.operand(0).text());
     return Value();
   default:

@@ -129,6 +129,8 @@ protected:
         ways.push_back(to_string(*seen.message) + " | " + seen.way);
       if (seen.kind == InspectionKind::error)
         errors.push_back(seen.detail);
+      if (seen.kind == InspectionKind::unhandled)
+        unhandled.push_back(seen.detail);
       if (watch)
         watch(seen);
     };
@@ -179,6 +181,7 @@ protected:
   std::function<void(const Inspection&)> watch; // may be empty
   std::vector<std::string> ways;
   std::vector<std::string> logs;
+  std::vector<std::string> unhandled; // why nobody took them
   std::vector<std::string> errors;
   std::atomic<int> over = 0;
 

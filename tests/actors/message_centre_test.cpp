@@ -23,9 +23,9 @@ TEST_F(MessageCentreTest, CountsAndShowsWhatNobodyTakes) {
   node->inject("", from("Desk", "Touch"));
   node->run_until_quiet();
   EXPECT_EQ(node->counters().unhandled, 3u);
-  EXPECT_THAT(logs, ElementsAre(HasSubstr("nobody is there for Nobody"),
-                                HasSubstr("its session is over"),
-                                HasSubstr("no session listens to it")));
+  EXPECT_THAT(unhandled, ElementsAre(HasSubstr("nobody is there for Nobody"),
+                                     HasSubstr("its session is over"),
+                                     HasSubstr("no session listens to it")));
 }
 
 TEST_F(MessageCentreTest, GivesWhatHasNoSessionToThoseWhoListen) {

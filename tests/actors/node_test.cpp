@@ -96,7 +96,7 @@ TEST_F(NodeTest, OpensNoSessionForWhatIsNoTurn) {
     </component></messages></handler>)");
   say({"bye"});
   EXPECT_EQ(node->session_at(seat), "");
-  EXPECT_THAT(logs, ElementsAre(HasSubstr("its session is over")));
+  EXPECT_THAT(unhandled, ElementsAre(HasSubstr("its session is over")));
 }
 
 // A component that never returns does not keep the house from stopping.

@@ -8,6 +8,13 @@ namespace {
 
 using Self = session_actor::stateful_pointer<session_state>;
 
+dialogue::QueryRequest question() {
+  dialogue::QueryRequest request;
+  request.id = 5;
+  request.sql = "select 1";
+  return request;
+}
+
 // A port whose session does what the test says, and notes what it hears.
 class SessionPortTest : public testing::Test {
 protected:
@@ -114,12 +121,9 @@ TEST_F(SessionPortTest, IsInspectedWhenSomebodyListens) {
 
 TEST_F(SessionPortTest, TellsOfTroubleWithoutBeingWatched) {
   with_port([](SessionPort& port) {
-    port.inspect({.kind = InspectionKind::error,
-                  .subject = "Type",
-                  .detail = "a.xml:3: no"});
-    port.inspect(
-        {.kind = InspectionKind::log, .subject = "info", .detail = "here"});
-    port.inspect({.kind = InspectionKind::slot, .subject = "T.S"});
+    port.inspect({InspectionKind::error, "", "Type", "a.xml:3: no"});
+    port.inspect({InspectionKind::log, "", "info", "here"});
+    port.inspect({InspectionKind::slot, "", "T.S", ""});
   });
   EXPECT_THAT(bench.logs, ElementsAre("Type: a.xml:3: no", "info: here"));
   bench.services.inspect_all = false;
@@ -127,7 +131,7 @@ TEST_F(SessionPortTest, TellsOfTroubleWithoutBeingWatched) {
   bench.services.inspect = [&](const auto&) { ++shown; };
   with_port([](SessionPort& port) {
     EXPECT_FALSE(port.inspected()); // nobody makes what is not wanted
-    port.inspect({.kind = InspectionKind::error});
+    port.inspect({InspectionKind::error, "", "", ""});
   });
   EXPECT_EQ(shown, 1);
 }
@@ -149,9 +153,7 @@ TEST_F(SessionPortTest, ATimerRingsOnceAndIsReplacedAndCancelled) {
 }
 
 TEST_F(SessionPortTest, AQueryHasAnOutcome) {
-  with_port([](SessionPort& port) {
-    port.query({5, "", "select 1", {}, false});
-  });
+  with_port([](SessionPort& port) { port.query(question()); });
   EXPECT_THAT(heard, ElementsAre("no database component is there"));
   EXPECT_FALSE(bench.services.due_times.next());
 }
@@ -160,7 +162,7 @@ TEST_F(SessionPortTest, LeavesNothingBehind) {
   bench.set_table({target("db", {"Database"}, bench.component_probe("db"))});
   with_port([](SessionPort& port) {
     port.start_timer(1, 1h);
-    port.query({5, "", "select 1", {}, false});
+    port.query(question());
   });
   EXPECT_TRUE(bench.services.due_times.next());
   bench.send(user, end_session{bench.work()});

@@ -131,10 +131,13 @@ std::vector<std::string> names_within(const std::vector<std::string>& within) {
 
 std::vector<std::string> parents_of(std::string_view name) {
   std::vector<std::string> parents;
-  for (const auto& rule : element_table())
+  for (const auto& rule : element_table()) {
+    if (!same_name(rule.name, name))
+      continue;
     for (const auto& parent : element_table())
-      if (same_name(rule.name, name) && overlap(rule.in, parent.holds))
+      if (overlap(rule.in, parent.holds))
         add_once(parents, parent.name);
+  }
   return parents;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "runtime/base/paths.hpp"
 #include "script/source_reader.hpp"
 #include "script/validator.hpp"
 
@@ -12,20 +13,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view library_prefix = "parlour:";
-
-// The path that a file really has, links followed.
-fs::path real(const fs::path& path) {
-  std::error_code ignored;
-  auto found = fs::weakly_canonical(path, ignored);
-  return found.empty() ? path.lexically_normal() : found;
-}
-
-bool is_below(const fs::path& path, const fs::path& folder) {
-  const auto [end, rest] =
-      std::mismatch(folder.begin(), folder.end(), path.begin(), path.end());
-  return end == folder.end() ||
-         (end->empty() && std::next(end) == folder.end());
-}
 
 } // namespace
 
@@ -43,7 +30,9 @@ Expected<fs::path> ApplicationLoader::inside(const std::string& name) const {
                                      "' must be relative to the "
                                      "application's folder");
   const auto full = (folder_ / path).lexically_normal();
-  if (!is_below(real(full), real(folder_)))
+  const auto found = real_path(full);
+  const auto folder = real_path(folder_);
+  if (found != folder && !is_below(found, folder))
     return fail(ErrorKind::file,
                 "'" + name + "' leaves the application's folder");
   std::error_code ignored;
@@ -80,7 +69,7 @@ void ApplicationLoader::load_script(const std::string& name,
 }
 
 void ApplicationLoader::add(const fs::path& path, Element root) {
-  add(real(path), std::move(root), false);
+  add(real_path(path), std::move(root), false);
 }
 
 std::vector<std::string> ApplicationLoader::libraries() const {
@@ -113,7 +102,7 @@ void ApplicationLoader::include(const Element& element) {
 
 void ApplicationLoader::load(const fs::path& path, bool platform,
                              Position position) {
-  const auto found = real(path);
+  const auto found = real_path(path);
   if (std::find(open_.begin(), open_.end(), found) != open_.end())
     return findings_.error(position, "'" + path.filename().string() +
                                          "' includes this file; files may not "

@@ -1,29 +1,10 @@
 #include "runtime/plugin/folder.hpp"
 
-#include <algorithm>
+#include "runtime/base/paths.hpp"
 
 namespace parlour {
 
-namespace {
-
 namespace fs = std::filesystem;
-
-// The path that a file has or would have, links followed.
-fs::path real(const fs::path& path) {
-  std::error_code ignored;
-  auto found = fs::weakly_canonical(path, ignored);
-  return found.empty() ? path.lexically_normal() : found;
-}
-
-bool is_below(const fs::path& path, const fs::path& folder) {
-  const auto [end, rest] =
-      std::mismatch(folder.begin(), folder.end(), path.begin(), path.end());
-  return (end == folder.end() && rest != path.end()) ||
-         (end != folder.end() && end->empty() &&
-          std::next(end) == folder.end());
-}
-
-} // namespace
 
 Expected<fs::path> inside(const fs::path& folder, const std::string& name,
                           const std::string& option) {
@@ -39,7 +20,7 @@ Expected<fs::path> inside(const fs::path& folder, const std::string& name,
     return wrong("'" + name + "' is an absolute path");
   const auto base = fs::current_path() / folder;
   auto full = (base / path).lexically_normal();
-  if (!is_below(real(full), real(base)))
+  if (!is_below(real_path(full), real_path(base)))
     return wrong("'" + name + "' leaves its folder");
   return full;
 }

@@ -31,29 +31,33 @@ bool matches(const std::string& key, const std::string& asked) {
 }
 
 bool has_columns(const std::vector<std::string>& columns,
-                 const std::vector<std::string>& keys) {
+                 const std::vector<std::string>& keys,
+                 const std::string& said) {
   return columns.size() > keys.size() &&
          std::equal(keys.begin(), keys.end(), columns.begin()) &&
-         std::find(columns.begin(), columns.end(), "text") != columns.end();
+         std::find(columns.begin(), columns.end(), said) != columns.end();
 }
 
-std::string header_of(const std::vector<std::string>& keys) {
+std::string header_of(const std::vector<std::string>& keys,
+                      const std::string& said) {
   std::string header;
   for (const auto& key : keys)
     header += "'" + key + "', ";
-  return header + "'text'";
+  return header + '\'' + said + '\'';
 }
 
 } // namespace
 
 Expected<ReportTable> ReportTable::read(const std::filesystem::path& file,
-                                        const std::vector<std::string>& keys) {
+                                        const std::vector<std::string>& keys,
+                                        const std::string& said) {
   std::ifstream stream(file);
   if (!stream || std::filesystem::is_directory(file))
     return fail(ErrorKind::file, "The reports cannot be read.",
                 {file.string(), 0, 0});
   ReportTable table;
   table.keys_ = keys.size();
+  table.said_ = said;
   std::uint32_t number = 0;
   for (std::string line; std::getline(stream, line);) {
     const Place place{file.string(), ++number, 0};
@@ -68,12 +72,12 @@ Expected<ReportTable> ReportTable::read(const std::filesystem::path& file,
                   place);
     if (!table.columns_.empty())
       table.rows_.push_back(std::move(cells));
-    else if (has_columns(cells, keys))
+    else if (has_columns(cells, keys, said))
       table.columns_ = std::move(cells);
     else
       return fail(ErrorKind::settings,
                   "The first line names the columns, beginning with " +
-                      header_of(keys) + ".",
+                      header_of(keys, said) + ".",
                   place);
   }
   if (table.rows_.empty())
@@ -96,7 +100,7 @@ ReportTable::find(const std::vector<std::string>& asked) const {
   Map data;
   for (std::size_t i = 0; i < columns_.size(); ++i)
     data.set(columns_[i], (*row)[i]);
-  return Report{data.find("text")->text(), data};
+  return Report{data.find(said_)->text(), data};
 }
 
 std::vector<std::string> ReportTable::subjects() const {

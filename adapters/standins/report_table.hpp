@@ -24,9 +24,11 @@ struct Report {
 class ReportTable {
 public:
   // Empty lines and those that begin with '#' do not count. Errors: File for
-  // one that cannot be read, Settings with the line that is wrong.
+  // one that cannot be read, Settings with the line that is wrong. `said` is
+  // the column that reports take their text from.
   static Expected<ReportTable> read(const std::filesystem::path& file,
-                                    const std::vector<std::string>& keys);
+                                    const std::vector<std::string>& keys,
+                                    const std::string& said = "text");
 
   // The first row whose keys match what is asked, spelling case aside; `*`
   // matches everything, and so does an empty question.
@@ -39,6 +41,7 @@ private:
   using Row = std::vector<std::string>;
 
   std::size_t keys_ = 0;
+  std::string said_;
   Row columns_;
   std::vector<Row> rows_;
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <sstream>
 #include <utility>
 
 namespace parlour::adapters {
@@ -11,6 +12,13 @@ namespace {
 bool is_file_name(const std::string& text) {
   return !text.empty() && text.front() != '.' &&
          text.find_first_of("/\\") == std::string::npos;
+}
+
+std::string trimmed(std::string text) {
+  constexpr auto blanks = " \t\r\n";
+  text.erase(0, std::min(text.find_first_not_of(blanks), text.size()));
+  text.erase(text.find_last_not_of(blanks) + 1);
+  return text;
 }
 
 std::string listed(const std::vector<std::string>& texts) {
@@ -57,14 +65,20 @@ Expected<std::string> option_of(const Options& options, const std::string& name,
   return text;
 }
 
+std::vector<std::string> list_option(const Options& options,
+                                     const std::string& name) {
+  std::vector<std::string> names;
+  std::istringstream text(option_or(options, name, ""));
+  for (std::string one; std::getline(text, one, ',');)
+    if (one = trimmed(one); !one.empty())
+      names.push_back(one);
+  return names;
+}
+
 std::string text_param(const Message& message, std::size_t index) {
   if (index >= message.params.size() || message.params[index].is_unknown())
     return {};
-  auto text = message.params[index].text();
-  constexpr auto blanks = " \t\r\n";
-  text.erase(0, std::min(text.find_first_not_of(blanks), text.size()));
-  text.erase(text.find_last_not_of(blanks) + 1);
-  return text;
+  return trimmed(message.params[index].text());
 }
 
 bool is_phone_number(const std::string& text) {

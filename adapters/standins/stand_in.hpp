@@ -39,6 +39,10 @@ std::string option_or(const Options& options, const std::string& name,
 Expected<std::string> option_of(const Options& options, const std::string& name,
                                 const std::vector<std::string>& allowed);
 
+// The names in an option, which commas separate.
+std::vector<std::string> list_option(const Options& options,
+                                     const std::string& name);
+
 // The parameter's text without blanks around; empty where there is none.
 std::string text_param(const Message& message, std::size_t index);
 

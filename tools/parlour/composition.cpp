@@ -6,7 +6,9 @@
 #include "adapters/database/sqlite_database.hpp"
 #include "adapters/nlg/phrase_nlg.hpp"
 #include "adapters/nlu/grammar_nlu.hpp"
+#include "adapters/standins/log_devices.hpp"
 #include "adapters/standins/log_reports.hpp"
+#include "adapters/standins/log_robot.hpp"
 #include "adapters/standins/log_sms.hpp"
 #include "adapters/standins/log_taxi.hpp"
 #include "adapters/standins/log_telephone.hpp"
@@ -96,6 +98,7 @@ const std::vector<PluginFactory>& built_in_plugins() {
       adapters::sqlite_database_factory(), adapters::log_telephone_factory(),
       adapters::log_taxi_factory(),        adapters::log_sms_factory(),
       adapters::log_weather_factory(),     adapters::log_traffic_factory(),
+      adapters::log_robot_factory(),       adapters::log_devices_factory(),
   };
   return plugins;
 }

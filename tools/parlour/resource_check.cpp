@@ -45,7 +45,8 @@ struct FileOption {
   const char* option;
 };
 constexpr FileOption file_options[] = {{"LogWeather", "reports"},
-                                       {"LogTraffic", "reports"}};
+                                       {"LogTraffic", "reports"},
+                                       {"LogDevices", "devices"}};
 
 void check_files(Application& application, const ChosenComponent& component) {
   for (const auto& [plugin, option] : file_options) {

@@ -1,0 +1,2 @@
+insert into room (name) values
+  ('living room'), ('kitchen'), ('bedroom'), ('bathroom'), ('hall');

@@ -1,6 +1,7 @@
 #include "script/interpreter.hpp"
 
 #include "script/convert.hpp"
+#include "script/interpreter_state.hpp"
 #include "script/machine.hpp"
 
 namespace parlour::script {
@@ -72,6 +73,33 @@ Value Interpreter::variable(std::size_t index) const {
 
 void Interpreter::set_variable(std::size_t index, Value value) {
   implementation_->variables[index] = to_box(implementation_->heap(), value);
+}
+
+std::string
+Interpreter::save(const std::vector<const Activation*>& activations) const {
+  std::vector<const Execution*> executions;
+  for (const auto* activation : activations)
+    executions.push_back(static_cast<const Execution*>(activation));
+  return state_of(*implementation_, executions);
+}
+
+Expected<Restored> Interpreter::restore(std::shared_ptr<const Program> program,
+                                        std::string_view bytes) {
+  Restored restored{Interpreter(std::move(program)), {}};
+  auto executions = restore_state(*restored.interpreter.implementation_, bytes);
+  if (!executions)
+    return tl::make_unexpected(std::move(executions.error()));
+  for (auto& execution : *executions)
+    restored.activations.push_back(std::move(execution));
+  return restored;
+}
+
+std::size_t Interpreter::bytes_held() const {
+  return implementation_->heap().used();
+}
+
+void Interpreter::set_slice(std::uint64_t instructions) {
+  implementation_->slice = instructions;
 }
 
 } // namespace parlour::script

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "runtime/base/message.hpp"
@@ -54,6 +55,8 @@ struct RunResult {
   std::vector<std::string> stack; // "function f (file:line)", innermost first
 };
 
+struct Restored;
+
 class Interpreter {
 public:
   explicit Interpreter(std::shared_ptr<const Program> program);
@@ -86,9 +89,28 @@ public:
   Value variable(std::size_t index) const;
   void set_variable(std::size_t index, Value value);
 
+  // The whole state as bytes: session variables, what the event may still use,
+  // and these activations, started here and none of them running. What they
+  // share stays shared. Its form: interpreter_state.hpp.
+  std::string save(const std::vector<const Activation*>& activations) const;
+  // Goes on from there, in any process that compiled the same program; bytes
+  // of another program or damaged ones are an error of kind File.
+  static Expected<Restored> restore(std::shared_ptr<const Program> program,
+                                    std::string_view bytes);
+
+  // What the session's values and frames hold (limits.bytes).
+  std::size_t bytes_held() const;
+  // Yields after so many instructions rather than the default; for tests.
+  void set_slice(std::uint64_t instructions);
+
 private:
   struct Implementation;
   std::unique_ptr<Implementation> implementation_;
+};
+
+struct Restored {
+  Interpreter interpreter;
+  std::vector<std::unique_ptr<Activation>> activations; // in their order
 };
 
 } // namespace parlour::script

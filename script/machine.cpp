@@ -44,10 +44,10 @@ Frame* Execution::make_above(std::uint32_t registers) {
   return frame;
 }
 
-Frame* Execution::push(const Code& code) {
+Frame* Execution::push(const Code& code, std::uint32_t room) {
   auto* frame = top ? top->above : nullptr;
   if (!frame || frame->capacity < code.register_count)
-    frame = make_above(code.register_count);
+    frame = make_above(code.register_count + room);
   frame->code = &code;
   frame->pc = code.instructions.data();
   top = frame;
@@ -154,7 +154,7 @@ bool Machine::recover() {
         left_ += clean_up_fuel;
         take_slice();
       }
-      frame.registers()[range->error_register] = error_;
+      frame.registers()[range->error_register] = std::move(error_);
       frame.pc = frame.code->instructions.data() + range->target;
       return true;
     }
@@ -171,12 +171,25 @@ void Machine::new_event() {
   grace_given_ = false;
 }
 
+void Machine::set_event_fuel(const EventFuel& event_fuel) {
+  instructions = event_fuel.instructions;
+  left_ = event_fuel.left;
+  grace_given_ = event_fuel.grace_given;
+}
+
 void Machine::take_slice() {
+  give_back_fuel();
+  const auto taken = std::min(left_, slice);
+  left_ -= taken;
+  fuel = static_cast<std::int64_t>(taken);
+}
+
+// What the run left of its slice, or took beyond it.
+void Machine::give_back_fuel() {
   const auto overdrawn = static_cast<std::uint64_t>(fuel < 0 ? -fuel : 0);
   left_ -= std::min(left_, overdrawn);
-  const auto slice = std::min<std::uint64_t>(left_, defaults::slice);
-  left_ -= slice;
-  fuel = static_cast<std::int64_t>(slice);
+  left_ += static_cast<std::uint64_t>(fuel < 0 ? 0 : fuel);
+  fuel = 0;
 }
 
 bool Machine::refuel() {
@@ -187,6 +200,7 @@ bool Machine::refuel() {
                                        " instructions for one event");
   if (to_the_end_)
     return true;
+  execution->release_above();
   stop_ = Stop::yielded;
   return false;
 }
@@ -226,8 +240,7 @@ public:
   RunScope(const RunScope&) = delete;
   RunScope& operator=(const RunScope&) = delete;
   ~RunScope() {
-    const auto unused = std::max<std::int64_t>(machine_.fuel, 0);
-    machine_.left_ += static_cast<std::uint64_t>(unused);
+    machine_.give_back_fuel();
     machine_.host = host_;
     machine_.execution = execution_;
     machine_.fuel = fuel_;
@@ -271,6 +284,10 @@ std::unique_ptr<Execution> Machine::start(CodeId body,
   return activation;
 }
 
+std::unique_ptr<Execution> Machine::adopt(ActivationContext context) {
+  return std::make_unique<Execution>(heap_, std::move(context));
+}
+
 RunResult Machine::outcome() {
   RunResult result;
   switch (stop_) {
@@ -300,12 +317,16 @@ RunResult Machine::run(Execution& activation, Host& current_host,
   RunScope scope(*this, activation, current_host, to_the_end);
   if (!activation.top)
     return {};
+  if (activation.waiting) // only resume() ends that
+    return {RunStatus::waiting, {}, {}, {}};
   dispatch();
   return outcome();
 }
 
 RunResult Machine::resume(Execution& activation,
                           Expected<Value> outcome_of_wait, Host& current_host) {
+  if (!activation.waiting)
+    return run(activation, current_host, false);
   RunScope scope(*this, activation, current_host, false);
   auto* frame = activation.top;
   activation.waiting = false;

@@ -55,10 +55,11 @@ public:
   ~Execution() override;
 
   // A new top frame; its registers are unknown. Not deeper than the caller
-  // of this checks.
-  Frame* push(const Code& code);
+  // of this checks. A new one has room for so many more registers.
+  Frame* push(const Code& code, std::uint32_t room = 0);
   void pop(); // the top frame
-  // While it waits it holds no frames but those in use.
+  // While it waits or has yielded it holds no frames but those in use, so that
+  // what it holds is the same once its state was written and read back.
   void release_above();
 
   Frame* top = nullptr;
@@ -75,6 +76,13 @@ private:
 // Why the dispatch loop was left.
 enum class Stop : std::uint8_t { none, finished, waiting, yielded, failed };
 
+// What an event may still use.
+struct EventFuel {
+  std::uint64_t instructions = 0; // of one event
+  std::uint64_t left = 0;
+  bool grace_given = false; // the cleaning up after a limit
+};
+
 class Machine {
   std::shared_ptr<Heap> heap_; // first: it outlives every box below
 
@@ -89,7 +97,13 @@ public:
                                    const std::vector<Value>& values,
                                    ActivationContext context);
 
+  std::unique_ptr<Execution> adopt(ActivationContext context);
+
   void new_event();
+  EventFuel event_fuel() const {
+    return {instructions, left_, grace_given_};
+  }
+  void set_event_fuel(const EventFuel& event_fuel);
 
   // -- for operations and built-ins -------------------------------------------
   bool raise(ErrorKind kind, std::string message); // always false
@@ -172,6 +186,7 @@ public:
   std::int64_t fuel = 0; // of this slice
   bool watched = false;
   std::uint64_t instructions = 0; // of one event
+  std::uint64_t slice = defaults::slice;
 
 private:
   friend class RunScope;
@@ -179,6 +194,7 @@ private:
   void dispatch();
   bool may_call(const Code& callee); // false: too deep, raised
   void take_slice();
+  void give_back_fuel();
   void note_stack();
   void release_bindings(); // before a wait
   void copy_out(Frame& frame);

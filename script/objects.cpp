@@ -185,6 +185,16 @@ namespace {
 constexpr std::size_t none = static_cast<std::size_t>(-1);
 constexpr std::size_t indexed_from = 9;
 
+// Of a few entries, which need no index.
+template <class Entries>
+bool are_distinct(const Entries& entries) {
+  for (auto one = entries.begin(); one != entries.end(); ++one)
+    for (auto other = entries.begin(); other != one; ++other)
+      if (equal_strings(*one->key.string(), *other->key.string()))
+        return false;
+  return true;
+}
+
 } // namespace
 
 std::size_t MapObject::position(std::string_view key, std::uint32_t hash,
@@ -208,17 +218,34 @@ std::size_t MapObject::position(std::string_view key, std::uint32_t hash,
 }
 
 void MapObject::rebuild_index() {
-  index.clear();
   if (entries.size() < indexed_from)
-    return;
-  index.resize(std::bit_ceil(entries.size() * 3));
-  const auto mask = index.size() - 1;
+    index.clear();
+  else
+    rebuild_index(std::bit_ceil(entries.size() * 3));
+}
+
+bool MapObject::fits_index(std::size_t places) const {
+  if (entries.size() < indexed_from)
+    return places == 0;
+  return std::has_single_bit(places) && places >= entries.size() * 2 &&
+         places < entries.size() * 6;
+}
+
+bool MapObject::rebuild_index(std::size_t places) {
+  index.clear();
+  index.resize(places);
+  if (places == 0)
+    return are_distinct(entries);
+  const auto mask = places - 1;
   for (std::size_t i = 0; i < entries.size(); ++i) {
-    auto slot = hash_of(*entries[i].key.string()) & mask;
-    while (index[slot] != 0)
-      slot = (slot + 1) & mask;
+    const auto& key = *entries[i].key.string();
+    auto slot = hash_of(key) & mask;
+    for (; index[slot] != 0; slot = (slot + 1) & mask)
+      if (equal_strings(*entries[index[slot] - 1].key.string(), key))
+        return false;
     index[slot] = static_cast<std::uint32_t>(i + 1);
   }
+  return true;
 }
 
 // Mostly the very string that was put in: then no text is looked at.
@@ -298,6 +325,19 @@ Box ConstantPool::integer(std::int64_t value) {
   integers_.push_back(
       new IntegerObject{{nullptr, 1, ObjectType::integer}, value});
   return Box::adopt(integers_.back());
+}
+
+std::optional<Box> ConstantPool::find(std::string_view text) const {
+  const auto there = strings_.find(text);
+  return there == strings_.end() ? std::nullopt
+                                 : std::optional(Box::adopt(there->second));
+}
+
+std::optional<Box> ConstantPool::find(std::int64_t value) const {
+  for (auto* integer : integers_)
+    if (integer->value == value)
+      return Box::adopt(integer);
+  return {};
 }
 
 } // namespace parlour::script

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -104,6 +105,10 @@ struct MapObject : Object {
   Box* find(std::string_view key);
   void set(const Box& key, Box value);
   bool remove(std::string_view key, Box& removed);
+  // Whether set() may have left an index of so many places.
+  bool fits_index(std::size_t places) const;
+  // With such an index. False where a key is there twice.
+  bool rebuild_index(std::size_t places);
 
 private:
   std::size_t position(std::string_view key, std::uint32_t hash,
@@ -158,6 +163,9 @@ public:
 
   Box string(std::string_view text);
   Box integer(std::int64_t value);
+  // Nothing where there is no such constant.
+  std::optional<Box> find(std::string_view text) const;
+  std::optional<Box> find(std::int64_t value) const;
 
 private:
   std::unordered_map<std::string_view, StringObject*> strings_;

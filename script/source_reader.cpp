@@ -6,6 +6,7 @@
 
 #include <pugixml.hpp>
 
+#include "runtime/base/utf8.hpp"
 #include "script/text_positions.hpp"
 #include "script/well_formed.hpp"
 

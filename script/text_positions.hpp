@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -31,8 +30,5 @@ private:
   mutable std::size_t offset_ = 0;
   mutable std::size_t column_ = 0; // code points before it
 };
-
-// The offset of the first byte that is not UTF-8, if any.
-std::optional<std::size_t> find_invalid_utf8(std::string_view text);
 
 } // namespace parlour::script

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "runtime/base/utf8.hpp"
 #include "script/source_reader.hpp"
 #include "script/text_positions.hpp"
 

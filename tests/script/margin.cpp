@@ -7,10 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "adapters/files/data_files.hpp"
-#include "script/exec_host.hpp"
 #include "tests/script/snippets.hpp"
-#include "tests/support/temporary_folder.hpp"
 
 namespace parlour::test {
 
@@ -76,27 +73,7 @@ Expectation read_expectation(const std::string& script) {
   return expected;
 }
 
-ScriptRun run_script(const std::shared_ptr<const script::Program>& program) {
-  ScriptRun run;
-  const TemporaryFolder folder;
-  Timestamp clock = 1'795'251'600'000; // 2026-11-21 09:00 UTC
-  script::ExecOptions options;
-  options.print = [&](std::string_view text) {
-    run.printed.append(text) += '\n';
-  };
-  options.log = [](std::string_view) {};
-  options.now = [&] { return clock; };
-  options.wait_until = [&](Timestamp time) { clock = std::max(clock, time); };
-  options.instructions = 1'000'000;
-  options.files = adapters::data_files(folder.path() / "data");
-  if (const auto failure = script::run_main(program, options))
-    run.errors.push_back(
-        {failure->error.place.line, std::string(name_of(failure->error.kind)) +
-                                        ": " + failure->error.message});
-  return run;
-}
-
-void expect_as_in_margin(const std::filesystem::path& file) {
+void expect_as_in_margin(const std::filesystem::path& file, Runner runner) {
   const auto expected = read_expectation(text_of(file));
   ASSERT_FALSE(expected.empty()) << "the case expects nothing";
   const auto compiled = script::compile_file(file, platform());
@@ -107,9 +84,28 @@ void expect_as_in_margin(const std::filesystem::path& file) {
   EXPECT_TRUE(compiled.program || !expected.compiles);
   if (!compiled.program || expected.compiles)
     return;
-  const auto result = run_script(compiled.program);
+  const auto result = runner(compiled.program, run_instructions);
   EXPECT_EQ(result.printed, expected.printed);
   expect_said(result.errors, expected.errors, "error");
+}
+
+std::vector<std::filesystem::path> language_cases() {
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(
+           source_path("tests/script/cases")))
+    if (entry.path().extension() == ".xml")
+      files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+std::string name_of_case(const std::filesystem::path& file) {
+  auto name =
+      file.parent_path().filename().string() + "_" + file.stem().string();
+  std::replace_if(
+      name.begin(), name.end(),
+      [](unsigned char c) { return !std::isalnum(c); }, '_');
+  return name;
 }
 
 } // namespace parlour::test

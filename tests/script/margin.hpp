@@ -14,16 +14,9 @@
 #include <string>
 #include <vector>
 
-#include "script/program.hpp"
+#include "tests/script/script_run.hpp"
 
 namespace parlour::test {
-
-struct Remark {
-  std::uint32_t line = 0;
-  std::string text;
-
-  bool operator==(const Remark&) const = default;
-};
 
 struct Expectation {
   std::string printed; // a line each
@@ -38,14 +31,16 @@ struct Expectation {
 
 Expectation read_expectation(const std::string& script);
 
-struct ScriptRun {
-  std::string printed;
-  std::vector<Remark> errors; // "Kind: message"
-};
-
-ScriptRun run_script(const std::shared_ptr<const script::Program>& program);
+// How a script is run; run_script() or another way to the same end.
+using Runner = ScriptRun (*)(const std::shared_ptr<const script::Program>&,
+                             std::uint64_t instructions);
 
 // Compiles and runs the file; every difference from its margin is a failure.
-void expect_as_in_margin(const std::filesystem::path& file);
+void expect_as_in_margin(const std::filesystem::path& file,
+                         Runner runner = run_script);
+
+// Every case below tests/script/cases, sorted.
+std::vector<std::filesystem::path> language_cases();
+std::string name_of_case(const std::filesystem::path& file);
 
 } // namespace parlour::test

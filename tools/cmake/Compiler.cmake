@@ -32,6 +32,13 @@ if(PARLOUR_SANITIZE)
   add_link_options(-fsanitize=address,undefined)
 endif()
 
+# clang++ only: what libFuzzer steers by, in every library; -O1 over -O0.
+if(PARLOUR_FUZZ)
+  add_compile_options(-fsanitize=fuzzer-no-link,address,undefined
+    -fno-sanitize-recover=all -fno-omit-frame-pointer -O1)
+  add_link_options(-fsanitize=address,undefined)
+endif()
+
 add_library(parlour_warnings INTERFACE)
 target_compile_options(parlour_warnings INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion

@@ -1,0 +1,209 @@
+#include "runtime/base/value_bytes.hpp"
+
+#include <bit>
+#include <cmath>
+#include <cstring>
+
+namespace parlour {
+
+namespace {
+
+enum class Tag : std::uint8_t {
+  unknown,
+  no,
+  yes,
+  integer,
+  number,
+  string,
+  list,
+  map,
+  result,
+  binary,
+};
+
+void put(ByteWriter& bytes, Tag tag) {
+  bytes.byte(static_cast<std::uint8_t>(tag));
+}
+
+void write(ByteWriter& bytes, const Value& value, int depth);
+
+void write_all(ByteWriter& bytes, const List& values, int depth) {
+  bytes.number(values.size());
+  for (const auto& value : values)
+    write(bytes, value, depth + 1);
+}
+
+void write(ByteWriter& bytes, const Map& map, int depth) {
+  put(bytes, Tag::map);
+  bytes.number(map.size());
+  for (const auto& [key, value] : map.entries()) {
+    bytes.text(key);
+    write(bytes, value, depth + 1);
+  }
+}
+
+void write(ByteWriter& bytes, const ResultSet& result, int depth) {
+  put(bytes, Tag::result);
+  bytes.number(result.columns.size());
+  for (const auto& column : result.columns)
+    bytes.text(column);
+  write_all(bytes, result.cells, depth);
+}
+
+void write(ByteWriter& bytes, const Binary& binary) {
+  put(bytes, Tag::binary);
+  bytes.text(binary.format);
+  bytes.text({reinterpret_cast<const char*>(binary.bytes.data()),
+              binary.bytes.size()});
+}
+
+void write_number(ByteWriter& bytes, double number) {
+  if (!std::isfinite(number))
+    return put(bytes, Tag::unknown);
+  put(bytes, Tag::number);
+  bytes.fixed(std::bit_cast<std::uint64_t>(number));
+}
+
+void write(ByteWriter& bytes, const Value& value, int depth) {
+  if (depth > deepest_value)
+    return put(bytes, Tag::unknown);
+  switch (value.type()) {
+  case ValueType::unknown:
+    return put(bytes, Tag::unknown);
+  case ValueType::boolean:
+    return put(bytes, *value.if_boolean() ? Tag::yes : Tag::no);
+  case ValueType::integer:
+    put(bytes, Tag::integer);
+    return bytes.signed_number(*value.if_integer());
+  case ValueType::number:
+    return write_number(bytes, *value.if_number());
+  case ValueType::string:
+    put(bytes, Tag::string);
+    return bytes.text(*value.if_string());
+  case ValueType::list:
+    put(bytes, Tag::list);
+    return write_all(bytes, *value.if_list(), depth);
+  case ValueType::map:
+    return write(bytes, *value.if_map(), depth);
+  case ValueType::result:
+    return write(bytes, *value.if_result(), depth);
+  case ValueType::binary:
+    return write(bytes, *value.if_binary());
+  }
+}
+
+Value read(ByteReader& bytes, int depth);
+
+List read_all(ByteReader& bytes, const char* what, int depth) {
+  // Not reserved: nested lists may all tell as many as there are bytes.
+  List values;
+  const auto count = bytes.count(what);
+  for (std::size_t i = 0; i < count && bytes.ok(); ++i)
+    values.push_back(read(bytes, depth + 1));
+  return values;
+}
+
+Value read_map(ByteReader& bytes, int depth) {
+  Map map;
+  const auto count = bytes.count("entries of a map");
+  for (std::size_t i = 0; i < count && bytes.ok(); ++i) {
+    const auto key = bytes.text();
+    map.set(key, read(bytes, depth + 1));
+    if (map.size() != i + 1)
+      bytes.fail("a map has the key '" + std::string(key) + "' twice");
+  }
+  return map;
+}
+
+Value read_result(ByteReader& bytes, int depth) {
+  ResultSet result;
+  const auto columns = bytes.count("columns");
+  for (std::size_t i = 0; i < columns && bytes.ok(); ++i)
+    result.columns.emplace_back(bytes.text());
+  result.cells = read_all(bytes, "cells", depth);
+  return result;
+}
+
+Value read_binary(ByteReader& bytes) {
+  Binary binary;
+  binary.format = bytes.text();
+  const auto block = bytes.block();
+  binary.bytes.resize(block.size());
+  if (!block.empty())
+    std::memcpy(binary.bytes.data(), block.data(), block.size());
+  return binary;
+}
+
+Value read_number(ByteReader& bytes) {
+  const auto number = std::bit_cast<double>(bytes.fixed());
+  if (!std::isfinite(number))
+    bytes.fail("a number is not finite");
+  return number;
+}
+
+Value read_tagged(ByteReader& bytes, Tag tag, int depth) {
+  switch (tag) {
+  case Tag::unknown:
+    return {};
+  case Tag::no:
+    return false;
+  case Tag::yes:
+    return true;
+  case Tag::integer:
+    return bytes.signed_number();
+  case Tag::number:
+    return read_number(bytes);
+  case Tag::string:
+    return bytes.text();
+  case Tag::list:
+    return read_all(bytes, "elements of a list", depth);
+  case Tag::map:
+    return read_map(bytes, depth);
+  case Tag::result:
+    return read_result(bytes, depth);
+  case Tag::binary:
+    return read_binary(bytes);
+  }
+  bytes.fail("there is no type of value " +
+             std::to_string(static_cast<int>(tag)));
+  return {};
+}
+
+Value read(ByteReader& bytes, int depth) {
+  const auto tag = static_cast<Tag>(bytes.byte());
+  if (depth > deepest_value && tag != Tag::unknown)
+    bytes.fail("a value is nested more than " + std::to_string(deepest_value) +
+               " deep");
+  if (!bytes.ok())
+    return {};
+  auto value = read_tagged(bytes, tag, depth);
+  return bytes.ok() ? value : Value();
+}
+
+} // namespace
+
+void write(ByteWriter& bytes, const Value& value) {
+  write(bytes, value, 0);
+}
+
+Value read_value(ByteReader& bytes) {
+  return read(bytes, 0);
+}
+
+std::string to_bytes(const Value& value) {
+  ByteWriter bytes;
+  write(bytes, value);
+  return bytes.take();
+}
+
+Expected<Value> value_from_bytes(std::string_view bytes) {
+  ByteReader reader(bytes);
+  auto value = read_value(reader);
+  if (reader.ok() && !reader.at_end())
+    reader.fail("more bytes follow the value");
+  if (!reader.ok())
+    return tl::make_unexpected(reader.error());
+  return value;
+}
+
+} // namespace parlour

@@ -1,0 +1,16 @@
+// What tells one compiled program from another: a hash of all that a stored
+// state refers to, that is of its code, of the names of its variables, topics,
+// slots and states, and of the instruction set and built-ins that it was
+// compiled for. Where its files lie does not count.
+#pragma once
+
+#include <cstdint>
+
+#include "script/program.hpp"
+
+namespace parlour::script {
+
+// Computed when first asked for, then kept in the program; any thread.
+std::uint64_t identity_of(const Program& program);
+
+} // namespace parlour::script

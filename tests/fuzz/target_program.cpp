@@ -1,0 +1,46 @@
+// Programs that compile run within their limits, and print the same whether
+// they run at one go or from their bytes after every step.
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+
+#include "script/compiler.hpp"
+#include "tests/fuzz/program_maker.hpp"
+#include "tests/script/script_run.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace {
+
+void expect(bool holds, const std::string& script, const std::string& why) {
+  if (holds)
+    return;
+  std::fprintf(stderr, "%s\n%s\n", script.c_str(), why.c_str());
+  std::abort();
+}
+
+std::string text_of(const parlour::test::ScriptRun& run) {
+  auto text = run.printed;
+  for (const auto& [line, said] : run.errors)
+    text += std::to_string(line) + ": " + said + '\n';
+  return text;
+}
+
+} // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
+                                      std::size_t size) {
+  using namespace parlour;
+  constexpr std::uint64_t fuel = 3000;
+  static const test::TemporaryFolder folder;
+  const auto script =
+      fuzz::ProgramMaker({reinterpret_cast<const char*>(data), size}).make();
+  folder.write("a.xml", script);
+  const auto compiled = script::compile_file(folder.path() / "a.xml", {});
+  for (const auto& finding : compiled.findings.all())
+    expect(compiled.program != nullptr, script, to_string(finding));
+  const auto once = test::run_script(compiled.program, fuel);
+  const auto again = test::run_with_restores(compiled.program, fuel);
+  expect(once == again, script,
+         "at one go:\n" + text_of(once) + "with restores:\n" + text_of(again));
+  return 0;
+}

@@ -1,5 +1,7 @@
 #include "script/convert.hpp"
 
+#include <algorithm>
+
 namespace parlour::script {
 
 namespace {
@@ -45,13 +47,17 @@ public:
     return object(box, depth);
   }
 
+  std::size_t left() const {
+    return left_;
+  }
+
   bool truncated = false;
 
 private:
   Value object(const Box& box, int depth) {
     switch (box.object()->type) {
     case ObjectType::string:
-      return Value(std::string(box.text()));
+      return string(box.text());
     case ObjectType::list:
       return list(*box.list(), depth);
     case ObjectType::map:
@@ -65,6 +71,14 @@ private:
       return error(*box.error(), depth);
     }
     return {};
+  }
+
+  // A long text counts for as many values as would take its memory.
+  Value string(std::string_view text) {
+    const auto cost = text.size() / sizeof(Value);
+    truncated |= cost > left_;
+    left_ -= std::min(left_, cost);
+    return truncated ? Value() : Value(text);
   }
 
   Value list(const ListObject& list, int depth) {
@@ -119,10 +133,17 @@ Box to_box(Heap& heap, const Value& value) {
 }
 
 Value to_value(const Box& box, std::size_t budget, bool* truncated) {
+  ++budget; // take_value leaves 0 only where it does not suffice
+  auto value = take_value(box, budget);
+  if (truncated)
+    *truncated = budget == 0;
+  return value;
+}
+
+Value take_value(const Box& box, std::size_t& budget) {
   Copier copier(budget);
   auto value = copier.copy(box, 0);
-  if (truncated)
-    *truncated = copier.truncated;
+  budget = copier.truncated ? 0 : copier.left();
   return value;
 }
 

@@ -3,47 +3,13 @@
 #include <algorithm>
 
 #include "runtime/base/random.hpp"
+#include "script/effect_names.hpp"
 #include "script/file_effect.hpp"
+#include "script/timer_limits.hpp"
 
 namespace parlour::script {
 
 namespace {
-
-// The element that makes an effect.
-std::string element_of(EffectKind kind) {
-  switch (kind) {
-  case EffectKind::fire_frames:
-  case EffectKind::fire_event:
-    return "fire";
-  case EffectKind::register_handler:
-  case EffectKind::register_topic:
-    return "register";
-  case EffectKind::unregister_handler:
-  case EffectKind::unregister_topic:
-    return "unregister";
-  case EffectKind::reset_topic:
-    return "reset";
-  case EffectKind::open_socket:
-    return "socket";
-  case EffectKind::begin:
-  case EffectKind::commit:
-  case EffectKind::rollback:
-    return "transaction";
-  default:
-    break;
-  }
-  std::string name;
-  switch (kind) {
-#define EFFECT(kind_name, waits, operands, sentence)                           \
-  case EffectKind::kind_name:                                                  \
-    name = #kind_name;                                                         \
-    break;
-#include "script/effects.def"
-#undef EFFECT
-  }
-  std::erase(name, '_'); // read_file, <readfile>
-  return name;
-}
 
 // What is due at a time: a timer's body, or an activation that waited.
 struct Due {
@@ -53,6 +19,7 @@ struct Due {
   Milliseconds every{0};
   CodeId body = no_code;
   std::vector<Value> arguments;
+  std::size_t bytes = 0; // of the arguments
   std::unique_ptr<Activation> waiting;
 };
 
@@ -118,6 +85,13 @@ Performed ExecHost::add_timer(const Effect& effect) {
   std::erase_if(due_, [&](const Due& other) {
     return !other.waiting && other.timer == due.timer;
   });
+  due.bytes = remembered(due.arguments);
+  auto bytes = due.bytes;
+  for (const auto& other : due_)
+    bytes += other.bytes;
+  if (auto full = refuse_timers(due_.size() + 1, bytes,
+                                interpreter_.program().settings.limits.bytes))
+    return std::move(*full);
   due_.push_back(std::move(due));
   return Value();
 }

@@ -27,12 +27,18 @@ public:
   // table's type, so that only the tests know ('5' == 5).
   const std::uint32_t* find(const Box& value) const;
 
-private:
   struct Entry {
     Box constant; // unknown: free
     std::uint32_t target = 0;
   };
+  const std::vector<Entry>& entries() const {
+    return entries_;
+  }
+  std::uint32_t otherwise() const {
+    return otherwise_;
+  }
 
+private:
   std::size_t slot_of(const Box& value) const;
   void grow();
 

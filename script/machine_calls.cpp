@@ -156,19 +156,17 @@ bool Machine::perform(const EffectShape& shape, const Box* operands,
   const auto& frame = *execution->top;
   effect.position = frame.code->positions[static_cast<std::size_t>(
       frame.pc - frame.code->instructions.data())];
-  bool too_large = false;
-  auto copied = [&](const Box& box) {
-    bool truncated = false;
-    auto value = to_value(box, walk_budget(), &truncated);
-    too_large |= truncated;
-    return value;
-  };
+  // No more than the session could hold, and at the cost of its size.
+  const auto most = std::min(walk_budget(), heap_->limit() / sizeof(Box)) + 1;
+  auto left = most;
   for (std::size_t i = 0; i < shape.operands; ++i)
-    effect.operands.push_back(copied(operands[i]));
+    effect.operands.push_back(take_value(operands[i], left));
   for (std::size_t i = 0; i < shape.captured; ++i)
-    effect.captured.push_back(copied(operands[shape.operands + i]));
-  if (too_large)
+    effect.captured.push_back(take_value(operands[shape.operands + i], left));
+  if (left == 0)
     return raise(ErrorKind::limit, "a value is too large to leave the script");
+  if (!charge(most - left))
+    return false;
   fuel -= 5;
   auto performed = host->perform(*execution, std::move(effect));
   if (auto* value = std::get_if<Value>(&performed)) {

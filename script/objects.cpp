@@ -3,6 +3,7 @@
 #include <cstring>
 
 #include "script/block_cache.hpp"
+#include "script/footprint.hpp"
 
 namespace parlour::script {
 
@@ -23,6 +24,27 @@ void remove(Object* object, std::size_t bytes = sizeof(T)) {
   heap->release(object, bytes);
 }
 
+// What an object holds beside what it has allocated from the heap.
+std::size_t held(const ErrorObject& error) {
+  return error.message.size() + error.place.file.size();
+}
+
+std::size_t held(const ResultObject& result) {
+  return footprint(result.value);
+}
+
+template <class T>
+void remove_holder(Object* object) {
+  object->heap->discount(held(*static_cast<T*>(object)));
+  remove<T>(object);
+}
+
+template <class T>
+Box account(T* object) {
+  object->heap->account(held(*object));
+  return Box::adopt(object);
+}
+
 void remove(Object* object) {
   switch (object->type) {
   case ObjectType::string:
@@ -35,9 +57,9 @@ void remove(Object* object) {
     return remove<MapObject>(object);
   case ObjectType::result:
   case ObjectType::binary:
-    return remove<ResultObject>(object);
+    return remove_holder<ResultObject>(object);
   case ObjectType::error:
-    return remove<ErrorObject>(object);
+    return remove_holder<ErrorObject>(object);
   case ObjectType::integer:
     return remove<IntegerObject>(object);
   }
@@ -161,13 +183,13 @@ Box make_map(Heap& heap) {
 Box make_foreign(Heap& heap, const Value& value) {
   const auto type = value.type() == ValueType::result ? ObjectType::result
                                                       : ObjectType::binary;
-  return Box::adopt(create<ResultObject>(heap, type, value, Box()));
+  return account(create<ResultObject>(heap, type, value, Box()));
 }
 
 Box make_error(Heap& heap, ErrorKind kind, std::string message, Place place) {
-  return Box::adopt(create<ErrorObject>(heap, ObjectType::error, kind,
-                                        std::move(message), std::move(place),
-                                        Box()));
+  return account(create<ErrorObject>(heap, ObjectType::error, kind,
+                                     std::move(message), std::move(place),
+                                     Box()));
 }
 
 bool equal_strings(const StringObject& left, const StringObject& right) {

@@ -2,6 +2,7 @@
 // each session, with its interpreter), and the pool of a program's constants.
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -28,6 +29,13 @@ public:
 
   void* allocate(std::size_t bytes);
   void release(void* block, std::size_t bytes);
+  // What an object holds beside its block: texts and values of the runtime.
+  void account(std::size_t bytes) {
+    used_ += bytes;
+  }
+  void discount(std::size_t bytes) {
+    used_ -= bytes;
+  }
 
   bool has_room(std::size_t bytes) const {
     return bytes <= limit_ && used_ <= limit_ - bytes;
@@ -166,6 +174,10 @@ public:
   // Nothing where there is no such constant.
   std::optional<Box> find(std::string_view text) const;
   std::optional<Box> find(std::int64_t value) const;
+
+  // Of the program that they belong to, 0 until it is asked for; see
+  // program_identity.hpp.
+  mutable std::atomic<std::uint64_t> identity = 0;
 
 private:
   std::unordered_map<std::string_view, StringObject*> strings_;

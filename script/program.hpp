@@ -2,7 +2,6 @@
 // the actors that work for them. Made by compiler.hpp.
 #pragma once
 
-#include <atomic>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -212,7 +211,6 @@ struct Program {
   std::vector<Phrase> phrases; // the application's first, then the platform's
   std::vector<CodeId> ladder;  // <ladder> of the settings; empty: the standard
   std::shared_ptr<const UnderstandingModel> understanding;
-  mutable std::atomic<std::uint64_t> identity = 0; // see program_identity.hpp
 
   TopicId topic(std::string_view name) const; // no_id where there is none
   StateId state(std::string_view name) const;

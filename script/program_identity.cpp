@@ -104,17 +104,29 @@ void add(Hash& hash, const std::vector<T>& all) {
     add(hash, one);
 }
 
+void add(Hash& hash, const JumpTable::Entry& entry) {
+  add(hash, entry.constant);
+  hash.add(entry.target);
+}
+
+void add(Hash& hash, const JumpTable& table) {
+  add(hash, table.entries());
+  hash.add(table.otherwise());
+}
+
 void add(Hash& hash, const Code& code) {
   hash.add(code.name);
   hash.add(std::uint64_t{code.parameter_count} |
            std::uint64_t{code.required_count} << 16 |
-           std::uint64_t{code.register_count} << 32);
+           std::uint64_t{code.register_count} << 32 |
+           std::uint64_t{code.cost} << 48);
   hash.add(code.body);
   add(hash, code.instructions);
   add(hash, code.positions);
   add(hash, code.constants);
   add(hash, code.catches);
   add(hash, code.effects);
+  add(hash, code.tables);
 }
 
 void add_names(Hash& hash, const Program& program) {
@@ -133,7 +145,8 @@ void add_names(Hash& hash, const Program& program) {
 } // namespace
 
 std::uint64_t identity_of(const Program& program) {
-  if (const auto known = program.identity.load(std::memory_order_relaxed))
+  auto& kept = program.pool->identity;
+  if (const auto known = kept.load(std::memory_order_relaxed))
     return known;
   Hash hash;
   for (const auto* word : vocabulary)
@@ -143,7 +156,7 @@ std::uint64_t identity_of(const Program& program) {
   add(hash, program.code);
   add_names(hash, program);
   const auto identity = hash.value() | 1; // 0 means not computed yet
-  program.identity.store(identity, std::memory_order_relaxed);
+  kept.store(identity, std::memory_order_relaxed);
   return identity;
 }
 

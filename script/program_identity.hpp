@@ -10,7 +10,7 @@
 
 namespace parlour::script {
 
-// Computed when first asked for, then kept in the program; any thread.
+// Computed when first asked for, then kept with the constants; any thread.
 std::uint64_t identity_of(const Program& program);
 
 } // namespace parlour::script

@@ -161,9 +161,9 @@ void Reader::build(pugi::xml_node node, Element& element, std::size_t depth) {
   element.name = node.name();
   element.position = positions_.at(offset);
   check_name(node.name(), offset);
-  if (depth > deepest_nesting)
+  if (depth > deepest_elements)
     return error(offset, "elements are nested deeper than " +
-                             std::to_string(deepest_nesting) + " levels");
+                             std::to_string(deepest_elements) + " levels");
   read_attributes(node, element);
   element.children.reserve(
       static_cast<std::size_t>(std::distance(node.begin(), node.end())));

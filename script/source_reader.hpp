@@ -14,7 +14,7 @@
 namespace parlour::script {
 
 inline constexpr std::size_t largest_source = 16 << 20; // bytes
-inline constexpr std::size_t deepest_nesting = 200;     // elements
+inline constexpr std::size_t deepest_elements = 200;
 
 // The root element of `text`, which is the registered file `file`; nothing
 // where there were errors.

@@ -6,21 +6,17 @@
 #include "script/dialogue/effect_operands.hpp"
 #include "script/dialogue/frame_view.hpp"
 #include "script/dialogue/steps.hpp"
+#include "script/effect_names.hpp"
 #include "script/file_effect.hpp"
+#include "script/timer_limits.hpp"
 
 namespace parlour::dialogue {
 
 namespace {
 
 Error not_yet(const script::Effect& effect) {
-  constexpr const char* names[] = {
-#define EFFECT(name, waits, operands, sentence) #name,
-#include "script/effects.def"
-#undef EFFECT
-  };
   return {ErrorKind::refused,
-          std::string("<") + names[static_cast<std::size_t>(effect.kind)] +
-              "> is not available yet",
+          "<" + script::element_of(effect.kind) + "> is not available yet",
           {}};
 }
 
@@ -171,10 +167,14 @@ script::Performed Effects::timer(Context context, Call effect) {
   timer.name = std::move(name);
   timer.code = effect.body;
   timer.arguments = effect.captured;
+  timer.bytes = script::remembered(timer.arguments);
   timer.topic = context.topic;
   const auto after = milliseconds(effect.operand(1));
   if (effect.operand(2))
     timer.every = std::max(after, Milliseconds(1));
+  if (auto full =
+          core_.timers.refuse(timer, core_.program->settings.limits.bytes))
+    return std::move(*full);
   core_.timers.start(after, std::move(timer));
   return Value();
 }

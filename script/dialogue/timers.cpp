@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "script/timer_limits.hpp"
+
 namespace parlour::dialogue {
 
 TimerId Timers::start(Milliseconds after, Timer timer) {
@@ -57,6 +59,19 @@ bool Timers::any(Timer::Purpose purpose) const {
   return std::any_of(timers_.begin(), timers_.end(), [&](const auto& entry) {
     return entry.second.purpose == purpose;
   });
+}
+
+std::optional<Error> Timers::refuse(const Timer& timer,
+                                    std::size_t limit) const {
+  std::size_t count = 1;
+  auto bytes = timer.bytes;
+  for (const auto& [id, other] : timers_) {
+    if (other.purpose != Timer::Purpose::script)
+      continue;
+    ++count;
+    bytes += other.bytes;
+  }
+  return script::refuse_timers(count, bytes, limit);
 }
 
 } // namespace parlour::dialogue

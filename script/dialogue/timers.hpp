@@ -29,6 +29,7 @@ struct Timer {
   Milliseconds every{0}; // of a repeating <timer>; 0: once
   CodeId code = script::no_code;
   std::vector<Value> arguments{};
+  std::size_t bytes = 0; // that the arguments of a <timer> take
   TopicId topic = script::no_id;
   WaitId wait = 0;
   Correlation correlation = 0;
@@ -47,6 +48,9 @@ public:
   std::optional<Timer> fired(TimerId id);
   void cancel_all();
   bool any(Timer::Purpose purpose) const;
+  // Why one more of a script, after those there are, is too much (language
+  // rule 9.6).
+  std::optional<Error> refuse(const Timer& timer, std::size_t limit) const;
 
 private:
   template <class Predicate>

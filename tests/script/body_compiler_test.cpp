@@ -14,7 +14,7 @@ protected:
     return {"expr", value, {0, 1, 1}, {0, 1, 7}};
   }
   Value run(CodeId code, std::vector<Value> arguments = {}) {
-    Interpreter interpreter({std::shared_ptr<void>(), &program});
+    Interpreter interpreter(std::make_shared<const Program>(program));
     auto value = interpreter.evaluate(code, std::move(arguments), {}, host);
     EXPECT_TRUE(value) << (value ? "" : value.error().message);
     return value ? *value : Value();

@@ -7,7 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include "adapters/files/data_files.hpp"
 #include "tests/script/snippets.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace parlour::test {
 
@@ -84,7 +86,9 @@ void expect_as_in_margin(const std::filesystem::path& file, Runner runner) {
   EXPECT_TRUE(compiled.program || !expected.compiles);
   if (!compiled.program || expected.compiles)
     return;
-  const auto result = runner(compiled.program, run_instructions);
+  const TemporaryFolder folder;
+  const auto result = runner(compiled.program, run_instructions,
+                             adapters::data_files(folder.path() / "data"));
   EXPECT_EQ(result.printed, expected.printed);
   expect_said(result.errors, expected.errors, "error");
 }

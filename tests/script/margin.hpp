@@ -33,7 +33,8 @@ Expectation read_expectation(const std::string& script);
 
 // How a script is run; run_script() or another way to the same end.
 using Runner = ScriptRun (*)(const std::shared_ptr<const script::Program>&,
-                             std::uint64_t instructions);
+                             std::uint64_t instructions,
+                             const FileAccess& files);
 
 // Compiles and runs the file; every difference from its margin is a failure.
 void expect_as_in_margin(const std::filesystem::path& file,

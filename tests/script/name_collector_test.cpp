@@ -11,27 +11,29 @@ using testing::IsEmpty;
 namespace {
 
 struct Collection {
-  explicit Collection(const std::string& application,
-                      const std::string& library = "<dialogue/>") {
-    findings.add_file("a.xml");
-    std::vector<Document> documents;
-    documents.push_back({test::tree_of(library), true});
-    documents.push_back({test::tree_of(application), false});
-    collected = collect_names(documents, program, findings);
-  }
-
   Program program;
   Findings findings;
   Collected collected;
 };
 
+Collection collect(const std::string& application,
+                   const std::string& library = "<dialogue/>") {
+  Collection result;
+  result.findings.add_file("a.xml");
+  std::vector<Document> documents;
+  documents.push_back({test::tree_of(library), true});
+  documents.push_back({test::tree_of(application), false});
+  result.collected = collect_names(documents, result.program, result.findings);
+  return result;
+}
+
 } // namespace
 
 TEST(NameCollector, prepares_what_is_declared) {
   const auto [program, findings, collected] =
-      Collection("<dialogue><var name='v'/><const name='c' private='true'/>"
-                 "<state name='s'/><handler name='h'/><topic name='t'>"
-                 "<slot name='A'/></topic></dialogue>");
+      collect("<dialogue><var name='v'/><const name='c' private='true'/>"
+              "<state name='s'/><handler name='h'/><topic name='t'>"
+              "<slot name='A'/></topic></dialogue>");
   EXPECT_THAT(findings.all(), IsEmpty());
   ASSERT_EQ(program.variables.size(), 2u);
   EXPECT_TRUE(program.variables[1].is_constant);
@@ -43,9 +45,9 @@ TEST(NameCollector, prepares_what_is_declared) {
 }
 
 TEST(NameCollector, notes_signatures) {
-  const auto result = Collection(
-      "<dialogue><functions><function name='f'><param name='a'/>"
-      "<param name='b' expr='1'/></function></functions></dialogue>");
+  const auto result =
+      collect("<dialogue><functions><function name='f'><param name='a'/>"
+              "<param name='b' expr='1'/></function></functions></dialogue>");
   const auto& function = result.collected.names.functions.at("f");
   EXPECT_EQ(function.required, 1u);
   EXPECT_EQ(function.parameters, 2u);
@@ -54,8 +56,8 @@ TEST(NameCollector, notes_signatures) {
 }
 
 TEST(NameCollector, lets_an_application_override_a_library_s_function) {
-  const auto result = Collection("<dialogue>\n<function name='f'/></dialogue>",
-                                 "<dialogue><function name='f'/></dialogue>");
+  const auto result = collect("<dialogue>\n<function name='f'/></dialogue>",
+                              "<dialogue><function name='f'/></dialogue>");
   EXPECT_THAT(result.findings.all(), IsEmpty());
   EXPECT_EQ(result.collected.names.functions.at("f").position.line, 2u);
   EXPECT_EQ(result.collected.functions[0].at("f").position.line, 1u);

@@ -3,7 +3,10 @@
 
 #include "runtime/base/random.hpp"
 #include "runtime/base/value_bytes.hpp"
+#include "script/effect_names.hpp"
+#include "script/file_effect.hpp"
 #include "script/interpreter.hpp"
+#include "script/timer_limits.hpp"
 #include "tests/script/script_run.hpp"
 
 namespace parlour::test {
@@ -32,23 +35,12 @@ struct Due {
   std::unique_ptr<Activation> waiting;
 };
 
-// As an element has it.
-std::string name_of(EffectKind kind) {
-  constexpr const char* names[] = {
-#define EFFECT(name, waits, operands, sentence) #name,
-#include "script/effects.def"
-#undef EFFECT
-  };
-  std::string name = names[static_cast<std::size_t>(kind)];
-  std::erase(name, '_');
-  return name;
-}
-
 class RestoredRun : public script::Host {
 public:
   RestoredRun(std::shared_ptr<const script::Program> program,
-              std::uint64_t instructions)
-      : program_(std::move(program)), interpreter_(program_) {
+              std::uint64_t instructions, FileAccess files)
+      : program_(std::move(program)), interpreter_(program_),
+        files_(std::move(files)) {
     interpreter_.limit_instructions(instructions);
     interpreter_.set_slice(1);
   }
@@ -78,7 +70,8 @@ private:
   bool go_on(RunResult result);
   bool run_due(Due due);
   void restore();
-  void add_timer(const Effect& effect);
+  script::Performed add_timer(const Effect& effect);
+  script::Performed access_file(const FileRequest& request);
   void cancel(const std::string& timer);
   bool note(const Error& error);
   void differs(const std::string& what) {
@@ -87,6 +80,7 @@ private:
 
   std::shared_ptr<const script::Program> program_;
   script::Interpreter interpreter_;
+  FileAccess files_;
   std::unique_ptr<Activation> current_;
   std::vector<Due> due_;
   Random dice_{1};
@@ -109,15 +103,33 @@ void RestoredRun::cancel(const std::string& timer) {
       due_, [&](const Due& due) { return !due.waiting && due.timer == timer; });
 }
 
-void RestoredRun::add_timer(const Effect& effect) {
+script::Performed RestoredRun::add_timer(const Effect& effect) {
   cancel(effect.operand(0).text());
+  auto bytes = script::remembered(effect.captured);
+  for (const auto& due : due_)
+    bytes += due.arguments.size();
+  if (auto full = script::refuse_timers(due_.size() + 1, bytes,
+                                        program_->settings.limits.bytes))
+    return std::move(*full);
   const auto after = effect.operand(1).integer_or(0);
   due_.push_back({clock_ + after, ++order_, effect.operand(0).text(),
                   effect.operand(2) ? after : 0, effect.body,
                   to_bytes(effect.captured), nullptr});
+  return Value();
+}
+
+script::Performed RestoredRun::access_file(const FileRequest& request) {
+  auto outcome = files_(request);
+  if (!outcome)
+    return std::move(outcome.error());
+  return std::move(*outcome);
 }
 
 script::Performed RestoredRun::perform(Activation&, Effect effect) {
+  if (const auto request =
+          script::file_request(effect, program_->settings.limits.result);
+      request && files_)
+    return access_file(*request);
   switch (effect.kind) {
   case EffectKind::print:
     run_.printed += effect.operand(0).text() + '\n';
@@ -125,8 +137,7 @@ script::Performed RestoredRun::perform(Activation&, Effect effect) {
   case EffectKind::log:
     return Value();
   case EffectKind::timer:
-    add_timer(effect);
-    return Value();
+    return add_timer(effect);
   case EffectKind::cancel:
     cancel(effect.operand(0).text());
     return Value();
@@ -135,7 +146,8 @@ script::Performed RestoredRun::perform(Activation&, Effect effect) {
     return script::Waits{};
   default:
     return Error{ErrorKind::refused,
-                 "<" + name_of(effect.kind) + "> needs a running application",
+                 "<" + script::element_of(effect.kind) +
+                     "> needs a running application",
                  {}};
   }
 }
@@ -239,8 +251,8 @@ ScriptRun RestoredRun::run() {
 
 ScriptRun
 run_with_restores(const std::shared_ptr<const script::Program>& program,
-                  std::uint64_t instructions) {
-  return RestoredRun(program, instructions).run();
+                  std::uint64_t instructions, const FileAccess& files) {
+  return RestoredRun(program, instructions, files).run();
 }
 
 } // namespace parlour::test

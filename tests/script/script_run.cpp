@@ -2,16 +2,13 @@
 
 #include <algorithm>
 
-#include "adapters/files/data_files.hpp"
 #include "script/exec_host.hpp"
-#include "tests/support/temporary_folder.hpp"
 
 namespace parlour::test {
 
 ScriptRun run_script(const std::shared_ptr<const script::Program>& program,
-                     std::uint64_t instructions) {
+                     std::uint64_t instructions, const FileAccess& files) {
   ScriptRun run;
-  const TemporaryFolder folder;
   Timestamp clock = 1'795'251'600'000; // 2026-11-21 09:00 UTC
   script::ExecOptions options;
   options.print = [&](std::string_view text) {
@@ -21,7 +18,7 @@ ScriptRun run_script(const std::shared_ptr<const script::Program>& program,
   options.now = [&] { return clock; };
   options.wait_until = [&](Timestamp time) { clock = std::max(clock, time); };
   options.instructions = instructions;
-  options.files = adapters::data_files(folder.path() / "data");
+  options.files = files;
   if (const auto failure = script::run_main(program, options))
     run.errors.push_back(
         {failure->error.place.line, std::string(name_of(failure->error.kind)) +

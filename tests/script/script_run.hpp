@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "runtime/base/files.hpp"
 #include "script/program.hpp"
 
 namespace parlour::test {
@@ -29,13 +30,15 @@ struct ScriptRun {
 inline constexpr std::uint64_t run_instructions = 1'000'000;
 
 ScriptRun run_script(const std::shared_ptr<const script::Program>& program,
-                     std::uint64_t instructions = run_instructions);
+                     std::uint64_t instructions = run_instructions,
+                     const FileAccess& files = {});
 
 // The same, but nothing of its interpreter lives on between two steps: at every
 // loop, call and wait its state is written to bytes, and a new interpreter goes
 // on from them. What differs afterwards is an error of line 0.
 ScriptRun
 run_with_restores(const std::shared_ptr<const script::Program>& program,
-                  std::uint64_t instructions = run_instructions);
+                  std::uint64_t instructions = run_instructions,
+                  const FileAccess& files = {});
 
 } // namespace parlour::test

@@ -92,6 +92,21 @@ TEST(Timers, NamesAreScriptsOnly) {
   EXPECT_TRUE(port.running.empty());
 }
 
+TEST(Timers, ASessionHasSoManyOfScripts) {
+  Ports ports;
+  Timers timers(ports);
+  const Timer timer{.name = "t", .bytes = 10};
+  for (int i = 0; i < 1000; ++i) {
+    EXPECT_FALSE(timers.refuse(timer, 10'000));
+    timers.start(1s, timer);
+  }
+  EXPECT_TRUE(timers.refuse(timer, 1'000'000)); // too many
+  timers.cancel_named("t");
+  timers.start(1s, timer);
+  EXPECT_FALSE(timers.refuse(timer, 20));
+  EXPECT_TRUE(timers.refuse(timer, 19)); // too much
+}
+
 TEST(Timers, CancelAll) {
   Ports port;
   Timers timers(port);

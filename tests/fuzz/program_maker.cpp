@@ -172,8 +172,18 @@ void ProgramMaker::loop(int depth) {
   scope_.resize(visible);
 }
 
+// So many that some are entered by a table.
+void ProgramMaker::arms(int depth, const char* name, const char* condition,
+                        const std::string& start) {
+  for (auto left = 1 + choose(6); left > 0; --left) {
+    element(attribute(condition, start + literal()), name);
+    left > 3 ? simple_statement() : block(depth - 1);
+    script_ += std::string("</") + name + ">";
+  }
+}
+
 void ProgramMaker::branch(int depth) {
-  switch (choose(3)) {
+  switch (choose(4)) {
   case 0:
     element(attribute("cond", expression()), "if");
     block(depth - 1);
@@ -183,13 +193,17 @@ void ProgramMaker::branch(int depth) {
     return;
   case 1:
     element(attribute("expr", expression()), "switch");
-    for (auto left = 1 + choose(3); left > 0; --left) {
-      element(attribute("value", literal()), "case");
-      block(depth - 1);
-      script_ += "</case>";
-    }
+    arms(depth, "case", "value", "");
     script_ += "</switch>\n";
     return;
+  case 2: {
+    const auto start = variable() + " == ";
+    element(attribute("cond", start + literal()), "if");
+    simple_statement();
+    arms(depth, "elseif", "cond", start);
+    script_ += "</if>\n";
+    return;
+  }
   default:
     script_ += "<try>";
     block(depth - 1);

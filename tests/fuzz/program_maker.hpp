@@ -39,6 +39,8 @@ private:
   void assignment();
   void loop(int depth);
   void branch(int depth);
+  void arms(int depth, const char* name, const char* condition,
+            const std::string& start);
   void call();
   void effect(int depth);
 

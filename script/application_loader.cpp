@@ -76,7 +76,8 @@ std::vector<std::string> ApplicationLoader::libraries() const {
   std::vector<std::string> names;
   std::error_code ignored;
   for (const auto& file : fs::directory_iterator(platform_, ignored))
-    if (file.path().extension() == ".xml" && file.path().stem() != "aliases")
+    if (file.path().extension() == ".xml" && file.path().stem() != "aliases" &&
+        file.path().stem() != "settings")
       names.push_back(file.path().stem().string());
   std::sort(names.begin(), names.end());
   return names;
@@ -90,6 +91,14 @@ void ApplicationLoader::load_library(const std::string& name,
     return findings_.error(position, text + did_you_mean(name, known));
   }
   load(platform_ / (name + ".xml"), true, position);
+}
+
+std::string ApplicationLoader::first_state() const {
+  for (const auto& document : documents_)
+    for (const auto& child : document.root.children)
+      if (child.is("state"))
+        return child.value("name");
+  return {};
 }
 
 void ApplicationLoader::include(const Element& element) {

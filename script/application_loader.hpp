@@ -42,6 +42,9 @@ public:
   // error's message is a whole sentence.
   Expected<std::filesystem::path> inside(const std::string& name) const;
 
+  // Of what has been read; empty where there is none.
+  std::string first_state() const;
+
   // In the order of inclusion; those that cannot be read are left out.
   std::vector<Document> take_documents() {
     return std::move(documents_);

@@ -1,5 +1,7 @@
 #include "script/compiler.hpp"
 
+#include <algorithm>
+
 #include "script/allowances.hpp"
 #include "script/application_loader.hpp"
 #include "script/declaration_compiler.hpp"
@@ -10,6 +12,19 @@ namespace parlour::script {
 namespace {
 
 namespace fs = std::filesystem;
+
+// The scripts of a folder that has no settings.
+std::vector<fs::path> scripts_without_settings(const fs::path& folder) {
+  std::vector<fs::path> scripts;
+  std::error_code ignored;
+  if (fs::exists(folder / "settings.xml", ignored))
+    return scripts;
+  for (const auto& file : fs::directory_iterator(folder, ignored))
+    if (file.path().extension() == ".xml")
+      scripts.push_back(file.path());
+  std::sort(scripts.begin(), scripts.end());
+  return scripts;
+}
 
 // One compilation, from files to a program.
 class Compiler {
@@ -25,6 +40,7 @@ private:
   void take_settings(Element root);
   Aliases aliases();
   void load_scripts();
+  void load_all_scripts(const std::vector<fs::path>& scripts);
   void load_phrases();
   Compiled finish();
 
@@ -61,6 +77,16 @@ void Compiler::load_scripts() {
                     "<Scripts><Script>file.xml</Script></Scripts>");
 }
 
+// Without settings there is nothing else to choose by: every script, in the
+// order of their names, and the first state of them.
+void Compiler::load_all_scripts(const std::vector<fs::path>& scripts) {
+  for (const auto& script : scripts) {
+    program_->settings.scripts.push_back(script.filename().string());
+    loader_.load_script(program_->settings.scripts.back(), {});
+  }
+  program_->settings.start = loader_.first_state();
+}
+
 // The words of what the engine says by itself, after the application's own.
 void Compiler::load_phrases() {
   constexpr const char* library = "phrases-en";
@@ -84,12 +110,17 @@ Compiled Compiler::finish() {
 }
 
 Compiled Compiler::application(const fs::path& folder) {
-  auto root = loader_.read(folder / "settings.xml", {"settings"}, {});
+  const auto scripts = scripts_without_settings(folder);
+  auto root =
+      loader_.read(settings_file(folder, options_.platform), {"settings"}, {});
   if (!root)
     return {nullptr, std::move(findings_)};
   take_settings(std::move(*root));
   program_->settings.folder = folder.string();
-  load_scripts();
+  if (scripts.empty())
+    load_scripts();
+  else
+    load_all_scripts(scripts);
   load_phrases();
   return finish();
 }
@@ -109,6 +140,11 @@ Compiled Compiler::file(const fs::path& path) {
 }
 
 } // namespace
+
+fs::path settings_file(const fs::path& folder, const fs::path& platform) {
+  return (scripts_without_settings(folder).empty() ? folder : platform) /
+         "settings.xml";
+}
 
 Compiled compile_application(const fs::path& folder,
                              const CompileOptions& options) {

@@ -29,7 +29,13 @@ struct Compiled {
   std::optional<Element> settings{}; // of an application
 };
 
-// An application's folder with its settings.xml.
+// The settings that an application has: its own, or those of the platform where
+// it is a folder of scripts only.
+std::filesystem::path settings_file(const std::filesystem::path& folder,
+                                    const std::filesystem::path& platform);
+
+// An application's folder with its settings.xml; without one, all scripts of
+// the folder, beginning in their first state.
 Compiled compile_application(const std::filesystem::path& folder,
                              const CompileOptions& options);
 

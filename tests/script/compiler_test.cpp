@@ -134,6 +134,19 @@ TEST(Compiler, tells_what_cannot_be_read) {
       ElementsAre("x.xml: error: x.xml: this file cannot be read"));
 }
 
+TEST(Compiler, needs_no_settings) {
+  test::TemporaryFolder folder;
+  folder.write("b.xml", "<dialogue><state name='Second'/></dialogue>");
+  folder.write("a.xml", "<dialogue><state name='First'/></dialogue>");
+  const auto compiled = compile_application(folder.path(), test::platform());
+  ASSERT_TRUE(compiled.program);
+  EXPECT_EQ(compiled.program->settings.start, "First");
+  EXPECT_EQ(compiled.program->states.size(), 2u);
+  EXPECT_THAT(compiled.program->settings.scripts,
+              ElementsAre("a.xml", "b.xml"));
+  EXPECT_EQ(compiled.program->settings.components.size(), 2u);
+}
+
 TEST(Compiler, finds_what_is_wrong_in_all_files_at_once) {
   test::TemporaryFolder folder;
   folder.write("settings.xml",

@@ -43,7 +43,8 @@ void tell_platform(Composition& composition, const fs::path& platform) {
 Settings settings_alone(const fs::path& folder, const fs::path& platform) {
   script::Findings said;
   script::ApplicationLoader loader(folder, platform, said);
-  const auto settings = loader.read(folder / "settings.xml", {"settings"}, {});
+  const auto settings =
+      loader.read(script::settings_file(folder, platform), {"settings"}, {});
   const auto aliases = loader.read(platform / "aliases.xml", {"aliases"}, {});
   if (!settings)
     return {};

@@ -4,6 +4,7 @@
 #include <ostream>
 #include <utility>
 
+#include "runtime/base/paths.hpp"
 #include "script/instruction.hpp"
 
 namespace parlour::tools {
@@ -25,7 +26,8 @@ std::string place_name(const Place& place) {
   return place.file + ":" + std::to_string(place.line);
 }
 
-// Where the compiler put a mark for coverage, in the order of the files.
+// Where the compiler put a mark for coverage in the application's own files, in
+// their order: what the platform brings is not the application's to reach.
 std::vector<std::string> branch_names(const Program& program) {
   std::set<std::pair<std::string, std::uint32_t>> places;
   for (const auto& code : program.code)
@@ -33,7 +35,8 @@ std::vector<std::string> branch_names(const Program& program) {
       if (code.instructions[i].operation ==
           static_cast<std::uint8_t>(Operation::reached)) {
         const auto place = program.place(code.positions[i]);
-        places.emplace(place.file, place.line);
+        if (is_below(place.file, program.settings.folder))
+          places.emplace(place.file, place.line);
       }
   std::vector<std::string> names;
   for (const auto& [file, line] : places)

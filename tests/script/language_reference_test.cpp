@@ -86,6 +86,8 @@ TEST_P(LanguageReference, SaysWhatHappens) {
   test::TemporaryFolder folder;
   folder.write("example.xml", whole(GetParam().text));
   test::expect_as_in_margin(folder.path() / "example.xml");
+  test::expect_as_in_margin(folder.path() / "example.xml",
+                            test::run_with_restores); // rule 10.4
 }
 
 INSTANTIATE_TEST_SUITE_P(Script, LanguageReference,

@@ -2,28 +2,91 @@
 
 #include <algorithm>
 
-#include "script/exec_host.hpp"
-
 namespace parlour::test {
+
+namespace {
+
+using script::ExecRun;
+
+// Later stops are further apart, as a script that runs into a limit stops a
+// hundred thousand times.
+constexpr int close_stops = 150;
+constexpr std::uint64_t later_slice = 10'000;
+
+// A new run of the same state; what differs is noted.
+std::unique_ptr<ExecRun>
+restored(const ExecRun& run,
+         const std::shared_ptr<const script::Program>& program,
+         const script::ExecOptions& options, std::vector<Remark>& errors) {
+  const auto bytes = run.save();
+  auto again = ExecRun::restore(program, options, bytes);
+  if (!again) {
+    errors.push_back({0, again.error().message});
+    return nullptr;
+  }
+  if ((*again)->save() != bytes)
+    errors.push_back({0, "the restored state has other bytes"});
+  if ((*again)->bytes_held() != run.bytes_held())
+    errors.push_back({0, "the restored state holds other memory"});
+  return std::move(*again);
+}
+
+} // namespace
+
+script::ExecOptions Stage::options(std::uint64_t instructions,
+                                   FileAccess files) {
+  script::ExecOptions options;
+  options.print = [this](std::string_view text) {
+    printed.append(text) += '\n';
+  };
+  options.log = [](std::string_view) {};
+  options.now = [this] { return clock; };
+  options.wait_until = [this](Timestamp time) {
+    clock = std::max(clock, time);
+  };
+  options.instructions = instructions;
+  options.files = std::move(files);
+  return options;
+}
+
+ScriptRun Stage::result(const ExecRun& run) const {
+  ScriptRun result{printed, {}};
+  if (const auto& failure = run.failure())
+    result.errors.push_back(
+        {failure->error.place.line, std::string(name_of(failure->error.kind)) +
+                                        ": " + failure->error.message});
+  return result;
+}
 
 ScriptRun run_script(const std::shared_ptr<const script::Program>& program,
                      std::uint64_t instructions, const FileAccess& files) {
-  ScriptRun run;
-  Timestamp clock = 1'795'251'600'000; // 2026-11-21 09:00 UTC
-  script::ExecOptions options;
-  options.print = [&](std::string_view text) {
-    run.printed.append(text) += '\n';
-  };
-  options.log = [](std::string_view) {};
-  options.now = [&] { return clock; };
-  options.wait_until = [&](Timestamp time) { clock = std::max(clock, time); };
-  options.instructions = instructions;
-  options.files = files;
-  if (const auto failure = script::run_main(program, options))
-    run.errors.push_back(
-        {failure->error.place.line, std::string(name_of(failure->error.kind)) +
-                                        ": " + failure->error.message});
-  return run;
+  Stage stage;
+  ExecRun run(program, stage.options(instructions, files));
+  while (run.step()) {
+  }
+  return stage.result(run);
+}
+
+ScriptRun
+run_with_restores(const std::shared_ptr<const script::Program>& program,
+                  std::uint64_t instructions, const FileAccess& files) {
+  Stage stage;
+  const auto options = stage.options(instructions, files);
+  auto run = std::make_unique<ExecRun>(program, options);
+  std::vector<Remark> differences;
+  for (int stops = 0;; ++stops) {
+    run->set_slice(stops < close_stops ? 1 : later_slice);
+    if (!run->step() || run->failure())
+      break;
+    auto next = restored(*run, program, options, differences);
+    if (!next)
+      break;
+    run = std::move(next);
+  }
+  auto result = stage.result(*run);
+  result.errors.insert(result.errors.end(), differences.begin(),
+                       differences.end());
+  return result;
 }
 
 } // namespace parlour::test

@@ -7,8 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/base/files.hpp"
-#include "script/program.hpp"
+#include "script/exec_run.hpp"
 
 namespace parlour::test {
 
@@ -29,13 +28,23 @@ struct ScriptRun {
 // Instructions of one event.
 inline constexpr std::uint64_t run_instructions = 1'000'000;
 
+// What a run prints to, and the time that it is there. The options refer to it.
+struct Stage {
+  std::string printed;
+  Timestamp clock = 1'795'251'600'000; // 2026-11-21 09:00 UTC
+
+  script::ExecOptions options(std::uint64_t instructions, FileAccess files);
+  // With the failure, if there was one.
+  ScriptRun result(const script::ExecRun& run) const;
+};
+
 ScriptRun run_script(const std::shared_ptr<const script::Program>& program,
                      std::uint64_t instructions = run_instructions,
                      const FileAccess& files = {});
 
-// The same, but nothing of its interpreter lives on between two steps: at every
-// loop, call and wait its state is written to bytes, and a new interpreter goes
-// on from them. What differs afterwards is an error of line 0.
+// The same, but nothing of it lives on between two steps: at every loop, call
+// and wait it is written to bytes, and a new one goes on from them. What
+// differs afterwards is an error of line 0.
 ScriptRun
 run_with_restores(const std::shared_ptr<const script::Program>& program,
                   std::uint64_t instructions = run_instructions,

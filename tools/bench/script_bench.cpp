@@ -11,6 +11,7 @@
 #include "tools/bench/load_bench.hpp"
 #include "tools/bench/lua_peer.hpp"
 #include "tools/bench/script_workload.hpp"
+#include "tools/bench/state_bench.hpp"
 
 namespace parlour::tools {
 
@@ -74,6 +75,7 @@ private:
                double bar);
   void switches();
   void suspended();
+  void state();
   void load();
   void fail(const std::string& name, const std::string& message);
   Series measure(const std::string& name);
@@ -179,6 +181,23 @@ void ScriptBench::suspended() {
   out_ << std::endl;
 }
 
+void ScriptBench::state() {
+  std::vector<double> save;
+  std::vector<double> restore;
+  std::size_t bytes = 0;
+  for (int run = 0; run < runs_ * 10; ++run) {
+    const auto times = state_once(workloads / "state.xml");
+    if (!times)
+      return fail("state", times.error().message);
+    save.push_back(times->save);
+    restore.push_back(times->restore);
+    bytes = times->bytes;
+  }
+  out_ << fmt::format("{:<10} {:<28} {:6.1f} us; back {:.1f} us\n", "state",
+                      fmt::format("of a session, {} bytes", bytes),
+                      median(save) / 1e3, median(restore) / 1e3);
+}
+
 void ScriptBench::load() {
   std::ifstream pattern(workloads / "load.xml");
   std::ostringstream text;
@@ -218,6 +237,8 @@ bool ScriptBench::run() {
     switches();
   if (wanted("suspended"))
     suspended();
+  if (wanted("state"))
+    state();
   if (wanted("load"))
     load();
   return well_;
@@ -229,7 +250,7 @@ std::vector<std::string> script_bench_rows() {
   std::vector<std::string> names;
   for (const auto& each : contests)
     names.emplace_back(each.name);
-  names.insert(names.end(), {"switch", "suspended", "load"});
+  names.insert(names.end(), {"switch", "suspended", "state", "load"});
   return names;
 }
 

@@ -2,7 +2,7 @@
 #include <thread>
 
 #include "adapters/files/data_files.hpp"
-#include "script/exec_host.hpp"
+#include "script/exec_run.hpp"
 #include "tools/parlour/application.hpp"
 #include "tools/parlour/commands.hpp"
 #include "tools/parlour/exit_code.hpp"

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "script/exec_host.hpp"
+#include "script/exec_run.hpp"
 #include "tests/script/snippets.hpp"
 
 namespace parlour::script {
@@ -46,6 +46,15 @@ TEST(Exec, ARepeatedTimerEndsWhenItIsCancelled) {
               "<set name='n' expr='n + 1'/><print param='{n}'/>"
               "<if cond='n == 3'><cancel timer='t'/></if></timer></function>");
   EXPECT_EQ(execution.printed, (std::vector<std::string>{"1", "2", "3"}));
+}
+
+TEST(Exec, TimeEndsSomewhere) {
+  const auto execution =
+      execute("<function name='main'><for name='i' from='1' to='9'>"
+              "<wait for='900000000000h'/></for><print param='end'/>"
+              "</function>");
+  EXPECT_FALSE(execution.failure);
+  EXPECT_EQ(execution.printed, std::vector<std::string>{"end"});
 }
 
 TEST(Exec, WithoutMainThereIsNothingToRun) {

@@ -41,7 +41,7 @@ private:
   Aliases aliases();
   void load_scripts();
   void load_all_scripts(const std::vector<fs::path>& scripts);
-  void load_phrases();
+  void load_libraries();
   Compiled finish();
 
   const CompileOptions& options_;
@@ -87,13 +87,15 @@ void Compiler::load_all_scripts(const std::vector<fs::path>& scripts) {
   program_->settings.start = loader_.first_state();
 }
 
-// The words of what the engine says by itself, after the application's own.
-void Compiler::load_phrases() {
-  constexpr const char* library = "phrases-en";
+// The words of what the engine says by itself, and what it does about the
+// conversation itself, after the application's own.
+void Compiler::load_libraries() {
   if (options_.platform.empty())
     return;
-  loader_.load_library(library, {});
-  program_->settings.libraries.push_back(library);
+  for (const auto* library : {"phrases-en", "repair"}) {
+    loader_.load_library(library, {});
+    program_->settings.libraries.push_back(library);
+  }
 }
 
 Compiled Compiler::finish() {
@@ -121,7 +123,7 @@ Compiled Compiler::application(const fs::path& folder) {
     load_scripts();
   else
     load_all_scripts(scripts);
-  load_phrases();
+  load_libraries();
   return finish();
 }
 

@@ -5,6 +5,7 @@
 #include "script/name_collector.hpp"
 #include "script/phrase_compiler.hpp"
 #include "script/reaction_compiler.hpp"
+#include "script/repair_compiler.hpp"
 #include "script/route_compiler.hpp"
 #include "script/state_compiler.hpp"
 #include "script/topic_compiler.hpp"
@@ -48,6 +49,7 @@ private:
                            const FunctionNames* functions);
   void compile_variable(const Element& element);
   void compile_all_phrases();
+  void compile_all_repairs();
   void compile_ladder(const Element& ladder);
   void check_start(const Element& settings);
 
@@ -136,6 +138,14 @@ void DeclarationCompiler::compile_all_phrases() {
         }
 }
 
+void DeclarationCompiler::compile_all_repairs() {
+  for (const bool platform : {false, true})
+    for (std::size_t i = 0; i < documents_.size(); ++i)
+      for (const auto& child : documents_[i].root.children)
+        if (documents_[i].platform == platform && child.is("repair"))
+          compile_repair(child, platform, functions_of(i), compilation_);
+}
+
 void DeclarationCompiler::compile_ladder(const Element& ladder) {
   BodyContext context;
   context.name = "ladder";
@@ -163,6 +173,7 @@ void DeclarationCompiler::compile(SettingsSource settings) {
   for (std::size_t i = 0; i < documents_.size(); ++i)
     compile_document(i);
   compile_all_phrases();
+  compile_all_repairs();
   check_needs(compilation_);
   if (!settings.root)
     return;

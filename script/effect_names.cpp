@@ -15,6 +15,8 @@ std::string element_of(EffectKind kind) {
     return "unregister";
   case EffectKind::reset_topic:
     return "reset";
+  case EffectKind::cancel_topic:
+    return "cancel";
   case EffectKind::open_socket:
     return "socket";
   case EffectKind::begin:

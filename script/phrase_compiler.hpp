@@ -24,8 +24,10 @@ namespace parlour::script {
   X(explain, "why a slot is asked for") \
   X(repeat_nothing, "there is nothing to repeat") \
   X(cancelled, "the topic was cancelled") \
+  X(cancelled_all, "everything unfinished was cancelled") \
+  X(already_done, "what is to be cancelled or mended is completed") \
   X(restarted, "everything begins again") \
-  X(greet, "answers a greeting") \
+  X(greet, "answers a greeting; data: asked") \
   X(bye, "answers a goodbye; data: unfinished") \
   X(thank, "answers thanks") \
   X(acknowledge, "a yes or no that answers no question") \

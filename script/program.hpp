@@ -187,6 +187,19 @@ struct Phrase {
   Position position;
 };
 
+// <repair>: what is done about the conversation itself, or when nothing was
+// understood or said. The code takes (data) as its argument.
+struct Repair {
+  std::string act; // of the user; no_match, no_input
+  TopicId topic = no_id;
+  SlotId slot = no_id;
+  std::uint32_t count = 0; // no_match, no_input: from which time on
+  CodeId condition = no_code;
+  CodeId body = no_code;
+  bool of_platform = false;
+  Position position;
+};
+
 // <var> and <const> of a script; the variable's index is its position.
 struct Variable {
   std::string name;
@@ -209,6 +222,7 @@ struct Program {
   std::vector<Route> routes;
   std::vector<FactTable> facts;
   std::vector<Phrase> phrases; // the application's first, then the platform's
+  std::vector<Repair> repairs; // likewise
   std::vector<CodeId> ladder;  // <ladder> of the settings; empty: the standard
   std::shared_ptr<const UnderstandingModel> understanding;
 

@@ -18,7 +18,7 @@ struct OperandShape {
 // Those that are no more than their operands.
 struct PlainEffect {
   EffectKind kind;
-  std::array<OperandShape, 3> operands = {};
+  std::array<OperandShape, 4> operands = {};
 };
 
 using F = OperandForm;
@@ -35,14 +35,22 @@ const std::unordered_map<std::string, PlainEffect>& plain_effects() {
       {"reload", {K::reload, {{{"sessions", F::text}}}}},
       {"subscribe",
        {K::subscribe, {{{"source", F::text}, {"command", F::text}}}}},
+      {"say",
+       {K::say,
+        {{{"act", F::text},
+          {"topic", F::topic},
+          {"slot", F::text},
+          {"data", F::value}}}}},
+      {"repeat", {K::repeat}},
+      {"restart", {K::restart}},
       {"consume", {K::consume}},
       {"end", {K::end}},
       {"push", {K::push, {{{"state", F::state}}}}},
       {"pop", {K::pop}},
-      {"activate", {K::activate, {{{"topic", F::topic}}}}},
+      {"activate", {K::activate, {{{"topic", F::topic}, {"keep", F::value}}}}},
       {"reset", {K::reset_topic, {{{"topic", F::topic}}}}},
       {"complete", {K::complete}},
-      {"ask", {K::ask, {{{"slot", F::slot}}}}},
+      {"ask", {K::ask, {{{"slot", F::slot}, {"wording", F::text}}}}},
       {"clear", {K::clear, {{{"slot", F::slot}}}}},
       {"cancel", {K::cancel, {{{"timer", F::text}}}}},
       {"wait", {K::wait, {{{"for", F::duration}}}}},
@@ -77,7 +85,11 @@ const PlainEffect* plain_effect(const Element& element) {
                                         {{{"handler", F::handler}}}};
   static const PlainEffect drop_topic{K::unregister_topic,
                                       {{{"topic", F::topic}}}};
+  static const PlainEffect cancel_topic{
+      K::cancel_topic, {{{"topic", F::topic}, {"all", F::value}}}};
   const auto name = plain_name(element.name);
+  if (name == "cancel" && !element.attribute("timer"))
+    return &cancel_topic;
   const bool of_topic = element.attribute("topic");
   if (name == "register")
     return of_topic ? &add_topic : &add_handler;

@@ -9,8 +9,8 @@ namespace parlour::adapters::nlu {
 namespace {
 
 // Acts that are courtesy when something else is said with them.
-constexpr std::array<std::string_view, 4> courtesies{"greet", "thank", "help",
-                                                     "repeat"};
+constexpr std::array<std::string_view, 7> courtesies{
+    "greet", "thank", "help", "repeat", "explain", "options", "rephrase"};
 
 const Fill* find(const std::vector<Fill>& fills, std::string_view slot) {
   const auto found = std::ranges::find(fills, slot, &Fill::slot);

@@ -15,8 +15,9 @@ constexpr std::size_t most_nodes = 200'000;
 // The acts of runtime/base/understanding.hpp.
 const std::vector<std::string>& act_names() {
   static const std::vector<std::string> names{
-      "inform", "request", "confirm", "deny",  "correct", "help",
-      "repeat", "cancel",  "restart", "greet", "bye",     "thank"};
+      "inform",  "request", "confirm",  "deny",    "correct", "help",
+      "repeat",  "cancel",  "restart",  "greet",   "bye",     "thank",
+      "explain", "options", "rephrase", "abandon", "person"};
   return names;
 }
 

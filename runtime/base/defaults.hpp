@@ -14,6 +14,8 @@ using namespace std::chrono_literals;
 inline constexpr Milliseconds resume_after = 2s;
 // Silence after a question that counts as no input.
 inline constexpr Milliseconds no_input_after = 8s;
+// How long somebody who was heard to speak has for words to come of it.
+inline constexpr Milliseconds speech_without_words = 2s;
 // How long a rested enquiry is the context of elliptical questions.
 inline constexpr Milliseconds context_for = 2min;
 // How long a request waits for its reply.

@@ -50,6 +50,7 @@ using ColumnReader =
 //   topic        string, or unknown for the engine's classifier to choose
 //   act          "inform" "request" "confirm" "deny" "correct" "help"
 //                "repeat" "cancel" "restart" "greet" "bye" "thank"
+//                "explain" "options" "rephrase" "abandon" "person"
 //   confidence   0..1 or unknown
 //   slots        map: name -> value, or {value, confidence, text, candidates}
 //   text         the words

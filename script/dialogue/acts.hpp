@@ -18,7 +18,11 @@ namespace parlour::dialogue {
   X(confirm, "yes") X(deny, "no") X(correct, "mends a value") \
   X(help, "wants help") X(repeat, "wants to hear it again") \
   X(cancel, "wants to stop this") X(restart, "wants to start over") \
-  X(greet, "hello") X(bye, "goodbye") X(thank, "thanks")
+  X(greet, "hello") X(bye, "goodbye") X(thank, "thanks") \
+  X(explain, "wants to know why it is asked") \
+  X(options, "wants to know what can be said") \
+  X(rephrase, "wants to hear it in other words") \
+  X(abandon, "wants to stop everything") X(person, "wants somebody to talk to")
 // clang-format on
 
 enum class ActKind : std::uint8_t {

@@ -59,6 +59,12 @@ TopicId by_slots(const script::Program& program, const Act& act,
   return best;
 }
 
+bool is_near(const Act& best, const Act& other) {
+  return !best.confidence.is_unknown() && !other.confidence.is_unknown() &&
+         best.confidence.number_or(0) - other.confidence.number_or(0) <=
+             clarify_within + 1e-9;
+}
+
 TopicId without_slots(const script::Program& program, const Act& act,
                       const ClassifierContext& context) {
   std::vector<TopicId> topics{context.asked};
@@ -83,16 +89,33 @@ TopicId classify(const script::Program& program, const Act& act,
                            : by_slots(program, act, context);
 }
 
+void prefer_resting(const script::Program& program, Act& act,
+                    const ClassifierContext& context) {
+  const auto topic = classify(program, act, context);
+  if (!act.elliptical || context.resting == script::no_id ||
+      topic == context.resting || topic == context.asked ||
+      topic == context.current)
+    return;
+  for (const auto& other : act.alternatives)
+    if (classify(program, other, context) == context.resting &&
+        is_near(act, other)) {
+      auto chosen = other;
+      chosen.text = act.text;
+      chosen.elliptical = true;
+      act = std::move(chosen);
+      return;
+    }
+}
+
 std::vector<TopicId> clarify(const script::Program& program, const Act& act,
                              const ClassifierContext& context) {
   std::vector<TopicId> topics{classify(program, act, context)};
-  if (topics.front() == script::no_id || act.confidence.is_unknown())
+  const bool goes_on = act.elliptical && topics.front() == context.resting;
+  if (topics.front() == script::no_id || act.confidence.is_unknown() || goes_on)
     return {};
-  const auto best = act.confidence.number_or(0);
   for (const auto& other : act.alternatives) {
     auto topic = classify(program, other, context);
-    if (topic != script::no_id && !other.confidence.is_unknown() &&
-        best - other.confidence.number_or(0) <= clarify_within + 1e-9 &&
+    if (topic != script::no_id && is_near(act, other) &&
         std::find(topics.begin(), topics.end(), topic) == topics.end())
       topics.push_back(topic);
   }

@@ -29,6 +29,11 @@ struct ClassifierContext {
 TopicId classify(const script::Program& program, const Act& act,
                  const ClassifierContext& context);
 
+// What is said in passing ("and on the first?") right after an enquiry is
+// about that one, where it may be: the act becomes that reading of it.
+void prefer_resting(const script::Program& program, Act& act,
+                    const ClassifierContext& context);
+
 // The topics to clarify between, best first: the act's and those of its
 // alternatives that are within 0.1 of the best; empty where only one is.
 std::vector<TopicId> clarify(const script::Program& program, const Act& act,

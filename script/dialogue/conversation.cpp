@@ -92,11 +92,13 @@ void Conversation::timer_fired(TimerId id, Timestamp now) {
 }
 
 void Conversation::output_finished(OutputId id, bool played, Timestamp now) {
-  static_cast<void>(played); // barge-in comes with voice
   if (ended())
     return;
   implementation_->core.now = now;
-  implementation_->core.mouth.finished(id);
+  if (played)
+    implementation_->core.mouth.finished(id);
+  else
+    implementation_->core.mouth.interrupted(id, {});
   implementation_->go_on();
 }
 

@@ -42,6 +42,8 @@ private:
   std::vector<Step> beginning() const;
   std::deque<Input>::iterator next_input();
   void process(Input input);
+  bool hear_speech(const Message& message);
+  bool hear_speaker(const Message& message);
   void act_on(Timer timer);
   void run_lane();
   void take(Step step);

@@ -13,6 +13,14 @@ namespace {
 
 constexpr const char* recogniser = "ASR";
 
+// The user was heard to speak, but not yet understood.
+bool is_speech(const Port& port, const Message& message) {
+  return (message.command == "SpeechStarted" &&
+          port.is_source("VAD", message.source)) ||
+         (message.command == "Partial" &&
+          port.is_source(recogniser, message.source));
+}
+
 } // namespace
 
 // -- the beginning and the end ------------------------------------------------
@@ -43,7 +51,8 @@ std::vector<Step> Conversation::Implementation::beginning() const {
   } else {
     return {};
   }
-  return {step, make_step(StepKind::conclude, {})};
+  return {step, make_step(StepKind::greet_agents, {}),
+          make_step(StepKind::conclude, {})};
 }
 
 void Conversation::Implementation::close() {
@@ -123,6 +132,9 @@ void Conversation::Implementation::receive(Message message) {
   input.turn = input.begins_turn ? core.turns.begin()
                                  : core.turns.of(message.correlation);
   core.turns.hold(input.turn);
+  if (is_speech(core.port, message)) // known before a question is released
+    core.turns.speaks(std::max(core.now, message.time) +
+                      defaults::speech_without_words.count());
   if (!input.begins_turn)
     core.turns.answered(message.correlation);
   input.message = std::move(message);
@@ -177,10 +189,48 @@ void Conversation::Implementation::process(Input input) {
     stop_silence();
     core.mouth.turn_begins();
   }
+  if (input.begins_turn)
+    core.mouth.give_up_interrupted();
+  if (hear_speech(input.message) || hear_speaker(input.message))
+    input.raised = true; // the engine itself took it
+  if (core.machine.agent_changed(input.message))
+    input.raised = true; // somebody took it
   if (core.effects.reply(input.message))
     core.turns.let_go(input.turn);
   else
     core.pipeline.take(std::move(input));
+}
+
+// Barge-in (engine rule 3).
+bool Conversation::Implementation::hear_speech(const Message& message) {
+  if (message.command == "Rejected" &&
+      core.port.is_source(recogniser, message.source))
+    core.turns.speech_is_over();
+  if (!is_speech(core.port, message))
+    return false;
+  stop_silence();
+  core.turns.speaks(core.now + defaults::speech_without_words.count());
+  if (core.mouth.can_be_interrupted())
+    for (const auto* role : {"TTS", "Speaker"})
+      if (core.port.reachable(role))
+        core.post(role, "Stop", {}, 0);
+  return true;
+}
+
+// Finished(utterance, played, interrupted, spoken_text): what was heard of an
+// output; the utterance is the output's id.
+bool Conversation::Implementation::hear_speaker(const Message& message) {
+  if (message.command != "Finished" ||
+      !core.port.is_source("Speaker", message.source))
+    return false;
+  const Value params(message.params);
+  const auto id = static_cast<OutputId>(params.at(0).integer_or(0));
+  if (params.at(2))
+    core.mouth.interrupted(id, params.at(3).is_unknown() ? std::string()
+                                                         : params.at(3).text());
+  else
+    core.mouth.finished(id);
+  return true;
 }
 
 void Conversation::Implementation::timer_fired(TimerId id) {
@@ -235,6 +285,8 @@ void Conversation::Implementation::go_on() {
     return;
   }
   give_up_turns();
+  if (!core.turns.any_open(core.now))
+    core.mouth.take_up_interrupted();
   run_lane();
   if (core.ending && !core.topics.awaiting_frame() &&
       !core.mouth.wants_release() && core.mouth.all_released())

@@ -44,6 +44,9 @@ void Conversation::Implementation::take(Step step) {
   case pop:
     core.machine.pop(step);
     break;
+  case greet_agents:
+    core.machine.greet_agents();
+    break;
   case end:
     core.ending = true;
     core.mouth.withdraw_questions();

@@ -107,14 +107,16 @@ script::Performed Effects::perform_dialogue(Context context, Call effect) {
     return later(StepKind::complete, context, effect);
   case ask:
     core_.topics.redirect();
-    return later(StepKind::ask, context, effect);
+    return effect.operand(0).is_unknown()
+               ? ask_again(context, effect)
+               : later(StepKind::ask, context, effect);
   case clear:
     return this->clear(context, effect);
   case register_topic:
   case unregister_topic:
     return this->register_topic(effect);
   default:
-    return perform_outside(effect);
+    return perform_repair(context, effect);
   }
 }
 
@@ -209,6 +211,8 @@ script::Performed Effects::later(StepKind kind, Context context, Call effect) {
   step.kind = kind;
   step.turn = context.turn;
   step.topic = context.topic;
+  if (kind == StepKind::activate || kind == StepKind::cancel)
+    step.mark = effect.operand(1) ? 1 : 0;
   if (kind == StepKind::transit) {
     step.state = core_.program->state(effect.operand(0).text());
     if (step.state == script::no_id)

@@ -58,7 +58,10 @@ private:
   Performed request(Context context, Call effect);
   Performed fire_frames(Context context, Call effect);
   Performed perform_dialogue(Context context, Call effect);
+  Performed perform_repair(Context context, Call effect);
   Performed speak(Context context, Call effect);
+  Performed say(Context context, Call effect);
+  Performed ask_again(Context context, Call effect);
   Performed timer(Context context, Call effect);
   Performed connect_database(Call effect);
   Performed query_database(Call effect);

@@ -26,8 +26,9 @@ void drop_default(SlotState& slot) {
     empty_slot(slot);
 }
 
-bool has(const std::vector<SlotId>& slots, SlotId slot) {
-  return std::find(slots.begin(), slots.end(), slot) != slots.end();
+template <class T>
+bool has(const std::vector<T>& all, const T& one) {
+  return std::find(all.begin(), all.end(), one) != all.end();
 }
 
 } // namespace
@@ -109,8 +110,12 @@ void FillingEvent::deny(const FrameChange& denial) {
 // "Do you mean A or B?" "Not A."
 void FillingEvent::narrow(SlotId id, const FrameChange& denial) {
   auto& candidates = frame_.slots[id].candidates;
-  std::erase_if(candidates,
-                [&](const Value& value) { return denies(denial, value); });
+  const auto meant = match_choice(topic_.slots[id], denial, candidates,
+                                  [&](CodeId code) { return evaluate(code); });
+  if (meant.candidates.size() < candidates.size())
+    std::erase_if(candidates, [&](const Value& value) {
+      return meant.value == value || has(meant.candidates, value);
+    });
   if (candidates.size() != 1 || offers_[id])
     return;
   FrameChange rest = denial;

@@ -1,9 +1,11 @@
 #include "script/dialogue/frames.hpp"
 
+#include <algorithm>
 #include <iterator>
 #include <utility>
 
 #include "script/dialogue/frame_evaluator.hpp"
+#include "script/instruction.hpp"
 
 namespace parlour::dialogue {
 
@@ -18,6 +20,41 @@ variables_of(const script::Interpreter& interpreter) {
   for (std::size_t i = 0; i < interpreter.program().variables.size(); ++i)
     values.push_back(interpreter.variable(i));
   return std::make_shared<const List>(std::move(values));
+}
+
+bool is_constant(const script::Instruction& instruction) {
+  using enum script::Operation;
+  const auto operation = static_cast<script::Operation>(instruction.operation);
+  return operation == load_constant || operation == give_back ||
+         operation == give_unknown;
+}
+
+// What is more than a constant may read variables, if only by a function.
+bool is_computed(const script::Program& program, CodeId code) {
+  if (code == script::no_code)
+    return false;
+  const auto& instructions = program.code[code].instructions;
+  return !std::all_of(instructions.begin(), instructions.end(), is_constant);
+}
+
+bool is_computed(const script::Program& program, const script::Slot& slot) {
+  const auto& takes = slot.cardinality;
+  return is_computed(program, slot.initial) ||
+         is_computed(program, takes.minimum) ||
+         is_computed(program, takes.maximum) ||
+         std::any_of(takes.values.begin(), takes.values.end(),
+                     [&](CodeId code) { return is_computed(program, code); });
+}
+
+// Whether the frame's actor may have to read variables: for a constraint, an
+// initial value, or what a slot takes.
+bool reads_variables(const script::Program& program,
+                     const script::Topic& topic) {
+  return !topic.constraints.empty() ||
+         std::any_of(topic.slots.begin(), topic.slots.end(),
+                     [&](const script::Slot& slot) {
+                       return is_computed(program, slot);
+                     });
 }
 
 } // namespace
@@ -59,7 +96,7 @@ FrameRequest Frames::request(TopicId topic, std::vector<FrameChange> changes,
   request.changes.insert(request.changes.end(),
                          std::make_move_iterator(changes.begin()),
                          std::make_move_iterator(changes.end()));
-  if (!program_->topics[topic].constraints.empty())
+  if (reads_variables(*program_, program_->topics[topic]))
     request.variables = variables_of(*interpreter_);
   return request;
 }

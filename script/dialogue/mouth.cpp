@@ -1,5 +1,6 @@
 #include "script/dialogue/mouth.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "script/dialogue/core.hpp"
@@ -134,7 +135,7 @@ bool Mouth::release() {
   }
   for (const auto& output : result.released) {
     inspect(output, "released");
-    playing_.insert(output.id);
+    playing_[output.id] = output.interruptible;
     core_.topics.released(output);
     core_.port.release(output);
   }
@@ -160,6 +161,32 @@ void Mouth::repeat_last(TurnId turn) {
 
 void Mouth::finished(OutputId id) {
   playing_.erase(id);
+}
+
+void Mouth::interrupted(OutputId id, std::string heard) {
+  playing_.erase(id);
+  auto cut = queue_.cut(id, heard);
+  if (!cut)
+    return;
+  inspect(*cut, "broken off");
+  if (!interrupted_) // what came after it was not heard either
+    interrupted_ = std::move(cut);
+}
+
+void Mouth::take_up_interrupted() {
+  auto again = std::exchange(interrupted_, {});
+  if (!again)
+    return;
+  Say what;
+  what.as = again->act;
+  what.turn = again->turn;
+  turn_begins();
+  push(what.as, std::move(again->text), what, OutputState::pending);
+}
+
+bool Mouth::can_be_interrupted() const {
+  return std::any_of(playing_.begin(), playing_.end(),
+                     [](const auto& output) { return output.second; });
 }
 
 bool Mouth::silent() const {

@@ -6,7 +6,7 @@
 
 #include <cstdint>
 #include <map>
-#include <set>
+#include <optional>
 #include <string>
 
 #include "script/dialogue/output_queue.hpp"
@@ -61,6 +61,16 @@ public:
     return !queue_.last_turn().empty();
   }
   void finished(OutputId id);
+  // The user broke in: of this output only these words were heard.
+  void interrupted(OutputId id, std::string heard);
+  // The user has said something after all: what was broken off stays so.
+  void give_up_interrupted() {
+    interrupted_.reset();
+  }
+  // Nothing came of it: what was broken off is said again.
+  void take_up_interrupted();
+  // Whether something is being played that the user may break in on.
+  bool can_be_interrupted() const;
 
   bool wants_release() const {
     return changed_;
@@ -97,7 +107,8 @@ private:
   std::map<Correlation, Wording> wording_;
   std::map<std::string, std::int64_t> uses_; // of each phrase, for rotation
   std::uint64_t made_ = 0;
-  std::set<OutputId> playing_;
+  std::map<OutputId, bool> playing_; // whether it is interruptible
+  std::optional<Output> interrupted_;
   bool changed_ = false;
 };
 

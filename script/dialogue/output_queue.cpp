@@ -50,7 +50,7 @@ OutputQueue::Released OutputQueue::release(bool user_turn_begun) {
     output.state = OutputState::playing;
     if (std::exchange(fresh_turn_, false))
       last_turn_.clear();
-    last_turn_.push_back(output.text);
+    last_turn_.push_back({output, output.text});
     result.released.push_back(std::move(output));
   }
   return result;
@@ -75,8 +75,21 @@ bool OutputQueue::empty() const {
   return entries_.empty();
 }
 
-const std::vector<std::string>& OutputQueue::last_turn() const {
-  return last_turn_;
+std::vector<std::string> OutputQueue::last_turn() const {
+  std::vector<std::string> texts;
+  for (const auto& spoken : last_turn_)
+    if (!spoken.heard.empty())
+      texts.push_back(spoken.heard);
+  return texts;
+}
+
+std::optional<Output> OutputQueue::cut(OutputId id, std::string heard) {
+  for (auto& spoken : last_turn_)
+    if (spoken.output.id == id) {
+      spoken.heard = std::move(heard);
+      return spoken.output;
+    }
+  return std::nullopt;
 }
 
 void OutputQueue::turn_begins() {

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -62,13 +63,20 @@ public:
   std::vector<Output> withdraw_questions();
 
   bool empty() const; // nothing waits for words or release
-  // The texts of the last robot turn as released, for "repeat".
-  const std::vector<std::string>& last_turn() const;
+  // The texts of the last robot turn as far as they were heard, for "repeat".
+  std::vector<std::string> last_turn() const;
+  // Of an output of that turn only these words were heard. Returns it as it
+  // was released; nothing where it is no longer known.
+  std::optional<Output> cut(OutputId id, std::string heard);
   void turn_begins(); // the next release starts a new robot turn
 
 private:
   std::deque<Output> entries_;
-  std::vector<std::string> last_turn_;
+  struct Spoken {
+    Output output;
+    std::string heard;
+  };
+  std::vector<Spoken> last_turn_;
   bool fresh_turn_ = true;
   OutputId last_id_ = 0;
 };

@@ -14,8 +14,10 @@ bool fits(const std::string& wanted, const std::string& name) {
 }
 
 bool wants_out(const Step& step) {
-  return step.kind == StepKind::take_act && (step.act.kind == ActKind::cancel ||
-                                             step.act.kind == ActKind::restart);
+  return step.kind == StepKind::take_act &&
+         (step.act.kind == ActKind::cancel ||
+          step.act.kind == ActKind::abandon ||
+          step.act.kind == ActKind::restart);
 }
 
 } // namespace

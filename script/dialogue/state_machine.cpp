@@ -73,6 +73,51 @@ void StateMachine::pop(const Step& step) {
     core_.lane.now({back});
 }
 
+bool StateMachine::agent_changed(const Message& event) {
+  const auto state = core_.states.active();
+  if (state == script::no_id || event.source != "System" ||
+      event.params.empty())
+    return false;
+  const auto& definition = core_.program->states[state];
+  const bool came = event.command == "AgentOnline";
+  if (!came && event.command != "AgentOffline")
+    return false;
+  const auto agent = event.params[0].text();
+  auto shared = std::make_shared<const Message>(event);
+  bool any = false;
+  for (const auto& reaction : came ? definition.online : definition.offline)
+    if (reaction.source == "*" || reaction.source == agent) {
+      react(reaction, shared);
+      any = true;
+    }
+  return any;
+}
+
+void StateMachine::react(const script::Reaction& reaction,
+                         std::shared_ptr<const Message> event) {
+  auto step = body_step(reaction.body, 0);
+  step.message = std::move(event);
+  core_.effects.reached(reaction.position);
+  core_.lane.queue({std::move(step), make_step(StepKind::conclude, {})});
+}
+
+void StateMachine::greet_agents() {
+  const auto state = core_.states.active();
+  if (state == script::no_id)
+    return;
+  for (const auto& reaction : core_.program->states[state].online) {
+    if (reaction.source == "*" || !core_.port.reachable(reaction.source))
+      continue;
+    Message event;
+    event.source = "System";
+    event.command = "AgentOnline";
+    event.params = {reaction.source};
+    event.time = core_.now;
+    event.session = core_.options.session;
+    react(reaction, std::make_shared<const Message>(std::move(event)));
+  }
+}
+
 std::vector<Step> StateMachine::way_out(StateId state) const {
   Step leave;
   leave.kind = StepKind::leave;

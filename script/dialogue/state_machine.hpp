@@ -17,6 +17,11 @@ public:
   void enter(const Step& step);
   void push(const Step& step);
   void pop(const Step& step);
+  // Online or Offline of the active state, for this agent or for any; false
+  // where it has none.
+  bool agent_changed(const Message& event);
+  // Online of the active state, for agents that are there from the start.
+  void greet_agents();
   // Leaves every level without Exit (start over).
   void clear();
   // Leaves the pushed levels, whose activations were cancelled.
@@ -25,6 +30,8 @@ public:
   std::vector<Step> exits() const;
 
 private:
+  void react(const script::Reaction& reaction,
+             std::shared_ptr<const Message> event);
   std::vector<Step> way_out(StateId state) const;
 
   Core& core_;

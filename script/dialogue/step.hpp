@@ -38,8 +38,12 @@ using script::StateId;
   X(ask_still, "the question once more, unless its ladder's step went on") \
   X(ask_next, "the question for what the current topic misses") \
   X(resume_topic, "back to a suspended topic") \
-  X(cancel_topic, "the user wants out of it") \
-  X(no_match, "nothing was understood") \
+  X(cancel, "the user wants out of a topic, or of all") \
+  X(cancel_topic, "it ends as cancelled") \
+  X(ask_again, "the question that waits, once more") \
+  X(no_match, "nothing was understood: to the reactions that listen") \
+  X(not_understood, "nothing was understood: what is done about it") \
+  X(no_input, "nothing was said: what is done about it") \
   X(reset, "a topic's slots are emptied by a script") \
   X(restart, "everything begins again") \
   X(end, "the session ends") \
@@ -50,7 +54,8 @@ using script::StateId;
   X(leave, "the state's Exit") \
   X(enter, "the state's Entrance") \
   X(push, "enter a state as a subtask") \
-  X(pop, "come back from it")
+  X(pop, "come back from it") \
+  X(greet_agents, "Online of the agents that are there from the start")
 // clang-format on
 
 enum class StepKind : std::uint8_t {

@@ -1,12 +1,29 @@
 // The part of the topic engine for acts that are about the conversation
-// itself: help, repeat, cancel, start over, greetings and goodbye.
+// itself: which <repair> says what is done about them (engine rule 5).
+#include <algorithm>
 #include <utility>
 
 #include "script/dialogue/core.hpp"
 #include "script/dialogue/questions.hpp"
+#include "script/dialogue/repairs.hpp"
 #include "script/dialogue/steps.hpp"
 
 namespace parlour::dialogue {
+
+namespace {
+
+// Those that the question which waits has a part in.
+bool about_the_question(ActKind kind) {
+  return kind == ActKind::help || kind == ActKind::explain ||
+         kind == ActKind::options || kind == ActKind::rephrase ||
+         kind == ActKind::person;
+}
+
+bool is_open(TopicStatus status) {
+  return status == TopicStatus::active || status == TopicStatus::suspended;
+}
+
+} // namespace
 
 bool TopicEngine::is_generic(const Act& act) const {
   switch (act.kind) {
@@ -23,74 +40,152 @@ bool TopicEngine::is_generic(const Act& act) const {
 }
 
 void TopicEngine::generic_act(const Step& step) {
-  const auto turn = step.turn;
-  switch (step.act.kind) {
-  case ActKind::help:
-    help(turn);
-    return;
-  case ActKind::repeat:
-    if (core_.mouth.said_anything())
-      core_.mouth.repeat_last(turn);
-    else
-      say("repeat_nothing", script::no_id, script::no_id, {}, turn);
-    return;
-  case ActKind::cancel:
-    cancel(turn);
-    return;
-  case ActKind::restart:
-    say("restarted", script::no_id, script::no_id, {}, turn);
-    core_.lane.queue({topic_step(StepKind::restart, script::no_id)});
-    return;
-  case ActKind::bye:
-    say("bye", script::no_id, script::no_id,
-        Map{{"unfinished", unfinished_names()}}, turn);
-    core_.lane.now({topic_step(StepKind::end, script::no_id)});
-    return;
-  case ActKind::greet:
-  case ActKind::thank:
-    say(std::string(name_of(step.act.kind)).c_str(), script::no_id,
-        script::no_id, {}, turn);
-    return;
-  default:
-    return;
+  const auto kind = step.act.kind;
+  const auto name = std::string(name_of(kind));
+  Trouble trouble{.act = name.c_str(), .turn = step.turn};
+  if (about_the_question(kind) && asked_ && asked_->heard) {
+    trouble.topic = asked_->topic;
+    trouble.slot = asked_->slot;
+  } else if (kind == ActKind::cancel) {
+    trouble.topic = step.topic == script::no_id ? to_cancel() : step.topic;
   }
+  misses_ = 0;
+  if (asked_ && kind != ActKind::repeat)
+    asked_->interrupted = true; // unless it is asked again
+  if (!repair(trouble))
+    misunderstood(step);
 }
 
-// "help" to a question: why it is asked, then the question again.
-void TopicEngine::help(TurnId turn) {
-  if (!asked_ || !asked_->heard || asked_->slot == script::no_id) {
-    say("help", script::no_id, script::no_id, {}, turn);
-    return;
+bool TopicEngine::repair(const Trouble& trouble) {
+  Value data;
+  auto holds = [&](CodeId condition) {
+    auto value = core_.runner.evaluate(condition, {data}, trouble.topic);
+    if (!value)
+      core_.script_failed(value.error(), trouble.turn);
+    return value && *value;
+  };
+  data = situation(trouble);
+  const auto* found = choose_repair(
+      *core_.program, {trouble.act, trouble.topic, trouble.slot, trouble.count},
+      holds);
+  if (!found)
+    return false;
+  auto step = body_step(found->body, trouble.turn);
+  step.topic = trouble.topic;
+  step.slot = trouble.slot;
+  step.arguments = {std::move(data)};
+  core_.effects.reached(found->position);
+  core_.lane.now({std::move(step)});
+  return true;
+}
+
+// What a <repair> sees as `data`.
+Value TopicEngine::situation(const Trouble& trouble) {
+  Value explanation;
+  Value choices = List{};
+  if (trouble.slot != script::no_id) {
+    const auto code =
+        explain_wording(core_.topic(trouble.topic).slots[trouble.slot],
+                        core_.frame(trouble.topic).slots[trouble.slot]);
+    if (code != script::no_code)
+      explanation = text_of(code, trouble.topic);
+    choices = choices_of(trouble.topic, trouble.slot)["choices"];
   }
-  const auto topic = asked_->topic;
-  const auto slot = asked_->slot;
-  auto text = text_of(explain_wording(core_.topic(topic).slots[slot],
-                                      core_.frame(topic).slots[slot]),
-                      topic);
-  if (text.empty())
-    say("help", topic, slot, choices_of(topic, slot), turn);
+  return Map{{"asked", asked_ && (asked_->heard || asked_->pending)},
+             {"count", static_cast<std::int64_t>(trouble.count)},
+             {"misses", static_cast<std::int64_t>(misses_)},
+             {"explanation", std::move(explanation)},
+             {"choices", std::move(choices)},
+             {"unfinished", unfinished_names()},
+             {"status", trouble.topic == script::no_id
+                            ? Value()
+                            : name_of(core_.frame(trouble.topic).status)}};
+}
+
+Value TopicEngine::data_of(const std::string& act, TopicId topic, SlotId slot) {
+  if ((act == "help" || act == "choices") && slot != script::no_id)
+    return choices_of(topic, slot);
+  if (act == "bye")
+    return Map{{"unfinished", unfinished_names()}};
+  if (act == "greet" && asked_)
+    return Map{{"asked", true}};
+  return {};
+}
+
+void TopicEngine::repeat(TurnId turn) {
+  if (core_.mouth.said_anything())
+    core_.mouth.repeat_last(turn);
   else
-    say_text(std::move(text), turn);
-  ask_slot(topic, slot, OutputAct::reprompt, turn);
+    say("repeat_nothing", script::no_id, script::no_id, {}, turn);
+}
+
+// A correction while nothing is going on is about what was completed last, as
+// long as that is fresh.
+bool TopicEngine::corrects_what_is_done(const Step& step) {
+  const auto latest = core_.order.latest();
+  const auto& sessions = core_.program->settings.sessions;
+  if (step.act.kind != ActKind::correct || step.act.slots.empty() ||
+      core_.order.current() || !latest ||
+      core_.frame(*latest).status != TopicStatus::completed ||
+      core_.now - completed_at_ >= sessions.context_for.count())
+    return false;
+  for (const auto& value : step.act.slots)
+    if (core_.topic(*latest).slot(value.slot) == script::no_id)
+      return false;
+  late_ = step.act;
+  late_->topic = core_.topic(*latest).name;
+  return repair({.act = "correct", .topic = *latest, .turn = step.turn});
+}
+
+// -- ending topics ------------------------------------------------------------
+
+TopicId TopicEngine::to_cancel() const {
+  if (asked_ && asked_->topic != script::no_id)
+    return asked_->topic;
+  if (auto current = core_.order.current())
+    return *current;
+  const auto& suspended = core_.order.suspended();
+  return suspended.empty() ? script::no_id : suspended.front();
 }
 
 // What waits is ended first, so that a <catch> still sees its topic.
-void TopicEngine::cancel(TurnId turn) {
-  auto topic = asked_ && asked_->topic != script::no_id
-                   ? asked_->topic
-                   : core_.order.current().value_or(script::no_id);
-  if (topic == script::no_id && !core_.order.suspended().empty())
-    topic = core_.order.suspended().front();
+void TopicEngine::cancel(Step step) {
+  auto topics = std::vector{step.topic};
+  if (step.mark != 0)
+    topics = unfinished();
+  else if (step.topic == script::no_id)
+    topics = {to_cancel()};
+  std::erase_if(topics, [&](TopicId topic) {
+    return topic == script::no_id || !is_open(core_.frame(topic).status);
+  });
   auto steps = core_.cancel_waits();
   core_.machine.clear_pushed();
   asked_.reset();
-  if (topic == script::no_id) {
-    say("cancelled", script::no_id, script::no_id, {}, turn);
-  } else {
-    auto step = topic_step(StepKind::cancel_topic, topic);
-    step.turn = turn;
-    steps.push_back(std::move(step));
+  for (auto topic : topics) {
+    auto ending = topic_step(StepKind::cancel_topic, topic);
+    ending.turn = step.turn;
+    ending.mark = topics.size() > 1;
+    steps.push_back(std::move(ending));
   }
+  if (topics.size() > 1)
+    say("cancelled_all", script::no_id, script::no_id, {}, step.turn);
+  else if (topics.empty())
+    say("cancelled", script::no_id, script::no_id, {}, step.turn);
+  core_.lane.now(std::move(steps));
+}
+
+// `mark`: it is one of several, of which one word is enough.
+void TopicEngine::cancel_topic(Step step) {
+  core_.mouth.withdraw_questions();
+  change(step.topic, {.kind = FrameChange::Kind::reset});
+  set_status(step.topic, TopicStatus::cancelled);
+  core_.order.completed(step.topic);
+  asked_.reset();
+  if (step.mark == 0)
+    say("cancelled", step.topic, script::no_id, {}, step.turn);
+  std::vector<Step> steps;
+  run_body(core_.topic(step.topic).cancelled, step.topic, script::no_id,
+           step.turn, steps);
   core_.lane.now(std::move(steps));
 }
 
@@ -101,21 +196,28 @@ void TopicEngine::forget_waits() {
   query_.reset();
 }
 
-List TopicEngine::unfinished_names() const {
-  List names;
-  for (auto topic : core_.order.suspended())
-    names.emplace_back(core_.topic(topic).name);
+std::vector<TopicId> TopicEngine::unfinished() const {
+  auto topics = core_.order.suspended();
   if (auto current = core_.order.current();
       current && core_.order.unfinished(*current))
-    names.insert(names.begin(), core_.topic(*current).name);
+    topics.insert(topics.begin(), *current);
+  return topics;
+}
+
+List TopicEngine::unfinished_names() const {
+  List names;
+  for (auto topic : unfinished())
+    names.emplace_back(core_.topic(topic).name);
   return names;
 }
 
 void TopicEngine::restart() {
   core_.mouth.withdraw_questions();
   asked_.reset();
+  late_.reset();
   query_.reset();
   no_input_ = 0;
+  misses_ = 0;
   for (TopicId topic = 0; topic < core_.program->topics.size(); ++topic)
     if (core_.frame(topic).status != TopicStatus::untouched)
       change(topic, {.kind = FrameChange::Kind::reset});

@@ -17,7 +17,8 @@ bool dealt_with(TopicStatus status) {
 
 } // namespace
 
-void TopicEngine::begin_topic(TopicId topic, std::vector<Step>& steps) {
+void TopicEngine::begin_topic(TopicId topic, std::vector<Step>& steps,
+                              bool keep) {
   const auto status = core_.frame(topic).status;
   leave_enquiry(topic);
   auto left = core_.order.activate(topic);
@@ -27,9 +28,11 @@ void TopicEngine::begin_topic(TopicId topic, std::vector<Step>& steps) {
   if (asked_ &&
       (asked_->purpose != Asked::For::yes_or_no || asked_->topic != topic))
     asked_.reset();
-  if (status == TopicStatus::completed || status == TopicStatus::cancelled)
+  const bool again = keep && status == TopicStatus::completed;
+  if (!again &&
+      (status == TopicStatus::completed || status == TopicStatus::cancelled))
     change(topic, {.kind = FrameChange::Kind::reset});
-  if (status == TopicStatus::suspended)
+  if (status == TopicStatus::suspended || again)
     run_body(core_.topic(topic).resumed, topic, script::no_id, 0, steps);
   else if (status != TopicStatus::active && status != TopicStatus::resting)
     run_body(core_.topic(topic).started, topic, script::no_id, 0, steps);
@@ -68,10 +71,15 @@ void TopicEngine::activate(Step step) {
   if (step.topic == script::no_id || !core_.order.registered(step.topic))
     return;
   std::vector<Step> steps;
-  begin_topic(step.topic, steps);
-  auto settle = topic_step(StepKind::settle, step.topic);
-  settle.turn = step.turn;
-  steps.push_back(std::move(settle));
+  const bool keep = step.mark != 0;
+  begin_topic(step.topic, steps, keep);
+  auto next = topic_step(StepKind::settle, step.topic);
+  next.turn = step.turn;
+  if (keep && late_ && late_->topic == core_.topic(step.topic).name) {
+    next.kind = StepKind::fill;
+    next.act = *std::exchange(late_, {});
+  }
+  steps.push_back(std::move(next));
   core_.lane.now(std::move(steps));
 }
 

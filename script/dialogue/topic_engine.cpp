@@ -9,6 +9,14 @@
 
 namespace parlour::dialogue {
 
+namespace {
+
+bool wants_out(const Act& act) {
+  return act.kind == ActKind::cancel || act.kind == ActKind::abandon;
+}
+
+} // namespace
+
 TopicEngine::TopicEngine(Core& core) : core_(core) {}
 
 void TopicEngine::take(Step step) {
@@ -20,7 +28,8 @@ void TopicEngine::take(Step step) {
     TAKES(conclude) TAKES(activate) TAKES(fill) TAKES(filled) TAKES(rule)
     TAKES(report) TAKES(settle) TAKES(finish) TAKES(complete) TAKES(reset)
     TAKES(look_up) TAKES(looked_up) TAKES(answer) TAKES(ask) TAKES(ask_next)
-    TAKES(ask_still) TAKES(resume_topic) TAKES(cancel_topic)
+    TAKES(ask_still) TAKES(ask_again) TAKES(resume_topic) TAKES(cancel)
+    TAKES(cancel_topic) TAKES(not_understood) TAKES(no_input)
 #undef TAKES
         // clang-format on
         default : return; // another part's
@@ -39,10 +48,16 @@ void TopicEngine::take_act(Step step) {
 }
 
 void TopicEngine::offer_act(Step step) {
+  auto parameter = to_value(step.act);
+  offer(std::string(name_of(step.act.kind)), std::move(parameter),
+        make_step(StepKind::topic_act, std::move(step)));
+}
+
+void TopicEngine::offer(std::string command, Value parameter, Step otherwise) {
   Message message;
   message.source = "Dialogue";
-  message.command = name_of(step.act.kind);
-  message.params = {to_value(step.act)};
+  message.command = std::move(command);
+  message.params = {std::move(parameter)};
   message.time = core_.now;
   message.session = core_.options.session;
   auto shared = std::make_shared<const Message>(std::move(message));
@@ -50,20 +65,20 @@ void TopicEngine::offer_act(Step step) {
   bool captured = false;
   for (const auto& match :
        core_.pipeline.matches("Dialogue", shared->command)) {
-    auto reaction = body_step(match.reaction->body, step.turn);
+    auto reaction = body_step(match.reaction->body, otherwise.turn);
     reaction.kind = StepKind::react;
     reaction.message = shared;
     steps.push_back(std::move(reaction));
     captured = captured || match.captures;
   }
   auto state = core_.states.active();
-  if (steps.empty() && state != script::no_id &&
-      core_.program->states[state].capture != script::Capture::none) {
-    captured = true; // but the state has no use for it
-    not_understood(step.turn, true);
-  }
-  if (!captured)
-    steps.push_back(make_step(StepKind::topic_act, std::move(step)));
+  if (otherwise.kind == StepKind::topic_act && steps.empty() &&
+      state != script::no_id &&
+      core_.program->states[state].capture != script::Capture::none)
+    // The state keeps every act for itself, but has no use for this one.
+    misunderstood(std::move(otherwise));
+  else if (!captured)
+    steps.push_back(std::move(otherwise));
   core_.lane.now(std::move(steps));
 }
 
@@ -72,26 +87,32 @@ void TopicEngine::topic_act(Step step) {
     return;
   auto& act = step.act;
   complete_by_answer(act);
+  if (act.elliptical && !act.alternatives.empty())
+    prefer_resting(*core_.program, act, classifier_context());
   step.topic = core_.program->topic(act.topic);
-  if (step.topic == script::no_id && is_generic(act)) {
+  if (is_generic(act) && (step.topic == script::no_id || wants_out(act))) {
     generic_act(step);
     return;
   }
+  if (corrects_what_is_done(step))
+    return;
   if (step.topic == script::no_id || !core_.order.registered(step.topic))
     step.topic = classify(*core_.program, act, classifier_context());
   const bool answers_nothing =
       !asked_ && act.topic.empty() && act.slots.empty() &&
       (act.kind == ActKind::confirm || act.kind == ActKind::deny);
   if (answers_nothing) { // "ok", and nobody had asked
+    misses_ = 0;
     say("acknowledge", script::no_id, script::no_id, {}, step.turn);
     return;
   }
   const bool says_nothing =
       act.topic.empty() && act.slots.empty() && !act.elliptical;
   if (step.topic == script::no_id || says_nothing) {
-    not_understood(step.turn, true);
+    misunderstood(std::move(step));
     return;
   }
+  misses_ = 0;
   if (ask_which(step))
     return;
   keep_what_is_asked(act, step.topic);
@@ -173,21 +194,6 @@ void TopicEngine::confirm_slot(TopicId topic, SlotId slot, bool yes,
   step.topic = topic;
   step.turn = turn;
   request(std::move(step), {std::move(change)});
-}
-
-// -- ending one --------------------------------------------------------------
-
-void TopicEngine::cancel_topic(Step step) {
-  core_.mouth.withdraw_questions();
-  change(step.topic, {.kind = FrameChange::Kind::reset});
-  set_status(step.topic, TopicStatus::cancelled);
-  core_.order.completed(step.topic);
-  asked_.reset();
-  say("cancelled", step.topic, script::no_id, {}, step.turn);
-  std::vector<Step> steps;
-  run_body(core_.topic(step.topic).cancelled, step.topic, script::no_id,
-           step.turn, steps);
-  core_.lane.now(std::move(steps));
 }
 
 // -- small things -------------------------------------------------------------

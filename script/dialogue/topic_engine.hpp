@@ -39,6 +39,9 @@ public:
   // All waits in the dialogue lane, and all <confirm>s, are being ended.
   void forget_waits();
   // <consume/> in a reaction to an act.
+  // What a phrase of that act sees where a script's <say> gives no data.
+  Value data_of(const std::string& act, TopicId topic, SlotId slot);
+  void repeat(TurnId turn); // what was heard last
   void consume() {
     consumed_ = true;
   }
@@ -86,9 +89,11 @@ private:
     SlotId about = script::no_id;   // yes_or_no: the slot
     std::shared_ptr<const Act> act; // which_topic: what was said
     OutputId output = 0;
-    bool pending = true;  // still in the output queue
-    bool heard = false;   // released; with neither, it was withdrawn
-    bool repeats = false; // the same words again: not another question
+    bool pending = true;      // still in the output queue
+    bool heard = false;       // released; with neither, it was withdrawn
+    bool repeats = false;     // the same words again: not another question
+    bool interrupted = false; // something else was said since
+    std::uint32_t missed = 0; // times in a row, where there is no slot to count
   };
   struct Query {
     QueryId id = 0;
@@ -100,6 +105,8 @@ private:
   void offer_act(Step step);
   void topic_act(Step step);
   void no_match(Step step);
+  void not_understood(Step step);
+  void no_input(Step step);
   void conclude(Step step);
   void activate(Step step);
   void fill(Step step);
@@ -117,14 +124,32 @@ private:
   void ask_next(Step step);
   void ask_still(Step step);
   void resume_topic(Step step);
+  void ask_again(Step step);
+  void cancel(Step step);
   void cancel_topic(Step step);
 
   // Acts.
+  // To the reactions that listen to source Dialogue; `otherwise` follows
+  // unless one of them keeps it for itself.
+  void offer(std::string command, Value parameter, Step otherwise);
   // Nothing was understood: counts on the question that was asked, which
   // comes again; without one an apology, unless somebody else made it.
   void not_understood(TurnId turn, bool apologise);
+  // The same, offered first to who listens to Dialogue.no_match.
+  void misunderstood(Step step);
   bool is_generic(const Act& act) const;
   void generic_act(const Step& step);
+  // What <repair> says is to be done; false where none does.
+  struct Trouble {
+    const char* act = "";
+    TopicId topic = script::no_id;
+    SlotId slot = script::no_id;
+    std::uint32_t count = 0;
+    TurnId turn = 0;
+  };
+  bool repair(const Trouble& trouble);
+  Value situation(const Trouble& trouble);
+  bool corrects_what_is_done(const Step& step);
   bool answer_to_question(const Step& step);
   void answer_confirm(const Asked& asked, bool yes);
   void settle_confirmed(const Asked& asked, bool yes);
@@ -135,11 +160,11 @@ private:
   void ask_which_again(Asked asked, OutputAct as, TurnId turn);
   // The answer to that: what was said before, about the topic that it names.
   void complete_by_answer(Act& act);
-  void help(TurnId turn);
-  void cancel(TurnId turn);
+  TopicId to_cancel() const;
+  std::vector<TopicId> unfinished() const;
 
   // Topics.
-  void begin_topic(TopicId topic, std::vector<Step>& steps);
+  void begin_topic(TopicId topic, std::vector<Step>& steps, bool keep = false);
   void begin_needs(TopicId topic, std::vector<Step>& steps);
   void suspend(TopicId topic, std::vector<Step>& steps);
   void take_up(TopicId topic);
@@ -172,9 +197,11 @@ private:
     again,        // the one that was withdrawn
     confirmation, // a <confirm>'s, that others were put in front of
     question,     // the current topic's next
+    state,        // nothing is asked, but the state listens to silence
     topic,        // another topic
   };
   Due due() const;
+  bool state_listens() const;
   SlotId to_ask(TopicId topic) const;
   bool waits_for_user(TopicId topic) const;
   void ask_again();
@@ -185,7 +212,8 @@ private:
   void put(Asked asked, const char* act, Value data, std::string text,
            OutputAct as, TurnId turn);
   void reprompt(TurnId turn, bool heard_something);
-  void climb(TopicId topic, SlotId slot, std::uint32_t times, TurnId turn);
+  bool run_own_words(bool heard_something, std::uint32_t times, TurnId turn);
+  std::uint32_t count_miss(bool heard_something);
   void climb_own(TopicId topic, SlotId slot, std::uint32_t times, TurnId turn);
   void repeat_question(TurnId turn);
   Value choices_of(TopicId topic, SlotId slot);
@@ -205,7 +233,10 @@ private:
   std::optional<Query> query_;
   std::uint64_t redirections_ = 0;
   std::vector<Asked> confirms_; // <confirm>s that wait, innermost last
+  std::optional<Act> late_;     // a correction of a completed topic
+  Timestamp completed_at_ = 0;  // the latest one
   int no_input_ = 0;            // unanswered questions in a row
+  std::uint32_t misses_ = 0;    // not understood in a row, nothing being asked
   bool consumed_ = false;
 };
 

@@ -9,6 +9,23 @@
 
 namespace parlour::dialogue {
 
+namespace {
+
+// A constraint that refuses several slots says so once.
+bool told_before(const Step& step, const SlotReport& report) {
+  if (!step.result || report.reason.empty())
+    return false;
+  const auto& reports = step.result->reports;
+  const auto first = std::find_if(
+      reports.begin(), reports.end(), [&](const SlotReport& other) {
+        return other.outcome == SlotOutcome::refused &&
+               other.reason == report.reason;
+      });
+  return first != reports.end() && first->slot != report.slot;
+}
+
+} // namespace
+
 void TopicEngine::fill(Step step) {
   auto changes = changes_of(step);
   request(std::move(step), std::move(changes));
@@ -144,7 +161,7 @@ void TopicEngine::report(Step step) {
   case SlotOutcome::refused:
     if (slot.invalid != script::no_code)
       run_body(slot.invalid, step.topic, step.slot, step.turn, steps);
-    else
+    else if (!told_before(step, report))
       say("invalid", step.topic, step.slot, refusal(step.topic, report),
           step.turn);
     break;

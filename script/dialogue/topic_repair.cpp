@@ -14,75 +14,76 @@ void TopicEngine::no_match(Step step) {
   core_.turns.taken_up(step.turn);
   core_.turns.let_go(step.turn);
   no_input_ = 0;
-  not_understood(step.turn, step.mark == 0);
+  misunderstood(std::move(step));
+}
+
+void TopicEngine::misunderstood(Step step) {
+  consumed_ = false;
+  auto heard = step.act.text;
+  offer("no_match", std::move(heard),
+        make_step(StepKind::not_understood, std::move(step)));
+}
+
+void TopicEngine::not_understood(Step step) {
+  if (!std::exchange(consumed_, false))
+    not_understood(step.turn, step.mark == 0);
 }
 
 void TopicEngine::not_understood(TurnId turn, bool apologise) {
-  if (!asked_ || !asked_->heard) {
-    if (apologise)
-      say("no_match", script::no_id, script::no_id, {}, turn);
+  if (asked_ && asked_->heard) {
+    reprompt(turn, true);
     return;
   }
-  reprompt(turn, true);
+  ++misses_;
+  if (apologise && !repair({.act = "no_match", .turn = turn}))
+    say("no_match", script::no_id, script::no_id, {}, turn);
 }
 
-// The slot's own <nomatch> or <noinput>, else the standard ladder.
+void TopicEngine::no_input(Step step) {
+  if (!std::exchange(consumed_, false) && asked_ && asked_->heard)
+    reprompt(step.turn, false);
+}
+
+// The slot's own <nomatch> or <noinput>, the settings' <ladder>, else the
+// <repair> for it.
 void TopicEngine::reprompt(TurnId turn, bool heard_something) {
-  if (asked_->slot == script::no_id) {
-    repeat_question(turn);
-    return;
-  }
+  const auto times = count_miss(heard_something);
   const auto topic = asked_->topic;
   const auto slot = asked_->slot;
-  FrameChange count;
-  count.kind = heard_something ? FrameChange::Kind::no_match
-                               : FrameChange::Kind::no_input;
-  count.slot = slot;
-  change(topic, std::move(count));
-  const auto& definition = core_.topic(topic).slots[slot];
-  const auto& state = core_.frame(topic).slots[slot];
-  const auto times = heard_something ? state.no_match : state.no_input;
-  auto body = counted_body(
-      heard_something ? definition.no_match : definition.no_input, times);
-  if (body == script::no_code) {
-    climb(topic, slot, times, turn);
+  if (slot != script::no_id && run_own_words(heard_something, times, turn))
     return;
-  }
-  std::vector<Step> steps;
-  run_body(body, topic, slot, turn, steps);
-  core_.lane.now(std::move(steps));
-}
-
-// The settings' <ladder>, a step each time, the last one stays; else the
-// standard one: repeat, rephrase, explain, offer choices, offer a
-// person (engine rule 5).
-void TopicEngine::climb(TopicId topic, SlotId slot, std::uint32_t times,
-                        TurnId turn) {
-  if (!core_.program->ladder.empty()) {
+  if (slot != script::no_id && !core_.program->ladder.empty()) {
     climb_own(topic, slot, times, turn);
     return;
   }
-  const auto& definition = core_.topic(topic).slots[slot];
-  switch (ladder_step(definition, times)) {
-  case LadderStep::repeat:
+  const auto* act = heard_something ? "no_match" : "no_input";
+  if (!repair({act, topic, slot, times, turn}))
     repeat_question(turn);
-    return;
-  case LadderStep::rephrase:
-    break;
-  case LadderStep::explain:
-    say_text(
-        text_of(explain_wording(definition, core_.frame(topic).slots[slot]),
-                topic),
-        turn);
-    break;
-  case LadderStep::offer_choices:
-    say("choices", topic, slot, choices_of(topic, slot), turn);
-    break;
-  case LadderStep::offer_person:
-    say("person", topic, slot, {}, turn);
-    return;
-  }
-  ask_slot(topic, slot, OutputAct::reprompt, turn);
+}
+
+std::uint32_t TopicEngine::count_miss(bool heard_something) {
+  if (asked_->slot == script::no_id)
+    return ++asked_->missed;
+  FrameChange count;
+  count.kind = heard_something ? FrameChange::Kind::no_match
+                               : FrameChange::Kind::no_input;
+  count.slot = asked_->slot;
+  change(asked_->topic, std::move(count));
+  const auto& state = core_.frame(asked_->topic).slots[asked_->slot];
+  return heard_something ? state.no_match : state.no_input;
+}
+
+bool TopicEngine::run_own_words(bool heard_something, std::uint32_t times,
+                                TurnId turn) {
+  const auto& definition = core_.topic(asked_->topic).slots[asked_->slot];
+  auto body = counted_body(
+      heard_something ? definition.no_match : definition.no_input, times);
+  if (body == script::no_code)
+    return false;
+  std::vector<Step> steps;
+  run_body(body, asked_->topic, asked_->slot, turn, steps);
+  core_.lane.now(std::move(steps));
+  return true;
 }
 
 // A step of the application's own ladder, then the question once more, unless
@@ -125,8 +126,19 @@ void TopicEngine::say_text(std::string text, TurnId turn) {
   core_.mouth.say(std::move(what));
 }
 
+// `mark`: in the words that were heard, else in the next.
+void TopicEngine::ask_again(Step step) {
+  if (!asked_)
+    return;
+  if (step.mark != 0 || asked_->purpose != Asked::For::value)
+    repeat_question(step.turn);
+  else
+    ask_slot(asked_->topic, asked_->slot, OutputAct::reprompt, step.turn);
+}
+
 void TopicEngine::repeat_question(TurnId turn) {
   auto asked = *asked_;
+  asked.interrupted = false;
   if (asked.purpose == Asked::For::yes_or_no) {
     auto text = asked.question;
     put(std::move(asked), "confirm", {}, std::move(text), OutputAct::reprompt,

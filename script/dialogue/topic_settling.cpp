@@ -100,6 +100,7 @@ void TopicEngine::finish(Step step) {
 
 void TopicEngine::complete(Step step) {
   set_status(step.topic, TopicStatus::completed);
+  completed_at_ = core_.now;
   core_.order.completed(step.topic);
   if (asked_ && asked_->topic == step.topic)
     asked_.reset();

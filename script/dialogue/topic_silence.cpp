@@ -1,5 +1,6 @@
 // The part of the topic engine for silence: what it leads to, and how
 // unfinished topics are taken up again (engine rule 5, "Which topic next").
+#include <algorithm>
 #include <utility>
 
 #include "script/dialogue/core.hpp"
@@ -15,18 +16,32 @@ constexpr int most_reprompts = 5;
 } // namespace
 
 TopicEngine::Due TopicEngine::due() const {
-  if (asked_ && asked_->heard)
+  if (asked_ && asked_->heard && !asked_->interrupted)
     return no_input_ < most_reprompts ? Due::reprompt : Due::nothing;
   if (asked_)
     return asked_->pending ? Due::nothing : Due::again;
   if (!confirms_.empty())
     return Due::confirmation;
   if (core_.states.pushed())
-    return Due::nothing;
+    return state_listens() ? Due::state : Due::nothing;
   auto current = core_.order.current();
   if (current && to_ask(*current) != script::no_id)
     return Due::question;
-  return core_.order.next() ? Due::topic : Due::nothing;
+  if (core_.order.next())
+    return Due::topic;
+  return state_listens() ? Due::state : Due::nothing;
+}
+
+// The active state says what silence means where nothing is asked.
+bool TopicEngine::state_listens() const {
+  const auto state = core_.states.active();
+  if (state == script::no_id || no_input_ >= most_reprompts)
+    return false;
+  const auto& reactions = core_.program->states[state].messages;
+  return std::any_of(
+      reactions.begin(), reactions.end(), [](const script::Reaction& reaction) {
+        return reaction.source == "Dialogue" && reaction.event == "no_input";
+      });
 }
 
 std::optional<Milliseconds> TopicEngine::silence_wanted() const {
@@ -35,6 +50,7 @@ std::optional<Milliseconds> TopicEngine::silence_wanted() const {
   case Due::nothing:
     return std::nullopt;
   case Due::reprompt:
+  case Due::state:
     return settings.no_input_after;
   default:
     return settings.resume_after;
@@ -47,8 +63,10 @@ void TopicEngine::silence() {
   case Due::nothing:
     return;
   case Due::reprompt:
+  case Due::state:
     ++no_input_;
-    reprompt(0, false);
+    consumed_ = false;
+    offer("no_input", {}, make_step(StepKind::no_input, {}));
     return;
   case Due::again:
     ask_again();

@@ -12,6 +12,7 @@ constexpr std::size_t remembered_questions = 256;
 } // namespace
 
 TurnId Turns::begin() {
+  speech_is_over();
   turns_.emplace(++last_, Turn{});
   return last_;
 }
@@ -75,14 +76,16 @@ std::vector<TurnId> Turns::expire(Timestamp now) {
 }
 
 bool Turns::any_open(Timestamp now) const {
-  return std::any_of(turns_.begin(), turns_.end(), [&](const auto& entry) {
-    const auto& [id, turn] = entry;
-    return !turn.taken && (turn.holders > 0 || asked_until(id, now) > now);
-  });
+  return speaking(now) ||
+         std::any_of(turns_.begin(), turns_.end(), [&](const auto& entry) {
+           const auto& [id, turn] = entry;
+           return !turn.taken &&
+                  (turn.holders > 0 || asked_until(id, now) > now);
+         });
 }
 
 std::optional<Timestamp> Turns::open_until(Timestamp now) const {
-  Timestamp latest = 0;
+  Timestamp latest = speech_until_;
   for (const auto& [id, turn] : turns_) {
     if (turn.taken)
       continue;

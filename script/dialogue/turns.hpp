@@ -21,6 +21,18 @@ class Turns {
 public:
   TurnId begin();
 
+  // The user was heard to speak, though not yet understood: a turn is open
+  // until its result begins it, or this time is over.
+  void speaks(Timestamp until) {
+    speech_until_ = until;
+  }
+  void speech_is_over() {
+    speech_until_ = 0;
+  }
+  bool speaking(Timestamp now) const {
+    return speech_until_ > now;
+  }
+
   // Something works for the turn; nothing happens for turn 0.
   void hold(TurnId turn);
   void let_go(TurnId turn);
@@ -68,6 +80,7 @@ private:
   std::map<TurnId, Turn> turns_;
   std::map<Correlation, Question> questions_;
   TurnId last_ = 0;
+  Timestamp speech_until_ = 0;
 };
 
 } // namespace parlour::dialogue

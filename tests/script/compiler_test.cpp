@@ -118,7 +118,8 @@ TEST(Compiler, brings_the_platform_s_phrases_behind_the_application_s) {
   ASSERT_TRUE(outcome.program) << outcome.lines.at(0);
   ASSERT_GT(outcome.program->phrases.size(), 10u);
   EXPECT_EQ(outcome.program->phrases[0].act, "greet");
-  EXPECT_THAT(outcome.program->settings.libraries, ElementsAre("phrases-en"));
+  EXPECT_THAT(outcome.program->settings.libraries,
+              ElementsAre("phrases-en", "repair"));
 }
 
 TEST(Compiler, tells_what_cannot_be_read) {

@@ -54,9 +54,10 @@ private:
       if (text.substr(0, word.size()) == word && ends(text, word))
         return (this->*handler)(trimmed(text.substr(word.size())));
     const auto first = text.substr(0, text.find_first_of(" \t"));
-    error("unknown directive " + in_quotes(first) +
-          script::did_you_mean(first, directives) +
-          "; expected U:, R:, R~, wait, event, expect, clock, seed or #");
+    error(
+        "unknown directive " + in_quotes(first) +
+        script::did_you_mean(first, directives) +
+        "; expected U:, R:, R~, P:, B:, wait, event, expect, clock, seed or #");
   }
 
   // A directive of letters ends at a blank, U: and R~ by themselves.
@@ -185,13 +186,19 @@ private:
       error("seed stands before the first turn");
   }
 
-  void partial(std::string_view) {
-    error("P: (a partial result) is not available yet: turn-taking by voice "
-          "is not there");
+  void partial(std::string_view rest) {
+    words(StepKind::partial, rest, "P: needs what the user is just saying");
   }
-  void barge_in(std::string_view) {
-    error("B: (a turn that barges in) is not available yet: turn-taking by "
-          "voice is not there");
+  void barge_in(std::string_view rest) {
+    auto& made = step(StepKind::barge_in);
+    if (rest.substr(0, 1) == "[") {
+      const auto end = rest.find(']');
+      if (end == std::string_view::npos)
+        return error("B: [words heard] is left open");
+      made.target = trimmed(rest.substr(1, end - 1));
+      rest = trimmed(rest.substr(end + 1));
+    }
+    made.text = rest;
   }
 
   Step& step(StepKind kind) {

@@ -7,7 +7,11 @@
 //   event SOURCE COMMAND param…   expect post MODULE COMMAND param…
 //   expect slot Topic.Slot = value            expect state NAME
 //   expect sql QUERY = value
+//   P: what the user is just saying      B: [words heard] what the user says
 //
+// `P:` is a partial result: somebody is speaking. `B:` breaks in on what the
+// robot said last, of which only the words in brackets were heard (without, no
+// word); without anything after them it is a noise that nothing comes of.
 // Parameters and values are numbers, true, false, unknown, or text, quoted
 // where it has blanks; `*` as a parameter matches anything. Of `expect post`
 // the parameters that are given are compared; a message may have more.
@@ -27,6 +31,8 @@ namespace parlour::tools {
 
 enum class StepKind : std::uint8_t {
   user,
+  partial,
+  barge_in,
   robot,
   robot_pattern,
   wait,
@@ -44,7 +50,7 @@ struct Step {
   std::uint32_t line = 0;
   std::string written;       // the line itself, for reports
   std::string text;          // words, pattern, state, query, slot's topic
-  std::string target;        // source, module; of a slot its name
+  std::string target;        // source, module; slot's name; words heard
   std::string command;       // of an event or a post
   std::vector<Value> params; // of an event or a post
   Value value;               // expected

@@ -61,6 +61,7 @@ private:
     seat_ = node_->open_seat(
         {[this](const SessionId&, const dialogue::Output& output) {
            outputs_.push_back(as_one_line(output.text));
+           last_output_ = output.id;
          },
          {}});
     session_ = node_->open(seat_);
@@ -108,6 +109,10 @@ private:
       return clock(step);
     case StepKind::event:
       return event(step);
+    case StepKind::partial:
+      return partial(step);
+    case StepKind::barge_in:
+      return barge_in(step);
     case StepKind::expect_post:
       return expect_post(step);
     case StepKind::expect_slot:
@@ -119,6 +124,43 @@ private:
     case StepKind::user:
       break;
     }
+    return true;
+  }
+
+  // Somebody is speaking, while the row before it is still being dealt with.
+  bool partial(const Step& step) {
+    result_.said.push_back("P: " + step.text);
+    return inject(step, "ASR", "Partial", {step.text, 1});
+  }
+
+  // The speaker tells what was heard of its last words, then comes the turn.
+  bool barge_in(const Step& step) {
+    node_->run_until_quiet();
+    remember_session();
+    if (!nothing_left(step.line, step.written))
+      return false;
+    posts_.clear();
+    result_.said.push_back(step.written);
+    const auto id = static_cast<std::int64_t>(last_output_);
+    if (!inject(step, "VAD", "SpeechStarted", {0}) ||
+        !inject(step, "Speaker", "Finished", {id, 0, true, step.target}))
+      return false;
+    if (!step.text.empty())
+      row_.push_back(step.text);
+    enter_row();
+    return true;
+  }
+
+  bool inject(const Step& step, std::string source, std::string command,
+              std::vector<Value> params) {
+    const auto session = node_->session_at(seat_);
+    if (session.empty())
+      return fail_at(step.line, step.written, "no session is open");
+    Message message;
+    message.source = std::move(source);
+    message.command = std::move(command);
+    message.params = std::move(params);
+    node_->inject(session, std::move(message));
     return true;
   }
 
@@ -204,15 +246,7 @@ private:
   }
 
   bool event(const Step& step) {
-    const auto session = node_->session_at(seat_);
-    if (session.empty())
-      return fail_at(step.line, step.written, "no session is open");
-    Message message;
-    message.source = step.target;
-    message.command = step.command;
-    message.params = step.params;
-    node_->inject(session, std::move(message));
-    return true;
+    return inject(step, step.target, step.command, step.params);
   }
 
   // -- expectations -----------------------------------------------------------
@@ -310,6 +344,7 @@ private:
   std::vector<std::shared_ptr<const Message>> posts_; // since the last U
   std::shared_ptr<const Message> answer_;             // to `expect sql`
   std::vector<std::string> row_;
+  dialogue::OutputId last_output_ = 0;
   actors::SeatId seat_;
   SessionId session_;
   std::optional<DataFolder> data_; // outlives the node

@@ -49,7 +49,8 @@ TEST(Acts, MayComeAsOneMapOrAListInAList) {
 TEST(Acts, KnowEveryKindByItsName) {
   for (const auto* name :
        {"inform", "request", "confirm", "deny", "correct", "help", "repeat",
-        "cancel", "restart", "greet", "bye", "thank"}) {
+        "cancel", "restart", "greet", "bye", "thank", "explain", "options",
+        "rephrase", "abandon", "person"}) {
     auto parsed = parse_acts(one({{"act", name}}));
     ASSERT_EQ(parsed.acts.size(), 1u) << name;
     EXPECT_EQ(name_of(parsed.acts[0].kind), name);

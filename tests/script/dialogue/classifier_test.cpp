@@ -49,6 +49,34 @@ TEST_F(Classifier, PreferenceDecidesBetweenTopicsWithTheSlot) {
   EXPECT_EQ(of(act({"Time"})), app.taxi);
 }
 
+TEST_F(Classifier, WhatIsSaidInPassingIsAboutWhatRests) {
+  auto passing = act({"Time"}, "Appointment");
+  passing.elliptical = true;
+  passing.confidence = 1;
+  passing.alternatives = {act({"Location"}, "Facility")};
+  passing.alternatives[0].confidence = 0.95;
+  auto nothing_rests = passing;
+  prefer_resting(app.program, nothing_rests, context);
+  EXPECT_EQ(nothing_rests.topic, "Appointment");
+  context.resting = app.facility;
+  auto full = passing;
+  full.elliptical = false;
+  prefer_resting(app.program, full, context);
+  EXPECT_EQ(full.topic, "Appointment");
+  auto far = passing;
+  far.alternatives[0].confidence = 0.8;
+  prefer_resting(app.program, far, context);
+  EXPECT_EQ(far.topic, "Appointment");
+  auto asked = passing;
+  context.asked = app.appointment;
+  prefer_resting(app.program, asked, context);
+  EXPECT_EQ(asked.topic, "Appointment");
+  context.asked = script::no_id;
+  prefer_resting(app.program, passing, context);
+  EXPECT_EQ(passing.topic, "Facility");
+  EXPECT_TRUE(clarify(app.program, passing, context).empty());
+}
+
 TEST_F(Classifier, MoreOfTheSlotsWin) {
   context.asked = app.taxi;
   EXPECT_EQ(of(act({"Time", "Host"})), app.appointment);

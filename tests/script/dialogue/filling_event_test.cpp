@@ -256,6 +256,16 @@ TEST_F(Filling, TheOtherOfTwoIsMeantWhenOneIsDenied) {
   EXPECT_EQ(slot(host).value, Value("Tan Bee Hoon"));
 }
 
+TEST_F(Filling, APartOfANameDeniesTheOneThatHasIt) {
+  auto both = fill(host, {});
+  both.candidates = {"Tan Ah Kow", "Tan Bee Hoon"};
+  change({both});
+  change({make(Kind::deny, host, "Tan")}); // both have it: which is not told
+  EXPECT_EQ(slot(host).candidates.size(), 2u);
+  change({make(Kind::deny, host, "Ah Kow")});
+  EXPECT_EQ(slot(host).value, Value("Tan Bee Hoon"));
+}
+
 TEST_F(Filling, AnAnswerOverADefaultIsNoCorrection) {
   app.program.topics[topic].slots[start].initial = app.text("09:00");
   frame = app.frame(topic);

@@ -13,7 +13,10 @@ struct FramesOfASession : testing::Test {
           <topic name="Plain"><slot name="A" expr="'a'"/><slot name="B"/>
           </topic>
           <topic name="Bound"><slot name="A"/>
-            <constraint cond="this.A ge first" message="no"/></topic>)xml"),
+            <constraint cond="this.A ge first" message="no"/></topic>
+          <topic name="Begun"><slot name="A" expr="first + 1"/></topic>
+          <topic name="Chosen"><slot name="A"><cardinality type="set">
+            <value expr="first + 1"/></cardinality></slot></topic>)xml"),
         interpreter(world.program), frames(*world.program, interpreter) {
     interpreter.set_variable(0, 1);
   }
@@ -50,6 +53,12 @@ TEST_F(FramesOfASession, TheFirstRequestBringsTheFrame) {
   EXPECT_EQ(request.now, 5);
   EXPECT_EQ(request.changes.size(), 1u);
   EXPECT_EQ(request.variables, nullptr);
+}
+
+TEST_F(FramesOfASession, VariablesTravelWhereTheTopicReadsThem) {
+  EXPECT_TRUE(frames.request(1, {}, 0).variables); // by a constraint
+  EXPECT_TRUE(frames.request(2, {}, 0).variables); // by an initial value
+  EXPECT_TRUE(frames.request(3, {}, 0).variables); // by what a slot takes
 }
 
 TEST_F(FramesOfASession, LaterOnesTellWhatChangedHere) {

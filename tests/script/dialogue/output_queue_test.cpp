@@ -119,6 +119,17 @@ TEST(OutputQueue, RemembersTheLastRobotTurn) {
   EXPECT_EQ(queue.last_turn(), (Texts{"b"}));
 }
 
+TEST(OutputQueue, OfWhatWasBrokenOffOnlyWhatWasHeardIsRemembered) {
+  OutputQueue queue;
+  const auto first = queue.push(make(OutputAct::answer, "two shops here"));
+  const auto second = queue.push(make(OutputAct::question, "When?"));
+  queue.release(false);
+  ASSERT_TRUE(queue.cut(first, "two"));
+  EXPECT_EQ(queue.cut(second, "")->text, "When?");
+  EXPECT_FALSE(queue.cut(99, ""));
+  EXPECT_EQ(queue.last_turn(), (Texts{"two"}));
+}
+
 } // namespace
 
 } // namespace parlour::dialogue

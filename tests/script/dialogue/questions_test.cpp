@@ -58,26 +58,6 @@ TEST(Questions, ABodyHoldsFromItsCountOn) {
   EXPECT_EQ(counted_body({}, 1), no_code);
 }
 
-TEST(Questions, TheLadderIsClimbedAndItsTopStays) {
-  const std::vector<const char*> steps{"repeat",       "rephrase",
-                                       "explain",      "offer_choices",
-                                       "offer_person", "offer_person"};
-  for (std::uint32_t i = 0; i < steps.size(); ++i)
-    EXPECT_EQ(name_of(ladder_step(i + 1)), steps[i]);
-  EXPECT_EQ(ladder_step(0), LadderStep::repeat);
-}
-
-TEST(Questions, WhatASlotHasNothingForIsRephrased) {
-  script::Slot slot;
-  EXPECT_EQ(ladder_step(slot, 3), LadderStep::rephrase);
-  EXPECT_EQ(ladder_step(slot, 4), LadderStep::rephrase);
-  EXPECT_EQ(ladder_step(slot, 5), LadderStep::offer_person);
-  slot.explain = {1};
-  slot.cardinality.values = {2};
-  EXPECT_EQ(ladder_step(slot, 3), LadderStep::explain);
-  EXPECT_EQ(ladder_step(slot, 4), LadderStep::offer_choices);
-}
-
 } // namespace
 
 } // namespace parlour::dialogue

@@ -55,7 +55,7 @@ public:
   }
 
   void step() {
-    switch (any(8)) {
+    switch (any(9)) {
     case 0:
       world.event("Bell", pick({"Rings", "Stops", "Asks", "Waits", "Times"}));
       break;
@@ -65,7 +65,11 @@ public:
       break;
     case 3:
       world.say(pick({"help", "repeat", "cancel", "restart", "greet", "thank",
-                      "confirm", "deny"}));
+                      "confirm", "deny", "explain", "options", "rephrase",
+                      "abandon", "person"}));
+      break;
+    case 5: // somebody is heard, who may say nothing
+      world.event("Keyboard", pick({"Partial", "Rejected"}), {"er"});
       break;
     case 4:
       world.hold_queries = !world.hold_queries;

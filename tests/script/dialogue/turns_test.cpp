@@ -65,6 +65,20 @@ TEST(Turns, NeverGrowWithoutBound) {
   EXPECT_LE(turns.count(), 300u);
 }
 
+TEST(Turns, WhoIsHeardToSpeakHasATurnForAWhile) {
+  Turns turns;
+  turns.speaks(100);
+  EXPECT_TRUE(turns.any_open(99));
+  EXPECT_EQ(turns.open_until(0), 100);
+  EXPECT_FALSE(turns.any_open(100));
+  turns.speaks(200);
+  turns.speech_is_over();
+  EXPECT_FALSE(turns.any_open(101));
+  turns.speaks(200);
+  turns.taken_up(turns.begin()); // its result
+  EXPECT_FALSE(turns.any_open(101));
+}
+
 TEST(Turns, NoTurnIsNothing) {
   Turns turns;
   turns.hold(0);

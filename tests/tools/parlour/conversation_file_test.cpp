@@ -156,12 +156,23 @@ TEST(ConversationFile, refuses_a_seed_after_the_first_turn) {
                           "turn"));
 }
 
-TEST(ConversationFile, says_what_is_not_available_yet) {
-  EXPECT_THAT(errors_of("P: I am\nB: stop"),
-              ElementsAre(testing::HasSubstr("P: (a partial result) is not "
-                                             "available yet"),
-                          testing::HasSubstr("B: (a turn that barges in) is "
-                                             "not available yet")));
+TEST(ConversationFile, reads_partials_and_turns_that_barge_in) {
+  const auto steps = parse_conversation("P: I am\nB: stop\nB: [Good day] no\n"
+                                        "B: [Good day]",
+                                        "one.txt")
+                         .conversation.steps;
+  ASSERT_EQ(steps.size(), 4u);
+  EXPECT_EQ(steps[0].kind, StepKind::partial);
+  EXPECT_EQ(steps[0].text, "I am");
+  EXPECT_EQ(steps[1].kind, StepKind::barge_in);
+  EXPECT_EQ(steps[1].text, "stop");
+  EXPECT_EQ(steps[1].target, "");
+  EXPECT_EQ(steps[2].text, "no");
+  EXPECT_EQ(steps[2].target, "Good day");
+  EXPECT_EQ(steps[3].text, "");
+  EXPECT_THAT(errors_of("P:\nB: [Good"),
+              ElementsAre(testing::HasSubstr("P: needs"),
+                          testing::HasSubstr("left open")));
 }
 
 TEST(ReadConversation, reports_a_file_that_is_not_there) {

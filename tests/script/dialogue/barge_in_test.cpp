@@ -1,0 +1,101 @@
+// Somebody breaks in on what is being said (engine rule 3).
+#include <gtest/gtest.h>
+
+#include "tests/script/dialogue/conversation_world.hpp"
+
+namespace parlour::dialogue {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr const char* welcome = R"xml(
+  <state name="Welcome"><Entrance>
+    <speak param="Good morning, how can I help you?" interrupt="{X}"/>
+  </Entrance></state>
+  <topic name="Taxi"><slot name="Place" type="Functional" question="Where?"/>
+  </topic>)xml";
+
+class BargeIn : public testing::Test {
+protected:
+  void begin(const char* interrupt = "true") {
+    std::string script = welcome;
+    script.replace(script.find("{X}"), 3, interrupt);
+    WorldOptions options;
+    options.start = "Welcome";
+    options.open = false;
+    world_ = std::make_unique<World>(script, options);
+    world_->components["Loudspeaker"] = {"Speaker"};
+    world_->components["Ears"] = {"VAD"};
+    world_->hold_outputs = true;
+    world_->open();
+    EXPECT_EQ(world_->said(), Texts{"Good morning, how can I help you?"});
+  }
+  void speaker_heard(const char* words) {
+    world_->playing.clear();
+    world_->event("Loudspeaker", "Finished", {1, 0, true, words});
+    world_->hold_outputs = false;
+  }
+
+  std::unique_ptr<World> world_;
+};
+
+TEST_F(BargeIn, StopsTheSpeaker) {
+  begin();
+  world_->event("Ears", "SpeechStarted");
+  EXPECT_EQ(world_->posted(), Texts{"Speaker.Stop()"});
+}
+
+TEST_F(BargeIn, NotWhereItMayNotBeInterrupted) {
+  begin("false");
+  world_->event("Ears", "SpeechStarted");
+  EXPECT_EQ(world_->posted(), Texts{});
+}
+
+TEST_F(BargeIn, OnlyWhatWasHeardIsRepeated) {
+  begin();
+  world_->event("Ears", "SpeechStarted");
+  speaker_heard("Good morning");
+  world_->say("repeat");
+  EXPECT_EQ(world_->said(), Texts{"Good morning"});
+}
+
+TEST_F(BargeIn, WhatNobodyHeardCannotBeRepeated) {
+  begin();
+  world_->event("Ears", "SpeechStarted");
+  speaker_heard("");
+  world_->say("repeat");
+  EXPECT_EQ(world_->said(), Texts{"[repeat_nothing]"});
+}
+
+TEST_F(BargeIn, ANoiseIsFollowedByTheSameOnceMore) {
+  begin();
+  world_->event("Ears", "SpeechStarted");
+  speaker_heard("Good");
+  world_->advance(1900ms);
+  EXPECT_EQ(world_->said(), Texts{});
+  world_->advance(100ms);
+  EXPECT_EQ(world_->said(), Texts{"Good morning, how can I help you?"});
+  world_->advance(20s);
+  EXPECT_EQ(world_->said(), Texts{});
+}
+
+TEST_F(BargeIn, WhatTheRecogniserRejectsIsANoise) {
+  begin();
+  world_->event("Ears", "SpeechStarted");
+  speaker_heard("Good");
+  world_->event("Keyboard", "Rejected", {"noise"});
+  EXPECT_EQ(world_->said(), Texts{"Good morning, how can I help you?"});
+}
+
+TEST_F(BargeIn, WhoBreaksInIsAnswered) {
+  begin();
+  world_->event("Ears", "SpeechStarted");
+  speaker_heard("Good");
+  world_->say(inform("Taxi", {}));
+  EXPECT_EQ(world_->said(), Texts{"Where?"});
+  world_->advance(5s);
+  EXPECT_EQ(world_->said(), Texts{});
+}
+
+} // namespace
+} // namespace parlour::dialogue

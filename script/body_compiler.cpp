@@ -30,7 +30,7 @@ BodyCompiler::BodyCompiler(Program& program, const Names& names,
 
 CodeId BodyCompiler::body(const Element& parent, const BodyContext& context,
                           const std::vector<std::string>& parameters,
-                          const std::vector<std::string>& except) {
+                          ElementNames except) {
   CodeBuilder builder(program_, names_, findings_, context);
   builder.at(parent.position);
   declare(builder, parameters);

@@ -4,8 +4,10 @@
 // must be registered in Names before.
 #pragma once
 
+#include <initializer_list>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "script/findings.hpp"
@@ -32,6 +34,8 @@ struct Names {
   std::map<std::string, Position, std::less<>> handlers;
 };
 
+using ElementNames = std::initializer_list<std::string_view>;
+
 // Where a body stands.
 struct BodyContext {
   const Topic* topic = nullptr;             // `this` is its frame
@@ -50,7 +54,7 @@ public:
   // `except`), as code without parameters or with the given ones.
   CodeId body(const Element& parent, const BodyContext& context,
               const std::vector<std::string>& parameters = {},
-              const std::vector<std::string>& except = {});
+              ElementNames except = {});
   // A <function>: its <param>s and statements, into the reserved code.
   void function(const Element& element, CodeId reserved,
                 const BodyContext& context);

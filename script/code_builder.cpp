@@ -55,7 +55,7 @@ CodeBuilder::CodeBuilder(Program& shared_program, const Names& all_names,
                          Findings& all_findings, BodyContext body_context)
     : program(shared_program), names(all_names), findings(all_findings),
       context(std::move(body_context)) {
-  code.name = context.name;
+  code.name = std::move(context.name);
   code.instructions.reserve(16);
   code.positions.reserve(16);
 }

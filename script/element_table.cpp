@@ -1,12 +1,13 @@
 #include "script/element_table.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <sstream>
 
 namespace parlour::script {
 
 namespace {
+
+constexpr std::string_view any_name = "*";
 
 std::vector<std::string> words_of(const char* text) {
   std::istringstream stream(text);
@@ -38,14 +39,6 @@ std::vector<ElementRule> read_table() {
   return all;
 }
 
-std::string with_small_letter(std::string_view name) {
-  std::string small(name);
-  if (!small.empty())
-    small[0] =
-        static_cast<char>(std::tolower(static_cast<unsigned char>(small[0])));
-  return small;
-}
-
 bool overlap(const std::vector<std::string>& a,
              const std::vector<std::string>& b) {
   return std::any_of(a.begin(), a.end(), [&](const auto& one) {
@@ -54,7 +47,8 @@ bool overlap(const std::vector<std::string>& a,
 }
 
 void add_once(std::vector<std::string>& names, const std::string& name) {
-  if (name != "*" && std::find(names.begin(), names.end(), name) == names.end())
+  if (name != any_name &&
+      std::find(names.begin(), names.end(), name) == names.end())
     names.push_back(name);
 }
 
@@ -72,7 +66,7 @@ std::string_view sentence_of(AttributeKind kind) {
 const AttributeRule*
 ElementRule::attribute(std::string_view attribute_name) const {
   for (const auto& rule : attributes)
-    if (rule.name == attribute_name || rule.name == "*")
+    if (rule.name == attribute_name || rule.name == any_name)
       return &rule;
   return nullptr;
 }
@@ -94,16 +88,16 @@ const std::vector<ElementRule>& element_table() {
     for (auto& parent : all)
       for (const auto& rule : all)
         if (overlap(rule.in, parent.holds))
-          parent.inside.emplace(with_small_letter(rule.name), &rule);
+          parent.inside.emplace(rule.name, &rule);
     return all;
   }();
   return table;
 }
 
 const ElementRule* ElementRule::child(std::string_view child_name) const {
-  auto found = inside.find(with_small_letter(child_name));
+  auto found = inside.find(child_name);
   if (found == inside.end())
-    found = inside.find("*");
+    found = inside.find(any_name);
   return found == inside.end() ? nullptr : found->second;
 }
 
@@ -115,7 +109,7 @@ const ElementRule* find_rule(std::string_view name,
       continue;
     if (same_name(rule.name, name))
       return &rule;
-    if (rule.name == "*")
+    if (rule.name == any_name)
       any = &rule;
   }
   return any;

@@ -4,10 +4,9 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
-#include <unordered_map>
 #include <vector>
 
-#include "script/source.hpp"
+#include "script/by_name.hpp"
 
 namespace parlour::script {
 
@@ -57,9 +56,8 @@ struct ElementRule {
   bool available = true;
   std::string sentence;
   std::vector<AttributeRule> attributes;
-  // The rules of what may stand inside, by names with a small first letter;
-  // known in element_table() only.
-  std::unordered_map<std::string, const ElementRule*> inside = {};
+  // The rules of what may stand inside; known in element_table() only.
+  ByName<const ElementRule*> inside = {};
 
   // The rule of an element in here; null where it may not stand here.
   const ElementRule* child(std::string_view child_name) const;

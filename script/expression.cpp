@@ -2,10 +2,9 @@
 // (language rule 3).
 #include "script/expression.hpp"
 
-#include <algorithm>
-#include <array>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "script/lexer.hpp"
 
@@ -13,34 +12,11 @@ namespace parlour::script {
 
 namespace {
 
+// Signs of operators are numbered as operators.
+static_assert(static_cast<int>(Sign::modulo) ==
+              static_cast<int>(Operator::modulo));
+
 constexpr int deepest = 200;
-
-struct Spelling {
-  std::string_view text;
-  Operator operation;
-};
-
-constexpr std::array comparisons{Spelling{"==", Operator::equal},
-                                 Spelling{"eq", Operator::equal},
-                                 Spelling{"!=", Operator::unequal},
-                                 Spelling{"ne", Operator::unequal},
-                                 Spelling{"<", Operator::less},
-                                 Spelling{"lt", Operator::less},
-                                 Spelling{"<=", Operator::less_equal},
-                                 Spelling{"le", Operator::less_equal},
-                                 Spelling{">", Operator::greater},
-                                 Spelling{"gt", Operator::greater},
-                                 Spelling{">=", Operator::greater_equal},
-                                 Spelling{"ge", Operator::greater_equal},
-                                 Spelling{"in", Operator::in}};
-constexpr std::array sums{Spelling{"+", Operator::add},
-                          Spelling{"-", Operator::subtract}};
-constexpr std::array products{Spelling{"*", Operator::multiply},
-                              Spelling{"/", Operator::divide},
-                              Spelling{"%", Operator::modulo}};
-constexpr std::array<std::string_view, 13> reserved{
-    "and", "or", "not", "eq",   "ne",    "lt",     "le",
-    "gt",  "ge", "in",  "true", "false", "unknown"};
 
 constexpr int longest_row = 2000; // of operators; a tree as deep as that
 
@@ -57,23 +33,18 @@ std::string unexpected(const Token& token) {
 
 class Parser {
 public:
-  explicit Parser(std::string_view text) : lexed_(tokenize(text)) {
-    if (!lexed_.error.empty())
-      fail(lexed_.error, lexed_.error_offset);
-    if (lexed_.tokens.empty() || lexed_.tokens.back().kind != TokenKind::end)
-      lexed_.tokens.emplace_back();
-  }
+  explicit Parser(std::string_view text)
+      : lexer_(text), token_(lexer_.next()) {}
 
   Parsed whole() {
-    auto node = failed() ? nullptr : choice();
-    return finish(std::move(node));
+    return finish(choice());
   }
 
   Parsed arguments() {
     auto node = make(NodeKind::list, 0);
     while (!failed() && peek().kind != TokenKind::end) {
       add(node, choice());
-      if (!accept(","))
+      if (!accept(Sign::comma))
         break;
     }
     return finish(std::move(node));
@@ -82,11 +53,16 @@ public:
 private:
   using Level = NodePointer (Parser::*)();
 
+  // What can be no token is told first, wherever it stands.
   Parsed finish(NodePointer node) {
     if (peek().kind != TokenKind::end)
       fail(unexpected(peek()), peek().offset);
+    while (peek().kind != TokenKind::end)
+      take();
+    if (!lexer_.error().empty())
+      return {nullptr, lexer_.error(), lexer_.error_offset()};
     if (failed())
-      return {nullptr, error_, error_offset_};
+      return {nullptr, std::move(error_), error_offset_};
     return {std::move(node), {}, 0};
   }
 
@@ -100,28 +76,25 @@ private:
     }
   }
   const Token& peek() const {
-    return lexed_.tokens[at_];
+    return token_;
   }
-  const Token& take() {
-    const auto& token = lexed_.tokens[at_];
-    if (token.kind != TokenKind::end)
-      ++at_;
-    return token;
+  Token take() {
+    return token_.kind == TokenKind::end ? token_
+                                         : std::exchange(token_, lexer_.next());
   }
-  bool is(std::string_view text) const {
-    const auto& token = peek();
-    return (token.kind == TokenKind::symbol || token.kind == TokenKind::word) &&
-           token.text[0] == text[0] && token.text == text;
+  bool is(Sign sign) const {
+    return token_.sign == sign;
   }
-  bool accept(std::string_view text) {
-    if (!is(text))
+  bool accept(Sign sign) {
+    if (!is(sign))
       return false;
     take();
     return true;
   }
-  void expect(std::string_view text) {
-    if (!accept(text))
-      fail("'" + std::string(text) + "' is missing", peek().offset);
+  void expect(Sign sign) {
+    if (!accept(sign))
+      fail("'" + std::string(spelling_of(sign)) + "' is missing",
+           peek().offset);
   }
   void count_link() {
     if (++links_ > longest_row)
@@ -139,11 +112,11 @@ private:
       return nullptr;
     auto condition = logical(0);
     const auto offset = peek().offset;
-    if (!failed() && accept("?")) {
+    if (!failed() && accept(Sign::question)) {
       auto node = make(NodeKind::choice, offset);
       add(node, std::move(condition));
       add(node, choice());
-      expect(":");
+      expect(Sign::colon);
       add(node, choice());
       condition = std::move(node);
     }
@@ -155,10 +128,9 @@ private:
   NodePointer logical(int level) {
     if (level == 2)
       return inversion();
-    const auto* word = level == 0 ? "or" : "and";
-    const auto* sign = level == 0 ? "||" : "&&";
+    const auto sign = level == 0 ? Sign::either : Sign::both;
     auto left = logical(level + 1);
-    while (!failed() && (is(word) || is(sign))) {
+    while (!failed() && is(sign)) {
       count_link();
       auto node =
           make(level == 0 ? NodeKind::either : NodeKind::both, take().offset);
@@ -170,7 +142,7 @@ private:
   }
 
   NodePointer inversion() {
-    if (!is("not") && !is("!"))
+    if (!is(Sign::invert))
       return comparison();
     auto node = make(NodeKind::invert, take().offset);
     if (++depth_ > deepest)
@@ -180,12 +152,14 @@ private:
     return node;
   }
 
-  template <std::size_t size>
-  std::optional<Operator> one_of(const std::array<Spelling, size>& spellings) {
-    for (const auto& spelling : spellings)
-      if (is(spelling.text))
-        return spelling.operation;
-    return {};
+  // The operator that stands here, of a row of them.
+  std::optional<Operator> one_of(Sign first, Sign last) const {
+    if (token_.sign < first || token_.sign > last)
+      return {};
+    return static_cast<Operator>(token_.sign);
+  }
+  std::optional<Operator> comparing() const {
+    return one_of(Sign::equal, Sign::in);
   }
 
   NodePointer binary(Operator operation, NodePointer left, Level right) {
@@ -199,11 +173,11 @@ private:
 
   NodePointer comparison() {
     auto left = sum();
-    const auto operation = one_of(comparisons);
+    const auto operation = comparing();
     if (failed() || !operation)
       return left;
     left = binary(*operation, std::move(left), &Parser::sum);
-    if (one_of(comparisons))
+    if (comparing())
       fail("comparisons do not chain; join them with 'and'", peek().offset);
     return left;
   }
@@ -211,7 +185,7 @@ private:
   NodePointer sum() {
     auto left = product();
     while (!failed()) {
-      const auto operation = one_of(sums);
+      const auto operation = one_of(Sign::add, Sign::subtract);
       if (!operation)
         break;
       left = binary(*operation, std::move(left), &Parser::product);
@@ -222,7 +196,7 @@ private:
   NodePointer product() {
     auto left = negation();
     while (!failed()) {
-      const auto operation = one_of(products);
+      const auto operation = one_of(Sign::multiply, Sign::modulo);
       if (!operation)
         break;
       left = binary(*operation, std::move(left), &Parser::negation);
@@ -231,7 +205,7 @@ private:
   }
 
   NodePointer negation() {
-    if (!is("-"))
+    if (!is(Sign::subtract))
       return access();
     auto node = make(NodeKind::negate, take().offset);
     if (++depth_ > deepest)
@@ -261,15 +235,15 @@ private:
     auto node = primary();
     while (!failed()) {
       const auto offset = peek().offset;
-      if (is("[") || is("."))
+      if (is(Sign::open_square) || is(Sign::point))
         count_link();
-      if (accept("[")) {
+      if (accept(Sign::open_square)) {
         auto outer = make(NodeKind::index, offset);
         add(outer, std::move(node));
         add(outer, choice());
-        expect("]");
+        expect(Sign::close_square);
         node = std::move(outer);
-      } else if (accept(".")) {
+      } else if (accept(Sign::point)) {
         auto outer = make(NodeKind::field, peek().offset);
         if (peek().kind != TokenKind::word)
           fail("a name is missing after '.'", peek().offset);
@@ -301,7 +275,7 @@ private:
   }
 
   NodePointer literal() {
-    const auto& token = take();
+    const auto token = take();
     const auto kind = token.kind == TokenKind::integer  ? NodeKind::integer
                       : token.kind == TokenKind::number ? NodeKind::number
                                                         : NodeKind::string;
@@ -313,47 +287,47 @@ private:
   }
 
   NodePointer word() {
-    const auto& token = take();
-    if (token.text == "unknown")
+    const auto token = take();
+    if (token.sign == Sign::unknown)
       return make(NodeKind::unknown, token.offset);
-    if (token.text == "true" || token.text == "false") {
+    if (token.sign == Sign::truth || token.sign == Sign::falsehood) {
       auto node = make(NodeKind::boolean, token.offset);
-      node->flag = token.text == "true";
+      node->flag = token.sign == Sign::truth;
       return node;
     }
-    if (is_reserved(token.text))
+    if (token.sign != Sign::none)
       fail(unexpected(token), token.offset);
     auto node = make(NodeKind::name, token.offset);
     node->text = token.text;
-    if (accept("(")) {
+    if (accept(Sign::open_round)) {
       node->kind = NodeKind::call;
-      elements(node, ")");
+      elements(node, Sign::close_round);
     }
     return node;
   }
 
   // A trailing comma is allowed (language rule 7).
-  void elements(NodePointer& node, std::string_view close) {
+  void elements(NodePointer& node, Sign close) {
     while (!failed() && !accept(close)) {
       add(node, choice());
       if (!is(close))
-        expect(",");
+        expect(Sign::comma);
     }
   }
 
   NodePointer bracketed() {
     const auto offset = peek().offset;
-    if (accept("(")) {
+    if (accept(Sign::open_round)) {
       auto node = choice();
-      expect(")");
+      expect(Sign::close_round);
       return node;
     }
-    if (accept("[")) {
+    if (accept(Sign::open_square)) {
       auto node = make(NodeKind::list, offset);
-      elements(node, "]");
+      elements(node, Sign::close_square);
       return node;
     }
-    if (accept("{"))
+    if (accept(Sign::open_curly))
       return map(offset);
     fail(unexpected(peek()), offset);
     return nullptr;
@@ -361,22 +335,22 @@ private:
 
   NodePointer map(std::uint32_t offset) {
     auto node = make(NodeKind::map, offset);
-    while (!failed() && !accept("}")) {
-      const auto& key = take();
+    while (!failed() && !accept(Sign::close_curly)) {
+      const auto key = take();
       if (key.kind != TokenKind::string && key.kind != TokenKind::word &&
           key.kind != TokenKind::integer)
         fail("a key is missing", key.offset);
       node->keys.emplace_back(key.text);
-      expect(":");
+      expect(Sign::colon);
       add(node, choice());
-      if (!is("}"))
-        expect(",");
+      if (!is(Sign::close_curly))
+        expect(Sign::comma);
     }
     return node;
   }
 
-  Tokens lexed_;
-  std::size_t at_ = 0;
+  Lexer lexer_;
+  Token token_; // the next one
   int depth_ = 0;
   int links_ = 0;
   std::string error_;
@@ -386,7 +360,7 @@ private:
 } // namespace
 
 bool is_reserved(std::string_view word) {
-  return std::find(reserved.begin(), reserved.end(), word) != reserved.end();
+  return sign_of_word(word) != Sign::none;
 }
 
 Parsed parse_expression(std::string_view text) {

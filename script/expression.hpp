@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "script/block_cache.hpp"
+
 namespace parlour::script {
 
 enum class NodeKind : std::uint8_t {
@@ -47,7 +49,15 @@ enum class Operator : std::uint8_t {
 struct Node;
 using NodePointer = std::unique_ptr<Node>;
 
+// Many of them come and go while an application is compiled.
 struct Node {
+  static void* operator new(std::size_t bytes) {
+    return BlockCache::take(bytes);
+  }
+  static void operator delete(void* block, std::size_t bytes) {
+    BlockCache::give(block, bytes);
+  }
+
   NodeKind kind = NodeKind::unknown;
   Operator operation = Operator::equal;
   bool flag = false;

@@ -180,31 +180,34 @@ PARLOUR_INLINE bool call_named(Machine& m, Cursor& c) {
   return well;
 }
 
-PARLOUR_INLINE bool leave(Machine& m, Cursor& c, Box value) {
+PARLOUR_INLINE bool leave(Machine& m, Cursor& c, Box& value) {
   auto* frame = Frame::of(c.r);
   auto* caller = frame->caller;
   if (!caller || m.execution->copy_outs) [[unlikely]] {
-    if (!m.give_back(std::move(value)))
+    if (!m.give_back(value.resolved()))
       return false;
     c = at_top(*m.execution);
     return true;
   }
+  const auto* pc = caller->pc;
+  auto& result = caller->registers()[pc->a];
+  if (value.is_reference()) [[unlikely]]
+    result = *value.target();
+  else
+    result = std::move(value);
   frame->clear();
   m.execution->top = caller;
-  const auto* pc = caller->pc;
   c = {pc + 1, caller->registers(), caller->code->constants.data()};
-  c.r[pc->a] = std::move(value);
   return true;
 }
 
 PARLOUR_INLINE bool give_back(Machine& m, Cursor& c) {
-  auto& value = c.r[c.pc->a];
-  return leave(m, c,
-               value.is_reference() ? Box(*value.target()) : std::move(value));
+  return leave(m, c, c.r[c.pc->a]);
 }
 
 PARLOUR_INLINE bool give_unknown(Machine& m, Cursor& c) {
-  return leave(m, c, Box());
+  Box unknown;
+  return leave(m, c, unknown);
 }
 
 PARLOUR_INLINE bool raise(Machine& m, Cursor& c) {

@@ -35,8 +35,9 @@ struct Frame {
     return reinterpret_cast<Frame*>(registers) - 1;
   }
   void clear() {
-    for (std::uint32_t i = 0; i < code->register_count; ++i)
-      registers()[i] = Box();
+    const auto* end = registers() + code->register_count;
+    for (auto* box = registers(); box != end; ++box)
+      *box = Box();
   }
 };
 

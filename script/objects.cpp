@@ -271,18 +271,24 @@ bool MapObject::rebuild_index(std::size_t places) {
 }
 
 // Mostly the very string that was put in: then no text is looked at.
-Box* MapObject::find(const StringObject& key) {
+Box* MapObject::look_up(const StringObject& key) {
   if (index.empty()) {
     const auto at = position(key.text(), 0, &key);
-    return at == none ? nullptr : &entries[at].value;
+    if (at == none)
+      return nullptr;
+    found = at;
+    return &entries[at].value;
   }
   const auto hash = hash_of(key);
   const auto mask = index.size() - 1;
   for (auto i = hash & mask; index[i] != 0; i = (i + 1) & mask) {
     auto& entry = entries[index[i] - 1];
     const auto* string = entry.key.string();
-    if (string == &key || (string->hash == hash && equal_strings(*string, key)))
+    if (string == &key ||
+        (string->hash == hash && equal_strings(*string, key))) {
+      found = index[i] - 1;
       return &entry.value;
+    }
   }
   return nullptr;
 }

@@ -108,8 +108,13 @@ struct MapObject : Object {
   };
   std::vector<Entry, HeapAllocator<Entry>> entries;
   std::vector<std::uint32_t, HeapAllocator<std::uint32_t>> index;
+  std::size_t found = 0; // the entry found last: what is read is often written
 
-  Box* find(const StringObject& key);
+  Box* find(const StringObject& key) {
+    if (found < entries.size() && entries[found].key.object() == &key)
+      return &entries[found].value;
+    return look_up(key);
+  }
   Box* find(std::string_view key);
   void set(const Box& key, Box value);
   bool remove(std::string_view key, Box& removed);
@@ -119,6 +124,7 @@ struct MapObject : Object {
   bool rebuild_index(std::size_t places);
 
 private:
+  Box* look_up(const StringObject& key);
   std::size_t position(std::string_view key, std::uint32_t hash,
                        const StringObject* same) const;
   void rebuild_index();

@@ -1,22 +1,22 @@
 #include "script/source.hpp"
 
 #include <algorithm>
-#include <cctype>
 
 namespace parlour::script {
 
 namespace {
 
-char lower(char letter) {
-  return static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+char small(char letter) {
+  return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter | 0x20)
+                                        : letter;
 }
 
 } // namespace
 
 bool same_name(std::string_view a, std::string_view b) {
-  if (a.empty() || b.empty())
-    return a == b;
-  return lower(a.front()) == lower(b.front()) && a.substr(1) == b.substr(1);
+  if (a.size() != b.size() || a.empty())
+    return a.size() == b.size();
+  return small(a.front()) == small(b.front()) && a.substr(1) == b.substr(1);
 }
 
 bool Element::is(std::string_view other) const {

@@ -15,7 +15,9 @@ namespace parlour::script {
 namespace {
 
 constexpr auto npos = std::string_view::npos;
-constexpr auto parse_options = pugi::parse_default | pugi::parse_doctype;
+// As a fragment, so that text outside of the root element is kept and told.
+constexpr auto parse_options =
+    pugi::parse_default | pugi::parse_doctype | pugi::parse_fragment;
 
 // What the parser expected where it gave up, tags that do not match aside.
 const char* sentence_of(pugi::xml_parse_status status) {
@@ -52,6 +54,7 @@ public:
 
 private:
   void check_text();
+  pugi::xml_parse_result parse();
   std::size_t beginning(pugi::xml_parse_status status,
                         std::size_t offset) const;
   void explain(const pugi::xml_parse_result& result);
@@ -93,10 +96,18 @@ void Reader::tell(const XmlSlip& slip) {
 void Reader::check_text() {
   if (const auto invalid = find_invalid_utf8(text_))
     return error(*invalid, "this is not UTF-8; save the file as UTF-8");
-  for (std::size_t i = 0; i < text_.size(); ++i)
-    if (static_cast<unsigned char>(text_[i]) < 0x20 &&
-        !std::strchr("\t\r\n", text_[i] ? text_[i] : 1))
-      return error(i, "a control character may not stand in XML");
+  if (const auto control = find_control_character(text_))
+    error(*control, "a control character may not stand in XML");
+}
+
+pugi::xml_parse_result Reader::parse() {
+  auto result = document_.load_buffer_inplace(
+      buffer_.data(), buffer_.size(), parse_options, pugi::encoding_utf8);
+  if (result && !document_.document_element()) {
+    result.status = pugi::status_no_document_element;
+    result.offset = text_.empty() ? 0 : std::ssize(text_) - 1;
+  }
+  return result;
 }
 
 // What does not end is told where it begins.
@@ -130,9 +141,13 @@ void Reader::check_name(const char* name, std::size_t offset) {
 
 void Reader::read_attributes(pugi::xml_node node, Element& element) {
   auto report = [this](const XmlSlip& slip) { tell(slip); };
-  element.attributes.reserve(static_cast<std::size_t>(
-      std::distance(node.attributes_begin(), node.attributes_end())));
-  for (auto attribute : node.attributes()) {
+  std::size_t count = 0;
+  for (auto attribute = node.first_attribute(); attribute;
+       attribute = attribute.next_attribute())
+    ++count;
+  element.attributes.reserve(count);
+  for (auto attribute = node.first_attribute(); attribute;
+       attribute = attribute.next_attribute()) {
     const auto at = offset_of(attribute.name());
     const auto value_at = offset_of(attribute.value());
     check_name(attribute.name(), at);
@@ -165,9 +180,11 @@ void Reader::build(pugi::xml_node node, Element& element, std::size_t depth) {
     return error(offset, "elements are nested deeper than " +
                              std::to_string(deepest_elements) + " levels");
   read_attributes(node, element);
-  element.children.reserve(
-      static_cast<std::size_t>(std::distance(node.begin(), node.end())));
-  for (auto child : node.children()) {
+  std::size_t count = 0;
+  for (auto child = node.first_child(); child; child = child.next_sibling())
+    count += child.type() == pugi::node_element;
+  element.children.reserve(count);
+  for (auto child = node.first_child(); child; child = child.next_sibling()) {
     if (child.type() == pugi::node_element)
       build(child, element.children.emplace_back(), depth + 1);
     else if (child.type() == pugi::node_pcdata ||
@@ -180,6 +197,7 @@ void Reader::build(pugi::xml_node node, Element& element, std::size_t depth) {
 
 void Reader::check_document() {
   int roots = 0;
+  auto outside = npos;
   for (auto node : document_.children()) {
     if (node.type() == pugi::node_doctype)
       error(beginning(pugi::status_bad_doctype, offset_of(node.value())),
@@ -187,8 +205,10 @@ void Reader::check_document() {
     if (node.type() == pugi::node_element && ++roots == 2)
       error(offset_of(node.name()) - 1,
             "a second root element; a file has one");
+    if (node.type() == pugi::node_pcdata && outside == npos)
+      outside = text_.find_first_not_of(" \t\r\n", offset_of(node.value()));
   }
-  if (const auto outside = find_text_outside(text_); outside != npos)
+  if (outside != npos)
     error(outside, "text outside of the root element");
 }
 
@@ -197,9 +217,7 @@ std::optional<Element> Reader::read() {
   if (failed_)
     return std::nullopt;
   buffer_ = text_;
-  const auto result = document_.load_buffer_inplace(
-      buffer_.data(), buffer_.size(), parse_options, pugi::encoding_utf8);
-  if (!result) {
+  if (const auto result = parse(); !result) {
     explain(result);
     return std::nullopt;
   }

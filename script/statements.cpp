@@ -1,22 +1,12 @@
 #include "script/statements.hpp"
 
 #include <algorithm>
-#include <cctype>
-#include <unordered_map>
 
 namespace parlour::script {
 
-std::string plain_name(const std::string& name) {
-  auto plain = name;
-  if (!plain.empty())
-    plain[0] =
-        static_cast<char>(std::tolower(static_cast<unsigned char>(plain[0])));
-  return plain;
-}
-
-StatementCompiler::Method StatementCompiler::find(const std::string& name) {
+StatementCompiler::Method StatementCompiler::find(std::string_view name) {
   using S = StatementCompiler;
-  static const std::unordered_map<std::string, Method> methods{
+  static const ByName<Method> methods{
       {"var", &S::declare_variable},
       {"const", &S::declare_constant},
       {"set", &S::set},
@@ -46,30 +36,28 @@ StatementCompiler::Method StatementCompiler::find(const std::string& name) {
   return there == methods.end() ? &S::effect : there->second;
 }
 
-void StatementCompiler::block(const Element& parent,
-                              const std::vector<std::string>& except) {
+void StatementCompiler::block(const Element& parent, ElementNames except) {
   b_.open_scope();
   statements(parent, except);
   b_.close_scope();
 }
 
-void StatementCompiler::statements(const Element& parent,
-                                   const std::vector<std::string>& except) {
+void StatementCompiler::statements(const Element& parent, ElementNames except) {
   for (const auto& child : parent.children)
-    if (std::find(except.begin(), except.end(), plain_name(child.name)) ==
-        except.end())
+    if (std::none_of(except.begin(), except.end(),
+                     [&](auto name) { return child.is(name); }))
       statement(child);
 }
 
 void StatementCompiler::statement(const Element& element) {
   b_.at(element.position);
-  (this->*find(plain_name(element.name)))(element);
+  (this->*find(element.name))(element);
 }
 
 void StatementCompiler::parameters(const Element& function) {
   std::vector<const Element*> all;
   for (const auto& child : function.children)
-    if (plain_name(child.name) == "param")
+    if (child.is("param"))
       all.push_back(&child);
   auto& code = b_.code;
   code.parameter_count = static_cast<std::uint16_t>(all.size());

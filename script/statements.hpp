@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "script/by_name.hpp"
 #include "script/expression_compiler.hpp"
 #include "script/table_builder.hpp"
 
@@ -31,17 +32,15 @@ public:
       : b_(builder), expressions_(builder) {}
 
   // The children but those named in `except`, in a block of their own.
-  void block(const Element& parent,
-             const std::vector<std::string>& except = {});
-  void statements(const Element& parent,
-                  const std::vector<std::string>& except);
+  void block(const Element& parent, ElementNames except = {});
+  void statements(const Element& parent, ElementNames except);
   void statement(const Element& element);
   // <param> children of a <function>, and where calls begin.
   void parameters(const Element& function);
 
 private:
   using Method = void (StatementCompiler::*)(const Element&);
-  static Method find(const std::string& name);
+  static Method find(std::string_view name);
 
   struct Loop {
     std::vector<Label> breaks;
@@ -151,8 +150,5 @@ private:
   std::vector<Loop> loops_;
   std::vector<Register> transactions_; // the database's name, of open ones
 };
-
-// The element's name with its first letter small ("Entrance", "entrance").
-std::string plain_name(const std::string& name);
 
 } // namespace parlour::script

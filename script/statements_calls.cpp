@@ -12,7 +12,7 @@ StatementCompiler::call_arguments(const Element& element,
                                   const FunctionName* function) {
   std::vector<Argument> arguments;
   for (const auto& child : element.children) {
-    if (plain_name(child.name) != "var")
+    if (!child.is("var"))
       continue;
     Argument given{child.attribute("expr"), child.position};
     const auto* name = child.attribute("name");
@@ -186,7 +186,7 @@ void StatementCompiler::try_(const Element& element) {
   block(element, {"catch"});
   const Element* handler = nullptr;
   for (const auto& child : element.children)
-    if (plain_name(child.name) == "catch") {
+    if (child.is("catch")) {
       if (handler)
         error(child.position, "a second <catch>; one takes all errors");
       handler = &child;

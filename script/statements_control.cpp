@@ -66,15 +66,14 @@ void StatementCompiler::if_(const Element& element) {
   reached(element);
   block(element, {"elseif", "else"});
   for (const auto& child : element.children) {
-    const auto name = plain_name(child.name);
-    if (name != "elseif" && name != "else")
+    const bool tests = child.is("elseif");
+    if (!tests && !child.is("else"))
       continue;
     done.push_back(b_.emit(Operation::jump));
     b_.land(otherwise);
     b_.at(child.position);
     start = b_.here();
-    otherwise =
-        name == "elseif" ? condition(child, "cond") : std::vector<Label>{};
+    otherwise = tests ? condition(child, "cond") : std::vector<Label>{};
     arm();
     reached(child);
     block(child);
@@ -119,9 +118,9 @@ void StatementCompiler::switch_(const Element& element) {
     arms.table.emplace(b_, arms.value);
   const Element* otherwise = nullptr;
   for (const auto& child : element.children) {
-    if (plain_name(child.name) == "default")
+    if (child.is("default"))
       otherwise = &child;
-    else if (plain_name(child.name) == "case")
+    else if (child.is("case"))
       test(arms, child);
   }
   if (arms.table)

@@ -1,7 +1,6 @@
 // Statements that leave the script: each becomes an Effect whose operands
 // stand as effects.def lists them (language rule 5).
 #include <array>
-#include <unordered_map>
 
 #include "runtime/base/clock.hpp"
 #include "script/statements.hpp"
@@ -24,8 +23,8 @@ struct PlainEffect {
 using F = OperandForm;
 using K = EffectKind;
 
-const std::unordered_map<std::string, PlainEffect>& plain_effects() {
-  static const std::unordered_map<std::string, PlainEffect> effects{
+const ByName<PlainEffect>& plain_effects() {
+  static const ByName<PlainEffect> effects{
       {"speak", {K::speak, {{{"param", F::either}, {"interrupt", F::value}}}}},
       {"send",
        {K::send,
@@ -87,15 +86,14 @@ const PlainEffect* plain_effect(const Element& element) {
                                       {{{"topic", F::topic}}}};
   static const PlainEffect cancel_topic{
       K::cancel_topic, {{{"topic", F::topic}, {"all", F::value}}}};
-  const auto name = plain_name(element.name);
-  if (name == "cancel" && !element.attribute("timer"))
+  if (element.is("cancel") && !element.attribute("timer"))
     return &cancel_topic;
   const bool of_topic = element.attribute("topic");
-  if (name == "register")
+  if (element.is("register"))
     return of_topic ? &add_topic : &add_handler;
-  if (name == "unregister")
+  if (element.is("unregister"))
     return of_topic ? &drop_topic : &drop_handler;
-  const auto there = plain_effects().find(name);
+  const auto there = plain_effects().find(element.name);
   return there == plain_effects().end() ? nullptr : &there->second;
 }
 
@@ -305,7 +303,7 @@ CodeId StatementCompiler::detached(const Element& element, bool in_timer,
       captured.push_back(&local);
   auto context = b_.context;
   context.in_timer |= in_timer;
-  context.name = (in_timer ? "timer in " : "transit in ") + context.name;
+  context.name = (in_timer ? "timer in " : "transit in ") + b_.code.name;
   CodeBuilder builder(b_.program, b_.names, b_.findings, context);
   builder.at(element.position);
   for (const auto* local : captured) {

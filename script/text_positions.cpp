@@ -10,14 +10,53 @@ bool continues(char byte) {
   return (static_cast<unsigned char>(byte) & 0xc0u) == 0x80u;
 }
 
+// Where the next eight bytes begin of which one makes `unusual` true; those
+// that are too few for eight always count so.
+template <class Predicate>
+std::size_t usual_up_to(std::string_view text, std::size_t i,
+                        Predicate unusual) {
+  std::uint64_t eight = 0;
+  for (; i + sizeof eight <= text.size(); i += sizeof eight) {
+    std::memcpy(&eight, text.data() + i, sizeof eight);
+    if (unusual(eight))
+      break;
+  }
+  return i;
+}
+
+constexpr std::uint64_t highest_bits = 0x8080808080808080;
+
+std::size_t ascii_after(std::string_view text, std::size_t i) {
+  return usual_up_to(text, i, [](auto eight) { return eight & highest_bits; });
+}
+
+bool is_ascii(std::string_view text) {
+  const auto rest = text.substr(ascii_after(text, 0));
+  return rest.size() < sizeof highest_bits &&
+         std::none_of(rest.begin(), rest.end(),
+                      [](char byte) { return byte < 0; });
+}
+
+bool is_control(char letter) {
+  const auto byte = static_cast<unsigned char>(letter);
+  return byte < ' ' && byte != '\t' && byte != '\r' && byte != '\n';
+}
+
 } // namespace
 
 TextPositions::TextPositions(std::string_view text, std::uint16_t file)
-    : text_(text), file_(file), starts_{0} {
-  for (std::size_t i = 0; i < text.size(); ++i)
-    if (text[i] == '\n' ||
-        (text[i] == '\r' && (i + 1 == text.size() || text[i + 1] != '\n')))
-      starts_.push_back(i + 1);
+    : text_(text), file_(file), is_ascii_(is_ascii(text)), starts_{0} {
+  constexpr auto npos = std::string_view::npos;
+  for (std::size_t begin = 0; begin < text.size(); begin = starts_.back()) {
+    const auto feed = text.find('\n', begin);
+    const auto line = text.substr(begin, feed - begin);
+    for (auto at = line.find('\r'); at != npos; at = line.find('\r', at + 1))
+      if (at + 1 < line.size() || feed == npos)
+        starts_.push_back(begin + at + 1);
+    if (feed == npos)
+      break;
+    starts_.push_back(feed + 1);
+  }
 }
 
 Position TextPositions::at(std::size_t offset) const {
@@ -36,8 +75,10 @@ Position TextPositions::at(std::size_t offset) const {
     column_ = 0;
   }
   const auto part = text_.substr(offset_, offset - offset_);
-  column_ += part.size() - static_cast<std::size_t>(std::count_if(
-                               part.begin(), part.end(), continues));
+  column_ += part.size();
+  if (!is_ascii_)
+    column_ -= static_cast<std::size_t>(
+        std::count_if(part.begin(), part.end(), continues));
   offset_ = offset;
   return {file_, static_cast<std::uint32_t>(line_ + 1),
           static_cast<std::uint32_t>(column_ + 1)};
@@ -53,6 +94,21 @@ std::size_t TextPositions::offset_of(std::uint32_t line,
       ++offset;
     while (offset < text_.size() && continues(text_[offset]));
   return offset;
+}
+
+// What a subtraction borrows from is less than a blank.
+std::optional<std::size_t> find_control_character(std::string_view text) {
+  const auto low = [](std::uint64_t eight) {
+    return (eight - 0x2020202020202020) & ~eight & highest_bits;
+  };
+  for (auto i = usual_up_to(text, 0, low); i < text.size();
+       i = usual_up_to(text, i, low)) {
+    const auto end = std::min(i + sizeof highest_bits, text.size());
+    for (; i < end; ++i)
+      if (is_control(text[i]))
+        return i;
+  }
+  return std::nullopt;
 }
 
 } // namespace parlour::script

@@ -24,11 +24,15 @@ public:
 private:
   std::string_view text_;
   std::uint16_t file_;
+  bool is_ascii_;
   std::vector<std::size_t> starts_; // of the lines
   // Where it was asked for last.
   mutable std::size_t line_ = 0;
   mutable std::size_t offset_ = 0;
   mutable std::size_t column_ = 0; // code points before it
 };
+
+// The offset of the first control character that is no white space, if any.
+std::optional<std::size_t> find_control_character(std::string_view text);
 
 } // namespace parlour::script

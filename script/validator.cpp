@@ -86,11 +86,11 @@ private:
                              const std::string& element,
                              const std::vector<std::string>& names);
   void check_text(const Element& element, const ElementRule& rule);
-  // The names of those that are there, wrong or not.
+  // The names of those that were taken out for their values.
   std::vector<std::string> check_attributes(Element& element,
                                             const ElementRule& rule);
   bool fill_missing(Element& element, const ElementRule& rule,
-                    const std::vector<std::string>& given);
+                    const std::vector<std::string>& told);
 
   Findings& findings_;
 };
@@ -205,7 +205,7 @@ std::string Validator::report_unknown(const Attribute& attribute,
 
 std::vector<std::string> Validator::check_attributes(Element& element,
                                                      const ElementRule& rule) {
-  std::vector<std::string> given;
+  std::vector<std::string> told;
   std::erase_if(element.attributes, [&](Attribute& attribute) {
     const auto* found = rule.attribute(attribute.name);
     if (!found) {
@@ -218,10 +218,10 @@ std::vector<std::string> Validator::check_attributes(Element& element,
         return true;
       attribute.name = std::move(right);
     }
-    given.push_back(attribute.name);
     auto wrong = wrong_value(rule, *found, attribute.value);
     if (wrong.empty())
       return false;
+    told.push_back(attribute.name);
     const auto right = same_but_case(attribute.value, found->words);
     findings_.add({Severity::error,
                    {attribute.value_position},
@@ -230,17 +230,17 @@ std::vector<std::string> Validator::check_attributes(Element& element,
                    right.empty() ? std::nullopt : std::optional(right)});
     return true;
   });
-  return given;
+  return told;
 }
 
 bool Validator::fill_missing(Element& element, const ElementRule& rule,
-                             const std::vector<std::string>& given) {
+                             const std::vector<std::string>& told) {
   using enum AttributeKind;
   bool usable = true;
   for (const auto& attribute : rule.attributes) {
     if (!attribute.required || element.attribute(attribute.name))
       continue;
-    if (std::find(given.begin(), given.end(), attribute.name) == given.end())
+    if (std::find(told.begin(), told.end(), attribute.name) == told.end())
       add(element,
           tag(rule.name) + " needs the attribute '" + attribute.name +
               "': " + attribute.sentence,
@@ -257,7 +257,7 @@ bool Validator::fill_missing(Element& element, const ElementRule& rule,
 
 void Validator::validate_inside(Element& element, const ElementRule& rule) {
   check_text(element, rule);
-  const auto inside = name_of(element, rule);
+  const auto& inside = name_of(element, rule);
   std::erase_if(element.children,
                 [&](Element& child) { return !validate(child, rule, inside); });
 }
@@ -283,11 +283,11 @@ bool Validator::validate(Element& element, const ElementRule& parent,
                     tag(rule->name) + " is not available yet");
     return false;
   }
-  auto given = check_attributes(element, *rule);
-  if (const auto* meant = attribute_of_text(*rule);
-      meant && !element.text.empty())
-    given.push_back(meant); // as text: told already
-  const bool usable = fill_missing(element, *rule, given);
+  auto told = check_attributes(element, *rule);
+  if (!element.text.empty())
+    if (const auto* meant = attribute_of_text(*rule))
+      told.push_back(meant); // as text
+  const bool usable = fill_missing(element, *rule, told);
   validate_inside(element, *rule);
   return usable;
 }

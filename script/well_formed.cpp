@@ -8,34 +8,6 @@ namespace {
 
 constexpr auto npos = std::string_view::npos;
 
-// Behind a comment, CDATA section, declaration or instruction; npos where it
-// does not end; `offset` itself where none of these begins there.
-std::size_t skip_special(std::string_view text, std::size_t offset) {
-  static constexpr std::pair<std::string_view, std::string_view> kinds[] = {
-      {"<!--", "-->"}, {"<![CDATA[", "]]>"}, {"<?", "?>"}, {"<!", ">"}};
-  for (const auto& [begin, end] : kinds) {
-    if (!text.substr(offset).starts_with(begin))
-      continue;
-    const auto found = text.find(end, offset + begin.size());
-    return found == npos ? npos : found + end.size();
-  }
-  return offset;
-}
-
-// The `>` of the tag that begins at `offset`, quoted values aside.
-std::size_t end_of_tag(std::string_view text, std::size_t offset) {
-  char quote = 0;
-  for (auto i = offset; i < text.size(); ++i) {
-    if (quote)
-      quote = text[i] == quote ? '\0' : quote;
-    else if (text[i] == '"' || text[i] == '\'')
-      quote = text[i];
-    else if (text[i] == '>')
-      return i;
-  }
-  return npos;
-}
-
 // Whether an entity that XML knows begins at the `&` there.
 bool is_entity(std::string_view text) {
   for (const auto* known : {"&lt;", "&gt;", "&amp;", "&quot;", "&apos;"})
@@ -71,30 +43,6 @@ XmlSlip lone_ampersand(std::string_view text, std::size_t offset) {
 }
 
 } // namespace
-
-std::size_t find_text_outside(std::string_view text) {
-  int depth = 0;
-  for (std::size_t i = 0; i < text.size();) {
-    i = depth == 0 ? text.find_first_not_of(" \t\r\n", i) : text.find('<', i);
-    if (i == npos)
-      return npos;
-    if (text[i] != '<')
-      return i;
-    if (const auto next = skip_special(text, i); next != i) {
-      i = next;
-      continue;
-    }
-    const auto end = end_of_tag(text, i + 1);
-    if (end == npos)
-      return npos;
-    if (text[i + 1] == '/')
-      --depth;
-    else if (text[end - 1] != '/')
-      ++depth;
-    i = end + 1;
-  }
-  return npos;
-}
 
 void check_characters(std::string_view text, std::size_t offset,
                       bool in_attribute,

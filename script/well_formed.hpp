@@ -10,10 +10,6 @@
 
 namespace parlour::script {
 
-// The first text outside of the root element of a well-formed document; npos
-// where there is none.
-std::size_t find_text_outside(std::string_view text);
-
 // Reports every `&` that begins no entity, and, in an attribute's value, every
 // `<`.
 void check_characters(std::string_view text, std::size_t offset,

@@ -86,6 +86,12 @@ INSTANTIATE_TEST_SUITE_P(
                       "has one"},
         NotWellFormed{"<a/> x", "a.xml:1:6: error: text outside of the root "
                                 "element"},
+        NotWellFormed{"x<a>y</a>", "a.xml:1:1: error: text outside of the root "
+                                   "element"},
+        NotWellFormed{"<?xml?><!-- y --> <a/>\n <!-- z --> x y",
+                      "a.xml:2:13: error: text outside of the root element"},
+        NotWellFormed{"x", "a.xml:1:1: error: there is no element in this "
+                           "file"},
         NotWellFormed{"<!DOCTYPE a><a/>",
                       "a.xml:1:1: error: a DOCTYPE may not stand in a script"},
         NotWellFormed{"<x:a/>",

@@ -51,4 +51,15 @@ TEST(TextPositions, know_long_lines) {
   }
 }
 
+TEST(ControlCharacters, are_found_wherever_they_stand) {
+  std::string text = "a\tb\r\nc é 日本, and then some more of it\n";
+  EXPECT_FALSE(find_control_character(text));
+  for (std::size_t at = 0; at < text.size(); ++at)
+    for (const char control : {'\0', '\x01', '\x0b', '\x1f'}) {
+      auto with = text;
+      with[at] = control;
+      EXPECT_EQ(find_control_character(with), at);
+    }
+}
+
 } // namespace parlour::script

@@ -7,14 +7,6 @@
 
 namespace parlour::script {
 
-constexpr auto npos = std::string::npos;
-
-TEST(WellFormed, text_outside_of_the_root_is_found) {
-  EXPECT_EQ(find_text_outside("<?xml?>\n<a>x</a>\n<!-- y -->"), npos);
-  EXPECT_EQ(find_text_outside("x<a/>"), 0u);
-  EXPECT_EQ(find_text_outside("<a>y</a> x"), 9u);
-}
-
 TEST(WellFormed, bare_characters_are_reported) {
   std::vector<std::string> slips;
   auto note = [&](const XmlSlip& slip) {

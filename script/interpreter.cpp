@@ -42,8 +42,8 @@ RunResult Interpreter::run(Activation& activation, Host& host) {
 
 RunResult Interpreter::resume(Activation& activation, Expected<Value> outcome,
                               Host& host) {
-  return implementation_->resume(static_cast<Execution&>(activation),
-                                 std::move(outcome), host);
+  return implementation_->resume(static_cast<Execution&>(activation), outcome,
+                                 host);
 }
 
 Expected<Value> Interpreter::evaluate(CodeId code, std::vector<Value> arguments,

@@ -324,7 +324,8 @@ RunResult Machine::run(Execution& activation, Host& current_host,
 }
 
 RunResult Machine::resume(Execution& activation,
-                          Expected<Value> outcome_of_wait, Host& current_host) {
+                          const Expected<Value>& outcome_of_wait,
+                          Host& current_host) {
   if (!activation.waiting)
     return run(activation, current_host, false);
   RunScope scope(*this, activation, current_host, false);

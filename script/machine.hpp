@@ -92,8 +92,8 @@ public:
 
   // Runs the activation until it stops.
   RunResult run(Execution& activation, Host& current_host, bool to_the_end);
-  RunResult resume(Execution& activation, Expected<Value> outcome,
-                   Host& current_host);
+  RunResult resume(Execution& activation,
+                   const Expected<Value>& outcome_of_wait, Host& current_host);
   std::unique_ptr<Execution> start(CodeId body,
                                    const std::vector<Value>& values,
                                    ActivationContext context);

@@ -1,6 +1,7 @@
 #include "script/text_positions.hpp"
 
 #include <algorithm>
+#include <cstring>
 
 namespace parlour::script {
 
@@ -26,15 +27,12 @@ std::size_t usual_up_to(std::string_view text, std::size_t i,
 
 constexpr std::uint64_t highest_bits = 0x8080808080808080;
 
-std::size_t ascii_after(std::string_view text, std::size_t i) {
-  return usual_up_to(text, i, [](auto eight) { return eight & highest_bits; });
-}
-
 bool is_ascii(std::string_view text) {
-  const auto rest = text.substr(ascii_after(text, 0));
+  const auto rest = text.substr(usual_up_to(
+      text, 0, [](std::uint64_t eight) { return eight & highest_bits; }));
   return rest.size() < sizeof highest_bits &&
          std::none_of(rest.begin(), rest.end(),
-                      [](char byte) { return byte < 0; });
+                      [](char byte) { return (byte & 0x80) != 0; });
 }
 
 bool is_control(char letter) {

@@ -12,7 +12,8 @@ namespace {
 // Every effect waits, and nothing else is there.
 class WaitingHost : public script::Host {
 public:
-  script::Performed perform(script::Activation&, script::Effect) override {
+  script::Performed perform(script::Activation&,
+                            const script::Effect&) override {
     return script::Waits{};
   }
   Value slot(script::TopicId, script::SlotId) const override {
@@ -51,14 +52,14 @@ double operations(const script::Interpreter& interpreter) {
 // Until it ends, well or not.
 script::RunResult finish(script::Interpreter& interpreter,
                          script::Activation& activation, WaitingHost& host) {
-  auto result = interpreter.run(activation, host);
-  for (;;)
-    if (result.status == script::RunStatus::yielded)
-      result = interpreter.run(activation, host);
-    else if (result.status == script::RunStatus::waiting)
-      result = interpreter.resume(activation, Value(), host);
-    else
+  bool waiting = false;
+  for (;;) {
+    auto result = waiting ? interpreter.resume(activation, Value(), host)
+                          : interpreter.run(activation, host);
+    waiting = result.status == script::RunStatus::waiting;
+    if (!waiting && result.status != script::RunStatus::yielded)
       return result;
+  }
 }
 
 } // namespace

@@ -55,6 +55,34 @@ TEST(Map, KeepsItsOrderWhenItGrowsAndShrinks) {
   EXPECT_EQ(map.find("50"), nullptr);
 }
 
+TEST(Map, FindsWhatItFoundLastWhileItIsThere) {
+  Heap heap(nullptr, 1 << 20);
+  auto box = make_map(heap);
+  auto& map = *box.map();
+  const auto first = make_string(heap, "a");
+  const auto second = make_string(heap, "b");
+  map.set(first, Box::small(1));
+  map.set(second, Box::small(2));
+  EXPECT_EQ(map.find(*second.string())->as_small(), 2);
+  EXPECT_EQ(map.find(*second.string())->as_small(), 2);
+  EXPECT_EQ(map.find(*first.string())->as_small(), 1);
+  Box removed;
+  ASSERT_TRUE(map.remove("a", removed));
+  EXPECT_EQ(map.find(*first.string()), nullptr);
+  EXPECT_EQ(map.find(*second.string())->as_small(), 2);
+  ASSERT_TRUE(map.remove("b", removed));
+  EXPECT_EQ(map.find(*second.string()), nullptr);
+}
+
+TEST(Strings, KnowTheirCodePoints) {
+  std::string text;
+  for (std::uint32_t i = 0; i < 40; ++i) {
+    EXPECT_EQ(count_code_points(text), i) << text;
+    constexpr const char* letters[] = {"a", "é", "日", "😀"};
+    text += letters[i * i % 7 % 4];
+  }
+}
+
 TEST(ConstantPool, InternsStrings) {
   ConstantPool pool;
   EXPECT_TRUE(pool.string("a").same_bits(pool.string("a")));

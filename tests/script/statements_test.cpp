@@ -36,11 +36,6 @@ TEST(Statements, AnUnknownSlotIsAnError) {
             std::string::npos);
 }
 
-TEST(Statements, PlainNames) {
-  EXPECT_EQ(plain_name("Entrance"), "entrance");
-  EXPECT_EQ(plain_name(""), "");
-}
-
 } // namespace
 
 } // namespace parlour::script

@@ -16,7 +16,7 @@ public:
   ComputingHost(std::string who, Timestamp now)
       : who_(std::move(who)), now_(now) {}
 
-  Performed perform(Activation&, const Effect&) override {
+  Performed perform(Activation&, Effect) override {
     return Error{ErrorKind::refused, who_ + " can only compute", {}};
   }
   Value slot(TopicId, SlotId) const override {

@@ -50,7 +50,7 @@ Performed ExecRun::access_file(const FileRequest& request) {
   return std::move(*outcome);
 }
 
-Performed ExecRun::perform(Activation&, const Effect& effect) {
+Performed ExecRun::perform(Activation&, Effect effect) {
   const auto most_bytes = interpreter_.program().settings.limits.result;
   if (const auto request = file_request(effect, most_bytes);
       request && options_.files)

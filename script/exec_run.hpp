@@ -95,7 +95,7 @@ private:
     std::unique_ptr<Activation> waiting;
   };
 
-  Performed perform(Activation& activation, const Effect& effect) override;
+  Performed perform(Activation& activation, Effect effect) override;
   Value slot(TopicId, SlotId) const override {
     return {};
   }

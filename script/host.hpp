@@ -86,7 +86,7 @@ class Host {
 public:
   virtual ~Host() = default;
 
-  virtual Performed perform(Activation& activation, const Effect& effect) = 0;
+  virtual Performed perform(Activation& activation, Effect effect) = 0;
 
   // `this.X`; the slot may be a pseudo-slot.
   virtual Value slot(TopicId topic, SlotId slot) const = 0;

@@ -168,7 +168,7 @@ bool Machine::perform(const EffectShape& shape, const Box* operands,
   if (!charge(most - left))
     return false;
   fuel -= 5;
-  auto performed = host->perform(*execution, effect);
+  auto performed = host->perform(*execution, std::move(effect));
   if (auto* value = std::get_if<Value>(&performed)) {
     result = to_box(*heap_, *value);
     return within_limits();

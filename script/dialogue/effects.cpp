@@ -39,7 +39,7 @@ Effects::Effects(Core& core)
     : sockets(core), core_(core), random_(core.options.seed) {}
 
 script::Performed Effects::perform(script::Activation& activation,
-                                   const script::Effect& effect) {
+                                   script::Effect effect) {
   using enum script::EffectKind;
   Context context = activation.context();
   switch (effect.kind) {

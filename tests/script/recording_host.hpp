@@ -13,8 +13,8 @@ namespace parlour::test {
 class RecordingHost : public script::Host {
 public:
   script::Performed perform(script::Activation&,
-                            const script::Effect& effect) override {
-    effects.push_back(effect);
+                            script::Effect effect) override {
+    effects.push_back(std::move(effect));
     if (answers.empty())
       return Value();
     auto answer = std::move(answers.front());

@@ -4,7 +4,7 @@
 #pragma once
 
 #include <string>
-#include <utility>
+#include <string_view>
 
 #include "script/host.hpp"
 
@@ -13,11 +13,11 @@ namespace parlour::script {
 class ComputingHost : public Host {
 public:
   // `who` begins the refusal's sentence: "a phrase".
-  ComputingHost(std::string who, Timestamp now)
-      : who_(std::move(who)), now_(now) {}
+  ComputingHost(std::string_view who, Timestamp now) : who_(who), now_(now) {}
 
   Performed perform(Activation&, Effect) override {
-    return Error{ErrorKind::refused, who_ + " can only compute", {}};
+    return Error{
+        ErrorKind::refused, std::string(who_) + " can only compute", {}};
   }
   Value slot(TopicId, SlotId) const override {
     return {};
@@ -38,7 +38,7 @@ public:
   }
 
 private:
-  std::string who_;
+  std::string_view who_; // a literal
   Timestamp now_;
 };
 

@@ -1,5 +1,6 @@
 #include "script/interpreter.hpp"
 
+#include "script/constant_text.hpp"
 #include "script/convert.hpp"
 #include "script/interpreter_state.hpp"
 #include "script/machine.hpp"
@@ -48,6 +49,8 @@ RunResult Interpreter::resume(Activation& activation, Expected<Value> outcome,
 
 Expected<Value> Interpreter::evaluate(CodeId code, std::vector<Value> arguments,
                                       ActivationContext context, Host& host) {
+  if (const auto* constant = constant_of(program().code[code]))
+    return to_value(*constant);
   auto activation = implementation_->start(code, arguments, std::move(context));
   auto result = implementation_->run(*activation, host, true);
   if (result.status == RunStatus::failed)

@@ -22,22 +22,6 @@ TopicId named(const script::Program& program, const Act& act,
   return may_be_chosen(program, topic, context) ? topic : script::no_id;
 }
 
-// All topics that may be chosen, the likeliest first.
-std::vector<TopicId> by_preference(const script::Program& program,
-                                   const ClassifierContext& context) {
-  std::vector<TopicId> wanted{context.asked, context.current, context.resting};
-  wanted.insert(wanted.end(), context.unfinished.begin(),
-                context.unfinished.end());
-  for (TopicId topic = 0; topic < program.topics.size(); ++topic)
-    wanted.push_back(topic);
-  std::vector<TopicId> topics;
-  for (auto topic : wanted)
-    if (may_be_chosen(program, topic, context) &&
-        std::find(topics.begin(), topics.end(), topic) == topics.end())
-      topics.push_back(topic);
-  return topics;
-}
-
 std::size_t slots_of(const script::Topic& topic, const Act& act) {
   return static_cast<std::size_t>(std::count_if(
       act.slots.begin(), act.slots.end(), [&](const SlotValue& value) {
@@ -49,13 +33,21 @@ TopicId by_slots(const script::Program& program, const Act& act,
                  const ClassifierContext& context) {
   auto best = script::no_id;
   std::size_t most = 0;
-  for (auto topic : by_preference(program, context)) {
-    auto count = slots_of(program.topics[topic], act);
+  auto consider = [&](TopicId topic) { // the likeliest first, some twice
+    if (!may_be_chosen(program, topic, context))
+      return;
+    const auto count = slots_of(program.topics[topic], act);
     if (count > most) {
       most = count;
       best = topic;
     }
-  }
+  };
+  for (auto topic : {context.asked, context.current, context.resting})
+    consider(topic);
+  for (auto topic : context.unfinished)
+    consider(topic);
+  for (TopicId topic = 0; topic < program.topics.size(); ++topic)
+    consider(topic);
   return best;
 }
 

@@ -23,6 +23,13 @@ void Conversation::receive(Message message) {
     implementation_->receive(std::move(message));
 }
 
+void Conversation::take_acts(std::vector<Act> acts, Timestamp now) {
+  if (ended())
+    return;
+  implementation_->core.now = now;
+  implementation_->take_acts(std::move(acts));
+}
+
 bool Conversation::has_work() const {
   return implementation_->has_work();
 }

@@ -14,6 +14,7 @@
 #include "runtime/base/clock.hpp"
 #include "runtime/base/message.hpp"
 #include "runtime/base/phrases.hpp"
+#include "script/dialogue/acts.hpp"
 #include "script/dialogue/frame.hpp"
 #include "script/dialogue/port.hpp"
 #include "script/program.hpp"
@@ -39,6 +40,10 @@ public:
 
   // Queues a message that the message centre gave to this session.
   void receive(Message message);
+
+  // What the user did with one utterance, from somebody who speaks in acts and
+  // not in words: the dialogue engine without script and understanding.
+  void take_acts(std::vector<Act> acts, Timestamp now);
 
   // Something is queued, or an output waits for release.
   bool has_work() const;

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -19,7 +18,8 @@ public:
       : core(std::move(program), std::move(options), port) {}
 
   void open();
-  void receive(Message message);
+  void receive(Message&& message);
+  void take_acts(std::vector<Act> acts);
   bool has_work();
   void take_input();
   // A new external event: what scripts may do is counted anew.
@@ -40,15 +40,16 @@ private:
   };
 
   std::vector<Step> beginning() const;
-  std::deque<Input>::iterator next_input();
-  void process(Input input);
+  std::vector<Input>::iterator next_input();
+  void process(Input&& input);
+  void user_begins();
   bool hear_speech(const Message& message);
   bool hear_speaker(const Message& message);
   void act_on(Timer timer);
   void run_lane();
-  void take(Step step);
-  void run_body(Step step);
-  void resume(Step step);
+  void take(Step&& step);
+  void run_body(Step&& step);
+  void resume(Step&& step);
   void started(WaitId wait);
   void start_over();
 

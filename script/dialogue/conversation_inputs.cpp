@@ -11,7 +11,7 @@ namespace parlour::dialogue {
 
 namespace {
 
-constexpr const char* recogniser = "ASR";
+const std::string recogniser = "ASR";
 
 // The user was heard to speak, but not yet understood.
 bool is_speech(const Port& port, const Message& message) {
@@ -52,7 +52,7 @@ std::vector<Step> Conversation::Implementation::beginning() const {
     return {};
   }
   return {step, make_step(StepKind::greet_agents, {}),
-          make_step(StepKind::conclude, {})};
+          conclude_step(0)};
 }
 
 void Conversation::Implementation::close() {
@@ -94,9 +94,7 @@ void Conversation::Implementation::leave() {
 
 void Conversation::Implementation::take_internal() {
   while (!core.internal.empty() && core.one_more_internal_event()) {
-    auto input = std::move(core.internal.front());
-    core.internal.pop_front();
-    process(std::move(input));
+    process(core.internal.take());
     run_lane();
   }
 }
@@ -119,13 +117,13 @@ void Conversation::Implementation::finish() {
 std::vector<Message> Conversation::Implementation::take_unread() {
   std::vector<Message> messages;
   for (auto& input : std::exchange(core.inbox, {}))
-    messages.push_back(std::move(input.message));
+    messages.push_back(*input.message);
   return messages;
 }
 
 // -- inputs -------------------------------------------------------------------
 
-void Conversation::Implementation::receive(Message message) {
+void Conversation::Implementation::receive(Message&& message) {
   Input input;
   input.begins_turn = message.command == "RecognitionResult" &&
                       core.port.is_source(recogniser, message.source);
@@ -137,13 +135,34 @@ void Conversation::Implementation::receive(Message message) {
                       defaults::speech_without_words.count());
   if (!input.begins_turn)
     core.turns.answered(message.correlation);
-  input.message = std::move(message);
+  input.message = std::make_shared<const Message>(std::move(message));
   core.inbox.push_back(std::move(input));
+}
+
+// What a <fire> of the recogniser's message would lead to.
+void Conversation::Implementation::take_acts(std::vector<Act> acts) {
+  begin_event();
+  user_begins();
+  const auto turn = core.turns.begin();
+  std::vector<Step> steps;
+  steps.reserve(acts.size() + 1);
+  for (auto& act : acts) {
+    core.turns.hold(turn);
+    steps.push_back(act_step(std::move(act), turn));
+  }
+  steps.push_back(conclude_step(turn));
+  core.lane.queue(std::move(steps));
+  go_on();
+}
+
+void Conversation::Implementation::user_begins() {
+  stop_silence();
+  core.mouth.turn_begins();
 }
 
 // While the session ends it only hears what is not the user's: the words that
 // it still waits for.
-std::deque<Input>::iterator Conversation::Implementation::next_input() {
+std::vector<Input>::iterator Conversation::Implementation::next_input() {
   return std::find_if(
       core.inbox.begin(), core.inbox.end(),
       [&](const Input& input) { return !core.ending || !input.begins_turn; });
@@ -169,33 +188,30 @@ void Conversation::Implementation::take_input() {
   } else if (auto slice = core.runner.take_slice(); slice != 0) {
     core.resume(slice, Value());
   } else if (!core.internal.empty()) {
-    auto input = std::move(core.internal.front());
-    core.internal.pop_front();
+    auto input = core.internal.take();
     if (core.one_more_internal_event())
       process(std::move(input));
     else
       core.drop(input);
   } else if (auto next = next_input(); next != core.inbox.end()) {
-    auto input = std::move(*next);
-    core.inbox.erase(next);
+    auto input = core.inbox.take(next);
     begin_event();
     process(std::move(input));
   }
   go_on();
 }
 
-void Conversation::Implementation::process(Input input) {
-  if (core.port.is_source(recogniser, input.message.source)) {
-    stop_silence();
-    core.mouth.turn_begins();
-  }
+void Conversation::Implementation::process(Input&& input) {
+  const auto& message = *input.message;
+  if (core.port.is_source(recogniser, message.source))
+    user_begins();
   if (input.begins_turn)
     core.mouth.give_up_interrupted();
-  if (hear_speech(input.message) || hear_speaker(input.message))
+  if (hear_speech(message) || hear_speaker(message))
     input.raised = true; // the engine itself took it
-  if (core.machine.agent_changed(input.message))
+  if (core.machine.agent_changed(message))
     input.raised = true; // somebody took it
-  if (core.effects.reply(input.message))
+  if (core.effects.reply(message))
     core.turns.let_go(input.turn);
   else
     core.pipeline.take(std::move(input));
@@ -251,7 +267,7 @@ void Conversation::Implementation::act_on(Timer timer) {
     auto step = body_step(timer.code, 0);
     step.arguments = std::move(timer.arguments);
     step.topic = timer.topic;
-    core.lane.queue({std::move(step), make_step(StepKind::conclude, {})});
+    core.lane.queue({std::move(step), conclude_step(0)});
     break;
   }
   case Timer::Purpose::wait:

@@ -16,7 +16,7 @@ void Conversation::Implementation::run_lane() {
   }
 }
 
-void Conversation::Implementation::take(Step step) {
+void Conversation::Implementation::take(Step&& step) {
   using enum StepKind;
   switch (step.kind) {
   case react:
@@ -66,7 +66,7 @@ void Conversation::Implementation::start_over() {
   core.lane.queue(beginning());
 }
 
-void Conversation::Implementation::run_body(Step step) {
+void Conversation::Implementation::run_body(Step&& step) {
   script::ActivationContext context;
   context.message = std::move(step.message);
   context.topic = step.topic;
@@ -77,11 +77,11 @@ void Conversation::Implementation::run_body(Step step) {
 }
 
 // An activation goes on in the lane where it was started.
-void Conversation::Implementation::resume(Step step) {
+void Conversation::Implementation::resume(Step&& step) {
   if (core.pipeline.waits(step.wait))
-    core.pipeline.resume(step.wait, std::move(step.data));
+    core.pipeline.resume(step.wait, *step.data);
   else if (core.runner.waiting(step.wait))
-    started(core.runner.resume(step.wait, std::move(step.data)));
+    started(core.runner.resume(step.wait, *step.data));
 }
 
 void Conversation::Implementation::started(WaitId wait) {

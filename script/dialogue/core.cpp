@@ -16,22 +16,25 @@ Core::Core(std::shared_ptr<const script::Program> the_program,
 
 void Core::raise(const char* source, std::string command,
                  std::vector<Value> params, TurnId turn) {
+  Message message;
+  message.time = now;
+  message.source = source;
+  message.command = std::move(command);
+  message.params = std::move(params);
+  message.session = options.session;
   Input input;
-  input.message.time = now;
-  input.message.source = source;
-  input.message.command = std::move(command);
-  input.message.params = std::move(params);
-  input.message.session = options.session;
+  input.message = std::make_shared<const Message>(std::move(message));
   input.turn = turn;
   input.raised = true;
   turns.hold(turn);
   if (port.inspected())
-    port.inspect({.kind = InspectionKind::message,
-                  .session = options.session,
-                  .subject = input.message.source + "." + input.message.command,
-                  .detail = to_string(input.message),
-                  .message = std::make_shared<const Message>(input.message),
-                  .way = "session"});
+    port.inspect(
+        {.kind = InspectionKind::message,
+         .session = options.session,
+         .subject = input.message->source + "." + input.message->command,
+         .detail = to_string(*input.message),
+         .message = input.message,
+         .way = "session"});
   internal.push_back(std::move(input));
 }
 
@@ -54,14 +57,16 @@ Correlation Core::post(std::string module, std::string command,
   for (auto& event : port.post(std::move(message))) {
     turns.hold(turn);
     turns.answered(correlation);
-    internal.push_back({.message = std::move(event), .turn = turn});
+    internal.push_back(
+        {.message = std::make_shared<const Message>(std::move(event)),
+         .turn = turn});
   }
   return correlation;
 }
 
 bool Core::answered_inline(Correlation correlation) const {
   return std::any_of(internal.begin(), internal.end(), [&](const Input& input) {
-    return input.message.correlation == correlation;
+    return input.message->correlation == correlation;
   });
 }
 
@@ -71,10 +76,7 @@ void Core::resume(WaitId wait, Expected<Value> outcome) {
     pipeline.resume(wait, std::move(outcome));
     return;
   }
-  auto step = make_step(StepKind::resume_wait, {});
-  step.wait = wait;
-  step.data = std::move(outcome);
-  lane.wake(wait, std::move(step));
+  lane.wake(wait, outcome_step(wait, std::move(outcome)));
 }
 
 std::vector<Step> Core::cancel_waits() {
@@ -86,10 +88,8 @@ std::vector<Step> Core::cancel_waits() {
   std::vector<Step> steps;
   for (auto wait : waits) {
     effects.forget(wait);
-    auto step = make_step(StepKind::resume_wait, {});
-    step.wait = wait;
-    step.data = fail(ErrorKind::cancelled, "the wait was cancelled");
-    steps.push_back(std::move(step));
+    steps.push_back(outcome_step(
+        wait, fail(ErrorKind::cancelled, "the wait was cancelled")));
   }
   return steps;
 }
@@ -108,7 +108,7 @@ bool Core::one_more_internal_event() {
 
 void Core::drop(const Input& input) {
   turns.let_go(input.turn);
-  mouth.handled(input.message, false);
+  mouth.handled(*input.message, false);
 }
 
 void Core::script_failed(const Error& error, TurnId turn) {

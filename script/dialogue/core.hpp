@@ -2,11 +2,11 @@
 // internal header of this folder; the door is conversation.hpp.
 #pragma once
 
-#include <deque>
 #include <memory>
 
 #include "script/dialogue/conversation.hpp"
 #include "script/dialogue/effects.hpp"
+#include "script/dialogue/fifo.hpp"
 #include "script/dialogue/frames.hpp"
 #include "script/dialogue/lane.hpp"
 #include "script/dialogue/mouth.hpp"
@@ -24,7 +24,7 @@ namespace parlour::dialogue {
 
 // A message on its way to the pipeline, and the user turn it belongs to.
 struct Input {
-  Message message;
+  std::shared_ptr<const Message> message;
   TurnId turn = 0;
   bool begins_turn = false; // the user spoke
   bool raised = false;      // by the engine itself, for those who listen
@@ -43,9 +43,9 @@ struct Core {
   bool ending = false; // as soon as all is said
   bool ended = false;
 
-  std::deque<Input> inbox;    // from outside, in order of arrival
-  std::deque<Input> internal; // before any external event (engine rule 2)
-  int internal_events = 0;    // since the last external one
+  Fifo<Input> inbox;       // from outside, in order of arrival
+  Fifo<Input> internal;    // before any external event (engine rule 2)
+  int internal_events = 0; // since the last external one
 
   script::Interpreter interpreter;
   Frames frames;

@@ -5,6 +5,7 @@
 #include "script/dialogue/core.hpp"
 #include "script/dialogue/effect_operands.hpp"
 #include "script/dialogue/effects.hpp"
+#include "script/dialogue/steps.hpp"
 
 namespace parlour::dialogue {
 
@@ -91,13 +92,8 @@ script::Performed Effects::fire_frames(Context context, Call effect) {
     nothing.turn = context.turn;
     core_.runner.later(std::move(nothing));
   }
-  for (auto& act : parsed.acts) {
-    Step step;
-    step.kind = StepKind::take_act;
-    step.act = std::move(act);
-    step.turn = context.turn;
-    core_.runner.later(std::move(step));
-  }
+  for (auto& act : parsed.acts)
+    core_.runner.later(act_step(std::move(act), context.turn));
   return Value();
 }
 

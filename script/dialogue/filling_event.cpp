@@ -66,7 +66,7 @@ SlotOutcome outcome_of_change(const Value& before, const Value& after) {
 
 FillingEvent::FillingEvent(const script::Topic& topic, Frame& frame,
                            const FrameEvaluator& evaluate)
-    : topic_(topic), frame_(frame), evaluate_(evaluate), before_(frame),
+    : topic_(topic), frame_(frame), evaluate_(evaluate), before_(frame.slots),
       offers_(frame.slots.size()) {}
 
 Expected<Value> FillingEvent::evaluate(CodeId code) const {
@@ -80,8 +80,8 @@ void FillingEvent::take(const FrameChange& change) {
   auto& offer = offers_[change.slot];
   if (change.kind == Kind::deny)
     deny(change);
-  else if (change.kind == Kind::correct || !offer || !offer->corrects)
-    offer = Offer{change, change.kind == Kind::correct};
+  else if (change.kind == Kind::correct || !offer.corrects)
+    offer = {&change, change.kind == Kind::correct};
 }
 
 bool FillingEvent::denies(const FrameChange& denial, const Value& value) const {
@@ -91,12 +91,14 @@ bool FillingEvent::denies(const FrameChange& denial, const Value& value) const {
 }
 
 void FillingEvent::deny(const FrameChange& denial) {
+  denied_ = true;
   auto& slot = frame_.slots[denial.slot];
   auto& offer = offers_[denial.slot];
   const auto& definition = topic_.slots[denial.slot];
   auto by_code = [&](CodeId code) { return evaluate(code); };
-  if (offer && denies(denial, match(definition, offer->change, by_code).value))
-    offer.reset();
+  if (offer.change &&
+      denies(denial, match(definition, *offer.change, by_code).value))
+    offer = {};
   if (slot.status == SlotStatus::ambiguous) {
     narrow(denial.slot, denial);
     return;
@@ -116,20 +118,22 @@ void FillingEvent::narrow(SlotId id, const FrameChange& denial) {
     std::erase_if(candidates, [&](const Value& value) {
       return meant.value == value || has(meant.candidates, value);
     });
-  if (candidates.size() != 1 || offers_[id])
+  if (candidates.size() != 1 || offers_[id].change)
     return;
   FrameChange rest = denial;
   rest.kind = Kind::fill;
   rest.value = candidates.front();
   rest.unmatched = false;
-  offers_[id] = Offer{std::move(rest), false};
+  left_by_no_.push_front(std::move(rest));
+  offers_[id] = {&left_by_no_.front(), false};
 }
 
 std::vector<SlotReport> FillingEvent::run(std::vector<Error>& errors) {
-  unfilled_ = frame_.slots;
+  if (denied_)
+    after_no_ = frame_.slots;
   for (SlotId slot = 0; slot < offers_.size(); ++slot) // (2)
-    if (offers_[slot])
-      match_offer(slot, offers_[slot]->change);
+    if (offers_[slot].change)
+      match_offer(slot, *offers_[slot].change);
   for (const auto& constraint : topic_.constraints) // (3)
     check(constraint, errors);
   for (auto& report : reports_) // (4)
@@ -193,7 +197,7 @@ void FillingEvent::check(const script::Constraint& constraint,
                          std::vector<Error>& errors) {
   std::vector<SlotId> reads;
   auto holds = evaluate_(constraint.condition, frame_, &reads);
-  if ((holds && *holds) || !judged(frame_, reads))
+  if ((holds && *holds) || !judged(reads))
     return;
   if (!holds) {
     errors.push_back(holds.error());
@@ -206,11 +210,15 @@ void FillingEvent::check(const script::Constraint& constraint,
   refuse(reads, reason.is_unknown() ? std::string() : reason.text());
 }
 
-bool FillingEvent::judged(const Frame& frame,
-                          const std::vector<SlotId>& reads) const {
+bool FillingEvent::judged(const std::vector<SlotId>& reads) const {
+  const auto& slots = frame_.slots;
   return std::all_of(reads.begin(), reads.end(), [&](SlotId slot) {
-    return slot >= frame.slots.size() || !frame.slots[slot].value.is_unknown();
+    return slot >= slots.size() || !slots[slot].value.is_unknown();
   });
+}
+
+const std::vector<SlotState>& FillingEvent::unfilled() const {
+  return after_no_ ? *after_no_ : before_;
 }
 
 void FillingEvent::refuse(const std::vector<SlotId>& reads,
@@ -221,7 +229,7 @@ void FillingEvent::refuse(const std::vector<SlotId>& reads,
       continue;
     report.outcome = SlotOutcome::refused;
     report.reason = reason;
-    frame_.slots[report.slot] = unfilled_[report.slot];
+    frame_.slots[report.slot] = unfilled()[report.slot];
     drop_default(frame_.slots[report.slot]);
   }
 }
@@ -229,7 +237,7 @@ void FillingEvent::refuse(const std::vector<SlotId>& reads,
 // (4)
 void FillingEvent::ground_value(SlotReport& report) {
   auto& slot = frame_.slots[report.slot];
-  const auto& old = unfilled_[report.slot];
+  const auto& old = unfilled()[report.slot];
   report.outcome = outcome_of_change(slot.previous, slot.value);
   // To say it again is to say yes.
   const bool known =
@@ -254,7 +262,7 @@ SlotReport& FillingEvent::report(SlotId slot, SlotOutcome outcome) {
     found = reports_.insert(reports_.end(), SlotReport{});
   found->slot = slot;
   found->outcome = outcome;
-  found->before = before_.slots[slot].value;
+  found->before = before_[slot].value;
   return *found;
 }
 

@@ -4,6 +4,7 @@
 // part of apply (frame.hpp).
 #pragma once
 
+#include <forward_list>
 #include <optional>
 #include <vector>
 
@@ -40,7 +41,7 @@ public:
 
 private:
   struct Offer {
-    FrameChange change;
+    const FrameChange* change = nullptr; // null: nothing was said
     bool corrects = false;
   };
 
@@ -54,7 +55,8 @@ private:
   void put_candidates(SlotId slot, const FrameChange& change, List candidates);
 
   void check(const script::Constraint& constraint, std::vector<Error>& errors);
-  bool judged(const Frame& frame, const std::vector<SlotId>& reads) const;
+  bool judged(const std::vector<SlotId>& reads) const;
+  const std::vector<SlotState>& unfilled() const; // after the denials
   void refuse(const std::vector<SlotId>& reads, const std::string& reason);
 
   void ground_value(SlotReport& report);
@@ -63,9 +65,11 @@ private:
   const script::Topic& topic_;
   Frame& frame_;
   const FrameEvaluator& evaluate_;
-  Frame before_;                             // the event
-  std::vector<SlotState> unfilled_;          // after the denials
-  std::vector<std::optional<Offer>> offers_; // one for each slot
+  const std::vector<SlotState> before_;            // the event
+  bool denied_ = false;                            // something
+  std::optional<std::vector<SlotState>> after_no_; // then
+  std::vector<Offer> offers_;                      // one for each slot
+  std::forward_list<FrameChange> left_by_no_;      // offers of our own
   std::vector<SlotReport> reports_; // of slots that got a value: accepted
 };
 

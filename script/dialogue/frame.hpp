@@ -99,12 +99,10 @@ struct FrameChange {
 };
 
 struct FrameRequest {
-  // On the first request: the frame as the session has it, to start from.
+  // The frame as the session has it, to start from; null where it is the one
+  // that was answered last.
   FramePointer start;
   std::vector<FrameChange> changes; // of one event, in order
-  // The first so many were made by the session itself (a <set>, a question
-  // asked) and are reported by nobody.
-  std::size_t told = 0;
   Timestamp now = 0;
   // Session variables, for constraints that read them; may be null.
   std::shared_ptr<const List> variables;
@@ -163,5 +161,10 @@ SlotId missing_slot(const script::Topic& topic, const Frame& frame);
 // of this event's slots that it reads (all, where it reads none).
 FrameResult apply(const script::Program& program, const Frame& frame,
                   const FrameRequest& request, const FrameEvaluator& evaluate);
+
+// The same for one change that the session makes itself, in place.
+std::vector<SlotReport> change_frame(const script::Program& program,
+                                     Frame& frame, const FrameChange& change,
+                                     const FrameEvaluator& evaluate);
 
 } // namespace parlour::dialogue

@@ -1,6 +1,7 @@
 // The event that changes a frame: changes in order, of which rows of fills,
 // corrections and denials are one filling event each (filling_event.hpp).
 #include <algorithm>
+#include <span>
 #include <utility>
 
 #include "script/dialogue/filling_event.hpp"
@@ -18,48 +19,52 @@ bool is_filling(Kind kind) {
 
 class Event {
 public:
-  Event(const script::Program& program, Frame frame,
+  Event(const script::Program& program, Frame& frame,
         const FrameEvaluator& evaluate)
-      : program_(program), topic_(program.topics[frame.topic]),
-        frame_(std::move(frame)), evaluate_(evaluate) {}
+      : program_(program), topic_(program.topics[frame.topic]), frame_(frame),
+        evaluate_(evaluate) {}
 
-  void run(const std::vector<FrameChange>& changes, std::size_t from,
-           std::size_t to) {
-    for (auto at = from; at < to;) {
-      if (!is_filling(changes[at].kind)) {
-        change(changes[at++]);
+  void run(std::span<const FrameChange> changes) {
+    for (auto at = changes.begin(); at != changes.end();) {
+      if (!is_filling(at->kind)) {
+        change(*at++);
         continue;
       }
       FillingEvent filling(topic_, frame_, evaluate_);
-      for (; at < to && is_filling(changes[at].kind); ++at)
-        filling.take(changes[at]);
-      for (auto& report : filling.run(errors_))
-        add(std::move(report));
+      for (; at != changes.end() && is_filling(at->kind); ++at)
+        filling.take(*at);
+      add(filling.run(errors_));
     }
     settle();
   }
 
-  // What was said before is old news.
-  void forget_reports() {
-    reports_.clear();
-    errors_.clear();
-  }
-
-  FrameResult result() {
+  std::vector<SlotReport> reports() {
     std::sort(reports_.begin(), reports_.end(),
               [](const auto& a, const auto& b) { return a.slot < b.slot; });
+    return std::move(reports_);
+  }
+
+  // All but the frame.
+  FrameResult result() {
     FrameResult result;
     result.missing = missing_slot(topic_, frame_);
     result.query_slot_filled =
         std::any_of(reports_.begin(), reports_.end(),
                     [&](const auto& report) { return asks_query(report); });
-    result.frame = std::make_shared<const Frame>(std::move(frame_));
-    result.reports = std::move(reports_);
+    result.reports = reports();
     result.errors = std::move(errors_);
     return result;
   }
 
 private:
+  void add(std::vector<SlotReport> reports) {
+    if (reports_.empty())
+      reports_ = std::move(reports);
+    else
+      for (auto& report : reports)
+        add(std::move(report));
+  }
+
   // One report a slot: what it was before the event, what became of it last.
   void add(SlotReport report) {
     auto found =
@@ -229,7 +234,7 @@ private:
 
   const script::Program& program_;
   const script::Topic& topic_;
-  Frame frame_;
+  Frame& frame_;
   const FrameEvaluator& evaluate_;
   std::vector<SlotReport> reports_;
   std::vector<Error> errors_;
@@ -239,14 +244,21 @@ private:
 
 FrameResult apply(const script::Program& program, const Frame& frame,
                   const FrameRequest& request, const FrameEvaluator& evaluate) {
-  Event event(program, request.start ? *request.start : frame, evaluate);
-  // The session made these one by one; so are they here.
-  const auto told = std::min(request.told, request.changes.size());
-  for (std::size_t at = 0; at < told; ++at)
-    event.run(request.changes, at, at + 1);
-  event.forget_reports();
-  event.run(request.changes, told, request.changes.size());
-  return event.result();
+  auto changed =
+      std::make_shared<Frame>(request.start ? *request.start : frame);
+  Event event(program, *changed, evaluate);
+  event.run(request.changes);
+  auto result = event.result();
+  result.frame = std::move(changed);
+  return result;
+}
+
+std::vector<SlotReport> change_frame(const script::Program& program,
+                                     Frame& frame, const FrameChange& change,
+                                     const FrameEvaluator& evaluate) {
+  Event event(program, frame, evaluate);
+  event.run({&change, 1});
+  return event.reports();
 }
 
 } // namespace parlour::dialogue

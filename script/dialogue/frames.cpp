@@ -1,7 +1,6 @@
 #include "script/dialogue/frames.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <utility>
 
 #include "script/dialogue/frame_evaluator.hpp"
@@ -10,9 +9,6 @@
 namespace parlour::dialogue {
 
 namespace {
-
-// Changes that are kept for the frame's actor; more travel as the frame.
-constexpr std::size_t most_untold = 256;
 
 std::shared_ptr<const List>
 variables_of(const script::Interpreter& interpreter) {
@@ -63,25 +59,13 @@ Frames::Frames(const script::Program& program, script::Interpreter& interpreter)
     : program_(&program), interpreter_(&interpreter),
       entries_(program.topics.size()) {}
 
-const Frame& Frames::get(TopicId topic, Timestamp now) const {
-  return *entry(topic, now).frame;
-}
-
-FrameResult Frames::change(TopicId topic, FrameChange change, Timestamp now) {
+std::vector<SlotReport> Frames::change(TopicId topic, const FrameChange& change,
+                                       Timestamp now) {
   auto& mine = entry(topic, now);
-  FrameRequest request;
-  request.now = now;
-  request.changes.push_back(change);
-  auto result = apply(*program_, *mine.frame, request,
+  if (!mine.own)
+    mine.frame = mine.own = std::make_shared<Frame>(*mine.frame);
+  return change_frame(*program_, *mine.own, change,
                       make_frame_evaluator(*interpreter_, now));
-  mine.frame = result.frame;
-  if (mine.has_actor)
-    mine.untold.push_back(std::move(change));
-  if (mine.untold.size() > most_untold) { // the whole frame is shorter
-    mine.untold.clear();
-    mine.has_actor = false;
-  }
-  return result;
 }
 
 FrameRequest Frames::request(TopicId topic, std::vector<FrameChange> changes,
@@ -89,27 +73,25 @@ FrameRequest Frames::request(TopicId topic, std::vector<FrameChange> changes,
   auto& mine = entry(topic, now);
   FrameRequest request;
   request.now = now;
-  if (!std::exchange(mine.has_actor, true))
+  if (mine.own)
     request.start = mine.frame;
-  request.changes = std::exchange(mine.untold, {});
-  request.told = request.changes.size();
-  request.changes.insert(request.changes.end(),
-                         std::make_move_iterator(changes.begin()),
-                         std::make_move_iterator(changes.end()));
+  mine.own.reset(); // it is shared from now on
+  request.changes = std::move(changes);
   if (reads_variables(*program_, program_->topics[topic]))
     request.variables = variables_of(*interpreter_);
   return request;
 }
 
 void Frames::store(FramePointer frame) {
-  auto topic = frame->topic;
-  entries_[topic].frame = std::move(frame);
+  auto& mine = entries_[frame->topic];
+  mine.own.reset();
+  mine.frame = std::move(frame);
 }
 
 Frames::Entry& Frames::entry(TopicId topic, Timestamp now) const {
   auto& mine = entries_[topic];
   if (!mine.frame)
-    mine.frame = std::make_shared<const Frame>(
+    mine.frame = mine.own = std::make_shared<Frame>(
         new_frame(*program_, topic, make_frame_evaluator(*interpreter_, now)));
   return mine;
 }

@@ -1,6 +1,7 @@
 // Frames: the session's view of its topics' frames. Reads are local; small
-// changes (a script's <set>, a question asked) are made here at once and
-// travel with the next request to the frame's actor (engine rule 5).
+// changes (a script's <set>, a question asked) are made here at once, in place
+// while nobody else has the frame, which travels with the next request to its
+// actor (engine rule 5).
 #pragma once
 
 #include <vector>
@@ -15,21 +16,25 @@ public:
   Frames(const script::Program& program, script::Interpreter& interpreter);
 
   // Made with the slots' initial values when first looked at.
-  const Frame& get(TopicId topic, Timestamp now) const;
+  const Frame& get(TopicId topic, Timestamp now) const {
+    const auto& mine = entries_[topic];
+    return mine.frame ? *mine.frame : *entry(topic, now).frame;
+  }
 
-  FrameResult change(TopicId topic, FrameChange change, Timestamp now);
+  // What became of the topic's slots by it.
+  std::vector<SlotReport> change(TopicId topic, const FrameChange& change,
+                                 Timestamp now);
 
-  // What the actor must be told: all that was changed here since the last
-  // request, then `changes`.
+  // What the actor must be told: the frame, where it was changed here since
+  // its last answer, and `changes`.
   FrameRequest request(TopicId topic, std::vector<FrameChange> changes,
                        Timestamp now);
   void store(FramePointer frame);
 
 private:
   struct Entry {
-    FramePointer frame; // null: not touched
-    std::vector<FrameChange> untold;
-    bool has_actor = false;
+    FramePointer frame;         // null: not touched
+    std::shared_ptr<Frame> own; // the same one, while nobody else has it
   };
 
   Entry& entry(TopicId topic, Timestamp now) const;

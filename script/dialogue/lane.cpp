@@ -14,11 +14,19 @@ void Lane::queue(std::vector<Step> item) {
 void Lane::now(std::vector<Step> steps) {
   if (steps.empty())
     return;
+  auto& agenda = running().agenda;
+  agenda.insert(agenda.end(), std::make_move_iterator(steps.rbegin()),
+                std::make_move_iterator(steps.rend()));
+}
+
+void Lane::at_once(Step step) {
+  running().agenda.push_back(std::move(step));
+}
+
+Lane::Context& Lane::running() {
   if (contexts_.back().waiting != 0)
     contexts_.emplace_back();
-  auto& agenda = contexts_.back().agenda;
-  agenda.insert(agenda.begin(), std::make_move_iterator(steps.begin()),
-                std::make_move_iterator(steps.end()));
+  return contexts_.back();
 }
 
 std::optional<Step> Lane::next() {
@@ -29,8 +37,8 @@ std::optional<Step> Lane::next() {
         return std::nullopt;
       take_item(contexts_.emplace_back());
     } else if (!top.agenda.empty()) {
-      auto step = std::move(top.agenda.front());
-      top.agenda.pop_front();
+      std::optional<Step> step(std::move(top.agenda.back()));
+      top.agenda.pop_back();
       return step;
     } else if (contexts_.size() > 1) {
       contexts_.pop_back(); // the one below goes on, or still waits
@@ -43,9 +51,10 @@ std::optional<Step> Lane::next() {
 }
 
 void Lane::take_item(Context& context) {
-  auto item = std::move(queue_.front());
-  queue_.pop_front();
-  std::move(item.begin(), item.end(), std::back_inserter(context.agenda));
+  auto item = queue_.take();
+  if (context.agenda.empty() && context.agenda.capacity() < item.size())
+    context.agenda.reserve(4 * item.size());
+  std::move(item.rbegin(), item.rend(), std::back_inserter(context.agenda));
 }
 
 void Lane::wait(WaitId wait, bool for_user) {
@@ -58,7 +67,7 @@ bool Lane::wake(WaitId wait, Step step) {
   for (auto& context : contexts_)
     if (context.waiting == wait) {
       context.waiting = 0;
-      context.agenda.push_front(std::move(step));
+      context.agenda.push_back(std::move(step));
       return true;
     }
   return false;

@@ -4,10 +4,10 @@
 // pushed state), for the next items too. Any other wait holds the lane.
 #pragma once
 
-#include <deque>
 #include <optional>
 #include <vector>
 
+#include "script/dialogue/fifo.hpp"
 #include "script/dialogue/step.hpp"
 
 namespace parlour::dialogue {
@@ -18,6 +18,7 @@ public:
   void queue(std::vector<Step> item);
   // In front of all that runs, in the given order; above a context that waits.
   void now(std::vector<Step> steps);
+  void at_once(Step step);
 
   // The next step to take, or nothing while the lane waits or is idle.
   std::optional<Step> next();
@@ -42,15 +43,16 @@ public:
 
 private:
   struct Context {
-    std::deque<Step> agenda;
+    std::vector<Step> agenda; // the next one last
     WaitId waiting = 0;
     bool for_user = false;
   };
 
   void take_item(Context& context);
+  Context& running(); // above one that waits
 
   std::vector<Context> contexts_{1};
-  std::deque<std::vector<Step>> queue_;
+  Fifo<std::vector<Step>> queue_;
 };
 
 } // namespace parlour::dialogue

@@ -23,9 +23,31 @@ Matched one_of(List values) {
   return {{}, std::move(values)};
 }
 
+// The options that are the same but for case and spaces.
+List same(const Value& said, const List& options) {
+  const auto text = said.text();
+  const auto words = folded(text);
+  auto is_same = [&](const std::string& written) {
+    return written == words || // as sets are mostly written
+           (written.size() >= words.size() && folded(written) == words);
+  };
+  List found;
+  for (const auto& option : options) {
+    const auto* string = option.if_string();
+    const auto written = string ? std::string() : option.text();
+    const auto& name = string ? *string : written;
+    if (is_same(name) && (!words.empty() || name == text) &&
+        !contains(found, option))
+      found.push_back(option);
+  }
+  return found;
+}
+
 // The options nearest in spelling; of equally near ones all.
 List nearest(const Value& said, const List& options) {
-  List found;
+  auto found = same(said, options);
+  if (!found.empty())
+    return found;
   int best = 0;
   for (const auto& option : options) {
     auto distance = spelling_distance(said.text(), option.text());
@@ -44,6 +66,7 @@ List nearest(const Value& said, const List& options) {
 List set_values(const script::Cardinality& cardinality,
                 const CardinalityEvaluator& evaluate) {
   List values;
+  values.reserve(cardinality.values.size());
   for (auto code : cardinality.values) {
     auto value = evaluate(code);
     if (value && value->if_list())
@@ -99,7 +122,7 @@ Value by_pattern(const std::string& pattern, const Value& said) {
 
 bool is_empty(const Value& value) {
   return value.is_unknown() ||
-         (value.if_string() && words_of(value.text()).empty());
+         (value.if_string() && folded(*value.if_string()).empty());
 }
 
 Matched match_said(const script::Slot& slot, const Value& said, bool unmatched,

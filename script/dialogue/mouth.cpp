@@ -9,7 +9,7 @@ namespace parlour::dialogue {
 
 namespace {
 
-constexpr const char* language_generation = "NLG";
+const std::string language_generation = "NLG";
 
 } // namespace
 
@@ -36,13 +36,14 @@ Value Mouth::generate_params(const Say& what) {
 }
 
 OutputId Mouth::say(Say what) {
-  auto params = generate_params(what);
   if (!core_.port.reachable(language_generation)) {
-    auto text = words_of(params);
+    auto text = what.text.empty() ? words_of(generate_params(what))
+                                  : std::move(what.text);
     return text.empty()
                ? 0
                : push(what.as, std::move(text), what, OutputState::pending);
   }
+  auto params = generate_params(what);
   auto id = push(what.as, {}, what, OutputState::worded);
   auto correlation =
       core_.post(language_generation, "Generate", {params}, what.turn);
@@ -135,7 +136,7 @@ bool Mouth::release() {
   }
   for (const auto& output : result.released) {
     inspect(output, "released");
-    playing_[output.id] = output.interruptible;
+    playing_.push_back({output.id, output.interruptible});
     core_.topics.released(output);
     core_.port.release(output);
   }
@@ -160,11 +161,12 @@ void Mouth::repeat_last(TurnId turn) {
 }
 
 void Mouth::finished(OutputId id) {
-  playing_.erase(id);
+  std::erase_if(playing_,
+                [&](const Playing& output) { return output.id == id; });
 }
 
 void Mouth::interrupted(OutputId id, std::string heard) {
-  playing_.erase(id);
+  finished(id);
   auto cut = queue_.cut(id, heard);
   if (!cut)
     return;
@@ -186,7 +188,7 @@ void Mouth::take_up_interrupted() {
 
 bool Mouth::can_be_interrupted() const {
   return std::any_of(playing_.begin(), playing_.end(),
-                     [](const auto& output) { return output.second; });
+                     [](const Playing& output) { return output.interruptible; });
 }
 
 bool Mouth::silent() const {

@@ -8,6 +8,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "script/dialogue/output_queue.hpp"
 #include "script/dialogue/turns.hpp"
@@ -107,7 +108,11 @@ private:
   std::map<Correlation, Wording> wording_;
   std::map<std::string, std::int64_t> uses_; // of each phrase, for rotation
   std::uint64_t made_ = 0;
-  std::map<OutputId, bool> playing_; // whether it is interruptible
+  struct Playing {
+    OutputId id = 0;
+    bool interruptible = true;
+  };
+  std::vector<Playing> playing_;
   std::optional<Output> interrupted_;
   bool changed_ = false;
 };

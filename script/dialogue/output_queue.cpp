@@ -1,6 +1,7 @@
 #include "script/dialogue/output_queue.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace parlour::dialogue {
@@ -44,30 +45,31 @@ OutputQueue::Released OutputQueue::release(bool user_turn_begun) {
   Released result;
   if (user_turn_begun)
     result.withdrawn = withdraw_questions();
-  while (!entries_.empty() && entries_.front().state == OutputState::pending) {
-    auto output = std::move(entries_.front());
-    entries_.pop_front();
-    output.state = OutputState::playing;
+  const auto waits =
+      std::find_if(entries_.begin(), entries_.end(), [](const Output& output) {
+        return output.state != OutputState::pending;
+      });
+  for (auto entry = entries_.begin(); entry != waits; ++entry) {
+    entry->state = OutputState::playing;
     if (std::exchange(fresh_turn_, false))
       last_turn_.clear();
-    last_turn_.push_back({output, output.text});
-    result.released.push_back(std::move(output));
+    last_turn_.push_back({*entry, entry->text});
   }
+  result.released.assign(std::make_move_iterator(entries_.begin()),
+                         std::make_move_iterator(waits));
+  entries_.erase(entries_.begin(), waits);
   return result;
 }
 
 std::vector<Output> OutputQueue::withdraw_questions() {
-  std::vector<Output> withdrawn;
-  std::deque<Output> kept;
-  for (auto& output : entries_) {
-    if (may_be_withdrawn(output)) {
-      output.state = OutputState::withdrawn;
-      withdrawn.push_back(std::move(output));
-    } else {
-      kept.push_back(std::move(output));
-    }
-  }
-  entries_ = std::move(kept);
+  const auto first = std::stable_partition(
+      entries_.begin(), entries_.end(),
+      [](const Output& output) { return !may_be_withdrawn(output); });
+  std::vector<Output> withdrawn(std::make_move_iterator(first),
+                                std::make_move_iterator(entries_.end()));
+  entries_.erase(first, entries_.end());
+  for (auto& output : withdrawn)
+    output.state = OutputState::withdrawn;
   return withdrawn;
 }
 

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
 #include <optional>
 #include <string>
 #include <vector>
@@ -71,7 +70,7 @@ public:
   void turn_begins(); // the next release starts a new robot turn
 
 private:
-  std::deque<Output> entries_;
+  std::vector<Output> entries_;
   struct Spoken {
     Output output;
     std::string heard;

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "script/dialogue/core.hpp"
+#include "script/dialogue/steps.hpp"
 
 namespace parlour::dialogue {
 
@@ -15,27 +16,27 @@ bool fits(const std::string& wanted, const std::string& name) {
 
 bool wants_out(const Step& step) {
   return step.kind == StepKind::take_act &&
-         (step.act.kind == ActKind::cancel ||
-          step.act.kind == ActKind::abandon ||
-          step.act.kind == ActKind::restart);
+         (step.act->kind == ActKind::cancel ||
+          step.act->kind == ActKind::abandon ||
+          step.act->kind == ActKind::restart);
 }
 
 } // namespace
 
 Pipeline::Pipeline(Core& core) : core_(core) {}
 
-void Pipeline::take(Input input) {
+void Pipeline::take(Input&& input) {
   for (auto& item : waiting_)
-    if (item->message->source == input.message.source &&
-        item->message->command == input.message.command) {
+    if (item->message->source == input.message->source &&
+        item->message->command == input.message->command) {
       hold(*item, std::move(input));
       return;
     }
-  auto item = std::make_unique<Item>();
-  item->turn = input.turn;
-  item->raised = input.raised;
-  item->reactions = matches(input.message.source, input.message.command);
-  item->message = std::make_shared<const Message>(std::move(input.message));
+  Item item;
+  item.turn = input.turn;
+  item.raised = input.raised;
+  item.reactions = matches(input.message->source, input.message->command);
+  item.message = std::move(input.message);
   go_on(std::move(item));
 }
 
@@ -84,27 +85,31 @@ bool Pipeline::captures_everything() const {
          core_.program->states[state].capture == script::Capture::all;
 }
 
-void Pipeline::go_on(std::unique_ptr<Item> item) {
-  while (item->next < item->reactions.size() && !item->consumed) {
-    const auto& match = item->reactions[item->next++];
+void Pipeline::go_on(Item&& item) {
+  while (item.next < item.reactions.size() && !item.consumed) {
+    const auto& match = item.reactions[item.next++];
     script::ActivationContext context;
-    context.message = item->message;
-    context.turn = item->turn;
+    context.message = item.message;
+    context.turn = item.turn;
     context.handles_error =
-        item->message->source == "Script" && item->message->command == "Error";
-    item->consumed = match.captures;
+        item.message->source == "Script" && item.message->command == "Error";
+    item.consumed = match.captures;
     core_.effects.reached(match.reaction->position);
-    running_ = item.get();
-    item->waiting =
+    running_ = &item;
+    item.waiting =
         core_.runner.start(match.reaction->body, {}, std::move(context));
     running_ = nullptr;
-    hand_over(*item);
-    if (item->waiting != 0) {
-      waiting_.push_back(std::move(item));
+    hand_over(item);
+    if (item.waiting != 0) {
+      keep(std::move(item));
       return;
     }
   }
   finish(std::move(item));
+}
+
+void Pipeline::keep(Item&& item) {
+  waiting_.push_back(std::make_unique<Item>(std::move(item)));
 }
 
 // What the script asked for becomes an item of the dialogue lane, which ends
@@ -118,10 +123,7 @@ void Pipeline::hand_over(const Item& item) {
     core_.lane.now(core_.cancel_waits());
     core_.machine.clear_pushed();
   }
-  Step conclude;
-  conclude.kind = StepKind::conclude;
-  conclude.turn = item.turn;
-  steps.push_back(std::move(conclude));
+  steps.push_back(conclude_step(item.turn));
   core_.lane.queue(std::move(steps));
 }
 
@@ -131,38 +133,37 @@ bool Pipeline::resume(WaitId wait, Expected<Value> outcome) {
                    [&](const auto& item) { return item->waiting == wait; });
   if (found == waiting_.end())
     return false;
-  auto item = std::move(*found);
+  auto item = std::move(**found);
   waiting_.erase(found);
-  running_ = item.get();
-  item->waiting = core_.runner.resume(wait, std::move(outcome));
+  running_ = &item;
+  item.waiting = core_.runner.resume(wait, std::move(outcome));
   running_ = nullptr;
-  hand_over(*item);
-  if (item->waiting != 0)
-    waiting_.push_back(std::move(item));
+  hand_over(item);
+  if (item.waiting != 0)
+    keep(std::move(item));
   else
     go_on(std::move(item));
   return true;
 }
 
-void Pipeline::finish(std::unique_ptr<Item> item) {
-  const bool taken = item->next > 0;
+void Pipeline::finish(Item&& item) {
+  const bool taken = item.next > 0;
   // Who listens to everything has not meant to say it in other words.
   const bool worded = std::any_of(
-      item->reactions.begin(),
-      item->reactions.begin() + static_cast<std::ptrdiff_t>(item->next),
+      item.reactions.begin(),
+      item.reactions.begin() + static_cast<std::ptrdiff_t>(item.next),
       [](const Match& match) { return match.named(); });
-  core_.mouth.handled(*item->message, worded);
-  core_.effects.sockets.handled(*item->message);
-  if (means_nothing(*item))
-    not_understood(*item, taken);
+  core_.mouth.handled(*item.message, worded);
+  core_.effects.sockets.handled(*item.message);
+  if (means_nothing(item))
+    not_understood(item, taken);
   else if (!taken)
-    core_.effects.unhandled(*item->message, item->turn, item->raised);
-  core_.turns.let_go(item->turn);
-  auto behind = std::move(item->behind);
+    core_.effects.unhandled(*item.message, item.turn, item.raised);
+  core_.turns.let_go(item.turn);
   // The held messages go first, before what came after them.
-  while (!behind.empty()) {
-    core_.inbox.push_front(std::move(behind.back()));
-    behind.pop_back();
+  while (!item.behind.empty()) {
+    core_.inbox.push_front(std::move(item.behind.back()));
+    item.behind.pop_back();
   }
 }
 

@@ -3,7 +3,6 @@
 // handler that waits holds only later messages of the same source and command.
 #pragma once
 
-#include <deque>
 #include <memory>
 #include <set>
 #include <string>
@@ -26,7 +25,7 @@ public:
 
   // Behind an activation that waits at most most_held wait; a further one
   // is an error and is dropped.
-  void take(Input input);
+  void take(Input&& input);
   // An activation of this lane goes on; false where it is none of ours.
   bool resume(WaitId wait, Expected<Value> outcome);
   // <consume/> in the reaction that is running.
@@ -55,12 +54,13 @@ private:
     std::size_t next = 0;
     bool consumed = false;
     WaitId waiting = 0;
-    std::deque<Input> behind; // same source and command
+    std::vector<Input> behind; // same source and command
   };
 
   void hold(Item& item, Input input);
-  void go_on(std::unique_ptr<Item> item);
-  void finish(std::unique_ptr<Item> item);
+  void go_on(Item&& item);
+  void finish(Item&& item);
+  void keep(Item&& item); // until what it waits for comes
   void hand_over(const Item& item);
   bool means_nothing(const Item& item) const;
   void not_understood(const Item& item, bool taken);

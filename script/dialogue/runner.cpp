@@ -18,6 +18,8 @@ std::vector<Step> last_transit_only(std::vector<Step> steps) {
   if (last == steps.rend())
     return steps;
   const auto kept = last.base() - 1;
+  if (std::none_of(steps.begin(), kept, is_transit))
+    return steps;
   std::vector<Step> result;
   for (auto step = steps.begin(); step != steps.end(); ++step)
     if (!is_transit(*step) || step == kept)
@@ -55,6 +57,8 @@ WaitId Runner::resume(WaitId wait, Expected<Value> outcome) {
 }
 
 void Runner::later(Step step) {
+  if (later_.empty())
+    later_.reserve(2); // it, and the conclusion
   later_.push_back(std::move(step));
 }
 
@@ -66,9 +70,7 @@ bool Runner::for_user(WaitId wait) const {
 WaitId Runner::take_slice() {
   if (slices_.empty())
     return 0;
-  auto wait = slices_.front();
-  slices_.pop_front();
-  return wait;
+  return slices_.take();
 }
 
 Expected<Value> Runner::evaluate(CodeId code, std::vector<Value> arguments,
@@ -116,14 +118,15 @@ void Runner::report(const script::ActivationContext& context,
 }
 
 std::vector<Step> Runner::hand_over() {
-  std::vector<Step> steps;
-  for (auto& step : last_transit_only(std::exchange(later_, {}))) {
+  auto steps = last_transit_only(std::exchange(later_, {}));
+  const auto end = std::find_if(steps.begin(), steps.end(), [&](Step& step) {
     if (!core_.one_more_internal_event())
-      break;
+      return true; // it and the rest are dropped
     if (step.kind == StepKind::take_act || step.kind == StepKind::no_match)
       core_.turns.hold(step.turn);
-    steps.push_back(std::move(step));
-  }
+    return false;
+  });
+  steps.erase(end, steps.end());
   return steps;
 }
 

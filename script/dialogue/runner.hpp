@@ -3,10 +3,10 @@
 // (language rule 5).
 #pragma once
 
-#include <deque>
 #include <map>
 #include <memory>
 
+#include "script/dialogue/fifo.hpp"
 #include "script/dialogue/step.hpp"
 #include "script/interpreter.hpp"
 
@@ -74,7 +74,7 @@ private:
   Wait expected_;
   std::vector<Step> later_;
   std::map<WaitId, Waiting> waiting_;
-  std::deque<WaitId> slices_;
+  Fifo<WaitId> slices_;
 };
 
 } // namespace parlour::dialogue

@@ -108,9 +108,33 @@ std::optional<int> word_by_word(const std::vector<std::string>& said,
   return sum;
 }
 
-} // namespace
+bool is_ascii(std::string_view text) {
+  return std::all_of(text.begin(), text.end(),
+                     [](char c) { return static_cast<signed char>(c) >= 0; });
+}
 
-std::string folded(std::string_view text) {
+// The same as below, for the letters that most texts are made of.
+std::string folded_ascii(std::string_view text) {
+  std::string result;
+  result.reserve(text.size());
+  bool gap = false;
+  for (char letter : text) {
+    if (letter == '\'')
+      continue;
+    if (letter >= 'A' && letter <= 'Z')
+      letter = static_cast<char>(letter | 0x20);
+    const bool shown =
+        (letter >= 'a' && letter <= 'z') || (letter >= '0' && letter <= '9');
+    if (shown && gap && !result.empty())
+      result += ' ';
+    if (shown)
+      result += letter;
+    gap = !shown;
+  }
+  return result;
+}
+
+std::string folded_unicode(std::string_view text) {
   auto unicode = icu::UnicodeString::fromUTF8(
       icu::StringPiece(text.data(), static_cast<std::int32_t>(text.size())));
   unicode.foldCase();
@@ -133,6 +157,12 @@ std::string folded(std::string_view text) {
   std::string utf8;
   result.toUTF8String(utf8);
   return utf8;
+}
+
+} // namespace
+
+std::string folded(std::string_view text) {
+  return is_ascii(text) ? folded_ascii(text) : folded_unicode(text);
 }
 
 std::vector<std::string> words_of(std::string_view text) {

@@ -15,19 +15,26 @@ std::string name_of(const Core& core, StateId state) {
 
 } // namespace
 
-void StateMachine::transit(Step step) {
-  std::vector<Step> steps(1);
-  steps[0].kind = StepKind::leave;
-  steps[0].state = core_.states.active();
+void StateMachine::transit(Step&& step) {
+  const auto left = core_.states.active();
+  const bool exits = left != script::no_id &&
+                     core_.program->states[left].exit != script::no_code;
+  if (!exits && step.code == script::no_code) { // nothing to run in between
+    enter(step);
+    return;
+  }
+  Step leave;
+  leave.kind = StepKind::leave;
+  leave.state = left;
   Step enter;
   enter.kind = StepKind::enter;
   enter.state = step.state;
+  core_.lane.at_once(std::move(enter));
   // In between, what stands in <transit>: with the topic, message and turn of
   // the script that it is a part of.
   if (step.code != script::no_code)
-    steps.push_back(make_step(StepKind::run, std::move(step)));
-  steps.push_back(std::move(enter));
-  core_.lane.now(std::move(steps));
+    core_.lane.at_once(make_step(StepKind::run, std::move(step)));
+  core_.lane.at_once(std::move(leave));
 }
 
 void StateMachine::leave(const Step& step) {
@@ -35,17 +42,18 @@ void StateMachine::leave(const Step& step) {
     return;
   if (auto code = core_.program->states[step.state].exit;
       code != script::no_code)
-    core_.lane.now({body_step(code, 0)});
+    core_.lane.at_once(body_step(code, 0));
 }
 
 void StateMachine::enter(const Step& step) {
-  core_.inspect(InspectionKind::transition,
-                core_.program->states[step.state].name,
-                "from '" + name_of(core_, core_.states.active()) + "'");
+  if (core_.port.inspected())
+    core_.inspect(InspectionKind::transition,
+                  core_.program->states[step.state].name,
+                  "from '" + name_of(core_, core_.states.active()) + "'");
   core_.states.enter(step.state);
   const auto& state = core_.program->states[step.state];
   if (state.entrance != script::no_code)
-    core_.lane.now({body_step(state.entrance, 0)});
+    core_.lane.at_once(body_step(state.entrance, 0));
 }
 
 void StateMachine::push(const Step& step) {
@@ -63,14 +71,10 @@ void StateMachine::pop(const Step& step) {
     return;
   }
   core_.states.pop();
-  Step back;
-  back.kind = StepKind::resume_wait;
-  back.wait = pushes_.back();
+  const auto wait = pushes_.back();
   pushes_.pop_back();
-  if (core_.lane.waits(back.wait))
-    core_.lane.wake(back.wait, back);
-  else // a handler's
-    core_.lane.now({back});
+  if (!core_.lane.wake(wait, outcome_step(wait, Value()))) // a handler's
+    core_.lane.at_once(outcome_step(wait, Value()));
 }
 
 bool StateMachine::agent_changed(const Message& event) {
@@ -98,7 +102,7 @@ void StateMachine::react(const script::Reaction& reaction,
   auto step = body_step(reaction.body, 0);
   step.message = std::move(event);
   core_.effects.reached(reaction.position);
-  core_.lane.queue({std::move(step), make_step(StepKind::conclude, {})});
+  core_.lane.queue({std::move(step), conclude_step(0)});
 }
 
 void StateMachine::greet_agents() {

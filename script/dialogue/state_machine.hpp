@@ -12,7 +12,7 @@ class StateMachine {
 public:
   explicit StateMachine(Core& core) : core_(core) {}
 
-  void transit(Step step);
+  void transit(Step&& step);
   void leave(const Step& step);
   void enter(const Step& step);
   void push(const Step& step);

@@ -20,12 +20,10 @@ using script::StateId;
 // clang-format off
 #define PARLOUR_STEP_KINDS(X) \
   X(take_act, "an act of the user, to whoever is first in order") \
-  X(offer_act, "the act to the reactions that listen to source Dialogue") \
   X(topic_act, "the act to the topic engine") \
   X(conclude, "the utterance is dealt with: what to ask now") \
   X(activate, "a topic becomes the current one") \
   X(fill, "the act's slots to the frame's actor") \
-  X(filled, "what became of them: rules, then each slot") \
   X(rule, "a rule's body, where its condition holds") \
   X(report, "what became of one slot") \
   X(settle, "whether the topic is done, must be looked up, or goes on") \
@@ -66,24 +64,26 @@ enum class StepKind : std::uint8_t {
 
 using WaitId = std::uint64_t; // 0: none
 
+// Small, as it is moved often: what is large is shared. Null where the kind
+// has no use for it.
 struct Step {
   StepKind kind = StepKind::run;
+  OutputAct output = OutputAct::question; // of ask
   TopicId topic = script::no_id;
   SlotId slot = script::no_id;
   StateId state = script::no_id;
-  TurnId turn = 0;
   CodeId code = script::no_code;
   CodeId condition = script::no_code; // of a rule
-  std::vector<Value> arguments;       // of the code
-  Act act;
-  SlotReport report;
+  std::uint32_t report = 0;           // which of the result's, of report
+  TurnId turn = 0;
+  std::uint64_t mark = 0; // how many outputs there were before
+  WaitId wait = 0;
+  std::vector<Value> arguments; // of the code
+  std::shared_ptr<const Act> act;
   std::shared_ptr<const FrameResult> result;
   std::shared_ptr<KnowledgeQuery> query;
-  Statement statement;
-  OutputAct output = OutputAct::question; // of ask
-  std::uint64_t mark = 0;                 // how many outputs there were before
-  WaitId wait = 0;
-  Expected<Value> data;
+  std::shared_ptr<const Statement> statement;
+  std::shared_ptr<const Expected<Value>> data; // of resume_wait, looked_up
   std::shared_ptr<const Message> message;
 };
 

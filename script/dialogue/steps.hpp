@@ -13,6 +13,42 @@ inline Step make_step(StepKind kind, Step like) {
   return like;
 }
 
+// One about the same topic, slot and turn, and nothing else.
+inline Step light_step(StepKind kind, const Step& like) {
+  Step step;
+  step.kind = kind;
+  step.topic = like.topic;
+  step.slot = like.slot;
+  step.turn = like.turn;
+  return step;
+}
+
+// The utterance is dealt with.
+inline Step conclude_step(TurnId turn) {
+  Step step;
+  step.kind = StepKind::conclude;
+  step.turn = turn;
+  return step;
+}
+
+// A step that tells an outcome.
+inline Step outcome_step(WaitId wait, Expected<Value> outcome) {
+  Step step;
+  step.kind = StepKind::resume_wait;
+  step.wait = wait;
+  step.data = std::make_shared<const Expected<Value>>(std::move(outcome));
+  return step;
+}
+
+// An act of the user, to whoever is first in order.
+inline Step act_step(Act act, TurnId turn) {
+  Step step;
+  step.kind = StepKind::take_act;
+  step.act = std::make_shared<const Act>(std::move(act));
+  step.turn = turn;
+  return step;
+}
+
 inline Step topic_step(StepKind kind, TopicId topic) {
   Step step;
   step.kind = kind;

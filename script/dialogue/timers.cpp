@@ -8,14 +8,25 @@
 namespace parlour::dialogue {
 
 TimerId Timers::start(Milliseconds after, Timer timer) {
-  timers_.emplace(++last_, std::move(timer));
+  timers_.emplace_back(++last_, std::move(timer));
   port_->start_timer(last_, after);
   return last_;
 }
 
+// The latest are the likeliest.
+std::vector<Timers::Entry>::iterator Timers::find(TimerId id) {
+  const auto found =
+      std::find_if(timers_.rbegin(), timers_.rend(),
+                   [&](const Entry& entry) { return entry.first == id; });
+  return found == timers_.rend() ? timers_.end() : found.base() - 1;
+}
+
 void Timers::cancel(TimerId id) {
-  if (timers_.erase(id) > 0)
-    port_->cancel_timer(id);
+  const auto found = find(id);
+  if (found == timers_.end())
+    return;
+  timers_.erase(found);
+  port_->cancel_timer(id);
 }
 
 template <class Predicate>
@@ -41,7 +52,7 @@ void Timers::cancel_wait(WaitId wait) {
 }
 
 std::optional<Timer> Timers::fired(TimerId id) {
-  auto found = timers_.find(id);
+  const auto found = find(id);
   if (found == timers_.end())
     return std::nullopt;
   auto timer = std::move(found->second);

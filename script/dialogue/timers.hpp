@@ -2,9 +2,9 @@
 // knows an id; what it means is kept here, as plain data.
 #pragma once
 
-#include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "script/dialogue/port.hpp"
@@ -56,8 +56,12 @@ private:
   template <class Predicate>
   void cancel_where(Predicate predicate);
 
+  using Entry = std::pair<TimerId, Timer>;
+
+  std::vector<Entry>::iterator find(TimerId id);
+
+  std::vector<Entry> timers_; // by id
   Port* port_;
-  std::map<TimerId, Timer> timers_;
   TimerId last_ = 0;
 };
 

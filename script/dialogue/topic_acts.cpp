@@ -40,7 +40,7 @@ bool TopicEngine::is_generic(const Act& act) const {
 }
 
 void TopicEngine::generic_act(const Step& step) {
-  const auto kind = step.act.kind;
+  const auto kind = step.act->kind;
   const auto name = std::string(name_of(kind));
   Trouble trouble{.act = name.c_str(), .turn = step.turn};
   if (about_the_question(kind) && asked_ && asked_->heard) {
@@ -124,15 +124,15 @@ void TopicEngine::repeat(TurnId turn) {
 bool TopicEngine::corrects_what_is_done(const Step& step) {
   const auto latest = core_.order.latest();
   const auto& sessions = core_.program->settings.sessions;
-  if (step.act.kind != ActKind::correct || step.act.slots.empty() ||
+  if (step.act->kind != ActKind::correct || step.act->slots.empty() ||
       core_.order.current() || !latest ||
       core_.frame(*latest).status != TopicStatus::completed ||
       core_.now - completed_at_ >= sessions.context_for.count())
     return false;
-  for (const auto& value : step.act.slots)
+  for (const auto& value : step.act->slots)
     if (core_.topic(*latest).slot(value.slot) == script::no_id)
       return false;
-  late_ = step.act;
+  late_ = *step.act;
   late_->topic = core_.topic(*latest).name;
   return repair({.act = "correct", .topic = *latest, .turn = step.turn});
 }
@@ -149,7 +149,7 @@ TopicId TopicEngine::to_cancel() const {
 }
 
 // What waits is ended first, so that a <catch> still sees its topic.
-void TopicEngine::cancel(Step step) {
+void TopicEngine::cancel(Step& step) {
   auto topics = std::vector{step.topic};
   if (step.mark != 0)
     topics = unfinished();
@@ -175,7 +175,7 @@ void TopicEngine::cancel(Step step) {
 }
 
 // `mark`: it is one of several, of which one word is enough.
-void TopicEngine::cancel_topic(Step step) {
+void TopicEngine::cancel_topic(Step& step) {
   core_.mouth.withdraw_questions();
   change(step.topic, {.kind = FrameChange::Kind::reset});
   set_status(step.topic, TopicStatus::cancelled);

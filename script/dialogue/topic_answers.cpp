@@ -7,7 +7,16 @@
 
 namespace parlour::dialogue {
 
-void TopicEngine::look_up(Step step) {
+namespace {
+
+void tell(Step& step, Expected<Value> outcome) {
+  step.kind = StepKind::looked_up;
+  step.data = std::make_shared<const Expected<Value>>(std::move(outcome));
+}
+
+} // namespace
+
+void TopicEngine::look_up(Step& step) {
   if (!step.query) {
     auto frame = std::make_shared<const Frame>(core_.frame(step.topic));
     step.query = std::make_shared<KnowledgeQuery>(core_.topic(step.topic),
@@ -17,43 +26,41 @@ void TopicEngine::look_up(Step step) {
       answer_enquiry(step);
       return;
     }
-    step.statement = std::move(*statement);
+    step.statement = std::make_shared<const Statement>(std::move(*statement));
   }
-  if (step.statement.kind == "facts") {
-    look_up_facts(std::move(step));
+  if (step.statement->kind == "facts") {
+    look_up_facts(step);
     return;
   }
-  if (step.statement.kind != "db") {
-    refuse_source(std::move(step));
+  if (step.statement->kind != "db") {
+    refuse_source(step);
     return;
   }
   QueryRequest request;
   request.id = core_.next_id();
-  request.database = step.statement.name;
-  request.sql = step.statement.sql;
-  request.values = step.statement.values;
+  request.database = step.statement->name;
+  request.sql = step.statement->sql;
+  request.values = step.statement->values;
   core_.lane.wait(request.id, false);
   query_ = {request.id, std::move(step)};
   core_.port.query(std::move(request));
 }
 
-void TopicEngine::look_up_facts(Step step) {
+void TopicEngine::look_up_facts(Step& step) {
   auto rows = query_facts(*core_.program, core_.topic(step.topic),
-                          core_.frame(step.topic), step.statement);
-  step.kind = StepKind::looked_up;
-  step.data = std::move(rows).map([](ResultSet set) { return Value(set); });
-  core_.lane.now({std::move(step)});
+                          core_.frame(step.topic), *step.statement);
+  tell(step, std::move(rows).map([](ResultSet set) { return Value(set); }));
+  core_.lane.at_once(std::move(step));
 }
 
 // A kind of knowledge that this build does not have.
-void TopicEngine::refuse_source(Step step) {
-  const auto& source = core_.topic(step.topic).queries[step.statement.source];
-  step.kind = StepKind::looked_up;
-  step.data = fail(ErrorKind::refused,
-                   "<query source=\"" + source.kind +
-                       "\"> is not available yet; use a database or <facts>",
-                   core_.program->place(source.position));
-  core_.lane.now({std::move(step)});
+void TopicEngine::refuse_source(Step& step) {
+  const auto& source = core_.topic(step.topic).queries[step.statement->source];
+  tell(step, fail(ErrorKind::refused,
+                  "<query source=\"" + source.kind +
+                      "\"> is not available yet; use a database or <facts>",
+                  core_.program->place(source.position)));
+  core_.lane.at_once(std::move(step));
 }
 
 bool TopicEngine::query_answered(QueryId id, Expected<ResultSet>& outcome) {
@@ -61,45 +68,45 @@ bool TopicEngine::query_answered(QueryId id, Expected<ResultSet>& outcome) {
     return false;
   auto step = std::move(query_->step);
   query_.reset();
-  step.kind = StepKind::looked_up;
-  step.data = std::move(outcome).map([](ResultSet set) { return Value(set); });
+  tell(step, std::move(outcome).map([](ResultSet set) { return Value(set); }));
   core_.lane.wake(id, std::move(step));
   return true;
 }
 
-void TopicEngine::looked_up(Step step) {
-  if (!step.data) {
+void TopicEngine::looked_up(Step& step) {
+  const auto& rows = *step.data;
+  if (!rows) {
     core_.inspect(InspectionKind::error, core_.topic(step.topic).name,
-                  to_string(step.data.error()));
+                  to_string(rows.error()));
     say("unavailable", step.topic, script::no_id,
-        Map{{"reason", step.data.error().message}}, step.turn);
+        Map{{"reason", rows.error().message}}, step.turn);
     rest(step.topic);
     return;
   }
-  if (!*step.data) // no row: the next statement, if there is one
+  if (!*rows) // no row: the next statement, if there is one
     if (auto statement = step.query->next()) {
-      step.statement = std::move(*statement);
+      step.statement = std::make_shared<const Statement>(std::move(*statement));
       step.kind = StepKind::look_up;
-      core_.lane.now({std::move(step)});
+      core_.lane.at_once(std::move(step));
       return;
     }
   FrameChange change_to;
   change_to.kind = FrameChange::Kind::answered;
-  change_to.value = *step.data;
-  change_to.asked = step.statement.asked;
-  change_to.relaxed = step.statement.relaxed;
+  change_to.value = *rows;
+  change_to.asked = step.statement->asked;
+  change_to.relaxed = step.statement->relaxed;
   change(step.topic, std::move(change_to));
-  const auto& relaxed = step.statement.relaxed;
+  const auto& relaxed = step.statement->relaxed;
   core_.raise(
       "Knowledge", "Result",
-      {*step.data, step.statement.asked, List(relaxed.begin(), relaxed.end())},
+      {*rows, step.statement->asked, List(relaxed.begin(), relaxed.end())},
       step.turn);
   answer_enquiry(step);
 }
 
 // The topic's <filled> has run. If it said nothing, the engine answers; then
 // the enquiry rests (engine rule 5).
-void TopicEngine::answer(Step step) {
+void TopicEngine::answer(Step& step) {
   const auto& frame = core_.frame(step.topic);
   if (core_.mouth.spoken() == step.mark)
     say("answer", step.topic, script::no_id,
@@ -109,7 +116,7 @@ void TopicEngine::answer(Step step) {
         step.turn);
   rest(step.topic);
   if (auto next = needed_by(step.topic); next != script::no_id)
-    core_.lane.now({topic_step(StepKind::activate, next)});
+    core_.lane.at_once(topic_step(StepKind::activate, next));
 }
 
 void TopicEngine::rest(TopicId topic) {

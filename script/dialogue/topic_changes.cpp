@@ -67,7 +67,7 @@ void TopicEngine::suspend(TopicId topic, std::vector<Step>& steps) {
   run_body(core_.topic(topic).suspended, topic, script::no_id, 0, steps);
 }
 
-void TopicEngine::activate(Step step) {
+void TopicEngine::activate(Step& step) {
   if (step.topic == script::no_id || !core_.order.registered(step.topic))
     return;
   std::vector<Step> steps;
@@ -77,7 +77,7 @@ void TopicEngine::activate(Step step) {
   next.turn = step.turn;
   if (keep && late_ && late_->topic == core_.topic(step.topic).name) {
     next.kind = StepKind::fill;
-    next.act = *std::exchange(late_, {});
+    next.act = std::make_shared<const Act>(*std::exchange(late_, {}));
   }
   steps.push_back(std::move(next));
   core_.lane.now(std::move(steps));

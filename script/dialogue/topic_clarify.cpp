@@ -22,14 +22,35 @@ const Act* reading(const script::Program& program, const Act& said,
   return found == said.alternatives.end() ? nullptr : &*found;
 }
 
+void complete_from(const script::Program& program, const Act& said, Act& act) {
+  if (act.kind == ActKind::confirm && act.topic.empty()) {
+    act = said;
+    act.alternatives.clear();
+    return;
+  }
+  const auto topic = program.topic(act.topic);
+  const auto* meant =
+      topic == script::no_id ? nullptr : reading(program, said, topic);
+  if (!meant)
+    return;
+  for (const auto& value : meant->slots)
+    if (std::none_of(
+            act.slots.begin(), act.slots.end(),
+            [&](const SlotValue& other) { return other.slot == value.slot; }))
+      act.slots.push_back(value);
+  act.kind = meant->kind;
+  act.alternatives.clear();
+}
+
 } // namespace
 
 bool TopicEngine::ask_which(const Step& step) {
-  if (clarify(*core_.program, step.act, classifier_context()).empty())
+  if (step.act->alternatives.empty() ||
+      clarify(*core_.program, *step.act, classifier_context()).empty())
     return false;
   Asked asked;
   asked.purpose = Asked::For::which_topic;
-  asked.act = std::make_shared<const Act>(step.act);
+  asked.act = step.act;
   ask_which_again(std::move(asked), OutputAct::question, step.turn);
   return true;
 }
@@ -43,27 +64,13 @@ void TopicEngine::ask_which_again(Asked asked, OutputAct as, TurnId turn) {
 }
 
 // A yes takes the likeliest; another topic, or a no, drops what was said.
-void TopicEngine::complete_by_answer(Act& act) {
+void TopicEngine::complete_by_answer(Step& step) {
   if (!asked_ || asked_->purpose != Asked::For::which_topic || !asked_->heard)
     return;
   const auto said = std::exchange(asked_, {})->act;
-  if (act.kind == ActKind::confirm && act.topic.empty()) {
-    act = *said;
-    act.alternatives.clear();
-    return;
-  }
-  const auto topic = core_.program->topic(act.topic);
-  const auto* meant =
-      topic == script::no_id ? nullptr : reading(*core_.program, *said, topic);
-  if (!meant)
-    return;
-  for (const auto& value : meant->slots)
-    if (std::none_of(
-            act.slots.begin(), act.slots.end(),
-            [&](const SlotValue& other) { return other.slot == value.slot; }))
-      act.slots.push_back(value);
-  act.kind = meant->kind;
-  act.alternatives.clear();
+  auto act = *step.act;
+  complete_from(*core_.program, *said, act);
+  step.act = std::make_shared<const Act>(std::move(act));
 }
 
 } // namespace parlour::dialogue

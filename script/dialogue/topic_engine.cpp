@@ -19,13 +19,13 @@ bool wants_out(const Act& act) {
 
 TopicEngine::TopicEngine(Core& core) : core_(core) {}
 
-void TopicEngine::take(Step step) {
+void TopicEngine::take(Step&& step) {
   switch (step.kind) {
 // clang-format off
 #define TAKES(kind) \
-  case StepKind::kind: kind(std::move(step)); return;
-    TAKES(take_act) TAKES(offer_act) TAKES(topic_act) TAKES(no_match)
-    TAKES(conclude) TAKES(activate) TAKES(fill) TAKES(filled) TAKES(rule)
+  case StepKind::kind: kind(step); return;
+    TAKES(take_act) TAKES(topic_act) TAKES(no_match)
+    TAKES(conclude) TAKES(activate) TAKES(fill) TAKES(rule)
     TAKES(report) TAKES(settle) TAKES(finish) TAKES(complete) TAKES(reset)
     TAKES(look_up) TAKES(looked_up) TAKES(answer) TAKES(ask) TAKES(ask_next)
     TAKES(ask_still) TAKES(ask_again) TAKES(resume_topic) TAKES(cancel)
@@ -38,19 +38,27 @@ void TopicEngine::take(Step step) {
 
 // -- an act's way (engine rule 2) ---------------------------------------------
 
-void TopicEngine::take_act(Step step) {
+void TopicEngine::take_act(Step& step) {
   core_.turns.taken_up(step.turn);
   core_.turns.let_go(step.turn);
   no_input_ = 0;
   consumed_ = false;
   if (core_.states.pushed() || !answer_to_question(step))
-    core_.lane.now({make_step(StepKind::offer_act, step)});
+    offer_act(step);
 }
 
-void TopicEngine::offer_act(Step step) {
-  auto parameter = to_value(step.act);
-  offer(std::string(name_of(step.act.kind)), std::move(parameter),
-        make_step(StepKind::topic_act, std::move(step)));
+void TopicEngine::offer_act(Step& step) {
+  const auto command = std::string(name_of(step.act->kind));
+  const auto state = core_.states.active();
+  if (!core_.pipeline.matches("Dialogue", command).empty())
+    offer(command, to_value(*step.act),
+          make_step(StepKind::topic_act, std::move(step)));
+  else if (state != script::no_id &&
+           core_.program->states[state].capture != script::Capture::none)
+    // The state keeps every act for itself, but has no use for this one.
+    misunderstood(std::move(step));
+  else
+    topic_act(step);
 }
 
 void TopicEngine::offer(std::string command, Value parameter, Step otherwise) {
@@ -71,24 +79,21 @@ void TopicEngine::offer(std::string command, Value parameter, Step otherwise) {
     steps.push_back(std::move(reaction));
     captured = captured || match.captures;
   }
-  auto state = core_.states.active();
-  if (otherwise.kind == StepKind::topic_act && steps.empty() &&
-      state != script::no_id &&
-      core_.program->states[state].capture != script::Capture::none)
-    // The state keeps every act for itself, but has no use for this one.
-    misunderstood(std::move(otherwise));
-  else if (!captured)
+  if (!captured)
     steps.push_back(std::move(otherwise));
   core_.lane.now(std::move(steps));
 }
 
-void TopicEngine::topic_act(Step step) {
+void TopicEngine::topic_act(Step& step) {
   if (std::exchange(consumed_, false) || answer_to_question(step))
     return;
-  auto& act = step.act;
-  complete_by_answer(act);
-  if (act.elliptical && !act.alternatives.empty())
+  complete_by_answer(step);
+  if (step.act->elliptical && !step.act->alternatives.empty()) {
+    auto act = *step.act;
     prefer_resting(*core_.program, act, classifier_context());
+    step.act = std::make_shared<const Act>(std::move(act));
+  }
+  const auto& act = *step.act;
   step.topic = core_.program->topic(act.topic);
   if (is_generic(act) && (step.topic == script::no_id || wants_out(act))) {
     generic_act(step);
@@ -115,28 +120,36 @@ void TopicEngine::topic_act(Step step) {
   misses_ = 0;
   if (ask_which(step))
     return;
-  keep_what_is_asked(act, step.topic);
+  keep_what_is_asked(step);
   std::vector<Step> steps;
   begin_topic(step.topic, steps);
-  steps.push_back(make_step(StepKind::fill, step));
+  if (steps.empty()) {
+    fill(step);
+    return;
+  }
+  steps.push_back(make_step(StepKind::fill, std::move(step)));
   core_.lane.now(std::move(steps));
 }
 
 // A topic of system initiative takes only the slot asked for (engine rule 5).
-void TopicEngine::keep_what_is_asked(Act& act, TopicId topic) const {
-  if (core_.topic(topic).initiative != script::Initiative::system)
+void TopicEngine::keep_what_is_asked(Step& step) const {
+  const auto& topic = core_.topic(step.topic);
+  if (topic.initiative != script::Initiative::system)
     return;
-  auto asked = asked_ && asked_->topic == topic ? asked_->slot : script::no_id;
+  auto asked =
+      asked_ && asked_->topic == step.topic ? asked_->slot : script::no_id;
+  auto act = *step.act;
   std::erase_if(act.slots, [&](const SlotValue& value) {
-    return core_.topic(topic).slot(value.slot) != asked;
+    return topic.slot(value.slot) != asked;
   });
+  step.act = std::make_shared<const Act>(std::move(act));
 }
 
 // Whether the act answers the question that waits for one: the last that was
 // heard, or a <confirm> that other topics came in between of.
 bool TopicEngine::answer_to_question(const Step& step) {
-  const auto kind = step.act.kind;
-  if (!step.act.slots.empty() ||
+  const auto kind = step.act->kind;
+  if (!step.act->slots.empty() ||
       (kind != ActKind::confirm && kind != ActKind::deny))
     return false;
   if (!asked_ && !confirms_.empty())
@@ -198,13 +211,12 @@ void TopicEngine::confirm_slot(TopicId topic, SlotId slot, bool yes,
 
 // -- small things -------------------------------------------------------------
 
-void TopicEngine::change(TopicId topic, FrameChange change) {
-  auto result = core_.frames.change(topic, std::move(change), core_.now);
-  for (const auto& report : result.reports)
+void TopicEngine::change(TopicId topic, const FrameChange& change) {
+  for (const auto& report : core_.frames.change(topic, change, core_.now))
     inspect_report(topic, report);
 }
 
-void TopicEngine::reset(Step step) {
+void TopicEngine::reset(Step& step) {
   change(step.topic, {.kind = FrameChange::Kind::reset});
 }
 
@@ -215,8 +227,9 @@ void TopicEngine::set_status(TopicId topic, TopicStatus status) {
   to.kind = FrameChange::Kind::status;
   to.status = status;
   change(topic, std::move(to));
-  core_.inspect(InspectionKind::topic, core_.topic(topic).name,
-                std::string(name_of(status)));
+  if (core_.port.inspected())
+    core_.inspect(InspectionKind::topic, core_.topic(topic).name,
+                  std::string(name_of(status)));
 }
 
 void TopicEngine::say(const char* act, TopicId topic, SlotId slot, Value data,

@@ -21,7 +21,7 @@ public:
   explicit TopicEngine(Core& core);
 
   // A step that belongs to topics; it may put further ones in front.
-  void take(Step step);
+  void take(Step&& step);
   void restart();
 
   // Silence has lasted: the next question, resume or reprompt.
@@ -68,7 +68,7 @@ public:
 
   // The context of DoNLU (runtime/base/understanding.hpp).
   Value understanding_context() const;
-  void change(TopicId topic, FrameChange change);
+  void change(TopicId topic, const FrameChange& change);
 
 private:
   // The question that waits for the user's answer.
@@ -101,32 +101,32 @@ private:
   };
 
   // The steps.
-  void take_act(Step step);
-  void offer_act(Step step);
-  void topic_act(Step step);
-  void no_match(Step step);
-  void not_understood(Step step);
-  void no_input(Step step);
-  void conclude(Step step);
-  void activate(Step step);
-  void fill(Step step);
-  void filled(Step step);
-  void rule(Step step);
-  void report(Step step);
-  void settle(Step step);
-  void finish(Step step);
-  void complete(Step step);
-  void reset(Step step);
-  void look_up(Step step);
-  void looked_up(Step step);
-  void answer(Step step);
-  void ask(Step step);
-  void ask_next(Step step);
-  void ask_still(Step step);
-  void resume_topic(Step step);
-  void ask_again(Step step);
-  void cancel(Step step);
-  void cancel_topic(Step step);
+  void take_act(Step& step);
+  void offer_act(Step& step);
+  void topic_act(Step& step);
+  void no_match(Step& step);
+  void not_understood(Step& step);
+  void no_input(Step& step);
+  void conclude(Step& step);
+  void activate(Step& step);
+  void fill(Step& step);
+  void filled(Step& step);
+  void rule(Step& step);
+  void report(Step& step);
+  void settle(Step& step);
+  void finish(Step& step);
+  void complete(Step& step);
+  void reset(Step& step);
+  void look_up(Step& step);
+  void looked_up(Step& step);
+  void answer(Step& step);
+  void ask(Step& step);
+  void ask_next(Step& step);
+  void ask_still(Step& step);
+  void resume_topic(Step& step);
+  void ask_again(Step& step);
+  void cancel(Step& step);
+  void cancel_topic(Step& step);
 
   // Acts.
   // To the reactions that listen to source Dialogue; `otherwise` follows
@@ -154,12 +154,12 @@ private:
   void answer_confirm(const Asked& asked, bool yes);
   void settle_confirmed(const Asked& asked, bool yes);
   void confirm_slot(TopicId topic, SlotId slot, bool yes, TurnId turn);
-  void keep_what_is_asked(Act& act, TopicId topic) const;
+  void keep_what_is_asked(Step& step) const;
   // Whether the act might be about several topics: they are asked for.
   bool ask_which(const Step& step);
   void ask_which_again(Asked asked, OutputAct as, TurnId turn);
   // The answer to that: what was said before, about the topic that it names.
-  void complete_by_answer(Act& act);
+  void complete_by_answer(Step& step);
   TopicId to_cancel() const;
   std::vector<TopicId> unfinished() const;
 
@@ -177,15 +177,15 @@ private:
   List unfinished_names() const;
 
   // Frames.
-  void request(Step step, std::vector<FrameChange> changes);
+  void request(Step&& step, std::vector<FrameChange> changes);
   std::vector<FrameChange> changes_of(const Step& step) const;
   FrameChange inherit(const Step& step) const;
   Value refusal(TopicId topic, const SlotReport& report);
   void inspect_report(TopicId topic, const SlotReport& report);
-  void settle_enquiry(const Step& step);
+  void settle_enquiry(Step& step);
   void answer_enquiry(const Step& step);
-  void look_up_facts(Step step);
-  void refuse_source(Step step);
+  void look_up_facts(Step& step);
+  void refuse_source(Step& step);
   SlotId missing(TopicId topic) const;
   SlotId doubtful(TopicId topic) const;
 

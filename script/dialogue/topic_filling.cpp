@@ -13,7 +13,7 @@ namespace {
 
 // A constraint that refuses several slots says so once.
 bool told_before(const Step& step, const SlotReport& report) {
-  if (!step.result || report.reason.empty())
+  if (report.reason.empty())
     return false;
   const auto& reports = step.result->reports;
   const auto first = std::find_if(
@@ -24,14 +24,29 @@ bool told_before(const Step& step, const SlotReport& report) {
   return first != reports.end() && first->slot != report.slot;
 }
 
+// Whether anything is done about what became of the slot.
+bool leads_on(const script::Slot& slot, SlotOutcome outcome) {
+  switch (outcome) {
+  case SlotOutcome::accepted:
+  case SlotOutcome::corrected:
+    return slot.filled != script::no_code;
+  case SlotOutcome::refused:
+    return true;
+  case SlotOutcome::ambiguous:
+    return slot.ambiguous != script::no_code;
+  default:
+    return false;
+  }
+}
+
 } // namespace
 
-void TopicEngine::fill(Step step) {
+void TopicEngine::fill(Step& step) {
   auto changes = changes_of(step);
   request(std::move(step), std::move(changes));
 }
 
-void TopicEngine::request(Step step, std::vector<FrameChange> changes) {
+void TopicEngine::request(Step&& step, std::vector<FrameChange> changes) {
   auto request =
       core_.frames.request(step.topic, std::move(changes), core_.now);
   auto topic = step.topic;
@@ -41,18 +56,19 @@ void TopicEngine::request(Step step, std::vector<FrameChange> changes) {
 
 std::vector<FrameChange> TopicEngine::changes_of(const Step& step) const {
   std::vector<FrameChange> changes;
+  changes.reserve(step.act->slots.size() + 1);
   const auto& topic = core_.topic(step.topic);
   if (topic.kind == script::TopicKind::enquiry)
     changes.push_back(inherit(step));
-  for (const auto& value : step.act.slots) {
+  for (const auto& value : step.act->slots) {
     FrameChange change;
     change.slot = topic.slot(value.slot);
     if (change.slot == script::no_id)
       continue;
     using Kind = FrameChange::Kind;
-    change.kind = step.act.kind == ActKind::correct ? Kind::correct
-                  : step.act.kind == ActKind::deny  ? Kind::deny
-                                                    : Kind::fill;
+    change.kind = step.act->kind == ActKind::correct ? Kind::correct
+                  : step.act->kind == ActKind::deny  ? Kind::deny
+                                                     : Kind::fill;
     change.value = value.value;
     change.confidence = value.confidence;
     change.text = value.text;
@@ -77,7 +93,7 @@ FrameChange TopicEngine::inherit(const Step& step) const {
   const bool keeps =
       frame.status == TopicStatus::active ||
       frame.status == TopicStatus::suspended || // by a topic that it needs
-      (resting && step.act.elliptical);
+      (resting && step.act->elliptical);
   for (SlotId slot = 0; keeps && slot < slots.size(); ++slot)
     if (std::find(frame.relaxed.begin(), frame.relaxed.end(),
                   slots[slot].name) == frame.relaxed.end())
@@ -91,28 +107,35 @@ void TopicEngine::frame_applied(FrameResult result) {
   awaiting_.reset();
   for (const auto& error : result.errors) // of constraints
     core_.script_failed(error, step.turn);
-  step.kind = StepKind::filled;
   step.result = std::make_shared<const FrameResult>(std::move(result));
-  core_.lane.now({std::move(step)});
+  filled(step);
 }
 
-void TopicEngine::filled(Step step) {
+void TopicEngine::filled(Step& step) {
   const auto& topic = core_.topic(step.topic);
+  const auto& reports = step.result->reports;
   std::vector<Step> steps;
   for (const auto& rule : topic.rules) {
-    auto check = make_step(StepKind::rule, step);
+    auto check = light_step(StepKind::rule, step);
     check.code = rule.body;
     check.condition = rule.condition;
     steps.push_back(std::move(check));
   }
-  for (const auto& report : step.result->reports) {
-    inspect_report(step.topic, report);
-    auto next = make_step(StepKind::report, step);
-    next.report = report;
-    next.slot = report.slot;
+  for (std::uint32_t i = 0; i < reports.size(); ++i) {
+    inspect_report(step.topic, reports[i]);
+    if (!leads_on(topic.slots[reports[i].slot], reports[i].outcome))
+      continue;
+    auto next = light_step(StepKind::report, step);
+    next.result = step.result;
+    next.report = i;
+    next.slot = reports[i].slot;
     steps.push_back(std::move(next));
   }
-  steps.push_back(make_step(StepKind::settle, step));
+  if (steps.empty()) {
+    settle(step);
+    return;
+  }
+  steps.push_back(make_step(StepKind::settle, std::move(step)));
   core_.lane.now(std::move(steps));
 }
 
@@ -137,7 +160,7 @@ Value TopicEngine::refusal(TopicId topic, const SlotReport& report) {
              {"choices", choices["choices"]}};
 }
 
-void TopicEngine::rule(Step step) {
+void TopicEngine::rule(Step& step) {
   auto holds = core_.runner.evaluate(step.condition, {}, step.topic);
   if (!holds) {
     core_.script_failed(holds.error(), step.turn);
@@ -149,9 +172,9 @@ void TopicEngine::rule(Step step) {
   core_.lane.now(std::move(steps));
 }
 
-void TopicEngine::report(Step step) {
+void TopicEngine::report(Step& step) {
   const auto& slot = core_.topic(step.topic).slots[step.slot];
-  const auto& report = step.report;
+  const auto& report = step.result->reports[step.report];
   std::vector<Step> steps;
   switch (report.outcome) {
   case SlotOutcome::accepted:

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "script/constant_text.hpp"
 #include "script/dialogue/core.hpp"
 #include "script/dialogue/questions.hpp"
 #include "script/dialogue/steps.hpp"
@@ -11,7 +12,7 @@ namespace parlour::dialogue {
 
 // -- which question -----------------------------------------------------------
 
-void TopicEngine::conclude(Step step) {
+void TopicEngine::conclude(Step& step) {
   if (core_.lane.returning()) // what waited for this goes on, and concludes
     return;
   if (asked_ && (asked_->heard || asked_->pending))
@@ -21,7 +22,7 @@ void TopicEngine::conclude(Step step) {
   ask_next(next);
 }
 
-void TopicEngine::ask_next(Step step) {
+void TopicEngine::ask_next(Step& step) {
   auto current = core_.order.current();
   if (core_.ending || !current || waits_for_user(*current))
     return;
@@ -51,7 +52,7 @@ SlotId TopicEngine::to_ask(TopicId topic) const {
              : script::no_id;
 }
 
-void TopicEngine::ask(Step step) {
+void TopicEngine::ask(Step& step) {
   if (step.slot != script::no_id)
     ask_slot(step.topic, step.slot, step.output, step.turn);
   else if (!confirms_.empty()) {
@@ -143,6 +144,8 @@ void TopicEngine::put(Asked asked, const char* act, Value data,
 std::string TopicEngine::text_of(CodeId code, TopicId topic) {
   if (code == script::no_code)
     return {};
+  if (auto constant = script::constant_text(*core_.program, code))
+    return std::string(*constant);
   auto text = core_.runner.evaluate(code, {}, topic);
   if (text)
     return text->text();

@@ -10,7 +10,7 @@
 
 namespace parlour::dialogue {
 
-void TopicEngine::no_match(Step step) {
+void TopicEngine::no_match(Step& step) {
   core_.turns.taken_up(step.turn);
   core_.turns.let_go(step.turn);
   no_input_ = 0;
@@ -19,12 +19,12 @@ void TopicEngine::no_match(Step step) {
 
 void TopicEngine::misunderstood(Step step) {
   consumed_ = false;
-  auto heard = step.act.text;
+  auto heard = step.act ? step.act->text : std::string();
   offer("no_match", std::move(heard),
         make_step(StepKind::not_understood, std::move(step)));
 }
 
-void TopicEngine::not_understood(Step step) {
+void TopicEngine::not_understood(Step& step) {
   if (!std::exchange(consumed_, false))
     not_understood(step.turn, step.mark == 0);
 }
@@ -39,7 +39,7 @@ void TopicEngine::not_understood(TurnId turn, bool apologise) {
     say("no_match", script::no_id, script::no_id, {}, turn);
 }
 
-void TopicEngine::no_input(Step step) {
+void TopicEngine::no_input(Step& step) {
   if (!std::exchange(consumed_, false) && asked_ && asked_->heard)
     reprompt(step.turn, false);
 }
@@ -103,7 +103,7 @@ void TopicEngine::climb_own(TopicId topic, SlotId slot, std::uint32_t times,
   core_.lane.now(std::move(steps));
 }
 
-void TopicEngine::ask_still(Step step) {
+void TopicEngine::ask_still(Step& step) {
   if (step.mark == redirections_ && !core_.ending &&
       core_.frame(step.topic).status == TopicStatus::active &&
       core_.order.current() == step.topic)
@@ -127,7 +127,7 @@ void TopicEngine::say_text(std::string text, TurnId turn) {
 }
 
 // `mark`: in the words that were heard, else in the next.
-void TopicEngine::ask_again(Step step) {
+void TopicEngine::ask_again(Step& step) {
   if (!asked_)
     return;
   if (step.mark != 0 || asked_->purpose != Asked::For::value)

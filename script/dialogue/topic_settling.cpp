@@ -1,7 +1,6 @@
 // The part of the topic engine for what a filling event leads to (engine rule
 // 5): the topic is done, must be looked up, or asks for what is in doubt.
 #include <algorithm>
-#include <functional>
 #include <utility>
 
 #include "script/dialogue/core.hpp"
@@ -11,8 +10,8 @@ namespace parlour::dialogue {
 
 namespace {
 
-bool any_report(const Step& step,
-                const std::function<bool(const SlotReport&)>& holds) {
+template <class Predicate>
+bool any_report(const Step& step, Predicate holds) {
   return step.result && std::any_of(step.result->reports.begin(),
                                     step.result->reports.end(), holds);
 }
@@ -41,7 +40,7 @@ bool refused_condition(const Step& step, const script::Topic& topic) {
 
 } // namespace
 
-void TopicEngine::settle(Step step) {
+void TopicEngine::settle(Step& step) {
   const auto& topic = core_.topic(step.topic);
   const auto& frame = core_.frame(step.topic);
   if (topic.kind == script::TopicKind::enquiry) {
@@ -52,16 +51,20 @@ void TopicEngine::settle(Step step) {
   if (frame.status != TopicStatus::active || !frame.done ||
       doubtful(step.topic) != script::no_id)
     return;
+  if (topic.filled == script::no_code) {
+    complete(step);
+    return;
+  }
+  auto finish = light_step(StepKind::finish, step);
+  finish.mark = redirections_;
   std::vector<Step> steps;
   run_body(topic.filled, step.topic, script::no_id, step.turn, steps);
-  auto finish = make_step(StepKind::finish, step);
-  finish.mark = redirections_;
   steps.push_back(std::move(finish));
   core_.lane.now(std::move(steps));
 }
 
-void TopicEngine::settle_enquiry(const Step& step) {
-  auto ask = make_step(StepKind::ask, step);
+void TopicEngine::settle_enquiry(Step& step) {
+  auto ask = light_step(StepKind::ask, step);
   ask.slot = doubtful(step.topic);
   const bool looked_for = step.result && step.result->query_slot_filled;
   if (ask.slot == script::no_id && !looked_for)
@@ -69,12 +72,12 @@ void TopicEngine::settle_enquiry(const Step& step) {
   if (ask.slot != script::no_id) {
     set_status(step.topic, TopicStatus::active);
     if (!asked_ || asked_->topic != step.topic) // by an <ambiguous>
-      core_.lane.now({std::move(ask)});
+      core_.lane.at_once(std::move(ask));
   } else if ((!looked_for && refused_any(step)) ||
              refused_condition(step, core_.topic(step.topic))) {
     rest(step.topic); // nothing is left to look for
   } else if (!core_.topic(step.topic).queries.empty()) {
-    core_.lane.now({make_step(StepKind::look_up, step)});
+    look_up(step);
   } else {
     answer_enquiry(step);
   }
@@ -84,21 +87,21 @@ void TopicEngine::answer_enquiry(const Step& step) {
   std::vector<Step> steps;
   run_body(core_.topic(step.topic).filled, step.topic, script::no_id, step.turn,
            steps);
-  auto answer = make_step(StepKind::answer, step);
+  auto answer = light_step(StepKind::answer, step);
   answer.mark = core_.mouth.spoken();
   steps.push_back(std::move(answer));
   core_.lane.now(std::move(steps));
 }
 
 // The frame is completed unless its <filled> asked, cleared or left.
-void TopicEngine::finish(Step step) {
+void TopicEngine::finish(Step& step) {
   const auto& frame = core_.frame(step.topic);
   if (step.mark == redirections_ && frame.done &&
       frame.status == TopicStatus::active)
-    core_.lane.now({make_step(StepKind::complete, step)});
+    complete(step);
 }
 
-void TopicEngine::complete(Step step) {
+void TopicEngine::complete(Step& step) {
   set_status(step.topic, TopicStatus::completed);
   completed_at_ = core_.now;
   core_.order.completed(step.topic);

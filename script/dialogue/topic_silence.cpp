@@ -101,7 +101,7 @@ void TopicEngine::ask_again() {
 }
 
 // Back to an unfinished topic, or on to one of system initiative.
-void TopicEngine::resume_topic(Step step) {
+void TopicEngine::resume_topic(Step& step) {
   const bool suspended =
       core_.frame(step.topic).status == TopicStatus::suspended;
   if (suspended &&

@@ -13,25 +13,32 @@ constexpr std::size_t remembered_questions = 256;
 
 TurnId Turns::begin() {
   speech_is_over();
-  turns_.emplace(++last_, Turn{});
+  turns_.push_back({++last_, 0, false});
   return last_;
 }
 
+Turns::Turn* Turns::find(TurnId turn) {
+  const auto found =
+      std::find_if(turns_.begin(), turns_.end(),
+                   [&](const Turn& known) { return known.id == turn; });
+  return found == turns_.end() ? nullptr : &*found;
+}
+
 void Turns::hold(TurnId turn) {
-  if (auto found = turns_.find(turn); found != turns_.end())
-    ++found->second.holders;
+  if (auto* found = find(turn))
+    ++found->holders;
 }
 
 void Turns::let_go(TurnId turn) {
-  if (auto found = turns_.find(turn); found != turns_.end()) {
-    --found->second.holders;
+  if (auto* found = find(turn)) {
+    --found->holders;
     close_if_idle(turn);
   }
 }
 
 void Turns::asked(Correlation correlation, TurnId turn, Timestamp until,
                   bool meaning) {
-  if (turns_.count(turn) == 0)
+  if (!find(turn))
     return;
   questions_[correlation] = Question{turn, until, true, meaning};
   if (questions_.size() <= remembered_questions)
@@ -55,8 +62,8 @@ void Turns::answered(Correlation correlation) {
 }
 
 void Turns::taken_up(TurnId turn) {
-  if (auto found = turns_.find(turn); found != turns_.end()) {
-    found->second.taken = true;
+  if (auto* found = find(turn)) {
+    found->taken = true;
     close_if_idle(turn);
   }
 }
@@ -67,8 +74,8 @@ std::vector<TurnId> Turns::expire(Timestamp now) {
     if (!question.open || question.until > now)
       continue;
     question.open = false;
-    const auto turn = turns_.find(question.turn);
-    if (question.meaning && turn != turns_.end() && !turn->second.taken)
+    const auto* turn = find(question.turn);
+    if (question.meaning && turn && !turn->taken)
       without_meaning.push_back(question.turn);
     close_if_idle(question.turn);
   }
@@ -77,21 +84,20 @@ std::vector<TurnId> Turns::expire(Timestamp now) {
 
 bool Turns::any_open(Timestamp now) const {
   return speaking(now) ||
-         std::any_of(turns_.begin(), turns_.end(), [&](const auto& entry) {
-           const auto& [id, turn] = entry;
+         std::any_of(turns_.begin(), turns_.end(), [&](const Turn& turn) {
            return !turn.taken &&
-                  (turn.holders > 0 || asked_until(id, now) > now);
+                  (turn.holders > 0 || asked_until(turn.id, now) > now);
          });
 }
 
 std::optional<Timestamp> Turns::open_until(Timestamp now) const {
   Timestamp latest = speech_until_;
-  for (const auto& [id, turn] : turns_) {
+  for (const auto& turn : turns_) {
     if (turn.taken)
       continue;
     if (turn.holders > 0)
       return std::nullopt;
-    latest = std::max(latest, asked_until(id, now));
+    latest = std::max(latest, asked_until(turn.id, now));
   }
   return latest > now ? std::optional(latest) : std::nullopt;
 }
@@ -105,15 +111,15 @@ Timestamp Turns::asked_until(TurnId turn, Timestamp now) const {
 }
 
 void Turns::close_if_idle(TurnId turn) {
-  auto found = turns_.find(turn);
-  if (found == turns_.end() || found->second.holders > 0)
+  const auto* found = find(turn);
+  if (!found || found->holders > 0)
     return;
   auto asked =
       std::any_of(questions_.begin(), questions_.end(), [&](const auto& entry) {
         return entry.second.open && entry.second.turn == turn;
       });
   if (!asked)
-    turns_.erase(found);
+    turns_.erase(turns_.begin() + (found - turns_.data()));
 }
 
 } // namespace parlour::dialogue

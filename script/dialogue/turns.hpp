@@ -63,6 +63,7 @@ public:
 
 private:
   struct Turn {
+    TurnId id = 0;
     int holders = 0;
     bool taken = false;
   };
@@ -75,9 +76,10 @@ private:
 
   // The latest time until which a component is waited for; 0: none.
   Timestamp asked_until(TurnId turn, Timestamp now) const;
+  Turn* find(TurnId turn); // null where it is over
   void close_if_idle(TurnId turn);
 
-  std::map<TurnId, Turn> turns_;
+  std::vector<Turn> turns_; // those that are remembered, few
   std::map<Correlation, Question> questions_;
   TurnId last_ = 0;
   Timestamp speech_until_ = 0;

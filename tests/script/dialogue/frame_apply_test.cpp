@@ -188,19 +188,6 @@ TEST_F(ApplyToEnquiry, AnEventThatFillsNoQuerySlotAsksNothing) {
   EXPECT_TRUE(change(Kind::confirmed, location).query_slot_filled);
 }
 
-TEST_F(Apply, WhatWasToldIsAppliedButNotReported) {
-  FrameRequest request;
-  request.changes = {make(Kind::set, place, "Marina"), make(Kind::asked, time),
-                     fill(time, "10:00")};
-  request.told = 2;
-  auto result = apply(app.program, frame, request, app.evaluator());
-  ASSERT_EQ(result.reports.size(), 1u);
-  EXPECT_EQ(result.reports[0].slot, time);
-  EXPECT_EQ(result.frame->slots[place].value, Value("Marina"));
-  EXPECT_EQ(result.frame->slots[time].asked, 1u);
-  EXPECT_TRUE(result.frame->done);
-}
-
 TEST_F(Apply, StartsFromTheSessionsFrame) {
   change({fill(place, "Marina")});
   FrameRequest request;

@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "tools/bench/contest.hpp"
 #include "tools/bench/load_bench.hpp"
-#include "tools/bench/lua_peer.hpp"
 #include "tools/bench/script_workload.hpp"
 #include "tools/bench/state_bench.hpp"
 
@@ -41,27 +41,6 @@ constexpr Contest contests[] = {
 
 constexpr std::size_t load_bytes = 100'000;
 
-// The median of all runs of one workload by one who does it.
-struct Series {
-  std::vector<double> figures;
-  std::string result;
-  std::string trouble; // empty: all well
-
-  void add(const Expected<Measured>& measured) {
-    if (!measured) {
-      trouble = measured.error().message;
-      return;
-    }
-    figures.push_back(measured->nanoseconds);
-    result = measured->result;
-  }
-};
-
-std::string verdict(double ratio, double bar) {
-  return fmt::format("{:.2f}, bar {:.2f}: {}", ratio, bar,
-                     ratio <= bar ? "met" : "missed");
-}
-
 class ScriptBench {
 public:
   ScriptBench(const ScriptBenchOptions& options, std::ostream& out)
@@ -71,8 +50,6 @@ public:
 
 private:
   void contest(const Contest& contest);
-  void compare(const Series& ours, const Series& theirs, const LuaPeer& peer,
-               double bar);
   void switches();
   void suspended();
   void state();
@@ -95,29 +72,6 @@ void ScriptBench::fail(const std::string& name, const std::string& message) {
   well_ = false;
 }
 
-void ScriptBench::compare(const Series& ours, const Series& theirs,
-                          const LuaPeer& peer, double bar) {
-  if (!peer.is_there()) {
-    out_ << fmt::format("; {}: not built, as {} is missing", peer.title,
-                        peer.package);
-    return;
-  }
-  if (!theirs.trouble.empty() || ours.result != theirs.result) {
-    out_ << fmt::format("; {}: no comparison, {}", peer.title,
-                        theirs.trouble.empty()
-                            ? "its result is " + theirs.result + ", not " +
-                                  ours.result
-                            : theirs.trouble);
-    well_ = false;
-    return;
-  }
-  const auto figure = median(theirs.figures);
-  const auto ratio = median(ours.figures) / figure;
-  out_ << fmt::format("; {} {:.1f} ({})", peer.title, figure,
-                      bar > 0 ? verdict(ratio, bar)
-                              : fmt::format("{:.2f}", ratio));
-}
-
 void ScriptBench::contest(const Contest& contest) {
   const auto file = workloads / contest.name;
   const auto workload =
@@ -138,7 +92,8 @@ void ScriptBench::contest(const Contest& contest) {
   out_ << fmt::format("{:<10} {:<28} {:6.1f} ns", contest.name,
                       contest.sentence, median(ours.figures));
   for (std::size_t i = 0; i < theirs.size(); ++i)
-    compare(ours, theirs[i], lua_peers()[i], i == 0 ? contest.bar : 0);
+    well_ &= compare(ours, theirs[i], lua_peers()[i], i == 0 ? contest.bar : 0,
+                     out_);
   out_ << std::endl;
 }
 

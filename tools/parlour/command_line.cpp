@@ -7,6 +7,7 @@
 
 #include "script/findings.hpp"
 #include "script/lint/lints.hpp"
+#include "tools/bench/dialogue_bench.hpp"
 #include "tools/bench/script_bench.hpp"
 #include "tools/parlour/commands.hpp"
 #include "tools/parlour/completion.hpp"
@@ -195,13 +196,16 @@ private:
   void add_bench() {
     auto* command = add("bench", "Measure beside others who do the same work",
                         [this] { return bench_command(bench_, console_); });
-    command->add_option("NAME", bench_.name, "script")
+    command->add_option("NAME", bench_.name, "script or dialogue")
         ->required()
-        ->check(CLI::IsMember({"script"}));
+        ->check(CLI::IsMember({"script", "dialogue"}));
     command->add_option("--runs", bench_.runs, "Of each; the median counts")
         ->check(CLI::Range(1, 1000));
+    auto rows = script_bench_rows();
+    for (auto& row : dialogue_bench_rows())
+      rows.push_back(std::move(row));
     command->add_option("--only", bench_.only, "One row of the table")
-        ->check(CLI::IsMember(script_bench_rows()));
+        ->check(CLI::IsMember(rows));
   }
 
   void add_completion() {

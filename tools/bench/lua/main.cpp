@@ -37,8 +37,11 @@ bool run(lua_State* state, const char* file) {
   if (lua_pcall(state, 0, 2, 0))
     return false;
   const auto spent = seconds() - start;
-  std::printf("%.3f %.14g\n", spent * 1e9 / lua_tonumber(state, -2),
-              lua_tonumber(state, -1));
+  std::printf("%.3f ", spent * 1e9 / lua_tonumber(state, -2));
+  if (lua_type(state, -1) == LUA_TSTRING)
+    std::printf("%s\n", lua_tostring(state, -1));
+  else
+    std::printf("%.14g\n", lua_tonumber(state, -1));
   return true;
 }
 

@@ -1,0 +1,85 @@
+#include "tools/bench/dialogue_bench.hpp"
+
+#include <filesystem>
+#include <ostream>
+
+#include <fmt/format.h>
+
+#include "tools/bench/contest.hpp"
+#include "tools/bench/dialogue_workload.hpp"
+
+namespace parlour::tools {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path workloads = PARLOUR_WORKLOADS;
+
+struct Row {
+  const char* name;
+  const char* sentence;
+  double bar;    // nanoseconds
+  double of_lua; // at most so much of Lua 5.4's time; 0: no bar
+  Expected<Measured> (DialogueWorkload::*run)(int count) const;
+  int count;
+};
+
+// 2 million turns a second, where Lua by hand does 1.6; 10 million events.
+const Row rows[] = {
+    {"turns", "a turn of the user, in acts", 500, 0.80,
+     &DialogueWorkload::turns, 20'000},
+    {"events", "an event, guarded, that counts", 100, 0,
+     &DialogueWorkload::events, 200'000},
+};
+
+bool measure(const Row& row, int runs, std::ostream& out) {
+  const auto workload =
+      DialogueWorkload::load(workloads / fmt::format("{}.xml", row.name));
+  if (!workload) {
+    out << fmt::format("{:<8} {}\n", row.name, workload.error().message);
+    return false;
+  }
+  Series ours;
+  std::vector<Series> theirs(lua_peers().size());
+  for (int run = 0; run < runs; ++run) {
+    ours.add(((*workload).*row.run)(row.count));
+    for (std::size_t i = 0; i < theirs.size(); ++i)
+      if (lua_peers()[i].is_there())
+        theirs[i].add(
+            lua_peers()[i].run(workloads / fmt::format("{}.lua", row.name)));
+  }
+  const auto figure = median(ours.figures);
+  out << fmt::format("{:<8} {:<31} {:6.0f} ns, bar {:.0f}: {}", row.name,
+                     row.sentence, figure, row.bar,
+                     figure <= row.bar ? "met" : "missed");
+  bool well = ours.trouble.empty();
+  if (!well)
+    out << "; " << ours.trouble;
+  for (std::size_t i = 0; i < theirs.size(); ++i)
+    well &=
+        compare(ours, theirs[i], lua_peers()[i], i == 0 ? row.of_lua : 0, out);
+  out << std::endl;
+  return well;
+}
+
+} // namespace
+
+std::vector<std::string> dialogue_bench_rows() {
+  std::vector<std::string> names;
+  for (const auto& row : rows)
+    names.emplace_back(row.name);
+  return names;
+}
+
+bool dialogue_bench(const DialogueBenchOptions& options, std::ostream& out) {
+  out << fmt::format("CPU time of one operation, median of {} runs\n",
+                     options.runs);
+  bool well = true;
+  for (const auto& row : rows)
+    if (options.only.empty() || options.only == row.name)
+      well &= measure(row, options.runs, out);
+  return well;
+}
+
+} // namespace parlour::tools

@@ -1,0 +1,22 @@
+// `parlour bench dialogue`: the dialogue engine alone, beside the same by hand
+// in Lua where it is installed, as a table.
+#pragma once
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace parlour::tools {
+
+struct DialogueBenchOptions {
+  int runs = 5;     // of each; their median counts
+  std::string only; // one row; empty: all
+};
+
+// The names of the rows.
+std::vector<std::string> dialogue_bench_rows();
+
+// False where something could not be measured; that is told in the table.
+bool dialogue_bench(const DialogueBenchOptions& options, std::ostream& out);
+
+} // namespace parlour::tools

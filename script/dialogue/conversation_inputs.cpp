@@ -51,8 +51,7 @@ std::vector<Step> Conversation::Implementation::beginning() const {
   } else {
     return {};
   }
-  return {step, make_step(StepKind::greet_agents, {}),
-          conclude_step(0)};
+  return {step, make_step(StepKind::greet_agents, {}), conclude_step(0)};
 }
 
 void Conversation::Implementation::close() {

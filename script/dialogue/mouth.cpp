@@ -187,8 +187,9 @@ void Mouth::take_up_interrupted() {
 }
 
 bool Mouth::can_be_interrupted() const {
-  return std::any_of(playing_.begin(), playing_.end(),
-                     [](const Playing& output) { return output.interruptible; });
+  return std::any_of(
+      playing_.begin(), playing_.end(),
+      [](const Playing& output) { return output.interruptible; });
 }
 
 bool Mouth::silent() const {

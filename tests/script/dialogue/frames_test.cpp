@@ -16,7 +16,9 @@ struct FramesOfASession : testing::Test {
             <constraint cond="this.A ge first" message="no"/></topic>
           <topic name="Begun"><slot name="A" expr="first + 1"/></topic>
           <topic name="Chosen"><slot name="A"><cardinality type="set">
-            <value expr="first + 1"/></cardinality></slot></topic>)xml"),
+            <value expr="first + 1"/></cardinality></slot></topic>
+          <topic name="Range"><slot name="A">
+            <cardinality type="range" from="first"/></slot></topic>)xml"),
         interpreter(world.program), frames(*world.program, interpreter) {
     interpreter.set_variable(0, 1);
   }
@@ -76,10 +78,12 @@ TEST_F(FramesOfASession, LaterOnesBringItWhereItWasChangedHere) {
   EXPECT_FALSE(frames.request(0, {}, 0).start);
 }
 
-TEST_F(FramesOfASession, VariablesTravelWhereConstraintsMayReadThem) {
-  auto request = frames.request(1, {}, 0);
-  ASSERT_TRUE(request.variables);
-  EXPECT_EQ(*request.variables, List{1});
+TEST_F(FramesOfASession, VariablesTravelWhereTheyMayBeRead) {
+  for (const TopicId topic : {1u, 2u, 3u, 4u}) {
+    auto request = frames.request(topic, {}, 0);
+    ASSERT_TRUE(request.variables);
+    EXPECT_EQ(*request.variables, List{1});
+  }
 }
 
 TEST_F(FramesOfASession, WhatTheActorHasStaysAsItWas) {

@@ -57,8 +57,27 @@ void Lane::take_item(Context& context) {
   std::move(item.rbegin(), item.rend(), std::back_inserter(context.agenda));
 }
 
+// What else the user said does not wait for the answer: it is an item of its
+// own, and both conclude.
+void Lane::part_with_acts(Context& context) {
+  auto& agenda = context.agenda; // what is next is at its end
+  const auto acts = std::stable_partition(
+      agenda.begin(), agenda.end(),
+      [](const Step& step) { return step.kind != StepKind::take_act; });
+  if (acts == agenda.end())
+    return;
+  std::vector<Step> item(std::make_move_iterator(agenda.rbegin()),
+                         std::make_move_iterator(std::reverse_iterator(acts)));
+  agenda.erase(acts, agenda.end());
+  if (!agenda.empty() && agenda.front().kind == StepKind::conclude)
+    item.push_back(agenda.front());
+  queue_.push_front(std::move(item));
+}
+
 void Lane::wait(WaitId wait, bool for_user) {
   auto& top = contexts_.back();
+  if (for_user)
+    part_with_acts(top);
   top.waiting = wait;
   top.for_user = for_user;
 }

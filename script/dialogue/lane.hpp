@@ -23,7 +23,8 @@ public:
   // The next step to take, or nothing while the lane waits or is idle.
   std::optional<Step> next();
 
-  // The running context waits; `for_user` lets further items be taken.
+  // The running context waits; `for_user` lets further items be taken, and
+  // what else its utterance said before them.
   void wait(WaitId wait, bool for_user);
   // Ends that wait: `step` is taken when the contexts above it are done.
   // False where nothing waits so.
@@ -50,6 +51,7 @@ private:
 
   void take_item(Context& context);
   Context& running(); // above one that waits
+  void part_with_acts(Context& context);
 
   std::vector<Context> contexts_{1};
   Fifo<std::vector<Step>> queue_;

@@ -145,14 +145,22 @@ void TopicEngine::keep_what_is_asked(Step& step) const {
   step.act = std::make_shared<const Act>(std::move(act));
 }
 
-// Whether the act answers the question that waits for one: the last that was
-// heard, or a <confirm> that other topics came in between of.
+// Whether the act answers the question that waits for one: a <confirm> of the
+// topic that it names, else the last that was heard, else a <confirm> that other
+// topics came in between of.
 bool TopicEngine::answer_to_question(const Step& step) {
   const auto kind = step.act->kind;
   if (!step.act->slots.empty() ||
       (kind != ActKind::confirm && kind != ActKind::deny))
     return false;
-  if (!asked_ && !confirms_.empty())
+  const auto topic = core_.program->topic(step.act.topic);
+  const auto named = std::find_if(
+      confirms_.rbegin(), confirms_.rend(), [&](const Asked& confirm) {
+        return topic != script::no_id && confirm.topic == topic;
+      });
+  if (named != confirms_.rend() && !(asked_ && asked_->topic == topic))
+    asked_ = *named;
+  else if (!asked_ && !confirms_.empty())
     asked_ = confirms_.back();
   if (!asked_ || !asked_->heard)
     return false;

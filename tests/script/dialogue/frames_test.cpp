@@ -56,12 +56,6 @@ TEST_F(FramesOfASession, TheFirstRequestBringsTheFrame) {
   EXPECT_EQ(request.variables, nullptr);
 }
 
-TEST_F(FramesOfASession, VariablesTravelWhereTheTopicReadsThem) {
-  EXPECT_TRUE(frames.request(1, {}, 0).variables); // by a constraint
-  EXPECT_TRUE(frames.request(2, {}, 0).variables); // by an initial value
-  EXPECT_TRUE(frames.request(3, {}, 0).variables); // by what a slot takes
-}
-
 TEST_F(FramesOfASession, LaterOnesBringItWhereItWasChangedHere) {
   kept = at_the_actor(frames.request(0, {}, 0)).frame;
   frames.store(kept);

@@ -20,7 +20,7 @@ void Conversation::Implementation::take(Step&& step) {
   using enum StepKind;
   switch (step.kind) {
   case react:
-    if (!core.topics.consumed())
+    if (!core.topics.consumed(step.offered))
       run_body(std::move(step));
     break;
   case run:

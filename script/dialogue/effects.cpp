@@ -57,7 +57,7 @@ script::Performed Effects::perform(script::Activation& activation,
     return this->speak(context, effect);
   case consume:
     if (context.message && context.message->source == "Dialogue")
-      core_.topics.consume();
+      core_.topics.consume(context.message->number);
     else
       core_.pipeline.consume();
     return Value();

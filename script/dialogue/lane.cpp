@@ -61,9 +61,10 @@ void Lane::take_item(Context& context) {
 // own, and both conclude.
 void Lane::part_with_acts(Context& context) {
   auto& agenda = context.agenda; // what is next is at its end
-  const auto acts = std::stable_partition(
-      agenda.begin(), agenda.end(),
-      [](const Step& step) { return step.kind != StepKind::take_act; });
+  const auto acts =
+      std::stable_partition(agenda.begin(), agenda.end(), [](const Step& step) {
+        return step.kind != StepKind::take_act;
+      });
   if (acts == agenda.end())
     return;
   std::vector<Step> item(std::make_move_iterator(agenda.rbegin()),

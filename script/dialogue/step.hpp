@@ -76,7 +76,8 @@ struct Step {
   CodeId condition = script::no_code; // of a rule
   std::uint32_t report = 0;           // which of the result's, of report
   TurnId turn = 0;
-  std::uint64_t mark = 0; // how many outputs there were before
+  std::uint64_t mark = 0;    // how many outputs there were before
+  std::uint64_t offered = 0; // of the message that reactions may consume
   WaitId wait = 0;
   std::vector<Value> arguments; // of the code
   std::shared_ptr<const Act> act;

@@ -42,7 +42,6 @@ void TopicEngine::take_act(Step& step) {
   core_.turns.taken_up(step.turn);
   core_.turns.let_go(step.turn);
   no_input_ = 0;
-  consumed_ = false;
   if (core_.states.pushed() || !answer_to_question(step))
     offer_act(step);
 }
@@ -62,12 +61,15 @@ void TopicEngine::offer_act(Step& step) {
 }
 
 void TopicEngine::offer(std::string command, Value parameter, Step otherwise) {
+  if (!core_.lane.waits_for_user()) // nothing offered before is still at work
+    consumed_.clear();
   Message message;
   message.source = "Dialogue";
   message.command = std::move(command);
   message.params = {std::move(parameter)};
   message.time = core_.now;
   message.session = core_.options.session;
+  message.number = otherwise.offered = ++offered_;
   auto shared = std::make_shared<const Message>(std::move(message));
   std::vector<Step> steps;
   bool captured = false;
@@ -76,6 +78,7 @@ void TopicEngine::offer(std::string command, Value parameter, Step otherwise) {
     auto reaction = body_step(match.reaction->body, otherwise.turn);
     reaction.kind = StepKind::react;
     reaction.message = shared;
+    reaction.offered = otherwise.offered;
     steps.push_back(std::move(reaction));
     captured = captured || match.captures;
   }
@@ -85,7 +88,7 @@ void TopicEngine::offer(std::string command, Value parameter, Step otherwise) {
 }
 
 void TopicEngine::topic_act(Step& step) {
-  if (std::exchange(consumed_, false) || answer_to_question(step))
+  if (consumed(step.offered) || answer_to_question(step))
     return;
   complete_by_answer(step);
   if (step.act->elliptical && !step.act->alternatives.empty()) {
@@ -146,8 +149,8 @@ void TopicEngine::keep_what_is_asked(Step& step) const {
 }
 
 // Whether the act answers the question that waits for one: a <confirm> of the
-// topic that it names, else the last that was heard, else a <confirm> that other
-// topics came in between of.
+// topic that it names, else the last that was heard, else a <confirm> that
+// other topics came in between of.
 bool TopicEngine::answer_to_question(const Step& step) {
   const auto kind = step.act->kind;
   if (!step.act->slots.empty() ||

@@ -5,6 +5,7 @@
 
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -38,15 +39,16 @@ public:
                TurnId turn);
   // All waits in the dialogue lane, and all <confirm>s, are being ended.
   void forget_waits();
-  // <consume/> in a reaction to an act.
   // What a phrase of that act sees where a script's <say> gives no data.
   Value data_of(const std::string& act, TopicId topic, SlotId slot);
   void repeat(TurnId turn); // what was heard last
-  void consume() {
-    consumed_ = true;
+  // <consume/> in a reaction to what was offered with this number, also after
+  // it waited.
+  void consume(std::uint64_t offered) {
+    consumed_.insert(offered);
   }
-  bool consumed() const {
-    return consumed_;
+  bool consumed(std::uint64_t offered) const {
+    return consumed_.contains(offered);
   }
   // A script's clear, ask or transit: the frame is not completed after all.
   void redirect() {
@@ -237,7 +239,8 @@ private:
   Timestamp completed_at_ = 0;  // the latest one
   int no_input_ = 0;            // unanswered questions in a row
   std::uint32_t misses_ = 0;    // not understood in a row, nothing being asked
-  bool consumed_ = false;
+  std::uint64_t offered_ = 0;   // acts and the like, counted
+  std::set<std::uint64_t> consumed_; // of these
 };
 
 } // namespace parlour::dialogue

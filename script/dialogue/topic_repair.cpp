@@ -18,14 +18,13 @@ void TopicEngine::no_match(Step& step) {
 }
 
 void TopicEngine::misunderstood(Step step) {
-  consumed_ = false;
   auto heard = step.act ? step.act->text : std::string();
   offer("no_match", std::move(heard),
         make_step(StepKind::not_understood, std::move(step)));
 }
 
 void TopicEngine::not_understood(Step& step) {
-  if (!std::exchange(consumed_, false))
+  if (!consumed(step.offered))
     not_understood(step.turn, step.mark == 0);
 }
 
@@ -40,7 +39,7 @@ void TopicEngine::not_understood(TurnId turn, bool apologise) {
 }
 
 void TopicEngine::no_input(Step& step) {
-  if (!std::exchange(consumed_, false) && asked_ && asked_->heard)
+  if (!consumed(step.offered) && asked_ && asked_->heard)
     reprompt(step.turn, false);
 }
 

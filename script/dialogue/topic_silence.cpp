@@ -65,7 +65,6 @@ void TopicEngine::silence() {
   case Due::reprompt:
   case Due::state:
     ++no_input_;
-    consumed_ = false;
     offer("no_input", {}, make_step(StepKind::no_input, {}));
     return;
   case Due::again:

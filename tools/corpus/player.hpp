@@ -108,12 +108,12 @@ private:
   std::string name_;
   std::string turn_;
   List acts_;
-  bool spoke_ = false;           // the user, in this turn
-  std::size_t said_before_ = 0;  // outputs before this turn
-  std::size_t looked_at_ = 0;    // outputs that `said` has passed
+  bool spoke_ = false;          // the user, in this turn
+  std::size_t said_before_ = 0; // outputs before this turn
+  std::size_t looked_at_ = 0;   // outputs that `said` has passed
   std::size_t errors_told_ = 0;
-  std::string compared_;         // the topic of `state`
-  Slots left_to_compare_;        // its slots that no `is` has named yet
+  std::string compared_;  // the topic of `state`
+  Slots left_to_compare_; // its slots that no `is` has named yet
   std::string returned_to_;
   std::map<std::string, Slots> acted_on_; // topics and slots of this turn
   std::map<std::string, Slots> known_;    // topics as they were left

@@ -17,6 +17,7 @@ RULES = {
     "unheard": "the state does not take a value that the user gave",
     "unsourced": "the state has a value that nobody has said",
     "unlisted": "a value is none of those that the schema lists",
+    "incomplete": "a call is agreed to that lacks what the schema requires",
 }
 
 Contradiction = collections.namedtuple(
@@ -141,6 +142,11 @@ class Reading:
         intent = self.service.intents.get(self.frame["state"]["active_intent"])
         return defaults(intent) if intent and self.confirms else {}
 
+    def lacks(self):
+        """What the agreed call requires and nobody has given."""
+        intent = self.service.intents[self.frame["state"]["active_intent"]]
+        return set(intent["required_slots"]) - set(self.service.state)
+
 
 class Dialogue:
     """Lines, contradictions, and how many values came from the state only."""
@@ -213,7 +219,7 @@ class Dialogue:
             return ("dropped" if not new else
                     None if self.wordings.same(old, new) else "changed")
         if slot in reading.assumed():
-            return None
+            return "incomplete" if reading.lacks() else None
         if not set(self.wordings.of(new)) & self.heard:
             return "unsourced"
         reading.given[slot] = new

@@ -106,8 +106,7 @@ bool World::advance(Milliseconds time) {
 }
 
 // Whoever looks finds one row, without anything in it.
-Expected<ResultSet>
-World::answer(const dialogue::QueryRequest& request) const {
+Expected<ResultSet> World::answer(const dialogue::QueryRequest& request) const {
   if (request.kind != dialogue::QueryRequest::Kind::query)
     return ResultSet{};
   if (!request.write)
@@ -169,8 +168,7 @@ void World::apply(dialogue::TopicId topic, dialogue::FrameRequest request) {
     frame = request.start;
   applied_ = dialogue::apply(
       *program_, *frame, request,
-      dialogue::make_frame_evaluator(program_, request.variables,
-                                     request.now));
+      dialogue::make_frame_evaluator(program_, request.variables, request.now));
   frame = applied_->frame;
 }
 

@@ -35,8 +35,8 @@ public:
   }
 
   bool writes_succeed = true;
-  std::vector<dialogue::Output> said;    // all of it
-  std::vector<std::string> errors;       // of scripts
+  std::vector<dialogue::Output> said; // all of it
+  std::vector<std::string> errors;    // of scripts
 
   std::vector<Message> post(Message message) override;
   bool reachable(const std::string& module) const override;

@@ -248,6 +248,40 @@ TEST(Effects, AConfirmIsAnsweredAfterAnotherTopic) {
   EXPECT_EQ(world.said(), (Texts{"Calling.", "Why?"}));
 }
 
+TEST(Effects, WhatElseWasSaidDoesNotWaitForAConfirm) {
+  Bell world("", transfer);
+  world.say(List{inform("Transfer", {{"Host", "Ann"}}),
+                 inform("Hours", {{"Day", slot_value("Monday", 1)}})});
+  EXPECT_EQ(world.slot("Hours", "Day"), Value("Monday"));
+  world.said();
+  world.advance(2s);
+  world.said();
+  world.say("confirm");
+  EXPECT_EQ(world.said(), (Texts{"Calling.", "Why?"}));
+}
+
+TEST(Effects, AYesThatNamesATopicIsForItsConfirm) {
+  Bell world("", transfer);
+  world.say(inform("Transfer", {{"Host", "Ann"}}));
+  world.say(inform("Hours", {{"Day", "Monday"}}));
+  world.said(); // the day is to be confirmed, too
+  world.say(act("confirm", "Transfer"));
+  EXPECT_EQ(world.said(), (Texts{"Calling.", "Why?"}));
+  EXPECT_EQ(world.conversation->current_topic(), "Transfer");
+}
+
+TEST(Effects, ConsumeCountsAlsoAfterAWait) {
+  World world(std::string(transfer) + R"xml(
+    <handler name="H"><messages><component><Dialogue><inform><consume/>
+      <confirm question="Sure?"><yes><speak param="Well."/></yes></confirm>
+    </inform></Dialogue></component></messages></handler>)xml");
+  world.say(inform("Hours", {{"Day", slot_value("Monday", 1)}}));
+  EXPECT_EQ(world.said(), Texts{"Sure?"});
+  world.say("confirm");
+  EXPECT_EQ(world.said(), Texts{"Well."});
+  EXPECT_EQ(world.slot("Hours", "Day"), Value());
+}
+
 TEST(Effects, AConfirmThatIsCancelledIsNoError) {
   Bell world("<confirm question='Open?'/><speak param='Never.'/>");
   world.ring();

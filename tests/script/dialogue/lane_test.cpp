@@ -71,6 +71,21 @@ TEST(Lane, AWaitForTheUserLetsItemsBeTaken) {
   EXPECT_EQ(taken(lane), (Numbers{3, 5, 4, 6}));
 }
 
+TEST(Lane, OtherActsDoNotWaitForTheUser) {
+  Lane lane;
+  auto act = numbered(2);
+  act.kind = StepKind::take_act;
+  auto conclude = numbered(4);
+  conclude.kind = StepKind::conclude;
+  lane.queue({numbered(1), act, numbered(3), conclude});
+  lane.queue({numbered(5)});
+  lane.next();
+  lane.wait(9, true);
+  EXPECT_EQ(taken(lane), (Numbers{2, 4, 5}));
+  lane.wake(9, numbered(6));
+  EXPECT_EQ(taken(lane), (Numbers{6, 3, 4}));
+}
+
 TEST(Lane, WakingWhatDoesNotWait) {
   Lane lane;
   EXPECT_FALSE(lane.wake(1, numbered(1)));

@@ -14,6 +14,8 @@ LISTENS = 3000
 RULES = {
     "dropped": "the state loses a value that nobody took back",
     "changed": "the state changes a value that nobody spoke of",
+    "chosen": "an optional value of a chosen offer replaces the user's, which "
+              "it does not in other services",
     "unheard": "the state does not take a value that the user gave",
     "unsourced": "the state has a value that nobody has said",
     "unlisted": "a value is none of those that the schema lists",
@@ -216,8 +218,7 @@ class Dialogue:
         if given:
             return None if new and self.wordings.same(given, new) else "unheard"
         if old:
-            return ("dropped" if not new else
-                    None if self.wordings.same(old, new) else "changed")
+            return self._kept(reading, slot, old, new)
         if slot in reading.assumed():
             return "incomplete" if reading.lacks() else None
         if not set(self.wordings.of(new)) & self.heard:
@@ -225,6 +226,17 @@ class Dialogue:
         reading.given[slot] = new
         self.copied += 1
         return None
+
+    def _kept(self, reading, slot, old, new):
+        """The rule that is broken where nobody spoke of a value."""
+        if not new:
+            return "dropped"
+        if self.wordings.same(old, new):
+            return None
+        offered = reading.service.offers.get(slot)
+        chosen = "SELECT" in reading.kinds and offered
+        return ("chosen" if chosen and self.wordings.same(offered, new)
+                else "changed")
 
     def _unlisted(self, service, slot, given):
         definition = service.inputs.get(slot)

@@ -52,7 +52,7 @@ TEST_F(CorpusWorld, TimeBringsBackWhatWasLeft) {
 TEST_F(CorpusWorld, ErrorsOfScriptsAreNoted) {
   world.open();
   world.say(act("request", "Table"));
-  ASSERT_EQ(world.errors.size(), 1u);
+  ASSERT_FALSE(world.errors.empty());
   EXPECT_NE(world.errors[0].find("no idea"), std::string::npos);
 }
 

@@ -156,7 +156,7 @@ bool TopicEngine::answer_to_question(const Step& step) {
   if (!step.act->slots.empty() ||
       (kind != ActKind::confirm && kind != ActKind::deny))
     return false;
-  const auto topic = core_.program->topic(step.act.topic);
+  const auto topic = core_.program->topic(step.act->topic);
   const auto named = std::find_if(
       confirms_.rbegin(), confirms_.rend(), [&](const Asked& confirm) {
         return topic != script::no_id && confirm.topic == topic;

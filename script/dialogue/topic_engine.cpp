@@ -49,15 +49,17 @@ void TopicEngine::take_act(Step& step) {
 void TopicEngine::offer_act(Step& step) {
   const auto command = std::string(name_of(step.act->kind));
   const auto state = core_.states.active();
-  if (!core_.pipeline.matches("Dialogue", command).empty())
-    offer(command, to_value(*step.act),
+  if (!core_.pipeline.matches("Dialogue", command).empty()) {
+    auto parameter = to_value(*step.act); // which nobody else would read
+    offer(command, std::move(parameter),
           make_step(StepKind::topic_act, std::move(step)));
-  else if (state != script::no_id &&
-           core_.program->states[state].capture != script::Capture::none)
+  } else if (state != script::no_id &&
+             core_.program->states[state].capture != script::Capture::none) {
     // The state keeps every act for itself, but has no use for this one.
     misunderstood(std::move(step));
-  else
+  } else {
     topic_act(step);
+  }
 }
 
 void TopicEngine::offer(std::string command, Value parameter, Step otherwise) {

@@ -100,9 +100,11 @@ void Reader::check_text() {
     error(*control, "a control character may not stand in XML");
 }
 
+// The terminating null is given too: the parser overwrites the last character,
+// and would lose a text of one behind the root element.
 pugi::xml_parse_result Reader::parse() {
   auto result = document_.load_buffer_inplace(
-      buffer_.data(), buffer_.size(), parse_options, pugi::encoding_utf8);
+      buffer_.data(), buffer_.size() + 1, parse_options, pugi::encoding_utf8);
   if (result && !document_.document_element()) {
     result.status = pugi::status_no_document_element;
     result.offset = text_.empty() ? 0 : std::ssize(text_) - 1;

@@ -86,6 +86,8 @@ INSTANTIATE_TEST_SUITE_P(
                       "has one"},
         NotWellFormed{"<a/> x", "a.xml:1:6: error: text outside of the root "
                                 "element"},
+        NotWellFormed{"<a/>>", "a.xml:1:5: error: text outside of the root "
+                               "element"},
         NotWellFormed{"x<a>y</a>", "a.xml:1:1: error: text outside of the root "
                                    "element"},
         NotWellFormed{"<?xml?><!-- y --> <a/>\n <!-- z --> x y",

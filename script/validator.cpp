@@ -33,7 +33,7 @@ std::string hint(const std::string& name,
                  const std::vector<std::string>& candidates,
                  const std::string& otherwise) {
   auto near = did_you_mean(name, candidates);
-  if (!near.empty() || candidates.empty() || candidates.size() > 12)
+  if (!near.empty() || candidates.empty() || candidates.size() > 16)
     return near;
   return otherwise + alternatives(candidates);
 }

@@ -62,7 +62,8 @@ void Map::add(const Element& root, const ElementRule& rule) {
 Map map_of(const Subject& subject) {
   Map map;
   for (const auto& document : subject.documents)
-    map.add(document.root, rule_of(document.root));
+    if (!document.platform) // its goodbye is no way that a state was given
+      map.add(document.root, rule_of(document.root));
   if (subject.settings)
     map.add(*subject.settings, rule_of(*subject.settings));
   return map;

@@ -45,7 +45,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"<xyzzy/>",
                 "11: error: unknown element <xyzzy> in <dialogue>; expected "
                 "include, var, const, functions, function, handler, routes, "
-                "state, topic, facts, grammar or phrases"},
+                "state, topic, facts, grammar, phrases or repair"},
         Mistake{"<slot name='s'/>", "11: error: <slot> may not stand in "
                                     "<dialogue>; it belongs in <topic>"},
         Mistake{"<post module='A' command='b'/>",

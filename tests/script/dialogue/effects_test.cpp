@@ -252,10 +252,11 @@ TEST(Effects, WhatElseWasSaidDoesNotWaitForAConfirm) {
   Bell world("", transfer);
   world.say(List{inform("Transfer", {{"Host", "Ann"}}),
                  inform("Hours", {{"Day", slot_value("Monday", 1)}})});
-  EXPECT_EQ(world.slot("Hours", "Day"), Value("Monday"));
-  world.said();
+  EXPECT_EQ(world.said(), Texts{"[confirm Hours.Day {value: Monday}]"});
+  world.say("confirm");
+  EXPECT_EQ(world.said(), Texts{"Nine."});
   world.advance(2s);
-  world.said();
+  EXPECT_EQ(world.said(), Texts{"Call Ann?"});
   world.say("confirm");
   EXPECT_EQ(world.said(), (Texts{"Calling.", "Why?"}));
 }

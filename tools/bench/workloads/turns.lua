@@ -85,5 +85,5 @@ return function()
     local session = {}
     for _, act in ipairs(acts) do said = said + #turn(session, act) end
   end
-  return rounds * #acts, said // rounds
+  return rounds * #acts, math.floor(said / rounds)
 end

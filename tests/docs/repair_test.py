@@ -5,6 +5,7 @@ table names every act of config/platform/repair.xml."""
 
 import re
 import unittest
+from collections import Counter
 from pathlib import Path
 
 ROOT = Path(__file__).parents[2]
@@ -34,6 +35,15 @@ class RepairTest(unittest.TestCase):
         for acts in re.findall(r'<repair act="([^"]*)"', repairs):
             for act in acts.split(","):
                 self.assertIn(f"`{act.strip()}`", self.page)
+
+    def test_every_pattern_is_held_in_two_applications(self):
+        applications = ROOT / "config" / "apps"
+        patterns = Counter(path.name for path in
+                           applications.glob("*/dialogues/repair-*.txt"))
+        self.assertGreater(len(patterns), 14)
+        for pattern, times in patterns.items():
+            with self.subTest(pattern):
+                self.assertGreaterEqual(times, 2)
 
 
 if __name__ == "__main__":

@@ -59,6 +59,3 @@ class Results:
             else:
                 self.faults.append(Fault(kind, *fields))
         return last
-
-    def of(self, *kinds):
-        return [fault for fault in self.faults if fault.kind in kinds]

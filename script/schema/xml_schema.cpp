@@ -44,12 +44,9 @@ void XmlSchema::global(const std::string& name, const ElementRule& rule) {
     xml_.empty("xs:element", {{"name", name}, {"type", schema_name(rule)}});
 }
 
-// Roots, and what stands where elements of any name may: a wildcard looks its
-// elements up among these.
+// What stands where elements of any name may, as a wildcard looks its elements
+// up among these, and the roots: <Dialogue> is the source, <dialogue> a root.
 void XmlSchema::globals() {
-  for (const auto* row : rows_within({"root"}))
-    for (const auto& name : spellings(row->name))
-      global(name, *row);
   for (const auto& place : {"sources", "events"})
     for (const auto* row : rows_within({place})) {
       if (row->name != "*") {
@@ -68,6 +65,9 @@ void XmlSchema::globals() {
           global(alias, *row);
       }
     }
+  for (const auto* row : rows_within({"root"}))
+    for (const auto& name : spellings(row->name))
+      global(name, *row);
 }
 
 void XmlSchema::content(const ElementRule& rule) {

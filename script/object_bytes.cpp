@@ -83,31 +83,41 @@ std::size_t room_for_more(const Array& array) {
 
 void ObjectWriter::write(ByteWriter& bytes, const Box& box) {
   if (box.is_object())
-    number(box.object());
+    number(box);
   mention(bytes, box);
 }
 
+const Object* ObjectWriter::the_one(const Box& box) {
+  const auto* object = box.object();
+  if (object->heap || object->type != ObjectType::integer)
+    return object;
+  const auto value = as<IntegerObject>(object).value;
+  return constants_.try_emplace(value, object).first->second;
+}
+
 // Without recursion, as values may be nested deeper than the stack is.
-void ObjectWriter::number(const Object* object) {
-  if (numbers_.contains(object))
-    return;
-  open_.push_back({object, 0});
+void ObjectWriter::number(const Box& box) {
+  const auto open = [this](const Object* object) {
+    if (!numbers_.contains(object))
+      open_.push_back({object, 0});
+  };
+  open(the_one(box));
   while (!open_.empty()) {
-    auto& open = open_.back();
-    const auto* held = child(open.object, open.next++);
+    auto& top = open_.back();
+    const auto* held = child(top.object, top.next++);
     if (!held) {
-      complete(open.object);
+      complete(top.object);
       open_.pop_back();
-    } else if (held->is_object() && !numbers_.contains(held->object())) {
-      open_.push_back({held->object(), 0});
+    } else if (held->is_object()) {
+      open(the_one(*held));
     }
   }
 }
 
-void ObjectWriter::mention(ByteWriter& bytes, const Box& box) const {
+void ObjectWriter::mention(ByteWriter& bytes, const Box& box) {
   if (box.is_object()) {
     put(bytes, BoxTag::object);
-    bytes.number(numbers_.at(box.object()));
+    bytes.number(numbers_.at(the_one(box)));
   } else if (box.is_number()) {
     put(bytes, BoxTag::number);
     bytes.fixed(std::bit_cast<std::uint64_t>(box.as_number()));

@@ -41,14 +41,18 @@ private:
     const Object* object;
     std::size_t next; // child
   };
-  void number(const Object* object);
-  void mention(ByteWriter& bytes, const Box& box) const;
+  void number(const Box& box);
+  const Object* the_one(const Box& box);
+  void mention(ByteWriter& bytes, const Box& box);
   void complete(const Object* object);
   void write_list(const ListObject& list);
   void write_map(const MapObject& map);
   void write_error(const ErrorObject& error);
 
   std::unordered_map<const Object*, std::size_t> numbers_;
+  // Constants by their value: a program may have equal ones, but reading knows
+  // only one of them.
+  std::unordered_map<std::int64_t, const Object*> constants_;
   std::vector<Open> open_;
   ByteWriter objects_;
 };

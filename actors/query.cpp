@@ -60,6 +60,15 @@ std::optional<ErrorKind> kind_of(const Message& event) {
   return std::nullopt;
 }
 
+// Nobody knows what became of a commit that was not answered.
+Expected<ResultSet> silence_of(dialogue::QueryRequest::Kind kind) {
+  if (kind == dialogue::QueryRequest::Kind::commit)
+    return fail(ErrorKind::in_doubt, "the database did not answer in time; "
+                                     "whether the transaction is kept is not "
+                                     "known");
+  return fail(ErrorKind::timeout, "the database did not answer in time");
+}
+
 } // namespace
 
 query_state::~query_state() {
@@ -96,8 +105,7 @@ query(query_actor::stateful_pointer<query_state> self, Services* services,
         finish(self, session, id, outcome_of(what.event));
       },
       [=](const give_up&) {
-        finish(self, session, id,
-               fail(ErrorKind::timeout, "the database did not answer in time"));
+        finish(self, session, id, silence_of(order.request.kind));
       },
   };
 }

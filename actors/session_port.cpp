@@ -32,6 +32,10 @@ std::vector<Message> SessionPort::post(Message message) {
   std::vector<Message> back;
   if (message.session.empty())
     message.session = id_;
+  if (message.session != id_) {
+    services_.publish({std::move(message)});
+    return back;
+  }
   carry(std::move(message), back, 0);
   return back;
 }

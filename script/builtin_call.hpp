@@ -46,6 +46,10 @@ struct BuiltinCall {
 
   // Work of this many bytes or elements; false: out of fuel, raised.
   bool work(std::size_t bytes);
+  // The same of boxes compared or searched.
+  bool looked_at(std::size_t boxes) {
+    return machine.charge(boxes / Machine::boxes_per_unit);
+  }
   // Room for a result of this many bytes; false: raised.
   bool room(std::size_t bytes);
 };

@@ -1,4 +1,5 @@
 // JSON (language rule 7): compact, in insertion order.
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -258,8 +259,10 @@ private:
 
 bool to_json(BuiltinCall& call) {
   bool truncated = false;
-  const auto value = to_value(call[0], call.machine.walk_budget(), &truncated);
   const auto limit = call.machine.program->settings.limits.result;
+  // Each value takes a letter at least.
+  const auto value = to_value(
+      call[0], std::min(call.machine.walk_budget(), limit), &truncated);
   Writer writer(limit);
   if (truncated || !writer.write(value))
     return call.room(limit + 1);

@@ -1,5 +1,6 @@
 // Built-in functions of lists, maps and results (language rules 3 and 7).
 #include <algorithm>
+#include <bit>
 
 #include "script/builtin_call.hpp"
 #include "script/builtin_functions.hpp"
@@ -36,6 +37,8 @@ bool contains(BuiltinCall& call) {
   auto outcome = is_in(call[1], call[0], found, budget);
   if (outcome)
     return call.wrong_type(0, "a string, list or map");
+  if (budget == 0)
+    return call.fail(ErrorKind::limit, "too much to compare");
   if (call[0].is_string() && !call.work(call[0].string()->size))
     return false;
   return call.machine.charge(before - budget) && call.give_flag(found);
@@ -44,8 +47,9 @@ bool contains(BuiltinCall& call) {
 bool append(BuiltinCall& call) {
   if (!call[0].is_list())
     return call.wrong_type(0, "a list");
-  return call.machine.check(script::append(call[0], call[1])) &&
-         call.give(call[0]);
+  std::size_t work = 0;
+  return call.machine.check(script::append(call[0], call[1], work)) &&
+         call.looked_at(work) && call.give(call[0]);
 }
 
 bool insert(BuiltinCall& call) {
@@ -60,8 +64,10 @@ bool insert(BuiltinCall& call) {
     return call.fail(ErrorKind::range, "position " + std::to_string(at) +
                                            " is outside of a list of " +
                                            std::to_string(size));
-  if (would_contain_itself(call[0], call[2]))
-    return call.machine.check(ring_failure());
+  std::size_t work = 0;
+  if (!call.machine.check(refuse_ring(call[0], call[2], work)) ||
+      !call.looked_at(work))
+    return false;
   list->elements.insert(list->elements.begin() + at, call[2]);
   return call.give(call[0]);
 }
@@ -109,6 +115,14 @@ bool sort_integers(Boxes& elements, bool descending) {
   return true;
 }
 
+// Each text is compared about as often as the list can be halved.
+bool charge_texts(BuiltinCall& call, const Boxes& elements) {
+  std::size_t bytes = 0;
+  for (const auto& element : elements)
+    bytes += element.string()->size;
+  return call.work(bytes / 8 * std::bit_width(elements.size()));
+}
+
 } // namespace
 
 // Numbers with numbers, or strings with strings.
@@ -130,7 +144,8 @@ bool sort(BuiltinCall& call) {
     return call.fail(ErrorKind::type, "the order is 'ascending' or "
                                       "'descending', not '" +
                                           direction + "'");
-  if (!call.machine.charge(elements.size() * 2))
+  if (!call.machine.charge(elements.size() * 2) ||
+      (!numbers && !charge_texts(call, elements)))
     return false;
   if (sort_integers(elements, direction == "descending"))
     return call.give(call[0]);
@@ -161,10 +176,17 @@ bool index_of(BuiltinCall& call) {
   if (!call.list(0, list))
     return false;
   auto budget = call.machine.walk_budget();
-  for (std::size_t i = 0; i < list->elements.size(); ++i)
-    if (equal(list->elements[i], call[1], budget))
-      return call.give_integer(static_cast<std::int64_t>(i));
-  return call.give_integer(-1);
+  const auto before = budget;
+  const auto& elements = list->elements;
+  const auto found =
+      std::find_if(elements.begin(), elements.end(), [&](const Box& element) {
+        return budget > 0 && equal(element, call[1], budget);
+      });
+  if (budget == 0)
+    return call.fail(ErrorKind::limit, "too much to compare");
+  return call.looked_at(before - budget) &&
+         call.give_integer(found == elements.end() ? -1
+                                                   : found - elements.begin());
 }
 
 // A list or a string, from included, to excluded.

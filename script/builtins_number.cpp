@@ -41,6 +41,8 @@ bool extreme(BuiltinCall& call, int sign) {
   const Box* best = nullptr;
   for (std::size_t i = 0; i < count; ++i) {
     Order found = Order::none;
+    if (begin[i].is_string() && !call.work(begin[i].string()->size))
+      return false;
     if (begin[i].is_unknown() || (!begin[i].is_string() && !numeric(begin[i])))
       return call.fail(ErrorKind::type, "only numbers or strings have an order,"
                                         " not " +

@@ -33,8 +33,7 @@ const RE2& compiled(const std::string& pattern) {
 
 const RE2* expression(BuiltinCall& call, std::string& text) {
   std::string pattern;
-  if (!call.text(0, text) || !call.text(1, pattern) ||
-      !call.work(text.size() * 4))
+  if (!call.text(0, text) || !call.text(1, pattern))
     return nullptr;
   const auto& found = compiled(pattern);
   if (!found.ok()) {
@@ -43,7 +42,9 @@ const RE2* expression(BuiltinCall& call, std::string& text) {
                   "' is not a regular expression: " + found.error());
     return nullptr;
   }
-  return &found;
+  // In the worst case each letter meets each step of the expression.
+  const auto steps = static_cast<std::size_t>(found.ProgramSize()) / 2;
+  return call.work(steps + text.size() * (4 + steps)) ? &found : nullptr;
 }
 
 } // namespace

@@ -60,8 +60,8 @@ Box part_of(BuiltinCall& call, const Box& string, std::size_t from,
 
 std::size_t occurrences(std::string_view text, std::string_view part) {
   std::size_t count = 0;
-  for (auto at = text.find(part); at != std::string_view::npos;
-       at = text.find(part, at + part.size()))
+  for (auto at = find_text(text, part); at != std::string_view::npos;
+       at = find_text(text, part, at + part.size()))
     ++count;
   return count;
 }
@@ -70,8 +70,8 @@ std::size_t occurrences(std::string_view text, std::string_view part) {
 void replace_all(std::string_view text, std::string_view part,
                  std::string_view with, char* target) {
   std::size_t at = 0;
-  for (auto found = text.find(part); found != std::string_view::npos;
-       found = text.find(part, at)) {
+  for (auto found = find_text(text, part); found != std::string_view::npos;
+       found = find_text(text, part, at)) {
     target = std::copy(text.begin() + at, text.begin() + found, target);
     target = std::copy(with.begin(), with.end(), target);
     at = found + part.size();
@@ -124,7 +124,7 @@ bool find(BuiltinCall& call) {
   const auto string = make_string(call.heap(), text);
   const auto start = byte_position(*string.string(),
                                    clamped(from, string.string()->code_points));
-  const auto found = text.find(part, start);
+  const auto found = find_text(text, part, start);
   return call.give_integer(
       found == std::string::npos
           ? -1
@@ -172,8 +172,8 @@ void split_code_points(Heap& heap, std::string_view text, Boxes& parts) {
 void split_at(Heap& heap, std::string_view text, std::string_view separator,
               Boxes& parts) {
   std::size_t at = 0;
-  for (auto found = text.find(separator); found != std::string_view::npos;
-       found = text.find(separator, at)) {
+  for (auto found = find_text(text, separator); found != std::string_view::npos;
+       found = find_text(text, separator, at)) {
     parts.push_back(make_string(heap, text.substr(at, found - at)));
     at = found + separator.size();
   }

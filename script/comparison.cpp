@@ -139,7 +139,7 @@ Outcome is_in(const Box& element, const Box& container, bool& result,
   if (container.is_map())
     result = container.map()->find(text) != nullptr;
   else if (container.is_string())
-    result = container.text().find(text) != std::string_view::npos;
+    result = find_text(container.text(), text) != std::string_view::npos;
   else
     return Failure{ErrorKind::type, "'in' needs a list, a map or a string on "
                                     "its right, not " +

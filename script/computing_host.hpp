@@ -1,6 +1,5 @@
-// ComputingHost: the world of a script that may only compute: a condition, a
-// text, a constraint. It has a time, and everything else is unknown or
-// refused; those who know more (a frame, a message) override what they know.
+// Hosts for where there is no conversation. Those who know more (a frame, a
+// message) override what they know.
 #pragma once
 
 #include <string>
@@ -10,15 +9,9 @@
 
 namespace parlour::script {
 
-class ComputingHost : public Host {
+// The world without a conversation: no slots, nothing of the system, no agents.
+class LonelyHost : public Host {
 public:
-  // `who` begins the refusal's sentence: "a phrase".
-  ComputingHost(std::string who, Timestamp now)
-      : who_(std::move(who)), now_(now) {}
-
-  Performed perform(Activation&, Effect) override {
-    return Error{ErrorKind::refused, who_ + " can only compute", {}};
-  }
   Value slot(TopicId, SlotId) const override {
     return {};
   }
@@ -28,6 +21,19 @@ public:
   }
   bool online(const std::string&) const override {
     return false;
+  }
+};
+
+// The world of a script that may only compute: a condition, a text, a
+// constraint. It has a time, and everything else is unknown or refused.
+class ComputingHost : public LonelyHost {
+public:
+  // `who` begins the refusal's sentence: "a phrase".
+  ComputingHost(std::string who, Timestamp now)
+      : who_(std::move(who)), now_(now) {}
+
+  Performed perform(Activation&, Effect) override {
+    return Error{ErrorKind::refused, who_ + " can only compute", {}};
   }
   Timestamp now() const override {
     return now_;

@@ -1,5 +1,6 @@
 // Indexing, fields and elements (language rules 2 and 7, "Reading past the
 // end").
+#include <cstring>
 #include <unordered_set>
 
 #include "script/convert.hpp"
@@ -110,7 +111,8 @@ bool contains_others(const Box& box) {
 // Looks for one object below another; each object once, with its own stack.
 class Search {
 public:
-  explicit Search(const Object* wanted) : wanted_(wanted) {}
+  Search(const Object* wanted, std::size_t& work)
+      : wanted_(wanted), work_(work) {}
   bool below(const Box& from) {
     visit(from);
     while (!found_ && !open_.empty()) {
@@ -123,8 +125,10 @@ public:
 
 private:
   void visit(const Box& box) {
+    ++work_;
     if (!contains_others(box) || found_)
       return;
+    work_ += boxes_of_a_mark;
     found_ = box.object() == wanted_;
     if (seen_.insert(box.object()).second)
       open_.push_back(box.object());
@@ -143,7 +147,11 @@ private:
       visit(static_cast<const ResultObject*>(object)->rows);
   }
 
+  // To remember an object costs as much as to look at so many boxes.
+  static constexpr std::size_t boxes_of_a_mark = 16;
+
   const Object* wanted_;
+  std::size_t& work_;
   bool found_ = false;
   std::vector<const Object*> open_;
   std::unordered_set<const Object*> seen_;
@@ -181,6 +189,16 @@ std::optional<std::size_t> place_in(std::int64_t position, std::size_t size) {
 std::size_t character_size(char first) {
   const auto byte = static_cast<unsigned char>(first);
   return byte < 0x80 ? 1 : byte < 0xe0 ? 2 : byte < 0xf0 ? 3 : 4;
+}
+
+std::size_t find_text(std::string_view text, std::string_view part,
+                      std::size_t from) {
+  if (from > text.size())
+    return std::string_view::npos;
+  const auto* found = static_cast<const char*>(
+      memmem(text.data() + from, text.size() - from, part.data(), part.size()));
+  return found ? static_cast<std::size_t>(found - text.data())
+               : std::string_view::npos;
 }
 
 std::size_t byte_position(const StringObject& string, std::size_t code_point) {
@@ -260,16 +278,17 @@ Outcome get_field(Heap& heap, const Box& container, const Box& name,
                       std::string(name.text()) + "'");
 }
 
-bool would_contain_itself(const Box& container, const Box& value) {
-  return contains_others(value) && Search(container.object()).below(value);
-}
-
-Outcome ring_failure() {
+// What only one variable refers to is held by no value.
+Outcome refuse_ring(const Box& container, const Box& value, std::size_t& work) {
+  if (!contains_others(value) || container.object()->count == 1 ||
+      !Search(container.object(), work).below(value))
+    return {};
   return Failure{ErrorKind::range,
                  "a list or map cannot be put inside of itself"};
 }
 
-Outcome set_index(Heap& heap, const Box& container, const Box& key, Box value) {
+Outcome set_index(Heap& heap, const Box& container, const Box& key, Box value,
+                  std::size_t& work) {
   if (container.is_unknown())
     return Failure{ErrorKind::range,
                    "there is no list or map to set '" +
@@ -277,19 +296,19 @@ Outcome set_index(Heap& heap, const Box& container, const Box& key, Box value) {
                        "' in: it is unknown"};
   if (!container.is_list() && !container.is_map())
     return type_failure("nothing can be set inside of " + a_type(container));
-  if (would_contain_itself(container, value))
-    return ring_failure();
+  if (auto ring = refuse_ring(container, value, work))
+    return ring;
   if (container.is_list())
     return set_element(container, key, std::move(value));
   container.map()->set(key_text(heap, key), std::move(value));
   return {};
 }
 
-Outcome append(const Box& list, Box value) {
+Outcome append(const Box& list, Box value, std::size_t& work) {
   if (!list.is_list())
     return type_failure("append needs a list, not " + a_type(list));
-  if (would_contain_itself(list, value))
-    return ring_failure();
+  if (auto ring = refuse_ring(list, value, work))
+    return ring;
   list.list()->elements.push_back(std::move(value));
   return {};
 }

@@ -14,6 +14,7 @@
 
 #include "runtime/base/files.hpp"
 #include "runtime/base/random.hpp"
+#include "script/computing_host.hpp"
 #include "script/interpreter.hpp"
 
 namespace parlour {
@@ -43,7 +44,7 @@ struct ExecFailure {
 // A script's `main` and what it leaves behind, in steps: it may stop after
 // each, be written to bytes, and go on from them in another process. Used by
 // one thread.
-class ExecRun : private Host {
+class ExecRun : private LonelyHost {
 public:
   ExecRun(std::shared_ptr<const Program> program, ExecOptions options);
 
@@ -96,16 +97,6 @@ private:
   };
 
   Performed perform(Activation& activation, Effect effect) override;
-  Value slot(TopicId, SlotId) const override {
-    return {};
-  }
-  void set_slot(TopicId, SlotId, Value) override {}
-  Value system(const Activation&, SystemVariable) const override {
-    return {};
-  }
-  bool online(const std::string&) const override {
-    return false;
-  }
   double random() override {
     return dice_.fraction();
   }

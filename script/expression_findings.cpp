@@ -7,12 +7,6 @@
 
 namespace parlour::script {
 
-namespace {
-
-constexpr std::size_t most_explained = 1000; // to look for words takes time
-
-} // namespace
-
 void ExpressionCompiler::report(const Source& source, const Parsed& parsed) {
   for (auto& slip : find_slips(source.text, parsed))
     b_.findings.add({Severity::error, source.spot(slip.offset, slip.length),
@@ -31,7 +25,7 @@ void ExpressionCompiler::error(const Node& node, const Source& source,
 void ExpressionCompiler::unknown_name(const Node& node, const Source& source) {
   const auto& name = node.text;
   const auto quoted = "'" + name + "'";
-  if (b_.findings.all().size() > most_explained)
+  if (!explains(b_.findings))
     return error(node, source, quoted + " is not declared");
   const auto known = b_.visible_names();
   if (name == "this")
@@ -60,7 +54,7 @@ void ExpressionCompiler::unknown_name(const Node& node, const Source& source) {
 
 void ExpressionCompiler::unknown_target(const Node& node,
                                         const Source& source) {
-  if (b_.findings.all().size() > most_explained)
+  if (!explains(b_.findings))
     return unknown_name(node, source);
   const auto known = b_.visible_names();
   if (!did_you_mean(node.text, known).empty() || node.text == "this" ||
@@ -74,7 +68,7 @@ void ExpressionCompiler::unknown_target(const Node& node,
 void ExpressionCompiler::unknown_function(const Node& node,
                                           const Source& source) {
   const auto quoted = "'" + node.text + "'";
-  if (b_.findings.all().size() > most_explained)
+  if (!explains(b_.findings))
     return error(node, source, "there is no function " + quoted);
   auto known = b_.function_names();
   known.insert(known.end(), builtin_names().begin(), builtin_names().end());

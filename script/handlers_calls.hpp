@@ -8,7 +8,9 @@ namespace parlour::script::handlers {
 
 // -- containers ---------------------------------------------------------------
 
-PARLOUR_INLINE bool get_entry(Cursor& c, MapObject& map, const Box& key) {
+PARLOUR_INLINE bool get_entry(Machine& m, Cursor& c, MapObject& map,
+                              const Box& key) {
+  charge_text(m, *key.string());
   const auto* value = map.find(*key.string());
   c.r[c.pc->a] = value ? *value : Box();
   return next(c);
@@ -25,7 +27,7 @@ PARLOUR_INLINE bool get_index(Machine& m, Cursor& c) {
       return next(c);
     }
   } else if (container.is_map() && key.is_string()) {
-    return get_entry(c, *container.map(), key);
+    return get_entry(m, c, *container.map(), key);
   }
   save(m, c);
   return m.get_index(container, key, c.r[c.pc->a]) && next(c);
@@ -34,7 +36,7 @@ PARLOUR_INLINE bool get_index(Machine& m, Cursor& c) {
 PARLOUR_INLINE bool get_field(Machine& m, Cursor& c) {
   const auto& container = c.r[c.pc->b];
   if (container.is_map())
-    return get_entry(c, *container.map(), c.k[c.pc->c]);
+    return get_entry(m, c, *container.map(), c.k[c.pc->c]);
   save(m, c);
   return m.get_field(container, c.k[c.pc->c], c.r[c.pc->a]) && next(c);
 }
@@ -44,6 +46,7 @@ PARLOUR_INLINE bool set(Machine& m, Cursor& c, const Box& key) {
   const auto& container = c.r[c.pc->a];
   const auto& value = c.r[c.pc->c];
   if (container.is_map() && key.is_string() && value.is_simple()) {
+    charge_text(m, *key.string());
     if (auto* there = container.map()->find(*key.string())) [[likely]] {
       *there = value;
       return next(c);

@@ -10,6 +10,13 @@ namespace parlour::script::handlers {
 
 // -- comparing ----------------------------------------------------------------
 
+// Long texts cost by their size.
+PARLOUR_INLINE void charge_text(Machine& m, const StringObject& text) {
+  constexpr std::uint32_t bytes_per_unit = 128; // of a plain comparison
+  if (text.size > bytes_per_unit) [[unlikely]]
+    m.fuel -= text.size / bytes_per_unit;
+}
+
 PARLOUR_INLINE bool are_equal(Machine& m, Cursor& c, const Box& left,
                               const Box& right, bool& result) {
   if (left.same_bits(right)) {
@@ -21,6 +28,7 @@ PARLOUR_INLINE bool are_equal(Machine& m, Cursor& c, const Box& left,
     return true;
   }
   if (left.is_string() && right.is_string()) {
+    charge_text(m, *left.string());
     result = equal_strings(*left.string(), *right.string());
     return true;
   }

@@ -214,8 +214,9 @@ bool Machine::charge(std::size_t units) {
 }
 
 std::size_t Machine::walk_budget() const {
-  return 2 * static_cast<std::size_t>(std::max<std::int64_t>(fuel, 0)) +
-         2 * left_ + 1000;
+  const auto left =
+      2 * static_cast<std::size_t>(std::max<std::int64_t>(fuel, 0)) + 2 * left_;
+  return std::min<std::size_t>(left, heap_->limit() / sizeof(Box)) + 1000;
 }
 
 // -- running ------------------------------------------------------------------

@@ -113,6 +113,10 @@ public:
   bool within_limits();        // false: raised
   // Counts work beyond the instruction's own; false: raised.
   bool charge(std::size_t units);
+  // Boxes looked at that count as one instruction.
+  static constexpr std::size_t boxes_per_unit = 4;
+  // How many boxes may still be compared or copied: as many as the fuel allows,
+  // and no more than a session may hold.
   std::size_t walk_budget() const;
 
   Heap& heap() {
@@ -196,7 +200,8 @@ private:
   void take_slice();
   void give_back_fuel();
   void note_stack();
-  void release_bindings(); // before a wait
+  Box taken_in(const Value& value); // copied from outside
+  void release_bindings();          // before a wait
   void copy_out(Frame& frame);
   RunResult outcome();
   const CatchRange* find_catch(const Frame& frame) const;

@@ -184,8 +184,17 @@ bool Machine::perform(const EffectShape& shape, const Box* operands,
   return false;
 }
 
+// What comes in costs by its size.
+Box Machine::taken_in(const Value& value) {
+  constexpr std::size_t bytes_per_unit = 32;
+  const auto before = heap_->used();
+  auto box = to_box(*heap_, value);
+  fuel -= static_cast<std::int64_t>((heap_->used() - before) / bytes_per_unit);
+  return box;
+}
+
 void Machine::load_slot(SlotId slot, Box& result) {
-  result = to_box(*heap_, host->slot(execution->context().topic, slot));
+  result = taken_in(host->slot(execution->context().topic, slot));
 }
 
 void Machine::store_slot(SlotId slot, const Box& value) {
@@ -216,7 +225,7 @@ void Machine::load_system(SystemVariable variable, Box& result) {
 void Machine::load_message_parameter(std::size_t index, Box& result) {
   const auto* message = execution->context().message.get();
   result = message && index < message->params.size()
-               ? to_box(*heap_, message->params[index])
+               ? taken_in(message->params[index])
                : Box();
 }
 
@@ -226,7 +235,7 @@ void Machine::load_message_parameters(Box& result) {
   result = make_list(*heap_);
   if (message)
     for (const auto& param : message->params)
-      result.list()->elements.push_back(to_box(*heap_, param));
+      result.list()->elements.push_back(taken_in(param));
 }
 
 } // namespace parlour::script

@@ -1,4 +1,5 @@
 // The slow ways of the instructions: operators, containers, loops.
+#include <algorithm>
 #include <cmath>
 
 #include "runtime/base/clock.hpp"
@@ -17,6 +18,15 @@ std::size_t size_of(const Box& box) {
                          : 0;
 }
 
+// What is no text is printed to be a key.
+std::size_t key_size(const Box& key) {
+  if (!key.is_object() || key.is_string())
+    return size_of(key);
+  std::string printed;
+  print(printed, key, 1 << 20);
+  return 2 * printed.size() / bytes_per_unit;
+}
+
 } // namespace
 
 bool Machine::add(const Box& left, const Box& right, Box& result) {
@@ -28,24 +38,35 @@ bool Machine::add(const Box& left, const Box& right, Box& result) {
 
 bool Machine::arithmetic(Arithmetic operation, const Box& left,
                          const Box& right, Box& result) {
-  return check(script::arithmetic(*heap_, operation, left.resolved(),
-                                  right.resolved(), result));
+  const auto& l = left.resolved();
+  const auto& r = right.resolved();
+  return charge(size_of(l) + size_of(r)) &&
+         check(script::arithmetic(*heap_, operation, l, r, result));
 }
 
 bool Machine::negate(const Box& operand, Box& result) {
-  return check(script::negate(*heap_, operand.resolved(), result));
+  return charge(size_of(operand.resolved())) &&
+         check(script::negate(*heap_, operand.resolved(), result));
 }
 
 bool Machine::equal(const Box& left, const Box& right, bool& result) {
+  const auto& l = left.resolved();
+  const auto& r = right.resolved();
+  // A text may be a number.
+  if (l.is_string() != r.is_string() && !charge(size_of(l.is_string() ? l : r)))
+    return false;
   auto budget = walk_budget();
   const auto before = budget;
-  result = script::equal(left.resolved(), right.resolved(), budget);
+  result = script::equal(l, r, budget);
   return budget == 0 ? raise(ErrorKind::limit, "too much to compare")
                      : charge((before - budget) / 2);
 }
 
 bool Machine::order(const Box& left, const Box& right, Order& result) {
-  return check(script::order(left.resolved(), right.resolved(), result));
+  const auto& l = left.resolved();
+  const auto& r = right.resolved();
+  return charge(std::min(size_of(l), size_of(r))) &&
+         check(script::order(l, r, result));
 }
 
 bool Machine::contained(const Box& element, const Box& container, Box& result) {
@@ -53,6 +74,8 @@ bool Machine::contained(const Box& element, const Box& container, Box& result) {
   const auto before = budget;
   bool found = false;
   const auto& within = container.resolved();
+  if (!within.is_list() && !charge(key_size(element.resolved())))
+    return false;
   auto outcome = is_in(element.resolved(), within, found, budget);
   result = Box::boolean(found);
   if (budget == 0)
@@ -66,7 +89,8 @@ bool Machine::get_index(const Box& container, const Box& key, Box& result) {
   // A code point's place is found by counting.
   if (from.is_string() && !charge(size_of(from)))
     return false;
-  return check(script::get_index(*heap_, from, key.resolved(), result));
+  return charge(key_size(key.resolved())) &&
+         check(script::get_index(*heap_, from, key.resolved(), result));
 }
 
 bool Machine::get_field(const Box& container, const Box& name, Box& result) {
@@ -77,14 +101,17 @@ bool Machine::get_field(const Box& container, const Box& name, Box& result) {
 
 bool Machine::set_index(const Box& container, const Box& key,
                         const Box& value) {
-  return check(script::set_index(*heap_, container.resolved(), key.resolved(),
-                                 value.resolved())) &&
-         within_limits();
+  std::size_t work = 0;
+  return charge(key_size(key.resolved())) &&
+         check(script::set_index(*heap_, container.resolved(), key.resolved(),
+                                 value.resolved(), work)) &&
+         charge(work / boxes_per_unit) && within_limits();
 }
 
 bool Machine::append(const Box& list, const Box& value) {
-  return check(script::append(list.resolved(), value.resolved())) &&
-         within_limits();
+  std::size_t work = 0;
+  return check(script::append(list.resolved(), value.resolved(), work)) &&
+         charge(work / boxes_per_unit) && within_limits();
 }
 
 bool Machine::new_list(const Box* elements, std::size_t count, Box& result) {

@@ -63,17 +63,22 @@ Outcome get_index(Heap& heap, const Box& container, const Box& key,
                   Box& result);
 Outcome get_field(Heap& heap, const Box& container, const Box& name,
                   Box& result);
-Outcome set_index(Heap& heap, const Box& container, const Box& key, Box value);
-Outcome append(const Box& list, Box value);
-// Putting `value` into `container` would make a ring.
-bool would_contain_itself(const Box& container, const Box& value);
-Outcome ring_failure();
+// Putting a value into a container that it holds would make a ring, and fails.
+// The search for it adds to `work` what it cost, counted in boxes.
+Outcome set_index(Heap& heap, const Box& container, const Box& key, Box value,
+                  std::size_t& work);
+Outcome append(const Box& list, Box value, std::size_t& work);
+Outcome refuse_ring(const Box& container, const Box& value, std::size_t& work);
 Outcome is_in(const Box& element, const Box& container, bool& result,
               std::size_t& budget);
 
 // The list of maps of a result set's rows.
 Box rows_of(Heap& heap, const Box& result);
 Box keys_of(Heap& heap, const MapObject& map);
+// Where a part stands in a text, from a byte on; npos where it does not. Takes
+// time by the size of the text, whatever the part is.
+std::size_t find_text(std::string_view text, std::string_view part,
+                      std::size_t from = 0);
 // The byte where a code point starts; the size where there is none.
 std::size_t byte_position(const StringObject& string, std::size_t code_point);
 std::size_t character_size(char first);

@@ -25,6 +25,18 @@ void read_sessions(const Element& element, SessionSettings& sessions) {
   read_duration(element, "closes-after", sessions.closes_after);
 }
 
+// What the language has and nothing carries out yet.
+void warn_of_later(const Element& element, Findings& findings) {
+  for (const auto* name : {"rest-after", "journal", "keep"})
+    if (const auto* attribute = element.attribute(name))
+      findings.add({Severity::warning,
+                    {attribute->position},
+                    "'" + std::string(name) +
+                        "' has no effect yet: there is no journal, and "
+                        "sessions stay in memory until they end",
+                    "not-available-yet"});
+}
+
 template <class T>
 void read_number(const Element& element, const char* name, T& target) {
   if (const auto* attribute = element.attribute(name))
@@ -174,9 +186,10 @@ Settings SettingsReader::read(const Element& root) {
       read_component(child);
     else if (child.is("Scripts"))
       read_scripts(child);
-    else if (child.is("sessions"))
+    else if (child.is("sessions")) {
       read_sessions(child, settings_.sessions);
-    else if (child.is("limits"))
+      warn_of_later(child, findings_);
+    } else if (child.is("limits"))
       read_limits(child, settings_.limits);
   }
   return std::move(settings_);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include "script/findings.hpp"
+
 namespace parlour::script {
 
 namespace {
@@ -34,6 +36,11 @@ const Slip* find_slip(SlipPlace place, std::string_view written,
              allowed->end()))
       return &slip;
   return nullptr;
+}
+
+bool explains(const Findings& findings) {
+  constexpr std::size_t most_explained = 1000;
+  return findings.all().size() <= most_explained;
 }
 
 } // namespace parlour::script

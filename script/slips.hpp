@@ -8,6 +8,8 @@
 
 namespace parlour::script {
 
+class Findings;
+
 enum class SlipPlace : unsigned char {
   operand,
   operation,
@@ -28,5 +30,9 @@ struct Slip {
 // null: any.
 const Slip* find_slip(SlipPlace place, std::string_view written,
                       const std::vector<std::string>* allowed = nullptr);
+
+// Whether it is still worth looking for nearer words: that takes time, and
+// after a thousand findings nobody reads them.
+bool explains(const Findings& findings);
 
 } // namespace parlour::script

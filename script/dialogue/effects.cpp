@@ -193,6 +193,7 @@ script::Performed Effects::push(Context context, Call effect) {
   auto state = core_.program->state(effect.operand(0).text());
   if (state == script::no_id)
     return missing("state", effect.operand(0));
+  reached(effect.position);
   Step step;
   step.kind = StepKind::push;
   step.state = state;
@@ -210,6 +211,7 @@ script::Performed Effects::later(StepKind kind, Context context, Call effect) {
   step.turn = context.turn;
   step.topic = context.topic;
   if (kind == StepKind::transit) {
+    reached(effect.position);
     step.state = core_.program->state(effect.operand(0).text());
     if (step.state == script::no_id)
       return missing("state", effect.operand(0));

@@ -20,13 +20,31 @@ Reply meaning(const Port& port, const Message& message) {
   return Reply::answer;
 }
 
+// What another session asks for: correlations are a session's own, and what is
+// answered goes to that one.
+Message message_of(SessionId session, const Value& module, const Value& command,
+                   List params) {
+  Message message;
+  message.source = "Script";
+  message.command = command.text();
+  message.params = std::move(params);
+  message.sinks = {module.text()};
+  message.session = std::move(session);
+  return message;
+}
+
 } // namespace
 
 // -- messages -----------------------------------------------------------------
 
 script::Performed Effects::post(Context context, Call effect) {
-  core_.post(effect.operand(0).text(), effect.operand(1).text(),
-             list_of(effect.operand(2)), context.turn);
+  const auto& other = effect.operand(3);
+  if (other.is_unknown() || other.text() == core_.options.session)
+    core_.post(effect.operand(0).text(), effect.operand(1).text(),
+               list_of(effect.operand(2)), context.turn);
+  else
+    core_.port.post(message_of(other.text(), effect.operand(0),
+                               effect.operand(1), list_of(effect.operand(2))));
   return Value();
 }
 

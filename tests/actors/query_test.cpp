@@ -57,6 +57,27 @@ TEST_F(QueryTest, GivesUpInTime) {
   EXPECT_THAT(said(), ElementsAre(HasSubstr("Timeout: ")));
 }
 
+// It may have been kept, or not.
+TEST_F(QueryTest, ACommitThatIsNotAnsweredIsInDoubt) {
+  options.components = {
+      component("db", "Database", [](auto& self, const Message& message) {
+        if (message.command != "Commit")
+          self.fire_event("Result", {});
+      })};
+  start(R"(
+    <handler name="Pipeline"><messages><component>
+      <ASR><RecognitionResult>
+        <try>
+          <transaction><querydb param="select 1"/></transaction>
+          <catch name="e"><speak param="{e.kind}"/></catch>
+        </try>
+      </RecognitionResult></ASR>
+    </component></messages></handler>)");
+  EXPECT_THAT(say({"go"}), IsEmpty());
+  node->advance(10s);
+  EXPECT_THAT(said(), ElementsAre("InDoubt"));
+}
+
 TEST_F(QueryTest, SaysThatNoDatabaseIsThere) {
   start(ask_database);
   EXPECT_THAT(say({"go"}), ElementsAre(HasSubstr("Offline: ")));

@@ -94,6 +94,21 @@ TEST_F(SessionPortTest, AsksAnInlineComponentAtOnce) {
   EXPECT_THAT(bench.seen, IsEmpty());
 }
 
+// <post to-session>: what is answered is not for who posted.
+TEST_F(SessionPortTest, PostsForAnotherSessionThroughTheCentre) {
+  install([](const Message&) -> std::vector<Answer> {
+    ADD_FAILURE() << "asked on behalf of this session";
+    return {};
+  });
+  with_port([](SessionPort& port) {
+    auto message = event("Script", "Greet");
+    message.sinks = {"NLG"};
+    message.session = "s2";
+    EXPECT_THAT(port.post(message), IsEmpty());
+  });
+  EXPECT_THAT(bench.seen, ElementsAre("Script.Greet() -> NLG"));
+}
+
 TEST_F(SessionPortTest, AnswersForAnInlineComponentThatThrows) {
   install([](const Message&) -> std::vector<Answer> { throw 1; });
   EXPECT_THAT(post(), ElementsAre(HasSubstr("s1 Words.Failed(")));

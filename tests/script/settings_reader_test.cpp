@@ -49,7 +49,7 @@ TEST(SettingsReader, reads_components_in_order_of_preference) {
 
 TEST(SettingsReader, reads_times_limits_and_scripts) {
   const auto [settings, lines] =
-      read("<sessions resume-after='1.5s' keep='7d' closes-after='1m'/>"
+      read("<sessions resume-after='1.5s' closes-after='1m'/>"
            "<limits instructions='5' depth='6' bytes='7KB' result='8'/>"
            "<Scripts><Script>a.xml</Script><Script>b.xml</Script></Scripts>");
   EXPECT_THAT(lines, IsEmpty());
@@ -61,6 +61,15 @@ TEST(SettingsReader, reads_times_limits_and_scripts) {
   EXPECT_EQ(settings.limits.bytes, 7u << 10);
   EXPECT_EQ(settings.limits.result, 8u);
   EXPECT_THAT(settings.scripts, ElementsAre("a.xml", "b.xml"));
+}
+
+TEST(SettingsReader, says_what_has_no_effect_yet) {
+  const auto [settings, lines] =
+      read("<sessions rest-after='5m' journal='strict' keep='7d'/>");
+  ASSERT_EQ(lines.size(), 3u);
+  EXPECT_EQ(lines[1], "s.xml:1:38: warning: 'journal' has no effect yet: there "
+                      "is no journal, and sessions stay in memory until they "
+                      "end");
 }
 
 TEST(SettingsReader, replaces_what_the_environment_holds_and_never_tells_it) {

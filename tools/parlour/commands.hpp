@@ -28,6 +28,8 @@ struct TestOptions {
   std::string junit;              // a file; empty: none
   bool trace = false;             // of failures
   bool quiet = false;             // without coverage
+  bool update = false;            // other words of the robot are right
+  bool watch = false;             // again whenever a file changes
   unsigned jobs = 0;              // threads; 0: as many as cores
 };
 int test_command(const Places& places, const TestOptions& options,

@@ -6,8 +6,10 @@
 #include <re2/re2.h>
 
 #include "tools/parlour/data_folder.hpp"
+#include "tools/parlour/directive_reader.hpp"
 #include "tools/parlour/module_names.hpp"
 #include "tools/parlour/node_options.hpp"
+#include "tools/parlour/thoughts.hpp"
 #include "tools/parlour/trace.hpp"
 
 namespace parlour::tools {
@@ -21,9 +23,9 @@ const SessionId asking = "parlour test";
 class Runner {
 public:
   Runner(const Application& application, const Conversation& conversation,
-         Coverage& coverage)
+         Coverage& coverage, Words words)
       : application_(application), conversation_(conversation),
-        coverage_(coverage), names_(application.composition) {
+        coverage_(coverage), words_(words), names_(application.composition) {
     result_.name = conversation.name;
     result_.file = conversation.file;
   }
@@ -60,7 +62,7 @@ private:
     node_ = std::move(*node);
     seat_ = node_->open_seat(
         {[this](const SessionId&, const dialogue::Output& output) {
-           outputs_.push_back(as_one_line(output.text));
+           outputs_.emplace_back(trimmed(as_one_line(output.text)));
          },
          {}});
     session_ = node_->open(seat_);
@@ -78,8 +80,11 @@ private:
       if (!seen.message->sinks.empty())
         posts_.push_back(seen.message);
     }
-    if (seen.kind != InspectionKind::branch && seen.session != asking)
-      result_.trace.push_back(trace_line(seen));
+    if (seen.kind == InspectionKind::branch || seen.session == asking)
+      return;
+    has_error_ |= seen.kind == InspectionKind::error;
+    thoughts_.note(seen);
+    result_.trace.push_back(trace_line(seen));
   }
 
   // -- the steps --------------------------------------------------------------
@@ -129,6 +134,8 @@ private:
       if (!nothing_left(step.line, step.written))
         return false;
       posts_.clear();
+      thoughts_.begin_turn();
+      has_error_ = false;
     }
     row_.push_back(step.text);
     result_.said.push_back("U: " + step.text);
@@ -165,7 +172,16 @@ private:
     const auto right = step.kind == StepKind::robot
                            ? *said == step.text
                            : RE2::FullMatch(*said, RE2(step.text));
-    return right || fail_at(step.line, step.written, "R: " + *said);
+    return right || accept(step, *said) ||
+           fail_at(step.line, step.written, "R: " + *said);
+  }
+
+  bool accept(const Step& step, const std::string& said) {
+    if (words_ == Words::as_written || step.kind != StepKind::robot ||
+        has_error_ || said.empty())
+      return false;
+    result_.rewordings.push_back({step.line, step.text, said});
+    return true;
   }
 
   std::optional<std::string> next_output() {
@@ -298,13 +314,17 @@ private:
 
   bool fail_at(std::uint32_t line, std::string expected, std::string found) {
     result_.failure = Failure{line, std::move(expected), std::move(found)};
+    result_.thoughts = thoughts_.lines();
     return false;
   }
 
   const Application& application_;
   const Conversation& conversation_;
   Coverage& coverage_;
+  Words words_;
   ModuleNames names_;
+  Thoughts thoughts_;
+  bool has_error_ = false; // a script's, since the last U
   ConversationResult result_;
   std::deque<std::string> outputs_;
   std::vector<std::shared_ptr<const Message>> posts_; // since the last U
@@ -320,8 +340,8 @@ private:
 
 ConversationResult hold_conversation(const Application& application,
                                      const Conversation& conversation,
-                                     Coverage& coverage) {
-  return Runner(application, conversation, coverage).run();
+                                     Coverage& coverage, Words words) {
+  return Runner(application, conversation, coverage, words).run();
 }
 
 } // namespace parlour::tools

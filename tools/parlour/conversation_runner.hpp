@@ -10,6 +10,7 @@
 #include "tools/parlour/application.hpp"
 #include "tools/parlour/conversation_file.hpp"
 #include "tools/parlour/coverage.hpp"
+#include "tools/parlour/rewording.hpp"
 
 namespace parlour::tools {
 
@@ -29,12 +30,21 @@ struct ConversationResult {
   std::vector<std::string> said; // "U: …", "R: …": the conversation so far
   std::vector<std::string> trace;
   double seconds = 0; // that it took to run
+  // What the engine made of it where it failed, a line each (thoughts.hpp).
+  std::vector<std::string> thoughts = {};
+  std::vector<Rewording> rewordings = {}; // other words that were accepted
 };
+
+// Whether an `R:` that the robot says in other words ends the conversation, or
+// the words are noted and it goes on. Words that follow an error of a script
+// are no other wording.
+enum class Words { as_written, any };
 
 // Notes what was reached in `coverage`. Safe to call from several threads, each
 // with its own coverage.
 ConversationResult hold_conversation(const Application& application,
                                      const Conversation& conversation,
-                                     Coverage& coverage);
+                                     Coverage& coverage,
+                                     Words words = Words::as_written);
 
 } // namespace parlour::tools

@@ -5,12 +5,15 @@
 #include <utility>
 
 #include "runtime/base/paths.hpp"
+#include "script/host.hpp"
 #include "script/instruction.hpp"
 
 namespace parlour::tools {
 
 namespace {
 
+using script::EffectKind;
+using script::Instruction;
 using script::Operation;
 using script::Program;
 
@@ -26,14 +29,14 @@ std::string place_name(const Place& place) {
   return place.file + ":" + std::to_string(place.line);
 }
 
-// Where the compiler put a mark for coverage in the application's own files, in
-// their order: what the platform brings is not the application's to reach.
-std::vector<std::string> branch_names(const Program& program) {
+// The lines of the instructions of which `wanted` is true, in the application's
+// own files, in their order: what the platform brings is not its to reach.
+template <class Predicate>
+std::vector<std::string> places_of(const Program& program, Predicate wanted) {
   std::set<std::pair<std::string, std::uint32_t>> places;
   for (const auto& code : program.code)
     for (std::size_t i = 0; i < code.instructions.size(); ++i)
-      if (code.instructions[i].operation ==
-          static_cast<std::uint8_t>(Operation::reached)) {
+      if (wanted(code, code.instructions[i])) {
         const auto place = program.place(code.positions[i]);
         if (is_below(place.file, program.settings.folder))
           places.emplace(place.file, place.line);
@@ -42,6 +45,28 @@ std::vector<std::string> branch_names(const Program& program) {
   for (const auto& [file, line] : places)
     names.push_back(place_name({file, line, 0}));
   return names;
+}
+
+bool is(const Instruction& instruction, Operation operation) {
+  return instruction.operation == static_cast<std::uint8_t>(operation);
+}
+
+// Where the compiler put a mark for coverage.
+std::vector<std::string> branch_names(const Program& program) {
+  return places_of(program, [](const auto&, const Instruction& instruction) {
+    return is(instruction, Operation::reached);
+  });
+}
+
+// Each <transit> and <push>.
+std::vector<std::string> transition_names(const Program& program) {
+  return places_of(program, [](const script::Code& code,
+                               const Instruction& instruction) {
+    if (!is(instruction, Operation::effect))
+      return false;
+    const auto kind = static_cast<EffectKind>(code.effects[instruction.c].kind);
+    return kind == EffectKind::transit || kind == EffectKind::push;
+  });
 }
 
 // "Turn (ASR.RecognitionResult)" of each, and what it is noted as when it runs.
@@ -81,7 +106,7 @@ void Coverage::note(const Inspection& inspection) {
     slots_.insert(inspection.subject);
     break;
   case InspectionKind::branch:
-    branches_.insert(inspection.subject);
+    places_.insert(inspection.subject);
     break;
   default:
     break;
@@ -92,21 +117,23 @@ void Coverage::add(const Coverage& other) {
   states_.insert(other.states_.begin(), other.states_.end());
   topics_.insert(other.topics_.begin(), other.topics_.end());
   slots_.insert(other.slots_.begin(), other.slots_.end());
-  branches_.insert(other.branches_.begin(), other.branches_.end());
+  places_.insert(other.places_.begin(), other.places_.end());
 }
 
 std::vector<Coverage::Part> Coverage::parts() const {
   return {part("states", names_of(program_->states), states_),
+          part("transitions", transition_names(*program_), places_),
           part("topics", names_of(program_->topics), topics_),
-          part("slots", slot_names(*program_), slots_), handlers(),
-          part("branches", branch_names(*program_), branches_)};
+          part("slots", slot_names(*program_), slots_),
+          handlers(),
+          part("branches", branch_names(*program_), places_)};
 }
 
 Coverage::Part Coverage::handlers() const {
   const auto all = reactions_of(*program_);
   Part made{"handlers", all.size(), {}};
   for (const auto& [name, place] : all)
-    if (branches_.count(place) == 0)
+    if (places_.count(place) == 0)
       made.missing.push_back(name);
   return made;
 }

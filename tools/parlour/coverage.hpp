@@ -1,5 +1,5 @@
-// Coverage: which states, topics, slots, handlers and branches of an
-// application its conversations reach.
+// Coverage: which states, transitions, topics, slots, handlers and branches of
+// an application its conversations reach.
 #pragma once
 
 #include <iosfwd>
@@ -39,7 +39,7 @@ private:
   std::set<std::string> states_;
   std::set<std::string> topics_;
   std::set<std::string> slots_;
-  std::set<std::string> branches_; // and handlers, by their places
+  std::set<std::string> places_; // of branches, handlers, transitions
 };
 
 // Files below the working folder are named from there.

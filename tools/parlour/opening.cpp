@@ -7,13 +7,15 @@ namespace parlour::tools {
 
 std::variant<Application, int> open_application(const Places& places,
                                                 const std::string& app,
-                                                const Console& console) {
+                                                const Console& console,
+                                                Scrutiny scrutiny) {
   const auto folder = find_application(places, app);
   if (!folder) {
     say_error(console, folder.error().message);
     return exit_code::usage;
   }
-  auto application = load_application(*folder, find_platform(places, *folder));
+  auto application =
+      load_application(*folder, find_platform(places, *folder), scrutiny);
   if (!application.has_errors() && application.program)
     return application;
   print_lines(console.err, application.findings, places);

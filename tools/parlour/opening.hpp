@@ -14,6 +14,7 @@ namespace parlour::tools {
 // printed to `err`.
 std::variant<Application, int> open_application(const Places& places,
                                                 const std::string& app,
-                                                const Console& console);
+                                                const Console& console,
+                                                Scrutiny = Scrutiny::compile);
 
 } // namespace parlour::tools

@@ -12,8 +12,19 @@ std::string failure_text(const ConversationResult& result) {
   auto text = result.file + ':' + std::to_string(failure.line) + ":\n";
   for (const auto& line : result.said)
     text += "    " + line + '\n';
-  return text + "  expected: " + failure.expected +
-         "\n  found:    " + failure.found + '\n';
+  text += "  expected: " + failure.expected + "\n  found:    " + failure.found +
+          '\n';
+  if (!result.thoughts.empty())
+    text += "  what the engine thought:\n";
+  for (const auto& line : result.thoughts)
+    text += "    " + line + '\n';
+  return text;
+}
+
+void print_rewordings(std::ostream& out, const ConversationResult& result) {
+  for (const auto& [line, before, after] : result.rewordings)
+    out << "UPDATED " << result.file << ':' << line << ":\n  - R: " << before
+        << "\n  + R: " << after << '\n';
 }
 
 void print_failures(std::ostream& out,

@@ -1,105 +1,43 @@
 #include <algorithm>
 #include <atomic>
-#include <filesystem>
 #include <fstream>
 #include <ostream>
 #include <thread>
 
+#include "script/source_reader.hpp"
 #include "tools/parlour/commands.hpp"
-#include "tools/parlour/conversation_check.hpp"
 #include "tools/parlour/conversation_runner.hpp"
 #include "tools/parlour/exit_code.hpp"
 #include "tools/parlour/finding_text.hpp"
+#include "tools/parlour/fix.hpp"
+#include "tools/parlour/folder_watch.hpp"
 #include "tools/parlour/junit.hpp"
 #include "tools/parlour/opening.hpp"
 #include "tools/parlour/report.hpp"
+#include "tools/parlour/signal_watch.hpp"
+#include "tools/parlour/test_suite.hpp"
 
 namespace parlour::tools {
 
-namespace fs = std::filesystem;
-
 namespace {
 
-using Paths = std::vector<fs::path>;
-
-bool is_file(const fs::path& path) {
-  std::error_code ignored;
-  return fs::is_regular_file(path, ignored);
-}
-
-Paths all_files(const Application& application) {
-  Paths files;
-  std::error_code ignored;
-  for (const auto& entry :
-       fs::directory_iterator(application.folder / "dialogues", ignored))
-    if (entry.path().extension() == ".txt")
-      files.push_back(entry.path());
-  std::sort(files.begin(), files.end());
-  return files;
-}
-
-// A path, or the name of one of the application's conversations.
-fs::path find_file(const Places& places, const Application& application,
-                   const std::string& name) {
-  const auto dialogues = application.folder / "dialogues";
-  for (const auto& path :
-       {places.working / name, dialogues / name, dialogues / (name + ".txt")})
-    if (is_file(path))
-      return path;
-  return {};
-}
-
-Expected<Paths> chosen_files(const Places& places,
-                             const Application& application,
-                             const TestOptions& options) {
-  if (options.files.empty())
-    return all_files(application);
-  Paths files;
-  for (const auto& name : options.files) {
-    auto path = find_file(places, application, name);
-    if (path.empty())
-      return fail(ErrorKind::settings,
-                  "there is no conversation '" + name +
-                      "', neither as a file nor in " +
-                      (application.folder / "dialogues").string());
-    files.push_back(std::move(path));
-  }
-  return files;
-}
-
-struct Suite {
-  std::vector<Conversation> conversations;
-  std::vector<script::Finding> findings;
-};
-
-Suite read_suite(const Application& application, const Paths& files,
-                 const Places& places) {
-  Suite suite;
-  for (const auto& file : files) {
-    auto parsed = read_conversation(file);
-    const auto wrong =
-        check_conversation(parsed.conversation, *application.program);
-    suite.findings.insert(suite.findings.end(), parsed.errors.begin(),
-                          parsed.errors.end());
-    suite.findings.insert(suite.findings.end(), wrong.begin(), wrong.end());
-    parsed.conversation.file = shown_path(places, parsed.conversation.file);
-    suite.conversations.push_back(std::move(parsed.conversation));
-  }
-  return suite;
-}
+using Results = std::vector<ConversationResult>;
 
 // Conversations are shared out among threads; each has its own node.
-std::vector<ConversationResult> hold_all(const Application& application,
-                                         const Suite& suite, unsigned jobs,
-                                         Coverage& coverage) {
-  std::vector<ConversationResult> results(suite.conversations.size());
+Results hold_all(const Application& application, const TestSuite& suite,
+                 const TestOptions& options, Coverage& coverage) {
+  Results results(suite.conversations.size());
   std::vector<Coverage> seen(results.size(), coverage);
+  const auto words = options.update ? Words::any : Words::as_written;
   std::atomic<std::size_t> next = 0;
   const auto work = [&] {
     for (std::size_t i = next++; i < results.size(); i = next++)
-      results[i] =
-          hold_conversation(application, suite.conversations[i], seen[i]);
+      results[i] = hold_conversation(application, suite.conversations[i],
+                                     seen[i], words);
   };
+  const auto jobs = options.jobs
+                        ? options.jobs
+                        : std::max(1u, std::thread::hardware_concurrency());
   std::vector<std::jthread> threads;
   for (unsigned i = 1; i < std::min<std::size_t>(jobs, results.size()); ++i)
     threads.emplace_back(work);
@@ -111,8 +49,7 @@ std::vector<ConversationResult> hold_all(const Application& application,
 }
 
 bool write_junit(const TestOptions& options, const std::string& name,
-                 const std::vector<ConversationResult>& results,
-                 const Console& console) {
+                 const Results& results, const Console& console) {
   if (options.junit.empty())
     return true;
   std::ofstream file(options.junit, std::ios::binary);
@@ -123,7 +60,31 @@ bool write_junit(const TestOptions& options, const std::string& name,
   return !!file;
 }
 
-bool all_passed(const std::vector<ConversationResult>& results) {
+Expected<void> rewrite(const std::filesystem::path& file,
+                       const std::vector<Rewording>& rewordings) {
+  const auto text = script::read_bytes(file);
+  return text ? replace_file(file, reworded(*text, rewordings))
+              : Expected<void>(tl::make_unexpected(text.error()));
+}
+
+// A conversation that went wrong in more than its words stays as it is.
+bool update_files(const TestSuite& suite, const Results& results,
+                  const Console& console) {
+  bool well = true;
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    if (results[i].failure || results[i].rewordings.empty())
+      continue;
+    if (auto written = rewrite(suite.files[i], results[i].rewordings))
+      print_rewordings(console.out, results[i]);
+    else {
+      say_error(console, written.error().message);
+      well = false;
+    }
+  }
+  return well;
+}
+
+bool all_passed(const Results& results) {
   return std::none_of(results.begin(), results.end(),
                       [](const auto& result) { return !!result.failure; });
 }
@@ -138,41 +99,78 @@ bool refused(const std::vector<script::Finding>& findings, const Places& places,
   return true;
 }
 
-} // namespace
-
-int test_command(const Places& places, const TestOptions& options,
-                 const Console& console) {
-  auto opened = open_application(places, options.app, console);
-  if (const auto* status = std::get_if<int>(&opened))
-    return *status;
-  const auto& application = std::get<Application>(opened);
-  const auto files = chosen_files(places, application, options);
-  if (!files) {
-    say_error(console, files.error().message);
-    return exit_code::usage;
-  }
-  const auto suite = read_suite(application, *files, places);
-  if (refused(application.findings, places, console) ||
-      refused(suite.findings, places, console))
-    return exit_code::wrong;
-  if (suite.conversations.empty()) {
-    say_error(console, options.app + " has no conversations: nothing was "
-                                     "tested; write one into dialogues/, a "
-                                     "file that ends in .txt");
-    return exit_code::wrong;
-  }
+int hold_and_report(const Application& application, const TestSuite& suite,
+                    const Places& places, const TestOptions& options,
+                    const Console& console) {
   Coverage coverage(*application.program);
-  const auto jobs = options.jobs
-                        ? options.jobs
-                        : std::max(1u, std::thread::hardware_concurrency());
-  const auto results = hold_all(application, suite, jobs, coverage);
+  const auto results = hold_all(application, suite, options, coverage);
   print_failures(console.out, results, options.trace);
+  const auto updated = update_files(suite, results, console);
   if (!options.quiet)
     print(console.out, coverage, places);
   print_summary(console.out, results);
   const auto written = write_junit(options, application.program->settings.name,
                                    results, console);
-  return written && all_passed(results) ? exit_code::well : exit_code::wrong;
+  return updated && written && all_passed(results) ? exit_code::well
+                                                   : exit_code::wrong;
+}
+
+int test_once(const Places& places, const TestOptions& options,
+              const Console& console) {
+  auto opened = open_application(places, options.app, console, Scrutiny::lint);
+  if (const auto* status = std::get_if<int>(&opened))
+    return *status;
+  const auto& application = std::get<Application>(opened);
+  const auto suite = read_suite(application, options.files, places);
+  if (!suite) {
+    say_error(console, suite.error().message);
+    return exit_code::usage;
+  }
+  if (refused(application.findings, places, console) ||
+      refused(suite->findings, places, console))
+    return exit_code::wrong;
+  if (suite->conversations.empty()) {
+    say_error(console, options.app + " has no conversations: nothing was "
+                                     "tested; write one into dialogues/, a "
+                                     "file that ends in .txt");
+    return exit_code::wrong;
+  }
+  return hold_and_report(application, *suite, places, options, console);
+}
+
+// Until Ctrl-C. What changes while conversations are held counts as well.
+int test_again_and_again(const Places& places, const TestOptions& options,
+                         const Console& console) {
+  SignalWatch signals;
+  const auto folder = find_application(places, options.app);
+  if (!folder) {
+    say_error(console, folder.error().message);
+    return exit_code::usage;
+  }
+  auto watch = FolderWatch::open();
+  if (!watch) {
+    say_error(console, watch.error().message);
+    return exit_code::wrong;
+  }
+  watch->add(*folder);
+  watch->add(find_platform(places, *folder));
+  for (const auto& name : options.files)
+    watch->add(places.working / name);
+  do {
+    test_once(places, options, console);
+    console.out << std::flush;
+    console.err << coloured(console, grey, "waiting for changes; Ctrl-C ends\n")
+                << std::flush;
+  } while (watch->wait(signals.descriptor()));
+  return exit_code::interrupted;
+}
+
+} // namespace
+
+int test_command(const Places& places, const TestOptions& options,
+                 const Console& console) {
+  return options.watch ? test_again_and_again(places, options, console)
+                       : test_once(places, options, console);
 }
 
 } // namespace parlour::tools

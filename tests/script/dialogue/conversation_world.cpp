@@ -194,7 +194,10 @@ Texts World::posted() {
     auto text = message.sinks.front() + "." + message.command + "(";
     for (std::size_t i = 0; i < message.params.size(); ++i)
       text += (i > 0 ? ", " : "") + to_string(message.params[i]);
-    texts.push_back(text + ")");
+    text += ")";
+    if (!message.session.empty() && message.session != "s1")
+      text += " of " + message.session;
+    texts.push_back(std::move(text));
   }
   return texts;
 }

@@ -1,7 +1,9 @@
 #include "tests/script/dialogue/play.hpp"
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <regex>
 #include <sstream>
 
@@ -54,6 +56,16 @@ std::vector<Value> values_of(const std::vector<std::string>& words,
   return values;
 }
 
+class Stage : public World {
+public:
+  using World::World;
+  void release(const Output& output) override {
+    interruptible = output.interruptible;
+    World::release(output);
+  }
+  bool interruptible = true; // whether one may break into the last output
+};
+
 class Play {
 public:
   explicit Play(const std::string& script)
@@ -62,8 +74,10 @@ public:
     world_.database = [this](const QueryRequest& request) {
       constexpr const char* kinds[] = {"", "begin", "commit", "rollback"};
       asked_.push_back(kinds[static_cast<std::size_t>(request.kind)] +
-                       request.sql + " " + to_string(Value(request.values)));
-      return request.kind == QueryRequest::Kind::query ? rows_ : ResultSet{};
+                       request.sql + " " + to_string(Value(request.values)) +
+                       (request.database.empty() ? "" : " of ") +
+                       request.database + (request.write ? ", write" : ""));
+      return answer(request);
     };
   }
 
@@ -86,6 +100,12 @@ public:
   }
 
 private:
+  Expected<ResultSet> answer(const QueryRequest& request) const {
+    if (failure_)
+      return tl::make_unexpected(*failure_);
+    return request.kind == QueryRequest::Kind::query ? rows_ : ResultSet{};
+  }
+
   static WorldOptions options_of(const std::vector<Line>& lines) {
     WorldOptions options;
     options.open = false;
@@ -94,6 +114,8 @@ private:
         options.start = line.rest;
       else if (line.verb == "settings")
         options.settings = line.rest;
+      else if (line.verb == "sessions")
+        options.sessions = line.rest;
     return options;
   }
 
@@ -113,22 +135,37 @@ private:
       world_.advance(*parse_duration(line.rest));
     else if (line.verb == "rows")
       set_rows(words_of(line.rest, ';'));
+    else if (line.verb == "fails")
+      fail_from_now_on(line.rest);
     else
       return line.verb == "start" || line.verb == "settings" ||
-             line.verb == "component";
+             line.verb == "sessions" || line.verb == "component";
     return true;
   }
 
   void say(const std::vector<std::string>& words) {
+    Map act{{"act", words.at(0)}};
+    if (words.size() > 1 && words[1] != "-")
+      act.set("topic", words[1]);
     Map slots;
-    for (std::size_t i = 2; i < words.size(); ++i) {
-      const auto equals = words[i].find('=');
-      slots.set(words[i].substr(0, equals),
-                slot_value(words[i].substr(equals + 1), 1));
-    }
-    world_.say(dialogue::act(words.at(0).c_str(),
-                             words.size() > 1 ? Value(words[1]) : Value(),
-                             std::move(slots)));
+    for (std::size_t i = 2; i < words.size(); ++i)
+      if (words[i] == "elliptical")
+        act.set("elliptical", true);
+      else
+        add_slot(slots, words[i]);
+    act.set("slots", std::move(slots));
+    world_.say(std::move(act));
+  }
+
+  // Time=3pm~0.5
+  static void add_slot(Map& slots, std::string word) {
+    std::replace(word.begin(), word.end(), '_', ' ');
+    const auto equals = word.find('=');
+    const auto sure = std::min(word.find('~'), word.size());
+    slots.set(
+        word.substr(0, equals),
+        slot_value(word.substr(equals + 1, sure - equals - 1),
+                   sure < word.size() ? std::stod(word.substr(sure + 1)) : 1));
   }
 
   void event(const std::vector<std::string>& words, Correlation correlation) {
@@ -139,6 +176,17 @@ private:
 
   void set_rows(const std::vector<std::string>& words) {
     rows_ = rows({words.at(0)}, values_of(words, 1));
+  }
+
+  void fail_from_now_on(const std::string& text) {
+    const auto blank = text.find(' ');
+    const auto kind = text.substr(0, blank);
+    failure_ = Error{ErrorKind::database, text.substr(blank + 1), {}};
+#define X(name, written, sentence)                                             \
+  if (kind == written)                                                         \
+    failure_->kind = ErrorKind::name;
+    PARLOUR_ERROR_KINDS(X)
+#undef X
   }
 
   void listen() {
@@ -156,6 +204,8 @@ private:
       EXPECT_EQ(first_of(posted_), line.rest);
     else if (line.verb == "asked")
       EXPECT_EQ(first_of(asked_), line.rest);
+    else if (line.verb == "interruptible")
+      EXPECT_EQ(world_.interruptible ? "true" : "false", line.rest);
     else if (line.verb == "state")
       EXPECT_EQ(world_.conversation->state(), line.rest);
     else if (line.verb == "topic")
@@ -199,8 +249,9 @@ private:
   }
 
   std::vector<Line> lines_;
-  World world_;
+  Stage world_;
   ResultSet rows_;
+  std::optional<Error> failure_; // of the database
   Texts said_;
   Texts posted_;
   Texts asked_;

@@ -2,14 +2,19 @@
 //
 //   <!-- start: Welcome -->           the settings' start
 //   <!-- settings: <limits …/> -->    further children of <settings>
+//   <!-- sessions: closes-after="9s" --> attributes of its <sessions>
 //   <!-- component: Exchange Telephone --> a component and its roles
-//   <!-- say: inform Taxi Time=3pm --> an act of the user, its topic, its slots
+//   <!-- say: inform Taxi Time=3pm --> an act of the user, its topic (- where
+//   it does not say), its slots; Time=3pm~0.5 is not sure, _ stands for a
+//   blank, the word `elliptical` says that it is
 //   <!-- event: Bell.Rings a b -->    an event; parameters are texts
 //   <!-- reply: Exchange.Busy a -->   one that answers the last message
 //   <!-- rows: name; Ann; Ben -->     what the database gives from now on
+//   <!-- fails: Timeout it is gone --> with what kind and words it fails
 //   <!-- wait: 2s -->                 time passes
 //
 //   <!-- said: text -->               the next thing that was said
+//   <!-- interruptible: false -->     whether one may break into the last one
 //   <!-- posted: Telephone.Call(1) --> the next message that was sent
 //   <!-- asked: select … [Ann] -->    the next statement and its values
 //   <!-- slot: Taxi.Time = 3pm -->    <!-- state: Welcome --> <!-- topic: Taxi

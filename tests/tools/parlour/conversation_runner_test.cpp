@@ -88,5 +88,22 @@ TEST_F(ConversationRunnerTest, injects_events_into_an_open_session_only) {
             "4: no session is open");
 }
 
+TEST_F(ConversationRunnerTest, accepts_other_words_where_it_may) {
+  const auto parsed =
+      parse_conversation("R: Hi.\nU: one\nR: two\nR~ x\n", "x.txt");
+  const auto result =
+      hold_conversation(greeter_, parsed.conversation, coverage_, Words::any);
+  EXPECT_THAT(result.rewordings,
+              ElementsAre(Rewording{1, "Hi.", "Hello."},
+                          Rewording{3, "two", "You said one."}));
+  ASSERT_TRUE(result.failure);
+  EXPECT_EQ(result.failure->line, 4u);
+}
+
+TEST_F(ConversationRunnerTest, tells_what_the_engine_thought) {
+  const auto result = hold("R: Hello.\nU: one\nR: two\n");
+  EXPECT_THAT(result.thoughts, Contains("state       Welcome"));
+}
+
 } // namespace
 } // namespace parlour::tools

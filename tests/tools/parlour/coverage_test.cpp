@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "script/host.hpp"
 #include "script/instruction.hpp"
 #include "tools/parlour/coverage.hpp"
 
@@ -38,8 +39,8 @@ TEST_F(CoverageTest, notes_states_topics_and_slots) {
   coverage_.note({InspectionKind::topic, "s", "Visit", "active"});
   coverage_.note({InspectionKind::slot, "s", "Visit.Guest", "Ada"});
   EXPECT_THAT(missing(0), ElementsAre("Rest"));
-  EXPECT_THAT(missing(1), ElementsAre());
   EXPECT_THAT(missing(2), ElementsAre());
+  EXPECT_THAT(missing(3), ElementsAre());
 }
 
 // A message alone says nothing: it may have been captured or consumed before.
@@ -48,12 +49,12 @@ TEST_F(CoverageTest, notes_handlers_that_ran) {
   message->source = "Record";
   message->command = "BufferFull";
   coverage_.note({InspectionKind::message, "s", "", "", message, "session"});
-  EXPECT_THAT(missing(3),
+  EXPECT_THAT(missing(4),
               ElementsAre("Turn (Record.BufferFull)", "Turn (*.Odd)"));
   coverage_.note({InspectionKind::branch, "s", "/site/desk.xml:4", ""});
-  EXPECT_THAT(missing(3), ElementsAre("Turn (*.Odd)"));
+  EXPECT_THAT(missing(4), ElementsAre("Turn (*.Odd)"));
   coverage_.note({InspectionKind::branch, "s", "/site/desk.xml:9", ""});
-  EXPECT_THAT(missing(3), ElementsAre());
+  EXPECT_THAT(missing(4), ElementsAre());
 }
 
 TEST_F(CoverageTest, adds_what_another_has_seen) {
@@ -75,7 +76,23 @@ TEST_F(CoverageTest, names_branches_from_the_working_folder) {
   EXPECT_THAT(out.str(), testing::HasSubstr("  branches 0 of 1\n"
                                             "    not reached: desk.xml:7\n"));
   coverage_.note({InspectionKind::branch, "s", "/site/desk.xml:7", ""});
-  EXPECT_THAT(missing(4), ElementsAre());
+  EXPECT_THAT(missing(5), ElementsAre());
+}
+
+TEST_F(CoverageTest, notes_transitions_that_were_made) {
+  auto& code = program_.code.emplace_back();
+  for (const auto kind : {script::EffectKind::transit, script::EffectKind::push,
+                          script::EffectKind::pop}) {
+    auto& instruction = code.instructions.emplace_back();
+    instruction.operation =
+        static_cast<std::uint8_t>(script::Operation::effect);
+    instruction.c = static_cast<std::uint16_t>(code.effects.size());
+    code.effects.emplace_back().kind = static_cast<std::uint8_t>(kind);
+  }
+  code.positions = {{0, 7, 3}, {0, 8, 3}, {0, 9, 3}};
+  EXPECT_THAT(missing(1), ElementsAre("/site/desk.xml:7", "/site/desk.xml:8"));
+  coverage_.note({InspectionKind::branch, "s", "/site/desk.xml:7", ""});
+  EXPECT_THAT(missing(1), ElementsAre("/site/desk.xml:8"));
 }
 
 } // namespace

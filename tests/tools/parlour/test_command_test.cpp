@@ -93,5 +93,63 @@ TEST_F(CommandTest, test_reports_wrong_files_before_it_begins) {
   EXPECT_EQ(call({"test", "greeter", "none"}), exit_code::usage);
 }
 
+TEST_F(CommandTest, test_tells_what_the_engine_thought_of_a_failure) {
+  test::TemporaryFolder folder;
+  folder.write("bad.txt", "R: Hello.\nU: one\nR: You said two.\n");
+  const auto file = (folder.path() / "bad.txt").string();
+  EXPECT_EQ(call({"test", "greeter", file}), exit_code::wrong);
+  EXPECT_THAT(out_.str(),
+              HasSubstr("  found:    R: You said one.\n"
+                        "  what the engine thought:\n"
+                        "    state       Welcome\n"
+                        "    before      output      : released: You said "
+                        "one.\n"));
+}
+
+class UpdateTest : public CommandTest {
+protected:
+  // The file after `parlour test --update`.
+  std::string update(const std::string& text, int status = exit_code::well) {
+    folder_.write("x.txt", text);
+    EXPECT_EQ(call({"test", "greeter", file_, "--update", "--quiet"}), status)
+        << out_.str();
+    return folder_.read("x.txt");
+  }
+
+  test::TemporaryFolder folder_;
+  std::string file_ = (folder_.path() / "x.txt").string();
+};
+
+TEST_F(UpdateTest, writes_other_words_into_the_conversation) {
+  EXPECT_EQ(update("# hello\nR:  Hi.\n\nU: one\nR: You said two.\n"),
+            "# hello\nR:  Hello.\n\nU: one\nR: You said one.\n");
+  EXPECT_EQ(out_.str(), "UPDATED " + file_ +
+                            ":2:\n  - R: Hi.\n  + R: Hello.\n"
+                            "UPDATED " +
+                            file_ +
+                            ":5:\n  - R: You said two.\n"
+                            "  + R: You said one.\n"
+                            "1 of 1 conversations passed\n");
+  EXPECT_EQ(call({"test", "greeter", file_}), exit_code::well);
+}
+
+TEST_F(UpdateTest, leaves_alone_what_is_right) {
+  const std::string right = "R: Hello.\nU: one\nR: You said one.";
+  EXPECT_EQ(update(right), right);
+  EXPECT_EQ(out_.str(), "1 of 1 conversations passed\n");
+}
+
+// More than words is different: somebody has to look.
+TEST_F(UpdateTest, changes_nothing_where_more_than_words_differs) {
+  for (const std::string rest :
+       {"U: one\n", "U: one\nR: You said one.\nR: More.\n",
+        "U: call\nexpect post Taxi Book\n", "expect state Rest\n",
+        "expect sql select name from guest = Bob\n", "U: one\nR~ Nothing\n"}) {
+    const auto text = "R: Hi.\n" + rest;
+    EXPECT_EQ(update(text, exit_code::wrong), text) << rest;
+    EXPECT_THAT(out_.str(), testing::Not(HasSubstr("UPDATED")));
+  }
+}
+
 } // namespace
 } // namespace parlour::tools

@@ -1,5 +1,6 @@
 #include "script/dialogue/frames.hpp"
 
+#include <algorithm>
 #include <iterator>
 #include <utility>
 
@@ -11,6 +12,18 @@ namespace {
 
 // Changes that are kept for the frame's actor; more travel as the frame.
 constexpr std::size_t most_untold = 256;
+
+// Whether what the topic computes for a frame may read session variables.
+bool computes(const script::Topic& topic) {
+  const auto in_slot = [](const script::Slot& slot) {
+    const auto& values = slot.cardinality;
+    return slot.initial != script::no_code ||
+           values.minimum != script::no_code ||
+           values.maximum != script::no_code || !values.values.empty();
+  };
+  return !topic.constraints.empty() ||
+         std::any_of(topic.slots.begin(), topic.slots.end(), in_slot);
+}
 
 std::shared_ptr<const List>
 variables_of(const script::Interpreter& interpreter) {
@@ -59,7 +72,7 @@ FrameRequest Frames::request(TopicId topic, std::vector<FrameChange> changes,
   request.changes.insert(request.changes.end(),
                          std::make_move_iterator(changes.begin()),
                          std::make_move_iterator(changes.end()));
-  if (!program_->topics[topic].constraints.empty())
+  if (computes(program_->topics[topic]))
     request.variables = variables_of(*interpreter_);
   return request;
 }

@@ -162,10 +162,13 @@ private:
     std::replace(word.begin(), word.end(), '_', ' ');
     const auto equals = word.find('=');
     const auto sure = std::min(word.find('~'), word.size());
-    slots.set(
-        word.substr(0, equals),
-        slot_value(word.substr(equals + 1, sure - equals - 1),
-                   sure < word.size() ? std::stod(word.substr(sure + 1)) : 1));
+    const auto said = word.substr(equals + 1, sure - equals - 1);
+    auto value = slot_value(
+        said, sure < word.size() ? std::stod(word.substr(sure + 1)) : 1);
+    if (said.find('|') != std::string::npos)
+      value = Map{{"text", said},
+                  {"candidates", values_of(words_of(said, '|'), 0)}};
+    slots.set(word.substr(0, equals), std::move(value));
   }
 
   void event(const std::vector<std::string>& words, Correlation correlation) {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "script/dialogue/frame_evaluator.hpp"
+#include "script/instruction.hpp"
 
 namespace parlour::dialogue {
 
@@ -13,16 +14,39 @@ namespace {
 // Changes that are kept for the frame's actor; more travel as the frame.
 constexpr std::size_t most_untold = 256;
 
-// Whether what the topic computes for a frame may read session variables.
-bool computes(const script::Topic& topic) {
-  const auto in_slot = [](const script::Slot& slot) {
-    const auto& values = slot.cardinality;
-    return slot.initial != script::no_code ||
-           values.minimum != script::no_code ||
-           values.maximum != script::no_code || !values.values.empty();
+// By itself, or by way of a function.
+bool reads_variables(const script::Program& program, script::CodeId code) {
+  using enum script::Operation;
+  if (code == script::no_code)
+    return false;
+  const auto& instructions = program.code[code].instructions;
+  return std::any_of(
+      instructions.begin(), instructions.end(), [](const auto& instruction) {
+        const auto operation =
+            static_cast<script::Operation>(instruction.operation);
+        return operation == load_variable || operation == call ||
+               operation == call_named;
+      });
+}
+
+bool reads_variables(const script::Program& program, const script::Slot& slot) {
+  const auto reads = [&](script::CodeId code) {
+    return reads_variables(program, code);
   };
+  const auto& values = slot.cardinality.values;
+  return reads(slot.initial) || reads(slot.cardinality.minimum) ||
+         reads(slot.cardinality.maximum) ||
+         std::any_of(values.begin(), values.end(), reads);
+}
+
+// Whether what a frame computes of itself may read session variables.
+bool reads_variables(const script::Program& program,
+                     const script::Topic& topic) {
   return !topic.constraints.empty() ||
-         std::any_of(topic.slots.begin(), topic.slots.end(), in_slot);
+         std::any_of(topic.slots.begin(), topic.slots.end(),
+                     [&](const script::Slot& slot) {
+                       return reads_variables(program, slot);
+                     });
 }
 
 std::shared_ptr<const List>
@@ -72,7 +96,7 @@ FrameRequest Frames::request(TopicId topic, std::vector<FrameChange> changes,
   request.changes.insert(request.changes.end(),
                          std::make_move_iterator(changes.begin()),
                          std::make_move_iterator(changes.end()));
-  if (computes(program_->topics[topic]))
+  if (reads_variables(*program_, program_->topics[topic]))
     request.variables = variables_of(*interpreter_);
   return request;
 }

@@ -32,9 +32,24 @@ TEST(Operations, ARefusedRingLeavesTheListAsItWas) {
   Heap heap(nullptr, 1 << 20);
   auto outer = make_list(heap);
   auto inner = make_list(heap);
-  EXPECT_FALSE(append(outer, inner));
-  EXPECT_TRUE(append(inner, outer));
+  std::size_t work = 0;
+  EXPECT_FALSE(append(outer, inner, work));
+  EXPECT_EQ(work, 0u); // nobody else has it: there is nothing to search
+  EXPECT_TRUE(append(inner, outer, work));
+  EXPECT_GT(work, 0u);
   EXPECT_TRUE(inner.list()->elements.empty());
+}
+
+TEST(Operations, find_text_takes_time_by_the_size_of_the_text) {
+  EXPECT_EQ(find_text("hello", "l"), 2u);
+  EXPECT_EQ(find_text("hello", "l", 3), 3u);
+  EXPECT_EQ(find_text("hello", "", 5), 5u);
+  EXPECT_EQ(find_text("hello", "", 6), std::string_view::npos);
+  EXPECT_EQ(find_text("hello", "lx"), std::string_view::npos);
+  // Hours, if each place were compared in full.
+  const std::string text(8 << 20, 'a');
+  EXPECT_EQ(find_text(text, std::string(4 << 20, 'a') + 'b'),
+            std::string_view::npos);
 }
 
 } // namespace

@@ -13,7 +13,9 @@ struct FramesOfASession : testing::Test {
           <topic name="Plain"><slot name="A" expr="'a'"/><slot name="B"/>
           </topic>
           <topic name="Bound"><slot name="A"/>
-            <constraint cond="this.A ge first" message="no"/></topic>)xml"),
+            <constraint cond="this.A ge first" message="no"/></topic>
+          <topic name="Range"><slot name="A">
+            <cardinality type="range" from="first"/></slot></topic>)xml"),
         interpreter(world.program), frames(*world.program, interpreter) {
     interpreter.set_variable(0, 1);
   }
@@ -68,10 +70,12 @@ TEST_F(FramesOfASession, LaterOnesTellWhatChangedHere) {
   EXPECT_EQ(frames.request(0, {}, 0).told, 0u);
 }
 
-TEST_F(FramesOfASession, VariablesTravelWhereConstraintsMayReadThem) {
-  auto request = frames.request(1, {}, 0);
-  ASSERT_TRUE(request.variables);
-  EXPECT_EQ(*request.variables, List{1});
+TEST_F(FramesOfASession, VariablesTravelWhereTheyMayBeRead) {
+  for (const TopicId topic : {1u, 2u}) {
+    auto request = frames.request(topic, {}, 0);
+    ASSERT_TRUE(request.variables);
+    EXPECT_EQ(*request.variables, List{1});
+  }
 }
 
 TEST_F(FramesOfASession, ManyChangesTravelAsTheFrame) {

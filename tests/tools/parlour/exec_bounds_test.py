@@ -96,7 +96,7 @@ SCRIPTS = [
 FILES = [
     ("nothing", b"", "main.xml:1:1: error: "),
     ("no XML", b"hello", "main.xml:1:"),
-    ("bytes", bytes(range(256)) * 100, "main.xml:1:"),
+    ("bytes", bytes(range(256)) * 100, "main.xml:3:"),
     ("an element left open", b"<dialogue>\n<function name='main'>",
      "main.xml:2:"),
     ("a tag that does not end", b"<dialogue>\n<function name='main'",

@@ -21,7 +21,7 @@ SETTINGS = """<settings name="outside">
 </settings>"""
 
 SCRIPT = r"""<dialogue>
-  <function name="count">
+  <function name="payments">
     <querydb param="select count(*) from payment" return="rows"/>
     <return expr="rows[0]"/>
   </function>
@@ -32,11 +32,11 @@ SCRIPT = r"""<dialogue>
         <connectdb param="SQLiteDatabase" write="true"/>
         <transaction>
           <querydb param="insert into payment values (?)" args="words[1]"/>
-          <if cond="count() == 3"><throw expr="'enough'"/></if>
+          <if cond="payments() == 3"><throw expr="'enough'"/></if>
         </transaction>
-        <speak param="paid {count()}"/>
+        <speak param="paid {payments()}"/>
       </case>
-      <case value="count"><speak param="{count()} payments"/></case>
+      <case value="count"><speak param="{payments()} payments"/></case>
       <case value="note">
         <appendfile name="notes/{words[1]}.txt" param="{words[2]};"/>
         <readfile name="notes/{words[1]}.txt" return="text"/>
@@ -75,8 +75,8 @@ SCRIPT = r"""<dialogue>
 class Outside(unittest.TestCase):
 
     def setUp(self):
-        if not os.path.exists(PROGRAM):
-            self.skipTest("parlour is not built")
+        self.assertTrue(os.path.exists(PROGRAM),
+                        f"PARLOUR_PROGRAM names no program: '{PROGRAM}'")
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.folder = pathlib.Path(folder.name)
@@ -145,6 +145,7 @@ class Outside(unittest.TestCase):
             self.addCleanup(running.wait)
             self.addCleanup(running.stdout.close)
             self.addCleanup(running.stdin.close)
+            server.settimeout(60)
             running.stdin.write(f"open {server.getsockname()[1]}\n\n")
             running.stdin.flush()
             other, _ = server.accept()

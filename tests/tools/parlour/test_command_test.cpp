@@ -102,7 +102,7 @@ TEST_F(CommandTest, test_tells_what_the_engine_thought_of_a_failure) {
               HasSubstr("  found:    R: You said one.\n"
                         "  what the engine thought:\n"
                         "    state       Welcome\n"
-                        "    before      output      : released: You said "
+                        "    before      output      released: You said "
                         "one.\n"));
 }
 

@@ -96,6 +96,7 @@ ExecRun::restore(std::shared_ptr<const Program> program, ExecOptions options,
 void ExecRun::read_activations(ByteReader& bytes, Restored state,
                                bool running) {
   interpreter_ = std::move(state.interpreter);
+  interpreter_.limit_instructions(options_.instructions); // not the writer's
   auto next = state.activations.begin();
   const auto take = [&]() -> std::unique_ptr<Activation> {
     if (next != state.activations.end())

@@ -102,6 +102,15 @@ bool can_walk(const Box* loop) {
 
 } // namespace
 
+bool FrameCheck::steers_a_loop(std::uint16_t reg) const {
+  const auto within = [reg](const auto& loops, int size) {
+    return std::any_of(loops.begin(), loops.end(), [&](std::uint16_t first) {
+      return reg >= first && reg < first + size;
+    });
+  };
+  return within(counting_, 4) || within(walking_, 2); // not its variable
+}
+
 const char* FrameCheck::find_broken_loop(const Box* registers) const {
   for (const auto reg : counting_)
     if (!can_count(registers + reg))

@@ -20,6 +20,9 @@ public:
   // Elsewhere one is left over and never read again.
   bool may_be_bound(std::uint16_t reg) const;
   bool may_be_missing(std::uint16_t reg) const;
+  // Whether a loop that the place is inside of goes by it, so that no parameter
+  // may be bound to it.
+  bool steers_a_loop(std::uint16_t reg) const;
   // Null where the loops that the place is inside of have what they need.
   const char* find_broken_loop(const Box* registers) const;
 

@@ -173,7 +173,9 @@ void Machine::new_event() {
 
 void Machine::set_event_fuel(const EventFuel& event_fuel) {
   instructions = event_fuel.instructions;
-  left_ = event_fuel.left;
+  left_ = event_fuel.left; // from bytes: never more than an event may have
+  if (left_ > instructions && left_ - instructions > clean_up_fuel)
+    left_ = instructions;
   grace_given_ = event_fuel.grace_given;
 }
 

@@ -31,7 +31,7 @@ private:
   void read_frame(Execution& execution);
   void read_registers(Frame& frame);
   Box read_register(std::uint16_t reg, const FrameCheck& check);
-  Box read_bound_register();
+  Box read_bound_register(std::uint16_t reg);
   void check_frames(const Execution& execution);
   void check_bindings(Frame& frame);
   bool goes_on_with(const Frame& caller, const Frame& callee) const;
@@ -42,7 +42,8 @@ private:
   ByteReader bytes_;
   ObjectReader objects_;
   std::vector<std::shared_ptr<const Message>> messages_;
-  std::vector<Frame*> frames_; // of the execution being read
+  std::vector<Frame*> frames_;     // of the execution being read
+  std::vector<FrameCheck> checks_; // of these
 };
 
 // Of a frame that a larger code used before.
@@ -141,6 +142,7 @@ void StateReader::read_frames(Execution& execution) {
   const auto most = program_.settings.limits.depth + std::uint64_t{2};
   const auto count = bytes_.below(most, "depth of calls");
   frames_.clear();
+  checks_.clear();
   for (std::size_t i = 0; i < count && bytes_.ok(); ++i)
     read_frame(execution);
 }
@@ -161,7 +163,8 @@ void StateReader::read_frame(Execution& execution) {
 
 void StateReader::read_registers(Frame& frame) {
   const auto at = frame.pc - frame.code->instructions.data();
-  const FrameCheck check(*frame.code, static_cast<std::uint32_t>(at));
+  const auto& check =
+      checks_.emplace_back(*frame.code, static_cast<std::uint32_t>(at));
   for (std::uint16_t i = 0; i < frame.code->register_count && bytes_.ok(); ++i)
     frame.registers()[i] = read_register(i, check);
   if (!bytes_.ok())
@@ -184,7 +187,7 @@ Box StateReader::read_register(std::uint16_t reg, const FrameCheck& check) {
     break;
   case RegisterTag::bound_register:
     if (check.may_be_bound(reg))
-      return read_bound_register();
+      return read_bound_register(reg);
     break;
   default:
     return objects_.read(tag);
@@ -193,14 +196,20 @@ Box StateReader::read_register(std::uint16_t reg, const FrameCheck& check) {
   return {};
 }
 
-// Of the same or an outer frame, which lives longer.
-Box StateReader::read_bound_register() {
+// Of an outer frame, which lives longer, or an earlier one of the same: a
+// variable is there before what is computed for a call. Never what a loop of
+// that frame counts with.
+Box StateReader::read_bound_register(std::uint16_t reg) {
   const auto at = bytes_.below(frames_.size(), "frame");
   if (!bytes_.ok())
     return {};
   auto& frame = *frames_[at];
-  const auto reg = bytes_.below(frame.code->register_count, "register");
-  return bytes_.ok() ? Box::reference(&frame.registers()[reg]) : Box();
+  const auto target = static_cast<std::uint16_t>(
+      bytes_.below(frame.code->register_count, "register"));
+  if (bytes_.ok() && ((&frame == frames_.back() && target >= reg) ||
+                      checks_[at].steers_a_loop(target)))
+    bytes_.fail("a parameter is bound to what no variable is");
+  return bytes_.ok() ? Box::reference(&frame.registers()[target]) : Box();
 }
 
 // A result comes back to a call, or to the effect that is waited for.
@@ -241,6 +250,11 @@ void StateReader::read_copy_outs(Execution& execution) {
     const auto parameters = frames_[frame]->code->parameter_count;
     const auto parameter = bytes_.below(parameters, "parameter");
     const auto variable = bytes_.below(machine_.variables.size(), "variable");
+    if (!bytes_.ok())
+      return;
+    const auto& box = frames_[frame]->registers()[parameter];
+    if (box.is_reference() || box.is_missing())
+      return bytes_.fail("what is to be copied out is no value");
     if (!execution.copy_outs)
       execution.copy_outs = std::make_unique<std::vector<CopyOut>>();
     execution.copy_outs->push_back({frames_[frame],

@@ -59,6 +59,13 @@ protected:
     const auto restored = Interpreter::restore(program, bytes);
     return restored ? "restored" : restored.error().message;
   }
+  // Every byte changed, every part: an error, or a state that runs safely.
+  struct Tried {
+    int refused = 0;
+    int restored = 0;
+  };
+  Tried damaged_in_all_ways();
+  void try_out(const std::string& bytes, Tried& tried);
 
   test::RecordingHost host;
   std::shared_ptr<const Program> program;
@@ -151,7 +158,33 @@ TEST_F(InterpreterStateTest, ASuspendedActivationIsSmall) {
   EXPECT_LE(saved().size() - interpreter->save({}).size(), 32u);
 }
 
-// Every byte changed, every part: an error, or a state that runs safely.
+void InterpreterStateTest::try_out(const std::string& bytes, Tried& tried) {
+  auto state = Interpreter::restore(program, bytes);
+  state ? ++tried.restored : ++tried.refused;
+  if (!state)
+    return;
+  state->interpreter.limit_instructions(1000);
+  state->interpreter.new_event();
+  for (auto& one : state->activations)
+    state->interpreter.resume(*one, Value(1), host);
+  host.effects.clear();
+}
+
+InterpreterStateTest::Tried InterpreterStateTest::damaged_in_all_ways() {
+  const auto whole = saved();
+  Tried tried;
+  for (std::size_t size = 0; size < whole.size(); ++size)
+    try_out(whole.substr(0, size), tried);
+  EXPECT_EQ(tried.restored, 0);
+  for (std::size_t at = 9; at < whole.size(); ++at)
+    for (const int change : {1, 2, 4, 7, 64, 128, 255}) {
+      auto bytes = whole;
+      bytes[at] = static_cast<char>(bytes[at] ^ change);
+      try_out(bytes, tried);
+    }
+  return tried;
+}
+
 TEST_F(InterpreterStateTest, DamagedBytesNeverCrash) {
   run("<var name='g' expr=\"{'a': [1, 2.5, 'x'], 'b': 140737488355328}\"/>"
       "<function name='main'>"
@@ -162,31 +195,22 @@ TEST_F(InterpreterStateTest, DamagedBytesNeverCrash) {
       "<param name='c' expr='3'/><wait for='1s'/>"
       "<set name='a.b' expr='[a.b, b, c]'/></function>");
   ASSERT_EQ(result.status, RunStatus::waiting);
-  const auto whole = saved();
-  int refused = 0;
-  int restored = 0;
-  const auto try_out = [&](const std::string& bytes) {
-    auto state = Interpreter::restore(program, bytes);
-    state ? ++restored : ++refused;
-    if (!state)
-      return;
-    state->interpreter.limit_instructions(1000);
-    state->interpreter.new_event();
-    for (auto& one : state->activations)
-      state->interpreter.resume(*one, Value(1), host);
-    host.effects.clear();
-  };
-  for (std::size_t size = 0; size < whole.size(); ++size)
-    try_out(whole.substr(0, size));
-  EXPECT_EQ(restored, 0);
-  for (std::size_t at = 9; at < whole.size(); ++at)
-    for (const int change : {1, 2, 4, 7, 64, 128, 255}) {
-      auto bytes = whole;
-      bytes[at] = static_cast<char>(bytes[at] ^ change);
-      try_out(bytes);
-    }
-  EXPECT_GT(refused, 500);
-  EXPECT_GT(restored, 10);
+  const auto tried = damaged_in_all_ways();
+  EXPECT_GT(tried.refused, 500);
+  EXPECT_GT(tried.restored, 10);
+}
+
+// A parameter that is bound elsewhere writes there.
+TEST_F(InterpreterStateTest, DamagedBindingsNeverCrash) {
+  run("<var name='g'/><function name='main'>"
+      "<for each='e' in='[1, 2, 3]'><for name='i' from='1' to='3'>"
+      "<var name='v' expr='7'/>"
+      "<call function='f'><var expr='v'/><var expr='g'/></call>"
+      "</for></for></function>"
+      "<function name='f'><param name='a'/><param name='b'/><wait for='1s'/>"
+      "<set name='a' expr='5'/><set name='b' expr='[a]'/></function>");
+  ASSERT_EQ(result.status, RunStatus::waiting);
+  EXPECT_GT(damaged_in_all_ways().restored, 10);
 }
 
 } // namespace

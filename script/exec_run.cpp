@@ -27,8 +27,9 @@ Performed ExecRun::add_timer(const Effect& effect) {
   due.at = later(now_, after);
   due.order = ++order_;
   due.timer = effect.operand(0).text();
-  due.every = effect.operand(2) ? std::min(after, Milliseconds(latest))
-                                : Milliseconds(0);
+  due.every = effect.operand(2)
+                  ? std::clamp(after, Milliseconds(1), Milliseconds(latest))
+                  : Milliseconds(0);
   due.body = effect.body;
   due.arguments = effect.captured;
   due.bytes = remembered(due.arguments);

@@ -1,5 +1,7 @@
 #include "adapters/standins/log_devices.hpp"
 
+#include <cctype>
+
 #include "runtime/plugin/folder.hpp"
 
 namespace parlour::adapters {
@@ -10,6 +12,14 @@ namespace {
 Value value_of(const Value& cell) {
   const auto number = parse_number(cell.text());
   return number.is_unknown() ? cell : number;
+}
+
+// Small and capital letters are the same, as where the file is looked into.
+std::string folded(std::string text) {
+  for (auto& letter : text)
+    letter =
+        static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+  return text;
 }
 
 // What is wrong with a new value, or empty.
@@ -45,7 +55,8 @@ bool LogDevices::carry_out(const Message& message) {
   if (!sets && message.command != "Ask")
     return false;
   const Place place{text_param(message, 0), text_param(message, 1)};
-  const auto [device, room] = place;
+  const auto& [device, room] = place;
+  const Place kept{folded(device), folded(room)};
   const auto found = table_.find({device, room});
   const Value value = message.params.size() > 2 ? message.params[2] : Value();
   if (device.empty() || room.empty() || !found)
@@ -54,8 +65,8 @@ bool LogDevices::carry_out(const Message& message) {
            !wrong.empty())
     fire_event("Failed", {wrong});
   else if (sets)
-    tell(place, values_[place] = value);
-  else if (const auto set = values_.find(place); set != values_.end())
+    tell(place, values_[kept] = value);
+  else if (const auto set = values_.find(kept); set != values_.end())
     tell(place, set->second);
   else
     tell(place, value_of(found->text));

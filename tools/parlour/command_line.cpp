@@ -172,8 +172,10 @@ private:
     command->add_flag("--quiet,-q", test_.quiet, "Leave out the coverage");
     command->add_flag("--update", test_.update,
                       "Write what the robot says now into the conversations");
-    command->add_flag("--watch", test_.watch,
-                      "Hold them again whenever a file changes");
+    command
+        ->add_flag("--watch", test_.watch,
+                   "Hold them again whenever a file changes")
+        ->excludes("--junit");
     command->add_option("--jobs,-j", test_.jobs,
                         "Conversations at a time; as many as cores");
   }

@@ -60,12 +60,17 @@ void FolderWatch::add(const fs::path& path) {
   if (!fs::is_directory(path, ignored))
     return watch(path.parent_path(), path.filename().string());
   watch(path, "");
-  for (const auto& entry : fs::recursive_directory_iterator(path, ignored))
-    if (entry.is_directory(ignored))
-      watch(entry.path(), "");
+  constexpr auto skip = fs::directory_options::skip_permission_denied;
+  std::error_code gone; // a folder vanishes while it is read
+  for (fs::recursive_directory_iterator at(path, skip, gone), end;
+       !gone && at != end; at.increment(gone))
+    if (at->is_directory(ignored))
+      watch(at->path(), "");
 }
 
 bool FolderWatch::take(const inotify_event& event) {
+  if (event.mask & IN_Q_OVERFLOW) // more happened than was told
+    return true;
   const auto found = folders_.find(event.wd);
   if (found == folders_.end())
     return false;

@@ -27,6 +27,8 @@ TEST_F(LogDevicesTest, TellsWhatWasSet) {
               ElementsAre("State(lamp, kitchen, on)"));
   EXPECT_THAT(tell("Ask", {"lamp", "kitchen"}),
               ElementsAre("State(lamp, kitchen, on)"));
+  EXPECT_THAT(tell("Ask", {"Lamp", "Kitchen"}),
+              ElementsAre("State(Lamp, Kitchen, on)"));
 }
 
 TEST_F(LogDevicesTest, KeepsRoomsApart) {

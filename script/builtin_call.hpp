@@ -32,7 +32,9 @@ struct BuiltinCall {
 
   // False: raised. Numbers and booleans become text where it is wanted.
   bool text(std::size_t index, std::string& value);
-  bool string(std::size_t index, Box& value); // the same as a string
+  // The same as a string, which stands in the argument's place then; null:
+  // raised.
+  const StringObject* string(std::size_t index);
   bool integer(std::size_t index, std::int64_t& value);
   bool number(std::size_t index, Numeric& value);
   bool list(std::size_t index, ListObject*& value);

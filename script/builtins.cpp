@@ -73,16 +73,17 @@ bool BuiltinCall::text(std::size_t index, std::string& value) {
   return work(value.size());
 }
 
-bool BuiltinCall::string(std::size_t index, Box& value) {
-  if (arguments[index].is_string()) {
-    value = arguments[index];
-    return work(value.string()->size);
+const StringObject* BuiltinCall::string(std::size_t index) {
+  auto& argument = arguments[index];
+  if (argument.is_string()) {
+    const auto* string = argument.string();
+    return work(string->size) ? string : nullptr;
   }
   std::string printed;
   if (!text(index, printed))
-    return false;
-  value = make_string(heap(), printed);
-  return true;
+    return nullptr;
+  argument = make_string(heap(), printed);
+  return argument.string();
 }
 
 bool BuiltinCall::number(std::size_t index, Numeric& value) {

@@ -50,10 +50,10 @@ std::size_t clamped(std::int64_t position, std::size_t size) {
       std::clamp<std::int64_t>(position, 0, signed_size));
 }
 
-Box part_of(BuiltinCall& call, const Box& string, std::size_t from,
+Box part_of(BuiltinCall& call, const StringObject& string, std::size_t from,
             std::size_t to) {
-  const auto first = byte_position(*string.string(), from);
-  const auto last = byte_position(*string.string(), to);
+  const auto first = byte_position(string, from);
+  const auto last = byte_position(string, to);
   return make_string(call.heap(), string.text().substr(first, last - first),
                      static_cast<std::uint32_t>(to - from));
 }
@@ -99,11 +99,11 @@ bool trim(BuiltinCall& call) {
 }
 
 bool substring(BuiltinCall& call) {
-  Box string;
+  const auto* string = call.string(0);
   std::int64_t start = 0;
-  if (!call.string(0, string) || !call.integer(1, start))
+  if (!string || !call.integer(1, start))
     return false;
-  const auto size = string.string()->code_points;
+  const auto size = string->code_points;
   std::int64_t count = size;
   if (call.has(2) && !call.integer(2, count))
     return false;
@@ -111,42 +111,39 @@ bool substring(BuiltinCall& call) {
   const auto rest = static_cast<std::int64_t>(size - from);
   const auto length =
       static_cast<std::size_t>(std::clamp<std::int64_t>(count, 0, rest));
-  return call.give(part_of(call, string, from, from + length));
+  return call.give(part_of(call, *string, from, from + length));
 }
 
 bool find(BuiltinCall& call) {
-  std::string text;
-  std::string part;
+  const auto* string = call.string(0);
+  const auto* part = string ? call.string(1) : nullptr;
   std::int64_t from = 0;
-  if (!call.text(0, text) || !call.text(1, part) ||
-      (call.has(2) && !call.integer(2, from)))
+  if (!part || (call.has(2) && !call.integer(2, from)))
     return false;
-  const auto string = make_string(call.heap(), text);
-  const auto start = byte_position(*string.string(),
-                                   clamped(from, string.string()->code_points));
-  const auto found = find_text(text, part, start);
+  const auto text = string->text();
+  const auto start = byte_position(*string, clamped(from, string->code_points));
+  const auto found = find_text(text, part->text(), start);
   return call.give_integer(
-      found == std::string::npos
+      found == std::string_view::npos
           ? -1
           : static_cast<std::int64_t>(code_points_before(text, found)));
 }
 
 bool replace(BuiltinCall& call) {
-  Box text;
-  Box part;
-  Box with;
-  if (!call.string(0, text) || !call.string(1, part) || !call.string(2, with))
+  const auto* text = call.string(0);
+  const auto* part = text ? call.string(1) : nullptr;
+  const auto* with = part ? call.string(2) : nullptr;
+  if (!with)
     return false;
   const auto count =
-      part.text().empty() ? 0 : occurrences(text.text(), part.text());
+      part->size == 0 ? 0 : occurrences(text->text(), part->text());
   if (count == 0)
-    return call.give(text);
-  const auto size = text.text().size() - count * part.text().size() +
-                    count * with.text().size();
+    return call.give(call[0]);
+  const auto size = text->size - count * part->size + count * with->size;
   if (!call.room(size) || !call.work(size))
     return false;
   auto* replaced = raw_string(call.heap(), size);
-  replace_all(text.text(), part.text(), with.text(), replaced->data());
+  replace_all(text->text(), part->text(), with->text(), replaced->data());
   return call.give(finish_string(replaced));
 }
 

@@ -193,6 +193,10 @@ std::size_t character_size(char first) {
 
 std::size_t find_text(std::string_view text, std::string_view part,
                       std::size_t from) {
+  // Whose size times its part's is small anyhow; memmem begins by a table.
+  constexpr std::size_t short_text = 64;
+  if (text.size() <= short_text)
+    return text.find(part, from);
   if (from > text.size())
     return std::string_view::npos;
   const auto* found = static_cast<const char*>(

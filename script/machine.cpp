@@ -207,9 +207,8 @@ bool Machine::refuel() {
   return false;
 }
 
-bool Machine::charge(std::size_t units) {
-  fuel -= static_cast<std::int64_t>(units);
-  if (fuel > 0 || static_cast<std::uint64_t>(-fuel) < left_) [[likely]]
+bool Machine::goes_on_beyond_slice() {
+  if (static_cast<std::uint64_t>(-fuel) < left_) [[likely]]
     return true;
   left_ = 0;
   return refuel();

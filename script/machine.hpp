@@ -113,7 +113,10 @@ public:
   bool check(Outcome outcome); // false: raised
   bool within_limits();        // false: raised
   // Counts work beyond the instruction's own; false: raised.
-  bool charge(std::size_t units);
+  bool charge(std::size_t units) {
+    fuel -= static_cast<std::int64_t>(units);
+    return fuel > 0 || goes_on_beyond_slice();
+  }
   // Boxes looked at that count as one instruction.
   static constexpr std::size_t boxes_per_unit = 4;
   // How many boxes may still be compared or copied: as many as the fuel allows,
@@ -200,6 +203,7 @@ private:
   bool may_call(const Code& callee); // false: too deep, raised
   void take_slice();
   void give_back_fuel();
+  bool goes_on_beyond_slice(); // false: raised
   void note_stack();
   Box taken_in(const Value& value); // copied from outside
   void release_bindings();          // before a wait

@@ -4,7 +4,7 @@ namespace parlour::fuzz {
 
 namespace {
 
-constexpr std::size_t functions = 3;
+constexpr std::size_t most_functions = 3;
 constexpr int deepest = 3;
 
 } // namespace
@@ -67,7 +67,7 @@ std::string ProgramMaker::builtin_call(int depth) {
 
 std::string ProgramMaker::function_call(int depth) {
   auto text =
-      "f" + std::to_string(choose(functions)) + "(" + expression(depth - 1);
+      "f" + std::to_string(choose(functions_)) + "(" + expression(depth - 1);
   if (choose(2))
     text += ", " + expression(depth - 1);
   return text + ")";
@@ -216,7 +216,7 @@ void ProgramMaker::branch(int depth) {
 }
 
 void ProgramMaker::call() {
-  element(attribute("function", "f" + std::to_string(choose(functions))) +
+  element(attribute("function", "f" + std::to_string(choose(functions_))) +
               attribute("return", variable()),
           "call");
   for (auto left = 1 + choose(2); left > 0; --left)
@@ -289,6 +289,7 @@ void ProgramMaker::function(std::size_t number) {
 
 std::string ProgramMaker::make() {
   script_ = "<dialogue>\n";
+  functions_ = 1 + choose(most_functions);
   for (const std::string name : {"a", "b", "c"}) {
     script_ += "<var" + attribute("name", name) + attribute("expr", literal()) +
                "/>\n";
@@ -297,7 +298,7 @@ std::string ProgramMaker::make() {
   script_ += "<function name=\"main\">\n";
   block(deepest);
   script_ += "</function>\n";
-  for (std::size_t i = 0; i < functions; ++i)
+  for (std::size_t i = 0; i < functions_; ++i)
     function(i);
   return std::move(script_) + "</dialogue>\n";
 }

@@ -47,6 +47,7 @@ private:
   std::string_view bytes_;
   std::string script_;
   std::vector<std::string> scope_;
+  std::size_t functions_ = 1; // beside main
   std::size_t named_ = 0;
   int loops_ = 0;
 };

@@ -1,5 +1,6 @@
 // Programs that compile run within their limits, and print the same whether
-// they run at one go or from their bytes after every step.
+// they run at one go or from their bytes after some of their steps: the input's
+// last byte says which.
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
@@ -30,7 +31,7 @@ std::string text_of(const parlour::test::ScriptRun& run) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
                                       std::size_t size) {
   using namespace parlour;
-  constexpr std::uint64_t fuel = 3000;
+  constexpr std::uint64_t fuel = 1000;
   static const test::TemporaryFolder folder;
   const auto script =
       fuzz::ProgramMaker({reinterpret_cast<const char*>(data), size}).make();
@@ -39,7 +40,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
   for (const auto& finding : compiled.findings.all())
     expect(compiled.program != nullptr, script, to_string(finding));
   const auto once = test::run_script(compiled.program, fuel);
-  const auto again = test::run_with_restores(compiled.program, fuel);
+  const test::RestoredStops stops{size ? data[size - 1] % 64 : 0, 4};
+  const auto again = test::run_with_restores(compiled.program, fuel, stops);
   expect(once == again, script,
          "at one go:\n" + text_of(once) + "with restores:\n" + text_of(again));
   return 0;

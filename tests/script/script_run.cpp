@@ -37,12 +37,14 @@ script::ExecOptions Stage::options(std::uint64_t instructions,
                                    FileAccess files) {
   script::ExecOptions options;
   options.print = [this](std::string_view text) {
-    printed.append(text) += '\n';
+    if (!is_over())
+      printed.append(text) += '\n';
   };
   options.log = [](std::string_view) {};
   options.now = [this] { return clock; };
   options.wait_until = [this](Timestamp time) {
     clock = std::max(clock, time);
+    ++waits;
   };
   options.instructions = instructions;
   options.files = std::move(files);
@@ -51,7 +53,7 @@ script::ExecOptions Stage::options(std::uint64_t instructions,
 
 ScriptRun Stage::result(const ExecRun& run) const {
   ScriptRun result{printed, {}};
-  if (const auto& failure = run.failure())
+  if (const auto& failure = run.failure(); failure && !is_over())
     result.errors.push_back(
         {failure->error.place.line, std::string(name_of(failure->error.kind)) +
                                         ": " + failure->error.message});
@@ -62,22 +64,29 @@ ScriptRun run_script(const std::shared_ptr<const script::Program>& program,
                      std::uint64_t instructions, const FileAccess& files) {
   Stage stage;
   ExecRun run(program, stage.options(instructions, files));
-  while (run.step()) {
+  while (!stage.is_over() && run.step()) {
   }
   return stage.result(run);
 }
 
-ScriptRun
-run_with_restores(const std::shared_ptr<const script::Program>& program,
-                  std::uint64_t instructions, const FileAccess& files) {
+namespace {
+
+// `close(stop)`: whether the run stops after one step, not only much later;
+// `restores(stop)`: whether it goes on from its bytes.
+template <typename Close, typename Restores>
+ScriptRun run_stopping(const std::shared_ptr<const script::Program>& program,
+                       std::uint64_t instructions, const FileAccess& files,
+                       Close close, Restores restores) {
   Stage stage;
   const auto options = stage.options(instructions, files);
   auto run = std::make_unique<ExecRun>(program, options);
   std::vector<Remark> differences;
-  for (int stops = 0;; ++stops) {
-    run->set_slice(stops < close_stops ? 1 : later_slice);
-    if (!run->step() || run->failure())
+  for (int stop = 0;; ++stop) {
+    run->set_slice(close(stop) ? 1 : later_slice);
+    if (stage.is_over() || !run->step() || run->failure())
       break;
+    if (!restores(stop))
+      continue;
     auto next = restored(*run, program, options, differences);
     if (!next)
       break;
@@ -87,6 +96,25 @@ run_with_restores(const std::shared_ptr<const script::Program>& program,
   result.errors.insert(result.errors.end(), differences.begin(),
                        differences.end());
   return result;
+}
+
+} // namespace
+
+ScriptRun
+run_with_restores(const std::shared_ptr<const script::Program>& program,
+                  std::uint64_t instructions, const FileAccess& files) {
+  return run_stopping(
+      program, instructions, files, [](int stop) { return stop < close_stops; },
+      [](int) { return true; });
+}
+
+ScriptRun
+run_with_restores(const std::shared_ptr<const script::Program>& program,
+                  std::uint64_t instructions, RestoredStops stops) {
+  const auto end = stops.first + stops.count;
+  return run_stopping(
+      program, instructions, {}, [end](int stop) { return stop < end; },
+      [=](int stop) { return stop >= stops.first && stop < end; });
 }
 
 } // namespace parlour::test

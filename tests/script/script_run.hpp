@@ -30,9 +30,16 @@ inline constexpr std::uint64_t run_instructions = 1'000'000;
 
 // What a run prints to, and the time that it is there. The options refer to it.
 struct Stage {
+  // A script may wait for ever: of later waits nothing is seen.
+  static constexpr int most_waits = 200;
+
   std::string printed;
   Timestamp clock = 1'795'251'600'000; // 2026-11-21 09:00 UTC
+  int waits = 0;
 
+  bool is_over() const {
+    return waits > most_waits;
+  }
   script::ExecOptions options(std::uint64_t instructions, FileAccess files);
   // With the failure, if there was one.
   ScriptRun result(const script::ExecRun& run) const;
@@ -49,5 +56,15 @@ ScriptRun
 run_with_restores(const std::shared_ptr<const script::Program>& program,
                   std::uint64_t instructions = run_instructions,
                   const FileAccess& files = {});
+
+// Which of its stops a run is restored at: `count` of them from the stop
+// `first`. What comes before and after runs on.
+struct RestoredStops {
+  int first = 0;
+  int count = 0;
+};
+ScriptRun
+run_with_restores(const std::shared_ptr<const script::Program>& program,
+                  std::uint64_t instructions, RestoredStops stops);
 
 } // namespace parlour::test

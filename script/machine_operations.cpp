@@ -124,8 +124,13 @@ bool Machine::new_list(const Box* elements, std::size_t count, Box& result) {
 
 bool Machine::new_map(const Box* pairs, std::size_t count, Box& result) {
   auto map = make_map(*heap_);
-  for (std::size_t i = 0; i < count; ++i)
-    map.map()->set(pairs[2 * i], pairs[2 * i + 1].resolved());
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto& key = pairs[2 * i]; // a constant, or what a state had there
+    if (!key.is_string()) [[unlikely]]
+      return raise(ErrorKind::type, "the key of a map must be a string, not " +
+                                        a_type(key.resolved()));
+    map.map()->set(key, pairs[2 * i + 1].resolved());
+  }
   result = std::move(map);
   return charge(count) && within_limits();
 }

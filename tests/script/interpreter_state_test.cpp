@@ -213,6 +213,15 @@ TEST_F(InterpreterStateTest, DamagedBindingsNeverCrash) {
   EXPECT_GT(damaged_in_all_ways().restored, 10);
 }
 
+// What stands ready for an instruction that comes after the wait.
+TEST_F(InterpreterStateTest, DamagedOperandsNeverCrash) {
+  run("<function name='main'><var name='m' expr=\"{'a': f(), 'b': [1, f()], "
+      "'c': 'x' + f() + 1}\"/></function>"
+      "<function name='f'><wait for='1s'/><return expr='2'/></function>");
+  ASSERT_EQ(result.status, RunStatus::waiting);
+  EXPECT_GT(damaged_in_all_ways().restored, 10);
+}
+
 } // namespace
 
 } // namespace parlour::script

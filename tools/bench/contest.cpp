@@ -43,4 +43,23 @@ bool compare(const Series& ours, const Series& theirs, const LuaPeer& peer,
   return true;
 }
 
+LuaContest::LuaContest(int runs, const std::function<Expected<Measured>()>& run,
+                       const std::filesystem::path& lua)
+    : theirs(lua_peers().size()) {
+  for (int i = 0; i < runs; ++i) {
+    ours.add(run());
+    for (std::size_t peer = 0; peer < theirs.size(); ++peer)
+      if (lua_peers()[peer].is_there())
+        theirs[peer].add(lua_peers()[peer].run(lua));
+  }
+}
+
+bool LuaContest::compare(double bar, std::ostream& out) const {
+  bool well = true;
+  for (std::size_t i = 0; i < theirs.size(); ++i)
+    well &=
+        tools::compare(ours, theirs[i], lua_peers()[i], i == 0 ? bar : 0, out);
+  return well;
+}
+
 } // namespace parlour::tools

@@ -2,6 +2,8 @@
 // tells of them.
 #pragma once
 
+#include <filesystem>
+#include <functional>
 #include <iosfwd>
 #include <string>
 #include <vector>
@@ -27,5 +29,16 @@ std::string verdict(double ratio, double bar);
 // where the peer is there but gave another result. No bar: 0.
 bool compare(const Series& ours, const Series& theirs, const LuaPeer& peer,
              double bar, std::ostream& out);
+
+// One workload by us and by every Lua that is there, in turn.
+struct LuaContest {
+  Series ours;
+  std::vector<Series> theirs; // of each of lua_peers()
+
+  LuaContest(int runs, const std::function<Expected<Measured>()>& run,
+             const std::filesystem::path& lua);
+  // Of all of them; the bar is of the first.
+  bool compare(double bar, std::ostream& out) const;
+};
 
 } // namespace parlour::tools

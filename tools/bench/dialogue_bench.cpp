@@ -41,27 +41,19 @@ bool measure(const Row& row, int runs, std::ostream& out) {
     out << fmt::format("{:<8} {}\n", row.name, workload.error().message);
     return false;
   }
-  Series ours;
-  std::vector<Series> theirs(lua_peers().size());
-  for (int run = 0; run < runs; ++run) {
-    ours.add(((*workload).*row.run)(row.count));
-    for (std::size_t i = 0; i < theirs.size(); ++i)
-      if (lua_peers()[i].is_there())
-        theirs[i].add(
-            lua_peers()[i].run(workloads / fmt::format("{}.lua", row.name)));
-  }
-  const auto figure = median(ours.figures);
+  const LuaContest contest(
+      runs, [&] { return ((*workload).*row.run)(row.count); },
+      workloads / fmt::format("{}.lua", row.name));
+  const auto figure = median(contest.ours.figures);
   out << fmt::format("{:<8} {:<31} {:6.0f} ns, bar {:.0f}: {}", row.name,
                      row.sentence, figure, row.bar,
                      figure <= row.bar ? "met" : "missed");
-  bool well = ours.trouble.empty();
-  if (!well)
-    out << "; " << ours.trouble;
-  for (std::size_t i = 0; i < theirs.size(); ++i)
-    well &=
-        compare(ours, theirs[i], lua_peers()[i], i == 0 ? row.of_lua : 0, out);
+  const auto& trouble = contest.ours.trouble;
+  if (!trouble.empty())
+    out << "; " << trouble;
+  const bool well = contest.compare(row.of_lua, out);
   out << std::endl;
-  return well;
+  return well && trouble.empty();
 }
 
 } // namespace
@@ -73,13 +65,13 @@ std::vector<std::string> dialogue_bench_rows() {
   return names;
 }
 
-bool dialogue_bench(const DialogueBenchOptions& options, std::ostream& out) {
+bool dialogue_bench(const BenchRows& wanted, std::ostream& out) {
   out << fmt::format("CPU time of one operation, median of {} runs\n",
-                     options.runs);
+                     wanted.runs);
   bool well = true;
   for (const auto& row : rows)
-    if (options.only.empty() || options.only == row.name)
-      well &= measure(row, options.runs, out);
+    if (wanted.wants(row.name))
+      well &= measure(row, wanted.runs, out);
   return well;
 }
 

@@ -8,6 +8,16 @@
 
 namespace parlour::tools {
 
+// Which rows of a table, and how often each.
+struct BenchRows {
+  int runs = 5;     // of each; their median counts
+  std::string only; // one row; empty: all
+
+  bool wants(const std::string& row) const {
+    return only.empty() || only == row;
+  }
+};
+
 // One run of a workload, ours or a peer's.
 struct Measured {
   double nanoseconds = 0; // of CPU time for one operation

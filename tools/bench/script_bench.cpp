@@ -43,8 +43,8 @@ constexpr std::size_t load_bytes = 100'000;
 
 class ScriptBench {
 public:
-  ScriptBench(const ScriptBenchOptions& options, std::ostream& out)
-      : runs_(options.runs), only_(options.only), out_(out) {}
+  ScriptBench(const BenchRows& wanted, std::ostream& out)
+      : wanted_(wanted), out_(out) {}
 
   bool run();
 
@@ -57,12 +57,7 @@ private:
   void fail(const std::string& name, const std::string& message);
   Series measure(const std::string& name);
 
-  bool wanted(const std::string& name) const {
-    return only_.empty() || only_ == name;
-  }
-
-  int runs_;
-  std::string only_;
+  const BenchRows& wanted_;
   std::ostream& out_;
   bool well_ = true;
 };
@@ -78,22 +73,14 @@ void ScriptBench::contest(const Contest& contest) {
       ScriptWorkload::load(fs::path(file).replace_extension(".xml"));
   if (!workload)
     return fail(contest.name, workload.error().message);
-  Series ours;
-  std::vector<Series> theirs(lua_peers().size());
-  for (int run = 0; run < runs_; ++run) {
-    ours.add(workload->run());
-    for (std::size_t i = 0; i < theirs.size(); ++i)
-      if (lua_peers()[i].is_there())
-        theirs[i].add(
-            lua_peers()[i].run(fs::path(file).replace_extension(".lua")));
-  }
-  if (!ours.trouble.empty())
-    return fail(contest.name, ours.trouble);
+  const LuaContest held(
+      wanted_.runs, [&] { return workload->run(); },
+      fs::path(file).replace_extension(".lua"));
+  if (!held.ours.trouble.empty())
+    return fail(contest.name, held.ours.trouble);
   out_ << fmt::format("{:<10} {:<28} {:6.1f} ns", contest.name,
-                      contest.sentence, median(ours.figures));
-  for (std::size_t i = 0; i < theirs.size(); ++i)
-    well_ &= compare(ours, theirs[i], lua_peers()[i], i == 0 ? contest.bar : 0,
-                     out_);
+                      contest.sentence, median(held.ours.figures));
+  well_ &= held.compare(contest.bar, out_);
   out_ << std::endl;
 }
 
@@ -102,7 +89,7 @@ Series ScriptBench::measure(const std::string& name) {
   const auto workload = ScriptWorkload::load(workloads / name);
   if (!workload)
     series.trouble = workload.error().message;
-  for (int run = 0; run < runs_ && workload; ++run)
+  for (int run = 0; run < wanted_.runs && workload; ++run)
     series.add(workload->run());
   return series;
 }
@@ -140,7 +127,7 @@ void ScriptBench::state() {
   std::vector<double> save;
   std::vector<double> restore;
   std::size_t bytes = 0;
-  for (int run = 0; run < runs_ * 10; ++run) {
+  for (int run = 0; run < wanted_.runs * 10; ++run) {
     const auto times = state_once(workloads / "state.xml");
     if (!times)
       return fail("state", times.error().message);
@@ -163,7 +150,7 @@ void ScriptBench::load() {
   std::vector<double> ours;
   std::vector<double> theirs;
   std::string trouble;
-  for (int run = 0; run < runs_ * 10 && trouble.empty(); ++run) {
+  for (int run = 0; run < wanted_.runs * 10 && trouble.empty(); ++run) {
     const auto times = load_once(file);
     if (!times) {
       trouble = times.error().message;
@@ -184,17 +171,18 @@ void ScriptBench::load() {
 }
 
 bool ScriptBench::run() {
-  out_ << fmt::format("CPU time of one operation, median of {} runs\n", runs_);
+  out_ << fmt::format("CPU time of one operation, median of {} runs\n",
+                      wanted_.runs);
   for (const auto& each : contests)
-    if (wanted(each.name))
+    if (wanted_.wants(each.name))
       contest(each);
-  if (wanted("switch"))
+  if (wanted_.wants("switch"))
     switches();
-  if (wanted("suspended"))
+  if (wanted_.wants("suspended"))
     suspended();
-  if (wanted("state"))
+  if (wanted_.wants("state"))
     state();
-  if (wanted("load"))
+  if (wanted_.wants("load"))
     load();
   return well_;
 }
@@ -209,8 +197,8 @@ std::vector<std::string> script_bench_rows() {
   return names;
 }
 
-bool script_bench(const ScriptBenchOptions& options, std::ostream& out) {
-  return ScriptBench(options, out).run();
+bool script_bench(const BenchRows& wanted, std::ostream& out) {
+  return ScriptBench(wanted, out).run();
 }
 
 } // namespace parlour::tools

@@ -7,8 +7,7 @@
 
 #include "script/findings.hpp"
 #include "script/lint/lints.hpp"
-#include "tools/bench/dialogue_bench.hpp"
-#include "tools/bench/script_bench.hpp"
+#include "tools/bench/benches.hpp"
 #include "tools/parlour/commands.hpp"
 #include "tools/parlour/completion.hpp"
 #include "tools/parlour/exit_code.hpp"
@@ -202,14 +201,17 @@ private:
   void add_bench() {
     auto* command = add("bench", "Measure beside others who do the same work",
                         [this] { return bench_command(bench_, console_); });
-    command->add_option("NAME", bench_.name, "script or dialogue")
+    std::vector<std::string> names;
+    std::vector<std::string> rows;
+    for (const auto& bench : benches()) {
+      names.push_back(bench.name);
+      rows.insert(rows.end(), bench.rows.begin(), bench.rows.end());
+    }
+    command->add_option("NAME", bench_.name, "What is measured")
         ->required()
-        ->check(CLI::IsMember({"script", "dialogue"}));
+        ->check(CLI::IsMember(names));
     command->add_option("--runs", bench_.runs, "Of each; the median counts")
         ->check(CLI::Range(1, 1000));
-    auto rows = script_bench_rows();
-    for (auto& row : dialogue_bench_rows())
-      rows.push_back(std::move(row));
     command->add_option("--only", bench_.only, "One row of the table")
         ->check(CLI::IsMember(rows));
   }

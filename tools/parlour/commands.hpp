@@ -63,7 +63,7 @@ int exec_command(const Places& places, const std::string& file,
                  const Console& console);
 
 struct BenchOptions {
-  std::string name; // script or dialogue
+  std::string name; // of benches()
   int runs = 5;
   std::string only; // one row; empty: all
 };

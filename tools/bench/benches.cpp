@@ -1,0 +1,16 @@
+#include "tools/bench/benches.hpp"
+
+#include "tools/bench/dialogue_bench.hpp"
+#include "tools/bench/script_bench.hpp"
+
+namespace parlour::tools {
+
+const std::vector<Bench>& benches() {
+  static const std::vector<Bench> all = {
+      {"script", script_bench_rows(), script_bench},
+      {"dialogue", dialogue_bench_rows(), dialogue_bench},
+  };
+  return all;
+}
+
+} // namespace parlour::tools

@@ -37,9 +37,10 @@ Failure position_failure(const Box& container, const Box& key) {
 }
 
 Box character_at(Heap& heap, const StringObject& string, std::size_t position) {
-  const auto start = byte_position(string, position);
-  const auto text = string.text();
-  return make_string(heap, text.substr(start, character_size(text[start])));
+  const auto rest = string.text().substr(byte_position(string, position));
+  // Bytes from outside that are no UTF-8 may be fewer than they seemed.
+  const auto size = rest.empty() ? 0 : character_size(rest.front());
+  return make_string(heap, rest.substr(0, size));
 }
 
 Outcome error_field(Heap& heap, const ErrorObject& error, std::string_view name,

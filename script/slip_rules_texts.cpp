@@ -103,9 +103,11 @@ Found decorated_name(const Scene& scene) {
       return {};
     begin = brace;
   }
-  auto inner = scene.text.substr(begin).find_first_not_of("${") + begin;
+  const auto inner = scene.text.find_first_not_of("${", begin);
+  if (inner == npos)
+    return {};
   const auto end = word_end(scene.text, inner);
-  if (inner >= scene.text.size() || end == inner)
+  if (end == inner)
     return {};
   const auto name = string_of(scene.text.substr(inner, end - inner));
   const bool braces = scene.text[inner - 1] == '{';

@@ -94,6 +94,7 @@ INSTANTIATE_TEST_SUITE_P(
                         "expected another '\n"},
         Wrong{"'a' 'b'", "4: an operator is missing before this; + joins "
                          "texts\n"},
+        Wrong{"2$", "1: '$' has no meaning here\n"},
         Wrong{"$name + 1",
               "0: in an expression a variable is its name alone: name\n",
               "name + 1"},

@@ -52,6 +52,19 @@ TEST(Operations, find_text_takes_time_by_the_size_of_the_text) {
             std::string_view::npos);
 }
 
+// Four bytes that announce four each are as many code points as bytes; the
+// last of them are behind the end.
+TEST(Operations, a_text_that_is_no_utf8_is_not_read_behind_its_end) {
+  Heap heap(nullptr, 1 << 20);
+  const auto text = make_string(heap, "\xf0\xf0\xf0\xff\x80");
+  ASSERT_EQ(text.string()->code_points, 4u);
+  for (int i = -4; i < 4; ++i) {
+    Box result;
+    EXPECT_FALSE(get_index(heap, text, Box::small(i), result)) << i;
+    EXPECT_TRUE(result.is_string());
+  }
+}
+
 } // namespace
 
 } // namespace parlour::script

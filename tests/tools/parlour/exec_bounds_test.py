@@ -4,13 +4,12 @@ names file and line and with status 1, in bounded time and memory. With
 --measure, a table of what each took."""
 
 import os
-import pathlib
 import sys
-import tempfile
 import time
 import unittest
 
-PROGRAM = os.environ.get("PARLOUR_PROGRAM", "")
+from program_case import PROGRAM, ProgramCase
+
 MEASURE = "--measure" in sys.argv
 LONGEST = 120  # seconds, also of a debug build on a busy machine
 # MB; a sanitizer adds to each piece, and keeps what was given back.
@@ -142,14 +141,11 @@ def programs():
         yield name, text, expected
 
 
-class Bounds(unittest.TestCase):
+class Bounds(ProgramCase):
 
     def setUp(self):
-        self.assertTrue(os.path.exists(PROGRAM),
-                        f"PARLOUR_PROGRAM names no program: '{PROGRAM}'")
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.script = pathlib.Path(folder.name) / "main.xml"
+        super().setUp()
+        self.script = self.folder / "main.xml"
 
     def test_each_ends_with_a_clear_error(self):
         for name, text, expected in programs():

@@ -10,12 +10,12 @@ import shutil
 import signal
 import sqlite3
 import subprocess
-import tempfile
 import unittest
+
+from program_case import PROGRAM, ProgramCase
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 RECEPTIONIST = ROOT / "config/apps/receptionist"
-PROGRAM = os.environ.get("PARLOUR_PROGRAM", "")
 GREETING = b"Good morning, how can I help you?\n"
 GYM = b"There is one gym named Skyline Gym on the twenty third floor.\n"
 LOST = b"Sorry. I do not fully understand your talk...\n"
@@ -23,22 +23,19 @@ ASK_GYM = b"where is the gym\n"
 APPOINTMENT = b"I am David from Comptec to meet Dr. Jeffery Ho\n"
 
 
-class Hostile(unittest.TestCase):
+class Hostile(ProgramCase):
 
     def setUp(self):
-        self.assertTrue(os.path.exists(PROGRAM),
-                        f"PARLOUR_PROGRAM names no program: '{PROGRAM}'")
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.data = pathlib.Path(folder.name) / "data"
+        super().setUp()
+        self.data = self.folder / "data"
 
-    def command(self, application=RECEPTIONIST):
-        return [PROGRAM, "run", str(application), "--text", "--data",
-                str(self.data), "--clock", "2026-11-21 09:00"]
+    def arguments(self, application=RECEPTIONIST):
+        return ["run", str(application), "--text", "--data", str(self.data),
+                "--clock", "2026-11-21 09:00"]
 
     def run_with(self, given, application=RECEPTIONIST):
-        return subprocess.run(self.command(application), input=given,
-                              capture_output=True, timeout=120)
+        return subprocess.run([PROGRAM, *self.arguments(application)],
+                              input=given, capture_output=True, timeout=120)
 
     def said(self, given):
         ended = self.run_with(given)
@@ -48,13 +45,8 @@ class Hostile(unittest.TestCase):
 
     def start(self):
         """A conversation in which the appointment's time was asked for."""
-        running = subprocess.Popen(self.command(), stdin=subprocess.PIPE,
-                                   stdout=subprocess.PIPE,
-                                   stderr=subprocess.PIPE)
-        self.addCleanup(running.wait)
-        self.addCleanup(running.kill)
-        for stream in (running.stdin, running.stdout, running.stderr):
-            self.addCleanup(stream.close)
+        running = self.begin(*self.arguments(), stdin=subprocess.PIPE,
+                             stdout=subprocess.PIPE, stderr=subprocess.PIPE)
         self.assertEqual(running.stdout.readline(), GREETING)
         running.stdin.write(APPOINTMENT + b"\n")
         running.stdin.flush()
@@ -117,7 +109,8 @@ class Streams(Hostile):
 
     def shell(self, redirection, given=APPOINTMENT):
         line = '"$@" ' + redirection
-        return subprocess.run(["sh", "-c", line, "sh", *self.command()],
+        return subprocess.run(["sh", "-c", line, "sh", PROGRAM,
+                               *self.arguments()],
                               input=given, capture_output=True, timeout=60)
 
     def test_output_that_nobody_reads(self):
@@ -181,10 +174,8 @@ class Signals(Hostile):
         application = self.data.parent / "slow"
         application.mkdir()
         os.mkfifo(application / "settings.xml")
-        checking = subprocess.Popen([PROGRAM, "check", str(application)],
-                                    stderr=subprocess.DEVNULL)
-        self.addCleanup(checking.wait)
-        self.addCleanup(checking.kill)
+        checking = self.begin("check", str(application),
+                              stderr=subprocess.DEVNULL)
         with open(application / "settings.xml", "wb"):  # it reads now
             checking.send_signal(signal.SIGINT)
             self.assertEqual(checking.wait(60), 130)

@@ -3,13 +3,11 @@
 running application and under `parlour exec`."""
 
 import os
-import pathlib
 import socket
 import subprocess
-import tempfile
 import unittest
 
-PROGRAM = os.environ.get("PARLOUR_PROGRAM", "")
+from program_case import PROGRAM, ProgramCase
 
 SETTINGS = """<settings name="outside">
   <Plugins><Plugin>SQLiteDatabase</Plugin></Plugins>
@@ -72,34 +70,24 @@ SCRIPT = r"""<dialogue>
 </dialogue>"""
 
 
-class Outside(unittest.TestCase):
+class Outside(ProgramCase):
 
     def setUp(self):
-        self.assertTrue(os.path.exists(PROGRAM),
-                        f"PARLOUR_PROGRAM names no program: '{PROGRAM}'")
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = pathlib.Path(folder.name)
+        super().setUp()
         self.write("app/settings.xml", SETTINGS)
         self.write("app/outside.xml", SCRIPT)
         self.write("app/schema.sql", "create table payment (what text);")
         self.write("secret.txt", "secret")
 
-    def write(self, name, text):
-        path = self.folder / name
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(text, encoding="utf-8")
-        return path
-
-    def command(self):
-        return [PROGRAM, "run", str(self.folder / "app"), "--text", "--data",
+    def arguments(self):
+        return ["run", str(self.folder / "app"), "--text", "--data",
                 str(self.folder / "data")]
 
     def say(self, *lines):
         """What is answered to rows of one line each."""
         ended = subprocess.run(
-            self.command(), input="".join(line + "\n\n" for line in lines),
-            capture_output=True, timeout=60, check=False, encoding="utf-8")
+            [PROGRAM, *self.arguments()],
+            input="".join(line + "\n\n" for line in lines), capture_output=True, timeout=60, check=False, encoding="utf-8")
         self.assertEqual(ended.returncode, 0, ended.stderr)
         return [line for line in ended.stdout.splitlines() if line]
 
@@ -139,12 +127,10 @@ class Outside(unittest.TestCase):
 
     def test_a_socket_talks(self):
         with socket.create_server(("127.0.0.1", 0)) as server:
-            running = subprocess.Popen(
-                self.command(), stdin=subprocess.PIPE, stdout=subprocess.PIPE,
-                stderr=subprocess.DEVNULL, encoding="utf-8")
-            self.addCleanup(running.wait)
-            self.addCleanup(running.stdout.close)
-            self.addCleanup(running.stdin.close)
+            running = self.begin(
+                *self.arguments(), stdin=subprocess.PIPE,
+                stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
+                encoding="utf-8")
             server.settimeout(60)
             running.stdin.write(f"open {server.getsockname()[1]}\n\n")
             running.stdin.flush()

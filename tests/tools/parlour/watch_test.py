@@ -1,14 +1,12 @@
 #!/usr/bin/env python3
 """parlour test --watch: held again whenever a file changes, until Ctrl-C."""
 
-import os
-import pathlib
 import signal
 import subprocess
-import tempfile
 import unittest
 
-PROGRAM = os.environ.get("PARLOUR_PROGRAM", "")
+from program_case import PROGRAM, ProgramCase
+
 SETTINGS = """<settings name="echo" start="Hello">
   <Plugins/><Scripts><Script>echo.xml</Script></Scripts>
 </settings>"""
@@ -18,37 +16,22 @@ SCRIPT = """<dialogue>
 CONVERSATION = "R: Hello.\n"
 
 
-class Watch(unittest.TestCase):
+class Watch(ProgramCase):
 
     def setUp(self):
-        self.assertTrue(os.path.exists(PROGRAM),
-                        f"PARLOUR_PROGRAM names no program: '{PROGRAM}'")
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = pathlib.Path(folder.name)
+        super().setUp()
         self.write("settings.xml", SETTINGS)
         self.say("Hello.")
         self.write("dialogues/hello.txt", CONVERSATION)
-
-    def write(self, name, text):
-        path = self.folder / name
-        path.parent.mkdir(parents=True, exist_ok=True)
-        beside = path.with_name(path.name + "~")
-        beside.write_text(text, encoding="utf-8")
-        beside.rename(path)  # as editors do
 
     def say(self, words):
         self.write("echo.xml", SCRIPT.replace("WORDS", words))
 
     def start(self, *options):
-        running = subprocess.Popen(
-            [PROGRAM, "test", str(self.folder), "--watch", "--quiet",
-             *options], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+        return self.begin(
+            "test", str(self.folder), "--watch", "--quiet", *options,
+            stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
             encoding="utf-8")
-        self.addCleanup(running.wait)
-        self.addCleanup(running.kill)
-        self.addCleanup(running.stdout.close)
-        return running
 
     def until(self, running, words):
         """Reads on until a round in which these words are printed."""

@@ -63,6 +63,13 @@ void PluginDoor::cancel(DelayId delay) {
   services_.due_times.remove(delay);
 }
 
+void PluginDoor::failed(const std::string& reason) {
+  auto tell = [this, reason, work = services_.work.begin()] {
+    caf::anon_send(services_.supervisor, component_failed{name_, reason, work});
+  };
+  services_.gate.enter(std::move(tell));
+}
+
 const Clock& PluginDoor::clock() const {
   return *services_.clock;
 }

@@ -22,6 +22,7 @@ public:
   void send_message(Message message) override;
   DelayId after(Milliseconds delay, std::function<void()> action) override;
   void cancel(DelayId delay) override;
+  void failed(const std::string& reason) override;
   const Clock& clock() const override;
   void log(const std::string& text) override;
   std::shared_ptr<const UnderstandingModel> understanding() const override;

@@ -61,6 +61,7 @@ public:
 private:
   void read_plugins(const Element& element);
   void read_component(const Element& element);
+  void read_upkeep(const Element& element, Upkeep& upkeep);
   void read_scripts(const Element& element);
   std::string replaced(const Attribute& attribute);
   std::string variable(const std::string& name, Position position);
@@ -159,6 +160,7 @@ void SettingsReader::read_component(const Element& element) {
         {name, own_name(plugin->value), {}, place(element)});
     component = &settings_.components.back();
   }
+  read_upkeep(element, component->upkeep);
   for (const auto& option : element.children)
     if (!component->options
              .emplace(option.value("name"),
@@ -167,6 +169,23 @@ void SettingsReader::read_component(const Element& element) {
       findings_.error(option.position, "the option '" + option.value("name") +
                                            "' of '" + name +
                                            "' is given twice");
+}
+
+void SettingsReader::read_upkeep(const Element& element, Upkeep& upkeep) {
+  read_duration(element, "deadline", upkeep.deadline);
+  if (upkeep.deadline <= Milliseconds::zero())
+    findings_.error(element.attribute("deadline")->value_position,
+                    "deadline=\"" + element.value("deadline") +
+                        "\": no call can be that short");
+  upkeep.host = element.value("host");
+  const auto* scope = element.attribute("scope");
+  if (!scope)
+    return;
+  if (auto parsed = parse_scope(scope->value))
+    upkeep.scope = *parsed;
+  else
+    findings_.error(scope->value_position, "scope=\"" + scope->value +
+                                               "\": " + parsed.error().message);
 }
 
 void SettingsReader::read_scripts(const Element& element) {

@@ -20,6 +20,8 @@ inline constexpr Milliseconds speech_without_words = 2s;
 inline constexpr Milliseconds context_for = 2min;
 // How long a request waits for its reply.
 inline constexpr Milliseconds request_timeout = 10s;
+// How long one call into a component may take.
+inline constexpr Milliseconds component_deadline = 10s;
 // Idle time after which a session is written out.
 inline constexpr Milliseconds rest_after = 5min;
 // Idle time after which a seat's session ends.

@@ -11,6 +11,7 @@
 #include "runtime/base/clock.hpp"
 #include "runtime/base/defaults.hpp"
 #include "runtime/base/error.hpp"
+#include "runtime/base/upkeep.hpp"
 
 namespace parlour {
 
@@ -20,6 +21,7 @@ struct ComponentSettings {
   std::string plugin;                         // "AlsaMicrophone"
   std::map<std::string, std::string> options; // ${NAME} already replaced
   Place place;
+  Upkeep upkeep = {};
 };
 
 struct SessionSettings {

@@ -63,6 +63,11 @@ public:
   // where it has come already.
   virtual void cancel(DelayId delay) = 0;
 
+  // This very instance is broken and cannot go on: its device is gone, its
+  // process has died. Whoever waits for its answers is told; what it says from
+  // now on is dropped, and another instance takes its place. From any thread.
+  virtual void failed(const std::string& reason) = 0;
+
   virtual const Clock& clock() const = 0;
   virtual void log(const std::string& text) = 0;
 

@@ -47,6 +47,26 @@ TEST(SettingsReader, reads_components_in_order_of_preference) {
   EXPECT_EQ(settings.components[2].plugin, "B");
 }
 
+TEST(SettingsReader, reads_how_a_component_is_kept) {
+  const auto [settings, lines] =
+      read("<Plugins><Plugin>A</Plugin><Plugin>B</Plugin></Plugins>"
+           "<component name='A' scope='pool(3)' deadline='1.5s'"
+           " host='process'/>");
+  EXPECT_THAT(lines, IsEmpty());
+  EXPECT_EQ(settings.components[0].upkeep,
+            (Upkeep{{Scope::Kind::pool, 3}, Milliseconds(1500), "process"}));
+  EXPECT_EQ(settings.components[1].upkeep, Upkeep{});
+}
+
+TEST(SettingsReader, says_which_scopes_there_are) {
+  EXPECT_THAT(read("<Plugins><Plugin>A</Plugin></Plugins>"
+                   "<component name='A' scope='all'/>")
+                  .lines,
+              ElementsAre("s.xml:1:75: error: scope=\"all\": expected node, "
+                          "seat, session, inline, or pool(n) with n from 1 to "
+                          "64"));
+}
+
 TEST(SettingsReader, reads_times_limits_and_scripts) {
   const auto [settings, lines] =
       read("<sessions resume-after='1.5s' closes-after='1m'/>"

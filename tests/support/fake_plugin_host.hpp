@@ -34,6 +34,9 @@ public:
   std::size_t pending() const {
     return later_.size();
   }
+  void failed(const std::string& reason) override {
+    failures.push_back(reason);
+  }
   const Clock& clock() const override {
     return time;
   }
@@ -83,6 +86,7 @@ public:
   std::vector<Message> events;
   std::vector<Message> sent;
   std::vector<std::string> logs;
+  std::vector<std::string> failures;
   std::shared_ptr<const UnderstandingModel> model;
   std::shared_ptr<const PhraseEvaluator> evaluator;
   ColumnReader columns;

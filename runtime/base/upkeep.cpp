@@ -1,0 +1,42 @@
+#include "runtime/base/upkeep.hpp"
+
+#include <charconv>
+#include <map>
+
+namespace parlour {
+
+namespace {
+
+constexpr std::size_t most_instances = 64;
+
+// The n of "pool(n)"; 0 where it is none.
+std::size_t size_of_pool(std::string_view text) {
+  constexpr std::string_view head = "pool(";
+  if (!text.starts_with(head) || !text.ends_with(')'))
+    return 0;
+  const auto* first = text.data() + head.size();
+  const auto* last = text.data() + text.size() - 1;
+  std::size_t size = 0;
+  const auto [end, error] = std::from_chars(first, last, size);
+  return error == std::errc() && end == last && size <= most_instances ? size
+                                                                       : 0;
+}
+
+} // namespace
+
+Expected<Scope> parse_scope(std::string_view text) {
+  using enum Scope::Kind;
+  static const std::map<std::string_view, Scope::Kind> words = {
+      {"node", node},
+      {"seat", seat},
+      {"session", session},
+      {"inline", in_turn}};
+  if (const auto found = words.find(text); found != words.end())
+    return Scope{found->second};
+  if (const auto size = size_of_pool(text); size != 0)
+    return Scope{pool, size};
+  return fail(ErrorKind::settings, "expected node, seat, session, inline, or "
+                                   "pool(n) with n from 1 to 64");
+}
+
+} // namespace parlour

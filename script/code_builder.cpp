@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "runtime/base/utf8.hpp"
 #include "script/attribute_check.hpp"
 
 namespace parlour::script {
@@ -20,7 +21,7 @@ Position Source::at(std::size_t offset) const {
     if (byte == '\n') {
       ++position.line;
       position.column = 1;
-    } else if ((static_cast<unsigned char>(byte) & 0xc0) != 0x80) {
+    } else if (!continues_code_point(byte)) {
       ++position.column;
     }
   }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "runtime/base/utf8.hpp"
+
 namespace parlour::script {
 
 namespace {
@@ -11,15 +13,11 @@ constexpr std::size_t longest = 10'000; // bytes; nobody wrote such a line
 constexpr std::size_t before_place = 60;
 constexpr std::size_t narrowest_number = 5;
 
-bool continues(char byte) {
-  return (static_cast<unsigned char>(byte) & 0xc0u) == 0x80u;
-}
-
 // The line's code points, each as its bytes.
 std::vector<std::string> code_points(std::string_view line) {
   std::vector<std::string> points;
   for (const char byte : line)
-    if (continues(byte) && !points.empty())
+    if (continues_code_point(byte) && !points.empty())
       points.back() += byte;
     else
       points.emplace_back(1, byte);

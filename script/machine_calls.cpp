@@ -10,6 +10,9 @@ namespace parlour::script {
 
 namespace {
 
+// Instructions that take about as long as a call of a built-in.
+constexpr std::int64_t builtin_cost = 10;
+
 std::string arguments(std::size_t count) {
   return std::to_string(count) + (count == 1 ? " argument" : " arguments");
 }
@@ -37,7 +40,7 @@ bool Machine::call_builtin(std::uint16_t index, Box* arguments,
   const auto& entry = builtin(index);
   Box value;
   BuiltinCall made{*this, entry.name, arguments, count, value};
-  fuel -= 2;
+  fuel -= builtin_cost;
   if (!entry.function(made))
     return false;
   result = std::move(value);

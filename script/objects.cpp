@@ -2,6 +2,7 @@
 
 #include <cstring>
 
+#include "runtime/base/utf8.hpp"
 #include "script/block_cache.hpp"
 #include "script/footprint.hpp"
 
@@ -135,7 +136,7 @@ std::uint32_t count_code_points(std::string_view text) {
         (continuing >> 7) * 0x0101010101010101 >> 56);
   }
   for (; i < text.size(); ++i)
-    count -= (static_cast<unsigned char>(text[i]) & 0xc0) == 0x80;
+    count -= continues_code_point(text[i]);
   return count;
 }
 

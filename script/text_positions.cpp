@@ -1,35 +1,15 @@
 #include "script/text_positions.hpp"
 
 #include <algorithm>
-#include <cstring>
+
+#include "runtime/base/utf8.hpp"
 
 namespace parlour::script {
 
 namespace {
 
-bool continues(char byte) {
-  return (static_cast<unsigned char>(byte) & 0xc0u) == 0x80u;
-}
-
-// Where the next eight bytes begin of which one makes `unusual` true; those
-// that are too few for eight always count so.
-template <class Predicate>
-std::size_t usual_up_to(std::string_view text, std::size_t i,
-                        Predicate unusual) {
-  std::uint64_t eight = 0;
-  for (; i + sizeof eight <= text.size(); i += sizeof eight) {
-    std::memcpy(&eight, text.data() + i, sizeof eight);
-    if (unusual(eight))
-      break;
-  }
-  return i;
-}
-
-constexpr std::uint64_t highest_bits = 0x8080808080808080;
-
 bool is_ascii(std::string_view text) {
-  const auto rest = text.substr(usual_up_to(
-      text, 0, [](std::uint64_t eight) { return eight & highest_bits; }));
+  const auto rest = text.substr(ascii_up_to(text, 0));
   return rest.size() < sizeof highest_bits &&
          std::none_of(rest.begin(), rest.end(),
                       [](char byte) { return (byte & 0x80) != 0; });
@@ -76,7 +56,7 @@ Position TextPositions::at(std::size_t offset) const {
   column_ += part.size();
   if (!is_ascii_)
     column_ -= static_cast<std::size_t>(
-        std::count_if(part.begin(), part.end(), continues));
+        std::count_if(part.begin(), part.end(), continues_code_point));
   offset_ = offset;
   return {file_, static_cast<std::uint32_t>(line_ + 1),
           static_cast<std::uint32_t>(column_ + 1)};
@@ -90,7 +70,7 @@ std::size_t TextPositions::offset_of(std::uint32_t line,
   for (; column > 1 && offset < text_.size(); --column)
     do
       ++offset;
-    while (offset < text_.size() && continues(text_[offset]));
+    while (offset < text_.size() && continues_code_point(text_[offset]));
   return offset;
 }
 

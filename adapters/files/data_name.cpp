@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "runtime/base/utf8.hpp"
+
 namespace parlour::adapters {
 
 namespace {
@@ -60,7 +62,7 @@ std::string shown_name(std::string_view name) {
   std::string shown(name.substr(0, longest_shown));
   // No half of a character at the end.
   while (shown.size() < name.size() && !shown.empty() &&
-         (name[shown.size()] & 0xc0) == 0x80)
+         continues_code_point(name[shown.size()]))
     shown.pop_back();
   std::replace_if(shown.begin(), shown.end(), is_control, '?');
   return '\'' + shown + (shown.size() < name.size() ? "…'" : "'");

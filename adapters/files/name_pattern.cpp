@@ -2,6 +2,8 @@
 
 #include <cstddef>
 
+#include "runtime/base/utf8.hpp"
+
 namespace parlour::adapters {
 
 namespace {
@@ -9,7 +11,7 @@ namespace {
 // The bytes of the character at `at`, in UTF-8.
 std::size_t character(std::string_view text, std::size_t at) {
   std::size_t size = 1;
-  while (at + size < text.size() && (text[at + size] & 0xc0) == 0x80)
+  while (at + size < text.size() && continues_code_point(text[at + size]))
     ++size;
   return size;
 }

@@ -1,7 +1,5 @@
 #include "adapters/standins/log_devices.hpp"
 
-#include <cctype>
-
 #include "runtime/plugin/folder.hpp"
 
 namespace parlour::adapters {
@@ -12,14 +10,6 @@ namespace {
 Value value_of(const Value& cell) {
   const auto number = parse_number(cell.text());
   return number.is_unknown() ? cell : number;
-}
-
-// Small and capital letters are the same, as where the file is looked into.
-std::string folded(std::string text) {
-  for (auto& letter : text)
-    letter =
-        static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-  return text;
 }
 
 // What is wrong with a new value, or empty.

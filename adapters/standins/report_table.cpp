@@ -20,14 +20,8 @@ std::vector<std::string> cells_of(std::string line) {
   return cells;
 }
 
-std::string lower(std::string text) {
-  for (auto& c : text)
-    c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return text;
-}
-
 bool matches(const std::string& key, const std::string& asked) {
-  return asked.empty() || key == "*" || lower(key) == lower(asked);
+  return asked.empty() || key == "*" || folded(key) == folded(asked);
 }
 
 bool has_columns(const std::vector<std::string>& columns,
@@ -47,6 +41,13 @@ std::string header_of(const std::vector<std::string>& keys,
 }
 
 } // namespace
+
+std::string folded(std::string text) {
+  for (auto& letter : text)
+    letter =
+        static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+  return text;
+}
 
 Expected<ReportTable> ReportTable::read(const std::filesystem::path& file,
                                         const std::vector<std::string>& keys,

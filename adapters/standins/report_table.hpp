@@ -21,6 +21,9 @@ struct Report {
   Value data; // a map: every column of the row
 };
 
+// Small and capital letters are the same where reports are looked for.
+std::string folded(std::string text);
+
 class ReportTable {
 public:
   // Empty lines and those that begin with '#' do not count. Errors: File for

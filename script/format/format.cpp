@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "runtime/base/utf8.hpp"
 #include "script/element_table.hpp"
 #include "script/format/layout_tree.hpp"
 #include "script/source_reader.hpp"
@@ -15,9 +16,8 @@ constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
 
 std::size_t columns(std::string_view text) {
   return static_cast<std::size_t>(
-      std::count_if(text.begin(), text.end(), [](char byte) {
-        return (static_cast<unsigned char>(byte) & 0xc0u) != 0x80u;
-      }));
+      std::count_if(text.begin(), text.end(),
+                    [](char byte) { return !continues_code_point(byte); }));
 }
 
 // Where blanks alone may mean something.

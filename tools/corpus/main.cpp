@@ -15,7 +15,7 @@ using namespace parlour::tools::corpus;
 // Fields must not break the line.
 std::string field(std::string text) {
   for (auto& character : text)
-    if (character == '\t' || character == '\n')
+    if (character == '\t' || character == '\n' || character == '\r')
       character = ' ';
   return text;
 }

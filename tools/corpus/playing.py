@@ -36,7 +36,7 @@ class Results:
         text = "".join("\t".join(map(str, line)) + "\n"
                        for lines in dialogues for line in lines)
         begun = time.monotonic()
-        ran = subprocess.run(self.command, input=text, text=True, check=False,
+        ran = subprocess.run(self.command, input=text, check=False,
                              stdout=subprocess.PIPE, stderr=subprocess.PIPE,
                              encoding="utf-8")
         self.seconds += time.monotonic() - begun
@@ -50,7 +50,7 @@ class Results:
     def _read(self, text):
         """The dialogue that was begun last."""
         last = ""
-        for line in text.splitlines():
+        for line in filter(None, text.split("\n")):
             kind, *fields = line.split("\t")
             if kind == "begin":
                 last = fields[0]

@@ -13,4 +13,17 @@ TEST(Utf8, is_told_from_what_is_not) {
   EXPECT_EQ(find_invalid_utf8("\xf4\x90\x80\x80"), 0u); // too large
 }
 
+TEST(Utf8, further_bytes_continue_a_code_point) {
+  EXPECT_FALSE(continues_code_point('a'));
+  EXPECT_FALSE(continues_code_point('\xc3'));
+  EXPECT_TRUE(continues_code_point('\xbc'));
+}
+
+TEST(Utf8, ascii_is_passed_eight_bytes_at_a_time) {
+  EXPECT_EQ(ascii_up_to("0123456789abcdef", 0), 16u);
+  EXPECT_EQ(ascii_up_to("0123456789abcd\xc3\xbc", 0), 8u);
+  EXPECT_EQ(ascii_up_to("0123456789abcd\xc3\xbc", 3), 3u);
+  EXPECT_EQ(ascii_up_to("0123", 0), 0u);
+}
+
 } // namespace parlour

@@ -1,6 +1,6 @@
-#include "runtime/base/upkeep.hpp"
-
 #include <gtest/gtest.h>
+
+#include "runtime/base/upkeep.hpp"
 
 namespace parlour {
 namespace {

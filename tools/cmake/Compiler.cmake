@@ -33,11 +33,16 @@ if(PARLOUR_SANITIZE)
 endif()
 
 # clang++ only: what libFuzzer steers by, in every library. Without sanitizers
-# (the preset fuzz-plain) many more inputs run in the same time: assertions,
-# crashes, hangs and memory without bound are still found.
+# and the tracing of comparisons (the preset fuzz-plain) many more inputs run in
+# the same time: assertions, crashes, hangs and memory without bound are still
+# found.
 if(PARLOUR_FUZZ)
-  add_compile_options(-fsanitize=fuzzer-no-link
-    $<IF:$<BOOL:${PARLOUR_SANITIZE}>,-O1,-O2>)
+  add_compile_options(-fsanitize=fuzzer-no-link)
+  if(PARLOUR_SANITIZE)
+    add_compile_options(-O1)
+  else()
+    add_compile_options(-O2 -fno-sanitize-coverage=trace-cmp)
+  endif()
 endif()
 
 add_library(parlour_warnings INTERFACE)

@@ -1,6 +1,7 @@
 // The slow ways of the instructions: operators, containers, loops.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "runtime/base/clock.hpp"
 #include "script/machine.hpp"
@@ -177,10 +178,24 @@ bool Machine::milliseconds(const Box& text, Box& result) {
 
 namespace {
 
-// How often, or nothing where it never arrives or is out of all bounds.
-std::int64_t iterations(const Numeric& from, const Numeric& to,
-                        const Numeric& step) {
-  if (from.is_integer && to.is_integer && step.is_integer) {
+// The tolerance of the end, in steps: 0 to 1 by 0.1 includes 1.
+constexpr double hair = 1e-9;
+
+// The last integer that a fraction lets an integer count reach.
+std::int64_t whole_end(double end, std::int64_t step) {
+  end += static_cast<double>(step) * hair;
+  const auto whole = step < 0 ? std::ceil(end) : std::floor(end);
+  constexpr double beyond = 9223372036854775808.0; // 2^63
+  return whole >= beyond   ? std::numeric_limits<std::int64_t>::max()
+         : whole < -beyond ? std::numeric_limits<std::int64_t>::min()
+                           : static_cast<std::int64_t>(whole);
+}
+
+// How often; 0 where it never arrives.
+std::int64_t iterations(const Numeric& from, Numeric to, const Numeric& step) {
+  if (from.is_integer && step.is_integer) {
+    if (!to.is_integer)
+      to = {true, whole_end(to.number, step.integer), 0};
     if (step.integer == 0 || (step.integer > 0) != (to.integer >= from.integer))
       return to.integer == from.integer && step.integer != 0 ? 1 : 0;
     const auto distance =
@@ -198,9 +213,8 @@ std::int64_t iterations(const Numeric& from, const Numeric& to,
             : apart(from.integer, to.integer) / apart(0, step.integer);
     return static_cast<std::int64_t>(steps) + 1;
   }
-  // A hair of tolerance, so that 0 to 1 by 0.1 includes 1.
   const auto count =
-      std::floor((to.as_number() - from.as_number()) / step.as_number() + 1e-9);
+      std::floor((to.as_number() - from.as_number()) / step.as_number() + hair);
   if (!std::isfinite(count) || count < 0)
     return 0;
   return static_cast<std::int64_t>(std::min(count, 1e14)) + 1;

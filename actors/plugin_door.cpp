@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <utility>
 
+#include <caf/actor_system.hpp>
 #include <caf/send.hpp>
+
+#include "actors/ask.hpp"
 
 namespace parlour::actors {
 
@@ -42,6 +45,25 @@ void PluginDoor::fire_event(Message event) {
 
 void PluginDoor::send_message(Message message) {
   publish_as_itself(std::move(message));
+}
+
+void PluginDoor::ask(Message request, Milliseconds patience,
+                     Reaction reaction) {
+  request.source = name_;
+  const auto id = services_.due_times.add(clock().now() + patience.count(),
+                                          DueTimes::Of::component);
+  AskOrder order{std::move(request),
+                 patience,
+                 std::move(reaction),
+                 weak_from_this(),
+                 std::make_shared<const DueTicket>(services_.due_times, id),
+                 services_.work.begin()};
+  services_.gate.enter([this, order = std::move(order)] {
+    if (auto host = caf::actor_cast<caf::strong_actor_ptr>(host_))
+      host->home_system->spawn(actors::ask, &services_,
+                               caf::actor_cast<component_host_actor>(host),
+                               order);
+  });
 }
 
 PluginHost::DelayId PluginDoor::after(Milliseconds delay,

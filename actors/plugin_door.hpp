@@ -1,6 +1,7 @@
 // PluginDoor: the platform as one plug-in sees it.
 #pragma once
 
+#include <memory>
 #include <mutex>
 
 #include <caf/actor_control_block.hpp>
@@ -11,7 +12,8 @@
 namespace parlour::actors {
 
 // Safe to use from any thread, as its contract says. Outlives its plug-in.
-class PluginDoor : public PluginHost {
+class PluginDoor : public PluginHost,
+                   public std::enable_shared_from_this<PluginDoor> {
 public:
   PluginDoor(Services& services, std::string name);
 
@@ -20,6 +22,7 @@ public:
 
   void fire_event(Message event) override;
   void send_message(Message message) override;
+  void ask(Message request, Milliseconds patience, Reaction reaction) override;
   DelayId after(Milliseconds delay, std::function<void()> action) override;
   void cancel(DelayId delay) override;
   void failed(const std::string& reason) override;

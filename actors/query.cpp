@@ -73,7 +73,7 @@ Expected<ResultSet> silence_of(dialogue::QueryRequest::Kind kind) {
 
 query_state::~query_state() {
   if (services)
-    services->claims.take(correlation);
+    services->claims.forget(correlation);
 }
 
 Expected<ResultSet> outcome_of(const Message& event) {
@@ -83,9 +83,13 @@ Expected<ResultSet> outcome_of(const Message& event) {
       return *rows;
     return ResultSet{};
   }
+  return tl::make_unexpected(error_of(event));
+}
+
+Error error_of(const Message& event) {
   auto reason =
       event.params.empty() ? event.command : event.params.back().text();
-  return fail(kind_of(event).value_or(ErrorKind::database), std::move(reason));
+  return {kind_of(event).value_or(ErrorKind::database), std::move(reason), {}};
 }
 
 query_actor::behavior_type

@@ -32,5 +32,7 @@ query(query_actor::stateful_pointer<query_state> self, Services* services,
 // parameter names a kind that scripts can catch), or the failure of the
 // component.
 Expected<ResultSet> outcome_of(const Message& event);
+// What a database's event says that is no Result.
+Error error_of(const Message& event);
 
 } // namespace parlour::actors

@@ -119,13 +119,20 @@ void LogRobot::end_order(const std::string& reason) {
 PluginFactory log_robot_factory() {
   auto description = describe_stand_in(
       "LogRobot", "Robot", "a robot that fetches and carries",
-      {{"answer", "done", "how orders end: done or failed", false},
+      {{"answer",
+        "done",
+        "how orders end",
+        false,
+        OptionType::choice,
+        {"done", "failed"}},
        {"places", "", "where it can go, separated by commas; anywhere", false},
        {"things", "", "what it can take, separated by commas; anything", false},
        {"place", "", "where it stands at first", false},
        {"battery", "100", "what the sensor 'battery' says", false},
-       {"travel", "4s", "how long it goes to a place", false},
-       {"grip", "2s", "how long it takes to grasp a thing", false}});
+       {"travel", "4s", "how long it goes to a place", false,
+        OptionType::duration},
+       {"grip", "2s", "how long it takes to grasp a thing", false,
+        OptionType::duration}});
   return {description, [] { return std::make_unique<LogRobot>(); }};
 }
 

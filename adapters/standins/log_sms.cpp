@@ -26,9 +26,13 @@ bool LogSMS::carry_out(const Message& message) {
 }
 
 PluginFactory log_sms_factory() {
-  auto description = describe_stand_in(
-      "LogSMS", "SMS", "the SMS gateway",
-      {{"answer", "sent", "how messages end: sent or failed", false}});
+  auto description = describe_stand_in("LogSMS", "SMS", "the SMS gateway",
+                                       {{"answer",
+                                         "sent",
+                                         "how messages end",
+                                         false,
+                                         OptionType::choice,
+                                         {"sent", "failed"}}});
   return {description, [] { return std::make_unique<LogSMS>(); }};
 }
 

@@ -64,8 +64,14 @@ bool LogTaxi::carry_out(const Message& message) {
 PluginFactory log_taxi_factory() {
   auto description = describe_stand_in(
       "LogTaxi", "Taxi", "the taxi company",
-      {{"answer", "booked", "how bookings end: booked or refused", false},
-       {"seed", "1", "which plates and waiting times it makes up", false}});
+      {{"answer",
+        "booked",
+        "how bookings end",
+        false,
+        OptionType::choice,
+        {"booked", "refused"}},
+       {"seed", "1", "which plates and waiting times it makes up", false,
+        OptionType::integer}});
   return {description, [] { return std::make_unique<LogTaxi>(); }};
 }
 

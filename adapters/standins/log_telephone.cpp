@@ -43,11 +43,16 @@ void LogTelephone::ring(const Message& message) {
 }
 
 PluginFactory log_telephone_factory() {
-  auto description = describe_stand_in(
-      "LogTelephone", "Telephone", "the telephone exchange",
-      {{"answer", "answered", "how calls end: answered, busy or noanswer",
-        false},
-       {"rings", "0s", "how long it rings before that", false}});
+  auto description =
+      describe_stand_in("LogTelephone", "Telephone", "the telephone exchange",
+                        {{"answer",
+                          "answered",
+                          "how calls end",
+                          false,
+                          OptionType::choice,
+                          {"answered", "busy", "noanswer"}},
+                         {"rings", "0s", "how long it rings before that", false,
+                          OptionType::duration}});
   return {description, [] { return std::make_unique<LogTelephone>(); }};
 }
 

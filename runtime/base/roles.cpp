@@ -25,7 +25,9 @@ std::vector<Role> read_table() {
 #define RESERVED(name, sentence) add_role(#name, sentence, true);
 #define ALIAS(name) all.back().aliases.push_back(#name);
 #define COMMAND(name, parameters)                                              \
-  all.back().commands.push_back({#name, parameters});
+  all.back().commands.push_back({#name, parameters, false});
+#define REQUEST(name, parameters)                                              \
+  all.back().commands.push_back({#name, parameters, true});
 #define EVENT(name, parameters) add_event(#name, parameters, Reply::none);
 #define REPLY(name, parameters) add_event(#name, parameters, Reply::answer);
 #define REFUSAL(name, parameters) add_event(#name, parameters, Reply::refusal);
@@ -34,6 +36,7 @@ std::vector<Role> read_table() {
 #undef RESERVED
 #undef ALIAS
 #undef COMMAND
+#undef REQUEST
 #undef EVENT
 #undef REPLY
 #undef REFUSAL

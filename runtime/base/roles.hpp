@@ -17,7 +17,8 @@ enum class Reply : unsigned char {
 
 struct RoleCommand {
   std::string name;
-  std::string parameters; // "text, context?"; for people
+  std::string parameters; // "text, context?"
+  bool answered = false;  // always, by an event that ends the request
 };
 
 struct RoleEvent {

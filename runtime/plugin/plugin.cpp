@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "runtime/base/defaults.hpp"
+
 namespace parlour {
 
 Expected<void> IPlugin::start(PluginHost& host, const Options& options) {
@@ -10,19 +12,27 @@ Expected<void> IPlugin::start(PluginHost& host, const Options& options) {
 }
 
 void IPlugin::receive(const Message& message) {
+  as_answer_to(message, [&] { on_message(message); });
+}
+
+void IPlugin::as_answer_to(const Message& earlier,
+                           const std::function<void()>& action) {
   struct Restore {
     const Message*& slot;
     const Message* previous;
     ~Restore() {
       slot = previous;
     }
-  } restore{current_, std::exchange(current_, &message)};
-  on_message(message);
+  } restore{current_, std::exchange(current_, &earlier)};
+  action();
+}
+
+Message IPlugin::current() const {
+  return current_ ? *current_ : Message{};
 }
 
 void IPlugin::fire_event(std::string command, std::vector<Value> params) {
-  answer(current_ ? *current_ : Message{}, std::move(command),
-         std::move(params));
+  answer(current(), std::move(command), std::move(params));
 }
 
 void IPlugin::answer(const Message& to, std::string command,
@@ -37,6 +47,18 @@ void IPlugin::answer(const Message& to, std::string command,
 
 void IPlugin::send_message(Message message) {
   host_->send_message(std::move(message));
+}
+
+void IPlugin::ask(std::string module, std::string command,
+                  std::vector<Value> params, PluginHost::Reaction reaction) {
+  Message request;
+  request.command = std::move(command);
+  request.params = std::move(params);
+  request.sinks = {std::move(module)};
+  if (current_)
+    request.session = current_->session;
+  host_->ask(std::move(request), defaults::request_timeout,
+             std::move(reaction));
 }
 
 void InlinePlugin::on_message(const Message& message) {

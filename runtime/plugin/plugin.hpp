@@ -18,29 +18,25 @@
 #include "runtime/base/error.hpp"
 #include "runtime/base/message.hpp"
 #include "runtime/base/phrases.hpp"
+#include "runtime/base/roles.hpp"
 #include "runtime/base/understanding.hpp"
+#include "runtime/plugin/options.hpp"
 
 namespace parlour {
-
-struct OptionDescription {
-  std::string name;
-  std::string fallback; // what holds where the settings say nothing
-  std::string sentence;
-  bool required = false;
-};
 
 struct PluginDescription {
   std::string name;               // "SQLiteDatabase"
   std::vector<std::string> roles; // "Database"
   std::string sentence;
-  std::vector<OptionDescription> options;
+  std::vector<OptionDescription> options = {};
   // Derives from InlinePlugin, and answers within 50 µs.
   bool is_inline = false;
   // Calls libraries that block: given a thread of its own.
   bool blocks = false;
+  // What it understands and fires beyond its roles.
+  std::vector<RoleCommand> commands = {};
+  std::vector<RoleEvent> events = {};
 };
-
-using Options = std::map<std::string, std::string>;
 
 // What the platform offers to a plug-in.
 class PluginHost {
@@ -53,6 +49,15 @@ public:
   // To a remote agent, or to another component, by role or name (the message's
   // sinks).
   virtual void send_message(Message message) = 0;
+
+  // Asks another component, by role or name (the request's only sink). Calls
+  // back once, on the plug-in's own thread, with the first event that ends the
+  // request (roles.def), or an error: of kind Refused or Database when the
+  // component says no, Offline when nobody is there, Timeout after `patience`.
+  // A plug-in that has stopped is not called.
+  using Reaction = std::function<void(Expected<Message>)>;
+  virtual void ask(Message request, Milliseconds patience,
+                   Reaction reaction) = 0;
 
   // Calls back on the plug-in's own thread, unless it is cancelled before.
   // While it is due, a run by pipe waits for it: cancel what has lost its
@@ -108,6 +113,16 @@ protected:
   void answer(const Message& to, std::string command,
               std::vector<Value> params = {});
   void send_message(Message message);
+  // Runs `action`, whose events are answers to a message that was handled
+  // earlier.
+  void as_answer_to(const Message& earlier,
+                    const std::function<void()>& action);
+  // The message being handled, for later; one without a session between two.
+  Message current() const;
+  // Asks a service of another component, in the session of the message being
+  // handled (PluginHost::ask).
+  void ask(std::string module, std::string command, std::vector<Value> params,
+           PluginHost::Reaction reaction);
 
   PluginHost& host() const {
     return *host_;
@@ -115,7 +130,7 @@ protected:
 
 private:
   PluginHost* host_ = nullptr;
-  const Message* current_ = nullptr; // while on_message runs
+  const Message* current_ = nullptr; // while it is handled
 };
 
 struct Answer {

@@ -56,6 +56,7 @@ public:
   explicit FunctionPlugin(Function function) : function_(std::move(function)) {}
 
   using IPlugin::answer;
+  using IPlugin::ask;
   using IPlugin::fire_event;
   using IPlugin::host;
   using IPlugin::send_message;

@@ -17,6 +17,17 @@ TEST(QueryClaims, GiveAnAnswerToItsQueryOnce) {
   EXPECT_FALSE(claims.take(one));
 }
 
+TEST(QueryClaims, GiveAllAnswersToWhoWantsAllUntilItForgets) {
+  Bench bench;
+  QueryClaims claims;
+  auto query = bench.query_probe();
+  const auto claim = claims.claim(query, QueryClaims::Wants::all);
+  EXPECT_EQ(claims.take(claim), query);
+  EXPECT_EQ(claims.take(claim), query);
+  claims.forget(claim);
+  EXPECT_FALSE(claims.take(claim));
+}
+
 TEST(QueryClaims, KeepAwayFromTheNumbersOfSessions) {
   QueryClaims claims;
   EXPECT_GT(claims.claim({}), Correlation{1} << 63);

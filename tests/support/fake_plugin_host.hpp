@@ -23,6 +23,9 @@ public:
   void send_message(Message message) override {
     sent.push_back(message);
   }
+  void ask(Message request, Milliseconds, Reaction reaction) override {
+    asked.push_back({std::move(request), std::move(reaction)});
+  }
   DelayId after(Milliseconds delay, std::function<void()> action) override {
     later_.push_back({time.now() + delay.count(), std::move(action), ++last_});
     return last_;
@@ -82,9 +85,15 @@ public:
     return texts;
   }
 
+  struct Asked {
+    Message request;
+    Reaction reaction; // for the test to call
+  };
+
   ManualClock time;
   std::vector<Message> events;
   std::vector<Message> sent;
+  std::vector<Asked> asked;
   std::vector<std::string> logs;
   std::vector<std::string> failures;
   std::shared_ptr<const UnderstandingModel> model;

@@ -15,14 +15,20 @@ set(PARLOUR_HEADERS
   <functional> <map> <memory> <optional> <set> <span> <string> <string_view>
   <unordered_map> <utility> <variant> <vector> <tl/expected.hpp>)
 
-# parlour_library(<name> SOURCES ... [PUBLIC ...] [PRIVATE ...])
+# parlour_library(<name> [SHARED] SOURCES ... [PUBLIC ...] [PRIVATE ...])
 # Without a source yet it is an INTERFACE library, so that those above it
 # can already be built.
 function(parlour_library name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;PUBLIC;PRIVATE")
+  cmake_parse_arguments(PARSE_ARGV 1 arg
+    "SHARED" "" "SOURCES;PUBLIC;PRIVATE")
   if(arg_SOURCES)
-    add_library(${name} STATIC ${arg_SOURCES})
-    target_include_directories(${name} PUBLIC "${PROJECT_SOURCE_DIR}")
+    set(kind STATIC)
+    if(arg_SHARED)
+      set(kind SHARED)
+    endif()
+    add_library(${name} ${kind} ${arg_SOURCES})
+    target_include_directories(${name} PUBLIC
+      "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>")
     target_link_libraries(${name}
       PUBLIC ${arg_PUBLIC} PRIVATE ${arg_PRIVATE} parlour_warnings)
     list(LENGTH arg_SOURCES count)

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -29,6 +30,19 @@ TEST(Roles, list_their_commands) {
   EXPECT_TRUE(find_role("NLU")->command("DoNLU"));
   EXPECT_EQ(find_role("Robot")->command("Goto")->parameters, "place");
   EXPECT_FALSE(find_role("Robot")->command("Fly"));
+  EXPECT_TRUE(find_role("Robot")->command("Goto")->answered);
+  EXPECT_FALSE(find_role("Robot")->command("Stop")->answered);
+}
+
+TEST(Roles, have_an_answer_to_what_is_always_answered) {
+  for (const auto& role : roles())
+    for (const auto& command : role.commands)
+      EXPECT_TRUE(!command.answered ||
+                  std::ranges::any_of(role.events,
+                                      [](const RoleEvent& event) {
+                                        return event.reply == Reply::answer;
+                                      }))
+          << role.name << " " << command.name;
 }
 
 TEST(Roles, reserve_the_sources_that_are_no_components) {

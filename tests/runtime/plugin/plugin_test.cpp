@@ -28,10 +28,19 @@ protected:
       throw std::runtime_error("thrown");
     if (message.command == "Later")
       host().after(1s, [this, message] { answer(message, "Done"); });
+    else if (message.command == "LaterTwice")
+      host().after(1s, [this, earlier = current()] {
+        as_answer_to(earlier, [this] { fire_event("Done"); });
+        fire_event("Unasked");
+      });
     else if (message.command == "Nested")
       receive(test::message("Echo", {"inner"}, "s2", 8));
     else if (message.command == "Send")
       send_message(test::message("Goto", message.params));
+    else if (message.command == "Ask")
+      ask("Database", "Query", message.params, [this](const auto& answer) {
+        fire_event(answer ? answer->command : answer.error().message);
+      });
     else if (message.command == "Unasked")
       host().after(1s, [this] { fire_event("Pressed"); });
     if (message.command == "Echo" || message.command == "Nested")
@@ -78,6 +87,15 @@ TEST_F(PluginTest, AnswersAnEarlierMessageLater) {
   EXPECT_EQ(host.events[1].correlation, 1u);
 }
 
+TEST_F(PluginTest, FiresAsAnAnswerToAnEarlierMessageAsLongAsItSays) {
+  plugin.receive(message("LaterTwice", {}, "s1", 1));
+  host.advance(1s);
+  ASSERT_EQ(host.events.size(), 2u);
+  EXPECT_EQ(host.events[0].session, "s1");
+  EXPECT_EQ(host.events[0].correlation, 1u);
+  EXPECT_EQ(host.events[1].session, "");
+}
+
 TEST_F(PluginTest, FiresUnaskedWithoutSession) {
   plugin.receive(message("Unasked"));
   host.advance(1s);
@@ -107,6 +125,17 @@ TEST_F(PluginTest, SendsMessages) {
   ASSERT_EQ(host.sent.size(), 1u);
   EXPECT_EQ(host.sent[0].command, "Goto");
   EXPECT_TRUE(host.events.empty());
+}
+
+TEST_F(PluginTest, AsksAnotherInTheSessionThatItServes) {
+  plugin.receive(message("Ask", {"select 1"}, "s4"));
+  ASSERT_EQ(host.asked.size(), 1u);
+  const auto& [request, reaction] = host.asked[0];
+  EXPECT_EQ(to_string(request), ".Query(select 1) -> Database");
+  EXPECT_EQ(request.session, "s4");
+  reaction(message("Result"));
+  reaction(fail(ErrorKind::timeout, "late"));
+  EXPECT_THAT(host.take_events(), ElementsAre("Result()", "late()"));
 }
 
 TEST(Plugin, RefusesToStartWithAReason) {

@@ -1,0 +1,134 @@
+#include "adapters/plugins/plugin_file.hpp"
+
+#include <atomic>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <optional>
+#include <utility>
+
+#include <dlfcn.h>
+
+#include "runtime/plugin/export.hpp"
+
+namespace parlour::adapters {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+tl::unexpected<Error> unusable(const fs::path& file, const std::string& why) {
+  return fail(ErrorKind::settings,
+              "the plug-in " + file.string() + " cannot be used: " + why);
+}
+
+// A folder for one copy, gone with what is in it at the end of its scope.
+class CopyFolder {
+public:
+  static std::optional<CopyFolder> make() {
+    std::error_code code;
+    auto pattern =
+        (fs::temp_directory_path(code) / "parlour-plugin-XXXXXX").string();
+    if (code || !mkdtemp(pattern.data()))
+      return std::nullopt;
+    return CopyFolder(pattern);
+  }
+  CopyFolder(CopyFolder&& other) noexcept : path_(std::move(other.path_)) {
+    other.path_.clear();
+  }
+  ~CopyFolder() {
+    std::error_code ignored;
+    if (!path_.empty())
+      fs::remove_all(path_, ignored);
+  }
+
+  // No two copies of a process have one name: the loader would take the second
+  // for the first.
+  fs::path name_for(const fs::path& file) const {
+    static std::atomic<unsigned> count = 0;
+    return path_ / (std::to_string(++count) + "-" + file.filename().string());
+  }
+
+private:
+  explicit CopyFolder(fs::path path) : path_(std::move(path)) {}
+  fs::path path_;
+};
+
+// The loader's own words name the copy.
+std::string loader_error(const fs::path& copy, const fs::path& file) {
+  const auto* said = dlerror();
+  std::string text = said ? said : "the loader says nothing";
+  if (const auto at = text.find(copy.string()); at != std::string::npos)
+    text.replace(at, copy.string().size(), file.filename().string());
+  return text;
+}
+
+Expected<void*> map_copy(const fs::path& file) {
+  const auto folder = CopyFolder::make();
+  if (!folder)
+    return unusable(file, std::string("no folder for a copy of it can be made "
+                                      "(TMPDIR says where): ") +
+                              std::strerror(errno));
+  const auto copy = folder->name_for(file);
+  std::error_code code;
+  if (!fs::copy_file(file, copy, code))
+    return unusable(file, code.message());
+  auto* library = dlopen(copy.c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (!library)
+    return unusable(file, loader_error(copy, file) +
+                              "; build it again with this Parlour");
+  return library;
+}
+
+Expected<const PluginLibrary*> declaration(void* library,
+                                           const fs::path& file) {
+  const auto* found =
+      static_cast<const PluginLibrary*>(dlsym(library, plugin_symbol));
+  if (!found)
+    return unusable(file, "it is no plug-in of Parlour; its source ends with "
+                          "PARLOUR_PLUGIN(Class, description)");
+  if (found->interface != plugin_interface)
+    return unusable(
+        file, "it was built for interface " + std::to_string(found->interface) +
+                  " of plug-ins, this is " + std::to_string(plugin_interface) +
+                  "; build it again with this Parlour");
+  if (found->abi != PluginAbi{})
+    return unusable(file, "its compiler, or its compiler's settings, lay types "
+                          "out otherwise; build it again with this Parlour");
+  return found;
+}
+
+Expected<PluginFactory> factory_of(const PluginLibrary& library,
+                                   const fs::path& file) {
+  PluginFactory factory;
+  try {
+    factory = library.factory();
+  } catch (const std::exception& error) {
+    return unusable(file, std::string("it fails to describe itself: ") +
+                              error.what());
+  } catch (...) {
+    return unusable(file, "it fails to describe itself");
+  }
+  const auto& name = factory.description.name;
+  if (name != file.stem())
+    return unusable(file, "it holds the plug-in '" + name +
+                              "'; call the file " + name + ".so");
+  return factory;
+}
+
+} // namespace
+
+Expected<PluginFactory> open_plugin_file(const fs::path& file) {
+  std::error_code code;
+  if (!fs::is_regular_file(file, code))
+    return unusable(file, "there is no such file");
+  const auto library = map_copy(file);
+  if (!library)
+    return tl::make_unexpected(library.error());
+  const auto found = declaration(*library, file);
+  if (!found)
+    return tl::make_unexpected(found.error());
+  return factory_of(**found, file);
+}
+
+} // namespace parlour::adapters

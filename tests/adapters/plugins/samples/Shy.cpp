@@ -1,0 +1,10 @@
+// A plug-in that throws when it is to describe itself.
+#include <stdexcept>
+
+#include "runtime/plugin/export.hpp"
+
+extern "C" const parlour::PluginLibrary parlour_plugin;
+const parlour::PluginLibrary parlour_plugin{
+    parlour::plugin_interface, {}, []() -> parlour::PluginFactory {
+      throw std::runtime_error("not today");
+    }};

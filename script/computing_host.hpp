@@ -31,7 +31,7 @@ public:
   // `who` begins the refusal's sentence: "a phrase".
   ComputingHost(std::string_view who, Timestamp now) : who_(who), now_(now) {}
 
-  Performed perform(Activation&, Effect) override {
+  Performed perform(Activation&, const Effect&) override {
     return Error{
         ErrorKind::refused, std::string(who_) + " can only compute", {}};
   }

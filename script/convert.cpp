@@ -47,10 +47,6 @@ public:
     return object(box, depth);
   }
 
-  std::size_t left() const {
-    return left_;
-  }
-
   bool truncated = false;
 
 private:
@@ -107,6 +103,47 @@ private:
   std::size_t left_;
 };
 
+// The same walk without the copy: false where it would be truncated.
+class Scales {
+public:
+  explicit Scales(std::size_t& left) : left_(left) {}
+
+  bool holds(const Box& given, int depth) {
+    const auto& box = given.resolved();
+    if (left_ == 0 || depth > deepest)
+      return false;
+    --left_;
+    if (!box.is_object())
+      return true;
+    switch (box.object()->type) {
+    case ObjectType::string:
+      return take(box.text().size() / sizeof(Value));
+    case ObjectType::list:
+      return std::all_of(
+          box.list()->elements.begin(), box.list()->elements.end(),
+          [&](const Box& element) { return holds(element, depth + 1); });
+    case ObjectType::map:
+      return std::all_of(
+          box.map()->entries.begin(), box.map()->entries.end(),
+          [&](const auto& entry) { return holds(entry.value, depth + 1); });
+    case ObjectType::error:
+      return holds(box.error()->value, depth + 1);
+    default:
+      return true;
+    }
+  }
+
+private:
+  bool take(std::size_t cost) {
+    if (cost > left_)
+      return false;
+    left_ -= cost;
+    return true;
+  }
+
+  std::size_t& left_;
+};
+
 } // namespace
 
 Box to_box(Heap& heap, const Value& value) {
@@ -133,18 +170,16 @@ Box to_box(Heap& heap, const Value& value) {
 }
 
 Value to_value(const Box& box, std::size_t budget, bool* truncated) {
-  ++budget; // take_value leaves 0 only where it does not suffice
-  auto value = take_value(box, budget);
+  Copier copier(budget);
+  auto value = copier.copy(box, 0);
   if (truncated)
-    *truncated = budget == 0;
+    *truncated = copier.truncated;
   return value;
 }
 
-Value take_value(const Box& box, std::size_t& budget) {
-  Copier copier(budget);
-  auto value = copier.copy(box, 0);
-  budget = copier.truncated ? 0 : copier.left();
-  return value;
+void weigh(const Box& box, std::size_t& budget) {
+  if (!Scales(budget).holds(box, 0))
+    budget = 0;
 }
 
 Error to_error(const ErrorObject& error) {

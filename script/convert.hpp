@@ -13,8 +13,9 @@ Box to_box(Heap& heap, const Value& value);
 // than `budget` values when copied, becomes unknown and sets `*truncated`.
 Value to_value(const Box& box, std::size_t budget = 1 << 20,
                bool* truncated = nullptr);
-// The same, with what is left of the budget: 0 where it did not suffice.
-Value take_value(const Box& box, std::size_t& budget);
+// Takes from the budget what a copy outwards would be large; 0 is left where
+// it does not suffice.
+void weigh(const Box& box, std::size_t& budget);
 
 Error to_error(const ErrorObject& error);
 

@@ -26,12 +26,12 @@ Performed ExecRun::add_timer(const Effect& effect) {
   Due due;
   due.at = later(now_, after);
   due.order = ++order_;
-  due.timer = effect.operand(0).text();
+  due.timer = effect.text(0);
   due.every = effect.operand(2)
                   ? std::clamp(after, Milliseconds(1), Milliseconds(latest))
                   : Milliseconds(0);
   due.body = effect.body;
-  due.arguments = effect.captured;
+  due.arguments = effect.captured();
   due.bytes = remembered(due.arguments);
   cancel(due.timer);
   auto bytes = due.bytes;
@@ -51,22 +51,22 @@ Performed ExecRun::access_file(const FileRequest& request) {
   return std::move(*outcome);
 }
 
-Performed ExecRun::perform(Activation&, Effect effect) {
+Performed ExecRun::perform(Activation&, const Effect& effect) {
   const auto most_bytes = interpreter_.program().settings.limits.result;
   if (const auto request = file_request(effect, most_bytes);
       request && options_.files)
     return access_file(*request);
   switch (effect.kind) {
   case EffectKind::print:
-    options_.print(effect.operand(0).text());
+    options_.print(effect.text(0));
     return Value();
   case EffectKind::log:
-    options_.log(effect.operand(0).text());
+    options_.log(effect.text(0));
     return Value();
   case EffectKind::timer:
     return add_timer(effect);
   case EffectKind::cancel:
-    cancel(effect.operand(0).text());
+    cancel(effect.text(0));
     return Value();
   case EffectKind::wait:
     wait_ = Milliseconds(effect.operand(0).integer_or(0));

@@ -96,7 +96,7 @@ private:
     std::unique_ptr<Activation> waiting;
   };
 
-  Performed perform(Activation& activation, Effect effect) override;
+  Performed perform(Activation& activation, const Effect& effect) override;
   double random() override {
     return dice_.fraction();
   }

@@ -28,8 +28,7 @@ std::optional<FileRequest> file_request(const Effect& effect,
   const auto action = action_of(effect.kind);
   if (!action)
     return {};
-  return FileRequest{*action, effect.operand(0).text(),
-                     effect.operand(1).text(), most_bytes};
+  return FileRequest{*action, effect.text(0), effect.text(1), most_bytes};
 }
 
 } // namespace parlour::script

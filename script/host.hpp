@@ -3,11 +3,9 @@
 // implements it; the interpreter knows nothing else of the world.
 #pragma once
 
-#include <array>
-#include <cassert>
 #include <cstdint>
-#include <initializer_list>
-#include <utility>
+#include <span>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -24,41 +22,34 @@ enum class EffectKind : std::uint8_t {
 #undef EFFECT
 };
 
-// The operands of an effect: few, and without memory of their own.
-class Operands {
+// What a script wants of the world. Its operands are the script's own
+// registers, copied out when they are looked at: valid while it is performed,
+// and no longer.
+class Effect {
 public:
-  static constexpr std::size_t most = 4;
+  explicit Effect(EffectKind what, std::span<const Box> operands = {},
+                  std::span<const Box> captured = {})
+      : kind(what), operands_(operands), captured_(captured) {}
 
-  Operands() = default;
-  Operands(std::initializer_list<Value> values) {
-    for (const auto& value : values)
-      push_back(value);
-  }
-  void push_back(Value value) {
-    assert(size_ < most);
-    values_[size_++] = std::move(value);
-  }
-  std::size_t size() const {
-    return size_;
-  }
-  const Value& operator[](std::size_t index) const {
-    return values_[index];
+  EffectKind kind;
+  CodeId body = no_code; // of timer and transit
+  Position position{};
+
+  // As effects.def names them; unknown where there are fewer.
+  Value operand(std::size_t index) const;
+  // operand(index).text(), without the value in between.
+  std::string text(std::size_t index) const;
+  // Whether it is there and not unknown.
+  bool has(std::size_t index) const;
+  // The body's arguments: visible locals.
+  std::vector<Value> captured() const;
+  std::size_t operand_count() const {
+    return operands_.size();
   }
 
 private:
-  std::array<Value, most> values_;
-  std::size_t size_ = 0;
-};
-
-struct Effect {
-  EffectKind kind = EffectKind::log;
-  Operands operands;           // as effects.def names them
-  CodeId body = no_code;       // of timer and transit
-  std::vector<Value> captured; // the body's arguments: visible locals, copied
-  Position position;
-
-  // Unknown where there are fewer operands.
-  const Value& operand(std::size_t index) const;
+  std::span<const Box> operands_;
+  std::span<const Box> captured_;
 };
 
 // The activation goes on when the conversation resumes it.
@@ -86,7 +77,7 @@ class Host {
 public:
   virtual ~Host() = default;
 
-  virtual Performed perform(Activation& activation, Effect effect) = 0;
+  virtual Performed perform(Activation& activation, const Effect& effect) = 0;
 
   // `this.X`; the slot may be a pseudo-slot.
   virtual Value slot(TopicId topic, SlotId slot) const = 0;

@@ -31,10 +31,22 @@ Expected<void> Interpreter::initialise(Host& host) {
   return {};
 }
 
-std::unique_ptr<Activation> Interpreter::start(CodeId code,
-                                               std::vector<Value> arguments,
-                                               ActivationContext context) {
+std::unique_ptr<Activation>
+Interpreter::start(CodeId code, const std::vector<Value>& arguments,
+                   ActivationContext context) {
   return implementation_->start(code, arguments, std::move(context));
+}
+
+BodyResult Interpreter::run_body(CodeId code,
+                                 const std::vector<Value>& arguments,
+                                 ActivationContext context, Host& host) {
+  auto activation = implementation_->start(code, arguments, std::move(context));
+  BodyResult body{implementation_->run(*activation, host, false), nullptr};
+  if (body.result.status == RunStatus::finished)
+    implementation_->keep_spare(std::move(activation));
+  else
+    body.activation = std::move(activation);
+  return body;
 }
 
 RunResult Interpreter::run(Activation& activation, Host& host) {
@@ -47,7 +59,8 @@ RunResult Interpreter::resume(Activation& activation, Expected<Value> outcome,
                                  host);
 }
 
-Expected<Value> Interpreter::evaluate(CodeId code, std::vector<Value> arguments,
+Expected<Value> Interpreter::evaluate(CodeId code,
+                                      const std::vector<Value>& arguments,
                                       ActivationContext context, Host& host) {
   if (const auto* constant = constant_of(program().code[code]))
     return to_value(*constant);
@@ -55,6 +68,7 @@ Expected<Value> Interpreter::evaluate(CodeId code, std::vector<Value> arguments,
   auto result = implementation_->run(*activation, host, true);
   if (result.status == RunStatus::failed)
     return tl::make_unexpected(std::move(result.error));
+  implementation_->keep_spare(std::move(activation));
   return std::move(result.value);
 }
 

@@ -36,6 +36,9 @@ public:
 protected:
   explicit Activation(ActivationContext context)
       : context_(std::move(context)) {}
+  void set_context(ActivationContext context) {
+    context_ = std::move(context);
+  }
 
 private:
   ActivationContext context_;
@@ -55,6 +58,12 @@ struct RunResult {
   std::vector<std::string> stack; // "function f (file:line)", innermost first
 };
 
+// What became of a body that was run at once.
+struct BodyResult {
+  RunResult result;
+  std::unique_ptr<Activation> activation; // null where it finished
+};
+
 struct Restored;
 
 class Interpreter {
@@ -67,8 +76,13 @@ public:
   // Computes the initial values of the session variables, in file order.
   Expected<void> initialise(Host& host);
 
-  std::unique_ptr<Activation> start(CodeId code, std::vector<Value> arguments,
+  std::unique_ptr<Activation> start(CodeId code,
+                                    const std::vector<Value>& arguments,
                                     ActivationContext context);
+  // Starts and runs it. What finishes at once, as most bodies do, leaves
+  // nothing behind.
+  BodyResult run_body(CodeId code, const std::vector<Value>& arguments,
+                      ActivationContext context, Host& host);
 
   // Runs until it ends, waits, or has used up a slice. A fresh event's fuel is
   // counted from new_event().
@@ -78,7 +92,7 @@ public:
   RunResult resume(Activation& activation, Expected<Value> outcome, Host& host);
 
   // Runs to the end at once; an effect that waits is an error of kind Refused.
-  Expected<Value> evaluate(CodeId code, std::vector<Value> arguments,
+  Expected<Value> evaluate(CodeId code, const std::vector<Value>& arguments,
                            ActivationContext context, Host& host);
 
   void new_event(); // refills the fuel (limits.instructions)

@@ -274,7 +274,11 @@ std::unique_ptr<Execution> Machine::start(CodeId body,
                                           const std::vector<Value>& values,
                                           ActivationContext context) {
   const auto& callee = program->code[body];
-  auto activation = std::make_unique<Execution>(heap_, std::move(context));
+  auto activation = std::exchange(spare_, nullptr);
+  if (activation)
+    activation->begin(std::move(context));
+  else
+    activation = adopt(std::move(context));
   auto* frame = activation->push(callee);
   const auto given =
       std::min<std::size_t>(values.size(), callee.parameter_count);

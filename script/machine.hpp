@@ -55,6 +55,9 @@ public:
       : Activation(std::move(context)), heap_(std::move(heap)) {}
   ~Execution() override;
 
+  void begin(ActivationContext context) { // one that has finished
+    set_context(std::move(context));
+  }
   // A new top frame; its registers are unknown. Not deeper than the caller
   // of this checks. A new one has room for so many more registers.
   Frame* push(const Code& code, std::uint32_t room = 0);
@@ -97,6 +100,11 @@ public:
   std::unique_ptr<Execution> start(CodeId body,
                                    const std::vector<Value>& values,
                                    ActivationContext context);
+  // One that has finished is used again.
+  void keep_spare(std::unique_ptr<Execution> finished) {
+    finished->begin({}); // what it belonged to is let go
+    spare_ = std::move(finished);
+  }
 
   std::unique_ptr<Execution> adopt(ActivationContext context);
 
@@ -219,6 +227,7 @@ private:
   Box value_;
   std::vector<std::string> stack_;
   std::uint64_t left_ = 0; // instructions of this event beyond the slice
+  std::unique_ptr<Execution> spare_; // null: none has finished
 };
 
 } // namespace parlour::script

@@ -1,5 +1,6 @@
 // Calls, effects and what a machine asks the world for.
 #include <algorithm>
+#include <span>
 
 #include "script/builtin_call.hpp"
 #include "script/builtins.hpp"
@@ -153,31 +154,32 @@ void Machine::copy_out(Frame& frame) {
 
 bool Machine::perform(const EffectShape& shape, const Box* operands,
                       Box& result) {
-  Effect effect;
-  effect.kind = static_cast<EffectKind>(shape.kind);
-  effect.body = shape.body;
-  const auto& frame = *execution->top;
-  effect.position = frame.code->positions[static_cast<std::size_t>(
-      frame.pc - frame.code->instructions.data())];
+  const std::span given(operands, shape.operands);
+  const std::span captured(operands + shape.operands, shape.captured);
   // No more than the session could hold, and at the cost of its size.
   const auto most = std::min(walk_budget(), heap_->limit() / sizeof(Box)) + 1;
   auto left = most;
-  for (std::size_t i = 0; i < shape.operands; ++i)
-    effect.operands.push_back(take_value(operands[i], left));
-  for (std::size_t i = 0; i < shape.captured; ++i)
-    effect.captured.push_back(take_value(operands[shape.operands + i], left));
+  for (const auto& box : given)
+    weigh(box, left);
+  for (const auto& box : captured)
+    weigh(box, left);
   if (left == 0)
     return raise(ErrorKind::limit, "a value is too large to leave the script");
   if (!charge(most - left))
     return false;
   fuel -= 5;
-  auto performed = host->perform(*execution, std::move(effect));
-  if (auto* value = std::get_if<Value>(&performed)) {
+  Effect effect(static_cast<EffectKind>(shape.kind), given, captured);
+  effect.body = shape.body;
+  const auto& frame = *execution->top;
+  effect.position = frame.code->positions[static_cast<std::size_t>(
+      frame.pc - frame.code->instructions.data())];
+  const auto performed = host->perform(*execution, effect);
+  if (const auto* value = std::get_if<Value>(&performed)) {
     result = to_box(*heap_, *value);
     return within_limits();
   }
-  if (auto* error = std::get_if<Error>(&performed))
-    return raise(error->kind, std::move(error->message));
+  if (const auto* error = std::get_if<Error>(&performed))
+    return raise(error->kind, error->message);
   if (to_the_end_)
     return raise(ErrorKind::refused, "nothing can be waited for here");
   release_bindings();

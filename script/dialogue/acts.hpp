@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -51,6 +52,8 @@ struct Act {
   bool elliptical = false;
   std::vector<Act> alternatives;
 };
+
+using ActPointer = std::shared_ptr<const Act>;
 
 struct ParsedActs {
   std::vector<Act> acts;

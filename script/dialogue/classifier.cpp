@@ -1,6 +1,7 @@
 #include "script/dialogue/classifier.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace parlour::dialogue {
 
@@ -34,7 +35,7 @@ TopicId by_slots(const script::Program& program, const Act& act,
   auto best = script::no_id;
   std::size_t most = 0;
   auto consider = [&](TopicId topic) { // the likeliest first, some twice
-    if (!may_be_chosen(program, topic, context))
+    if (most == act.slots.size() || !may_be_chosen(program, topic, context))
       return;
     const auto count = slots_of(program.topics[topic], act);
     if (count > most) {
@@ -59,11 +60,9 @@ bool is_near(const Act& best, const Act& other) {
 
 TopicId without_slots(const script::Program& program, const Act& act,
                       const ClassifierContext& context) {
-  std::vector<TopicId> topics{context.asked};
-  if (act.elliptical) {
-    topics.push_back(context.resting);
-    topics.push_back(context.current);
-  }
+  std::array topics{context.asked, script::no_id, script::no_id};
+  if (act.elliptical)
+    topics = {context.asked, context.resting, context.current};
   for (auto topic : topics)
     if (may_be_chosen(program, topic, context))
       return topic;

@@ -3,6 +3,7 @@
 // Pure.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "script/dialogue/acts.hpp"
@@ -17,8 +18,8 @@ struct ClassifierContext {
   script::SlotId asked_slot = script::no_id;
   TopicId current = script::no_id;
   TopicId resting = script::no_id;
-  std::vector<TopicId> unfinished;
-  std::vector<TopicId> unregistered; // never chosen
+  std::span<const TopicId> unfinished{};
+  std::vector<TopicId> unregistered{}; // never chosen
 };
 
 // A registered topic that the act names stands. Else the topic that has most

@@ -19,15 +19,19 @@ void Conversation::open(Timestamp now) {
 }
 
 void Conversation::receive(Message message) {
+  receive(std::make_shared<const Message>(std::move(message)));
+}
+
+void Conversation::receive(std::shared_ptr<const Message> message) {
   if (!ended())
     implementation_->receive(std::move(message));
 }
 
-void Conversation::take_acts(std::vector<Act> acts, Timestamp now) {
+void Conversation::take_acts(std::span<const ActPointer> acts, Timestamp now) {
   if (ended())
     return;
   implementation_->core.now = now;
-  implementation_->take_acts(std::move(acts));
+  implementation_->take_acts(acts);
 }
 
 bool Conversation::has_work() const {

@@ -9,6 +9,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "runtime/base/clock.hpp"
@@ -40,10 +41,12 @@ public:
 
   // Queues a message that the message centre gave to this session.
   void receive(Message message);
+  // The same for one that others may have got, too.
+  void receive(std::shared_ptr<const Message> message);
 
   // What the user did with one utterance, from somebody who speaks in acts and
   // not in words: the dialogue engine without script and understanding.
-  void take_acts(std::vector<Act> acts, Timestamp now);
+  void take_acts(std::span<const ActPointer> acts, Timestamp now);
 
   // Something is queued, or an output waits for release.
   bool has_work() const;

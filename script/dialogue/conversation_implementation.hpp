@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "script/dialogue/core.hpp"
@@ -18,8 +19,8 @@ public:
       : core(std::move(program), std::move(options), port) {}
 
   void open();
-  void receive(Message&& message);
-  void take_acts(std::vector<Act> acts);
+  void receive(std::shared_ptr<const Message> message);
+  void take_acts(std::span<const ActPointer> acts);
   bool has_work();
   void take_input();
   // A new external event: what scripts may do is counted anew.
@@ -66,6 +67,7 @@ private:
   // The session's end: its Exits run, then Session.Ended has been told.
   enum class Leaving : std::uint8_t { no, exits, told };
 
+  std::vector<Step> said_; // empty between two calls: its memory
   std::optional<Watch> watch_;
   Leaving leaving_ = Leaving::no;
 };

@@ -1,6 +1,7 @@
 // The part of a conversation that says what happens with each input, and what
 // silence leads to (engine rules 1 to 3).
 #include <algorithm>
+#include <string_view>
 #include <utility>
 
 #include "script/dialogue/conversation.hpp"
@@ -11,13 +12,15 @@ namespace parlour::dialogue {
 
 namespace {
 
+using namespace std::string_view_literals;
+
 const std::string recogniser = "ASR";
 
 // The user was heard to speak, but not yet understood.
 bool is_speech(const Port& port, const Message& message) {
-  return (message.command == "SpeechStarted" &&
+  return (message.command == "SpeechStarted"sv &&
           port.is_source("VAD", message.source)) ||
-         (message.command == "Partial" &&
+         (message.command == "Partial"sv &&
           port.is_source(recogniser, message.source));
 }
 
@@ -122,35 +125,34 @@ std::vector<Message> Conversation::Implementation::take_unread() {
 
 // -- inputs -------------------------------------------------------------------
 
-void Conversation::Implementation::receive(Message&& message) {
+void Conversation::Implementation::receive(
+    std::shared_ptr<const Message> message) {
   Input input;
-  input.begins_turn = message.command == "RecognitionResult" &&
-                      core.port.is_source(recogniser, message.source);
+  input.begins_turn = message->command == "RecognitionResult"sv &&
+                      core.port.is_source(recogniser, message->source);
   input.turn = input.begins_turn ? core.turns.begin()
-                                 : core.turns.of(message.correlation);
+                                 : core.turns.of(message->correlation);
   core.turns.hold(input.turn);
-  if (is_speech(core.port, message)) // known before a question is released
-    core.turns.speaks(std::max(core.now, message.time) +
+  if (is_speech(core.port, *message)) // known before a question is released
+    core.turns.speaks(std::max(core.now, message->time) +
                       defaults::speech_without_words.count());
   if (!input.begins_turn)
-    core.turns.answered(message.correlation);
-  input.message = std::make_shared<const Message>(std::move(message));
+    core.turns.answered(message->correlation);
+  input.message = std::move(message);
   core.inbox.push_back(std::move(input));
 }
 
 // What a <fire> of the recogniser's message would lead to.
-void Conversation::Implementation::take_acts(std::vector<Act> acts) {
+void Conversation::Implementation::take_acts(std::span<const ActPointer> acts) {
   begin_event();
   user_begins();
   const auto turn = core.turns.begin();
-  std::vector<Step> steps;
-  steps.reserve(acts.size() + 1);
-  for (auto& act : acts) {
+  for (const auto& act : acts) {
     core.turns.hold(turn);
-    steps.push_back(act_step(std::move(act), turn));
+    said_.push_back(act_step(act, turn));
   }
-  steps.push_back(conclude_step(turn));
-  core.lane.queue(std::move(steps));
+  said_.push_back(conclude_step(turn));
+  core.lane.queue_from(said_);
   go_on();
 }
 
@@ -218,7 +220,7 @@ void Conversation::Implementation::process(Input&& input) {
 
 // Barge-in (engine rule 3).
 bool Conversation::Implementation::hear_speech(const Message& message) {
-  if (message.command == "Rejected" &&
+  if (message.command == "Rejected"sv &&
       core.port.is_source(recogniser, message.source))
     core.turns.speech_is_over();
   if (!is_speech(core.port, message))
@@ -235,7 +237,7 @@ bool Conversation::Implementation::hear_speech(const Message& message) {
 // Finished(utterance, played, interrupted, spoken_text): what was heard of an
 // output; the utterance is the output's id.
 bool Conversation::Implementation::hear_speaker(const Message& message) {
-  if (message.command != "Finished" ||
+  if (message.command != "Finished"sv ||
       !core.port.is_source("Speaker", message.source))
     return false;
   const Value params(message.params);
@@ -264,7 +266,7 @@ void Conversation::Implementation::act_on(Timer timer) {
   case Timer::Purpose::script: {
     core.raise("Timer", "Fired", {timer.name});
     auto step = body_step(timer.code, 0);
-    step.arguments = std::move(timer.arguments);
+    step.matter().arguments = std::move(timer.arguments);
     step.topic = timer.topic;
     core.lane.queue({std::move(step), conclude_step(0)});
     break;
@@ -300,7 +302,7 @@ void Conversation::Implementation::go_on() {
     return;
   }
   give_up_turns();
-  if (!core.turns.any_open(core.now))
+  if (core.mouth.was_interrupted() && !core.turns.any_open(core.now))
     core.mouth.take_up_interrupted();
   run_lane();
   if (core.ending && !core.topics.awaiting_frame() &&

@@ -67,28 +67,30 @@ void Conversation::Implementation::start_over() {
 }
 
 void Conversation::Implementation::run_body(Step&& step) {
+  static const std::vector<Value> none;
   script::ActivationContext context;
-  context.message = std::move(step.message);
+  if (step.more)
+    context.message = step.more->message;
   context.topic = step.topic;
   context.slot = step.slot;
   context.turn = step.turn;
-  started(core.runner.start(step.code, std::move(step.arguments),
+  started(core.runner.start(step.code, step.more ? step.more->arguments : none,
                             std::move(context)));
 }
 
 // An activation goes on in the lane where it was started.
 void Conversation::Implementation::resume(Step&& step) {
   if (core.pipeline.waits(step.wait))
-    core.pipeline.resume(step.wait, *step.data);
+    core.pipeline.resume(step.wait, *step.more->data);
   else if (core.runner.waiting(step.wait))
-    started(core.runner.resume(step.wait, *step.data));
+    started(core.runner.resume(step.wait, *step.more->data));
 }
 
 void Conversation::Implementation::started(WaitId wait) {
-  auto steps = core.runner.hand_over();
+  auto& steps = core.runner.hand_over();
   if (wait != 0)
     core.lane.wait(wait, core.runner.for_user(wait));
-  core.lane.now(std::move(steps));
+  core.lane.now_from(steps);
 }
 
 } // namespace parlour::dialogue

@@ -39,7 +39,7 @@ Effects::Effects(Core& core)
     : sockets(core), core_(core), random_(core.options.seed) {}
 
 script::Performed Effects::perform(script::Activation& activation,
-                                   script::Effect effect) {
+                                   const script::Effect& effect) {
   using enum script::EffectKind;
   Context context = activation.context();
   switch (effect.kind) {
@@ -50,7 +50,7 @@ script::Performed Effects::perform(script::Activation& activation,
   case fire_frames:
     return this->fire_frames(context, effect);
   case fire_event:
-    core_.raise("Script", effect.operand(0).text(), list_of(effect.operand(1)),
+    core_.raise("Script", effect.text(0), list_of(effect.operand(1)),
                 context.turn);
     return Value();
   case speak:
@@ -63,13 +63,13 @@ script::Performed Effects::perform(script::Activation& activation,
     return Value();
   case register_handler:
   case unregister_handler:
-    core_.pipeline.register_handler(effect.operand(0).text(),
+    core_.pipeline.register_handler(effect.text(0),
                                     effect.kind == register_handler);
     return Value();
   case timer:
     return this->timer(context, effect);
   case cancel:
-    core_.timers.cancel_named(effect.operand(0).text());
+    core_.timers.cancel_named(effect.text(0));
     return Value();
   case wait:
     return wait_for(milliseconds(effect.operand(0)));
@@ -78,7 +78,7 @@ script::Performed Effects::perform(script::Activation& activation,
   case log:
   case print:
     core_.inspect(InspectionKind::log, text_or(effect.operand(1), "info"),
-                  effect.operand(0).text());
+                  effect.text(0));
     return Value();
   default:
     return perform_dialogue(context, effect);
@@ -163,12 +163,12 @@ script::Performed Effects::wait_for(Milliseconds time) {
 }
 
 script::Performed Effects::timer(Context context, Call effect) {
-  auto name = effect.operand(0).text();
+  auto name = effect.text(0);
   core_.timers.cancel_named(name); // a timer replaces one of its name
   Timer timer;
   timer.name = std::move(name);
   timer.code = effect.body;
-  timer.arguments = effect.captured;
+  timer.arguments = effect.captured();
   timer.bytes = script::remembered(timer.arguments);
   timer.topic = context.topic;
   const auto after = milliseconds(effect.operand(1));
@@ -183,16 +183,15 @@ script::Performed Effects::timer(Context context, Call effect) {
 
 script::Performed Effects::confirm(Context context, Call effect) {
   auto slot = script::no_id;
-  if (!effect.operand(1).is_unknown() && context.topic != script::no_id)
-    slot = core_.topic(context.topic).slot(effect.operand(1).text());
+  if (effect.has(1) && context.topic != script::no_id)
+    slot = core_.topic(context.topic).slot(effect.text(1));
   auto wait = begin_wait(true);
-  core_.topics.confirm(effect.operand(0).text(), context.topic, slot, wait,
-                       context.turn);
+  core_.topics.confirm(effect.text(0), context.topic, slot, wait, context.turn);
   return script::Waits{};
 }
 
 script::Performed Effects::push(Context context, Call effect) {
-  auto state = core_.program->state(effect.operand(0).text());
+  auto state = core_.program->state(effect.text(0));
   if (state == script::no_id)
     return missing("state", effect.operand(0));
   reached(effect.position);
@@ -216,21 +215,23 @@ script::Performed Effects::later(StepKind kind, Context context, Call effect) {
     step.mark = effect.operand(1) ? 1 : 0;
   if (kind == StepKind::transit) {
     reached(effect.position);
-    step.state = core_.program->state(effect.operand(0).text());
+    step.state = core_.program->state(effect.text(0));
     if (step.state == script::no_id)
       return missing("state", effect.operand(0));
-    step.code = effect.body;
-    step.arguments = effect.captured;
     step.slot = context.slot;
-    step.message = context.message;
+    if (effect.body != script::no_code) {
+      step.code = effect.body;
+      step.matter().arguments = effect.captured();
+      step.matter().message = context.message;
+    }
   } else if (kind == StepKind::ask) {
     step.slot = context.topic == script::no_id
                     ? script::no_id
-                    : core_.topic(context.topic).slot(effect.operand(0).text());
+                    : core_.topic(context.topic).slot(effect.text(0));
     if (step.slot == script::no_id)
       return missing("slot", effect.operand(0));
-  } else if (!effect.operand(0).is_unknown()) {
-    step.topic = core_.program->topic(effect.operand(0).text());
+  } else if (effect.has(0)) {
+    step.topic = core_.program->topic(effect.text(0));
     if (step.topic == script::no_id)
       return missing("topic", effect.operand(0));
   } else if (step.topic == script::no_id && means_own_topic(kind)) {
@@ -242,7 +243,7 @@ script::Performed Effects::later(StepKind kind, Context context, Call effect) {
 }
 
 script::Performed Effects::register_topic(Call effect) {
-  auto topic = core_.program->topic(effect.operand(0).text());
+  auto topic = core_.program->topic(effect.text(0));
   if (topic == script::no_id)
     return missing("topic", effect.operand(0));
   if (effect.kind == script::EffectKind::register_topic)
@@ -254,9 +255,8 @@ script::Performed Effects::register_topic(Call effect) {
 
 script::Performed Effects::clear(Context context, Call effect) {
   auto topic = context.topic;
-  auto slot = topic == script::no_id
-                  ? script::no_id
-                  : core_.topic(topic).slot(effect.operand(0).text());
+  auto slot = topic == script::no_id ? script::no_id
+                                     : core_.topic(topic).slot(effect.text(0));
   if (slot == script::no_id)
     return missing("slot", effect.operand(0));
   core_.topics.redirect();

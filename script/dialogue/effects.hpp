@@ -22,7 +22,7 @@ public:
   explicit Effects(Core& core);
 
   script::Performed perform(script::Activation& activation,
-                            script::Effect effect) override;
+                            const script::Effect& effect) override;
   Value slot(TopicId topic, SlotId slot) const override;
   void set_slot(TopicId topic, SlotId slot, Value value) override;
   Value system(const script::Activation& activation,

@@ -41,8 +41,8 @@ Message message_of(SessionId session, const Value& module, const Value& command,
 script::Performed Effects::post(Context context, Call effect) {
   const auto& other = effect.operand(3);
   if (other.is_unknown() || other.text() == core_.options.session)
-    core_.post(effect.operand(0).text(), effect.operand(1).text(),
-               list_of(effect.operand(2)), context.turn);
+    core_.post(effect.text(0), effect.text(1), list_of(effect.operand(2)),
+               context.turn);
   else
     core_.port.post(message_of(other.text(), effect.operand(0),
                                effect.operand(1), list_of(effect.operand(2))));
@@ -50,12 +50,12 @@ script::Performed Effects::post(Context context, Call effect) {
 }
 
 script::Performed Effects::request(Context context, Call effect) {
-  const auto module = effect.operand(0).text();
+  const auto module = effect.text(0);
   if (!core_.port.reachable(module))
     return Error{ErrorKind::offline,
                  "nobody fills the role or has the name '" + module + "'",
                  {}};
-  auto correlation = core_.post(module, effect.operand(1).text(),
+  auto correlation = core_.post(module, effect.text(1),
                                 list_of(effect.operand(2)), context.turn);
   const auto wait = begin_wait(false);
   requests_[correlation] = wait;
@@ -111,14 +111,15 @@ script::Performed Effects::fire_frames(Context context, Call effect) {
     core_.runner.later(std::move(nothing));
   }
   for (auto& act : parsed.acts)
-    core_.runner.later(act_step(std::move(act), context.turn));
+    core_.runner.later(
+        act_step(std::make_shared<const Act>(std::move(act)), context.turn));
   return Value();
 }
 
 script::Performed Effects::speak(Context context, Call effect) {
   auto handled = context.message ? context.message->correlation : 0;
-  core_.mouth.speak(effect.operand(0).text(), handled, context.turn,
-                    effect.operand(1).is_unknown() || effect.operand(1));
+  core_.mouth.speak(effect.text(0), handled, context.turn,
+                    !effect.has(1) || effect.operand(1));
   return Value();
 }
 

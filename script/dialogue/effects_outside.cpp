@@ -23,10 +23,9 @@ bool Effects::answered(QueryId id, Expected<Value> outcome) {
 // -- databases ----------------------------------------------------------------
 
 script::Performed Effects::connect_database(Call effect) {
-  auto name =
-      effect.operand(0).is_unknown() ? std::string() : effect.operand(0).text();
+  auto name = effect.operand(0).is_unknown() ? std::string() : effect.text(0);
   auto component =
-      effect.operand(1).is_unknown() ? std::string() : effect.operand(1).text();
+      effect.operand(1).is_unknown() ? std::string() : effect.text(1);
   if (!core_.port.reachable(component.empty() ? "Database" : component))
     return Error{ErrorKind::offline,
                  "no database component '" + component + "' is there",
@@ -59,7 +58,7 @@ script::Performed Effects::ask_database(QueryRequest request,
 
 script::Performed Effects::query_database(Call effect) {
   QueryRequest request;
-  request.sql = effect.operand(0).text();
+  request.sql = effect.text(0);
   request.values = list_of(effect.operand(1));
   return ask_database(std::move(request), effect.operand(2));
 }
@@ -85,7 +84,7 @@ script::Performed Effects::file(FileRequest request) {
 }
 
 script::Performed Effects::open_socket(Call effect) {
-  if (auto may = sockets.may_open(effect.operand(0).text()); !may)
+  if (auto may = sockets.may_open(effect.text(0)); !may)
     return may.error();
   sockets.open(effect, begin_wait(false));
   return script::Waits{};

@@ -30,20 +30,20 @@ script::Performed Effects::perform_repair(Context context, Call effect) {
 // About the topic and slot that it names, else those it stands in.
 script::Performed Effects::say(Context context, Call effect) {
   Say what;
-  what.act = effect.operand(0).text();
+  what.act = effect.text(0);
   what.topic = context.topic;
   what.slot = context.slot;
   what.turn = context.turn;
-  if (!effect.operand(1).is_unknown()) {
-    what.topic = core_.program->topic(effect.operand(1).text());
+  if (effect.has(1)) {
+    what.topic = core_.program->topic(effect.text(1));
     what.slot = script::no_id;
     if (what.topic == script::no_id)
       return missing("topic", effect.operand(1));
   }
-  if (!effect.operand(2).is_unknown()) {
+  if (effect.has(2)) {
     what.slot = what.topic == script::no_id
                     ? script::no_id
-                    : core_.topic(what.topic).slot(effect.operand(2).text());
+                    : core_.topic(what.topic).slot(effect.text(2));
     if (what.slot == script::no_id)
       return missing("slot", effect.operand(2));
   }

@@ -13,7 +13,7 @@ namespace {
 using Kind = FrameChange::Kind;
 
 // What counts as said before: a default does not.
-Value accepted_value(const SlotState& slot) {
+const Value& accepted_value(const SlotState& slot) {
   if (slot.status == SlotStatus::filled && !slot.by_default)
     return slot.value;
   return slot.previous;
@@ -34,13 +34,12 @@ bool has(const std::vector<T>& all, const T& one) {
 } // namespace
 
 void accept_value(SlotState& slot, Value value) {
-  SlotState accepted;
-  accepted.value = std::move(value);
-  accepted.status = SlotStatus::filled;
-  accepted.confidence = slot.confidence;
-  accepted.text = std::move(slot.text);
-  accepted.asked = slot.asked;
-  slot = std::move(accepted);
+  slot.value = std::move(value);
+  slot.status = SlotStatus::filled;
+  slot.candidates.clear();
+  slot.previous = {};
+  slot.implicit = slot.by_default = false;
+  slot.no_input = slot.no_match = 0;
 }
 
 void empty_slot(SlotState& slot) {
@@ -66,8 +65,17 @@ SlotOutcome outcome_of_change(const Value& before, const Value& after) {
 
 FillingEvent::FillingEvent(const script::Topic& topic, Frame& frame,
                            const FrameEvaluator& evaluate)
-    : topic_(topic), frame_(frame), evaluate_(evaluate), before_(frame.slots),
-      offers_(frame.slots.size()) {}
+    : topic_(topic), frame_(frame), evaluate_(evaluate) {}
+
+FillingEvent::Offer& FillingEvent::offer(SlotId slot) {
+  const auto found =
+      std::find_if(offers_.begin(), offers_.end(),
+                   [&](const Offer& known) { return known.slot >= slot; });
+  if (found != offers_.end() && found->slot == slot)
+    return *found;
+  return *offers_.insert(found,
+                         {.slot = slot, .before = frame_.slots[slot].value});
+}
 
 Expected<Value> FillingEvent::evaluate(CodeId code) const {
   return evaluate_(code, frame_, nullptr);
@@ -75,13 +83,16 @@ Expected<Value> FillingEvent::evaluate(CodeId code) const {
 
 // (1) corrections and denials
 void FillingEvent::take(const FrameChange& change) {
-  if (change.slot >= offers_.size())
+  if (change.slot >= frame_.slots.size())
     return;
-  auto& offer = offers_[change.slot];
-  if (change.kind == Kind::deny)
+  auto& offer = this->offer(change.slot);
+  const bool corrects = change.kind == Kind::correct;
+  if (change.kind == Kind::deny) {
     deny(change);
-  else if (change.kind == Kind::correct || !offer.corrects)
-    offer = {&change, change.kind == Kind::correct};
+  } else if (corrects || !offer.corrects) {
+    offer.change = &change;
+    offer.corrects = corrects;
+  }
 }
 
 bool FillingEvent::denies(const FrameChange& denial, const Value& value) const {
@@ -91,16 +102,17 @@ bool FillingEvent::denies(const FrameChange& denial, const Value& value) const {
 }
 
 void FillingEvent::deny(const FrameChange& denial) {
-  denied_ = true;
   auto& slot = frame_.slots[denial.slot];
-  auto& offer = offers_[denial.slot];
+  auto& offer = this->offer(denial.slot);
   const auto& definition = topic_.slots[denial.slot];
   auto by_code = [&](CodeId code) { return evaluate(code); };
   if (offer.change &&
-      denies(denial, match(definition, *offer.change, by_code).value))
-    offer = {};
+      denies(denial, match(definition, *offer.change, by_code).value)) {
+    offer.change = nullptr;
+    offer.corrects = false;
+  }
   if (slot.status == SlotStatus::ambiguous) {
-    narrow(denial.slot, denial);
+    narrow(offer, denial);
     return;
   }
   if (!denies(denial, slot.value))
@@ -110,30 +122,30 @@ void FillingEvent::deny(const FrameChange& denial) {
 }
 
 // "Do you mean A or B?" "Not A."
-void FillingEvent::narrow(SlotId id, const FrameChange& denial) {
-  auto& candidates = frame_.slots[id].candidates;
-  const auto meant = match_choice(topic_.slots[id], denial, candidates,
+void FillingEvent::narrow(Offer& offer, const FrameChange& denial) {
+  auto& candidates = frame_.slots[offer.slot].candidates;
+  const auto meant = match_choice(topic_.slots[offer.slot], denial, candidates,
                                   [&](CodeId code) { return evaluate(code); });
   if (meant.candidates.size() < candidates.size())
     std::erase_if(candidates, [&](const Value& value) {
       return meant.value == value || has(meant.candidates, value);
     });
-  if (candidates.size() != 1 || offers_[id].change)
+  if (candidates.size() != 1 || offer.change)
     return;
   FrameChange rest = denial;
   rest.kind = Kind::fill;
   rest.value = candidates.front();
   rest.unmatched = false;
   left_by_no_.push_front(std::move(rest));
-  offers_[id] = {&left_by_no_.front(), false};
+  offer.change = &left_by_no_.front();
 }
 
 std::vector<SlotReport> FillingEvent::run(std::vector<Error>& errors) {
-  if (denied_)
-    after_no_ = frame_.slots;
-  for (SlotId slot = 0; slot < offers_.size(); ++slot) // (2)
-    if (offers_[slot].change)
-      match_offer(slot, *offers_[slot].change);
+  for (auto& offer : offers_) // (2)
+    if (offer.change) {
+      offer.unfilled = frame_.slots[offer.slot];
+      match_offer(offer.slot, *offer.change);
+    }
   for (const auto& constraint : topic_.constraints) // (3)
     check(constraint, errors);
   for (auto& report : reports_) // (4)
@@ -217,10 +229,6 @@ bool FillingEvent::judged(const std::vector<SlotId>& reads) const {
   });
 }
 
-const std::vector<SlotState>& FillingEvent::unfilled() const {
-  return after_no_ ? *after_no_ : before_;
-}
-
 void FillingEvent::refuse(const std::vector<SlotId>& reads,
                           const std::string& reason) {
   for (auto& report : reports_) {
@@ -229,7 +237,7 @@ void FillingEvent::refuse(const std::vector<SlotId>& reads,
       continue;
     report.outcome = SlotOutcome::refused;
     report.reason = reason;
-    frame_.slots[report.slot] = unfilled()[report.slot];
+    frame_.slots[report.slot] = offer(report.slot).unfilled;
     drop_default(frame_.slots[report.slot]);
   }
 }
@@ -237,7 +245,7 @@ void FillingEvent::refuse(const std::vector<SlotId>& reads,
 // (4)
 void FillingEvent::ground_value(SlotReport& report) {
   auto& slot = frame_.slots[report.slot];
-  const auto& old = unfilled()[report.slot];
+  const auto& old = offer(report.slot).unfilled;
   report.outcome = outcome_of_change(slot.previous, slot.value);
   // To say it again is to say yes.
   const bool known =
@@ -251,19 +259,19 @@ void FillingEvent::ground_value(SlotReport& report) {
     report.outcome = SlotOutcome::unconfirmed;
     return;
   }
-  accept_value(slot, slot.value);
+  accept_value(slot, std::move(slot.value));
   slot.implicit = grounding == Grounding::implicitly && !known;
 }
 
 SlotReport& FillingEvent::report(SlotId slot, SlotOutcome outcome) {
-  auto found = std::find_if(reports_.begin(), reports_.end(),
-                            [&](const auto& r) { return r.slot == slot; });
-  if (found == reports_.end())
-    found = reports_.insert(reports_.end(), SlotReport{});
-  found->slot = slot;
-  found->outcome = outcome;
-  found->before = before_[slot].value;
-  return *found;
+  const auto found =
+      std::find_if(reports_.begin(), reports_.end(),
+                   [&](const SlotReport& known) { return known.slot == slot; });
+  auto& report = found == reports_.end() ? reports_.emplace_back() : *found;
+  report.slot = slot;
+  report.outcome = outcome;
+  report.before = offer(slot).before;
+  return report;
 }
 
 } // namespace parlour::dialogue

@@ -5,7 +5,6 @@
 #pragma once
 
 #include <forward_list>
-#include <optional>
 #include <vector>
 
 #include "script/dialogue/frame.hpp"
@@ -40,15 +39,20 @@ public:
   std::vector<SlotReport> run(std::vector<Error>& errors);
 
 private:
+  // What was said of a slot, and how the slot was before.
   struct Offer {
-    const FrameChange* change = nullptr; // null: nothing was said
+    SlotId slot;
+    const FrameChange* change = nullptr; // null: only denials
     bool corrects = false;
+    Value before{};       // the event
+    SlotState unfilled{}; // after the denials
   };
 
+  Offer& offer(SlotId slot); // in slot order; made where there is none
   Expected<Value> evaluate(CodeId code) const;
   void deny(const FrameChange& change);
   bool denies(const FrameChange& denial, const Value& value) const;
-  void narrow(SlotId slot, const FrameChange& denial);
+  void narrow(Offer& offer, const FrameChange& denial);
 
   void match_offer(SlotId slot, const FrameChange& change);
   void put_value(SlotId slot, const FrameChange& change, const Value& value);
@@ -56,7 +60,6 @@ private:
 
   void check(const script::Constraint& constraint, std::vector<Error>& errors);
   bool judged(const std::vector<SlotId>& reads) const;
-  const std::vector<SlotState>& unfilled() const; // after the denials
   void refuse(const std::vector<SlotId>& reads, const std::string& reason);
 
   void ground_value(SlotReport& report);
@@ -65,11 +68,8 @@ private:
   const script::Topic& topic_;
   Frame& frame_;
   const FrameEvaluator& evaluate_;
-  const std::vector<SlotState> before_;            // the event
-  bool denied_ = false;                            // something
-  std::optional<std::vector<SlotState>> after_no_; // then
-  std::vector<Offer> offers_;                      // one for each slot
-  std::forward_list<FrameChange> left_by_no_;      // offers of our own
+  std::vector<Offer> offers_;                 // of the slots spoken of
+  std::forward_list<FrameChange> left_by_no_; // offers of our own
   std::vector<SlotReport> reports_; // of slots that got a value: accepted
 };
 

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -162,9 +163,14 @@ SlotId missing_slot(const script::Topic& topic, const Frame& frame);
 FrameResult apply(const script::Program& program, const Frame& frame,
                   const FrameRequest& request, const FrameEvaluator& evaluate);
 
-// The same for one change that the session makes itself, in place.
-std::vector<SlotReport> change_frame(const script::Program& program,
-                                     Frame& frame, const FrameChange& change,
-                                     const FrameEvaluator& evaluate);
+// The same in place; the result has no frame.
+FrameResult apply_in_place(const script::Program& program, Frame& frame,
+                           std::span<const FrameChange> changes,
+                           const FrameEvaluator& evaluate);
+
+// What needs no more than the frame, in place: its status; a question of this
+// slot that was released.
+void set_status(const script::Topic& topic, Frame& frame, TopicStatus status);
+void count_question(Frame& frame, SlotId slot);
 
 } // namespace parlour::dialogue

@@ -13,6 +13,17 @@ namespace {
 
 using Kind = FrameChange::Kind;
 
+// _FrameDone: all Functional slots accepted, of a frame that was begun.
+void settle(const script::Topic& topic, Frame& frame) {
+  const bool begun =
+      frame.status != TopicStatus::untouched ||
+      std::any_of(frame.slots.begin(), frame.slots.end(),
+                  [](const SlotState& slot) {
+                    return slot.status != SlotStatus::empty && !slot.by_default;
+                  });
+  frame.done = begun && missing_slot(topic, frame) == script::no_id;
+}
+
 bool is_filling(Kind kind) {
   return kind == Kind::fill || kind == Kind::correct || kind == Kind::deny;
 }
@@ -35,7 +46,7 @@ public:
         filling.take(*at);
       add(filling.run(errors_));
     }
-    settle();
+    settle(topic_, frame_);
   }
 
   std::vector<SlotReport> reports() {
@@ -206,17 +217,6 @@ private:
         frame_.slots[id].implicit = false;
   }
 
-  // _FrameDone: all Functional slots accepted, of a frame that was begun.
-  void settle() {
-    const bool begun = frame_.status != TopicStatus::untouched ||
-                       std::any_of(frame_.slots.begin(), frame_.slots.end(),
-                                   [](const SlotState& slot) {
-                                     return slot.status != SlotStatus::empty &&
-                                            !slot.by_default;
-                                   });
-    frame_.done = begun && missing_slot(topic_, frame_) == script::no_id;
-  }
-
   bool asks_query(const SlotReport& report) const {
     const bool has_value = report.outcome == SlotOutcome::accepted ||
                            report.outcome == SlotOutcome::corrected ||
@@ -242,23 +242,30 @@ private:
 
 } // namespace
 
+FrameResult apply_in_place(const script::Program& program, Frame& frame,
+                           std::span<const FrameChange> changes,
+                           const FrameEvaluator& evaluate) {
+  Event event(program, frame, evaluate);
+  event.run(changes);
+  return event.result();
+}
+
 FrameResult apply(const script::Program& program, const Frame& frame,
                   const FrameRequest& request, const FrameEvaluator& evaluate) {
   auto changed =
       std::make_shared<Frame>(request.start ? *request.start : frame);
-  Event event(program, *changed, evaluate);
-  event.run(request.changes);
-  auto result = event.result();
+  auto result = apply_in_place(program, *changed, request.changes, evaluate);
   result.frame = std::move(changed);
   return result;
 }
 
-std::vector<SlotReport> change_frame(const script::Program& program,
-                                     Frame& frame, const FrameChange& change,
-                                     const FrameEvaluator& evaluate) {
-  Event event(program, frame, evaluate);
-  event.run({&change, 1});
-  return event.reports();
+void set_status(const script::Topic& topic, Frame& frame, TopicStatus status) {
+  frame.status = status;
+  settle(topic, frame);
+}
+
+void count_question(Frame& frame, SlotId slot) {
+  ++frame.slots[slot].asked;
 }
 
 } // namespace parlour::dialogue

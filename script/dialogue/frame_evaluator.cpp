@@ -1,6 +1,8 @@
 #include "script/dialogue/frame_evaluator.hpp"
 
 #include "script/computing_host.hpp"
+#include "script/constant_text.hpp"
+#include "script/convert.hpp"
 #include "script/dialogue/frame_view.hpp"
 
 namespace parlour::dialogue {
@@ -39,6 +41,9 @@ private:
 Expected<Value> evaluate_in(script::Interpreter& interpreter, CodeId code,
                             const Frame& frame, Timestamp now,
                             std::vector<SlotId>* reads) {
+  if (const auto* constant =
+          script::constant_of(interpreter.program().code[code]))
+    return script::to_value(*constant); // no world is needed
   FrameHost host(interpreter.program(), frame, now, reads);
   script::ActivationContext context;
   context.topic = frame.topic;

@@ -59,13 +59,17 @@ Frames::Frames(const script::Program& program, script::Interpreter& interpreter)
     : program_(&program), interpreter_(&interpreter),
       entries_(program.topics.size()) {}
 
-std::vector<SlotReport> Frames::change(TopicId topic, const FrameChange& change,
-                                       Timestamp now) {
+Frame& Frames::own(TopicId topic, Timestamp now) {
   auto& mine = entry(topic, now);
   if (!mine.own)
     mine.frame = mine.own = std::make_shared<Frame>(*mine.frame);
-  return change_frame(*program_, *mine.own, change,
-                      make_frame_evaluator(*interpreter_, now));
+  return *mine.own;
+}
+
+FrameResult Frames::apply(TopicId topic, std::span<const FrameChange> changes,
+                          Timestamp now) {
+  return apply_in_place(*program_, own(topic, now), changes,
+                        make_frame_evaluator(*interpreter_, now));
 }
 
 FrameRequest Frames::request(TopicId topic, std::vector<FrameChange> changes,

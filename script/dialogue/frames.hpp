@@ -4,6 +4,7 @@
 // actor (engine rule 5).
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "script/dialogue/frame.hpp"
@@ -21,9 +22,20 @@ public:
     return mine.frame ? *mine.frame : *entry(topic, now).frame;
   }
 
+  // One event, in place (frame.hpp); the result has no frame.
+  FrameResult apply(TopicId topic, std::span<const FrameChange> changes,
+                    Timestamp now);
   // What became of the topic's slots by it.
   std::vector<SlotReport> change(TopicId topic, const FrameChange& change,
-                                 Timestamp now);
+                                 Timestamp now) {
+    return apply(topic, {&change, 1}, now).reports;
+  }
+  void set_status(TopicId topic, TopicStatus status, Timestamp now) {
+    dialogue::set_status(program_->topics[topic], own(topic, now), status);
+  }
+  void count_question(TopicId topic, SlotId slot, Timestamp now) {
+    dialogue::count_question(own(topic, now), slot);
+  }
 
   // What the actor must be told: the frame, where it was changed here since
   // its last answer, and `changes`.
@@ -38,6 +50,7 @@ private:
   };
 
   Entry& entry(TopicId topic, Timestamp now) const;
+  Frame& own(TopicId topic, Timestamp now); // to be changed
 
   const script::Program* program_;
   script::Interpreter* interpreter_;

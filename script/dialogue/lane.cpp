@@ -7,16 +7,34 @@
 namespace parlour::dialogue {
 
 void Lane::queue(std::vector<Step> item) {
-  if (!item.empty())
-    queue_.push_back(std::move(item));
+  queue_from(item);
+}
+
+void Lane::queue_from(std::vector<Step>& item) {
+  if (item.empty())
+    return;
+  if (at_rest())
+    take_item(item, contexts_.back());
+  else
+    queue_.push_back(std::exchange(item, {}));
+}
+
+bool Lane::at_rest() const {
+  return !running_ && queue_.empty() && contexts_.size() == 1 &&
+         contexts_.back().waiting == 0 && contexts_.back().agenda.empty();
 }
 
 void Lane::now(std::vector<Step> steps) {
+  now_from(steps);
+}
+
+void Lane::now_from(std::vector<Step>& steps) {
   if (steps.empty())
     return;
   auto& agenda = running().agenda;
   agenda.insert(agenda.end(), std::make_move_iterator(steps.rbegin()),
                 std::make_move_iterator(steps.rend()));
+  steps.clear();
 }
 
 void Lane::at_once(Step step) {
@@ -30,12 +48,14 @@ Lane::Context& Lane::running() {
 }
 
 std::optional<Step> Lane::next() {
+  running_ = true;
   for (;;) {
     auto& top = contexts_.back();
     if (top.waiting != 0) {
       if (!top.for_user || queue_.empty())
-        return std::nullopt;
-      take_item(contexts_.emplace_back());
+        break;
+      auto item = queue_.take();
+      take_item(item, contexts_.emplace_back());
     } else if (!top.agenda.empty()) {
       std::optional<Step> step(std::move(top.agenda.back()));
       top.agenda.pop_back();
@@ -43,18 +63,21 @@ std::optional<Step> Lane::next() {
     } else if (contexts_.size() > 1) {
       contexts_.pop_back(); // the one below goes on, or still waits
     } else if (!queue_.empty()) {
-      take_item(top);
+      auto item = queue_.take();
+      take_item(item, top);
     } else {
-      return std::nullopt;
+      break;
     }
   }
+  running_ = false;
+  return std::nullopt;
 }
 
-void Lane::take_item(Context& context) {
-  auto item = queue_.take();
+void Lane::take_item(std::vector<Step>& item, Context& context) {
   if (context.agenda.empty() && context.agenda.capacity() < item.size())
     context.agenda.reserve(4 * item.size());
   std::move(item.rbegin(), item.rend(), std::back_inserter(context.agenda));
+  item.clear();
 }
 
 // What else the user said does not wait for the answer: it is an item of its
@@ -105,6 +128,8 @@ std::vector<WaitId> Lane::abandon() {
 
 void Lane::clear() {
   queue_.clear();
+  if (auto& top = contexts_.back(); !running_ && top.waiting == 0)
+    top.agenda.clear(); // an item that came while the lane was at rest
 }
 
 bool Lane::idle() const {

@@ -16,8 +16,11 @@ class Lane {
 public:
   // Behind everything that is queued: acts and events.
   void queue(std::vector<Step> item);
+  // The same; what is given is empty then and keeps its memory.
+  void queue_from(std::vector<Step>& item);
   // In front of all that runs, in the given order; above a context that waits.
   void now(std::vector<Step> steps);
+  void now_from(std::vector<Step>& steps);
   void at_once(Step step);
 
   // The next step to take, or nothing while the lane waits or is idle.
@@ -49,12 +52,14 @@ private:
     bool for_user = false;
   };
 
-  void take_item(Context& context);
+  bool at_rest() const; // what is queued would be taken at once
+  static void take_item(std::vector<Step>& item, Context& context);
   Context& running(); // above one that waits
   void part_with_acts(Context& context);
 
   std::vector<Context> contexts_{1};
   Fifo<std::vector<Step>> queue_;
+  bool running_ = false; // a step was given out, and there may be others
 };
 
 } // namespace parlour::dialogue

@@ -108,8 +108,7 @@ void Mouth::word(OutputId id, std::string text) {
 }
 
 void Mouth::handled(const Message& event, bool taken) {
-  auto found = wording_.find(event.correlation);
-  if (found == wording_.end())
+  if (wording_.empty() || !wording_.contains(event.correlation))
     return;
   if (event.command != "Speak") {
     give_up_wording(event.correlation);

@@ -68,6 +68,9 @@ public:
   void give_up_interrupted() {
     interrupted_.reset();
   }
+  bool was_interrupted() const {
+    return interrupted_.has_value();
+  }
   // Nothing came of it: what was broken off is said again.
   void take_up_interrupted();
   // Whether something is being played that the user may break in on.

@@ -49,15 +49,19 @@ OutputQueue::Released OutputQueue::release(bool user_turn_begun) {
       std::find_if(entries_.begin(), entries_.end(), [](const Output& output) {
         return output.state != OutputState::pending;
       });
+  if (waits == entries_.begin())
+    return result;
+  if (std::exchange(fresh_turn_, false)) {
+    last_turn_.clear();
+    cut_.clear();
+  }
+  const auto before = last_turn_.size();
   for (auto entry = entries_.begin(); entry != waits; ++entry) {
     entry->state = OutputState::playing;
-    if (std::exchange(fresh_turn_, false))
-      last_turn_.clear();
-    last_turn_.push_back({*entry, entry->text});
+    last_turn_.push_back(std::move(*entry));
   }
-  result.released.assign(std::make_move_iterator(entries_.begin()),
-                         std::make_move_iterator(waits));
   entries_.erase(entries_.begin(), waits);
+  result.released = std::span(last_turn_).subspan(before);
   return result;
 }
 
@@ -79,17 +83,24 @@ bool OutputQueue::empty() const {
 
 std::vector<std::string> OutputQueue::last_turn() const {
   std::vector<std::string> texts;
-  for (const auto& spoken : last_turn_)
-    if (!spoken.heard.empty())
-      texts.push_back(spoken.heard);
+  for (const auto& output : last_turn_) {
+    const auto cut =
+        std::find_if(cut_.begin(), cut_.end(), [&](const auto& entry) {
+          return entry.first == output.id;
+        });
+    const auto& heard = cut == cut_.end() ? output.text : cut->second;
+    if (!heard.empty())
+      texts.push_back(heard);
+  }
   return texts;
 }
 
 std::optional<Output> OutputQueue::cut(OutputId id, std::string heard) {
-  for (auto& spoken : last_turn_)
-    if (spoken.output.id == id) {
-      spoken.heard = std::move(heard);
-      return spoken.output;
+  for (const auto& output : last_turn_)
+    if (output.id == id) {
+      std::erase_if(cut_, [&](const auto& entry) { return entry.first == id; });
+      cut_.emplace_back(id, std::move(heard));
+      return output;
     }
   return std::nullopt;
 }

@@ -4,7 +4,9 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "runtime/base/clock.hpp"
@@ -50,8 +52,8 @@ public:
   bool has(OutputId id) const;
 
   struct Released {
-    std::vector<Output> released;  // in order
-    std::vector<Output> withdrawn; // questions, reprompts, resumes only
+    std::span<const Output> released; // in order; until the next call
+    std::vector<Output> withdrawn;    // questions, reprompts, resumes only
   };
   // Releases what can be released now. With a user turn begun that is newer
   // than the entry's own, questions, reprompts and resumes are withdrawn;
@@ -71,11 +73,9 @@ public:
 
 private:
   std::vector<Output> entries_;
-  struct Spoken {
-    Output output;
-    std::string heard;
-  };
-  std::vector<Spoken> last_turn_;
+  std::vector<Output> last_turn_; // of the robot, as they were released
+  std::vector<std::pair<OutputId, std::string>>
+      cut_; // of these, what was heard
   bool fresh_turn_ = true;
   OutputId last_id_ = 0;
 };

@@ -1,6 +1,7 @@
 #include "script/dialogue/pipeline.hpp"
 
 #include <algorithm>
+#include <string_view>
 #include <utility>
 
 #include "script/dialogue/core.hpp"
@@ -8,10 +9,14 @@
 
 namespace parlour::dialogue {
 
+using namespace std::string_view_literals;
+
 namespace {
 
+constexpr std::string_view any = "*";
+
 bool fits(const std::string& wanted, const std::string& name) {
-  return wanted == "*" || wanted == name;
+  return wanted == name || wanted == any;
 }
 
 bool wants_out(const Step& step) {
@@ -35,7 +40,12 @@ void Pipeline::take(Input&& input) {
   Item item;
   item.turn = input.turn;
   item.raised = input.raised;
-  item.reactions = matches(input.message->source, input.message->command);
+  item.reactions = std::exchange(spare_, {});
+  visit_matches(input.message->source, input.message->command,
+                [&](const Match& match) {
+                  item.reactions.push_back(match);
+                  return true;
+                });
   item.message = std::move(input.message);
   go_on(std::move(item));
 }
@@ -53,29 +63,57 @@ void Pipeline::hold(Item& item, Input input) {
 }
 
 bool Pipeline::Match::named() const {
-  return reaction->source != "*" && reaction->event != "*";
+  return reaction->source != any && reaction->event != any;
+}
+
+template <class Visit>
+void Pipeline::visit_matches(const std::string& source,
+                             const std::string& event, Visit visit) const {
+  auto each = [&](const std::vector<script::Reaction>& reactions,
+                  bool captures) {
+    return std::all_of(reactions.begin(), reactions.end(),
+                       [&](const script::Reaction& reaction) {
+                         return !fits(reaction.event, event) ||
+                                !is_source(reaction.source, source) ||
+                                visit(Match{&reaction, captures});
+                       });
+  };
+  if (auto state = core_.states.active(); state != script::no_id) {
+    const auto& active = core_.program->states[state];
+    if (!each(active.messages, active.capture != script::Capture::none))
+      return;
+  }
+  if (captures_everything())
+    return;
+  for (const auto& handler : core_.program->handlers)
+    if ((unregistered_.empty() || !unregistered_.contains(handler.name)) &&
+        !each(handler.reactions, false))
+      return;
+}
+
+bool Pipeline::is_source(const std::string& wanted,
+                         const std::string& source) const {
+  return wanted == source || wanted == any ||
+         core_.port.is_source(wanted, source);
 }
 
 std::vector<Pipeline::Match> Pipeline::matches(const std::string& source,
                                                const std::string& event) const {
   std::vector<Match> found;
-  auto add = [&](const std::vector<script::Reaction>& reactions,
-                 bool captures) {
-    for (const auto& reaction : reactions)
-      if (fits(reaction.event, event) &&
-          (reaction.source == "*" ||
-           core_.port.is_source(reaction.source, source)))
-        found.push_back({&reaction, captures});
-  };
-  if (auto state = core_.states.active(); state != script::no_id) {
-    const auto& active = core_.program->states[state];
-    add(active.messages, active.capture != script::Capture::none);
-  }
-  if (captures_everything())
-    return found;
-  for (const auto& handler : core_.program->handlers)
-    if (!unregistered_.contains(handler.name))
-      add(handler.reactions, false);
+  visit_matches(source, event, [&](const Match& match) {
+    found.push_back(match);
+    return true;
+  });
+  return found;
+}
+
+bool Pipeline::listens(const std::string& source,
+                       const std::string& event) const {
+  bool found = false;
+  visit_matches(source, event, [&](const Match&) {
+    found = true;
+    return false;
+  });
   return found;
 }
 
@@ -91,8 +129,8 @@ void Pipeline::go_on(Item&& item) {
     script::ActivationContext context;
     context.message = item.message;
     context.turn = item.turn;
-    context.handles_error =
-        item.message->source == "Script" && item.message->command == "Error";
+    context.handles_error = item.message->source == "Script"sv &&
+                            item.message->command == "Error"sv;
     item.consumed = match.captures;
     core_.effects.reached(match.reaction->position);
     running_ = &item;
@@ -115,7 +153,7 @@ void Pipeline::keep(Item&& item) {
 // What the script asked for becomes an item of the dialogue lane, which ends
 // with the question that is then due.
 void Pipeline::hand_over(const Item& item) {
-  auto steps = core_.runner.hand_over();
+  auto& steps = core_.runner.hand_over();
   if (steps.empty())
     return;
   // Cancel and start over pass every wait (engine rule 2).
@@ -124,7 +162,7 @@ void Pipeline::hand_over(const Item& item) {
     core_.machine.clear_pushed();
   }
   steps.push_back(conclude_step(item.turn));
-  core_.lane.queue(std::move(steps));
+  core_.lane.queue_from(steps);
 }
 
 bool Pipeline::resume(WaitId wait, Expected<Value> outcome) {
@@ -165,13 +203,15 @@ void Pipeline::finish(Item&& item) {
     core_.inbox.push_front(std::move(item.behind.back()));
     item.behind.pop_back();
   }
+  item.reactions.clear();
+  spare_ = std::move(item.reactions);
 }
 
 // The understanding gave up, or broke.
 bool Pipeline::means_nothing(const Item& item) const {
   const auto& event = *item.message;
-  const bool broke = event.command == "Failed" && item.turn != 0;
-  return (broke || event.command == "NoResult") &&
+  const bool broke = event.command == "Failed"sv && item.turn != 0;
+  return (broke || event.command == "NoResult"sv) &&
          core_.port.is_source("NLU", event.source);
 }
 

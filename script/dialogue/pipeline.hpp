@@ -44,6 +44,8 @@ public:
   };
   std::vector<Match> matches(const std::string& source,
                              const std::string& event) const;
+  // Whether there is any.
+  bool listens(const std::string& source, const std::string& event) const;
 
 private:
   struct Item {
@@ -57,6 +59,10 @@ private:
     std::vector<Input> behind; // same source and command
   };
 
+  // Tells them to `visit` in that order, until it wants no more (false).
+  template <class Visit>
+  void visit_matches(const std::string& source, const std::string& event,
+                     Visit visit) const;
   void hold(Item& item, Input input);
   void go_on(Item&& item);
   void finish(Item&& item);
@@ -65,11 +71,13 @@ private:
   bool means_nothing(const Item& item) const;
   void not_understood(const Item& item, bool taken);
   bool captures_everything() const;
+  bool is_source(const std::string& wanted, const std::string& source) const;
 
   Core& core_;
   std::vector<std::unique_ptr<Item>> waiting_;
   std::set<std::string, std::less<>> unregistered_;
   Item* running_ = nullptr;
+  std::vector<Match> spare_; // of an item that is over: its memory
 };
 
 } // namespace parlour::dialogue

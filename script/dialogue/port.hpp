@@ -74,6 +74,11 @@ public:
   virtual void socket_taken(SocketId id) = 0;
   virtual void close_socket(SocketId id) = 0;
 
+  // Whether the topics' frames are written by others, their actors. Else the
+  // conversation does it itself, in place, and apply() is never called.
+  virtual bool writes_frames() const {
+    return true;
+  }
   // One request to the topic's frame actor; Conversation::frame_applied is the
   // next input, before any other.
   virtual void apply(TopicId topic, FrameRequest request) = 0;

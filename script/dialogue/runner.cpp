@@ -10,33 +10,26 @@ namespace parlour::dialogue {
 namespace {
 
 // Of several transits in one activation the last counts (engine rule 2).
-std::vector<Step> last_transit_only(std::vector<Step> steps) {
+void keep_last_transit(std::vector<Step>& steps) {
   auto is_transit = [](const Step& step) {
     return step.kind == StepKind::transit;
   };
-  auto last = std::find_if(steps.rbegin(), steps.rend(), is_transit);
+  const auto last = std::find_if(steps.rbegin(), steps.rend(), is_transit);
   if (last == steps.rend())
-    return steps;
+    return;
   const auto kept = last.base() - 1;
-  if (std::none_of(steps.begin(), kept, is_transit))
-    return steps;
-  std::vector<Step> result;
-  for (auto step = steps.begin(); step != steps.end(); ++step)
-    if (!is_transit(*step) || step == kept)
-      result.push_back(std::move(*step));
-  return result;
+  steps.erase(std::remove_if(steps.begin(), kept, is_transit), kept);
 }
 
 } // namespace
 
 Runner::Runner(Core& core) : core_(core) {}
 
-WaitId Runner::start(CodeId code, std::vector<Value> arguments,
+WaitId Runner::start(CodeId code, const std::vector<Value>& arguments,
                      script::ActivationContext context) {
-  auto activation =
-      core_.interpreter.start(code, std::move(arguments), std::move(context));
-  auto result = core_.interpreter.run(*activation, core_.effects);
-  return dispose(std::move(activation), std::move(result));
+  auto [result, activation] = core_.interpreter.run_body(
+      code, arguments, std::move(context), core_.effects);
+  return activation ? dispose(std::move(activation), result) : 0;
 }
 
 WaitId Runner::resume(WaitId wait, Expected<Value> outcome) {
@@ -53,12 +46,10 @@ WaitId Runner::resume(WaitId wait, Expected<Value> outcome) {
           ? core_.interpreter.run(*waiting.activation, core_.effects)
           : core_.interpreter.resume(*waiting.activation, std::move(outcome),
                                      core_.effects);
-  return dispose(std::move(waiting.activation), std::move(result));
+  return dispose(std::move(waiting.activation), result);
 }
 
 void Runner::later(Step step) {
-  if (later_.empty())
-    later_.reserve(2); // it, and the conclusion
   later_.push_back(std::move(step));
 }
 
@@ -73,16 +64,17 @@ WaitId Runner::take_slice() {
   return slices_.take();
 }
 
-Expected<Value> Runner::evaluate(CodeId code, std::vector<Value> arguments,
+Expected<Value> Runner::evaluate(CodeId code,
+                                 const std::vector<Value>& arguments,
                                  TopicId topic) {
   script::ActivationContext context;
   context.topic = topic;
-  return core_.interpreter.evaluate(code, std::move(arguments),
-                                    std::move(context), core_.effects);
+  return core_.interpreter.evaluate(code, arguments, std::move(context),
+                                    core_.effects);
 }
 
 WaitId Runner::dispose(std::unique_ptr<script::Activation> activation,
-                       script::RunResult result) {
+                       const script::RunResult& result) {
   using enum script::RunStatus;
   WaitId id = 0;
   if (result.status == failed)
@@ -117,17 +109,17 @@ void Runner::report(const script::ActivationContext& context,
                 context.turn);
 }
 
-std::vector<Step> Runner::hand_over() {
-  auto steps = last_transit_only(std::exchange(later_, {}));
-  const auto end = std::find_if(steps.begin(), steps.end(), [&](Step& step) {
+std::vector<Step>& Runner::hand_over() {
+  keep_last_transit(later_);
+  const auto end = std::find_if(later_.begin(), later_.end(), [&](Step& step) {
     if (!core_.one_more_internal_event())
       return true; // it and the rest are dropped
     if (step.kind == StepKind::take_act || step.kind == StepKind::no_match)
       core_.turns.hold(step.turn);
     return false;
   });
-  steps.erase(end, steps.end());
-  return steps;
+  later_.erase(end, later_.end());
+  return later_;
 }
 
 } // namespace parlour::dialogue

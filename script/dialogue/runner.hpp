@@ -29,7 +29,7 @@ public:
 
   // Runs until it ends or waits; returns the wait's id, 0 where it ended. The
   // steps that it asked for are then taken with hand_over().
-  WaitId start(CodeId code, std::vector<Value> arguments,
+  WaitId start(CodeId code, const std::vector<Value>& arguments,
                script::ActivationContext context);
   WaitId resume(WaitId wait, Expected<Value> outcome);
 
@@ -50,12 +50,13 @@ public:
   }
 
   // Runs a short body that must not wait.
-  Expected<Value> evaluate(CodeId code, std::vector<Value> arguments,
+  Expected<Value> evaluate(CodeId code, const std::vector<Value>& arguments,
                            TopicId topic);
 
   // What the statements of the activation that ended or waits asked for. Each
   // is an internal event (engine rule 2); acts hold their turn until taken.
-  std::vector<Step> hand_over();
+  // To be emptied by who takes them; the next activation fills it again.
+  std::vector<Step>& hand_over();
 
 private:
   struct Waiting {
@@ -66,7 +67,7 @@ private:
   };
 
   WaitId dispose(std::unique_ptr<script::Activation> activation,
-                 script::RunResult result);
+                 const script::RunResult& result);
   void report(const script::ActivationContext& context,
               const script::RunResult& result);
 

@@ -39,22 +39,20 @@ Expected<void> ScriptSockets::may_open(const std::string& name) const {
 void ScriptSockets::open(const script::Effect& effect, WaitId wait) {
   SocketRequest request;
   request.id = core_.next_id();
-  request.name = effect.operand(0).text();
-  request.order.address = effect.operand(1).text();
-  request.order.lines =
-      effect.operand(2).is_unknown() || static_cast<bool>(effect.operand(2));
+  request.name = effect.text(0);
+  request.order.address = effect.text(1);
+  request.order.lines = !effect.has(2) || static_cast<bool>(effect.operand(2));
   request.order.timeout = core_.program->settings.sessions.request_timeout;
   sockets_[request.name] = {request.id, wait};
   core_.port.open_socket(std::move(request));
 }
 
 script::Performed ScriptSockets::send(const script::Effect& effect) {
-  const auto name = effect.operand(0).text();
+  const auto name = effect.text(0);
   const auto found = sockets_.find(name);
   if (found == sockets_.end() || found->second.opening != 0)
     return network("there is no open socket '" + name + "'");
-  auto sent =
-      core_.port.send_socket(found->second.id, effect.operand(1).text());
+  auto sent = core_.port.send_socket(found->second.id, effect.text(1));
   if (!sent)
     return network("socket '" + name + "': " + sent.error().message);
   return Value();
@@ -63,7 +61,7 @@ script::Performed ScriptSockets::send(const script::Effect& effect) {
 // Nothing where it is closed already. One that is being opened belongs to the
 // script that waits for it.
 script::Performed ScriptSockets::close(const script::Effect& effect) {
-  const auto name = effect.operand(0).text();
+  const auto name = effect.text(0);
   const auto found = sockets_.find(name);
   if (found == sockets_.end())
     return Value();
@@ -94,7 +92,7 @@ void ScriptSockets::closed(SocketId id) {
     sockets_.erase(found);
 }
 
-void ScriptSockets::handled(const Message& message) {
+void ScriptSockets::let_next_come(const Message& message) {
   if (const auto found = sockets_.find(message.source);
       found != sockets_.end() && message.command == "Data")
     core_.port.socket_taken(found->second.id);

@@ -28,7 +28,10 @@ public:
   void closed(SocketId id);
   // A message has gone through the pipeline: if it is a socket's, the next may
   // come.
-  void handled(const Message& message);
+  void handled(const Message& message) {
+    if (!sockets_.empty())
+      let_next_come(message);
+  }
   // The wait was ended from outside.
   void forget(WaitId wait);
 
@@ -42,6 +45,7 @@ private:
   using Entries = std::map<std::string, Socket, std::less<>>;
 
   Entries::iterator find(SocketId id);
+  void let_next_come(const Message& message);
 
   Core& core_;
   Entries sockets_;

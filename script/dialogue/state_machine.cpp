@@ -1,11 +1,14 @@
 #include "script/dialogue/state_machine.hpp"
 
+#include <string_view>
 #include <utility>
 
 #include "script/dialogue/core.hpp"
 #include "script/dialogue/steps.hpp"
 
 namespace parlour::dialogue {
+
+using namespace std::string_view_literals;
 
 namespace {
 
@@ -79,12 +82,12 @@ void StateMachine::pop(const Step& step) {
 
 bool StateMachine::agent_changed(const Message& event) {
   const auto state = core_.states.active();
-  if (state == script::no_id || event.source != "System" ||
+  if (state == script::no_id || event.source != "System"sv ||
       event.params.empty())
     return false;
   const auto& definition = core_.program->states[state];
-  const bool came = event.command == "AgentOnline";
-  if (!came && event.command != "AgentOffline")
+  const bool came = event.command == "AgentOnline"sv;
+  if (!came && event.command != "AgentOffline"sv)
     return false;
   const auto agent = event.params[0].text();
   auto shared = std::make_shared<const Message>(event);
@@ -100,7 +103,7 @@ bool StateMachine::agent_changed(const Message& event) {
 void StateMachine::react(const script::Reaction& reaction,
                          std::shared_ptr<const Message> event) {
   auto step = body_step(reaction.body, 0);
-  step.message = std::move(event);
+  step.matter().message = std::move(event);
   core_.effects.reached(reaction.position);
   core_.lane.queue({std::move(step), conclude_step(0)});
 }

@@ -2,8 +2,8 @@
 // Plain data, so that a session can be written out between any two steps.
 #pragma once
 
-#include <deque>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "script/dialogue/acts.hpp"
@@ -64,6 +64,15 @@ enum class StepKind : std::uint8_t {
 
 using WaitId = std::uint64_t; // 0: none
 
+// What only some kinds of steps carry.
+struct StepMatter {
+  std::vector<Value> arguments; // of the code
+  std::shared_ptr<const Message> message;
+  std::optional<KnowledgeQuery> query;
+  std::optional<Statement> statement;
+  std::optional<Expected<Value>> data; // of resume_wait, looked_up
+};
+
 // Small, as it is moved often: what is large is shared. Null where the kind
 // has no use for it.
 struct Step {
@@ -79,13 +88,15 @@ struct Step {
   std::uint64_t mark = 0;    // how many outputs there were before
   std::uint64_t offered = 0; // of the message that reactions may consume
   WaitId wait = 0;
-  std::vector<Value> arguments; // of the code
-  std::shared_ptr<const Act> act;
+  ActPointer act;
   std::shared_ptr<const FrameResult> result;
-  std::shared_ptr<KnowledgeQuery> query;
-  std::shared_ptr<const Statement> statement;
-  std::shared_ptr<const Expected<Value>> data; // of resume_wait, looked_up
-  std::shared_ptr<const Message> message;
+  std::shared_ptr<StepMatter> more;
+
+  StepMatter& matter() { // made where there is none
+    if (!more)
+      more = std::make_shared<StepMatter>();
+    return *more;
+  }
 };
 
 } // namespace parlour::dialogue

@@ -36,15 +36,15 @@ inline Step outcome_step(WaitId wait, Expected<Value> outcome) {
   Step step;
   step.kind = StepKind::resume_wait;
   step.wait = wait;
-  step.data = std::make_shared<const Expected<Value>>(std::move(outcome));
+  step.matter().data = std::move(outcome);
   return step;
 }
 
 // An act of the user, to whoever is first in order.
-inline Step act_step(Act act, TurnId turn) {
+inline Step act_step(ActPointer act, TurnId turn) {
   Step step;
   step.kind = StepKind::take_act;
-  step.act = std::make_shared<const Act>(std::move(act));
+  step.act = std::move(act);
   step.turn = turn;
   return step;
 }

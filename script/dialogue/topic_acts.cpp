@@ -73,7 +73,7 @@ bool TopicEngine::repair(const Trouble& trouble) {
   auto step = body_step(found->body, trouble.turn);
   step.topic = trouble.topic;
   step.slot = trouble.slot;
-  step.arguments = {std::move(data)};
+  step.matter().arguments = {std::move(data)};
   core_.effects.reached(found->position);
   core_.lane.now({std::move(step)});
   return true;

@@ -11,36 +11,36 @@ namespace {
 
 void tell(Step& step, Expected<Value> outcome) {
   step.kind = StepKind::looked_up;
-  step.data = std::make_shared<const Expected<Value>>(std::move(outcome));
+  step.matter().data = std::move(outcome);
 }
 
 } // namespace
 
 void TopicEngine::look_up(Step& step) {
-  if (!step.query) {
+  auto& matter = step.matter();
+  if (!matter.query) {
     auto frame = std::make_shared<const Frame>(core_.frame(step.topic));
-    step.query = std::make_shared<KnowledgeQuery>(core_.topic(step.topic),
-                                                  std::move(frame));
-    auto statement = step.query->first();
-    if (!statement) {
+    matter.query.emplace(core_.topic(step.topic), std::move(frame));
+    matter.statement = matter.query->first();
+    if (!matter.statement) {
       answer_enquiry(step);
       return;
     }
-    step.statement = std::make_shared<const Statement>(std::move(*statement));
   }
-  if (step.statement->kind == "facts") {
+  const auto& statement = *matter.statement;
+  if (statement.kind == "facts") {
     look_up_facts(step);
     return;
   }
-  if (step.statement->kind != "db") {
+  if (statement.kind != "db") {
     refuse_source(step);
     return;
   }
   QueryRequest request;
   request.id = core_.next_id();
-  request.database = step.statement->name;
-  request.sql = step.statement->sql;
-  request.values = step.statement->values;
+  request.database = statement.name;
+  request.sql = statement.sql;
+  request.values = statement.values;
   core_.lane.wait(request.id, false);
   query_ = {request.id, std::move(step)};
   core_.port.query(std::move(request));
@@ -48,14 +48,15 @@ void TopicEngine::look_up(Step& step) {
 
 void TopicEngine::look_up_facts(Step& step) {
   auto rows = query_facts(*core_.program, core_.topic(step.topic),
-                          core_.frame(step.topic), *step.statement);
+                          core_.frame(step.topic), *step.more->statement);
   tell(step, std::move(rows).map([](ResultSet set) { return Value(set); }));
   core_.lane.at_once(std::move(step));
 }
 
 // A kind of knowledge that this build does not have.
 void TopicEngine::refuse_source(Step& step) {
-  const auto& source = core_.topic(step.topic).queries[step.statement->source];
+  const auto& source =
+      core_.topic(step.topic).queries[step.more->statement->source];
   tell(step, fail(ErrorKind::refused,
                   "<query source=\"" + source.kind +
                       "\"> is not available yet; use a database or <facts>",
@@ -74,7 +75,8 @@ bool TopicEngine::query_answered(QueryId id, Expected<ResultSet>& outcome) {
 }
 
 void TopicEngine::looked_up(Step& step) {
-  const auto& rows = *step.data;
+  auto& matter = step.matter();
+  const auto& rows = *matter.data;
   if (!rows) {
     core_.inspect(InspectionKind::error, core_.topic(step.topic).name,
                   to_string(rows.error()));
@@ -84,8 +86,8 @@ void TopicEngine::looked_up(Step& step) {
     return;
   }
   if (!*rows) // no row: the next statement, if there is one
-    if (auto statement = step.query->next()) {
-      step.statement = std::make_shared<const Statement>(std::move(*statement));
+    if (auto statement = matter.query->next()) {
+      matter.statement = std::move(statement);
       step.kind = StepKind::look_up;
       core_.lane.at_once(std::move(step));
       return;
@@ -93,13 +95,13 @@ void TopicEngine::looked_up(Step& step) {
   FrameChange change_to;
   change_to.kind = FrameChange::Kind::answered;
   change_to.value = *rows;
-  change_to.asked = step.statement->asked;
-  change_to.relaxed = step.statement->relaxed;
+  change_to.asked = matter.statement->asked;
+  change_to.relaxed = matter.statement->relaxed;
   change(step.topic, std::move(change_to));
-  const auto& relaxed = step.statement->relaxed;
+  const auto& relaxed = matter.statement->relaxed;
   core_.raise(
       "Knowledge", "Result",
-      {*rows, step.statement->asked, List(relaxed.begin(), relaxed.end())},
+      {*rows, matter.statement->asked, List(relaxed.begin(), relaxed.end())},
       step.turn);
   answer_enquiry(step);
 }

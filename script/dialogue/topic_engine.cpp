@@ -11,6 +11,8 @@ namespace parlour::dialogue {
 
 namespace {
 
+const std::string dialogue_source = "Dialogue";
+
 bool wants_out(const Act& act) {
   return act.kind == ActKind::cancel || act.kind == ActKind::abandon;
 }
@@ -49,7 +51,7 @@ void TopicEngine::take_act(Step& step) {
 void TopicEngine::offer_act(Step& step) {
   const auto command = std::string(name_of(step.act->kind));
   const auto state = core_.states.active();
-  if (!core_.pipeline.matches("Dialogue", command).empty()) {
+  if (core_.pipeline.listens(dialogue_source, command)) {
     auto parameter = to_value(*step.act); // which nobody else would read
     offer(command, std::move(parameter),
           make_step(StepKind::topic_act, std::move(step)));
@@ -66,7 +68,7 @@ void TopicEngine::offer(std::string command, Value parameter, Step otherwise) {
   if (!core_.lane.waits_for_user()) // nothing offered before is still at work
     consumed_.clear();
   Message message;
-  message.source = "Dialogue";
+  message.source = dialogue_source;
   message.command = std::move(command);
   message.params = {std::move(parameter)};
   message.time = core_.now;
@@ -76,10 +78,10 @@ void TopicEngine::offer(std::string command, Value parameter, Step otherwise) {
   std::vector<Step> steps;
   bool captured = false;
   for (const auto& match :
-       core_.pipeline.matches("Dialogue", shared->command)) {
+       core_.pipeline.matches(dialogue_source, shared->command)) {
     auto reaction = body_step(match.reaction->body, otherwise.turn);
     reaction.kind = StepKind::react;
-    reaction.message = shared;
+    reaction.matter().message = shared;
     reaction.offered = otherwise.offered;
     steps.push_back(std::move(reaction));
     captured = captured || match.captures;
@@ -236,10 +238,7 @@ void TopicEngine::reset(Step& step) {
 void TopicEngine::set_status(TopicId topic, TopicStatus status) {
   if (core_.frame(topic).status == status)
     return;
-  FrameChange to;
-  to.kind = FrameChange::Kind::status;
-  to.status = status;
-  change(topic, std::move(to));
+  core_.frames.set_status(topic, status, core_.now);
   if (core_.port.inspected())
     core_.inspect(InspectionKind::topic, core_.topic(topic).name,
                   std::string(name_of(status)));

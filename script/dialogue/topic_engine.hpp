@@ -112,6 +112,7 @@ private:
   void conclude(Step& step);
   void activate(Step& step);
   void fill(Step& step);
+  void tell_filled(Step& step, FrameResult result);
   void filled(Step& step);
   void rule(Step& step);
   void report(Step& step);

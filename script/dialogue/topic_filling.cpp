@@ -47,6 +47,10 @@ void TopicEngine::fill(Step& step) {
 }
 
 void TopicEngine::request(Step&& step, std::vector<FrameChange> changes) {
+  if (!core_.port.writes_frames()) {
+    tell_filled(step, core_.frames.apply(step.topic, changes, core_.now));
+    return;
+  }
   auto request =
       core_.frames.request(step.topic, std::move(changes), core_.now);
   auto topic = step.topic;
@@ -61,10 +65,11 @@ std::vector<FrameChange> TopicEngine::changes_of(const Step& step) const {
   if (topic.kind == script::TopicKind::enquiry)
     changes.push_back(inherit(step));
   for (const auto& value : step.act->slots) {
-    FrameChange change;
-    change.slot = topic.slot(value.slot);
-    if (change.slot == script::no_id)
+    const auto slot = topic.slot(value.slot);
+    if (slot == script::no_id)
       continue;
+    auto& change = changes.emplace_back();
+    change.slot = slot;
     using Kind = FrameChange::Kind;
     change.kind = step.act->kind == ActKind::correct ? Kind::correct
                   : step.act->kind == ActKind::deny  ? Kind::deny
@@ -74,7 +79,6 @@ std::vector<FrameChange> TopicEngine::changes_of(const Step& step) const {
     change.text = value.text;
     change.candidates = value.candidates;
     change.unmatched = value.unmatched;
-    changes.push_back(std::move(change));
   }
   return changes;
 }
@@ -105,6 +109,10 @@ void TopicEngine::frame_applied(FrameResult result) {
   core_.frames.store(result.frame);
   auto step = std::move(*awaiting_);
   awaiting_.reset();
+  tell_filled(step, std::move(result));
+}
+
+void TopicEngine::tell_filled(Step& step, FrameResult result) {
   for (const auto& error : result.errors) // of constraints
     core_.script_failed(error, step.turn);
   step.result = std::make_shared<const FrameResult>(std::move(result));

@@ -166,10 +166,7 @@ void TopicEngine::released(const Output& output) {
   if (asked_->slot == script::no_id || asked_->repeats ||
       asked_->purpose != Asked::For::value)
     return;
-  FrameChange count;
-  count.kind = FrameChange::Kind::asked;
-  count.slot = asked_->slot;
-  change(asked_->topic, std::move(count));
+  core_.frames.count_question(asked_->topic, asked_->slot, core_.now);
 }
 
 // The marked values were in an output.

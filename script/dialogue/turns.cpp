@@ -17,18 +17,6 @@ TurnId Turns::begin() {
   return last_;
 }
 
-Turns::Turn* Turns::find(TurnId turn) {
-  const auto found =
-      std::find_if(turns_.begin(), turns_.end(),
-                   [&](const Turn& known) { return known.id == turn; });
-  return found == turns_.end() ? nullptr : &*found;
-}
-
-void Turns::hold(TurnId turn) {
-  if (auto* found = find(turn))
-    ++found->holders;
-}
-
 void Turns::let_go(TurnId turn) {
   if (auto* found = find(turn)) {
     --found->holders;
@@ -49,11 +37,15 @@ void Turns::asked(Correlation correlation, TurnId turn, Timestamp until,
 }
 
 TurnId Turns::of(Correlation correlation) const {
+  if (correlation == 0)
+    return 0;
   auto found = questions_.find(correlation);
   return found == questions_.end() ? 0 : found->second.turn;
 }
 
 void Turns::answered(Correlation correlation) {
+  if (correlation == 0)
+    return;
   auto found = questions_.find(correlation);
   if (found == questions_.end() || !found->second.open)
     return;

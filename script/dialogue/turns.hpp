@@ -34,7 +34,10 @@ public:
   }
 
   // Something works for the turn; nothing happens for turn 0.
-  void hold(TurnId turn);
+  void hold(TurnId turn) {
+    if (auto* found = find(turn))
+      ++found->holders;
+  }
   void let_go(TurnId turn);
 
   // A component was asked on the turn's behalf; its first answer, or the
@@ -76,7 +79,13 @@ private:
 
   // The latest time until which a component is waited for; 0: none.
   Timestamp asked_until(TurnId turn, Timestamp now) const;
-  Turn* find(TurnId turn); // null where it is over
+  Turn* find(TurnId turn) { // null where it is over
+    if (turn != 0)
+      for (auto& known : turns_)
+        if (known.id == turn)
+          return &known;
+    return nullptr;
+  }
   void close_if_idle(TurnId turn);
 
   std::vector<Turn> turns_; // those that are remembered, few

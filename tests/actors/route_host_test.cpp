@@ -38,8 +38,7 @@ TEST_F(RouteHostTest, KnowsNothingElse) {
 }
 
 TEST_F(RouteHostTest, RefusesEffects) {
-  script::Effect effect;
-  effect.kind = script::EffectKind::post;
+  const script::Effect effect(script::EffectKind::post);
   const auto outcome = host.perform(activation, effect);
   ASSERT_TRUE(std::holds_alternative<Error>(outcome));
   EXPECT_EQ(std::get<Error>(outcome).kind, ErrorKind::refused);

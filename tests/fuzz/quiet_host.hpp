@@ -9,7 +9,7 @@ namespace parlour::fuzz {
 class QuietHost : public script::Host {
 public:
   script::Performed perform(script::Activation&,
-                            script::Effect effect) override {
+                            const script::Effect& effect) override {
     if (++performed_ % 2 == 0 && waits(effect.kind))
       return script::Waits{};
     return effect.operand(0);

@@ -30,6 +30,27 @@ TEST(Convert, StopsWhereACopyWouldBeFarLargerThanTheStructure) {
   EXPECT_TRUE(truncated);
 }
 
+TEST(Convert, WeighsAsMuchAsACopyWouldTake) {
+  Heap heap(nullptr, 1 << 20);
+  auto box = make_list(heap);
+  for (int i = 0; i < 4; ++i) {
+    auto twice = make_list(heap);
+    twice.list()->elements.assign(2, box);
+    box = twice;
+  }
+  std::size_t budget = 32; // 31 lists
+  weigh(box, budget);
+  EXPECT_EQ(budget, 1u);
+  budget = 30;
+  weigh(box, budget);
+  EXPECT_EQ(budget, 0u);
+  budget = 5;
+  weigh(make_string(heap, std::string(3 * sizeof(Value), 'x')), budget);
+  EXPECT_EQ(budget, 1u);
+  weigh(make_string(heap, std::string(3 * sizeof(Value), 'x')), budget);
+  EXPECT_EQ(budget, 0u);
+}
+
 } // namespace
 
 } // namespace parlour::script

@@ -1,16 +1,19 @@
+#include <array>
+
 #include <gtest/gtest.h>
 
 #include "script/file_effect.hpp"
+#include "script/objects.hpp"
 
 namespace parlour::script {
 
 namespace {
 
 TEST(FileEffect, BecomesARequest) {
-  Effect effect;
-  effect.kind = EffectKind::write_file;
-  effect.operands = {"a.txt", 12};
-  const auto request = file_request(effect, 100);
+  Heap heap({}, 1000);
+  const std::array operands{make_string(heap, "a.txt"), Box::small(12)};
+  const auto request =
+      file_request(Effect(EffectKind::write_file, operands), 100);
   ASSERT_TRUE(request);
   EXPECT_EQ(request->action, FileAction::write);
   EXPECT_EQ(request->name, "a.txt");
@@ -19,9 +22,7 @@ TEST(FileEffect, BecomesARequest) {
 }
 
 TEST(FileEffect, IsNoOther) {
-  Effect effect;
-  effect.kind = EffectKind::print;
-  EXPECT_FALSE(file_request(effect, 100));
+  EXPECT_FALSE(file_request(Effect(EffectKind::print), 100));
 }
 
 } // namespace

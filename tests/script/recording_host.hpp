@@ -10,11 +10,28 @@
 
 namespace parlour::test {
 
+// What an effect was, with its operands copied out.
+struct RecordedEffect {
+  explicit RecordedEffect(const script::Effect& effect)
+      : kind(effect.kind), body(effect.body), captured(effect.captured()) {
+    for (std::size_t i = 0; i < effect.operand_count(); ++i)
+      operands.push_back(effect.operand(i));
+  }
+  Value operand(std::size_t index) const {
+    return index < operands.size() ? operands[index] : Value();
+  }
+
+  script::EffectKind kind;
+  script::CodeId body;
+  std::vector<Value> operands;
+  std::vector<Value> captured;
+};
+
 class RecordingHost : public script::Host {
 public:
   script::Performed perform(script::Activation&,
-                            script::Effect effect) override {
-    effects.push_back(std::move(effect));
+                            const script::Effect& effect) override {
+    effects.emplace_back(effect);
     if (answers.empty())
       return Value();
     auto answer = std::move(answers.front());
@@ -49,7 +66,7 @@ public:
     branches.push_back(position.line);
   }
 
-  std::vector<script::Effect> effects;
+  std::vector<RecordedEffect> effects;
   std::deque<script::Performed> answers; // unknown once they are used up
   std::map<script::SlotId, Value> slots;
   std::vector<std::uint32_t> branches;

@@ -1,5 +1,6 @@
 #include "tools/bench/dialogue_workload.hpp"
 
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,6 +13,7 @@ namespace parlour::tools {
 namespace {
 
 using dialogue::Act;
+using dialogue::ActPointer;
 using dialogue::Conversation;
 
 Act act_about(const char* topic) {
@@ -29,13 +31,13 @@ Act act_with(const char* slot, const char* value) {
   return act;
 }
 
-const std::vector<Act>& six_turns() {
-  static const std::vector<Act> turns{act_about("Facility"),
-                                      act_with("Name", "swimming pool"),
-                                      act_about("Taxi"),
-                                      act_with("Destination", "airport"),
-                                      act_with("What", "location"),
-                                      act_with("Wish", "no thanks")};
+std::vector<ActPointer> six_turns() {
+  std::vector<ActPointer> turns;
+  for (auto& act :
+       {act_about("Facility"), act_with("Name", "swimming pool"),
+        act_about("Taxi"), act_with("Destination", "airport"),
+        act_with("What", "location"), act_with("Wish", "no thanks")})
+    turns.push_back(std::make_shared<const Act>(act));
   return turns;
 }
 
@@ -43,13 +45,13 @@ constexpr std::size_t back_to_the_form = 3; // after this turn, by silence
 
 // Characters said in one conversation.
 std::size_t converse(const std::shared_ptr<const script::Program>& program,
-                     QuietPort& port) {
+                     std::span<const ActPointer> turns, QuietPort& port) {
   Conversation conversation(program, {}, port);
   conversation.open(0);
   port.run(conversation);
   std::size_t said = 0;
-  for (std::size_t turn = 0; turn < six_turns().size(); ++turn) {
-    conversation.take_acts(std::vector<Act>(1, six_turns()[turn]), 0);
+  for (std::size_t turn = 0; turn < turns.size(); ++turn) {
+    conversation.take_acts(turns.subspan(turn, 1), 0);
     port.run(conversation);
     if (turn == back_to_the_form)
       port.be_silent(conversation);
@@ -58,11 +60,11 @@ std::size_t converse(const std::shared_ptr<const script::Program>& program,
   return said;
 }
 
-Message next_event() {
+std::shared_ptr<const Message> next_event() {
   Message message;
   message.source = "Robot";
   message.command = "Next";
-  return message;
+  return std::make_shared<const Message>(std::move(message));
 }
 
 Expected<Measured> measured(double nanoseconds, std::string result,
@@ -84,11 +86,12 @@ DialogueWorkload::load(const std::filesystem::path& file) {
 }
 
 Expected<Measured> DialogueWorkload::turns(int conversations) const {
-  QuietPort port(program_);
+  QuietPort port;
+  const auto turns = six_turns();
   std::size_t said = 0;
   const auto start = cpu_nanoseconds();
   for (int i = 0; i < conversations; ++i)
-    said += converse(program_, port);
+    said += converse(program_, turns, port);
   const auto spent = cpu_nanoseconds() - start;
   return measured(
       spent / conversations / 6,
@@ -96,7 +99,7 @@ Expected<Measured> DialogueWorkload::turns(int conversations) const {
 }
 
 Expected<Measured> DialogueWorkload::events(int count) const {
-  QuietPort port(program_);
+  QuietPort port;
   Conversation conversation(program_, {}, port);
   conversation.open(0);
   port.run(conversation);

@@ -1,25 +1,19 @@
 // QuietPort: a world for one conversation in which everything happens at once
-// and costs nothing: words are heard when they are released, frames are changed
-// on the spot, of the timers only the last one counts. What is measured with it
-// is the engine alone.
+// and costs nothing: words are heard when they are released, frames have no
+// actors, of the timers only the last one counts. What is measured with it is
+// the engine alone.
 #pragma once
 
-#include <memory>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "script/dialogue/conversation.hpp"
-#include "script/dialogue/frame_evaluator.hpp"
-#include "script/interpreter.hpp"
 
 namespace parlour::tools {
 
 class QuietPort : public dialogue::Port {
 public:
-  explicit QuietPort(const std::shared_ptr<const script::Program>& program);
-
   // Everything that is due without the clock moving on.
   void run(dialogue::Conversation& conversation);
   // Silence lasts until the engine does something about it.
@@ -56,7 +50,10 @@ public:
   }
   void socket_taken(dialogue::SocketId) override {}
   void close_socket(dialogue::SocketId) override {}
-  void apply(script::TopicId topic, dialogue::FrameRequest request) override;
+  bool writes_frames() const override {
+    return false;
+  }
+  void apply(script::TopicId, dialogue::FrameRequest) override {}
   void unhandled(const Message&) override {}
   bool inspected() const override {
     return false;
@@ -65,10 +62,6 @@ public:
   void ended() override {}
 
 private:
-  script::Interpreter interpreter_; // the frames' own
-  dialogue::FrameEvaluator evaluate_;
-  std::vector<dialogue::FramePointer> frames_; // of each topic
-  std::optional<dialogue::FrameResult> applied_;
   std::vector<dialogue::OutputId> playing_;
   dialogue::TimerId timer_ = 0;
   std::size_t said_ = 0;

@@ -12,7 +12,8 @@ namespace {
 // Every effect waits, and nothing else is there.
 class WaitingHost : public script::Host {
 public:
-  script::Performed perform(script::Activation&, script::Effect) override {
+  script::Performed perform(script::Activation&,
+                            const script::Effect&) override {
     return script::Waits{};
   }
   Value slot(script::TopicId, script::SlotId) const override {

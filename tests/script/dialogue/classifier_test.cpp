@@ -1,3 +1,5 @@
+#include <array>
+
 #include "script/dialogue/classifier.hpp"
 #include "tests/script/dialogue/dialogue_fixture.hpp"
 
@@ -41,7 +43,8 @@ TEST_F(Classifier, AnUnknownOrUnregisteredNameIsNoName) {
 
 TEST_F(Classifier, PreferenceDecidesBetweenTopicsWithTheSlot) {
   EXPECT_EQ(of(act({"Time"})), app.appointment); // file order
-  context.unfinished = {app.taxi};
+  const std::array unfinished{app.taxi};
+  context.unfinished = unfinished;
   EXPECT_EQ(of(act({"Time"})), app.taxi);
   context.current = app.appointment;
   EXPECT_EQ(of(act({"Time"})), app.appointment);

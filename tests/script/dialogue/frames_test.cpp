@@ -80,6 +80,24 @@ TEST_F(FramesOfASession, VariablesTravelWhereTheyMayBeRead) {
   }
 }
 
+TEST_F(FramesOfASession, WithoutAnActorAreChangedInPlace) {
+  const auto* frame = &frames.get(0, 0);
+  const std::vector<FrameChange> changes{set(0, "x"), set(1, "b")};
+  const auto result = frames.apply(0, changes, 0);
+  EXPECT_EQ(result.reports.size(), 2u);
+  EXPECT_FALSE(result.frame);
+  EXPECT_EQ(&frames.get(0, 0), frame);
+  EXPECT_EQ(frame->slots[1].value, "b");
+}
+
+TEST_F(FramesOfASession, CountAndChangeStatusLikeAnEvent) {
+  frames.set_status(0, TopicStatus::active, 0);
+  frames.count_question(0, 1, 0);
+  EXPECT_EQ(frames.get(0, 0).status, TopicStatus::active);
+  EXPECT_EQ(frames.get(0, 0).slots[1].asked, 1u);
+  EXPECT_TRUE(frames.get(0, 0).done); // it has no Functional slot
+}
+
 TEST_F(FramesOfASession, WhatTheActorHasStaysAsItWas) {
   kept = at_the_actor(frames.request(0, {}, 0)).frame;
   frames.store(kept);

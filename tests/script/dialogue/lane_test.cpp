@@ -30,6 +30,31 @@ TEST(Lane, ItemsOneAfterTheOther) {
   EXPECT_TRUE(lane.idle());
 }
 
+TEST(Lane, WhatIsTakenFromKeepsItsMemory) {
+  Lane lane;
+  std::vector<Step> item{numbered(1), numbered(2)};
+  const auto capacity = item.capacity();
+  lane.queue_from(item);
+  EXPECT_TRUE(item.empty());
+  EXPECT_EQ(item.capacity(), capacity);
+  EXPECT_EQ(taken(lane), (Numbers{1, 2}));
+  item.push_back(numbered(3));
+  lane.now_from(item);
+  EXPECT_TRUE(item.empty());
+  EXPECT_EQ(taken(lane), (Numbers{3}));
+}
+
+TEST(Lane, WhatComesWhileAStepIsTakenWaitsBehindIt) {
+  Lane lane;
+  lane.queue({numbered(1)});
+  lane.next();
+  lane.queue({numbered(3)});
+  lane.wait(9, true); // the item is not its own
+  EXPECT_EQ(lane.next()->turn, 3u);
+  lane.wake(9, numbered(2));
+  EXPECT_EQ(taken(lane), (Numbers{2}));
+}
+
 TEST(Lane, NowGoesInFront) {
   Lane lane;
   lane.queue({numbered(1), numbered(4)});

@@ -15,7 +15,7 @@ Output make(OutputAct act, std::string text,
   return output;
 }
 
-std::vector<std::string> texts(const std::vector<Output>& outputs) {
+std::vector<std::string> texts(std::span<const Output> outputs) {
   std::vector<std::string> texts;
   for (const auto& output : outputs)
     texts.push_back(output.text);

@@ -15,13 +15,14 @@ TEST(QuietPort, hears_what_is_said_and_keeps_silent) {
   const auto program =
       script::compile_file(folder.path() / "x.xml", {}).program;
   ASSERT_TRUE(program);
-  QuietPort port(program);
+  QuietPort port;
   dialogue::Conversation conversation(program, {}, port);
   conversation.open(0);
   port.run(conversation);
   dialogue::Act act;
   act.topic = "Taxi";
-  conversation.take_acts({act}, 0);
+  const auto shared = std::make_shared<const dialogue::Act>(act);
+  conversation.take_acts({&shared, 1}, 0);
   port.run(conversation);
   EXPECT_EQ(port.said(), std::string("Where?").size());
   EXPECT_EQ(port.said(), 0u);

@@ -287,8 +287,8 @@ class BrokenCopies(Hostile):
                   ("receptionist.xml", "<speek", 7),
                   ("settings.xml", 'start="Welcom"', 38),
                   ("settings.xml", "LogTaxy", 5),
-                  ("settings.xml", 'component name="LogWeather"', 5),
-                  ("settings.xml", 'component name="LogWeather"', 5),
+                  ("settings.xml", "<Plugin>LogWeather", 5),
+                  ("settings.xml", "<Plugin>LogWeather", 5),
                   ("topics/taxi.xml", 'this.Time ge time("', 40))
         self.expect(self.findings(application), *(
             f"{name}:{self.line_of(application / name, text)}:{column}"

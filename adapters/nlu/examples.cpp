@@ -1,5 +1,6 @@
 #include "adapters/nlu/examples.hpp"
 
+#include "adapters/nlu/marked_text.hpp"
 #include "adapters/nlu/tokens.hpp"
 
 namespace parlour::adapters::nlu {
@@ -34,28 +35,28 @@ ExampleRules example_rules(const TopicModel& topic, const std::string& example,
                            std::vector<Error>& errors) {
   ExampleRules made;
   made.whole.kind = NodeKind::sequence;
-  std::string_view rest = example;
-  while (true) {
-    const auto open = rest.find('[');
-    add_words(made.whole, rest.substr(0, open));
-    if (open == std::string_view::npos)
-      break;
-    const auto middle = rest.find("](", open);
-    const auto close = rest.find(')', open);
-    if (middle == std::string_view::npos || close == std::string_view::npos ||
-        close < middle) {
-      errors.push_back({ErrorKind::compile,
-                        "the example \"" + example + "\" of the topic '" +
-                            topic.name +
-                            "' marks a slot's words like this: [words](Slot)",
-                        {}});
-      break;
-    }
-    const std::string slot(rest.substr(middle + 2, close - middle - 2));
-    made.whole.children.push_back(
-        {NodeKind::reference, topic.name + '.' + slot, {}, {}, {}, {}});
-    rest = rest.substr(close + 1);
+  const auto marked = read_marks(example);
+  if (!marked) {
+    errors.push_back({ErrorKind::compile,
+                      "the example \"" + example + "\" of the topic '" +
+                          topic.name +
+                          "' marks a slot's words like this: [words](Slot)",
+                      {}});
+    return made;
   }
+  const std::string_view text = marked->text;
+  std::size_t at_byte = 0;
+  for (const auto& mark : marked->marks) {
+    add_words(made.whole, text.substr(at_byte, mark.begin - at_byte));
+    made.whole.children.push_back({NodeKind::reference,
+                                   topic.name + '.' + mark.slot,
+                                   {},
+                                   {},
+                                   {},
+                                   {}});
+    at_byte = mark.end;
+  }
+  add_words(made.whole, text.substr(at_byte));
   for (std::size_t at = 0; at < made.whole.children.size(); ++at) {
     if (made.whole.children[at].kind != NodeKind::reference)
       continue;

@@ -8,6 +8,7 @@ namespace parlour::adapters::nlu {
 namespace {
 
 constexpr std::size_t most_islands = 20;
+constexpr std::size_t most_guesses = 3;
 
 std::string two_digits(double number) {
   char text[32];
@@ -38,6 +39,23 @@ Explanation::lines(const std::vector<Island>& islands,
   for (const auto& one : acts)
     made.push_back(act(one));
   return made;
+}
+
+std::vector<std::string> Explanation::learnt(const Learned& learned) const {
+  if (learned.empty() || utterance_.size() == 0)
+    return {};
+  const auto guesses = learned.topics(utterance_, spans_);
+  std::string line = "learnt";
+  for (std::size_t at = 0; at < guesses.size() && at < most_guesses; ++at)
+    line += " " + two_digits(guesses[at].probability) + " " +
+            topic(guesses[at].topic);
+  for (const auto& slot :
+       learned.slots(guesses[0].topic, utterance_, spans_))
+    line += " " + slot.slot + "=\"" +
+            std::string(words_of(utterance_.text, utterance_.tokens, slot.begin,
+                                 slot.end)) +
+            "\"";
+  return {line};
 }
 
 std::string Explanation::tokens() const {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "adapters/nlu/acts.hpp"
+#include "adapters/nlu/learned.hpp"
 
 namespace parlour::adapters::nlu {
 
@@ -17,6 +18,9 @@ public:
   std::vector<std::string> lines(const std::vector<Island>& islands,
                                  const std::vector<Chain>& chains,
                                  const std::vector<BuiltAct>& acts) const;
+
+  // Which topics the examples speak for, and the slots of the likeliest.
+  std::vector<std::string> learnt(const Learned& learned) const;
 
 private:
   std::string tokens() const;

@@ -57,6 +57,15 @@ public:
     return found;
   }
 
+  // The same, or "a couple of" and the like.
+  std::optional<NumberAt> count() {
+    if (word().empty())
+      return {};
+    const auto found = collective_at(*tokens_, at_);
+    at_ += found ? found->length : 0;
+    return found ? found : number();
+  }
+
   void advance(std::size_t count = 1) {
     at_ += count;
   }

@@ -34,14 +34,59 @@ std::int64_t unit_seconds(std::string_view word) {
     return 3600;
   if (word == "day")
     return 86'400;
-  return word == "week" ? 604'800 : 0;
+  if (word == "week")
+    return 604'800;
+  return word == "fortnight" ? 1'209'600 : 0;
+}
+
+// "and a half", "and a quarter", "and three quarters": what is added.
+double fraction_behind(FormReader& reader) {
+  if (reader.skip_all({"and", "a", "half"}))
+    return 0.5;
+  if (reader.skip_all({"and", "a", "quarter"}))
+    return 0.25;
+  return reader.skip_all({"and", "three", "quarters"}) ? 0.75 : 0;
+}
+
+// "point oh five": what is added; 0 for none.
+double decimals(FormReader& reader) {
+  const auto start = reader.position();
+  double value = 0;
+  double scale = 0.1;
+  if (reader.skip("point"))
+    while (const auto digit = digit_of(reader.word())) {
+      value += *digit * scale;
+      scale /= 10;
+      reader.advance();
+    }
+  if (value <= 0)
+    reader.go_back(start);
+  return value;
+}
+
+// "2h", "90m", "30s", "1h30", in seconds; negative for none.
+std::int64_t compact_seconds(std::string_view word) {
+  const auto end = word.find_first_not_of("0123456789");
+  const auto count = digits_of(word.substr(0, end));
+  if (!count || end == std::string_view::npos || *count > 10'000)
+    return -1;
+  const auto rest = word.substr(end + 1);
+  const auto minutes = digits_of(rest);
+  if (word[end] == 'h' && (rest.empty() || (minutes && *minutes < 60)))
+    return *count * 3600 + minutes.value_or(0) * 60;
+  if (!rest.empty())
+    return -1;
+  return word[end] == 'm' ? *count * 60 : word[end] == 's' ? *count : -1;
 }
 
 // "half an hour", "a quarter of an hour": the part of the unit that follows.
 double part_of(FormReader& reader) {
   const auto start = reader.position();
-  reader.skip("a");
-  const double part = reader.skip("half")      ? 0.5
+  const bool three = reader.skip("three");
+  if (!three)
+    reader.skip("a");
+  const double part = three ? (reader.skip("quarters") ? 0.75 : 0)
+                      : reader.skip("half")    ? 0.5
                       : reader.skip("quarter") ? 0.25
                                                : 0;
   if (part > 0) {
@@ -58,21 +103,41 @@ double part_of(FormReader& reader) {
 double amount(FormReader& reader) {
   if (const auto part = part_of(reader); part > 0)
     return part;
-  if (reader.skip_any({"a", "an"}))
-    return 1;
+  const auto start = reader.position();
+  if (reader.skip_any({"a", "an"})) {
+    if (unit_seconds(reader.word()) > 0)
+      return 1;
+    reader.go_back(start);
+  }
   if (const auto found = decimal(reader.word())) {
     reader.advance();
     return *found;
   }
-  const auto number = reader.number();
+  const auto number = reader.count();
   if (!number || number->ordinal)
     return -1;
-  const auto half = reader.skip_all({"and", "a", "half"}) ? 0.5 : 0.0;
-  return static_cast<double>(number->value) + half;
+  const auto part = decimals(reader);
+  return static_cast<double>(number->value) +
+         (part > 0 ? part : fraction_behind(reader));
+}
+
+// "two hours thirty": the minutes behind hours, in seconds.
+double minutes_behind(FormReader& reader, std::int64_t unit) {
+  const auto start = reader.position();
+  const auto number = reader.number();
+  if (unit == 3600 && number && !number->ordinal && number->value >= 10 &&
+      number->value < 60 && unit_seconds(reader.word()) == 0)
+    return static_cast<double>(number->value) * 60;
+  reader.go_back(start);
+  return 0;
 }
 
 // One amount with its unit, in seconds; negative for none.
 double measure(FormReader& reader) {
+  if (const auto seconds = compact_seconds(reader.word()); seconds >= 0) {
+    reader.advance();
+    return static_cast<double>(seconds);
+  }
   const auto start = reader.position();
   const auto count = amount(reader);
   const auto unit = unit_seconds(reader.word());
@@ -81,14 +146,19 @@ double measure(FormReader& reader) {
     return -1;
   }
   reader.advance();
-  const auto half = reader.skip_all({"and", "a", "half"}) ? 0.5 : 0.0;
-  return (count + half) * static_cast<double>(unit);
+  const auto seconds =
+      (count + fraction_behind(reader)) * static_cast<double>(unit);
+  return seconds + minutes_behind(reader, unit);
 }
 
-// "-2" for "B2", "3" for "L3"; 0 for none.
+// "-2" for "B2", "3" for "L3" and "3F"; 0 for none.
 std::int64_t short_level(std::string_view word) {
   if (word.size() < 2)
     return 0;
+  if (word.back() == 'f' && word[0] != 'b' && word[0] != 'l') {
+    const auto number = digits_of(word.substr(0, word.size() - 1));
+    return number && *number <= 200 ? *number : 0;
+  }
   const auto number = digits_of(word.substr(1));
   if (!number || *number > 200)
     return 0;
@@ -126,6 +196,12 @@ std::optional<FormAt> level_then_number(FormReader reader) {
     reader.advance();
     return reader.form(level);
   }
+  if (reader.skip("minus")) {
+    const auto below = reader.number();
+    return below && below->value > 0 && below->value < 100
+               ? std::optional(reader.form(-below->value))
+               : std::nullopt;
+  }
   if (auto below = basement(reader)) {
     reader.advance(below->length - reader.length());
     return reader.form(below->value);
@@ -136,40 +212,76 @@ std::optional<FormAt> level_then_number(FormReader reader) {
   return reader.form(number->value);
 }
 
-// "twenty third floor", "23rd level", "ground floor".
+// "twenty third floor", "23rd level", "ground floor", "minus one".
 std::optional<FormAt> number_then_level(FormReader reader) {
+  if (reader.skip_all({"lower", "ground"}))
+    return skip_floor(reader) ? std::optional(reader.form(-1)) : std::nullopt;
   if (reader.skip_any({"ground", "street", "main"}))
     return skip_floor(reader) ? std::optional(reader.form(1)) : std::nullopt;
+  const bool below = reader.skip("minus");
   const auto number = reader.number();
   if (!number || number->value < 1 || number->value > 200)
     return {};
   const bool whole = skip_floor(reader);
-  return reader.form(number->value, !whole);
+  return reader.form(below ? -number->value : number->value, !whole);
+}
+
+// "double oh seven", "one oh one": digits with an "oh" among them, as a number;
+// negative for none.
+std::int64_t digit_row(FormReader& reader) {
+  const auto start = reader.position();
+  std::int64_t value = 0;
+  std::size_t digits = 0;
+  bool with_oh = false;
+  while (digits < 12) {
+    const int times = reader.skip("double") ? 2 : 1;
+    const auto word = reader.word();
+    const auto digit = digit_of(word);
+    if (!digit)
+      break;
+    with_oh = with_oh || word == "oh" || word == "o";
+    for (int time = 0; time < times; ++time, ++digits)
+      value = value * 10 + *digit;
+    reader.advance();
+  }
+  if (digits >= 3 && with_oh)
+    return value;
+  reader.go_back(start);
+  return -1;
+}
+
+// Without a sign before it.
+std::optional<Value> plain_number(FormReader& reader) {
+  if (const auto found = decimal(reader.word())) {
+    reader.advance();
+    return Value(*found);
+  }
+  if (const auto row = digit_row(reader); row >= 0)
+    return Value(row);
+  if (const auto part = decimals(reader); part > 0)
+    return Value(part);
+  const auto number = reader.count();
+  if (!number || number->ordinal)
+    return {};
+  auto part = decimals(reader);
+  part = part > 0 ? part : fraction_behind(reader);
+  if (part > 0)
+    return Value(static_cast<double>(number->value) + part);
+  return Value(number->value);
 }
 
 } // namespace
 
 std::optional<FormAt> number_form(FormReader reader, Now) {
-  if (const auto found = decimal(reader.word())) {
-    reader.advance();
-    return reader.form(*found, true);
-  }
-  const auto number = reader.number();
-  if (!number || number->ordinal)
+  const bool negative = reader.skip_any({"minus", "negative"});
+  const auto number = plain_number(reader);
+  if (!number)
     return {};
-  const auto start = reader.position();
-  if (reader.skip("point")) {
-    double value = 0, scale = 0.1;
-    while (const auto digit = digit_of(reader.word())) {
-      value += *digit * scale;
-      scale /= 10;
-      reader.advance();
-    }
-    if (value > 0)
-      return reader.form(static_cast<double>(number->value) + value, true);
-    reader.go_back(start);
-  }
-  return reader.form(number->value, true);
+  if (!negative)
+    return reader.form(*number, true);
+  if (const auto* whole = number->if_integer())
+    return reader.form(-*whole, true);
+  return reader.form(-number->number_or(0), true);
 }
 
 std::optional<FormAt> duration_form(FormReader reader, Now) {

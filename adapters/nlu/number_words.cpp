@@ -16,7 +16,9 @@ struct NumberWord {
 
 const std::unordered_map<std::string_view, NumberWord>& number_words() {
   static const std::unordered_map<std::string_view, NumberWord> table{
-      {"zero", {0, false}},        {"one", {1, false}},
+      {"zero", {0, false}},        {"nought", {0, false}},
+      {"naught", {0, false}},      {"nil", {0, false}},
+      {"one", {1, false}},
       {"two", {2, false}},         {"three", {3, false}},
       {"four", {4, false}},        {"five", {5, false}},
       {"six", {6, false}},         {"seven", {7, false}},
@@ -128,6 +130,18 @@ const NumberWord* number_word(const Tokens& tokens, std::size_t position) {
   return found == number_words().end() ? nullptr : &found->second;
 }
 
+std::string_view word_at(const Tokens& tokens, std::size_t position) {
+  return position < tokens.list.size() ? tokens.list[position].word
+                                       : std::string_view();
+}
+
+// "a hundred", "a thousand": the "a" is a one.
+bool is_article_of_number(const Tokens& tokens, std::size_t position) {
+  const auto* scale = number_word(tokens, position + 1);
+  return word_at(tokens, position) == "a" && scale && scale->value >= 100 &&
+         !scale->ordinal;
+}
+
 } // namespace
 
 std::optional<NumberAt> number_at(const Tokens& tokens, std::size_t position) {
@@ -137,6 +151,10 @@ std::optional<NumberAt> number_at(const Tokens& tokens, std::size_t position) {
     return written;
   Sum sum;
   auto at = position;
+  if (is_article_of_number(tokens, position)) {
+    sum.take({1, false});
+    ++at;
+  }
   while (at < tokens.list.size()) {
     if (at > position && tokens.list[at].before != Break::none)
       break;
@@ -149,6 +167,29 @@ std::optional<NumberAt> number_at(const Tokens& tokens, std::size_t position) {
   if (at == position)
     return {};
   return NumberAt{sum.value(), at - position, sum.ordinal(), false};
+}
+
+std::optional<NumberAt> collective_at(const Tokens& tokens,
+                                      std::size_t position) {
+  auto at = position;
+  std::int64_t count = 1;
+  const bool half = word_at(tokens, at) == "half";
+  at += half ? 1 : 0;
+  const bool one = word_at(tokens, at) == "a";
+  at += one ? 1 : 0;
+  if (!one && !half)
+    if (const auto number = number_at(tokens, at)) {
+      count = number->value;
+      at += number->length;
+    }
+  const bool counted = at > position && !one && !half;
+  const auto word = word_at(tokens, at++);
+  const bool dozen = word == "dozen";
+  if (!dozen && (half || counted || (word != "couple" && word != "pair")))
+    return {};
+  at += word_at(tokens, at) == "of" ? 1 : 0;
+  count *= dozen ? 12 : 2;
+  return NumberAt{half ? count / 2 : count, at - position, false, false};
 }
 
 std::optional<int> digit_of(std::string_view word) {

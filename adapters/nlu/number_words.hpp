@@ -20,6 +20,10 @@ struct NumberAt {
 // The longest whole number that begins at this token.
 std::optional<NumberAt> number_at(const Tokens& tokens, std::size_t position);
 
+// "a couple of", "a pair of", "half a dozen", "two dozen".
+std::optional<NumberAt> collective_at(const Tokens& tokens,
+                                      std::size_t position);
+
 // 0 to 9 for "nine", "9", "oh" …
 std::optional<int> digit_of(std::string_view word);
 

@@ -31,13 +31,12 @@ std::string clock_text(std::int64_t minutes) {
 }
 
 Half skip_half(FormReader& reader) {
-  if (reader.skip("am"))
+  if (reader.skip("am") || reader.skip_all({"a", "m"}))
     return Half::am;
-  if (reader.skip("pm"))
+  if (reader.skip("pm") || reader.skip_all({"p", "m"}))
     return Half::pm;
   const auto start = reader.position();
-  if (reader.skip("in")) {
-    reader.skip("the");
+  if (reader.skip_all({"in", "the"}) || reader.skip_any({"in", "this"})) {
     if (reader.skip("morning"))
       return Half::am;
     if (reader.skip_any({"afternoon", "evening"}))
@@ -68,9 +67,12 @@ std::int64_t hour_of(const Time& time, Half half) {
 }
 
 std::optional<FormAt> finish(FormReader& reader, Time time) {
-  reader.skip_any({"oclock", "sharp"}) ? time.weak = false : false;
+  if (reader.skip("oclock") || reader.skip_all({"o", "clock"}))
+    time.weak = false;
+  reader.skip("ish");
   const auto half = skip_half(reader);
-  time.weak = time.weak && half == Half::unknown;
+  const bool sharp = reader.skip("sharp");
+  time.weak = time.weak && half == Half::unknown && !sharp;
   if (time.hour > 24 || time.minute > 59 || time.minute < 0)
     return {};
   const auto hour = hour_of(time, half);
@@ -105,10 +107,21 @@ std::optional<Time> split_digits(std::string_view word,
   return time;
 }
 
+// "10 30", as recognisers write it.
+void add_written_minutes(FormReader& reader, Time& time) {
+  const auto word = reader.word();
+  const auto minute = digits_of(word);
+  if (word.size() != 2 || !minute || *minute > 59)
+    return;
+  time.minute = *minute;
+  reader.advance();
+}
+
 // "10:30am", "3pm", "1530 hours", "10.30".
 std::optional<FormAt> digital_time(FormReader reader) {
   std::string_view rest;
-  auto time = split_digits(reader.word(), rest);
+  const auto word = reader.word();
+  auto time = split_digits(word, rest);
   if (!time || time->hour > 24)
     return {};
   reader.advance();
@@ -116,13 +129,16 @@ std::optional<FormAt> digital_time(FormReader reader) {
     const auto hour = hour_of(*time, rest == "am" ? Half::am : Half::pm);
     if (time->minute > 59)
       return {};
+    reader.skip("sharp");
     return reader.form(clock_text(hour * 60 + time->minute));
   }
   if (rest == "h" || rest == "hrs" || reader.skip_any({"hours", "hrs"}))
     *time = {time->hour, time->minute, true,
-             time->hour < 13 && time->minute == 0};
+             word.size() < 3 && time->hour < 13 && time->minute == 0};
   else if (!rest.empty())
     return {};
+  else if (word.size() <= 2)
+    add_written_minutes(reader, *time);
   return finish(reader, *time);
 }
 
@@ -144,6 +160,17 @@ std::optional<std::int64_t> minutes(FormReader& reader) {
   return {};
 }
 
+// "sixteen hundred hours", "oh eight hundred hours".
+std::optional<FormAt> hundred_hours(FormReader reader) {
+  reader.skip_any({"oh", "o", "zero"});
+  const auto number = reader.number();
+  if (!number || number->ordinal || number->digits ||
+      number->value % 100 != 0 || number->value < 100 || number->value > 2400)
+    return {};
+  const bool whole = reader.skip("hours");
+  return reader.form(clock_text(number->value / 100 * 60), !whole);
+}
+
 // "three", "ten thirty", "nine oh five", "three o'clock".
 std::optional<FormAt> spoken_time(FormReader reader) {
   const auto hour = reader.number();
@@ -158,7 +185,7 @@ std::optional<FormAt> spoken_time(FormReader reader) {
 }
 
 std::optional<std::int64_t> hour_by_name(FormReader& reader) {
-  if (reader.skip_any({"noon", "midday"}))
+  if (reader.skip_any({"noon", "midday", "lunchtime"}))
     return 12;
   if (reader.skip("midnight"))
     return 0;
@@ -181,15 +208,29 @@ std::optional<std::int64_t> fraction(FormReader& reader) {
   return {};
 }
 
+// Whether minutes, of which `first` was the first word, are after the hour
+// that follows; nothing where neither is said. "Half ten" is half past ten.
+std::optional<bool> is_past(FormReader& reader, std::string_view first) {
+  if (reader.skip_any({"past", "after"}))
+    return true;
+  if (reader.skip_any({"to", "before", "till", "til"}))
+    return false;
+  if (first == "half")
+    return true;
+  if (first == "quarter" && reader.skip("of"))
+    return false;
+  return {};
+}
+
 // "half past ten", "a quarter to three", "ten minutes past nine", "half past
 // noon".
 std::optional<FormAt> relative_time(FormReader reader) {
+  const auto first = reader.word() == "a" ? reader.word(1) : reader.word();
   const auto count = fraction(reader);
-  if (!count)
+  const auto after = count ? is_past(reader, first) : std::nullopt;
+  if (!after)
     return {};
-  const bool past = reader.skip_any({"past", "after"});
-  if (!past && !reader.skip_any({"to", "before", "till"}))
-    return {};
+  const bool past = *after;
   if (const auto named = hour_by_name(reader))
     return reader.form(clock_text(*named * 60 + (past ? *count : -*count)));
   const auto hour = reader.number();
@@ -205,8 +246,10 @@ std::optional<FormAt> relative_time(FormReader reader) {
 std::optional<FormAt> named_time(FormReader reader) {
   reader.skip_any({"12", "twelve"});
   const auto hour = hour_by_name(reader);
-  return hour ? std::optional(reader.form(clock_text(*hour * 60)))
-              : std::nullopt;
+  if (!hour)
+    return {};
+  reader.skip("sharp");
+  return reader.form(clock_text(*hour * 60));
 }
 
 std::int64_t minute_of_day(Timestamp now) {
@@ -217,25 +260,28 @@ std::int64_t minute_of_day(Timestamp now) {
 
 bool skip_at_once(FormReader& reader) {
   return reader.skip_any({"immediately", "asap"}) ||
-         reader.skip_all({"right", "now"}) ||
+         reader.skip_all({"right", "now"}) || reader.skip_all({"at", "once"}) ||
          reader.skip_all({"right", "away"}) ||
          reader.skip_all({"straight", "away"}) ||
          reader.skip_all({"as", "soon", "as", "possible"});
 }
 
-// "now", "right away", "in ten minutes", "in half an hour".
+// "now", "right away", "in ten minutes", "half an hour from now".
 std::optional<FormAt> time_from_now(FormReader reader, Now now) {
   if (!now)
     return {};
   const auto current = minute_of_day(*now);
   if (reader.skip("now") || skip_at_once(reader))
     return reader.form(clock_text(current), true);
-  if (!reader.skip("in"))
-    return {};
+  const bool in = reader.skip("in");
   const auto span = duration_form(reader, now);
   if (!span)
     return {};
   reader.advance(span->length - reader.length());
+  if (in)
+    reader.skip("time");
+  else if (!reader.skip_all({"from", "now"}))
+    return {};
   const auto seconds = span->value.integer_or(0);
   if (seconds >= 86'400)
     return {};
@@ -252,6 +298,7 @@ std::optional<FormAt> time_form(FormReader reader, Now now) {
   };
   keep(digital_time(reader));
   keep(spoken_time(reader));
+  keep(hundred_hours(reader));
   keep(relative_time(reader));
   keep(named_time(reader));
   keep(time_from_now(reader, now));

@@ -7,6 +7,7 @@
 #include "adapters/nlu/automaton_builder.hpp"
 #include "adapters/nlu/examples.hpp"
 #include "adapters/nlu/explanation.hpp"
+#include "adapters/nlu/guesses.hpp"
 
 namespace parlour::adapters::nlu {
 
@@ -38,14 +39,37 @@ jsgf::Node with_act(jsgf::Node node, std::string act) {
   return node;
 }
 
-void add_examples(AutomatonBuilder& builder, const Schema& schema,
+// More examples than these are learnt only: as rules they would take too long
+// to try.
+constexpr std::size_t most_example_rules = 500;
+
+bool become_rules(const std::vector<TopicModel>& topics) {
+  std::size_t examples = 0;
+  for (const auto& topic : topics)
+    examples += topic.examples.size();
+  return examples <= most_example_rules;
+}
+
+void check_slots(const jsgf::Node& whole, Schema& schema,
+                 std::vector<Error>& errors) {
+  for (const auto& part : whole.children)
+    if (part.kind == jsgf::NodeKind::reference)
+      schema.resolve(part.text, {}, errors);
+}
+
+void add_examples(AutomatonBuilder& builder, Schema& schema,
                   const std::vector<TopicModel>& topics,
                   std::vector<Error>& errors) {
+  const bool as_rules = become_rules(topics);
   for (const auto& topic : topics) {
     RuleInfo info;
     info.topic = schema.topic(topic.name);
     for (const auto& example : topic.examples) {
       auto rules = example_rules(topic, example, errors);
+      if (!as_rules) {
+        check_slots(rules.whole, schema, errors);
+        continue;
+      }
       info.name = "\"" + example + "\"";
       info.bias = 0;
       builder.add(with_act(std::move(rules.whole),
@@ -76,48 +100,6 @@ void add_bare_values(AutomatonBuilder& builder, const Schema& schema) {
 }
 
 } // namespace
-
-struct Understander::Implementation {
-  Schema schema;
-  Automaton automaton;
-  double threshold;
-
-  std::vector<EntityId> entities(const Context& context) const {
-    auto all = automaton.entities;
-    all.push_back(context.asked_entity_id);
-    std::ranges::sort(all);
-    return all;
-  }
-
-  std::vector<BuiltAct> acts_of(const Chain& chain, const Utterance& utterance,
-                                const Context& context) const {
-    return build_acts(chain, utterance, schema, context, threshold);
-  }
-};
-
-Understander::Understander(std::unique_ptr<const Implementation> implementation)
-    : implementation_(std::move(implementation)) {}
-
-Understander::Understander(Understander&&) noexcept = default;
-Understander& Understander::operator=(Understander&&) noexcept = default;
-Understander::~Understander() = default;
-
-tl::expected<Understander, std::vector<Error>>
-Understander::build(const UnderstandingModel& model,
-                    const ColumnReader& columns, Options options) {
-  std::vector<Error> errors;
-  Schema schema(model, columns, errors);
-  AutomatonBuilder builder(schema, errors);
-  add_grammars(builder, schema, options.generic, true, errors);
-  add_grammars(builder, schema, model.grammars, false, errors);
-  add_examples(builder, schema, model.topics, errors);
-  add_bare_values(builder, schema);
-  auto automaton = builder.finish();
-  if (!errors.empty())
-    return tl::make_unexpected(std::move(errors));
-  return Understander(std::make_unique<const Implementation>(
-      std::move(schema), std::move(automaton), options.threshold));
-}
 
 namespace {
 
@@ -152,7 +134,99 @@ void add_alternative(Alternatives& alternatives, const BuiltAct& best,
   alternatives.acts.push_back(std::move(acts[0]));
 }
 
+// The engine may ask which topic was meant, or tell by itself.
+void add_alternatives(Understanding& made, const Alternatives& alternatives,
+                      const Utterance& utterance, const Spans& spans,
+                      const Schema& schema) {
+  if (made.acts.size() != 1 || alternatives.acts.empty())
+    return;
+  auto first = *made.acts[0].if_map();
+  List others;
+  for (const auto& act : alternatives.acts)
+    others.push_back(act_value(act, utterance, spans, schema));
+  if (alternatives.same_slots)
+    first.set(act_key::topic, Value());
+  else
+    first.set(act_key::alternatives, std::move(others));
+  made.acts[0] = std::move(first);
+}
+
 } // namespace
+
+struct Understander::Implementation {
+  Schema schema;
+  Automaton automaton;
+  Learned learned;
+  double threshold;
+
+  std::vector<EntityId> entities(const Context& context) const {
+    auto all = automaton.entities;
+    all.push_back(context.asked_entity_id);
+    std::ranges::sort(all);
+    return all;
+  }
+
+  std::vector<BuiltAct> acts_of(const Chain& chain, const Utterance& utterance,
+                                const Context& context) const {
+    return build_acts(chain, utterance, schema, context, threshold);
+  }
+
+  std::vector<BuiltAct> guesses(const Utterance& utterance, Spans& spans,
+                                const Context& context) const {
+    return guessed_acts(learned, utterance, spans, schema, context, threshold);
+  }
+
+  Alternatives other_chains(const std::vector<Chain>& chains,
+                            const BuiltAct& best, const Utterance& utterance,
+                            const Context& context) const {
+    Alternatives alternatives;
+    for (std::size_t at = 1;
+         at < chains.size() && chains[at].score >= chains[0].score - fit_range;
+         ++at)
+      add_alternative(alternatives, best,
+                      acts_of(chains[at], utterance, context));
+    return alternatives;
+  }
+
+  std::vector<std::string> explain(const Utterance& utterance,
+                                   const Spans& spans,
+                                   const std::vector<Island>& islands,
+                                   const std::vector<Chain>& chains,
+                                   const std::vector<BuiltAct>& acts) const {
+    const Explanation explanation(utterance, spans, schema);
+    auto lines = explanation.lines(islands, chains, acts);
+    const auto learnt = explanation.learnt(learned);
+    lines.insert(lines.end() - static_cast<std::ptrdiff_t>(acts.size()),
+                 learnt.begin(), learnt.end());
+    return lines;
+  }
+};
+
+Understander::Understander(std::unique_ptr<const Implementation> implementation)
+    : implementation_(std::move(implementation)) {}
+
+Understander::Understander(Understander&&) noexcept = default;
+Understander& Understander::operator=(Understander&&) noexcept = default;
+Understander::~Understander() = default;
+
+tl::expected<Understander, std::vector<Error>>
+Understander::build(const UnderstandingModel& model,
+                    const ColumnReader& columns, Options options) {
+  std::vector<Error> errors;
+  Schema schema(model, columns, errors);
+  AutomatonBuilder builder(schema, errors);
+  add_grammars(builder, schema, options.generic, true, errors);
+  add_grammars(builder, schema, model.grammars, false, errors);
+  add_examples(builder, schema, model.topics, errors);
+  add_bare_values(builder, schema);
+  auto automaton = builder.finish();
+  if (!errors.empty())
+    return tl::make_unexpected(std::move(errors));
+  Learned learned(model.topics, schema, automaton, options.threshold);
+  return Understander(std::make_unique<const Implementation>(
+      std::move(schema), std::move(automaton), std::move(learned),
+      options.threshold));
+}
 
 Understanding Understander::understand(std::string_view text,
                                        const Value& context_value,
@@ -167,34 +241,26 @@ Understanding Understander::understand(std::string_view text,
                                     self.automaton, schema, context);
   const auto chains = best_chains(islands, utterance.size(), context);
   auto acts = self.acts_of(chains[0], utterance, context);
+  const auto guesses = leaves_open(acts)
+                           ? self.guesses(utterance, spans, context)
+                           : std::vector<BuiltAct>();
+  const bool guessed = !guesses.empty() && prefer_better(acts, guesses[0]);
 
   Understanding made;
   made.work = matcher.work();
   if (explain)
-    made.explanation =
-        Explanation(utterance, spans, schema).lines(islands, chains, acts);
-  Alternatives alternatives;
-  if (acts.size() == 1 && acts[0].topic != no_topic)
-    for (std::size_t at = 1;
-         at < chains.size() && chains[at].score >= chains[0].score - fit_range;
-         ++at)
-      add_alternative(alternatives, acts[0],
-                      self.acts_of(chains[at], utterance, context));
+    made.explanation = self.explain(utterance, spans, islands, chains, acts);
   for (const auto& act : acts) {
     made.score = std::max(made.score, act.score);
     made.acts.push_back(act_value(act, utterance, spans, schema));
   }
-  if (made.acts.size() == 1 && !alternatives.acts.empty()) {
-    auto first = *made.acts[0].if_map();
-    List others;
-    for (const auto& act : alternatives.acts)
-      others.push_back(act_value(act, utterance, spans, schema));
-    if (alternatives.same_slots)
-      first.set(act_key::topic, Value());
-    else
-      first.set(act_key::alternatives, std::move(others));
-    made.acts[0] = std::move(first);
-  }
+  if (guessed)
+    add_alternatives(made, {{guesses.begin() + 1, guesses.end()}, false},
+                     utterance, spans, schema);
+  else if (acts.size() == 1 && acts[0].topic != no_topic)
+    add_alternatives(made,
+                     self.other_chains(chains, acts[0], utterance, context),
+                     utterance, spans, schema);
   return made;
 }
 

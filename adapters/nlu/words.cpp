@@ -1,5 +1,6 @@
 #include "adapters/nlu/words.hpp"
 
+#include <algorithm>
 #include <array>
 #include <unordered_map>
 #include <unordered_set>
@@ -114,6 +115,14 @@ bool is_light(std::string_view word) {
 
 bool is_function_word(std::string_view word) {
   return function_words().contains(word) || is_determiner(word);
+}
+
+std::vector<std::string_view> all_function_words() {
+  std::vector<std::string_view> all(function_words().begin(),
+                                    function_words().end());
+  all.insert(all.end(), determiners().begin(), determiners().end());
+  std::ranges::sort(all);
+  return all;
 }
 
 std::span<const std::string_view> filler_phrases() {

@@ -5,6 +5,7 @@
 
 #include <span>
 #include <string_view>
+#include <vector>
 
 namespace parlour::adapters::nlu {
 
@@ -24,6 +25,9 @@ bool is_light(std::string_view word);
 // auxiliaries, common adjectives. Determiners and connectors of places ("of")
 // are among them.
 bool is_function_word(std::string_view word);
+
+// All of them, sorted.
+std::vector<std::string_view> all_function_words();
 
 // Phrases that mean nothing for the task, words separated by one blank.
 std::span<const std::string_view> filler_phrases();

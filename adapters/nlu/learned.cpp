@@ -1,0 +1,231 @@
+#include "adapters/nlu/learned.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "adapters/nlu/marked_text.hpp"
+#include "adapters/nlu/words.hpp"
+
+namespace parlour::adapters::nlu {
+
+namespace {
+
+constexpr std::uint32_t nothing = 0; // the label of what is about no topic
+
+// Below this many texts, sharpness cannot be told from them.
+constexpr std::size_t many_texts = 300;
+constexpr std::size_t one_in = 5; // is held out to find the sharpness
+
+bool is_certain(const Span& span) {
+  return !span.weak && !span.unmatched && span.begin == span.core;
+}
+
+// What stands for a value that is known is seen as a value of its kind.
+std::vector<LearningWord> learning_words(const Utterance& utterance,
+                                         const Spans& spans) {
+  std::vector<LearningWord> words;
+  for (const auto& token : utterance.tokens.list)
+    words.push_back({token.word, 0});
+  std::vector<const Span*> known;
+  for (const auto& span : spans.all())
+    if (is_certain(span))
+      known.push_back(&span);
+  std::ranges::stable_sort(known, [](const Span* left, const Span* right) {
+    return left->end - left->begin > right->end - right->begin;
+  });
+  for (const auto* span : known) {
+    const auto part = std::span(words).subspan(span->begin,
+                                               span->end - span->begin);
+    if (std::ranges::all_of(part, [](const auto& one) { return one.kind == 0; }))
+      for (auto& word : part)
+        word.kind = span->entity + 1;
+  }
+  return words;
+}
+
+float highest(std::vector<float> scores, float sharpness) {
+  for (auto& score : scores)
+    score *= sharpness;
+  const auto probabilities = softmax(std::move(scores));
+  return *std::ranges::max_element(probabilities);
+}
+
+// How much sharper the scores of texts that were held out must be so that 97 of
+// 100 reach the threshold.
+float sharpness_of(const std::vector<std::vector<float>>& held_out,
+                   double threshold) {
+  const auto reaches = [&](float sharpness) {
+    std::size_t count = 0;
+    for (const auto& scores : held_out)
+      count += highest(scores, sharpness) >= threshold ? 1 : 0;
+    return count * 100 >= held_out.size() * 97;
+  };
+  float low = 1;
+  float high = 8;
+  for (int step = 0; step < 12; ++step) {
+    const auto middle = std::sqrt(low * high);
+    (reaches(middle) ? high : low) = middle;
+  }
+  return high;
+}
+
+} // namespace
+
+// All examples, on their way into what is learnt.
+class Lesson {
+public:
+  Lesson(Learned& learned, const Schema& schema, const Automaton& automaton)
+      : learned_(learned), schema_(schema), automaton_(automaton) {
+    learned_.slots_of_.resize(schema.topics().size());
+  }
+
+  void add(const TopicModel& topic) {
+    if (topic.examples.empty())
+      return;
+    learned_.topics_.push_back(schema_.topic(topic.name));
+    for (const auto& example : topic.examples)
+      if (const auto marked = read_marks(example))
+        add(*marked);
+  }
+
+  void learn(double threshold) {
+    if (learned_.topics_.empty())
+      return;
+    number_slots();
+    add_nothing();
+    const auto labels = static_cast<std::uint32_t>(learned_.topics_.size() + 1);
+    if (texts_.size() >= many_texts)
+      learned_.sharpness_ = find_sharpness(labels, threshold);
+    learned_.classifier_ = Classifier(texts_, labels);
+    for (std::size_t at = 0; at < tagged_.size(); ++at)
+      tagged_[at].slots = learned_.slots_of_[tagged_topics_[at]];
+    learned_.tagger_ = Tagger(
+        tagged_, static_cast<std::uint32_t>(learned_.slots_.size()));
+  }
+
+private:
+  struct Read {
+    explicit Read(std::string_view text, const Schema& schema,
+                  const Automaton& automaton)
+        : utterance(make_utterance(text, automaton)),
+          spans(schema, utterance, automaton.entities, Timestamp{0}),
+          words(learning_words(utterance, spans)) {}
+
+    Utterance utterance;
+    Spans spans;
+    std::vector<LearningWord> words;
+  };
+
+  void add(const MarkedText& marked) {
+    const Read read(marked.text, schema_, automaton_);
+    texts_.push_back(
+        {text_features(read.words),
+         static_cast<std::uint32_t>(learned_.topics_.size())});
+    tagged_.push_back({word_features(read.words), labels(marked, read), {}});
+    tagged_topics_.push_back(learned_.topics_.back());
+  }
+
+  std::vector<TagLabel> labels(const MarkedText& marked, const Read& read) {
+    const auto& tokens = read.utterance.tokens.list;
+    std::vector<TagLabel> made(tokens.size(), outside);
+    for (const auto& mark : marked.marks) {
+      const auto slot = slot_number(mark.slot);
+      bool first = true;
+      for (std::size_t at = 0; at < tokens.size(); ++at) {
+        if (tokens[at].begin >= mark.end || tokens[at].end <= mark.begin)
+          continue;
+        made[at] = first ? begins(slot) : goes_on(slot);
+        first = false;
+      }
+    }
+    return made;
+  }
+
+  std::uint32_t slot_number(const std::string& slot) {
+    auto& slots = learned_.slots_;
+    const auto found = std::ranges::find(slots, slot);
+    const auto number = static_cast<std::uint32_t>(found - slots.begin());
+    if (found == slots.end())
+      slots.push_back(slot);
+    return number;
+  }
+
+  // Which of the slots each topic has.
+  void number_slots() {
+    for (const auto topic : learned_.topics_)
+      for (std::uint32_t slot = 0; slot < learned_.slots_.size(); ++slot)
+        if (schema_.at(topic).find(learned_.slots_[slot]))
+          learned_.slots_of_[topic].push_back(slot);
+  }
+
+  // Words that alone are about nothing.
+  void add_nothing() {
+    for (const auto word : all_function_words())
+      texts_.push_back({text_features({{word, 0}}), nothing});
+    for (const auto phrase : filler_phrases())
+      texts_.push_back(
+          {text_features(Read(phrase, schema_, automaton_).words), nothing});
+  }
+
+  float find_sharpness(std::uint32_t labels, double threshold) const {
+    std::vector<LabelledText> learnt;
+    std::vector<const LabelledText*> held_out;
+    for (std::size_t at = 0; at < texts_.size(); ++at)
+      if (at % one_in == 0 && texts_[at].label != nothing)
+        held_out.push_back(&texts_[at]);
+      else
+        learnt.push_back(texts_[at]);
+    const Classifier trial(learnt, labels);
+    std::vector<std::vector<float>> scores;
+    for (const auto* text : held_out)
+      scores.push_back(trial.scores(text->features));
+    return sharpness_of(scores, threshold);
+  }
+
+  Learned& learned_;
+  const Schema& schema_;
+  const Automaton& automaton_;
+  std::vector<LabelledText> texts_;
+  std::vector<TaggedText> tagged_;
+  std::vector<TopicNumber> tagged_topics_;
+};
+
+Learned::Learned(const std::vector<TopicModel>& topics, const Schema& schema,
+                 const Automaton& automaton, double threshold) {
+  Lesson lesson(*this, schema, automaton);
+  for (const auto& topic : topics)
+    lesson.add(topic);
+  lesson.learn(threshold);
+}
+
+std::vector<TopicGuess> Learned::topics(const Utterance& utterance,
+                                        const Spans& spans) const {
+  auto scores =
+      classifier_.scores(text_features(learning_words(utterance, spans)));
+  for (auto& score : scores)
+    score *= sharpness_;
+  const auto probabilities = softmax(std::move(scores));
+  std::vector<TopicGuess> made;
+  for (std::size_t at = 0; at < topics_.size(); ++at)
+    made.push_back({topics_[at], probabilities[at + 1]});
+  std::ranges::stable_sort(made, std::greater(), &TopicGuess::probability);
+  return made;
+}
+
+std::vector<SlotGuess> Learned::slots(TopicNumber topic,
+                                      const Utterance& utterance,
+                                      const Spans& spans) const {
+  const auto labels = tagger_.tag(
+      word_features(learning_words(utterance, spans)), slots_of_[topic]);
+  std::vector<SlotGuess> made;
+  for (std::uint32_t at = 0; at < labels.size(); ++at) {
+    if (labels[at] == outside)
+      continue;
+    if (is_beginning(labels[at]))
+      made.push_back({slots_[slot_of(labels[at])], at, at});
+    made.back().end = at + 1;
+  }
+  return made;
+}
+
+} // namespace parlour::adapters::nlu

@@ -1,0 +1,60 @@
+// What is learnt from the examples of an application's topics when it is
+// loaded: which topic an utterance is about, and which words fill its slots
+// (understanding, "Examples"). Immutable; any number of threads may ask it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "adapters/nlu/learning/classifier.hpp"
+#include "adapters/nlu/learning/tagger.hpp"
+#include "adapters/nlu/schema.hpp"
+#include "adapters/nlu/spans.hpp"
+#include "adapters/nlu/utterance.hpp"
+
+namespace parlour::adapters::nlu {
+
+struct TopicGuess {
+  TopicNumber topic = no_topic;
+  double probability = 0;
+};
+
+struct SlotGuess {
+  std::string slot;
+  std::uint32_t begin = 0; // tokens
+  std::uint32_t end = 0;
+};
+
+class Learned {
+public:
+  // Examples whose marks do not fit are left out. `threshold`: with many
+  // examples, probabilities are made such that of 100 examples that were not
+  // learnt 97 reach it.
+  Learned(const std::vector<TopicModel>& topics, const Schema& schema,
+          const Automaton& automaton, double threshold);
+
+  // Best first, of topics with examples. What is left to 1 is the probability
+  // that it is about none of them.
+  std::vector<TopicGuess> topics(const Utterance& utterance,
+                                 const Spans& spans) const;
+
+  // Words that fill the topic's slots, in their order.
+  std::vector<SlotGuess> slots(TopicNumber topic, const Utterance& utterance,
+                               const Spans& spans) const;
+
+  bool empty() const {
+    return topics_.empty();
+  }
+
+private:
+  friend class Lesson;
+
+  std::vector<TopicNumber> topics_; // of labels, from the second on
+  std::vector<std::string> slots_;
+  std::vector<std::vector<std::uint32_t>> slots_of_; // by topic
+  Classifier classifier_;
+  Tagger tagger_;
+  float sharpness_ = 1; // what scores are multiplied with
+};
+
+} // namespace parlour::adapters::nlu

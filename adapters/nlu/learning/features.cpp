@@ -1,0 +1,153 @@
+#include "adapters/nlu/learning/features.hpp"
+
+#include <algorithm>
+#include <string>
+
+namespace parlour::adapters::nlu {
+
+namespace {
+
+constexpr std::size_t shortest_piece = 3;
+constexpr std::size_t longest_piece = 5;
+constexpr std::size_t longest_affix = 4;
+
+// FNV-1a of bytes, going on from `hash`.
+constexpr Feature hash_of(std::string_view bytes, Feature hash) {
+  for (const char byte : bytes)
+    hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001b3;
+  return hash;
+}
+
+// `kind` keeps apart what is made of the same words.
+constexpr Feature feature(char kind, std::string_view first) {
+  return hash_of(first, hash_of({&kind, 1}, 0xcbf29ce484222325));
+}
+
+constexpr Feature feature(char kind, std::string_view first,
+                          std::string_view second) {
+  return hash_of(second, hash_of(" ", feature(kind, first)));
+}
+
+constexpr Feature feature(char kind, std::string_view first,
+                          std::string_view second, std::string_view third) {
+  return hash_of(third, hash_of(" ", feature(kind, first, second)));
+}
+
+// "^want$": ^wa, wan, ant, nt$, ^wan …
+void add_pieces(std::string_view word, std::vector<Feature>& made) {
+  std::string framed = "^";
+  framed.append(word).append("$");
+  for (auto length = shortest_piece; length <= longest_piece; ++length)
+    for (std::size_t at = 0; at + length <= framed.size(); ++at)
+      made.push_back(
+          feature('p', std::string_view(framed).substr(at, length)));
+}
+
+std::string kind_name(std::uint32_t kind) {
+  return '@' + std::to_string(kind);
+}
+
+// Words, and the kind in place of all words of one.
+std::vector<std::string> without_values(const std::vector<LearningWord>& words) {
+  std::vector<std::string> made;
+  std::uint32_t before = 0;
+  for (const auto& one : words) {
+    if (one.kind == 0)
+      made.emplace_back(one.word);
+    else if (one.kind != before)
+      made.push_back(kind_name(one.kind));
+    before = one.kind;
+  }
+  return made;
+}
+
+class WordFeatures {
+public:
+  explicit WordFeatures(const std::vector<LearningWord>& words)
+      : words_(words) {}
+
+  std::vector<Feature> at(std::size_t position) {
+    made_ = {feature('0', "")};
+    at_ = position;
+    add_neighbours();
+    add_affixes(word(0));
+    add_kinds();
+    return std::move(made_);
+  }
+
+private:
+  std::size_t place(int away) const {
+    return at_ + static_cast<std::size_t>(away); // wraps below 0
+  }
+
+  std::string_view word(int away) const {
+    if (place(away) >= words_.size())
+      return away < 0 ? "^" : "$";
+    return words_[place(away)].word;
+  }
+
+  std::string kind(int away) const {
+    const bool inside = place(away) < words_.size();
+    return kind_name(inside ? words_[place(away)].kind : 0);
+  }
+
+  void add_neighbours() {
+    for (int away = -2; away <= 2; ++away)
+      made_.push_back(feature(static_cast<char>('c' + away), word(away)));
+    for (int away = -2; away <= 1; ++away)
+      made_.push_back(feature(static_cast<char>('h' + away), word(away),
+                              word(away + 1)));
+    made_.push_back(feature('k', word(-1), word(1)));
+    made_.push_back(feature('l', word(-2), word(-1), word(0)));
+  }
+
+  void add_affixes(std::string_view word) {
+    for (std::size_t length = 1; length <= longest_affix; ++length) {
+      if (length >= word.size())
+        return;
+      made_.push_back(feature('m', word.substr(0, length)));
+      made_.push_back(feature('n', word.substr(word.size() - length)));
+    }
+  }
+
+  void add_kinds() {
+    for (int away = -1; away <= 1; ++away)
+      made_.push_back(feature(static_cast<char>('q' + away), kind(away)));
+    // Where a value begins.
+    made_.push_back(feature('t', kind(-1), kind(0)));
+  }
+
+  const std::vector<LearningWord>& words_;
+  std::size_t at_ = 0;
+  std::vector<Feature> made_;
+};
+
+} // namespace
+
+std::vector<Feature> text_features(const std::vector<LearningWord>& words) {
+  std::vector<Feature> made;
+  std::string before = "^";
+  for (const auto& word : without_values(words)) {
+    made.push_back(feature('w', word));
+    made.push_back(feature('b', before, word));
+    if (!word.starts_with('@'))
+      add_pieces(word, made);
+    before = word;
+  }
+  made.push_back(feature('b', before, "$"));
+  std::ranges::sort(made);
+  const auto again = std::ranges::unique(made);
+  made.erase(again.begin(), again.end());
+  return made;
+}
+
+std::vector<std::vector<Feature>>
+word_features(const std::vector<LearningWord>& words) {
+  std::vector<std::vector<Feature>> made;
+  WordFeatures features(words);
+  for (std::size_t at = 0; at < words.size(); ++at)
+    made.push_back(features.at(at));
+  return made;
+}
+
+} // namespace parlour::adapters::nlu

@@ -1,0 +1,198 @@
+#include "adapters/nlu/learning/tagger.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "adapters/nlu/learning/shuffle.hpp"
+
+namespace parlour::adapters::nlu {
+
+namespace {
+
+constexpr int rounds = 8;
+// In training a wrong label counts that much more: what is right must be
+// better by as much.
+constexpr float margin = 1;
+// So many texts can do without features that only one word has.
+constexpr std::size_t many_texts = 2000;
+
+// The labels that are possible, `outside` first.
+std::vector<TagLabel> labels_of(const std::vector<std::uint32_t>& slots) {
+  std::vector<TagLabel> made{outside};
+  for (const auto slot : slots) {
+    made.push_back(begins(slot));
+    made.push_back(goes_on(slot));
+  }
+  return made;
+}
+
+bool may_follow(TagLabel before, TagLabel label) {
+  return label == outside || is_beginning(label) || before == label ||
+         before + 1 == label;
+}
+
+} // namespace
+
+// The best way through the labels of one text (Viterbi).
+class LabelSearch {
+public:
+  // `truth` only in training.
+  LabelSearch(const Tagger& tagger, const Tagger::Rows& rows,
+              const std::vector<std::uint32_t>& slots,
+              const std::vector<TagLabel>* truth)
+      : tagger_(tagger), rows_(rows), labels_(labels_of(slots)), truth_(truth),
+        came_from_(rows.size() * labels_.size()) {}
+
+  std::vector<TagLabel> run() {
+    // Before the first word all is outside.
+    std::vector<float> before(labels_.size(), impossible);
+    before[0] = 0;
+    for (std::size_t at = 0; at < rows_.size(); ++at)
+      before = step(at, before);
+    const auto best = std::ranges::max_element(before) - before.begin();
+    return way(static_cast<std::size_t>(best));
+  }
+
+private:
+  static constexpr float impossible = std::numeric_limits<float>::lowest() / 4;
+
+  std::vector<float> step(std::size_t at, const std::vector<float>& before) {
+    std::vector<float> here(labels_.size());
+    for (std::size_t one = 0; one < labels_.size(); ++one) {
+      const auto label = labels_[one];
+      const auto from = best_before(before, label);
+      came_from_[at * labels_.size() + one] = static_cast<std::uint32_t>(from);
+      here[one] = before[from] + tagger_.row(tagger_.after(labels_[from]))[label];
+      for (const auto feature : rows_[at])
+        here[one] += tagger_.row(feature)[label];
+      if (truth_ && (*truth_)[at] != label)
+        here[one] += margin;
+    }
+    return here;
+  }
+
+  // `outside` may be before any beginning, and a beginning before what goes on.
+  std::size_t best_before(const std::vector<float>& before,
+                          TagLabel label) const {
+    std::size_t best = 0;
+    float most = std::numeric_limits<float>::lowest();
+    for (std::size_t last = 0; last < before.size(); ++last) {
+      if (!may_follow(labels_[last], label))
+        continue;
+      const auto score =
+          before[last] + tagger_.row(tagger_.after(labels_[last]))[label];
+      if (score > most) {
+        most = score;
+        best = last;
+      }
+    }
+    return best;
+  }
+
+  std::vector<TagLabel> way(std::size_t last) const {
+    std::vector<TagLabel> made(rows_.size());
+    for (auto at = rows_.size(); at-- > 0;) {
+      made[at] = labels_[last];
+      last = came_from_[at * labels_.size() + last];
+    }
+    return made;
+  }
+
+  const Tagger& tagger_;
+  const Tagger::Rows& rows_;
+  std::vector<TagLabel> labels_;
+  const std::vector<TagLabel>* truth_;
+  std::vector<std::uint32_t> came_from_; // by word and label
+};
+
+// The tagger's weights while they are trained, and their sums over time.
+class TaggerTraining {
+public:
+  explicit TaggerTraining(Tagger& tagger) : tagger_(tagger) {}
+
+  void run(const std::vector<TaggedText>& texts) {
+    number_features(texts);
+    tagger_.weights_.assign(tagger_.after(tagger_.labels_) * tagger_.labels_,
+                            0);
+    sums_ = tagger_.weights_;
+    std::vector<Tagger::Rows> rows;
+    for (const auto& text : texts)
+      rows.push_back(tagger_.rows(text.features));
+    ShuffledOrder order(texts.size());
+    for (int round = 0; round < rounds; ++round)
+      for (const auto at : order.next())
+        learn(texts[at], rows[at]);
+    average();
+  }
+
+private:
+  void number_features(const std::vector<TaggedText>& texts) {
+    const int needed = texts.size() < many_texts ? 1 : 2;
+    std::unordered_map<Feature, int> counts;
+    for (const auto& text : texts)
+      for (const auto& word : text.features)
+        for (const auto feature : word)
+          if (++counts[feature] == needed)
+            tagger_.table_.add(feature);
+  }
+
+  void learn(const TaggedText& text, const Tagger::Rows& rows) {
+    ++steps_;
+    const auto found = LabelSearch(tagger_, rows, text.slots, &text.labels).run();
+    if (found == text.labels)
+      return;
+    move(rows, text.labels, 1);
+    move(rows, found, -1);
+  }
+
+  void move(const Tagger::Rows& rows, const std::vector<TagLabel>& labels,
+            float by) {
+    auto before = outside;
+    for (std::size_t at = 0; at < labels.size(); ++at) {
+      for (const auto feature : rows[at])
+        move(feature, labels[at], by);
+      move(tagger_.after(before), labels[at], by);
+      before = labels[at];
+    }
+  }
+
+  void move(std::size_t row, TagLabel label, float by) {
+    const auto at = row * tagger_.labels_ + label;
+    tagger_.weights_[at] += by;
+    sums_[at] += by * steps_;
+  }
+
+  // What each weight was on the average of all steps.
+  void average() {
+    for (std::size_t at = 0; at < sums_.size(); ++at)
+      tagger_.weights_[at] -= sums_[at] / std::max(steps_, 1.0F);
+  }
+
+  Tagger& tagger_;
+  std::vector<float> sums_; // of moves times the steps before them
+  float steps_ = 0;
+};
+
+Tagger::Tagger(const std::vector<TaggedText>& texts, std::uint32_t slots)
+    : labels_(2 * slots + 1) {
+  TaggerTraining(*this).run(texts);
+}
+
+Tagger::Rows
+Tagger::rows(const std::vector<std::vector<Feature>>& features) const {
+  Rows made(features.size());
+  for (std::size_t at = 0; at < features.size(); ++at)
+    for (const auto feature : features[at])
+      if (const auto number = table_.find(feature); number != no_feature)
+        made[at].push_back(number);
+  return made;
+}
+
+std::vector<TagLabel>
+Tagger::tag(const std::vector<std::vector<Feature>>& features,
+            const std::vector<std::uint32_t>& slots) const {
+  const auto numbered = rows(features);
+  return LabelSearch(*this, numbered, slots, nullptr).run();
+}
+
+} // namespace parlour::adapters::nlu

@@ -94,17 +94,17 @@ struct Feast {
 
 // Longer ones first.
 constexpr Feast feasts[] = {
-    {{"new", "year", "day"}, 1, 1},       {{"new", "years", "day"}, 1, 1},
-    {{"new", "year", "eve"}, 12, 31},     {{"new", "years", "eve"}, 12, 31},
-    {{"christmas", "eve", ""}, 12, 24},   {{"christmas", "day", ""}, 12, 25},
-    {{"boxing", "day", ""}, 12, 26},      {{"valentine", "day", ""}, 2, 14},
-    {{"valentines", "day", ""}, 2, 14},   {{"christmas", "", ""}, 12, 25},
+    {{"new", "year", "day"}, 1, 1},     {{"new", "years", "day"}, 1, 1},
+    {{"new", "year", "eve"}, 12, 31},   {{"new", "years", "eve"}, 12, 31},
+    {{"christmas", "eve", ""}, 12, 24}, {{"christmas", "day", ""}, 12, 25},
+    {{"boxing", "day", ""}, 12, 26},    {{"valentine", "day", ""}, 2, 14},
+    {{"valentines", "day", ""}, 2, 14}, {{"christmas", "", ""}, 12, 25},
 };
 
 std::optional<FormAt> feast(FormReader reader, Now now) {
   for (const auto& one : feasts) {
-    const auto length = static_cast<std::size_t>(
-        std::ranges::find(one.words, "") - one.words);
+    const auto length =
+        static_cast<std::size_t>(std::ranges::find(one.words, "") - one.words);
     bool same = true;
     for (std::size_t at = 0; at < length; ++at)
       same = same && reader.word(at) == one.words[at];
@@ -135,8 +135,8 @@ std::optional<FormAt> weekday_and_date(FormReader reader, Now now) {
 } // namespace
 
 std::optional<FormAt> date_form(FormReader reader, Now now) {
-  for (const auto read : {digital_date, day_and_month, month_and_day, feast,
-                          weekday_and_date})
+  for (const auto read :
+       {digital_date, day_and_month, month_and_day, feast, weekday_and_date})
     if (auto found = read(reader, now))
       return found;
   const auto today = day_of(now);

@@ -48,12 +48,8 @@ ExampleRules example_rules(const TopicModel& topic, const std::string& example,
   std::size_t at_byte = 0;
   for (const auto& mark : marked->marks) {
     add_words(made.whole, text.substr(at_byte, mark.begin - at_byte));
-    made.whole.children.push_back({NodeKind::reference,
-                                   topic.name + '.' + mark.slot,
-                                   {},
-                                   {},
-                                   {},
-                                   {}});
+    made.whole.children.push_back(
+        {NodeKind::reference, topic.name + '.' + mark.slot, {}, {}, {}, {}});
     at_byte = mark.end;
   }
   add_words(made.whole, text.substr(at_byte));

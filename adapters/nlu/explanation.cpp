@@ -49,8 +49,7 @@ std::vector<std::string> Explanation::learnt(const Learned& learned) const {
   for (std::size_t at = 0; at < guesses.size() && at < most_guesses; ++at)
     line += " " + two_digits(guesses[at].probability) + " " +
             topic(guesses[at].topic);
-  for (const auto& slot :
-       learned.slots(guesses[0].topic, utterance_, spans_))
+  for (const auto& slot : learned.slots(guesses[0].topic, utterance_, spans_))
     line += " " + slot.slot + "=\"" +
             std::string(words_of(utterance_.text, utterance_.tokens, slot.begin,
                                  slot.end)) +

@@ -94,10 +94,9 @@ private:
 };
 
 double bonus_of(const BuiltAct& act, const Context& context) {
-  const bool asked =
-      act.topic == context.asked_topic &&
-      std::ranges::find(act.fills, context.asked_slot, &Fill::slot) !=
-          act.fills.end();
+  const bool asked = act.topic == context.asked_topic &&
+                     std::ranges::find(act.fills, context.asked_slot,
+                                       &Fill::slot) != act.fills.end();
   return context.bonus(act.topic) + (asked ? asked_bonus : 0);
 }
 
@@ -131,15 +130,14 @@ std::vector<BuiltAct> guessed_acts(const Learned& learned,
 }
 
 bool leaves_open(const std::vector<BuiltAct>& acts) {
-  return acts.empty() || (acts.size() == 1 && acts[0].topic != no_topic &&
-                          (acts[0].elliptical ||
-                           acts[0].score < well_understood));
+  return acts.empty() ||
+         (acts.size() == 1 && acts[0].topic != no_topic &&
+          (acts[0].elliptical || acts[0].score < well_understood));
 }
 
 bool prefer_better(std::vector<BuiltAct>& acts, const BuiltAct& guess) {
-  if (acts.empty() ||
-      (acts[0].elliptical && acts[0].score < guess.score &&
-       acts[0].topic != guess.topic)) {
+  if (acts.empty() || (acts[0].elliptical && acts[0].score < guess.score &&
+                       acts[0].topic != guess.topic)) {
     acts = {guess};
     return true;
   }

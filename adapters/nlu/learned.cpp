@@ -34,9 +34,10 @@ std::vector<LearningWord> learning_words(const Utterance& utterance,
     return left->end - left->begin > right->end - right->begin;
   });
   for (const auto* span : known) {
-    const auto part = std::span(words).subspan(span->begin,
-                                               span->end - span->begin);
-    if (std::ranges::all_of(part, [](const auto& one) { return one.kind == 0; }))
+    const auto part =
+        std::span(words).subspan(span->begin, span->end - span->begin);
+    if (std::ranges::all_of(part,
+                            [](const auto& one) { return one.kind == 0; }))
       for (auto& word : part)
         word.kind = span->entity + 1;
   }
@@ -57,7 +58,7 @@ float sharpness_of(const std::vector<std::vector<float>>& held_out,
   const auto reaches = [&](float sharpness) {
     std::size_t count = 0;
     for (const auto& scores : held_out)
-      count += highest(scores, sharpness) >= threshold ? 1 : 0;
+      count += highest(scores, sharpness) >= threshold ? 1U : 0U;
     return count * 100 >= held_out.size() * 97;
   };
   float low = 1;
@@ -99,8 +100,8 @@ public:
     learned_.classifier_ = Classifier(texts_, labels);
     for (std::size_t at = 0; at < tagged_.size(); ++at)
       tagged_[at].slots = learned_.slots_of_[tagged_topics_[at]];
-    learned_.tagger_ = Tagger(
-        tagged_, static_cast<std::uint32_t>(learned_.slots_.size()));
+    learned_.tagger_ =
+        Tagger(tagged_, static_cast<std::uint32_t>(learned_.slots_.size()));
   }
 
 private:
@@ -118,9 +119,8 @@ private:
 
   void add(const MarkedText& marked) {
     const Read read(marked.text, schema_, automaton_);
-    texts_.push_back(
-        {text_features(read.words),
-         static_cast<std::uint32_t>(learned_.topics_.size())});
+    texts_.push_back({text_features(read.words),
+                      static_cast<std::uint32_t>(learned_.topics_.size())});
     tagged_.push_back({word_features(read.words), labels(marked, read), {}});
     tagged_topics_.push_back(learned_.topics_.back());
   }

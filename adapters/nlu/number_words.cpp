@@ -16,37 +16,36 @@ struct NumberWord {
 
 const std::unordered_map<std::string_view, NumberWord>& number_words() {
   static const std::unordered_map<std::string_view, NumberWord> table{
-      {"zero", {0, false}},        {"nought", {0, false}},
-      {"naught", {0, false}},      {"nil", {0, false}},
-      {"one", {1, false}},
-      {"two", {2, false}},         {"three", {3, false}},
-      {"four", {4, false}},        {"five", {5, false}},
-      {"six", {6, false}},         {"seven", {7, false}},
-      {"eight", {8, false}},       {"nine", {9, false}},
-      {"ten", {10, false}},        {"eleven", {11, false}},
-      {"twelve", {12, false}},     {"thirteen", {13, false}},
-      {"fourteen", {14, false}},   {"fifteen", {15, false}},
-      {"sixteen", {16, false}},    {"seventeen", {17, false}},
-      {"eighteen", {18, false}},   {"nineteen", {19, false}},
-      {"twenty", {20, false}},     {"thirty", {30, false}},
-      {"forty", {40, false}},      {"fourty", {40, false}},
-      {"fifty", {50, false}},      {"sixty", {60, false}},
-      {"seventy", {70, false}},    {"eighty", {80, false}},
-      {"ninety", {90, false}},     {"hundred", {100, false}},
-      {"thousand", {1000, false}}, {"million", {1000000, false}},
-      {"first", {1, true}},        {"second", {2, true}},
-      {"third", {3, true}},        {"fourth", {4, true}},
-      {"fifth", {5, true}},        {"sixth", {6, true}},
-      {"seventh", {7, true}},      {"eighth", {8, true}},
-      {"ninth", {9, true}},        {"tenth", {10, true}},
-      {"eleventh", {11, true}},    {"twelfth", {12, true}},
-      {"thirteenth", {13, true}},  {"fourteenth", {14, true}},
-      {"fifteenth", {15, true}},   {"sixteenth", {16, true}},
-      {"seventeenth", {17, true}}, {"eighteenth", {18, true}},
-      {"nineteenth", {19, true}},  {"twentieth", {20, true}},
-      {"thirtieth", {30, true}},   {"fortieth", {40, true}},
-      {"fiftieth", {50, true}},    {"sixtieth", {60, true}},
-      {"hundredth", {100, true}}};
+      {"zero", {0, false}},          {"nought", {0, false}},
+      {"naught", {0, false}},        {"nil", {0, false}},
+      {"one", {1, false}},           {"two", {2, false}},
+      {"three", {3, false}},         {"four", {4, false}},
+      {"five", {5, false}},          {"six", {6, false}},
+      {"seven", {7, false}},         {"eight", {8, false}},
+      {"nine", {9, false}},          {"ten", {10, false}},
+      {"eleven", {11, false}},       {"twelve", {12, false}},
+      {"thirteen", {13, false}},     {"fourteen", {14, false}},
+      {"fifteen", {15, false}},      {"sixteen", {16, false}},
+      {"seventeen", {17, false}},    {"eighteen", {18, false}},
+      {"nineteen", {19, false}},     {"twenty", {20, false}},
+      {"thirty", {30, false}},       {"forty", {40, false}},
+      {"fourty", {40, false}},       {"fifty", {50, false}},
+      {"sixty", {60, false}},        {"seventy", {70, false}},
+      {"eighty", {80, false}},       {"ninety", {90, false}},
+      {"hundred", {100, false}},     {"thousand", {1000, false}},
+      {"million", {1000000, false}}, {"first", {1, true}},
+      {"second", {2, true}},         {"third", {3, true}},
+      {"fourth", {4, true}},         {"fifth", {5, true}},
+      {"sixth", {6, true}},          {"seventh", {7, true}},
+      {"eighth", {8, true}},         {"ninth", {9, true}},
+      {"tenth", {10, true}},         {"eleventh", {11, true}},
+      {"twelfth", {12, true}},       {"thirteenth", {13, true}},
+      {"fourteenth", {14, true}},    {"fifteenth", {15, true}},
+      {"sixteenth", {16, true}},     {"seventeenth", {17, true}},
+      {"eighteenth", {18, true}},    {"nineteenth", {19, true}},
+      {"twentieth", {20, true}},     {"thirtieth", {30, true}},
+      {"fortieth", {40, true}},      {"fiftieth", {50, true}},
+      {"sixtieth", {60, true}},      {"hundredth", {100, true}}};
   return table;
 }
 
@@ -174,9 +173,9 @@ std::optional<NumberAt> collective_at(const Tokens& tokens,
   auto at = position;
   std::int64_t count = 1;
   const bool half = word_at(tokens, at) == "half";
-  at += half ? 1 : 0;
+  at += half ? 1U : 0U;
   const bool one = word_at(tokens, at) == "a";
-  at += one ? 1 : 0;
+  at += one ? 1U : 0U;
   if (!one && !half)
     if (const auto number = number_at(tokens, at)) {
       count = number->value;
@@ -187,7 +186,7 @@ std::optional<NumberAt> collective_at(const Tokens& tokens,
   const bool dozen = word == "dozen";
   if (!dozen && (half || counted || (word != "couple" && word != "pair")))
     return {};
-  at += word_at(tokens, at) == "of" ? 1 : 0;
+  at += word_at(tokens, at) == "of" ? 1U : 0U;
   count *= dozen ? 12 : 2;
   return NumberAt{half ? count / 2 : count, at - position, false, false};
 }

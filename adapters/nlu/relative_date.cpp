@@ -167,8 +167,8 @@ std::optional<FormAt> within_month(FormReader reader, Day today) {
   const auto months = of_month(reader);
   if (!months)
     return {};
-  const auto last = last_of_month(
-      months_later(last_of_month(today) - days(27), *months));
+  const auto last =
+      last_of_month(months_later(last_of_month(today) - days(27), *months));
   if (end)
     return as_form(reader, last);
   const std::chrono::year_month_day date(last);

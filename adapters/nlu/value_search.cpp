@@ -189,9 +189,12 @@ std::size_t ValueSearch::strangers(std::size_t begin, std::size_t end) const {
                         is_stranger(at - 1) && found < 2;
        --at)
     ++found;
-  for (auto at = end;
-       at < tokens_.list.size() && tokens_.list[at].before == Break::none &&
-       is_stranger(at) && found < 4;
+  // "a glass of water" is none of the glasses.
+  auto at = end;
+  if (at + 1 < tokens_.list.size() && tokens_.list[at].word == "of")
+    ++at;
+  for (; at < tokens_.list.size() && tokens_.list[at].before == Break::none &&
+         is_stranger(at) && found < 4;
        ++at)
     ++found;
   return found;
@@ -205,8 +208,9 @@ void ValueSearch::emit_set(std::size_t begin, std::size_t end,
       best = &partial;
   const auto used = double(best->count);
   auto confidence = double(best->similarity) / used;
+  // A part must be spelt better than a whole: "Changi" is no money changer.
   if (!whole(*best))
-    confidence *= (0.9 + 0.1 * recall(*best)) * used /
+    confidence *= confidence * (0.9 + 0.1 * recall(*best)) * used /
                   (used + double(strangers(begin, end)));
   if (confidence < least_confidence)
     return;

@@ -11,6 +11,7 @@ namespace {
 constexpr std::size_t most_hits = 8;
 constexpr std::size_t shortest_misspelt = 3;
 constexpr std::size_t most_extra = 3; // letters
+constexpr std::size_t longest_short = 5;
 
 std::uint32_t trigram(const std::string& padded, std::size_t position) {
   std::uint32_t key = 0;
@@ -19,12 +20,30 @@ std::uint32_t trigram(const std::string& padded, std::size_t position) {
   return key;
 }
 
-// Each trigram of the word with its ends marked, once.
-std::vector<std::uint32_t> trigrams_of(const std::string& word) {
+// Short words have few trigrams, and one wrong letter spoils them all: also
+// those with the same ends ("omg", "ong") and of the same letters ("tna",
+// "tan") are near.
+void add_keys_of_short(std::string word, std::vector<std::uint32_t>& keys) {
+  const auto byte = [&](std::size_t at) {
+    return static_cast<std::uint32_t>(static_cast<unsigned char>(word[at]));
+  };
+  keys.push_back(0x0100'0000U | byte(0) << 8 | byte(word.size() - 1));
+  std::ranges::sort(word);
+  std::uint32_t letters = 0;
+  for (std::size_t at = 0; at < word.size(); ++at)
+    letters = letters * 31 + byte(at);
+  keys.push_back(0x0200'0000U | (letters & 0x00FF'FFFFU));
+}
+
+// What near words have in common: each trigram of the word with its ends
+// marked, once.
+std::vector<std::uint32_t> keys_of(const std::string& word) {
   const auto padded = '^' + word + '$';
   std::vector<std::uint32_t> keys;
   for (std::size_t position = 0; position + 3 <= padded.size(); ++position)
     keys.push_back(trigram(padded, position));
+  if (!word.empty() && word.size() <= longest_short)
+    add_keys_of_short(word, keys);
   std::ranges::sort(keys);
   keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
   return keys;
@@ -49,8 +68,8 @@ WordIndex::WordId WordIndex::add(std::string_view word) {
   const auto number = static_cast<WordId>(words_.size());
   const auto [place, is_new] = numbers_.try_emplace(key, number);
   if (is_new) {
-    for (const auto gram : trigrams_of(key))
-      trigrams_[gram].push_back(number);
+    for (const auto gram : keys_of(key))
+      near_[gram].push_back(number);
     words_.push_back(std::move(key));
   }
   return place->second;
@@ -70,8 +89,8 @@ std::vector<WordIndex::Hit> WordIndex::find(std::string_view word,
 void WordIndex::add_misspelt(const std::string& word,
                              std::vector<Hit>& hits) const {
   std::vector<WordId> near;
-  for (const auto gram : trigrams_of(word))
-    if (const auto found = trigrams_.find(gram); found != trigrams_.end())
+  for (const auto gram : keys_of(word))
+    if (const auto found = near_.find(gram); found != near_.end())
       near.insert(near.end(), found->second.begin(), found->second.end());
   std::ranges::sort(near);
   const std::size_t shared = word.size() > 5 ? 2 : 1;

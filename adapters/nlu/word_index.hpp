@@ -48,7 +48,8 @@ private:
 
   std::vector<std::string> words_;
   TextMap<WordId> numbers_;
-  std::unordered_map<std::uint32_t, std::vector<WordId>> trigrams_;
+  std::unordered_map<std::uint32_t, std::vector<WordId>>
+      near_; // by what words have in common
 };
 
 } // namespace parlour::adapters::nlu

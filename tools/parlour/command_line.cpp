@@ -8,6 +8,7 @@
 #include "script/findings.hpp"
 #include "script/lint/lints.hpp"
 #include "tools/bench/benches.hpp"
+#include "tools/bench/nlu_bench.hpp"
 #include "tools/parlour/commands.hpp"
 #include "tools/parlour/completion.hpp"
 #include "tools/parlour/exit_code.hpp"
@@ -199,10 +200,14 @@ private:
   }
 
   void add_bench() {
-    auto* command = add("bench", "Measure beside others who do the same work",
-                        [this] { return bench_command(bench_, console_); });
-    std::vector<std::string> names;
-    std::vector<std::string> rows;
+    auto* command =
+        add("bench", "Measure beside others who do the same work", [this] {
+          return bench_.name == "nlu"
+                     ? bench_nlu_command(places_, bench_, console_)
+                     : bench_command(bench_, console_);
+        });
+    std::vector<std::string> names{"nlu"};
+    auto rows = nlu_bench_rows();
     for (const auto& bench : benches()) {
       names.push_back(bench.name);
       rows.insert(rows.end(), bench.rows.begin(), bench.rows.end());
@@ -214,6 +219,8 @@ private:
         ->check(CLI::Range(1, 1000));
     command->add_option("--only", bench_.only, "One row of the table")
         ->check(CLI::IsMember(rows));
+    command->add_option("--data", bench_.data,
+                        "Where the public data sets of nlu are");
   }
 
   void add_completion() {

@@ -63,11 +63,16 @@ int exec_command(const Places& places, const std::string& file,
                  const Console& console);
 
 struct BenchOptions {
-  std::string name; // of benches()
+  std::string name; // of benches(), or nlu
   int runs = 5;
   std::string only; // one row; empty: all
+  std::string data; // a folder with public data sets, of nlu; empty: nowhere
 };
 int bench_command(const BenchOptions& options, const Console& console);
+
+// The understanding of the receptionist, and of public data sets.
+int bench_nlu_command(const Places& places, const BenchOptions& options,
+                      const Console& console);
 
 struct UnderstandOptions {
   std::string app;

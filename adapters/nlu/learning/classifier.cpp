@@ -69,8 +69,7 @@ Classifier::inputs(const std::vector<Feature>& features) const {
   float sum = 0;
   for (const auto feature : features) {
     const auto number = table_.find(feature);
-    const auto value =
-        number == no_feature ? rarity_.back() : rarity_[number];
+    const auto value = number == no_feature ? rarity_.back() : rarity_[number];
     sum += value * value;
     if (number != no_feature)
       made.push_back({number, value});

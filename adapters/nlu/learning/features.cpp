@@ -39,8 +39,7 @@ void add_pieces(std::string_view word, std::vector<Feature>& made) {
   framed.append(word).append("$");
   for (auto length = shortest_piece; length <= longest_piece; ++length)
     for (std::size_t at = 0; at + length <= framed.size(); ++at)
-      made.push_back(
-          feature('p', std::string_view(framed).substr(at, length)));
+      made.push_back(feature('p', std::string_view(framed).substr(at, length)));
 }
 
 std::string kind_name(std::uint32_t kind) {
@@ -48,7 +47,8 @@ std::string kind_name(std::uint32_t kind) {
 }
 
 // Words, and the kind in place of all words of one.
-std::vector<std::string> without_values(const std::vector<LearningWord>& words) {
+std::vector<std::string>
+without_values(const std::vector<LearningWord>& words) {
   std::vector<std::string> made;
   std::uint32_t before = 0;
   for (const auto& one : words) {
@@ -95,8 +95,8 @@ private:
     for (int away = -2; away <= 2; ++away)
       made_.push_back(feature(static_cast<char>('c' + away), word(away)));
     for (int away = -2; away <= 1; ++away)
-      made_.push_back(feature(static_cast<char>('h' + away), word(away),
-                              word(away + 1)));
+      made_.push_back(
+          feature(static_cast<char>('h' + away), word(away), word(away + 1)));
     made_.push_back(feature('k', word(-1), word(1)));
     made_.push_back(feature('l', word(-2), word(-1), word(0)));
   }

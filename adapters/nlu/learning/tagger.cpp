@@ -62,7 +62,8 @@ private:
       const auto label = labels_[one];
       const auto from = best_before(before, label);
       came_from_[at * labels_.size() + one] = static_cast<std::uint32_t>(from);
-      here[one] = before[from] + tagger_.row(tagger_.after(labels_[from]))[label];
+      here[one] =
+          before[from] + tagger_.row(tagger_.after(labels_[from]))[label];
       for (const auto feature : rows_[at])
         here[one] += tagger_.row(feature)[label];
       if (truth_ && (*truth_)[at] != label)
@@ -138,7 +139,8 @@ private:
 
   void learn(const TaggedText& text, const Tagger::Rows& rows) {
     ++steps_;
-    const auto found = LabelSearch(tagger_, rows, text.slots, &text.labels).run();
+    const auto found =
+        LabelSearch(tagger_, rows, text.slots, &text.labels).run();
     if (found == text.labels)
       return;
     move(rows, text.labels, 1);

@@ -1,0 +1,58 @@
+#include "adapters/nlu/learned.hpp"
+#include "tests/adapters/nlu/stages.hpp"
+
+namespace parlour::adapters::nlu::test {
+namespace {
+
+std::vector<TopicModel> lessons() {
+  auto topics = sample_model().topics;
+  topics[0].examples = {
+      "I have a meeting with [Jeffery Ho](Host)",
+      "[Margaret Sim](Host) is waiting for me, I am [David](Visitor)",
+      "my name is [David](Visitor) from [Comptec](Organisation)"};
+  topics[1].examples = {"where can I find a [coffee shop](Category)",
+                        "is there any [bank](Category) around"};
+  return topics;
+}
+
+// What is learnt says of a text: the topic, then its slots.
+std::string said_of(const std::string& text) {
+  Stages stages("public <x> = @Facility.Category | @Appointment.Host;", text);
+  const Learned learned(lessons(), stages.schema, stages.automaton, 0.4);
+  const auto guess = learned.topics(stages.utterance, stages.spans).front();
+  auto made = guess.probability < 0.4 ? std::string("none")
+                                      : stages.schema.at(guess.topic).name;
+  for (const auto& slot :
+       learned.slots(guess.topic, stages.utterance, stages.spans))
+    made += ' ' + slot.slot + '=' + stages.words(slot.begin, slot.end);
+  return made;
+}
+
+TEST(Learned, TellsTopicsApart) {
+  EXPECT_EQ(said_of("where do I find some food court"),
+            "Facility Category=food court");
+  EXPECT_EQ(said_of("there is a meeting with Priya Nair"),
+            "Appointment Host=Priya Nair");
+  EXPECT_EQ(said_of("can somebody book me a ride").substr(0, 4), "Taxi");
+}
+
+TEST(Learned, FindsOpenSlots) {
+  EXPECT_EQ(said_of("hello my name is Wendy from Globex"),
+            "Appointment Visitor=Wendy Organisation=Globex");
+}
+
+TEST(Learned, RejectsStrangers) {
+  EXPECT_EQ(said_of("the").substr(0, 4), "none");
+  EXPECT_EQ(said_of("so what is it").substr(0, 4), "none");
+}
+
+TEST(Learned, IsEmptyWithoutExamples) {
+  Stages stages("public <x> = hello;", "hello");
+  auto topics = sample_model().topics;
+  for (auto& topic : topics)
+    topic.examples.clear();
+  EXPECT_TRUE(Learned(topics, stages.schema, stages.automaton, 0.4).empty());
+}
+
+} // namespace
+} // namespace parlour::adapters::nlu::test

@@ -44,12 +44,13 @@ Explanation::lines(const std::vector<Island>& islands,
 std::vector<std::string> Explanation::learnt(const Learned& learned) const {
   if (learned.empty() || utterance_.size() == 0)
     return {};
-  const auto guesses = learned.topics(utterance_, spans_);
+  const auto words = learning_words(utterance_, spans_);
+  const auto guesses = learned.topics(words);
   std::string line = "learnt";
   for (std::size_t at = 0; at < guesses.size() && at < most_guesses; ++at)
     line += " " + two_digits(guesses[at].probability) + " " +
             topic(guesses[at].topic);
-  for (const auto& slot : learned.slots(guesses[0].topic, utterance_, spans_))
+  for (const auto& slot : learned.slots(guesses[0].topic, word_features(words)))
     line += " " + slot.slot + "=\"" +
             std::string(words_of(utterance_.text, utterance_.tokens, slot.begin,
                                  slot.end)) +

@@ -93,6 +93,11 @@ private:
   std::vector<Fill> fills_;
 };
 
+double most_bonus(TopicNumber topic, const Context& context) {
+  return context.bonus(topic) +
+         (topic == context.asked_topic ? asked_bonus : 0);
+}
+
 double bonus_of(const BuiltAct& act, const Context& context) {
   const bool asked = act.topic == context.asked_topic &&
                      std::ranges::find(act.fills, context.asked_slot,
@@ -109,14 +114,20 @@ std::vector<BuiltAct> guessed_acts(const Learned& learned,
   std::vector<BuiltAct> acts;
   if (learned.empty() || utterance.size() == 0)
     return acts;
-  auto topics = learned.topics(utterance, spans);
+  const auto words = learning_words(utterance, spans);
+  auto topics = learned.topics(words);
   topics.resize(std::min(topics.size(), most_topics));
+  std::vector<std::vector<Feature>> features;
   for (const auto& guess : topics) {
+    if (guess.probability + most_bonus(guess.topic, context) < threshold)
+      continue;
+    if (features.empty())
+      features = word_features(words);
     BuiltAct act;
     act.act = schema.at(guess.topic).enquiry ? "request" : "inform";
     act.topic = guess.topic;
     act.fills = SlotFiller(utterance, spans, schema, guess.topic)
-                    .run(learned.slots(guess.topic, utterance, spans));
+                    .run(learned.slots(guess.topic, features));
     act.end = static_cast<std::uint32_t>(utterance.size());
     act.score = guess.probability + bonus_of(act, context);
     if (act.score >= threshold)

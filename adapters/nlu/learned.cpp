@@ -20,30 +20,6 @@ bool is_certain(const Span& span) {
   return !span.weak && !span.unmatched && span.begin == span.core;
 }
 
-// What stands for a value that is known is seen as a value of its kind.
-std::vector<LearningWord> learning_words(const Utterance& utterance,
-                                         const Spans& spans) {
-  std::vector<LearningWord> words;
-  for (const auto& token : utterance.tokens.list)
-    words.push_back({token.word, 0});
-  std::vector<const Span*> known;
-  for (const auto& span : spans.all())
-    if (is_certain(span))
-      known.push_back(&span);
-  std::ranges::stable_sort(known, [](const Span* left, const Span* right) {
-    return left->end - left->begin > right->end - right->begin;
-  });
-  for (const auto* span : known) {
-    const auto part =
-        std::span(words).subspan(span->begin, span->end - span->begin);
-    if (std::ranges::all_of(part,
-                            [](const auto& one) { return one.kind == 0; }))
-      for (auto& word : part)
-        word.kind = span->entity + 1;
-  }
-  return words;
-}
-
 float highest(std::vector<float> scores, float sharpness) {
   for (auto& score : scores)
     score *= sharpness;
@@ -71,6 +47,29 @@ float sharpness_of(const std::vector<std::vector<float>>& held_out,
 }
 
 } // namespace
+
+std::vector<LearningWord> learning_words(const Utterance& utterance,
+                                         const Spans& spans) {
+  std::vector<LearningWord> words;
+  for (const auto& token : utterance.tokens.list)
+    words.push_back({token.word, 0});
+  std::vector<const Span*> known;
+  for (const auto& span : spans.all())
+    if (is_certain(span))
+      known.push_back(&span);
+  std::ranges::stable_sort(known, [](const Span* left, const Span* right) {
+    return left->end - left->begin > right->end - right->begin;
+  });
+  for (const auto* span : known) {
+    const auto part =
+        std::span(words).subspan(span->begin, span->end - span->begin);
+    if (std::ranges::all_of(part,
+                            [](const auto& one) { return one.kind == 0; }))
+      for (auto& word : part)
+        word.kind = span->entity + 1;
+  }
+  return words;
+}
 
 // All examples, on their way into what is learnt.
 class Lesson {
@@ -198,10 +197,9 @@ Learned::Learned(const std::vector<TopicModel>& topics, const Schema& schema,
   lesson.learn(threshold);
 }
 
-std::vector<TopicGuess> Learned::topics(const Utterance& utterance,
-                                        const Spans& spans) const {
-  auto scores =
-      classifier_.scores(text_features(learning_words(utterance, spans)));
+std::vector<TopicGuess>
+Learned::topics(const std::vector<LearningWord>& words) const {
+  auto scores = classifier_.scores(text_features(words));
   for (auto& score : scores)
     score *= sharpness_;
   const auto probabilities = softmax(std::move(scores));
@@ -212,11 +210,10 @@ std::vector<TopicGuess> Learned::topics(const Utterance& utterance,
   return made;
 }
 
-std::vector<SlotGuess> Learned::slots(TopicNumber topic,
-                                      const Utterance& utterance,
-                                      const Spans& spans) const {
-  const auto labels = tagger_.tag(
-      word_features(learning_words(utterance, spans)), slots_of_[topic]);
+std::vector<SlotGuess>
+Learned::slots(TopicNumber topic,
+               const std::vector<std::vector<Feature>>& features) const {
+  const auto labels = tagger_.tag(features, slots_of_[topic]);
   std::vector<SlotGuess> made;
   for (std::uint32_t at = 0; at < labels.size(); ++at) {
     if (labels[at] == outside)

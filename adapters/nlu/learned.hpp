@@ -25,6 +25,10 @@ struct SlotGuess {
   std::uint32_t end = 0;
 };
 
+// The utterance's words; what stands for a value that is known is of its kind.
+std::vector<LearningWord> learning_words(const Utterance& utterance,
+                                         const Spans& spans);
+
 class Learned {
 public:
   // Examples whose marks do not fit are left out. `threshold`: with many
@@ -35,12 +39,13 @@ public:
 
   // Best first, of topics with examples. What is left to 1 is the probability
   // that it is about none of them.
-  std::vector<TopicGuess> topics(const Utterance& utterance,
-                                 const Spans& spans) const;
+  std::vector<TopicGuess> topics(const std::vector<LearningWord>& words) const;
 
-  // Words that fill the topic's slots, in their order.
-  std::vector<SlotGuess> slots(TopicNumber topic, const Utterance& utterance,
-                               const Spans& spans) const;
+  // Words that fill the topic's slots, in their order; `features` are
+  // word_features.
+  std::vector<SlotGuess>
+  slots(TopicNumber topic,
+        const std::vector<std::vector<Feature>>& features) const;
 
   bool empty() const {
     return topics_.empty();

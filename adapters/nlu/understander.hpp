@@ -1,6 +1,6 @@
-// Understanding by grammars, examples, and names and values (understanding,
-// parts 1 and 3). A trained classifier and tagger (part 2) will stand beside
-// the grammars as a further source of islands.
+// Understanding by grammars, by names and values, and by what is learnt from
+// examples when it is built (understanding, parts 1 to 3). What grammars found
+// well stands; what is learnt fills in what they left open.
 #pragma once
 
 #include <memory>

@@ -19,11 +19,11 @@ std::vector<TopicModel> lessons() {
 std::string said_of(const std::string& text) {
   Stages stages("public <x> = @Facility.Category | @Appointment.Host;", text);
   const Learned learned(lessons(), stages.schema, stages.automaton, 0.4);
-  const auto guess = learned.topics(stages.utterance, stages.spans).front();
+  const auto words = learning_words(stages.utterance, stages.spans);
+  const auto guess = learned.topics(words).front();
   auto made = guess.probability < 0.4 ? std::string("none")
                                       : stages.schema.at(guess.topic).name;
-  for (const auto& slot :
-       learned.slots(guess.topic, stages.utterance, stages.spans))
+  for (const auto& slot : learned.slots(guess.topic, word_features(words)))
     made += ' ' + slot.slot + '=' + stages.words(slot.begin, slot.end);
   return made;
 }

@@ -36,6 +36,7 @@ public:
     for (const auto& slot : schema_.at(topic_).slots)
       if (slot.entity != words_entity)
         add_certain(slot);
+    std::ranges::stable_sort(fills_, {}, &Fill::begin);
     return std::move(fills_);
   }
 

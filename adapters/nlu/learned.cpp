@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "adapters/nlu/marked_text.hpp"
 #include "adapters/nlu/words.hpp"
@@ -14,6 +15,7 @@ constexpr std::uint32_t nothing = 0; // the label of what is about no topic
 
 // Below this many texts, sharpness cannot be told from them.
 constexpr std::size_t many_texts = 300;
+constexpr std::size_t words_of_nothing = 20; // in one text
 constexpr std::size_t one_in = 5; // is held out to find the sharpness
 
 bool is_certain(const Span& span) {
@@ -157,13 +159,24 @@ private:
           learned_.slots_of_[topic].push_back(slot);
   }
 
-  // Words that alone are about nothing.
+  // Words that mean nothing by themselves are about nothing; many in a text,
+  // so that a few of them in an utterance do not outweigh what it says.
   void add_nothing() {
-    for (const auto word : all_function_words())
-      texts_.push_back({text_features({{word, 0}}), nothing});
+    std::string text;
+    std::size_t count = 0;
+    for (const auto word : all_function_words()) {
+      text.append(word).append(" ");
+      if (++count % words_of_nothing == 0)
+        add_nothing(std::exchange(text, ""));
+    }
     for (const auto phrase : filler_phrases())
-      texts_.push_back(
-          {text_features(Read(phrase, schema_, automaton_).words), nothing});
+      text.append(phrase).append(" ");
+    add_nothing(text);
+  }
+
+  void add_nothing(const std::string& text) {
+    texts_.push_back(
+        {text_features(Read(text, schema_, automaton_).words), nothing});
   }
 
   float find_sharpness(std::uint32_t labels, double threshold) const {

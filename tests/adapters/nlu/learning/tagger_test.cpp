@@ -26,6 +26,12 @@ const std::vector<TaggedText>& texts() {
        {visitor, firm}},
       {features({"i", "am", "from", "acme"}),
        {outside, outside, outside, begins(firm)},
+       {visitor, firm}},
+      {features({"this", "is", "paul", "from", "initech"}),
+       {outside, outside, begins(visitor), outside, begins(firm)},
+       {visitor, firm}},
+      {features({"i", "am", "lena", "from", "hooli"}),
+       {outside, outside, begins(visitor), outside, begins(firm)},
        {visitor, firm}}};
   return all;
 }

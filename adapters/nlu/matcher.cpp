@@ -7,6 +7,7 @@ namespace parlour::adapters::nlu {
 namespace {
 
 constexpr std::size_t most_items = 400;  // kept at one position
+constexpr std::size_t usual_items = 64;  // room is made for at once
 constexpr std::size_t most_matches = 32; // that end at one position
 constexpr std::uint8_t most_skipped = 3;
 constexpr std::size_t most_open_words = 5;
@@ -32,6 +33,9 @@ Matcher::Matcher(const Automaton& automaton, const Utterance& utterance,
     : automaton_(automaton), utterance_(utterance), spans_(spans),
       asked_(asked), items_(utterance.size() + 1),
       found_(utterance.size() + 1) {
+  for (auto& items : items_)
+    items.reserve(usual_items);
+  traces_.reserve(usual_items * utterance.size());
   traces_.emplace_back();
 }
 

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "tests/adapters/nlu/sample.hpp"
@@ -237,6 +239,58 @@ TEST(Understander, SaysWhy) {
   ASSERT_FALSE(made.explanation.empty());
   EXPECT_EQ(made.explanation[0], "tokens is there a bank(?)");
   EXPECT_GE(made.score, 0.9);
+}
+
+// Topics that are known by their examples only, said in other words.
+Understander learnt() {
+  UnderstandingModel model;
+  model.topics = {
+      {"Taxi",
+       false,
+       {{"Destination", "", {}, "", true, false},
+        {"Time", "time", {}, "", true, false}},
+       {"please book a taxi to [Changi Airport](Destination)",
+        "I need a cab to [Sentosa](Destination) at [9:00](Time)",
+        "order a taxi for [noon](Time)"}},
+      {"Weather", true, {}, {"will it rain", "how is the weather outside"}}};
+  auto built = Understander::build(model, {}, {0.4, {}});
+  if (!built)
+    throw std::runtime_error(to_string(built.error().front()));
+  return std::move(*built);
+}
+
+TEST(LearntTopics, AreUnderstoodInOtherWords) {
+  const auto understander = learnt();
+  EXPECT_EQ(summary(understander.understand("is the weather any good").acts),
+            "request Weather");
+  EXPECT_EQ(summary(understander.understand("order the cab for noon").acts),
+            "inform Taxi Time=12:00");
+  EXPECT_TRUE(understander.understand("who won the match").acts.empty());
+}
+
+TEST(LearntTopics, SayWhatTheyWereLearntAs) {
+  const auto lines =
+      learnt().understand("order the cab for noon", {}, true).explanation;
+  EXPECT_TRUE(std::ranges::any_of(lines, [](const auto& line) {
+    return line.starts_with("learnt 0.") || line.starts_with("learnt 1.");
+  }));
+}
+
+// Thousands of examples are no rules, but their slots are looked at.
+TEST(LearntTopics, MayHaveManyExamples) {
+  UnderstandingModel model;
+  model.topics = {{"Taxi", false, {}, {}}, {"Weather", true, {}, {}}};
+  model.topics[0].examples.assign(400, "book a taxi for me");
+  model.topics[1].examples.assign(400, "how is the weather");
+  const auto built = Understander::build(model, {}, {0.4, {}});
+  ASSERT_TRUE(built);
+  const auto made = built->understand("book a taxi for us");
+  EXPECT_EQ(summary(made.acts), "inform Taxi");
+  EXPECT_EQ(made.work, 0U);
+  model.topics[1].examples[0] = "how is it in [Changi](Place)";
+  const auto failed = Understander::build(model, {}, {0.4, {}});
+  ASSERT_FALSE(failed);
+  EXPECT_EQ(failed.error().size(), 1U);
 }
 
 } // namespace

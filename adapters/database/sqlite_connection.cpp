@@ -1,7 +1,6 @@
 #include "adapters/database/sqlite_connection.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <iterator>
 #include <utility>
 
@@ -110,18 +109,15 @@ SQLiteConnection::SQLiteConnection(SQLiteHandle handle, SQLiteLimits limits,
 
 SQLiteConnection::~SQLiteConnection() = default;
 
-Expected<SQLiteAnswer> SQLiteConnection::run(const std::string& sql,
-                                             const Value& values,
-                                             Access access) {
+Expected<StatementAnswer> SQLiteConnection::run(const std::string& sql,
+                                                const Value& values,
+                                                Access access) {
   steps_left_ = limits_.steps;
   auto statement = prepared(sql);
   if (!statement)
     return tl::make_unexpected(statement.error());
   if (access == Access::read && !sqlite3_stmt_readonly(*statement))
-    return fail(ErrorKind::refused,
-                first_words(sql) +
-                    " changes the database, but the connection only reads; "
-                    "<connectdb write=\"true\"/> lets it write.");
+    return only_reads(sql);
   Reset reset(*statement);
   if (auto bound = bind_values(*statement, values); !bound)
     return fail(bound.error().kind,
@@ -183,7 +179,7 @@ Expected<SQLiteStatement> SQLiteConnection::prepare(const std::string& sql) {
   if (code != SQLITE_OK)
     return failure(sql, code);
   if (!statement)
-    return fail(ErrorKind::database, "There is no SQL statement to run.");
+    return no_statement();
   if (auto alone = check_rest(sql, rest); !alone)
     return tl::make_unexpected(alone.error());
   return owned;
@@ -201,18 +197,16 @@ Expected<void> SQLiteConnection::check_rest(const std::string& sql,
     SQLiteStatement owned(second);
     // A zero byte ends what SQLite reads, so that it does not move on.
     if (code != SQLITE_OK || second || next == rest)
-      return fail(ErrorKind::refused,
-                  first_words(sql) +
-                      ": one statement at a time; something follows its ';'.");
+      return not_alone(sql);
     rest = next;
   }
   return {};
 }
 
-Expected<SQLiteAnswer> SQLiteConnection::collect(sqlite3_stmt* statement,
-                                                 const std::string& sql) {
+Expected<StatementAnswer> SQLiteConnection::collect(sqlite3_stmt* statement,
+                                                    const std::string& sql) {
   const auto before = sqlite3_total_changes64(handle_.get());
-  SQLiteAnswer answer;
+  StatementAnswer answer;
   std::size_t bytes = 0;
   // The first step comes before the columns: it prepares the statement again
   // where the tables have changed.
@@ -221,20 +215,12 @@ Expected<SQLiteAnswer> SQLiteConnection::collect(sqlite3_stmt* statement,
   for (; code == SQLITE_ROW; code = sqlite3_step(statement)) {
     bytes += append_row(statement, answer.rows);
     if (answer.rows.row_count() > limits_.rows || bytes > limits_.bytes)
-      return too_much(sql);
+      return too_much(sql, limits_.rows, limits_.bytes);
   }
   if (code != SQLITE_DONE)
     return failure(sql, code);
   answer.changes = sqlite3_total_changes64(handle_.get()) - before;
   return answer;
-}
-
-tl::unexpected<Error> SQLiteConnection::too_much(const std::string& sql) const {
-  return fail(ErrorKind::limit,
-              first_words(sql) + " returns more than " +
-                  std::to_string(limits_.rows) + " rows or " +
-                  std::to_string(limits_.bytes) +
-                  " bytes; narrow it with 'where' or 'limit'.");
 }
 
 tl::unexpected<Error> SQLiteConnection::failure(const std::string& sql,
@@ -263,27 +249,6 @@ int SQLiteConnection::progress(void* self) {
   auto& left = static_cast<SQLiteConnection*>(self)->steps_left_;
   left -= std::min<std::uint64_t>(left, steps_per_look);
   return left == 0;
-}
-
-std::string first_words(std::string_view sql) {
-  constexpr std::size_t most = 48;
-  std::string words;
-  for (char c : sql) {
-    const bool blank = std::isspace(static_cast<unsigned char>(c)) != 0;
-    if (blank && (words.empty() || words.back() == ' '))
-      continue;
-    words += blank ? ' ' : c;
-    if (words.size() > most)
-      break;
-  }
-  if (words.size() <= most)
-    return "'" + words.substr(0, words.find_last_not_of(' ') + 1) + "'";
-  // At a blank where there is one, never within a character.
-  auto end = words.rfind(' ');
-  if (end == std::string::npos || end == 0)
-    for (end = most; end > 0 && (words[end] & 0xc0) == 0x80;)
-      --end;
-  return "'" + words.substr(0, end) + " …'";
 }
 
 } // namespace parlour::adapters

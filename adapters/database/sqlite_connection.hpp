@@ -11,6 +11,7 @@
 #include <string_view>
 #include <unordered_map>
 
+#include "adapters/database/statement.hpp"
 #include "runtime/base/clock.hpp"
 #include "runtime/base/error.hpp"
 #include "runtime/base/value.hpp"
@@ -26,13 +27,6 @@ struct SQLiteLimits {
   std::size_t bytes = 4 << 20;       // of a result's cells
   std::uint64_t steps = 100'000'000; // of SQLite's machine, about a second
   std::size_t statements = 64;       // kept prepared
-};
-
-enum class Access { read, write };
-
-struct SQLiteAnswer {
-  ResultSet rows;
-  std::int64_t changes = 0; // rows inserted, updated or deleted
 };
 
 struct CloseSQLite {
@@ -57,8 +51,8 @@ public:
   // Runs one statement. `values` is a list for `?` or a map for `:name`;
   // unknown where there is no placeholder. Kinds: Type for values that do not
   // fit, Refused for a statement that may not run, Limit, Database.
-  Expected<SQLiteAnswer> run(const std::string& sql, const Value& values,
-                             Access access);
+  Expected<StatementAnswer> run(const std::string& sql, const Value& values,
+                                Access access);
 
   Expected<void> begin();
   Expected<void> commit();
@@ -79,10 +73,9 @@ private:
   Expected<sqlite3_stmt*> prepared(const std::string& sql);
   Expected<SQLiteStatement> prepare(const std::string& sql);
   Expected<void> check_rest(const std::string& sql, const char* rest);
-  Expected<SQLiteAnswer> collect(sqlite3_stmt* statement,
-                                 const std::string& sql);
+  Expected<StatementAnswer> collect(sqlite3_stmt* statement,
+                                    const std::string& sql);
   Expected<void> control(const char* sql);
-  tl::unexpected<Error> too_much(const std::string& sql) const;
   tl::unexpected<Error> failure(const std::string& sql, int code);
 
   static int authorize(void* self, int action, const char* first,
@@ -98,8 +91,5 @@ private:
   std::uint64_t steps_left_ = 0;
   bool controlling_ = false; // while begin, commit or rollback run
 };
-
-// "'select staff_name from rr_staff where …'": a statement in a sentence.
-std::string first_words(std::string_view sql);
 
 } // namespace parlour::adapters

@@ -8,7 +8,6 @@ namespace parlour::adapters {
 namespace {
 
 constexpr std::size_t most_waiting = 1'000;
-constexpr std::size_t most_lost = 1'000;
 
 } // namespace
 
@@ -22,21 +21,17 @@ void SQLiteTransactions::release() {
 }
 
 void SQLiteTransactions::take_away() {
-  if (holder_) {
-    forget_loss(*holder_);
-    lost_.push_back(*holder_);
-  }
-  if (lost_.size() > most_lost)
-    lost_.pop_front();
+  if (holder_)
+    lost_.add(*holder_);
   holder_.reset();
 }
 
 bool SQLiteTransactions::lost_by(const SessionId& session) const {
-  return std::find(lost_.begin(), lost_.end(), session) != lost_.end();
+  return lost_.has(session);
 }
 
 void SQLiteTransactions::forget_loss(const SessionId& session) {
-  std::erase(lost_, session);
+  lost_.forget(session);
 }
 
 std::optional<SQLiteTransactions::Ticket>

@@ -6,6 +6,7 @@
 #include <deque>
 #include <optional>
 
+#include "adapters/database/lost_transactions.hpp"
 #include "runtime/base/message.hpp"
 
 namespace parlour::adapters {
@@ -49,7 +50,7 @@ public:
 
 private:
   std::optional<SessionId> holder_;
-  std::deque<SessionId> lost_;
+  LostTransactions lost_;
   std::deque<Waiting> waiting_;
   Ticket ticket_ = 0;      // of the holder
   Ticket last_ticket_ = 0; // given to anybody

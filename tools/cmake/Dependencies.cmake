@@ -13,6 +13,7 @@ find_package(CLI11 REQUIRED)
 
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(RE2 REQUIRED IMPORTED_TARGET re2)
+pkg_check_modules(MARIADB REQUIRED IMPORTED_TARGET libmariadb)
 pkg_check_modules(EDIT REQUIRED IMPORTED_TARGET libedit)
 
 if(PARLOUR_TESTS)

@@ -25,10 +25,6 @@ script::CompileOptions compile_options(const fs::path& platform) {
   return {platform, environment_value};
 }
 
-bool is_database(const ChosenComponent& component) {
-  return component.factory.description.name == "SQLiteDatabase";
-}
-
 // A plug-in that reads the platform's files is told where they are.
 void tell_platform(Composition& composition, const fs::path& platform) {
   for (auto& component : composition.components)
@@ -112,9 +108,13 @@ script::Compiled load_file(const fs::path& file, const Places& places) {
 }
 
 Composition in_memory(Composition composition) {
-  for (auto& component : composition.components)
-    if (is_database(component))
+  for (auto& component : composition.components) {
+    const auto& plugin = component.factory.description.name;
+    if (plugin == "SQLiteDatabase")
       component.options.erase("file");
+    else if (plugin == "MySQLDatabase")
+      component.options["copy"] = "true";
+  }
   return composition;
 }
 

@@ -48,8 +48,8 @@ ColumnReader column_reader(const Composition& composition,
                            const std::filesystem::path& application,
                            const std::string& data_folder);
 
-// Each Database component begins as a copy in memory of what its schema and
-// seed make (session.md, "Virtual time").
+// Each Database component begins as a copy of its own, in memory where it is
+// SQLite's, of what its schema and seed make (session.md, "Virtual time").
 Composition in_memory(Composition composition);
 
 } // namespace parlour::tools

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "adapters/database/mariadb_database.hpp"
 #include "adapters/database/sqlite_database.hpp"
 #include "adapters/nlg/phrase_nlg.hpp"
 #include "adapters/nlu/grammar_nlu.hpp"
@@ -95,10 +96,11 @@ void report_missing(const ComponentSettings& component,
 const std::vector<PluginFactory>& built_in_plugins() {
   static const std::vector<PluginFactory> plugins = {
       adapters::grammar_nlu_factory(),     adapters::phrase_nlg_factory(),
-      adapters::sqlite_database_factory(), adapters::log_telephone_factory(),
-      adapters::log_taxi_factory(),        adapters::log_sms_factory(),
-      adapters::log_weather_factory(),     adapters::log_traffic_factory(),
-      adapters::log_robot_factory(),       adapters::log_devices_factory(),
+      adapters::sqlite_database_factory(), adapters::mysql_database_factory(),
+      adapters::log_telephone_factory(),   adapters::log_taxi_factory(),
+      adapters::log_sms_factory(),         adapters::log_weather_factory(),
+      adapters::log_traffic_factory(),     adapters::log_robot_factory(),
+      adapters::log_devices_factory(),
   };
   return plugins;
 }

@@ -7,6 +7,21 @@
 
 namespace parlour::tools {
 
+namespace {
+
+// What a plug-in hears from a server comes in real time: where time is virtual
+// it has to be there before the next message.
+Options options_of(const ChosenComponent& component, bool is_virtual) {
+  auto options = component.options;
+  if (is_virtual)
+    for (const auto& option : component.factory.description.options)
+      if (option.name == "one-by-one")
+        options[option.name] = "true";
+  return options;
+}
+
+} // namespace
+
 actors::NodeOptions node_options(const Application& application,
                                  const Composition& composition,
                                  const RunWishes& wishes) {
@@ -14,7 +29,8 @@ actors::NodeOptions node_options(const Application& application,
   options.program = application.program;
   for (const auto& component : composition.components)
     options.components.push_back(
-        {component.name, component.factory, component.options});
+        {component.name, component.factory,
+         options_of(component, wishes.virtual_start.has_value())});
   options.aliases = role_aliases();
   options.phrases = script::make_phrase_evaluator(application.program);
   options.columns =

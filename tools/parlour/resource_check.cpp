@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "adapters/database/mariadb_columns.hpp"
+#include "adapters/database/mariadb_options.hpp"
 #include "adapters/database/sqlite_columns.hpp"
 #include "adapters/database/sqlite_image.hpp"
 #include "adapters/database/sqlite_options.hpp"
@@ -37,6 +39,25 @@ void check_database(Application& application,
   const auto image = adapters::sqlite_image(options->schema, options->seed);
   if (!image)
     report(application, image.error(), component.place, component.name);
+}
+
+// Its server is not asked: a check runs anywhere.
+void check_server_database(Application& application,
+                           const ChosenComponent& component) {
+  const auto options = adapters::read_mariadb_options(
+      component.options, application.folder.string());
+  if (!options)
+    return report(application, options.error(), component.place,
+                  component.name);
+  for (const auto* file : {&options->schema, &options->seed}) {
+    std::error_code ignored;
+    if (!file->empty() && !std::filesystem::is_regular_file(*file, ignored))
+      report(application,
+             {ErrorKind::file,
+              "The SQL file cannot be read.",
+              {file->string(), 0, 0}},
+             component.place, component.name);
+  }
 }
 
 // Files of the application that components read when they start.
@@ -87,6 +108,8 @@ void check_resources(Application& application) {
   for (const auto& component : composition.components)
     if (component.factory.description.name == "SQLiteDatabase")
       check_database(application, component);
+    else if (component.factory.description.name == "MySQLDatabase")
+      check_server_database(application, component);
   const auto failed = application.findings.size();
   for (const auto& component : composition.components)
     check_files(application, component);
@@ -105,6 +128,9 @@ ColumnReader column_reader(const Composition& composition,
   if (database && database->factory.description.name == "SQLiteDatabase")
     return adapters::sqlite_column_reader(database->options, data_folder,
                                           application.string());
+  if (database && database->factory.description.name == "MySQLDatabase")
+    return adapters::mariadb_column_reader(database->options,
+                                           application.string());
   return [](const std::string& column) -> Expected<std::vector<std::string>> {
     return fail(ErrorKind::settings, "the application has no database to read "
                                      "the column '" +

@@ -5,6 +5,7 @@
 
 #include "adapters/database/sqlite_options.hpp"
 #include "adapters/database/sqlite_prepare.hpp"
+#include "runtime/plugin/folder.hpp"
 #include "script/dialogue/sql_text.hpp"
 #include "script/lint/sql_statements.hpp"
 
@@ -16,22 +17,40 @@ using adapters::SQLitePreparer;
 using adapters::SQLiteProblem;
 using script::lint::SqlStatement;
 
-std::optional<SQLitePreparer>
-database_of(const Composition& composition,
-            const std::filesystem::path& application) {
+struct Database {
+  SQLitePreparer prepared;
+  // Speaks SQL of its own: then only names that are missing are told.
+  bool is_sqlite;
+};
+
+// Schema and seed of a component, whichever server they are for.
+adapters::SQLiteOptions files_of(const ChosenComponent& component,
+                                 const std::filesystem::path& application) {
+  adapters::SQLiteOptions options;
+  for (auto [name, file] :
+       {std::pair("schema", &options.schema), std::pair("seed", &options.seed)})
+    if (const auto said = component.options.find(name);
+        said != component.options.end())
+      *file = inside(application, said->second, name).value_or("");
+  return options;
+}
+
+std::optional<Database> database_of(const Composition& composition,
+                                    const std::filesystem::path& application) {
   const auto* component = first_of_role(composition, "Database");
-  if (!component || component->factory.description.name != "SQLiteDatabase" ||
-      component->options.count("schema") == 0)
+  if (!component || component->options.count("schema") == 0)
     return {};
-  const auto options = adapters::read_sqlite_options(
-      component->options, application.string(), application.string());
-  if (!options)
+  const auto& plugin = component->factory.description.name;
+  if (plugin != "SQLiteDatabase" && plugin != "MySQLDatabase")
     return {};
-  const auto image = adapters::sqlite_image(options->schema, options->seed);
+  const auto options = files_of(*component, application);
+  const auto image = adapters::sqlite_image(options.schema, options.seed);
   if (!image)
     return {};
   auto opened = SQLitePreparer::open(*image);
-  return opened ? std::optional(std::move(*opened)) : std::nullopt;
+  if (!opened)
+    return {};
+  return Database{std::move(*opened), plugin == "SQLiteDatabase"};
 }
 
 // "no such column: f.nme" -> "nme".
@@ -56,18 +75,29 @@ std::size_t word_length(const std::string& sql, std::size_t at) {
 
 class SqlLint {
 public:
-  SqlLint(const SQLitePreparer& database, script::Findings& findings)
-      : database_(database), names_(database.names()), findings_(findings) {}
+  SqlLint(const Database& database, script::Findings& findings)
+      : database_(database), names_(database.prepared.names()),
+        findings_(findings) {}
 
   void look_at(const SqlStatement& statement);
 
 private:
+  std::optional<SQLiteProblem> problem_of(const std::string& sql) const;
   void warn(script::Spot spot, const std::string& message);
 
-  const SQLitePreparer& database_;
+  const Database& database_;
   std::vector<std::string> names_;
   script::Findings& findings_;
 };
+
+std::optional<SQLiteProblem> SqlLint::problem_of(const std::string& sql) const {
+  auto problem = database_.prepared.problem_of(sql);
+  if (problem && !database_.is_sqlite &&
+      (missing_name(problem->message).empty() ||
+       problem->message.starts_with("no such function")))
+    return {};
+  return problem;
+}
 
 void SqlLint::warn(script::Spot spot, const std::string& message) {
   findings_.add({script::Severity::warning, spot,
@@ -77,7 +107,7 @@ void SqlLint::warn(script::Spot spot, const std::string& message) {
 }
 
 void SqlLint::look_at(const SqlStatement& statement) {
-  if (const auto problem = database_.problem_of(statement.sql)) {
+  if (const auto problem = problem_of(statement.sql)) {
     const auto at = problem->offset.value_or(0);
     return warn(statement.spot(at, problem->offset
                                        ? word_length(statement.sql, at)
@@ -85,7 +115,7 @@ void SqlLint::look_at(const SqlStatement& statement) {
                 problem->message);
   }
   for (const auto& [column, position] : statement.columns)
-    if (const auto problem = database_.problem_of(
+    if (const auto problem = problem_of(
             dialogue::with_condition(statement.sql, column + " = ?", "")))
       warn({position}, problem->message);
 }

@@ -33,7 +33,7 @@ protected:
     return shown(db->run(sql, values, Access::read));
   }
 
-  static std::string shown(const Expected<SQLiteAnswer>& answer) {
+  static std::string shown(const Expected<StatementAnswer>& answer) {
     return answer ? to_string(Value(answer->rows))
                   : std::string(name_of(answer.error().kind)) + ": " +
                         answer.error().message;
@@ -148,15 +148,6 @@ TEST_F(SQLiteConnectionTest, KeepsOrDropsATransaction) {
   EXPECT_FALSE(db->in_transaction());
   EXPECT_EQ(read("select count(*) from shop"), "[0]");
   EXPECT_FALSE(db->commit());
-}
-
-TEST(FirstWords, AreShort) {
-  EXPECT_EQ(first_words("  select\n\t1 "), "'select 1'");
-  EXPECT_EQ(first_words("select staff_name, designation, telephone from "
-                        "rr_staff where staff_name = ?"),
-            "'select staff_name, designation, telephone from …'");
-  EXPECT_EQ(first_words(std::string(100, 'x')),
-            "'" + std::string(48, 'x') + " …'");
 }
 
 } // namespace

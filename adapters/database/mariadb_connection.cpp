@@ -1,0 +1,376 @@
+#include "adapters/database/mariadb_connection.hpp"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include <errmsg.h>
+#include <mysql.h>
+#include <sys/socket.h>
+
+#include "adapters/database/mariadb_errors.hpp"
+#include "adapters/database/mariadb_values.hpp"
+#include "adapters/database/sql_scan.hpp"
+
+namespace parlour::adapters {
+
+namespace {
+
+// One cell more than a result may hold fits through.
+constexpr std::size_t packet_beyond_limit = 16 << 20;
+
+// How a script's statement may begin. What is left out is for who looks after
+// the server: sessions, transactions, users, files.
+std::optional<StatementKind> kind_of(const std::string& word) {
+  static const std::map<std::string, StatementKind> kinds{
+      {"select", StatementKind::reads},
+      {"with", StatementKind::reads},
+      {"values", StatementKind::reads},
+      {"(", StatementKind::reads},
+      {"describe", StatementKind::reads},
+      {"desc", StatementKind::reads},
+      {"explain", StatementKind::reads},
+      {"show", StatementKind::reads},
+      {"insert", StatementKind::changes_rows},
+      {"update", StatementKind::changes_rows},
+      {"delete", StatementKind::changes_rows},
+      {"replace", StatementKind::changes_rows},
+      {"create", StatementKind::changes_tables},
+      {"drop", StatementKind::changes_tables},
+      {"alter", StatementKind::changes_tables},
+      {"truncate", StatementKind::changes_tables},
+      {"rename", StatementKind::changes_tables}};
+  const auto found = kinds.find(word);
+  return found == kinds.end() ? std::nullopt : std::optional(found->second);
+}
+
+Expected<StatementKind> check(const std::string& sql,
+                              const ScannedSql& scanned) {
+  if (scanned.first_word.empty())
+    return no_statement();
+  if (scanned.more || sql.find('\0') != std::string::npos)
+    return not_alone(sql);
+  if (auto kind = kind_of(scanned.first_word))
+    return *kind;
+  return fail(ErrorKind::refused,
+              first_words(sql) + " failed: '" + scanned.first_word +
+                  "' does not begin a statement for scripts; transactions are "
+                  "begun by <transaction>.");
+}
+
+// Where the rows of what has been executed arrive; null where that fails.
+std::unique_ptr<MariaDBRow> row_of(MYSQL_STMT* statement) {
+  const std::unique_ptr<MYSQL_RES, decltype(&mysql_free_result)> description(
+      mysql_stmt_result_metadata(statement), &mysql_free_result);
+  if (!description)
+    return nullptr;
+  auto row = std::make_unique<MariaDBRow>(description.get());
+  return row->bind(statement) ? std::move(row) : nullptr;
+}
+
+// What SQLite does by itself: "…" names a column, || joins texts, a backslash
+// is a letter, values that do not fit are errors, texts are compared byte by
+// byte.
+std::vector<std::string> first_commands(const MariaDBOptions& options) {
+  const auto lock_wait =
+      std::chrono::ceil<std::chrono::seconds>(options.busy_timeout).count();
+  const auto run = std::chrono::duration<double>(options.query_timeout).count();
+  return {"set names utf8mb4 collate utf8mb4_nopad_bin",
+          "set session transaction isolation level serializable",
+          "set sql_mode = 'ANSI_QUOTES,PIPES_AS_CONCAT,NO_BACKSLASH_ESCAPES,"
+          "STRICT_ALL_TABLES', innodb_lock_wait_timeout = " +
+              std::to_string(lock_wait) +
+              ", max_statement_time = " + std::to_string(run) +
+              ", sql_select_limit = " + std::to_string(options.rows + 1)};
+}
+
+const char* or_null(const std::string& text) {
+  return text.empty() ? nullptr : text.c_str();
+}
+
+} // namespace
+
+template <class Result, class Start, class Continue, class Handle,
+          class... Arguments>
+Task<Result> MariaDBConnection::finish(Start start, Continue proceed,
+                                       Handle* handle, Arguments... arguments) {
+  Result result{};
+  auto status = start(&result, handle, arguments...);
+  while (status != 0) {
+    const int ready = co_await Ready{*this, status};
+    status = proceed(&result, handle, ready);
+  }
+  co_return result;
+}
+
+MariaDBConnection::MariaDBConnection(
+    std::shared_ptr<const MariaDBOptions> options)
+    : options_(std::move(options)), handle_(mysql_init(nullptr)) {
+  set_options();
+}
+
+// A task may have been left in the middle: nothing more is written to the
+// server, so that closing does not wait.
+MariaDBConnection::~MariaDBConnection() {
+  if (const auto socket = mysql_get_socket(handle_); socket >= 0)
+    shutdown(socket, SHUT_RDWR);
+  mysql_close(handle_);
+  for (auto& prepared : cache_)
+    mysql_stmt_close(prepared.statement);
+}
+
+void MariaDBConnection::set_options() {
+  const auto& options = *options_;
+  mysql_options(handle_, MYSQL_OPT_NONBLOCK, nullptr);
+  mysql_options(handle_, MYSQL_SET_CHARSET_NAME, "utf8mb4");
+  for (const auto& command : first_commands(options))
+    mysql_options(handle_, MYSQL_INIT_COMMAND, command.c_str());
+  const unsigned off = 0;
+  mysql_options(handle_, MYSQL_OPT_LOCAL_INFILE, &off);
+  const unsigned long packet = options.bytes + packet_beyond_limit;
+  mysql_options(handle_, MYSQL_OPT_MAX_ALLOWED_PACKET, &packet);
+  if (options.tls == MariaDBOptions::Tls::off)
+    return;
+  const my_bool yes = 1;
+  const my_bool verify = options.tls == MariaDBOptions::Tls::verify;
+  mysql_options(handle_, MYSQL_OPT_SSL_ENFORCE, &yes);
+  mysql_options(handle_, MYSQL_OPT_SSL_VERIFY_SERVER_CERT, &verify);
+  mysql_ssl_set(handle_, or_null(options.tls_key.string()),
+                or_null(options.tls_certificate.string()),
+                or_null(options.tls_ca.string()), nullptr, nullptr);
+}
+
+MariaDBConnection::Outcome MariaDBConnection::open(To to) {
+  give_time(options_->connect_timeout);
+  const auto& options = *options_;
+  const auto* database =
+      to == To::database ? options.database.c_str() : nullptr;
+  if (!co_await finish<MYSQL*>(mysql_real_connect_start,
+                               mysql_real_connect_cont, handle_,
+                               or_null(options.host), or_null(options.user),
+                               options.password.c_str(), database, options.port,
+                               or_null(options.socket),
+                               static_cast<unsigned long>(CLIENT_FOUND_ROWS))) {
+    lost_ = true;
+    co_return failure("", mysql_errno(handle_), mysql_error(handle_));
+  }
+  co_return StatementAnswer{};
+}
+
+MariaDBConnection::Outcome MariaDBConnection::run(std::string sql, Value values,
+                                                  Access access) {
+  return run(std::move(sql), std::move(values), access, false);
+}
+
+MariaDBConnection::Outcome MariaDBConnection::run(std::string sql, Value values,
+                                                  Access access, bool again) {
+  in_doubt_ = false;
+  if (auto allowed = co_await allow(access); !allowed)
+    co_return tl::make_unexpected(allowed.error());
+  auto statement = co_await prepared(sql);
+  if (!statement)
+    co_return tl::make_unexpected(statement.error());
+  if (auto fits = check_kind(**statement, access); !fits)
+    co_return tl::make_unexpected(fits.error());
+  auto ordered = values_in_order(values, (*statement)->names);
+  if (!ordered)
+    co_return fail(ordered.error().kind,
+                   first_words(sql) + ": " + ordered.error().message);
+  auto outcome = co_await execute(**statement, std::move(*ordered));
+  if (outcome || lost_)
+    co_return outcome;
+  // What was prepared is not what the tables are now, or lies half read.
+  const bool is_old = code_ == mariadb_changed_columns;
+  auto forgotten = co_await forget_front();
+  if (!forgotten || !is_old || again)
+    co_return outcome;
+  co_return co_await run(std::move(sql), std::move(values), access, true);
+}
+
+MariaDBConnection::Outcome MariaDBConnection::control(std::string sql) {
+  in_doubt_ = true;
+  const auto failed =
+      co_await finish<int>(mysql_real_query_start, mysql_real_query_cont,
+                           handle_, sql.c_str(), sql.size());
+  if (failed)
+    co_return failure(sql);
+  in_doubt_ = false;
+  co_return StatementAnswer{
+      {}, static_cast<std::int64_t>(mysql_affected_rows(handle_))};
+}
+
+MariaDBConnection::Outcome MariaDBConnection::begin() {
+  auto begun = co_await control("start transaction read write");
+  in_transaction_ = begun.has_value();
+  co_return begun;
+}
+
+MariaDBConnection::Outcome MariaDBConnection::end(End how) {
+  auto ended = co_await control(how == End::commit ? "commit" : "rollback");
+  in_transaction_ = false;
+  co_return ended;
+}
+
+Expected<void> MariaDBConnection::check_kind(const Prepared& prepared,
+                                             Access access) const {
+  if (access == Access::read && prepared.kind != StatementKind::reads)
+    return only_reads(prepared.sql);
+  if (in_transaction_ && prepared.kind == StatementKind::changes_tables)
+    return fail(ErrorKind::refused,
+                first_words(prepared.sql) +
+                    ": MariaDB cannot undo it, so that it cannot stand in a "
+                    "<transaction>.");
+  return {};
+}
+
+// The server itself keeps a connection that only reads from writing.
+Task<Expected<void>> MariaDBConnection::allow(Access access) {
+  if (access == access_ || in_transaction_)
+    co_return Expected<void>();
+  auto told = co_await control(access == Access::read
+                                   ? "set session transaction read only"
+                                   : "set session transaction read write");
+  in_doubt_ = false;
+  if (!told)
+    co_return tl::make_unexpected(told.error());
+  access_ = access;
+  co_return Expected<void>();
+}
+
+Task<Expected<MariaDBConnection::Prepared*>>
+MariaDBConnection::prepared(std::string sql) {
+  if (auto place = places_.find(sql); place != places_.end()) {
+    cache_.splice(cache_.begin(), cache_, place->second);
+    co_return &cache_.front();
+  }
+  co_return co_await prepare(std::move(sql));
+}
+
+Task<Expected<MariaDBConnection::Prepared*>>
+MariaDBConnection::prepare(std::string sql) {
+  auto scanned = scan_sql(sql);
+  auto kind = check(sql, scanned);
+  if (!kind)
+    co_return tl::make_unexpected(kind.error());
+  while (cache_.size() >= std::max<std::size_t>(options_->statements, 1))
+    if (auto forgotten = co_await forget_oldest(); !forgotten)
+      co_return tl::make_unexpected(forgotten.error());
+  cache_.push_front({std::move(sql), std::move(scanned.names), *kind,
+                     mysql_stmt_init(handle_)});
+  auto& front = cache_.front();
+  places_.emplace(front.sql, cache_.begin());
+  const auto failed = co_await finish<int>(
+      mysql_stmt_prepare_start, mysql_stmt_prepare_cont, front.statement,
+      scanned.text.data(), scanned.text.size());
+  // Both have to see the same: the values are handed over by their places.
+  const bool agrees =
+      mysql_stmt_param_count(front.statement) == front.names.size();
+  if (!failed && agrees)
+    co_return &front;
+  auto error = failed ? failure(front)
+                      : fail(ErrorKind::refused,
+                             first_words(front.sql) +
+                                 ": MariaDB finds other placeholders in it; "
+                                 "write a blank after '--'.");
+  if (!lost_)
+    co_await forget_front();
+  co_return error;
+}
+
+Task<Expected<void>> MariaDBConnection::forget_front() {
+  places_.erase(cache_.front().sql);
+  const auto failed = co_await finish<my_bool>(
+      mysql_stmt_close_start, mysql_stmt_close_cont, cache_.front().statement);
+  cache_.pop_front();
+  if (failed)
+    co_return failure("");
+  co_return Expected<void>();
+}
+
+Task<Expected<void>> MariaDBConnection::forget_oldest() {
+  cache_.splice(cache_.begin(), cache_, std::prev(cache_.end()));
+  co_return co_await forget_front();
+}
+
+MariaDBConnection::Outcome MariaDBConnection::execute(Prepared& prepared,
+                                                      List values) {
+  MariaDBParameters parameters(std::move(values));
+  if (!parameters.bind(prepared.statement))
+    co_return failure(prepared);
+  in_doubt_ = true;
+  const auto failed = co_await finish<int>(
+      mysql_stmt_execute_start, mysql_stmt_execute_cont, prepared.statement);
+  if (failed)
+    co_return failure(prepared);
+  in_doubt_ = false;
+  if (mysql_stmt_field_count(prepared.statement) > 0)
+    co_return co_await collect(prepared);
+  co_return StatementAnswer{
+      {},
+      static_cast<std::int64_t>(mysql_stmt_affected_rows(prepared.statement))};
+}
+
+// Row by row, so that no more than the limit is ever in memory. What is left
+// of a result is read and thrown away when it is freed.
+MariaDBConnection::Outcome MariaDBConnection::collect(Prepared& prepared) {
+  const auto row = row_of(prepared.statement);
+  if (!row)
+    co_return failure(prepared);
+  StatementAnswer answer;
+  answer.rows.columns = row->columns();
+  std::size_t rows = 0;
+  std::size_t bytes = 0;
+  int fetched = 0;
+  while (rows <= options_->rows && bytes <= options_->bytes) {
+    fetched = co_await finish<int>(mysql_stmt_fetch_start,
+                                   mysql_stmt_fetch_cont, prepared.statement);
+    if (fetched != 0 && fetched != MYSQL_DATA_TRUNCATED)
+      break;
+    ++rows;
+    bytes += row->size();
+    if (rows <= options_->rows && bytes <= options_->bytes)
+      row->append_to(answer.rows.cells, prepared.statement);
+  }
+  if (fetched == 1)
+    co_return failure(prepared);
+  if (co_await finish<my_bool>(mysql_stmt_free_result_start,
+                               mysql_stmt_free_result_cont, prepared.statement))
+    co_return failure(prepared);
+  if (rows > options_->rows || bytes > options_->bytes)
+    co_return too_much(prepared.sql, options_->rows, options_->bytes);
+  // Rows of an `insert … returning`.
+  if (prepared.kind != StatementKind::reads)
+    answer.changes = static_cast<std::int64_t>(rows);
+  co_return answer;
+}
+
+tl::unexpected<Error> MariaDBConnection::failure(std::string_view sql,
+                                                 unsigned code,
+                                                 const char* reason) {
+  constexpr unsigned only_reading = 1792;
+  code_ = code;
+  in_doubt_ = in_doubt_ && says_nothing_of_statement(code);
+  ended_transaction_ = ends_transaction(code);
+  lost_ = lost_ || ends_connection(code);
+  if (code == only_reading)
+    return only_reads(sql);
+  const bool late = lost_ && std::chrono::steady_clock::now() >= deadline_;
+  return fail(late ? ErrorKind::timeout : mariadb_error_kind(code),
+              (sql.empty() ? "" : first_words(sql) + " failed: ") + reason +
+                  (late ? " (no answer in time)." : "."));
+}
+
+tl::unexpected<Error> MariaDBConnection::failure(std::string_view sql) {
+  return failure(sql, mysql_errno(handle_), mysql_error(handle_));
+}
+
+// Errors while rows arrive stand at the connection.
+tl::unexpected<Error> MariaDBConnection::failure(const Prepared& prepared) {
+  if (mysql_stmt_errno(prepared.statement) == 0)
+    return failure(prepared.sql);
+  return failure(prepared.sql, mysql_stmt_errno(prepared.statement),
+                 mysql_stmt_error(prepared.statement));
+}
+
+} // namespace parlour::adapters

@@ -1,0 +1,313 @@
+#include "adapters/database/mariadb_pool.hpp"
+
+#include <algorithm>
+#include <csignal>
+#include <iterator>
+#include <utility>
+
+#include <fcntl.h>
+#include <poll.h>
+#include <unistd.h>
+
+#include "adapters/database/mariadb_setup.hpp"
+
+namespace parlour::adapters {
+
+namespace {
+
+using Steady = std::chrono::steady_clock;
+using Kind = DatabaseOrder::Kind;
+
+constexpr std::size_t most_pending = 1'000;
+// The server ends a statement itself; beyond that it is not there any more.
+constexpr Milliseconds grace{1'000};
+
+MariaDBConnection::Outcome carry_out(MariaDBConnection& connection,
+                                     const DatabaseOrder& order) {
+  const auto& params = order.message.params;
+  switch (order.kind) {
+  case Kind::connect:
+    return connection.control("do 1");
+  case Kind::begin:
+    return connection.begin();
+  case Kind::commit:
+    return connection.end(MariaDBConnection::End::commit);
+  case Kind::rollback:
+    return connection.end(MariaDBConnection::End::rollback);
+  default:
+    return connection.run(params[0].text(),
+                          params.size() > 1 ? params[1] : Value(),
+                          order.write ? Access::write : Access::read);
+  }
+}
+
+} // namespace
+
+MariaDBPool::MariaDBPool(MariaDBOptions options, Tell tell, Log log)
+    : options_(std::make_shared<const MariaDBOptions>(std::move(options))),
+      tell_(std::move(tell)), log_(std::move(log)) {
+  int ends[2];
+  if (pipe2(ends, O_CLOEXEC | O_NONBLOCK) == 0) {
+    wake_read_ = ends[0];
+    wake_write_ = ends[1];
+  }
+  for (std::size_t i = 0; i < options_->connections; ++i)
+    workers_.push_back(std::make_unique<Worker>());
+  thread_ = std::thread([this] { work(); });
+}
+
+MariaDBPool::~MariaDBPool() {
+  {
+    const std::lock_guard lock(mutex_);
+    over_ = true;
+  }
+  wake();
+  thread_.join();
+  ::close(wake_read_);
+  ::close(wake_write_);
+}
+
+Expected<void> MariaDBPool::first_connection() {
+  return first_.get_future().get();
+}
+
+void MariaDBPool::submit(DatabaseOrder order) {
+  {
+    const std::lock_guard lock(mutex_);
+    if (pending_ < most_pending) {
+      ++pending_;
+      inbox_.push_back(std::move(order));
+      return wake();
+    }
+  }
+  tell_(order.message, fail(ErrorKind::limit, "Too many wait for the "
+                                              "database."));
+}
+
+void MariaDBPool::wake() {
+  const char byte = 0;
+  // A full pipe wakes as well.
+  (void)!write(wake_write_, &byte, 1);
+}
+
+// -- the thread ---------------------------------------------------------------
+
+void MariaDBPool::work() {
+  // Signals are for others, that of a closed socket for nobody.
+  sigset_t all;
+  sigfillset(&all);
+  pthread_sigmask(SIG_BLOCK, &all, nullptr);
+  open_one();
+  while (true) {
+    {
+      const std::lock_guard lock(mutex_);
+      if (over_)
+        break;
+      take_in();
+    }
+    expire(Steady::now());
+    assign();
+    wait_for_events();
+  }
+  end();
+}
+
+void MariaDBPool::take_in() {
+  const auto deadline = Steady::now() + options_->busy_timeout;
+  for (auto& order : std::exchange(inbox_, {}))
+    waiting_.push_back({std::move(order), deadline});
+}
+
+void MariaDBPool::assign() {
+  std::deque<Waiting> still_waiting;
+  for (auto& one : std::exchange(waiting_, {}))
+    if (!assign(one))
+      still_waiting.push_back(std::move(one));
+  // Behind those whose connection has died over them right away.
+  std::move(still_waiting.begin(), still_waiting.end(),
+            std::back_inserter(waiting_));
+  const bool is_opening =
+      std::any_of(workers_.begin(), workers_.end(), [](const auto& worker) {
+        return worker->task && !worker->waiting;
+      });
+  const bool somebody_needs_one =
+      std::any_of(waiting_.begin(), waiting_.end(), [this](const auto& one) {
+        return !holder(one.order.message.session);
+      });
+  if (somebody_needs_one && !is_opening && Steady::now() >= next_attempt_)
+    open_one();
+}
+
+// False where it has to wait.
+bool MariaDBPool::assign(Waiting& waiting) {
+  if (auto error = objection(waiting)) {
+    tell(waiting, tl::make_unexpected(std::move(*error)));
+    return true;
+  }
+  auto* worker = holder(waiting.order.message.session);
+  if (!worker)
+    worker = free_worker(waiting.order.write ? Access::write : Access::read);
+  if (!worker || !worker->is_idle())
+    return false;
+  start(*worker, std::move(waiting));
+  return true;
+}
+
+// What keeps the order from being carried out now or later.
+std::optional<Error> MariaDBPool::objection(const Waiting& waiting) {
+  const auto& [kind, message, write] = waiting.order;
+  const auto& session = message.session;
+  const bool ends = kind == Kind::commit || kind == Kind::rollback;
+  if (kind == Kind::begin) {
+    lost_.forget(session);
+    if (holder(session))
+      return Error{ErrorKind::database,
+                   "Begin: this conversation is in a transaction already.",
+                   {}};
+  } else if (lost_.has(session) && (ends || kind == Kind::query)) {
+    if (ends)
+      lost_.forget(session);
+    return Error{ErrorKind::database,
+                 message.command + ": the transaction was rolled back, as it "
+                                   "took too long or failed.",
+                 {}};
+  } else if (ends && !holder(session)) {
+    return Error{ErrorKind::database,
+                 message.command + ": this conversation has no transaction.",
+                 {}};
+  }
+  return {};
+}
+
+MariaDBPool::Worker* MariaDBPool::holder(const SessionId& session) const {
+  for (const auto& worker : workers_)
+    if (worker->session == session)
+      return worker.get();
+  return nullptr;
+}
+
+// One that need not be told what it may do, if there is.
+MariaDBPool::Worker* MariaDBPool::free_worker(Access access) {
+  Worker* found = nullptr;
+  for (const auto& worker : workers_)
+    if (worker->is_idle() && !worker->session &&
+        (!found || worker->connection->access() == access))
+      found = worker.get();
+  return found;
+}
+
+bool MariaDBPool::any_connected() const {
+  return std::any_of(workers_.begin(), workers_.end(), [](const auto& worker) {
+    return worker->connection && (worker->waiting || worker->is_idle());
+  });
+}
+
+void MariaDBPool::open_one() {
+  for (const auto& worker : workers_) {
+    if (worker->connection)
+      continue;
+    worker->connection = std::make_unique<MariaDBConnection>(options_);
+    auto& connection = *worker->connection;
+    worker->task = set_up_ ? connection.open(MariaDBConnection::To::database)
+                           : open_and_set_up(connection, *options_);
+    worker->task.start();
+    if (worker->task.done())
+      conclude(*worker);
+    return;
+  }
+}
+
+void MariaDBPool::start(Worker& worker, Waiting waiting) {
+  worker.waiting = std::move(waiting);
+  worker.connection->give_time(options_->query_timeout + grace);
+  worker.task = carry_out(*worker.connection, worker.waiting->order);
+  // A session that begins has its connection from now on.
+  if (worker.waiting->order.kind == Kind::begin)
+    worker.session = worker.waiting->order.message.session;
+  worker.task.start();
+  if (worker.task.done())
+    conclude(worker);
+}
+
+MariaDBPool::Moment MariaDBPool::next_moment() const {
+  auto moment = Moment::max();
+  for (const auto& worker : workers_) {
+    if (worker->connection)
+      moment = std::min(moment, worker->connection->deadline());
+    if (!worker->task)
+      moment = std::min(moment, worker->transaction_ends);
+  }
+  for (const auto& one : waiting_)
+    if (!holder(one.order.message.session))
+      moment = std::min(moment, one.deadline);
+  if (!waiting_.empty() && next_attempt_ > Steady::now())
+    moment = std::min(moment, next_attempt_);
+  return moment;
+}
+
+void MariaDBPool::wait_for_events() {
+  std::vector<pollfd> polled{{wake_read_, POLLIN, 0}};
+  for (const auto& worker : workers_)
+    polled.push_back(worker->connection
+                         ? pollfd{worker->connection->descriptor(),
+                                  worker->connection->interest(), 0}
+                         : pollfd{-1, 0, 0});
+  const auto moment = next_moment();
+  const auto left =
+      moment == Moment::max()
+          ? Milliseconds(-1)
+          : std::max(Milliseconds(0),
+                     std::chrono::ceil<Milliseconds>(moment - Steady::now()));
+  poll(polled.data(), polled.size(),
+       static_cast<int>(std::min(left, Milliseconds(60'000)).count()));
+  char bytes[256];
+  while (read(wake_read_, bytes, sizeof bytes) > 0) {
+  }
+  const auto now = Steady::now();
+  for (std::size_t i = 0; i < workers_.size(); ++i)
+    if (workers_[i]->connection)
+      look_after(*workers_[i], polled[i + 1].revents, now);
+}
+
+void MariaDBPool::look_after(Worker& worker, short ready, Moment now) {
+  if (worker.task) {
+    if (ready == 0 && worker.connection->deadline() > now)
+      return;
+    worker.connection->go_on(ready);
+    if (worker.task.done())
+      conclude(worker);
+  } else if (ready != 0) {
+    take_away(worker); // nobody asked the server anything: it has gone
+  } else if (worker.session && worker.transaction_ends <= now) {
+    take_away(worker);
+    log_("A transaction was open for too long and was rolled back.");
+  }
+}
+
+void MariaDBPool::expire(Moment now) {
+  std::erase_if(waiting_, [&](const Waiting& one) {
+    if (one.deadline > now || holder(one.order.message.session))
+      return false;
+    tell(one, tl::make_unexpected(why_it_waited()));
+    return true;
+  });
+}
+
+Error MariaDBPool::why_it_waited() const {
+  if (trouble_ && !any_connected())
+    return {trouble_->kind,
+            "The database server cannot be reached: " + trouble_->message +
+                " It is tried again and again; look whether the server runs "
+                "and what the settings say of host, port and socket.",
+            trouble_->place};
+  if (!any_connected())
+    return {ErrorKind::timeout,
+            "The database server has not answered yet; it is tried again.",
+            {}};
+  return {ErrorKind::timeout,
+          "All connections to the database are busy; the option 'connections' "
+          "says how many there may be.",
+          {}};
+}
+
+} // namespace parlour::adapters

@@ -1,0 +1,123 @@
+// The connections of one MySQLDatabase, driven by one thread of its own, and
+// the messages that wait for them. A message gets the connection that is free,
+// one inside of a transaction its own; connections are made when they are
+// needed, and again, after a while that grows, when they were lost.
+#pragma once
+
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <future>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <vector>
+
+#include "adapters/database/lost_transactions.hpp"
+#include "adapters/database/mariadb_connection.hpp"
+#include "runtime/base/message.hpp"
+
+namespace parlour::adapters {
+
+// What a message asks of the database.
+struct DatabaseOrder {
+  enum class Kind : std::uint8_t { connect, query, begin, commit, rollback };
+
+  Kind kind = Kind::query;
+  Message message; // query: its SQL and values
+  bool write = false;
+};
+
+class MariaDBPool {
+public:
+  // What came of it; from any of the pool's threads.
+  using Tell = std::function<void(const Message&, StatementOutcome)>;
+  using Log = std::function<void(const std::string&)>;
+
+  MariaDBPool(MariaDBOptions options, Tell tell, Log log);
+  ~MariaDBPool(); // tells all that are left; what is open is rolled back
+
+  // The outcome of the first connection, once: what is wrong with the settings
+  // shows there. Waits for it.
+  Expected<void> first_connection();
+
+  // From any thread; never waits. Every order is told about once.
+  void submit(DatabaseOrder order);
+
+private:
+  using Moment = MariaDBConnection::Moment;
+
+  struct Waiting {
+    DatabaseOrder order;
+    Moment deadline;
+    bool again = false; // a connection died over it
+  };
+
+  // A connection and what goes on there.
+  struct Worker {
+    std::unique_ptr<MariaDBConnection> connection;
+    MariaDBConnection::Outcome task;  // before the connection in its end
+    std::optional<Waiting> waiting;   // what the task is about; none: opening
+    std::optional<SessionId> session; // whose transaction it is
+    Moment transaction_ends = Moment::max();
+
+    bool is_idle() const {
+      return connection && !task;
+    }
+  };
+
+  void work();
+  void take_in();
+  void wake();
+  void assign();
+  bool assign(Waiting& waiting);
+  void open_one();
+  void start(Worker& worker, Waiting waiting);
+  std::optional<Error> objection(const Waiting& waiting);
+  Worker* holder(const SessionId& session) const;
+  Worker* free_worker(Access access);
+  bool any_connected() const;
+  void wait_for_events();
+  Moment next_moment() const;
+  void look_after(Worker& worker, short ready, Moment now);
+  void expire(Moment now);
+  Error why_it_waited() const;
+  void conclude(Worker& worker);
+  void opened(Worker& worker, const StatementOutcome& outcome);
+  void succeeded(Worker& worker, Waiting waiting, StatementOutcome outcome);
+  void failed(Worker& worker, Waiting waiting, const Error& error);
+  void lose(Worker& worker, Waiting waiting, const Error& error);
+  void drop(Worker& worker);
+  void take_away(Worker& worker);
+  void tell(const Waiting& waiting, StatementOutcome outcome);
+  void end();
+  void drop_copy();
+
+  const std::shared_ptr<const MariaDBOptions> options_;
+  const Tell tell_;
+  const Log log_;
+  std::promise<Expected<void>> first_;
+  bool first_told_ = false;
+
+  std::mutex mutex_; // for the three that follow
+  std::deque<DatabaseOrder> inbox_;
+  std::size_t pending_ = 0; // not told about yet
+  bool over_ = false;
+
+  // Of the thread alone.
+  std::vector<std::unique_ptr<Worker>> workers_;
+  std::deque<Waiting> waiting_;
+  LostTransactions lost_;
+  bool set_up_ = false;
+  unsigned failures_ = 0; // to connect, one after the other
+  Moment next_attempt_ = Moment::min();
+  std::optional<Error> trouble_; // why it could not connect
+
+  int wake_read_ = -1; // a pipe that ends the thread's sleep
+  int wake_write_ = -1;
+  std::thread thread_;
+};
+
+} // namespace parlour::adapters

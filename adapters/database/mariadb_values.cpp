@@ -1,0 +1,259 @@
+#include "adapters/database/mariadb_values.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include <mysql.h>
+
+#include "adapters/database/sqlite_values.hpp"
+
+namespace parlour::adapters {
+
+namespace {
+
+constexpr unsigned binary_charset = 63;
+constexpr std::size_t first_size = 256; // of a text's place
+
+std::string label(const std::vector<std::string>& names, std::size_t place) {
+  return names[place].empty() ? "number " + std::to_string(place + 1)
+                              : ":" + names[place];
+}
+
+Expected<List> by_position(const List& values, std::size_t count) {
+  if (count == values.size())
+    return values;
+  return fail(ErrorKind::type,
+              "it has " + std::to_string(count) + " placeholder" +
+                  (count == 1 ? "" : "s") + ", but " +
+                  std::to_string(values.size()) + " value" +
+                  (values.size() == 1 ? " is" : "s are") + " given.");
+}
+
+Expected<List> by_name(const Map& values,
+                       const std::vector<std::string>& names) {
+  List ordered;
+  for (std::size_t place = 0; place < names.size(); ++place) {
+    const auto* value = values.find(names[place]);
+    if (!value)
+      return fail(ErrorKind::type, "no value is given for placeholder " +
+                                       label(names, place) + ".");
+    ordered.push_back(*value);
+  }
+  for (const auto& [name, value] : values.entries())
+    if (std::find(names.begin(), names.end(), name) == names.end())
+      return fail(ErrorKind::type, "more values are given than it has "
+                                   "placeholders.");
+  return ordered;
+}
+
+Expected<List> arrange(const Value& values,
+                       const std::vector<std::string>& names) {
+  if (const auto* map = values.if_map())
+    return by_name(*map, names);
+  if (const auto* list = values.if_list())
+    return by_position(*list, names.size());
+  if (values.is_unknown())
+    return by_position({}, names.size());
+  return fail(ErrorKind::type, "its values are a list or a map, not a " +
+                                   std::string(name_of(values.type())) + ".");
+}
+
+// The library only reads what it is handed.
+void point_at(MYSQL_BIND& bind, enum_field_types type, const void* first,
+              std::size_t length) {
+  bind.buffer_type = type;
+  bind.buffer = const_cast<void*>(first);
+  bind.buffer_length = length;
+}
+
+void fill(MYSQL_BIND& bind, const Value& value) {
+  if (const auto* boolean = value.if_boolean())
+    point_at(bind, MYSQL_TYPE_TINY, boolean, sizeof *boolean);
+  else if (const auto* integer = value.if_integer())
+    point_at(bind, MYSQL_TYPE_LONGLONG, integer, sizeof *integer);
+  else if (const auto* number = value.if_number())
+    point_at(bind, MYSQL_TYPE_DOUBLE, number, sizeof *number);
+  else if (const auto* text = value.if_string())
+    point_at(bind, MYSQL_TYPE_STRING, text->data(), text->size());
+  else if (const auto* binary = value.if_binary())
+    point_at(bind, MYSQL_TYPE_BLOB, binary->bytes.data(), binary->bytes.size());
+  else
+    bind.buffer_type = MYSQL_TYPE_NULL;
+}
+
+Value decimal(const std::string& digits) {
+  const auto number = parse_number(digits);
+  return number.is_unknown() ? Value(digits) : number;
+}
+
+std::int64_t bits(const std::string& bytes) {
+  std::uint64_t number = 0;
+  for (char byte : bytes)
+    number = number << 8 | static_cast<unsigned char>(byte);
+  return static_cast<std::int64_t>(number);
+}
+
+Binary blob(const std::string& bytes) {
+  const auto* first = reinterpret_cast<const std::byte*>(bytes.data());
+  return {"application/octet-stream", {first, first + bytes.size()}};
+}
+
+} // namespace
+
+Expected<List> values_in_order(const Value& values,
+                               const std::vector<std::string>& names) {
+  auto ordered = arrange(values, names);
+  for (std::size_t place = 0; ordered && place < ordered->size(); ++place) {
+    const auto& value = (*ordered)[place];
+    if (value.if_list() || value.if_map() || value.if_result())
+      return fail(ErrorKind::type,
+                  "placeholder " + label(names, place) +
+                      " takes a text, number or boolean, not a " +
+                      std::string(name_of(value.type())) + ".");
+    if (const auto* text = value.if_string();
+        text && valid_utf8(*text) != *text)
+      return fail(ErrorKind::type, "the value of placeholder " +
+                                       label(names, place) +
+                                       " is not valid UTF-8.");
+  }
+  return ordered;
+}
+
+MariaDBParameters::MariaDBParameters(List values)
+    : values_(std::move(values)), binds_(values_.size()) {
+  for (std::size_t i = 0; i < values_.size(); ++i)
+    fill(binds_[i], values_[i]);
+}
+
+MariaDBParameters::~MariaDBParameters() = default;
+
+bool MariaDBParameters::bind(MYSQL_STMT* statement) {
+  return binds_.empty() || mysql_stmt_bind_param(statement, binds_.data()) == 0;
+}
+
+struct MariaDBRow::Cell {
+  enum class As : std::uint8_t { integer, number, decimal, bits, text, blob };
+
+  static As kind_of(const MYSQL_FIELD& field);
+  void point(MYSQL_BIND& bind);
+  Value value() const;
+
+  As as = As::text;
+  bool is_unsigned = false;
+  std::int64_t integer = 0;
+  double number = 0;
+  std::string bytes;
+  unsigned long length = 0;
+  my_bool is_null = 0;
+  my_bool cut = 0;
+};
+
+MariaDBRow::Cell::As MariaDBRow::Cell::kind_of(const MYSQL_FIELD& field) {
+  switch (field.type) {
+  case MYSQL_TYPE_TINY:
+  case MYSQL_TYPE_SHORT:
+  case MYSQL_TYPE_INT24:
+  case MYSQL_TYPE_LONG:
+  case MYSQL_TYPE_LONGLONG:
+  case MYSQL_TYPE_YEAR:
+    return As::integer;
+  case MYSQL_TYPE_FLOAT:
+  case MYSQL_TYPE_DOUBLE:
+    return As::number;
+  case MYSQL_TYPE_DECIMAL:
+  case MYSQL_TYPE_NEWDECIMAL:
+    return As::decimal;
+  case MYSQL_TYPE_BIT:
+    return As::bits;
+  case MYSQL_TYPE_TINY_BLOB:
+  case MYSQL_TYPE_MEDIUM_BLOB:
+  case MYSQL_TYPE_LONG_BLOB:
+  case MYSQL_TYPE_BLOB:
+  case MYSQL_TYPE_VAR_STRING:
+  case MYSQL_TYPE_STRING:
+    return field.charsetnr == binary_charset ? As::blob : As::text;
+  default:
+    return As::text;
+  }
+}
+
+void MariaDBRow::Cell::point(MYSQL_BIND& bind) {
+  bind.is_null = &is_null;
+  bind.length = &length;
+  bind.error = &cut;
+  bind.is_unsigned = is_unsigned;
+  if (as == As::integer)
+    return point_at(bind, MYSQL_TYPE_LONGLONG, &integer, sizeof integer);
+  if (as == As::number)
+    return point_at(bind, MYSQL_TYPE_DOUBLE, &number, sizeof number);
+  const bool is_bytes = as == As::blob || as == As::bits;
+  bytes.resize(std::max(bytes.size(), first_size));
+  point_at(bind, is_bytes ? MYSQL_TYPE_BLOB : MYSQL_TYPE_STRING, bytes.data(),
+           bytes.size());
+}
+
+Value MariaDBRow::Cell::value() const {
+  const auto said = bytes.substr(0, length);
+  switch (as) {
+  case As::integer:
+    return is_unsigned && integer < 0
+               ? Value(static_cast<double>(static_cast<std::uint64_t>(integer)))
+               : Value(integer);
+  case As::number:
+    return number;
+  case As::decimal:
+    return decimal(said);
+  case As::bits:
+    return bits(said);
+  case As::blob:
+    return blob(said);
+  default:
+    return valid_utf8(said);
+  }
+}
+
+MariaDBRow::MariaDBRow(MYSQL_RES* description)
+    : cells_(mysql_num_fields(description)), binds_(cells_.size()) {
+  const auto* fields = mysql_fetch_fields(description);
+  for (std::size_t i = 0; i < cells_.size(); ++i) {
+    columns_.emplace_back(fields[i].name);
+    cells_[i].as = Cell::kind_of(fields[i]);
+    cells_[i].is_unsigned = (fields[i].flags & UNSIGNED_FLAG) != 0;
+    cells_[i].point(binds_[i]);
+  }
+}
+
+MariaDBRow::~MariaDBRow() = default;
+
+bool MariaDBRow::bind(MYSQL_STMT* statement) {
+  return mysql_stmt_bind_result(statement, binds_.data()) == 0;
+}
+
+std::size_t MariaDBRow::size() const {
+  std::size_t bytes = cells_.size() * sizeof(Value);
+  for (const auto& cell : cells_)
+    bytes += cell.is_null ? 0 : cell.length;
+  return bytes;
+}
+
+void MariaDBRow::append_to(List& cells, MYSQL_STMT* statement) {
+  bool has_grown = false;
+  for (std::size_t i = 0; i < cells_.size(); ++i) {
+    auto& cell = cells_[i];
+    if (!cell.is_null && cell.length > cell.bytes.size() &&
+        !cell.bytes.empty()) {
+      cell.bytes.resize(cell.length);
+      cell.point(binds_[i]);
+      mysql_stmt_fetch_column(statement, &binds_[i], static_cast<unsigned>(i),
+                              0);
+      has_grown = true;
+    }
+    cells.push_back(cell.is_null ? Value() : cell.value());
+  }
+  // The statement still knows the places as they were.
+  if (has_grown)
+    bind(statement);
+}
+
+} // namespace parlour::adapters

@@ -1,0 +1,67 @@
+// Values into placeholders and cells into values, as SQLite's columns hold
+// them: so that a script finds the same in both.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "runtime/base/error.hpp"
+#include "runtime/base/value.hpp"
+
+struct st_mysql_bind;
+struct st_mysql_stmt;
+struct st_mysql_res;
+
+namespace parlour::adapters {
+
+// In the order of the placeholders: a list by position, a map by name. An
+// error of kind Type where numbers or names do not match, or a value cannot
+// stand in a table.
+Expected<List> values_in_order(const Value& values,
+                               const std::vector<std::string>& names);
+
+// The values of one execution, which have to live as long. unknown becomes
+// NULL, booleans 1 and 0.
+class MariaDBParameters {
+public:
+  explicit MariaDBParameters(List values);
+  MariaDBParameters(const MariaDBParameters&) = delete;
+  MariaDBParameters& operator=(const MariaDBParameters&) = delete;
+  ~MariaDBParameters();
+
+  bool bind(st_mysql_stmt* statement);
+
+private:
+  List values_;
+  std::vector<st_mysql_bind> binds_;
+};
+
+// Where the cells of a row arrive. NULL is unknown, a decimal a number; dates
+// and times are texts; bytes that are not UTF-8 become U+FFFD; blobs are
+// binary.
+class MariaDBRow {
+public:
+  explicit MariaDBRow(st_mysql_res* description);
+  MariaDBRow(const MariaDBRow&) = delete;
+  MariaDBRow& operator=(const MariaDBRow&) = delete;
+  ~MariaDBRow();
+
+  const std::vector<std::string>& columns() const {
+    return columns_;
+  }
+  bool bind(st_mysql_stmt* statement);
+  // How many bytes the fetched row holds; they need not be in memory yet.
+  std::size_t size() const;
+  void append_to(List& cells, st_mysql_stmt* statement);
+
+private:
+  struct Cell;
+
+  std::vector<std::string> columns_;
+  std::vector<Cell> cells_;
+  std::vector<st_mysql_bind> binds_;
+};
+
+} // namespace parlour::adapters

@@ -6,7 +6,7 @@
 //   Begin, Commit, Rollback     Result()   each session its own
 //
 // Anything that goes wrong is Error(kind, message). A query that only reads
-// and loses its connection is asked once more; one that writes is in doubt.
+// and loses its connection is asked again; one that writes is in doubt.
 // A thread of its own waits for the server, never the one that calls.
 #pragma once
 

@@ -134,8 +134,11 @@ void MariaDBPool::assign() {
       std::any_of(waiting_.begin(), waiting_.end(), [this](const auto& one) {
         return !holder(one.order.message.session);
       });
-  if (somebody_needs_one && !is_opening && Steady::now() >= next_attempt_)
-    open_one();
+  open_at_ = Moment::max();
+  if (!somebody_needs_one || is_opening)
+    return;
+  if (Steady::now() < next_attempt_ || open_one())
+    open_at_ = next_attempt_;
 }
 
 // False where it has to wait.
@@ -202,7 +205,8 @@ bool MariaDBPool::any_connected() const {
   });
 }
 
-void MariaDBPool::open_one() {
+// True where that came to its end at once, well or badly.
+bool MariaDBPool::open_one() {
   for (const auto& worker : workers_) {
     if (worker->connection)
       continue;
@@ -211,10 +215,12 @@ void MariaDBPool::open_one() {
     worker->task = set_up_ ? connection.open(MariaDBConnection::To::database)
                            : open_and_set_up(connection, *options_);
     worker->task.start();
-    if (worker->task.done())
+    const bool is_done = worker->task.done();
+    if (is_done)
       conclude(*worker);
-    return;
+    return is_done;
   }
+  return false;
 }
 
 void MariaDBPool::start(Worker& worker, Waiting waiting) {
@@ -230,7 +236,7 @@ void MariaDBPool::start(Worker& worker, Waiting waiting) {
 }
 
 MariaDBPool::Moment MariaDBPool::next_moment() const {
-  auto moment = Moment::max();
+  auto moment = open_at_;
   for (const auto& worker : workers_) {
     if (worker->connection)
       moment = std::min(moment, worker->connection->deadline());
@@ -240,8 +246,6 @@ MariaDBPool::Moment MariaDBPool::next_moment() const {
   for (const auto& one : waiting_)
     if (!holder(one.order.message.session))
       moment = std::min(moment, one.deadline);
-  if (!waiting_.empty() && next_attempt_ > Steady::now())
-    moment = std::min(moment, next_attempt_);
   return moment;
 }
 

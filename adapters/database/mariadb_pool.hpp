@@ -52,7 +52,7 @@ private:
   struct Waiting {
     DatabaseOrder order;
     Moment deadline;
-    bool again = false; // a connection died over it
+    std::size_t deaths = 0; // of connections, over it
   };
 
   // A connection and what goes on there.
@@ -73,7 +73,7 @@ private:
   void wake();
   void assign();
   bool assign(Waiting& waiting);
-  void open_one();
+  bool open_one();
   void start(Worker& worker, Waiting waiting);
   std::optional<Error> objection(const Waiting& waiting);
   Worker* holder(const SessionId& session) const;
@@ -112,8 +112,9 @@ private:
   LostTransactions lost_;
   bool set_up_ = false;
   unsigned failures_ = 0; // to connect, one after the other
-  Moment next_attempt_ = Moment::min();
-  std::optional<Error> trouble_; // why it could not connect
+  Moment next_attempt_{}; // long ago, but to be reckoned with
+  Moment open_at_ = Moment::max(); // somebody waits for the next attempt
+  std::optional<Error> trouble_;   // why it could not connect
 
   int wake_read_ = -1; // a pipe that ends the thread's sleep
   int wake_write_ = -1;

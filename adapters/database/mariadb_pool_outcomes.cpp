@@ -105,9 +105,10 @@ void MariaDBPool::lose(Worker& worker, Waiting waiting, const Error& error) {
     drop(worker);
   if (doubtful)
     return tell(waiting, tl::make_unexpected(in_doubt(order, error.message)));
-  if (!can_be_repeated || waiting.again || error.kind == ErrorKind::timeout)
+  // Connections that die together may not all be known to be dead yet.
+  if (!can_be_repeated || ++waiting.deaths > options_->connections ||
+      error.kind == ErrorKind::timeout)
     return tell(waiting, tl::make_unexpected(error));
-  waiting.again = true;
   waiting.deadline = Steady::now() + options_->busy_timeout;
   waiting_.push_front(std::move(waiting));
 }

@@ -111,8 +111,8 @@ private:
   std::deque<Waiting> waiting_;
   LostTransactions lost_;
   bool set_up_ = false;
-  unsigned failures_ = 0; // to connect, one after the other
-  Moment next_attempt_{}; // long ago, but to be reckoned with
+  unsigned failures_ = 0;          // to connect, one after the other
+  Moment next_attempt_{};          // long ago, but to be reckoned with
   Moment open_at_ = Moment::max(); // somebody waits for the next attempt
   std::optional<Error> trouble_;   // why it could not connect
 

@@ -128,6 +128,10 @@ void MariaDBConnection::set_options() {
     mysql_options(handle_, MYSQL_INIT_COMMAND, command.c_str());
   const unsigned off = 0;
   mysql_options(handle_, MYSQL_OPT_LOCAL_INFILE, &off);
+  if (options.port != 0) { // "localhost" alone is the socket
+    const auto protocol = MYSQL_PROTOCOL_TCP;
+    mysql_options(handle_, MYSQL_OPT_PROTOCOL, &protocol);
+  }
   const unsigned long packet = options.bytes + packet_beyond_limit;
   mysql_options(handle_, MYSQL_OPT_MAX_ALLOWED_PACKET, &packet);
   if (options.tls == MariaDBOptions::Tls::off)

@@ -35,10 +35,10 @@ private:
   void fail_with(const Message& message, const Error& error);
 
   MariaDBOptions options_;
-  std::unique_ptr<MariaDBPool> pool_;
   std::mutex mutex_;
   std::condition_variable told_; // for who waits for each answer
   std::size_t untold_ = 0;
+  std::unique_ptr<MariaDBPool> pool_; // the last: it tells while it ends
 };
 
 PluginFactory mysql_database_factory();

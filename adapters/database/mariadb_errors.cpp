@@ -63,6 +63,7 @@ ErrorKind mariadb_error_kind(unsigned code) {
   case 1370: // to the routine
   case 1698: // to connect in this way
   case 1792: // the transaction only reads
+  case 2026: // TLS: who it is, or how it speaks
     return ErrorKind::refused;
   case 1153: // a packet that is too large
   case 2020:

@@ -42,10 +42,12 @@ function(parlour_library name)
   endif()
 endfunction()
 
-# parlour_test(<folder> LINK ... HEADERS <target>): tests/<folder>/*.cpp become
-# one GoogleTest program test_<folder>, with that target's precompiled headers.
+# parlour_test(<folder> LINK ... HEADERS <target> [TOGETHER <pattern>]):
+# tests/<folder>/*.cpp become one GoogleTest program test_<folder>, with that
+# target's precompiled headers. Each test runs in a process of its own; those
+# that the pattern names, in one.
 function(parlour_test folder)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "HEADERS" "LINK")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "HEADERS;TOGETHER" "LINK")
   parlour_folder_name(name "${folder}")
   file(GLOB sources CONFIGURE_DEPENDS
     "${PROJECT_SOURCE_DIR}/tests/${folder}/*.cpp")
@@ -57,7 +59,13 @@ function(parlour_test folder)
     add_test(NAME "${folder}" COMMAND test_${name} --gtest_brief=1
       WORKING_DIRECTORY "${PROJECT_SOURCE_DIR}")
   else()
-    gtest_discover_tests(test_${name}
+    if(arg_TOGETHER)
+      set(others TEST_FILTER "-${arg_TOGETHER}")
+      add_test(NAME "${folder}: ${arg_TOGETHER}"
+        COMMAND test_${name} --gtest_brief=1 --gtest_filter=${arg_TOGETHER}
+        WORKING_DIRECTORY "${PROJECT_SOURCE_DIR}")
+    endif()
+    gtest_discover_tests(test_${name} ${others}
       TEST_PREFIX "${folder}: " DISCOVERY_MODE PRE_TEST
       WORKING_DIRECTORY "${PROJECT_SOURCE_DIR}"
       DISCOVERY_TIMEOUT 60)

@@ -74,7 +74,7 @@ const std::vector<Asked>& refused_alike() {
   return all;
 }
 
-class BothDatabasesTest : public MariaDBTest {
+class MariaDBAndSQLiteTest : public MariaDBTest {
 protected:
   void SetUp() override {
     MariaDBTest::SetUp();
@@ -111,12 +111,12 @@ protected:
   std::unique_ptr<IPlugin> other;
 };
 
-TEST_F(BothDatabasesTest, AnswerAlike) {
+TEST_F(MariaDBAndSQLiteTest, AnswerAlike) {
   for (const auto& [sql, values] : answered_alike())
     EXPECT_EQ(query(sql, values), ask_other("Query", {sql, values})) << sql;
 }
 
-TEST_F(BothDatabasesTest, NameTheirColumnsAlike) {
+TEST_F(MariaDBAndSQLiteTest, NameTheirColumnsAlike) {
   send("s1", "Query", {"select id, name as who, count(*) from staff"});
   std::swap(plugin, other);
   send("s1", "Query", {"select id, name as who, count(*) from staff"});
@@ -126,7 +126,7 @@ TEST_F(BothDatabasesTest, NameTheirColumnsAlike) {
   EXPECT_EQ(shown(host.events[1]), shown(host.events[0]));
 }
 
-TEST_F(BothDatabasesTest, RefuseAlike) {
+TEST_F(MariaDBAndSQLiteTest, RefuseAlike) {
   for (const auto& [sql, values] : refused_alike()) {
     const auto answer = query(sql, values);
     EXPECT_THAT(answer, testing::StartsWith("Error(")) << sql;
@@ -135,7 +135,7 @@ TEST_F(BothDatabasesTest, RefuseAlike) {
   }
 }
 
-TEST_F(BothDatabasesTest, WriteAlike) {
+TEST_F(MariaDBAndSQLiteTest, WriteAlike) {
   const std::vector<std::vector<Value>> writes{
       {"insert into staff (name, level) values (?, ?)", List{"Ong", 4}, true},
       {"insert into staff (name, level) values (?, ?)", List{"Ong", 4}, true},

@@ -11,9 +11,9 @@ using testing::UnorderedElementsAre;
 
 const std::string everybody = "select count(*) from staff";
 
-using MySQLDatabaseTest = MariaDBTest;
+using MariaDBDatabaseTest = MariaDBTest;
 
-TEST_F(MySQLDatabaseTest, AnswersQueries) {
+TEST_F(MariaDBDatabaseTest, AnswersQueries) {
   ASSERT_TRUE(start(options()));
   EXPECT_EQ(
       query("select name from staff where level = ? order by id", List{13}),
@@ -23,7 +23,7 @@ TEST_F(MySQLDatabaseTest, AnswersQueries) {
             "Result([unknown])");
 }
 
-TEST_F(MySQLDatabaseTest, AnswersWithSessionAndCorrelation) {
+TEST_F(MariaDBDatabaseTest, AnswersWithSessionAndCorrelation) {
   ASSERT_TRUE(start(options()));
   send("s8", "Query", {everybody});
   ASSERT_EQ(host.events.size(), 1u);
@@ -33,7 +33,7 @@ TEST_F(MySQLDatabaseTest, AnswersWithSessionAndCorrelation) {
   EXPECT_TRUE(host.events[0].params[0].if_result());
 }
 
-TEST_F(MySQLDatabaseTest, WritesWhenToldTo) {
+TEST_F(MariaDBDatabaseTest, WritesWhenToldTo) {
   ASSERT_TRUE(start(options()));
   EXPECT_EQ(write("insert into staff (name) values (?)", List{"Ong"}),
             "Result([], 1)");
@@ -42,7 +42,7 @@ TEST_F(MySQLDatabaseTest, WritesWhenToldTo) {
   EXPECT_EQ(query(everybody), "Result([4])");
 }
 
-TEST_F(MySQLDatabaseTest, AnswersErrorsByKind) {
+TEST_F(MariaDBDatabaseTest, AnswersErrorsByKind) {
   ASSERT_TRUE(start(options()));
   EXPECT_THAT(query("select nam from staff"), StartsWith("Error(Database, "));
   EXPECT_THAT(query("select ?", List{List{}}), StartsWith("Error(Type, "));
@@ -55,7 +55,7 @@ TEST_F(MySQLDatabaseTest, AnswersErrorsByKind) {
   EXPECT_THAT(tell("Truncate"), HasSubstr("the command 'Truncate'"));
 }
 
-TEST_F(MySQLDatabaseTest, KeepsWhatIsWritten) {
+TEST_F(MariaDBDatabaseTest, KeepsWhatIsWritten) {
   ASSERT_TRUE(start(options_for("kept")));
   EXPECT_EQ(query(everybody), "Result([3])");
   write("insert into staff (name) values ('Ong')");
@@ -65,7 +65,7 @@ TEST_F(MySQLDatabaseTest, KeepsWhatIsWritten) {
   EXPECT_EQ(query(everybody), "Result([4])");
 }
 
-TEST_F(MySQLDatabaseTest, SharesNoCopy) {
+TEST_F(MariaDBDatabaseTest, SharesNoCopy) {
   ASSERT_TRUE(start(options()));
   write("delete from staff");
   const auto first = std::move(plugin);
@@ -73,7 +73,7 @@ TEST_F(MySQLDatabaseTest, SharesNoCopy) {
   EXPECT_EQ(query(everybody), "Result([3])");
 }
 
-TEST_F(MySQLDatabaseTest, DropsItsCopyInTheEnd) {
+TEST_F(MariaDBDatabaseTest, DropsItsCopyInTheEnd) {
   ASSERT_TRUE(start(options()));
   const std::string copies = "select count(*) from information_schema.schemata "
                              "where schema_name like 'dropped%'";
@@ -88,7 +88,7 @@ TEST_F(MySQLDatabaseTest, DropsItsCopyInTheEnd) {
   EXPECT_EQ(query(copies), "Result([0])");
 }
 
-TEST_F(MySQLDatabaseTest, DoesNotStartWithAWrongSchemaOrSettings) {
+TEST_F(MariaDBDatabaseTest, DoesNotStartWithAWrongSchemaOrSettings) {
   folder.write("seed.sql", "\ninsert into nowhere values (1)");
   auto started = start(options());
   ASSERT_FALSE(started);
@@ -104,7 +104,7 @@ TEST_F(MySQLDatabaseTest, DoesNotStartWithAWrongSchemaOrSettings) {
   EXPECT_THAT(started.error().message, HasSubstr("not_there"));
 }
 
-TEST_F(MySQLDatabaseTest, IsConnectedToItsOwnDatabaseOnly) {
+TEST_F(MariaDBDatabaseTest, IsConnectedToItsOwnDatabaseOnly) {
   ASSERT_TRUE(start(options_for("own")));
   for (const auto& wanted :
        {Value(), Value(""), Value(name_of("own")),
@@ -113,7 +113,7 @@ TEST_F(MySQLDatabaseTest, IsConnectedToItsOwnDatabaseOnly) {
   EXPECT_THAT(tell("Connect", {"mysql"}), StartsWith("Error(Refused, "));
 }
 
-TEST_F(MySQLDatabaseTest, KeepsATransactionApartFromOthers) {
+TEST_F(MariaDBDatabaseTest, KeepsATransactionApartFromOthers) {
   ASSERT_TRUE(start(options()));
   EXPECT_EQ(tell("Begin"), "Result([])");
   EXPECT_EQ(write("delete from staff"), "Result([], 3)");
@@ -123,7 +123,7 @@ TEST_F(MySQLDatabaseTest, KeepsATransactionApartFromOthers) {
   EXPECT_EQ(query(everybody), "Result([3])");
 }
 
-TEST_F(MySQLDatabaseTest, LetsOtherWritersWaitForTheCommit) {
+TEST_F(MariaDBDatabaseTest, LetsOtherWritersWaitForTheCommit) {
   ASSERT_TRUE(start(with(options(), "one-by-one", "false")));
   EXPECT_EQ(tell("Begin"), "Result([])");
   EXPECT_EQ(write("update staff set level = 1"), "Result([], 3)");
@@ -134,7 +134,7 @@ TEST_F(MySQLDatabaseTest, LetsOtherWritersWaitForTheCommit) {
   EXPECT_EQ(query("select distinct level from staff"), "Result([2])");
 }
 
-TEST_F(MySQLDatabaseTest, DoesNotLetThemWaitForEver) {
+TEST_F(MariaDBDatabaseTest, DoesNotLetThemWaitForEver) {
   ASSERT_TRUE(start(with(options(), "busy-timeout", "1s")));
   tell("Begin");
   write("delete from staff");
@@ -143,7 +143,7 @@ TEST_F(MySQLDatabaseTest, DoesNotLetThemWaitForEver) {
   EXPECT_EQ(tell("Commit"), "Result([])");
 }
 
-TEST_F(MySQLDatabaseTest, TakesAnOldTransactionAway) {
+TEST_F(MariaDBDatabaseTest, TakesAnOldTransactionAway) {
   ASSERT_TRUE(start(with(options(), "transaction-timeout", "20ms")));
   tell("Begin");
   ASSERT_TRUE(host.wait_for_log());
@@ -153,7 +153,7 @@ TEST_F(MySQLDatabaseTest, TakesAnOldTransactionAway) {
   EXPECT_EQ(query(everybody), "Result([3])");
 }
 
-TEST_F(MySQLDatabaseTest, RefusesTransactionsOutOfOrder) {
+TEST_F(MariaDBDatabaseTest, RefusesTransactionsOutOfOrder) {
   ASSERT_TRUE(start(options()));
   EXPECT_THAT(tell("Commit"), StartsWith("Error(Database, Commit: "));
   EXPECT_THAT(tell("Rollback"), StartsWith("Error(Database, Rollback: "));
@@ -164,7 +164,7 @@ TEST_F(MySQLDatabaseTest, RefusesTransactionsOutOfOrder) {
 }
 
 // Two that each want what the other has: one of them has to begin again.
-TEST_F(MySQLDatabaseTest, EndsADeadlock) {
+TEST_F(MariaDBDatabaseTest, EndsADeadlock) {
   ASSERT_TRUE(start(with(options(), "one-by-one", "false")));
   tell("Begin", {}, "s1");
   tell("Begin", {}, "s2");
@@ -182,7 +182,7 @@ TEST_F(MySQLDatabaseTest, EndsADeadlock) {
               UnorderedElementsAre("Result([])", HasSubstr("rolled back")));
 }
 
-TEST_F(MySQLDatabaseTest, RollsBackWhenItStops) {
+TEST_F(MariaDBDatabaseTest, RollsBackWhenItStops) {
   ASSERT_TRUE(start(options_for("stopped")));
   tell("Begin");
   write("delete from staff");
@@ -191,7 +191,7 @@ TEST_F(MySQLDatabaseTest, RollsBackWhenItStops) {
   EXPECT_EQ(query(everybody), "Result([3])");
 }
 
-TEST_F(MySQLDatabaseTest, DescribesItself) {
+TEST_F(MariaDBDatabaseTest, DescribesItself) {
   const auto description = mysql_database_factory().description;
   EXPECT_EQ(description.name, "MySQLDatabase");
   EXPECT_THAT(description.roles, ElementsAre("Database"));

@@ -9,9 +9,9 @@
 #include <gtest/gtest.h>
 
 #include "adapters/database/mariadb_database.hpp"
-#include "tests/adapters/database/mariadb_server.hpp"
 #include "tests/support/fake_plugin_host.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tools/bench/mariadb_server.hpp"
 
 namespace parlour::adapters {
 
@@ -63,30 +63,36 @@ protected:
   }
 
   void SetUp() override {
-    if (!test::MariaDBServer::shared().is_there())
+    if (tools::MariaDBServer::program().empty())
       GTEST_SKIP() << "there is no mariadbd; install mariadb-server-core";
     server().go_on();
-    server().start();
+    start_server();
   }
   void TearDown() override {
-    if (server().is_there())
-      server().go_on();
+    server().go_on();
     plugin = nullptr;
   }
 
-  static test::MariaDBServer& server() {
-    return test::MariaDBServer::shared();
+  // The test program's, or that of a suite.
+  virtual tools::MariaDBServer& server() {
+    static const test::TemporaryFolder place;
+    static tools::MariaDBServer shared(place.path());
+    return shared;
+  }
+  void start_server() {
+    const auto started = server().start();
+    ASSERT_TRUE(started) << started.error().message;
   }
 
   // Of a database that is dropped in the end.
-  Options options() const {
+  Options options() {
     return {{"socket", server().socket()}, {"user", "root"},
             {"database", "test"},          {"schema", "schema.sql"},
             {"seed", "seed.sql"},          {"copy", "true"},
             {"busy-timeout", "30s"},       {"one-by-one", "true"}};
   }
   // Of one that stays, as long as the server's folder does.
-  Options options_for(const std::string& database) const {
+  Options options_for(const std::string& database) {
     auto all = options();
     all["database"] = name_of(database);
     all["copy"] = "false";

@@ -17,7 +17,7 @@ const std::string how_many = "select count(*) from staff";
 class MariaDBPoolTest : public MariaDBTest {
 protected:
   // One that stays when the server dies, answered as it comes.
-  Options lasting(const std::string& database) const {
+  Options lasting(const std::string& database) {
     return with(options_for(database), "one-by-one", "false");
   }
 
@@ -41,7 +41,7 @@ TEST_F(MariaDBPoolTest, ReadsAgainWhenTheServerCameBack) {
   ASSERT_TRUE(start(lasting("back")));
   EXPECT_EQ(query(how_many), "Result([3])");
   server().kill();
-  server().start();
+  start_server();
   EXPECT_EQ(query(how_many), "Result([3])");
   EXPECT_EQ(write("update staff set level = 5"), "Result([], 3)");
 }
@@ -52,7 +52,7 @@ TEST_F(MariaDBPoolTest, SaysThatTheServerHasGoneAndFindsItAgain) {
   EXPECT_THAT(query(how_many), StartsWith("Error(Offline, The database server "
                                           "cannot be reached: "));
   EXPECT_THAT(tell("Connect"), StartsWith("Error(Offline, "));
-  server().start();
+  start_server();
   connect();
   EXPECT_EQ(query(how_many), "Result([3])");
 }
@@ -62,7 +62,7 @@ TEST_F(MariaDBPoolTest, ComesUpBeforeTheServer) {
   ASSERT_TRUE(start(with(lasting("later"), "busy-timeout", "100ms")));
   EXPECT_THAT(host.logs, ElementsAre(HasSubstr("cannot be reached yet")));
   EXPECT_THAT(query(how_many), StartsWith("Error(Offline, "));
-  server().start();
+  start_server();
   connect();
   EXPECT_EQ(query(how_many), "Result([3])");
 }
@@ -76,7 +76,7 @@ TEST_F(MariaDBPoolTest, IsInDoubtAboutAWriteThatTheServerDiedOver) {
   server().kill();
   EXPECT_THAT(host.wait_for_events(1),
               ElementsAre(StartsWith("Error(InDoubt, 'insert into staff")));
-  server().start();
+  start_server();
   EXPECT_EQ(query(how_many), "Result([3])");
 }
 
@@ -88,7 +88,7 @@ TEST_F(MariaDBPoolTest, RepeatsAReadThatTheServerDiedOver) {
   send("s1", "Query", {"select get_lock('gate', 60) + 41"});
   wait_until_running("60) + 41");
   server().kill();
-  server().start();
+  start_server();
   EXPECT_THAT(host.wait_for_events(1), ElementsAre("Result([42])"));
 }
 
@@ -97,7 +97,7 @@ TEST_F(MariaDBPoolTest, LosesATransactionWithTheServer) {
   tell("Begin");
   write("delete from staff");
   server().kill();
-  server().start();
+  start_server();
   EXPECT_THAT(write("delete from staff"), StartsWith("Error("));
   EXPECT_THAT(tell("Commit"),
               StartsWith("Error(Database, Commit: the transaction was rolled "

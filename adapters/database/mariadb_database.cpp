@@ -5,6 +5,8 @@
 #include <random>
 #include <utility>
 
+#include "adapters/database/mariadb_pool.hpp"
+
 namespace parlour::adapters {
 
 namespace {
@@ -37,6 +39,10 @@ std::string own_name(const std::string& database) {
 }
 
 } // namespace
+
+MySQLDatabase::MySQLDatabase() = default;
+
+MySQLDatabase::~MySQLDatabase() = default;
 
 Expected<void> MySQLDatabase::on_start(const Options& options) {
   auto read = read_mariadb_options(options, host().application_folder());

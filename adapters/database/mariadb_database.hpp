@@ -10,16 +10,24 @@
 // A thread of its own waits for the server, never the one that calls.
 #pragma once
 
+#include <condition_variable>
 #include <memory>
 #include <mutex>
 
-#include "adapters/database/mariadb_pool.hpp"
+#include "adapters/database/mariadb_options.hpp"
+#include "adapters/database/statement.hpp"
 #include "runtime/plugin/plugin.hpp"
 
 namespace parlour::adapters {
 
+struct DatabaseOrder;
+class MariaDBPool;
+
 class MySQLDatabase : public IPlugin {
 public:
+  MySQLDatabase();
+  ~MySQLDatabase() override;
+
   void stop() override;
 
 protected:

@@ -5,8 +5,8 @@
 #include <iterator>
 #include <utility>
 
-#include <fcntl.h>
 #include <poll.h>
+#include <sys/eventfd.h>
 #include <unistd.h>
 
 #include "adapters/database/mariadb_setup.hpp"
@@ -46,11 +46,7 @@ MariaDBConnection::Outcome carry_out(MariaDBConnection& connection,
 MariaDBPool::MariaDBPool(MariaDBOptions options, Tell tell, Log log)
     : options_(std::make_shared<const MariaDBOptions>(std::move(options))),
       tell_(std::move(tell)), log_(std::move(log)) {
-  int ends[2];
-  if (pipe2(ends, O_CLOEXEC | O_NONBLOCK) == 0) {
-    wake_read_ = ends[0];
-    wake_write_ = ends[1];
-  }
+  wake_ = eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK);
   for (std::size_t i = 0; i < options_->connections; ++i)
     workers_.push_back(std::make_unique<Worker>());
   thread_ = std::thread([this] { work(); });
@@ -63,8 +59,7 @@ MariaDBPool::~MariaDBPool() {
   }
   wake();
   thread_.join();
-  ::close(wake_read_);
-  ::close(wake_write_);
+  ::close(wake_);
 }
 
 Expected<void> MariaDBPool::first_connection() {
@@ -77,7 +72,8 @@ void MariaDBPool::submit(DatabaseOrder order) {
     if (pending_ < most_pending) {
       ++pending_;
       inbox_.push_back(std::move(order));
-      return wake();
+      // Who came before has woken the thread.
+      return inbox_.size() == 1 ? wake() : void();
     }
   }
   tell_(order.message, fail(ErrorKind::limit, "Too many wait for the "
@@ -85,9 +81,8 @@ void MariaDBPool::submit(DatabaseOrder order) {
 }
 
 void MariaDBPool::wake() {
-  const char byte = 0;
-  // A full pipe wakes as well.
-  (void)!write(wake_write_, &byte, 1);
+  const std::uint64_t once = 1;
+  (void)!write(wake_, &once, sizeof once);
 }
 
 // -- the thread ---------------------------------------------------------------
@@ -103,8 +98,8 @@ void MariaDBPool::work() {
       const std::lock_guard lock(mutex_);
       if (over_)
         break;
-      take_in();
     }
+    take_in();
     expire(Steady::now());
     assign();
     wait_for_events();
@@ -113,32 +108,39 @@ void MariaDBPool::work() {
 }
 
 void MariaDBPool::take_in() {
+  {
+    const std::lock_guard lock(mutex_);
+    taken_.swap(inbox_);
+  }
   const auto deadline = Steady::now() + options_->busy_timeout;
-  for (auto& order : std::exchange(inbox_, {}))
+  for (auto& order : taken_)
     waiting_.push_back({std::move(order), deadline});
+  taken_.clear();
 }
 
 void MariaDBPool::assign() {
-  std::deque<Waiting> still_waiting;
-  for (auto& one : std::exchange(waiting_, {}))
-    if (!assign(one))
-      still_waiting.push_back(std::move(one));
-  // Behind those whose connection has died over them right away.
-  std::move(still_waiting.begin(), still_waiting.end(),
-            std::back_inserter(waiting_));
-  const bool is_opening =
-      std::any_of(workers_.begin(), workers_.end(), [](const auto& worker) {
-        return worker->task && !worker->waiting;
-      });
-  const bool somebody_needs_one =
-      std::any_of(waiting_.begin(), waiting_.end(), [this](const auto& one) {
-        return !holder(one.order.message.session);
-      });
+  // Whose connection dies over it right away waits in front of the others.
+  round_.swap(waiting_);
+  std::erase_if(round_, [this](auto& one) { return assign(one); });
+  std::move(round_.begin(), round_.end(), std::back_inserter(waiting_));
+  round_.clear();
   open_at_ = Moment::max();
-  if (!somebody_needs_one || is_opening)
+  if (!somebody_needs_one() || is_opening())
     return;
   if (Steady::now() < next_attempt_ || open_one())
     open_at_ = next_attempt_;
+}
+
+bool MariaDBPool::is_opening() const {
+  return std::any_of(workers_.begin(), workers_.end(), [](const auto& worker) {
+    return worker->task && !worker->waiting;
+  });
+}
+
+bool MariaDBPool::somebody_needs_one() const {
+  return std::any_of(waiting_.begin(), waiting_.end(), [this](const auto& one) {
+    return !holder(one.order.message.session);
+  });
 }
 
 // False where it has to wait.
@@ -250,7 +252,7 @@ MariaDBPool::Moment MariaDBPool::next_moment() const {
 }
 
 void MariaDBPool::wait_for_events() {
-  std::vector<pollfd> polled{{wake_read_, POLLIN, 0}};
+  std::vector<pollfd> polled{{wake_, POLLIN, 0}};
   for (const auto& worker : workers_)
     polled.push_back(worker->connection
                          ? pollfd{worker->connection->descriptor(),
@@ -264,9 +266,8 @@ void MariaDBPool::wait_for_events() {
                      std::chrono::ceil<Milliseconds>(moment - Steady::now()));
   poll(polled.data(), polled.size(),
        static_cast<int>(std::min(left, Milliseconds(60'000)).count()));
-  char bytes[256];
-  while (read(wake_read_, bytes, sizeof bytes) > 0) {
-  }
+  std::uint64_t times = 0;
+  (void)!read(wake_, &times, sizeof times);
   const auto now = Steady::now();
   for (std::size_t i = 0; i < workers_.size(); ++i)
     if (workers_[i]->connection)

@@ -79,6 +79,8 @@ private:
   Worker* holder(const SessionId& session) const;
   Worker* free_worker(Access access);
   bool any_connected() const;
+  bool is_opening() const;
+  bool somebody_needs_one() const;
   void wait_for_events();
   Moment next_moment() const;
   void look_after(Worker& worker, short ready, Moment now);
@@ -102,13 +104,15 @@ private:
   bool first_told_ = false;
 
   std::mutex mutex_; // for the three that follow
-  std::deque<DatabaseOrder> inbox_;
+  std::vector<DatabaseOrder> inbox_;
   std::size_t pending_ = 0; // not told about yet
   bool over_ = false;
 
   // Of the thread alone.
   std::vector<std::unique_ptr<Worker>> workers_;
   std::deque<Waiting> waiting_;
+  std::deque<Waiting> round_;        // of them, while they are assigned
+  std::vector<DatabaseOrder> taken_; // of the inbox, for its memory
   LostTransactions lost_;
   bool set_up_ = false;
   unsigned failures_ = 0;          // to connect, one after the other
@@ -116,8 +120,7 @@ private:
   Moment open_at_ = Moment::max(); // somebody waits for the next attempt
   std::optional<Error> trouble_;   // why it could not connect
 
-  int wake_read_ = -1; // a pipe that ends the thread's sleep
-  int wake_write_ = -1;
+  int wake_ = -1; // an eventfd that ends the thread's sleep
   std::thread thread_;
 };
 

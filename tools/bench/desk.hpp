@@ -1,0 +1,57 @@
+// Desk: the platform as one component of a benchmark sees it. What it fires
+// gathers here, whichever thread it comes from.
+#pragma once
+
+#include <condition_variable>
+#include <mutex>
+#include <utility>
+#include <vector>
+
+#include "runtime/plugin/plugin.hpp"
+
+namespace parlour::tools {
+
+class Desk : public PluginHost {
+public:
+  // Of the application and of the run.
+  explicit Desk(std::string folder) : folder_(std::move(folder)) {}
+
+  // All events since the last call, at least one: waits for it. `events` is
+  // given back, so that its memory is used again.
+  void take(std::vector<Message>& events);
+
+  void fire_event(Message event) override;
+  void send_message(Message) override {}
+  DelayId after(Milliseconds, std::function<void()>) override {
+    return 0;
+  }
+  void cancel(DelayId) override {}
+  const Clock& clock() const override {
+    return clock_;
+  }
+  void log(const std::string&) override {}
+  std::shared_ptr<const UnderstandingModel> understanding() const override {
+    return nullptr;
+  }
+  std::shared_ptr<const PhraseEvaluator> phrases() const override {
+    return nullptr;
+  }
+  Expected<std::vector<std::string>> column(const std::string&) const override {
+    return std::vector<std::string>{};
+  }
+  std::string data_folder() const override {
+    return folder_;
+  }
+  std::string application_folder() const override {
+    return folder_;
+  }
+
+private:
+  std::string folder_;
+  SystemClock clock_;
+  std::mutex mutex_;
+  std::condition_variable arrived_;
+  std::vector<Message> events_;
+};
+
+} // namespace parlour::tools

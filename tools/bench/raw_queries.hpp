@@ -1,0 +1,20 @@
+// The same queries without scripts, components or threads, by the databases'
+// own libraries: as fast as it goes. Every cell is looked at as a text.
+#pragma once
+
+#include <string>
+
+#include "runtime/base/error.hpp"
+#include "tools/bench/measure.hpp"
+
+namespace parlour::tools {
+
+// A prepared statement of a database in memory.
+Expected<Measured> raw_sqlite(std::size_t count);
+
+// Prepared on each of so many connections, by the interface that does not wait:
+// one query on its way on each. The table is there, in the database `bench`.
+Expected<Measured> raw_mariadb(const std::string& socket,
+                               std::size_t connections, std::size_t count);
+
+} // namespace parlour::tools

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -10,7 +11,6 @@
 #include <sys/socket.h>
 
 #include "adapters/database/mariadb_errors.hpp"
-#include "adapters/database/mariadb_values.hpp"
 #include "adapters/database/sql_scan.hpp"
 
 namespace parlour::adapters {
@@ -59,14 +59,16 @@ Expected<StatementKind> check(const std::string& sql,
                   "begun by <transaction>.");
 }
 
-// Where the rows of what has been executed arrive; null where that fails.
-std::unique_ptr<MariaDBRow> row_of(MYSQL_STMT* statement) {
+// Where the rows of what has been executed arrive, the place of the last ones
+// if it still fits; false where there is none.
+bool prepare_row(MYSQL_STMT* statement, std::unique_ptr<MariaDBRow>& row) {
   const std::unique_ptr<MYSQL_RES, decltype(&mysql_free_result)> description(
       mysql_stmt_result_metadata(statement), &mysql_free_result);
   if (!description)
-    return nullptr;
-  auto row = std::make_unique<MariaDBRow>(description.get());
-  return row->bind(statement) ? std::move(row) : nullptr;
+    return false;
+  if (!row || !row->fits(description.get()))
+    row = std::make_unique<MariaDBRow>(description.get());
+  return row->bind(statement);
 }
 
 // What SQLite does by itself: "…" names a column, || joins texts, a backslash
@@ -91,17 +93,48 @@ const char* or_null(const std::string& text) {
 
 } // namespace
 
+// Begins at once, and is waited for where that was not all.
+template <class Result, class Continue, class Handle>
+class MariaDBConnection::Call final : Pending {
+public:
+  template <class Start, class... Arguments>
+  Call(MariaDBConnection& connection, Start start, Continue proceed,
+       Handle* handle, Arguments... arguments)
+      : connection_(connection), proceed_(proceed), handle_(handle),
+        wanted_(start(&result_, handle, arguments...)) {}
+  Call(const Call&) = delete;
+  Call& operator=(const Call&) = delete;
+
+  bool await_ready() const noexcept {
+    return wanted_ == 0;
+  }
+  void await_suspend(std::coroutine_handle<> waiting) {
+    connection_.pending_ = this;
+    connection_.waiting_ = waiting;
+    connection_.wanted_ = wanted_;
+  }
+  Result await_resume() const {
+    return result_;
+  }
+
+private:
+  int proceed(int ready) override {
+    return proceed_(&result_, handle_, ready);
+  }
+
+  MariaDBConnection& connection_;
+  Continue proceed_;
+  Handle* handle_;
+  Result result_{};
+  int wanted_;
+};
+
 template <class Result, class Start, class Continue, class Handle,
           class... Arguments>
-Task<Result> MariaDBConnection::finish(Start start, Continue proceed,
-                                       Handle* handle, Arguments... arguments) {
-  Result result{};
-  auto status = start(&result, handle, arguments...);
-  while (status != 0) {
-    const int ready = co_await Ready{*this, status};
-    status = proceed(&result, handle, ready);
-  }
-  co_return result;
+MariaDBConnection::Call<Result, Continue, Handle>
+MariaDBConnection::finish(Start start, Continue proceed, Handle* handle,
+                          Arguments... arguments) {
+  return {*this, start, proceed, handle, arguments...};
 }
 
 MariaDBConnection::MariaDBConnection(
@@ -170,18 +203,23 @@ MariaDBConnection::Outcome MariaDBConnection::run(std::string sql, Value values,
 MariaDBConnection::Outcome MariaDBConnection::run(std::string sql, Value values,
                                                   Access access, bool again) {
   in_doubt_ = false;
-  if (auto allowed = co_await allow(access); !allowed)
-    co_return tl::make_unexpected(allowed.error());
-  auto statement = co_await prepared(sql);
-  if (!statement)
-    co_return tl::make_unexpected(statement.error());
-  if (auto fits = check_kind(**statement, access); !fits)
+  if (access != access_ && !in_transaction_)
+    if (auto allowed = co_await allow(access); !allowed)
+      co_return tl::make_unexpected(allowed.error());
+  auto* statement = prepared(sql);
+  if (!statement) {
+    auto made = co_await prepare(sql);
+    if (!made)
+      co_return tl::make_unexpected(made.error());
+    statement = *made;
+  }
+  if (auto fits = check_kind(*statement, access); !fits)
     co_return tl::make_unexpected(fits.error());
-  auto ordered = values_in_order(values, (*statement)->names);
+  auto ordered = values_in_order(values, statement->names);
   if (!ordered)
     co_return fail(ordered.error().kind,
                    first_words(sql) + ": " + ordered.error().message);
-  auto outcome = co_await execute(**statement, std::move(*ordered));
+  auto outcome = co_await execute(*statement, std::move(*ordered));
   if (outcome || lost_)
     co_return outcome;
   // What was prepared is not what the tables are now, or lies half read.
@@ -230,8 +268,6 @@ Expected<void> MariaDBConnection::check_kind(const Prepared& prepared,
 
 // The server itself keeps a connection that only reads from writing.
 Task<Expected<void>> MariaDBConnection::allow(Access access) {
-  if (access == access_ || in_transaction_)
-    co_return Expected<void>();
   auto told = co_await control(access == Access::read
                                    ? "set session transaction read only"
                                    : "set session transaction read write");
@@ -242,13 +278,14 @@ Task<Expected<void>> MariaDBConnection::allow(Access access) {
   co_return Expected<void>();
 }
 
-Task<Expected<MariaDBConnection::Prepared*>>
-MariaDBConnection::prepared(std::string sql) {
-  if (auto place = places_.find(sql); place != places_.end()) {
-    cache_.splice(cache_.begin(), cache_, place->second);
-    co_return &cache_.front();
-  }
-  co_return co_await prepare(std::move(sql));
+// Null where it has not been prepared yet.
+MariaDBConnection::Prepared*
+MariaDBConnection::prepared(const std::string& sql) {
+  const auto place = places_.find(sql);
+  if (place == places_.end())
+    return nullptr;
+  cache_.splice(cache_.begin(), cache_, place->second);
+  return &cache_.front();
 }
 
 Task<Expected<MariaDBConnection::Prepared*>>
@@ -260,8 +297,11 @@ MariaDBConnection::prepare(std::string sql) {
   while (cache_.size() >= std::max<std::size_t>(options_->statements, 1))
     if (auto forgotten = co_await forget_oldest(); !forgotten)
       co_return tl::make_unexpected(forgotten.error());
-  cache_.push_front({std::move(sql), std::move(scanned.names), *kind,
-                     mysql_stmt_init(handle_)});
+  cache_.push_front({std::move(sql),
+                     std::move(scanned.names),
+                     *kind,
+                     mysql_stmt_init(handle_),
+                     {}});
   auto& front = cache_.front();
   places_.emplace(front.sql, cache_.begin());
   const auto failed = co_await finish<int>(
@@ -318,11 +358,11 @@ MariaDBConnection::Outcome MariaDBConnection::execute(Prepared& prepared,
 // Row by row, so that no more than the limit is ever in memory. What is left
 // of a result is read and thrown away when it is freed.
 MariaDBConnection::Outcome MariaDBConnection::collect(Prepared& prepared) {
-  const auto row = row_of(prepared.statement);
-  if (!row)
+  if (!prepare_row(prepared.statement, prepared.row))
     co_return failure(prepared);
+  auto& row = *prepared.row;
   StatementAnswer answer;
-  answer.rows.columns = row->columns();
+  answer.rows.columns = row.columns();
   std::size_t rows = 0;
   std::size_t bytes = 0;
   int fetched = 0;
@@ -332,10 +372,12 @@ MariaDBConnection::Outcome MariaDBConnection::collect(Prepared& prepared) {
     if (fetched != 0 && fetched != MYSQL_DATA_TRUNCATED)
       break;
     ++rows;
-    bytes += row->size();
+    bytes += row.size();
     if (rows <= options_->rows && bytes <= options_->bytes)
-      row->append_to(answer.rows.cells, prepared.statement);
+      row.append_to(answer.rows.cells, prepared.statement);
   }
+  if (row.is_large())
+    prepared.row.reset();
   if (fetched == 1)
     co_return failure(prepared);
   if (co_await finish<my_bool>(mysql_stmt_free_result_start,

@@ -6,6 +6,7 @@
 
 #include <chrono>
 #include <coroutine>
+#include <cstdint>
 #include <list>
 #include <memory>
 #include <string>
@@ -14,6 +15,7 @@
 #include <vector>
 
 #include "adapters/database/mariadb_options.hpp"
+#include "adapters/database/mariadb_values.hpp"
 #include "adapters/database/statement.hpp"
 #include "adapters/database/task.hpp"
 
@@ -23,8 +25,6 @@ struct st_mysql_stmt;
 namespace parlour::adapters {
 
 enum class StatementKind : std::uint8_t { reads, changes_rows, changes_tables };
-
-using StatementOutcome = Expected<StatementAnswer>;
 
 class MariaDBConnection {
 public:
@@ -92,37 +92,32 @@ private:
     std::vector<std::string> names; // of its placeholders
     StatementKind kind;
     st_mysql_stmt* statement;
+    std::unique_ptr<MariaDBRow> row; // of the last result, for the next
   };
   // Most recently used first.
   using Cache = std::list<Prepared>;
 
-  struct Ready {
-    MariaDBConnection& connection;
-    int wanted; // the library's flags
+  // A call of the library that goes on when the server has answered.
+  class Pending {
+  public:
+    virtual int proceed(int ready) = 0; // returns what it waits for; 0: done
 
-    bool await_ready() const noexcept {
-      return false;
-    }
-    void await_suspend(std::coroutine_handle<> waiting) const {
-      connection.waiting_ = waiting;
-      connection.wanted_ = wanted;
-    }
-    int await_resume() const {
-      return connection.ready_;
-    }
+  protected:
+    ~Pending() = default;
   };
+  template <class Result, class Continue, class Handle>
+  class Call;
 
-  // A call of the library from its start to its end.
   template <class Result, class Start, class Continue, class Handle,
             class... Arguments>
-  Task<Result> finish(Start start, Continue proceed, Handle* handle,
-                      Arguments... arguments);
+  Call<Result, Continue, Handle> finish(Start start, Continue proceed,
+                                        Handle* handle, Arguments... arguments);
 
   void set_options();
   Outcome run(std::string sql, Value values, Access access, bool again);
   Expected<void> check_kind(const Prepared& prepared, Access access) const;
   Task<Expected<void>> allow(Access access);
-  Task<Expected<Prepared*>> prepared(std::string sql);
+  Prepared* prepared(const std::string& sql);
   Task<Expected<Prepared*>> prepare(std::string sql);
   Outcome execute(Prepared& prepared, List values);
   Task<Expected<void>> forget_oldest();
@@ -144,9 +139,9 @@ private:
   bool ended_transaction_ = false;
   unsigned code_ = 0;
   Moment deadline_ = Moment::max();
-  std::coroutine_handle<> waiting_;
-  int wanted_ = 0;
-  int ready_ = 0;
+  Pending* pending_ = nullptr;      // what the task waits for
+  std::coroutine_handle<> waiting_; // where it goes on after that
+  int wanted_ = 0;                  // the library's flags
 };
 
 // Carries a task out here and now, on a thread that may wait.

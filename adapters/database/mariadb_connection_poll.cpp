@@ -30,14 +30,15 @@ MariaDBConnection::Moment MariaDBConnection::deadline() const {
 }
 
 void MariaDBConnection::go_on(short ready) {
-  ready_ = ready == 0 ? MYSQL_WAIT_TIMEOUT : 0;
+  int flags = 0;
   if ((ready & (POLLIN | POLLHUP | POLLERR)) != 0)
-    ready_ |= wanted_ & (MYSQL_WAIT_READ | MYSQL_WAIT_EXCEPT);
+    flags |= wanted_ & (MYSQL_WAIT_READ | MYSQL_WAIT_EXCEPT);
   if ((ready & (POLLOUT | POLLHUP | POLLERR)) != 0)
-    ready_ |= wanted_ & MYSQL_WAIT_WRITE;
-  if (ready_ == 0)
-    ready_ = MYSQL_WAIT_TIMEOUT; // the socket itself is wrong
-  std::exchange(waiting_, {}).resume();
+    flags |= wanted_ & MYSQL_WAIT_WRITE;
+  // Its time is up, or the socket itself is wrong.
+  wanted_ = pending_->proceed(flags != 0 ? flags : MYSQL_WAIT_TIMEOUT);
+  if (wanted_ == 0)
+    std::exchange(waiting_, {}).resume();
 }
 
 StatementOutcome carry_out(MariaDBConnection& connection,

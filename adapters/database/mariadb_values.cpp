@@ -14,6 +14,7 @@ namespace {
 
 constexpr unsigned binary_charset = 63;
 constexpr std::size_t first_size = 256; // of a text's place
+constexpr std::size_t large_size = 16 << 10;
 
 std::string label(const std::vector<std::string>& names, std::size_t place) {
   return names[place].empty() ? "number " + std::to_string(place + 1)
@@ -136,6 +137,7 @@ struct MariaDBRow::Cell {
   enum class As : std::uint8_t { integer, number, decimal, bits, text, blob };
 
   static As kind_of(const MYSQL_FIELD& field);
+  bool fits(const MYSQL_FIELD& field) const;
   void point(MYSQL_BIND& bind);
   Value value() const;
 
@@ -176,6 +178,11 @@ MariaDBRow::Cell::As MariaDBRow::Cell::kind_of(const MYSQL_FIELD& field) {
   default:
     return As::text;
   }
+}
+
+bool MariaDBRow::Cell::fits(const MYSQL_FIELD& field) const {
+  return as == kind_of(field) &&
+         is_unsigned == ((field.flags & UNSIGNED_FLAG) != 0);
 }
 
 void MariaDBRow::Cell::point(MYSQL_BIND& bind) {
@@ -225,6 +232,20 @@ MariaDBRow::MariaDBRow(MYSQL_RES* description)
 }
 
 MariaDBRow::~MariaDBRow() = default;
+
+bool MariaDBRow::fits(MYSQL_RES* description) const {
+  const auto* fields = mysql_fetch_fields(description);
+  bool fits = mysql_num_fields(description) == cells_.size();
+  for (std::size_t i = 0; fits && i < cells_.size(); ++i)
+    fits = cells_[i].fits(fields[i]) && columns_[i] == fields[i].name;
+  return fits;
+}
+
+bool MariaDBRow::is_large() const {
+  return std::any_of(cells_.begin(), cells_.end(), [](const Cell& cell) {
+    return cell.bytes.size() > large_size;
+  });
+}
 
 bool MariaDBRow::bind(MYSQL_STMT* statement) {
   return mysql_stmt_bind_result(statement, binds_.data()) == 0;

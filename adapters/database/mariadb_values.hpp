@@ -51,6 +51,10 @@ public:
   const std::vector<std::string>& columns() const {
     return columns_;
   }
+  // Whether rows of that description can arrive here.
+  bool fits(st_mysql_res* description) const;
+  // Whether it has grown so far that it is not worth keeping.
+  bool is_large() const;
   bool bind(st_mysql_stmt* statement);
   // How many bytes the fetched row holds; they need not be in memory yet.
   std::size_t size() const;

@@ -58,6 +58,8 @@ ErrorKind kind_of(int code) {
   case SQLITE_INTERRUPT:
   case SQLITE_TOOBIG:
     return ErrorKind::limit;
+  case SQLITE_BUSY:
+    return ErrorKind::timeout;
   default:
     return ErrorKind::database;
   }

@@ -19,6 +19,8 @@ struct StatementAnswer {
   std::int64_t changes = 0; // rows inserted, updated or deleted
 };
 
+using StatementOutcome = Expected<StatementAnswer>;
+
 // "'select staff_name from rr_staff where …'": a statement in a sentence.
 std::string first_words(std::string_view sql);
 

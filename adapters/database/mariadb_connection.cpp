@@ -1,9 +1,7 @@
 #include "adapters/database/mariadb_connection.hpp"
 
 #include <algorithm>
-#include <map>
 #include <memory>
-#include <optional>
 #include <utility>
 
 #include <errmsg.h>
@@ -20,45 +18,6 @@ namespace {
 // One cell more than a result may hold fits through.
 constexpr std::size_t packet_beyond_limit = 16 << 20;
 
-// How a script's statement may begin. What is left out is for who looks after
-// the server: sessions, transactions, users, files.
-std::optional<StatementKind> kind_of(const std::string& word) {
-  static const std::map<std::string, StatementKind> kinds{
-      {"select", StatementKind::reads},
-      {"with", StatementKind::reads},
-      {"values", StatementKind::reads},
-      {"(", StatementKind::reads},
-      {"describe", StatementKind::reads},
-      {"desc", StatementKind::reads},
-      {"explain", StatementKind::reads},
-      {"show", StatementKind::reads},
-      {"insert", StatementKind::changes_rows},
-      {"update", StatementKind::changes_rows},
-      {"delete", StatementKind::changes_rows},
-      {"replace", StatementKind::changes_rows},
-      {"create", StatementKind::changes_tables},
-      {"drop", StatementKind::changes_tables},
-      {"alter", StatementKind::changes_tables},
-      {"truncate", StatementKind::changes_tables},
-      {"rename", StatementKind::changes_tables}};
-  const auto found = kinds.find(word);
-  return found == kinds.end() ? std::nullopt : std::optional(found->second);
-}
-
-Expected<StatementKind> check(const std::string& sql,
-                              const ScannedSql& scanned) {
-  if (scanned.first_word.empty())
-    return no_statement();
-  if (scanned.more || sql.find('\0') != std::string::npos)
-    return not_alone(sql);
-  if (auto kind = kind_of(scanned.first_word))
-    return *kind;
-  return fail(ErrorKind::refused,
-              first_words(sql) + " failed: '" + scanned.first_word +
-                  "' does not begin a statement for scripts; transactions are "
-                  "begun by <transaction>.");
-}
-
 // Where the rows of what has been executed arrive, the place of the last ones
 // if it still fits; false where there is none.
 bool prepare_row(MYSQL_STMT* statement, std::unique_ptr<MariaDBRow>& row) {
@@ -69,22 +28,6 @@ bool prepare_row(MYSQL_STMT* statement, std::unique_ptr<MariaDBRow>& row) {
   if (!row || !row->fits(description.get()))
     row = std::make_unique<MariaDBRow>(description.get());
   return row->bind(statement);
-}
-
-// What SQLite does by itself: "…" names a column, || joins texts, a backslash
-// is a letter, values that do not fit are errors, texts are compared byte by
-// byte.
-std::vector<std::string> first_commands(const MariaDBOptions& options) {
-  const auto lock_wait =
-      std::chrono::ceil<std::chrono::seconds>(options.busy_timeout).count();
-  const auto run = std::chrono::duration<double>(options.query_timeout).count();
-  return {"set names utf8mb4 collate utf8mb4_nopad_bin",
-          "set session transaction isolation level serializable",
-          "set sql_mode = 'ANSI_QUOTES,PIPES_AS_CONCAT,NO_BACKSLASH_ESCAPES,"
-          "STRICT_ALL_TABLES', innodb_lock_wait_timeout = " +
-              std::to_string(lock_wait) +
-              ", max_statement_time = " + std::to_string(run) +
-              ", sql_select_limit = " + std::to_string(options.rows + 1)};
 }
 
 const char* or_null(const std::string& text) {
@@ -157,7 +100,7 @@ void MariaDBConnection::set_options() {
   const auto& options = *options_;
   mysql_options(handle_, MYSQL_OPT_NONBLOCK, nullptr);
   mysql_options(handle_, MYSQL_SET_CHARSET_NAME, "utf8mb4");
-  for (const auto& command : first_commands(options))
+  for (const auto& command : dialect_commands(options))
     mysql_options(handle_, MYSQL_INIT_COMMAND, command.c_str());
   const unsigned off = 0;
   mysql_options(handle_, MYSQL_OPT_LOCAL_INFILE, &off);
@@ -291,7 +234,7 @@ MariaDBConnection::prepared(const std::string& sql) {
 Task<Expected<MariaDBConnection::Prepared*>>
 MariaDBConnection::prepare(std::string sql) {
   auto scanned = scan_sql(sql);
-  auto kind = check(sql, scanned);
+  auto kind = statement_kind(sql, scanned);
   if (!kind)
     co_return tl::make_unexpected(kind.error());
   while (cache_.size() >= std::max<std::size_t>(options_->statements, 1))

@@ -14,6 +14,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "adapters/database/mariadb_dialect.hpp"
 #include "adapters/database/mariadb_options.hpp"
 #include "adapters/database/mariadb_values.hpp"
 #include "adapters/database/statement.hpp"
@@ -23,8 +24,6 @@ struct st_mysql;
 struct st_mysql_stmt;
 
 namespace parlour::adapters {
-
-enum class StatementKind : std::uint8_t { reads, changes_rows, changes_tables };
 
 class MariaDBConnection {
 public:

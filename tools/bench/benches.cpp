@@ -1,5 +1,6 @@
 #include "tools/bench/benches.hpp"
 
+#include "tools/bench/db_bench.hpp"
 #include "tools/bench/dialogue_bench.hpp"
 #include "tools/bench/script_bench.hpp"
 
@@ -9,6 +10,7 @@ const std::vector<Bench>& benches() {
   static const std::vector<Bench> all = {
       {"script", script_bench_rows(), script_bench},
       {"dialogue", dialogue_bench_rows(), dialogue_bench},
+      {"db", db_bench_rows(), db_bench},
   };
   return all;
 }

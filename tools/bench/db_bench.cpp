@@ -161,13 +161,13 @@ std::vector<std::string> db_bench_rows() {
   return names;
 }
 
-bool db_bench(const DbBenchOptions& options, std::ostream& out) {
+bool db_bench(const BenchRows& wanted, std::ostream& out) {
   out << fmt::format("time of one query of a script, median of {} runs\n",
-                     options.runs);
-  DbBench bench(options.runs, out);
+                     wanted.runs);
+  DbBench bench(wanted.runs, out);
   bool well = true;
   for (const auto& row : rows)
-    if (options.only.empty() || options.only == row.name)
+    if (wanted.wants(row.name))
       well &= bench.measure(row);
   return well;
 }

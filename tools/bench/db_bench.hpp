@@ -6,17 +6,14 @@
 #include <string>
 #include <vector>
 
-namespace parlour::tools {
+#include "tools/bench/measure.hpp"
 
-struct DbBenchOptions {
-  int runs = 5;     // of each; their median counts
-  std::string only; // one row; empty: all
-};
+namespace parlour::tools {
 
 // The names of the rows.
 std::vector<std::string> db_bench_rows();
 
 // False where something could not be measured; that is told in the table.
-bool db_bench(const DbBenchOptions& options, std::ostream& out);
+bool db_bench(const BenchRows& wanted, std::ostream& out);
 
 } // namespace parlour::tools

@@ -26,6 +26,7 @@ public:
     return 0;
   }
   void cancel(DelayId) override {}
+  void failed(const std::string&) override {}
   const Clock& clock() const override {
     return clock_;
   }

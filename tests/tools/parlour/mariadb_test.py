@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""The receptionist on a MariaDB server of the test's own: one name of its
-settings changed, the same conversations. Skipped where there is no mariadbd."""
+"""Applications on a MariaDB server of the test's own: one name of the settings
+changed, the same conversations. Skipped where there is no mariadbd."""
 
 import os
 import pathlib
@@ -11,10 +11,9 @@ import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 RECEPTIONIST = ROOT / "config/apps/receptionist"
+LEDGER = ROOT / "tests/tools/parlour/applications/ledger"
 PROGRAM = os.environ.get("PARLOUR_PROGRAM", "")
 SERVER = shutil.which("mariadbd", path="/usr/sbin:/usr/libexec:/usr/bin")
-# One that writes a visitor and a meeting, one that asks for facilities.
-CONVERSATIONS = ("correction", "levels")
 
 
 @unittest.skipUnless(SERVER, "there is no mariadbd; mariadb-server-core has it")
@@ -46,44 +45,54 @@ class OnMariaDB(unittest.TestCase):
     def setUp(self):
         self.assertTrue(os.path.exists(PROGRAM),
                         f"PARLOUR_PROGRAM names no program: '{PROGRAM}'")
-        self.application = self.folder / self.id().rpartition(".")[2]
-        shutil.copytree(RECEPTIONIST, self.application)
-        settings = self.application / "settings.xml"
-        settings.write_text(
-            settings.read_text().replace("SQLiteDatabase", "MySQLDatabase"))
-        for conversation in (self.application / "dialogues").glob("*.txt"):
-            if conversation.stem not in CONVERSATIONS:
-                conversation.unlink()
+
+    def on_mariadb(self, application):
+        """A copy of it, with the one name changed."""
+        copy = self.folder / self.id().rpartition(".")[2]
+        shutil.copytree(application, copy)
+        settings = copy / "settings.xml"
+        text = settings.read_text(encoding="utf-8")
+        self.assertIn("SQLiteDatabase", text)
+        settings.write_text(text.replace("SQLiteDatabase", "MySQLDatabase"),
+                            encoding="utf-8")
+        return copy
 
     def run_program(self, *arguments, given="", socket=None):
         environment = dict(os.environ,
                            MYSQL_UNIX_PORT=str(socket or self.socket))
-        return subprocess.run([PROGRAM, *arguments], input=given, text=True,
+        return subprocess.run([PROGRAM, *arguments], input=given,
+                              encoding="utf-8",
                               env=environment, capture_output=True, timeout=120)
 
-    def run_receptionist(self, given):
-        data = self.application / "data"
-        return self.run_program("run", str(self.application), "--text",
-                                "--data", str(data), "--clock",
-                                "2026-11-21 09:00", given=given)
+    def run_text(self, application, given):
+        return self.run_program("run", str(application), "--text",
+                                "--data", str(application / "data"),
+                                "--clock", "2026-11-21 09:00", given=given)
 
-    def test_holds_its_conversations(self):
-        done = self.run_program("test", str(self.application))
+    def expect_conversations(self, application):
+        count = len(list((application / "dialogues").glob("*.txt")))
+        done = self.run_program("test", str(application))
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
-        self.assertIn(str(len(CONVERSATIONS)), done.stdout)
+        self.assertIn(f"{count} of {count} conversations passed", done.stdout)
+
+    def test_scripts_find_one_behaviour(self):
+        self.expect_conversations(LEDGER)
+        self.expect_conversations(self.on_mariadb(LEDGER))
+
+    def test_the_receptionist_holds_its_conversations(self):
+        self.expect_conversations(self.on_mariadb(RECEPTIONIST))
 
     def test_checks_without_a_server(self):
-        done = self.run_program("check", str(self.application),
+        done = self.run_program("check", str(self.on_mariadb(RECEPTIONIST)),
                                 socket=self.folder / "nowhere")
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         self.assertIn("0 errors, 0 warnings", done.stdout + done.stderr)
 
     def test_keeps_what_it_was_told(self):
-        asked = "where is the gym\n\n"
-        first = self.run_receptionist(asked)
-        self.assertIn("Skyline Gym", first.stdout, first.stderr)
-        again = self.run_receptionist(asked)
-        self.assertEqual(again.stdout, first.stdout, again.stderr)
+        application = self.on_mariadb(LEDGER)
+        self.run_text(application, "open Zoë\npay\n\n")
+        again = self.run_text(application, "all\n\n")
+        self.assertIn("Ann 6 Ben 24 Zoë 0", again.stdout, again.stderr)
 
 
 if __name__ == "__main__":

@@ -32,15 +32,13 @@ class OnMariaDB(unittest.TestCase):
              f"--pid-file={cls.folder / 'pid'}", "--skip-grant-tables",
              "--innodb-buffer-pool-size=8M", "--innodb-log-file-size=4M",
              "--innodb-flush-log-at-trx-commit=2", "--performance-schema=OFF",
-             "--innodb-use-native-aio=0"],
+             "--innodb-use-native-aio=0", "--log-warnings=0"],
             stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
         cls.addClassCleanup(server.stdout.close)
         cls.addClassCleanup(server.wait)
         cls.addClassCleanup(server.kill)
-        for line in server.stdout:
-            if b"ready for connections" in line:
-                return
-        raise RuntimeError("mariadbd does not start")
+        if not any(b"ready for connections" in line for line in server.stdout):
+            raise RuntimeError("mariadbd does not start")
 
     def setUp(self):
         self.assertTrue(os.path.exists(PROGRAM),

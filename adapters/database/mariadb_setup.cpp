@@ -3,7 +3,6 @@
 #include <fstream>
 #include <sstream>
 #include <utility>
-#include <vector>
 
 #include "adapters/database/sql_scan.hpp"
 
@@ -62,14 +61,6 @@ Outcome drop_all(MariaDBConnection& connection) {
   co_return co_await connection.control("set foreign_key_checks = 1");
 }
 
-// One after the other, up to the first that fails.
-Outcome run_all(MariaDBConnection& connection, std::vector<std::string> all) {
-  for (const auto& sql : all)
-    if (auto done = co_await connection.control(sql); !done)
-      co_return done;
-  co_return StatementAnswer{};
-}
-
 Outcome fill(MariaDBConnection& connection, const MariaDBOptions& options) {
   auto marked =
       co_await connection.control(std::string("create table if not exists ") +
@@ -125,17 +116,29 @@ Outcome make_database(MariaDBConnection& connection,
 }
 
 // One program at a time; the lock ends with the connection, too.
-Outcome set_up(MariaDBConnection& connection, const MariaDBOptions& options) {
-  const auto lock = "'parlour " + options.database + "'";
-  std::vector<std::string> first{"set max_statement_time = 0",
-                                 "do get_lock(" + lock + ", 60)"};
-  if (auto done = co_await run_all(connection, std::move(first)); !done)
+Outcome lock(MariaDBConnection& connection, const std::string& name) {
+  if (auto done = co_await connection.control("set max_statement_time = 0");
+      !done)
     co_return done;
+  const Value values = List{name};
+  auto got =
+      co_await connection.run("select get_lock(?, 60)", values, Access::write);
+  if (got && got->rows.cells[0] != Value(1))
+    co_return fail(ErrorKind::timeout,
+                   "Another program has been making the database for a "
+                   "minute.");
+  co_return got;
+}
+
+Outcome set_up(MariaDBConnection& connection, const MariaDBOptions& options) {
+  const auto name = "parlour " + options.database;
+  if (auto locked = co_await lock(connection, name); !locked)
+    co_return locked;
   if (auto made = co_await make_database(connection, options.database); !made)
     co_return made;
   if (auto filled = co_await fill_if_empty(connection, options); !filled)
     co_return filled;
-  co_return co_await connection.control("do release_lock(" + lock + ")");
+  co_return co_await connection.control("do release_lock('" + name + "')");
 }
 
 } // namespace

@@ -41,9 +41,9 @@ template <class Result, class Continue, class Handle>
 class MariaDBConnection::Call final : Pending {
 public:
   template <class Start, class... Arguments>
-  Call(MariaDBConnection& connection, Start start, Continue proceed,
+  Call(MariaDBConnection& connection, Start start, Continue next,
        Handle* handle, Arguments... arguments)
-      : connection_(connection), proceed_(proceed), handle_(handle),
+      : connection_(connection), proceed_(next), handle_(handle),
         wanted_(start(&result_, handle, arguments...)) {}
   Call(const Call&) = delete;
   Call& operator=(const Call&) = delete;

@@ -102,7 +102,7 @@ Expected<void> converse(Sessions& sessions, Desk& desk, std::size_t count) {
     const auto begun = sessions[i]->begin(first, end - first);
     if (!begun)
       return tl::make_unexpected(begun.error());
-    waiting += *begun ? 1 : 0;
+    waiting += *begun ? 1u : 0u;
   }
   std::vector<Message> events;
   while (waiting > 0) {
@@ -111,7 +111,7 @@ Expected<void> converse(Sessions& sessions, Desk& desk, std::size_t count) {
       const auto goes_on = sessions[event.correlation]->go_on(event);
       if (!goes_on)
         return tl::make_unexpected(goes_on.error());
-      waiting -= *goes_on ? 0 : 1;
+      waiting -= *goes_on ? 0u : 1u;
     }
   }
   return {};

@@ -73,7 +73,8 @@ TEST_F(SQLiteTroubleTest, SaysThatTheDiskIsFullAndGoesOnWithRoom) {
     EXPECT_EQ(query(count), "Result([" + std::to_string(3 + written) + "])");
     // A transaction that does not fit is undone as a whole.
     EXPECT_EQ(tell("Begin"), "Result([])");
-    EXPECT_THAT(write("insert into staff (name) select name || '!' from staff"),
+    EXPECT_THAT(write("insert into staff (name) select a.name || b.name "
+                      "from staff as a, staff as b"),
                 StartsWith("Error(Database, "));
     EXPECT_THAT(tell("Rollback"),
                 AnyOf("Result([])", StartsWith("Error(Database, Rollback")));

@@ -36,7 +36,7 @@ protected:
 TEST_F(QueryWorkloadTest, gets_what_the_library_gets) {
   const auto raw = raw_sqlite(50);
   ASSERT_TRUE(raw);
-  for (std::size_t sessions : {1, 7}) {
+  for (const auto sessions : {std::size_t{1}, std::size_t{7}}) {
     const auto measured =
         run({{"schema", "schema.sql"}, {"seed", "seed.sql"}}, sessions);
     ASSERT_TRUE(measured) << measured.error().message;

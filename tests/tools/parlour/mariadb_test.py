@@ -32,7 +32,8 @@ class OnMariaDB(unittest.TestCase):
              f"--pid-file={cls.folder / 'pid'}", "--skip-grant-tables",
              "--innodb-buffer-pool-size=8M", "--innodb-log-file-size=4M",
              "--innodb-flush-log-at-trx-commit=2", "--performance-schema=OFF",
-             "--innodb-use-native-aio=0", "--log-warnings=0"],
+             "--innodb-use-native-aio=0", "--innodb-flush-method=nosync",
+             "--sync-frm=0", "--log-warnings=0"],
             stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
         cls.addClassCleanup(server.stdout.close)
         cls.addClassCleanup(server.wait)

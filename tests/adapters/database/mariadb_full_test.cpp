@@ -5,6 +5,7 @@ namespace parlour::adapters {
 namespace {
 
 using testing::AllOf;
+using testing::AnyOf;
 using testing::HasSubstr;
 using testing::StartsWith;
 
@@ -74,15 +75,21 @@ TEST_F(MariaDBFullTest, SaysSoKeepsWhatItHasAndGoesOnWithRoom) {
   EXPECT_EQ(beds(), result(count + 1));
 }
 
+// InnoDB itself may hang where it finds no room for what it would undo.
 TEST_F(MariaDBFullTest, RollsATransactionBack) {
-  ASSERT_TRUE(start(options_for("full_transaction")));
+  ASSERT_TRUE(
+      start(with(options_for("full_transaction"), "query-timeout", "1s")));
   make_beds();
   EXPECT_EQ(write("insert into beds values (5000, 'small')"), "Result([], 1)");
   EXPECT_EQ(tell("Begin"), "Result([])");
   EXPECT_EQ(write("update beds set room = 'smaller'"), "Result([], 1)");
   EXPECT_GT(fill(), 0);
-  EXPECT_THAT(answer_, StartsWith("Error(Database, "));
-  EXPECT_EQ(tell("Rollback"), "Result([])");
+  EXPECT_THAT(answer_, AnyOf(StartsWith("Error(Database, "),
+                             StartsWith("Error(Timeout, ")));
+  EXPECT_THAT(tell("Rollback"),
+              AnyOf("Result([])", HasSubstr("was rolled back")));
+  give_room("24M");
+  start_server();
   EXPECT_EQ(query("select id, room from beds"), "Result([5000, small])");
 }
 

@@ -12,6 +12,7 @@ void Series::add(const Expected<Measured>& measured) {
     return;
   }
   figures.push_back(measured->nanoseconds);
+  passed.push_back(measured->passed);
   result = measured->result;
 }
 

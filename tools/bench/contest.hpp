@@ -16,6 +16,7 @@ namespace parlour::tools {
 // All runs of one workload by one who does it; the median counts.
 struct Series {
   std::vector<double> figures;
+  std::vector<double> passed; // by the clock
   std::string result;
   std::string trouble; // empty: all well
 

@@ -22,6 +22,7 @@ public:
 
   void fire_event(Message event) override;
   void send_message(Message) override {}
+  void ask(Message, Milliseconds, Reaction) override {}
   DelayId after(Milliseconds, std::function<void()>) override {
     return 0;
   }

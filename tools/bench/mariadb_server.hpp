@@ -42,6 +42,9 @@ public:
   void go_on();
 
   std::string socket() const;
+  int process() const { // -1: it does not run
+    return process_;
+  }
   unsigned port() const { // 0: none
     return port_;
   }

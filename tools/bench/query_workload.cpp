@@ -1,6 +1,5 @@
 #include "tools/bench/query_workload.hpp"
 
-#include <chrono>
 #include <limits>
 #include <string>
 #include <utility>
@@ -45,7 +44,7 @@ public:
   }
 
   script::Performed perform(script::Activation&,
-                            script::Effect effect) override {
+                            const script::Effect& effect) override {
     Message message;
     message.source = "Session";
     message.command = "Query";
@@ -128,7 +127,7 @@ Expected<QueryWorkload> QueryWorkload::load(const std::filesystem::path& file) {
 }
 
 Expected<Measured> QueryWorkload::run(IPlugin& component, Desk& desk,
-                                      std::size_t sessions,
+                                      int server, std::size_t sessions,
                                       std::size_t count) const {
   Sessions asking;
   for (std::size_t i = 0; i < sessions; ++i)
@@ -136,17 +135,14 @@ Expected<Measured> QueryWorkload::run(IPlugin& component, Desk& desk,
   // So that statements are prepared and memory is warm.
   if (auto warm = converse(asking, desk, 20 * sessions); !warm)
     return tl::make_unexpected(warm.error());
-  const auto start = std::chrono::steady_clock::now();
+  const StopWatch watch(server);
   const auto done = converse(asking, desk, count);
-  const std::chrono::duration<double, std::nano> spent =
-      std::chrono::steady_clock::now() - start;
   if (!done)
     return tl::make_unexpected(done.error());
   std::int64_t letters = 0;
   for (const auto& one : asking)
     letters += one->letters();
-  return Measured{spent.count() / static_cast<double>(count),
-                  std::to_string(letters)};
+  return watch.stop(count, std::to_string(letters));
 }
 
 } // namespace parlour::tools

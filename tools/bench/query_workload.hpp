@@ -19,11 +19,10 @@ public:
   static Expected<QueryWorkload> load(const std::filesystem::path& file);
 
   // `count` queries from so many sessions at once, of a component that was
-  // started at this desk. The figure is the time that passes for each; the
-  // result how many letters came. The first error of the component or of a
-  // script is told instead.
-  Expected<Measured> run(IPlugin& component, Desk& desk, std::size_t sessions,
-                         std::size_t count) const;
+  // started at this desk and may have a server. The result is how many letters
+  // came. The first error of the component or of a script is told instead.
+  Expected<Measured> run(IPlugin& component, Desk& desk, int server,
+                         std::size_t sessions, std::size_t count) const;
 
 private:
   explicit QueryWorkload(std::shared_ptr<const script::Program> program)

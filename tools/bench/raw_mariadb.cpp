@@ -1,5 +1,4 @@
 #include <array>
-#include <chrono>
 #include <cstring>
 #include <memory>
 #include <vector>
@@ -182,22 +181,19 @@ private:
 
 } // namespace
 
-Expected<Measured> raw_mariadb(const std::string& socket,
+Expected<Measured> raw_mariadb(const MariaDBServer& server,
                                std::size_t connections, std::size_t count) {
   Connections all;
   for (std::size_t i = 0; i < connections; ++i) {
     all.push_back(std::make_unique<RawConnection>());
-    if (auto opened = all.back()->open(socket); !opened)
+    if (auto opened = all.back()->open(server.socket()); !opened)
       return tl::make_unexpected(opened.error());
   }
-  const auto start = std::chrono::steady_clock::now();
+  const StopWatch watch(server.process());
   const auto letters = RawRun(all, count).run();
-  const std::chrono::duration<double, std::nano> spent =
-      std::chrono::steady_clock::now() - start;
   if (!letters)
     return tl::make_unexpected(letters.error());
-  return Measured{spent.count() / static_cast<double>(count),
-                  std::to_string(*letters)};
+  return watch.stop(count, std::to_string(*letters));
 }
 
 } // namespace parlour::tools

@@ -2,9 +2,10 @@
 // own libraries: as fast as it goes. Every cell is looked at as a text.
 #pragma once
 
-#include <string>
+#include <cstddef>
 
 #include "runtime/base/error.hpp"
+#include "tools/bench/mariadb_server.hpp"
 #include "tools/bench/measure.hpp"
 
 namespace parlour::tools {
@@ -14,7 +15,7 @@ Expected<Measured> raw_sqlite(std::size_t count);
 
 // Prepared on each of so many connections, by the interface that does not wait:
 // one query on its way on each. The table is there, in the database `bench`.
-Expected<Measured> raw_mariadb(const std::string& socket,
+Expected<Measured> raw_mariadb(const MariaDBServer& server,
                                std::size_t connections, std::size_t count);
 
 } // namespace parlour::tools

@@ -1,4 +1,3 @@
-#include <chrono>
 #include <memory>
 
 #include <sqlite3.h>
@@ -49,13 +48,10 @@ Expected<Measured> raw_sqlite(std::size_t count) {
   if (!statement)
     return fail(ErrorKind::database, sqlite3_errmsg(database.get()));
   std::size_t letters = 0;
-  const auto start = std::chrono::steady_clock::now();
+  const StopWatch watch(0);
   for (std::size_t i = 0; i < count; ++i)
     letters += ask(statement.get(), facility_name(i));
-  const std::chrono::duration<double, std::nano> spent =
-      std::chrono::steady_clock::now() - start;
-  return Measured{spent.count() / static_cast<double>(count),
-                  std::to_string(letters)};
+  return watch.stop(count, std::to_string(letters));
 }
 
 } // namespace parlour::tools

@@ -26,7 +26,7 @@ protected:
     const auto component = adapters::sqlite_database_factory().create();
     if (auto started = component->start(desk_, options); !started)
       return tl::make_unexpected(started.error());
-    return workload->run(*component, desk_, sessions, 50);
+    return workload->run(*component, desk_, 0, sessions, 50);
   }
 
   test::TemporaryFolder folder_;

@@ -14,7 +14,7 @@ TEST(RawQueries, read_what_is_there) {
 }
 
 TEST(RawQueries, say_where_there_is_no_server) {
-  const auto measured = raw_mariadb("/nowhere/socket", 1, 1);
+  const auto measured = raw_mariadb(MariaDBServer("/nowhere"), 1, 1);
   ASSERT_FALSE(measured);
   EXPECT_EQ(measured.error().kind, ErrorKind::offline);
 }

@@ -306,6 +306,7 @@ MariaDBConnection::Outcome MariaDBConnection::collect(Prepared& prepared) {
   auto& row = *prepared.row;
   StatementAnswer answer;
   answer.rows.columns = row.columns();
+  answer.rows.cells.reserve(answer.rows.columns.size());
   std::size_t rows = 0;
   std::size_t bytes = 0;
   int fetched = 0;

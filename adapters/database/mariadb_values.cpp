@@ -1,12 +1,13 @@
 #include "adapters/database/mariadb_values.hpp"
 
 #include <algorithm>
-#include <limits>
+#include <string_view>
 #include <utility>
 
 #include <mysql.h>
 
 #include "adapters/database/sqlite_values.hpp"
+#include "runtime/base/utf8.hpp"
 
 namespace parlour::adapters {
 
@@ -83,19 +84,19 @@ void fill(MYSQL_BIND& bind, const Value& value) {
     bind.buffer_type = MYSQL_TYPE_NULL;
 }
 
-Value decimal(const std::string& digits) {
+Value decimal(std::string_view digits) {
   const auto number = parse_number(digits);
   return number.is_unknown() ? Value(digits) : number;
 }
 
-std::int64_t bits(const std::string& bytes) {
+std::int64_t bits(std::string_view bytes) {
   std::uint64_t number = 0;
   for (char byte : bytes)
     number = number << 8 | static_cast<unsigned char>(byte);
   return static_cast<std::int64_t>(number);
 }
 
-Binary blob(const std::string& bytes) {
+Binary blob(std::string_view bytes) {
   const auto* first = reinterpret_cast<const std::byte*>(bytes.data());
   return {"application/octet-stream", {first, first + bytes.size()}};
 }
@@ -113,7 +114,7 @@ Expected<List> values_in_order(const Value& values,
                       " takes a text, number or boolean, not a " +
                       std::string(name_of(value.type())) + ".");
     if (const auto* text = value.if_string();
-        text && valid_utf8(*text) != *text)
+        text && find_invalid_utf8(*text))
       return fail(ErrorKind::type, "the value of placeholder " +
                                        label(names, place) +
                                        " is not valid UTF-8.");
@@ -201,7 +202,7 @@ void MariaDBRow::Cell::point(MYSQL_BIND& bind) {
 }
 
 Value MariaDBRow::Cell::value() const {
-  const auto said = bytes.substr(0, length);
+  const auto said = std::string_view(bytes).substr(0, length);
   switch (as) {
   case As::integer:
     return is_unsigned && integer < 0

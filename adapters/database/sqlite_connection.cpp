@@ -66,8 +66,10 @@ ErrorKind kind_of(int code) {
 }
 
 std::vector<std::string> columns_of(sqlite3_stmt* statement) {
+  const int count = sqlite3_column_count(statement);
   std::vector<std::string> columns;
-  for (int i = 0; i < sqlite3_column_count(statement); ++i)
+  columns.reserve(static_cast<std::size_t>(count));
+  for (int i = 0; i < count; ++i)
     columns.emplace_back(sqlite3_column_name(statement, i));
   return columns;
 }
@@ -214,6 +216,8 @@ Expected<StatementAnswer> SQLiteConnection::collect(sqlite3_stmt* statement,
   // where the tables have changed.
   auto code = sqlite3_step(statement);
   answer.rows.columns = columns_of(statement);
+  if (code == SQLITE_ROW)
+    answer.rows.cells.reserve(answer.rows.columns.size());
   for (; code == SQLITE_ROW; code = sqlite3_step(statement)) {
     bytes += append_row(statement, answer.rows);
     if (answer.rows.row_count() > limits_.rows || bytes > limits_.bytes)

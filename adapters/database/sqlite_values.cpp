@@ -5,6 +5,8 @@
 #include <sqlite3.h>
 #include <unicode/unistr.h>
 
+#include "runtime/base/utf8.hpp"
+
 namespace parlour::adapters {
 
 namespace {
@@ -34,7 +36,7 @@ std::string label(sqlite3_stmt* statement, int place) {
 }
 
 Expected<void> bind(sqlite3_stmt* statement, int place, const Value& value) {
-  if (const auto* text = value.if_string(); text && valid_utf8(*text) != *text)
+  if (const auto* text = value.if_string(); text && find_invalid_utf8(*text))
     return fail(ErrorKind::type, "the value of placeholder " +
                                      label(statement, place) +
                                      " is not valid UTF-8.");
@@ -131,6 +133,8 @@ Value read_cell(sqlite3_stmt* statement, int column) {
 }
 
 std::string valid_utf8(std::string_view text) {
+  if (!find_invalid_utf8(text))
+    return std::string(text);
   std::string valid;
   const auto length = static_cast<std::int32_t>(text.size());
   icu::UnicodeString::fromUTF8({text.data(), length}).toUTF8String(valid);

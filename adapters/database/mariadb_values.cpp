@@ -113,8 +113,7 @@ Expected<List> values_in_order(const Value& values,
                   "placeholder " + label(names, place) +
                       " takes a text, number or boolean, not a " +
                       std::string(name_of(value.type())) + ".");
-    if (const auto* text = value.if_string();
-        text && find_invalid_utf8(*text))
+    if (const auto* text = value.if_string(); text && find_invalid_utf8(*text))
       return fail(ErrorKind::type, "the value of placeholder " +
                                        label(names, place) +
                                        " is not valid UTF-8.");

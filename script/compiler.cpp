@@ -13,14 +13,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The scripts of a folder that has no settings.
-std::vector<fs::path> scripts_without_settings(const fs::path& folder) {
+std::vector<fs::path> scripts_in(const fs::path& folder) {
   std::vector<fs::path> scripts;
   std::error_code ignored;
-  if (fs::exists(folder / "settings.xml", ignored))
-    return scripts;
   for (const auto& file : fs::directory_iterator(folder, ignored))
-    if (file.path().extension() == ".xml")
+    if (file.path().extension() == ".xml" &&
+        file.path().filename() != "settings.xml")
       scripts.push_back(file.path());
   std::sort(scripts.begin(), scripts.end());
   return scripts;
@@ -41,6 +39,7 @@ private:
   Aliases aliases();
   void load_scripts();
   void load_all_scripts(const std::vector<fs::path>& scripts);
+  void add_usual_plugins(Element& settings);
   void load_libraries();
   Compiled finish();
 
@@ -72,19 +71,36 @@ void Compiler::load_scripts() {
       for (const auto& script : child.children)
         loader_.load_script(collapsed(script.text), script.position);
   if (program_->settings.scripts.empty())
-    findings_.error(settings_->position,
-                    "<settings> names no script; expected "
-                    "<Scripts><Script>file.xml</Script></Scripts>");
+    findings_.error(settings_->position, "<Scripts> names no script");
 }
 
-// Without settings there is nothing else to choose by: every script, in the
-// order of their names, and the first state of them.
+// Where nothing chooses: every script, in the order of their names, and the
+// first state of them.
 void Compiler::load_all_scripts(const std::vector<fs::path>& scripts) {
   for (const auto& script : scripts) {
     program_->settings.scripts.push_back(script.filename().string());
     loader_.load_script(program_->settings.scripts.back(), {});
   }
-  program_->settings.start = loader_.first_state();
+  if (program_->settings.start.empty())
+    program_->settings.start = loader_.first_state();
+  if (scripts.empty())
+    findings_.error(settings_->position,
+                    "there is no script in this folder, and <settings> names "
+                    "none; expected "
+                    "<Scripts><Script>file.xml</Script></Scripts>");
+}
+
+// Settings that name neither scripts nor plug-ins say a few things besides the
+// platform's.
+void Compiler::add_usual_plugins(Element& settings) {
+  if (settings.child("Scripts") || settings.child("Plugins") ||
+      options_.platform.empty())
+    return;
+  auto usual =
+      loader_.read(options_.platform / "settings.xml", {"settings"}, {});
+  if (usual)
+    for (auto& child : usual->children)
+      settings.children.push_back(std::move(child));
 }
 
 // The words of what the engine says by itself, and what it does about the
@@ -112,17 +128,17 @@ Compiled Compiler::finish() {
 }
 
 Compiled Compiler::application(const fs::path& folder) {
-  const auto scripts = scripts_without_settings(folder);
   auto root =
       loader_.read(settings_file(folder, options_.platform), {"settings"}, {});
   if (!root)
     return {nullptr, std::move(findings_)};
+  add_usual_plugins(*root);
   take_settings(std::move(*root));
   program_->settings.folder = folder.string();
-  if (scripts.empty())
+  if (settings_->child("Scripts"))
     load_scripts();
   else
-    load_all_scripts(scripts);
+    load_all_scripts(scripts_in(folder));
   load_libraries();
   return finish();
 }
@@ -144,8 +160,10 @@ Compiled Compiler::file(const fs::path& path) {
 } // namespace
 
 fs::path settings_file(const fs::path& folder, const fs::path& platform) {
-  return (scripts_without_settings(folder).empty() ? folder : platform) /
-         "settings.xml";
+  std::error_code ignored;
+  const bool brings_none = !fs::exists(folder / "settings.xml", ignored) &&
+                           !scripts_in(folder).empty();
+  return (brings_none ? platform : folder) / "settings.xml";
 }
 
 Compiled compile_application(const fs::path& folder,

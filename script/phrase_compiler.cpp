@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "script/plain_brace.hpp"
+
 namespace parlour::script {
 
 namespace {
@@ -43,6 +45,19 @@ void check_slot(const Element& phrase, const Compilation& compilation) {
                                    did_you_mean(name->value, known));
 }
 
+// Elsewhere such braces are text (language rule 4.4); here somebody would hear
+// them.
+void check_braces(const Element& phrase, std::string_view text,
+                  Findings& findings) {
+  const auto at = plain_brace(text);
+  if (at != std::string_view::npos)
+    findings.add({Severity::error,
+                  {phrase.text_position, at, 1, true},
+                  "this brace would be said aloud, as it embeds no "
+                  "expression; for a brace that is said write '{{' or '}}'",
+                  "expression"});
+}
+
 } // namespace
 
 const std::vector<std::string>& say_acts() {
@@ -70,8 +85,10 @@ void compile_phrases(const Element& phrases, const FunctionNames* functions,
     if (const auto* condition = element.attribute("if"))
       phrase.condition =
           compilation.bodies.expression(*condition, context, parameters);
-    phrase.text = compilation.bodies.text(
-        collapsed(element.text), element.text_position, context, parameters);
+    const auto words = collapsed(element.text);
+    check_braces(element, words, compilation.findings);
+    phrase.text = compilation.bodies.text(words, element.text_position, context,
+                                          parameters);
     phrase.position = element.position;
     compilation.program.phrases.push_back(std::move(phrase));
   }

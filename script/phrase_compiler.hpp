@@ -12,7 +12,6 @@ namespace parlour::script {
   X(question, "asks for a slot") \
   X(reprompt, "asks again") \
   X(answer, "data: rows, asked, relaxed of an enquiry") \
-  X(none_found, "an enquiry found nothing; data: asked") \
   X(ambiguous, "data: candidates") \
   X(invalid, "data: value, reason, type, choices") \
   X(confirm, "asks whether a value is right; data: value") \
@@ -30,7 +29,8 @@ namespace parlour::script {
   X(greet, "answers a greeting; data: asked") \
   X(bye, "answers a goodbye; data: unfinished") \
   X(thank, "answers thanks") \
-  X(acknowledge, "a yes or no that answers no question") \
+  X(acknowledge, "what was said answers no question; data: missing") \
+  X(one_by_one, "more was said than what was asked for") \
   X(no_match, "nothing was understood; data: count") \
   X(no_input, "nothing was said; data: count") \
   X(unavailable, "a service is away; data: service") \

@@ -207,6 +207,8 @@ void Reader::check_document() {
     if (node.type() == pugi::node_element && ++roots == 2)
       error(offset_of(node.name()) - 1,
             "a second root element; a file has one");
+    if (node.type() == pugi::node_cdata && outside == npos)
+      outside = offset_of(node.value()) - std::string_view("<![CDATA[").size();
     if (node.type() == pugi::node_pcdata && outside == npos)
       outside = text_.find_first_not_of(" \t\r\n", offset_of(node.value()));
   }

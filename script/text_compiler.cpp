@@ -5,6 +5,7 @@
 #include "runtime/base/value.hpp"
 #include "script/builtins.hpp"
 #include "script/expression_compiler.hpp"
+#include "script/plain_brace.hpp"
 
 namespace parlour::script {
 
@@ -169,6 +170,10 @@ NodePointer embedded(std::string_view rest, std::size_t& length) {
   return nullptr;
 }
 
+bool is_doubled(std::string_view text, std::size_t brace) {
+  return brace + 1 < text.size() && text[brace + 1] == text[brace];
+}
+
 void add_literal(std::vector<TextPart>& parts, std::string_view text) {
   if (parts.empty() || parts.back().node)
     parts.emplace_back();
@@ -189,7 +194,7 @@ std::vector<TextPart> ExpressionCompiler::split_text(const Source& source) {
     at = brace;
     if (at == text.size())
       break;
-    const bool doubled = at + 1 < text.size() && text[at + 1] == text[at];
+    const bool doubled = is_doubled(text, at);
     std::size_t length = 0;
     auto node = text[at] == '{' && !doubled
                     ? embedded(text.substr(at + 1), length)
@@ -203,6 +208,20 @@ std::vector<TextPart> ExpressionCompiler::split_text(const Source& source) {
     at += length + 2;
   }
   return parts;
+}
+
+std::size_t plain_brace(std::string_view text) {
+  for (auto at = text.find_first_of("{}"); at != std::string_view::npos;
+       at = text.find_first_of("{}", at)) {
+    std::size_t length = 0;
+    if (is_doubled(text, at))
+      at += 2;
+    else if (text[at] == '{' && embedded(text.substr(at + 1), length))
+      at += length + 2;
+    else
+      return at;
+  }
+  return std::string_view::npos;
 }
 
 void ExpressionCompiler::text(const Source& source, Register target) {

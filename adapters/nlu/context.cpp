@@ -20,6 +20,14 @@ void read_asked(const Value& asked, const Schema& schema, Context& context) {
   context.asked_entity_id = slot->entity;
 }
 
+void read_said(const Value& said, const Schema& schema, Context& context) {
+  if (context.asked_topic == no_topic || !said.if_list())
+    return;
+  for (const auto& name : *said.if_list())
+    if (const auto* slot = schema.at(context.asked_topic).find(name.text()))
+      context.said.push_back(*slot);
+}
+
 } // namespace
 
 double Context::bonus(TopicNumber topic) const {
@@ -35,6 +43,7 @@ double Context::bonus(TopicNumber topic) const {
 Context read_context(const Value& context, const Schema& schema) {
   Context read;
   read_asked(context["asked"], schema, read);
+  read_said(context["said"], schema, read);
   read.current = schema.topic(context["current"].text());
   read.resting = schema.topic(context["resting"].text());
   if (const auto* unfinished = context["unfinished"].if_list())

@@ -1,6 +1,8 @@
 #include "adapters/nlu/spans.hpp"
 
 #include <algorithm>
+#include <array>
+#include <string_view>
 
 #include "adapters/nlu/number_words.hpp"
 #include "adapters/nlu/words.hpp"
@@ -12,6 +14,16 @@ namespace {
 // For a number that is no value of what was asked: anything else that makes
 // sense of it is likelier.
 constexpr float wrong_number_gain = 0.15F;
+
+// What is to be done may begin with a verb that says little by itself: "remind
+// me to take out the bin".
+bool is_deed(const Tokens& tokens, std::size_t position) {
+  static constexpr std::array<std::string_view, 12> verbs{
+      "take", "make", "find", "get",  "go",   "come",
+      "give", "say",  "tell", "look", "show", "help"};
+  return position > 0 && tokens.list[position - 1].word == "to" &&
+         std::ranges::find(verbs, tokens.list[position].word) != verbs.end();
+}
 
 bool is_number_like(const Tokens& tokens, std::size_t position) {
   const auto& word = tokens.list[position].word;
@@ -187,8 +199,9 @@ std::vector<std::uint32_t> Spans::open(EntityId entity, std::size_t position,
     if (at > position && utterance_.tokens.list[at].before != Break::none)
       break;
     gain += open_gain(at) * (of_set ? 0.7F : 1.0F);
-    if ((at == first && !can_stand(at)) ||
-        (of_set && value_near(entity, at, at + 2)))
+    const bool begins = can_stand(at) || (entity == words_entity &&
+                                          is_deed(utterance_.tokens, at));
+    if ((at == first && !begins) || (of_set && value_near(entity, at, at + 2)))
       break;
     if (!can_stand(at))
       continue;

@@ -5,6 +5,7 @@
 
 #include "adapters/nlu/acts.hpp"
 #include "adapters/nlu/automaton_builder.hpp"
+#include "adapters/nlu/correction.hpp"
 #include "adapters/nlu/examples.hpp"
 #include "adapters/nlu/explanation.hpp"
 #include "adapters/nlu/guesses.hpp"
@@ -162,7 +163,10 @@ struct Understander::Implementation {
   std::vector<EntityId> entities(const Context& context) const {
     auto all = automaton.entities;
     all.push_back(context.asked_entity_id);
+    for (const auto& slot : context.said)
+      all.push_back(slot.entity);
     std::ranges::sort(all);
+    all.erase(std::ranges::unique(all).begin(), all.end());
     return all;
   }
 
@@ -245,6 +249,8 @@ Understanding Understander::understand(std::string_view text,
                            ? self.guesses(utterance, spans, context)
                            : std::vector<BuiltAct>();
   const bool guessed = !guesses.empty() && prefer_better(acts, guesses[0]);
+  for (auto& act : acts)
+    correct_what_was_said(act, spans, context);
 
   Understanding made;
   made.work = matcher.work();

@@ -70,8 +70,8 @@ inline constexpr const char* value = "value";
 inline constexpr const char* candidates = "candidates";
 } // namespace act_key
 
-// The session's context that travels with DoNLU as its second parameter is a
-// map: asked {topic, slot} or unknown, current topic name, resting topic name,
-// unfinished list of topic names, grammar name or unknown, now (ms since 1970).
+// The session's context, DoNLU's second parameter, is a map: asked {topic,
+// slot} or unknown, said (slots of that topic, given in the last turn), current
+// and resting topic, unfinished list of topics, grammar or unknown, now (ms).
 
 } // namespace parlour

@@ -198,6 +198,7 @@ script::Performed Effects::push(Context context, Call effect) {
   Step step;
   step.kind = StepKind::push;
   step.state = state;
+  step.topic = context.topic;
   step.turn = context.turn;
   step.wait = begin_wait(true);
   core_.runner.later(std::move(step));

@@ -11,6 +11,8 @@ namespace {
 
 const std::string language_generation = "NLG";
 
+constexpr int most_taken_up = 3;
+
 } // namespace
 
 Mouth::Mouth(Core& core) : core_(core) {}
@@ -160,12 +162,17 @@ void Mouth::repeat_last(TurnId turn) {
 }
 
 void Mouth::finished(OutputId id) {
+  no_longer_playing(id);
+  taken_up_ = 0;
+}
+
+void Mouth::no_longer_playing(OutputId id) {
   std::erase_if(playing_,
                 [&](const Playing& output) { return output.id == id; });
 }
 
 void Mouth::interrupted(OutputId id, std::string heard) {
-  finished(id);
+  no_longer_playing(id);
   auto cut = queue_.cut(id, heard);
   if (!cut)
     return;
@@ -176,8 +183,9 @@ void Mouth::interrupted(OutputId id, std::string heard) {
 
 void Mouth::take_up_interrupted() {
   auto again = std::exchange(interrupted_, {});
-  if (!again)
+  if (!again || taken_up_ == most_taken_up)
     return;
+  ++taken_up_;
   Say what;
   what.as = again->act;
   what.turn = again->turn;

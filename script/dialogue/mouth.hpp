@@ -71,7 +71,8 @@ public:
   bool was_interrupted() const {
     return interrupted_.has_value();
   }
-  // Nothing came of it: what was broken off is said again.
+  // Nothing came of it: what was broken off is said again, a few times in a
+  // row at most, as what breaks in may be a noise that does not end.
   void take_up_interrupted();
   // Whether something is being played that the user may break in on.
   bool can_be_interrupted() const;
@@ -105,6 +106,7 @@ private:
   std::string words_of(const Value& params) const;
   void word(OutputId id, std::string text);
   void inspect(const Output& output, const char* what);
+  void no_longer_playing(OutputId id);
 
   Core& core_;
   OutputQueue queue_;
@@ -117,6 +119,7 @@ private:
   };
   std::vector<Playing> playing_;
   std::optional<Output> interrupted_;
+  int taken_up_ = 0; // since something was played to its end
   bool changed_ = false;
 };
 

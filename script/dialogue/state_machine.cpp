@@ -61,7 +61,7 @@ void StateMachine::enter(const Step& step) {
 
 void StateMachine::push(const Step& step) {
   core_.states.push(script::no_id);
-  pushes_.push_back(step.wait);
+  pushes_.push_back({step.wait, step.topic});
   enter(step);
 }
 
@@ -74,8 +74,9 @@ void StateMachine::pop(const Step& step) {
     return;
   }
   core_.states.pop();
-  const auto wait = pushes_.back();
+  const auto [wait, topic] = pushes_.back();
   pushes_.pop_back();
+  core_.lane.now(core_.topics.back_to(topic));
   if (!core_.lane.wake(wait, outcome_step(wait, Value()))) // a handler's
     core_.lane.at_once(outcome_step(wait, Value()));
 }

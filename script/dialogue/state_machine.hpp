@@ -35,7 +35,11 @@ private:
   std::vector<Step> way_out(StateId state) const;
 
   Core& core_;
-  std::vector<WaitId> pushes_; // the activations that pushed, innermost last
+  struct Push { // an activation that pushed
+    WaitId wait = 0;
+    TopicId topic = script::no_id; // that it is of
+  };
+  std::vector<Push> pushes_; // innermost last
 };
 
 } // namespace parlour::dialogue

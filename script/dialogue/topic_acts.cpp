@@ -41,8 +41,7 @@ bool TopicEngine::is_generic(const Act& act) const {
 
 void TopicEngine::generic_act(const Step& step) {
   const auto kind = step.act->kind;
-  const auto name = std::string(name_of(kind));
-  Trouble trouble{.act = name.c_str(), .turn = step.turn};
+  Trouble trouble{.act = name_of(kind), .turn = step.turn};
   if (about_the_question(kind) && asked_ && asked_->heard) {
     trouble.topic = asked_->topic;
     trouble.slot = asked_->slot;
@@ -94,6 +93,7 @@ Value TopicEngine::situation(const Trouble& trouble) {
   return Map{{"asked", asked_ && (asked_->heard || asked_->pending)},
              {"count", static_cast<std::int64_t>(trouble.count)},
              {"misses", static_cast<std::int64_t>(misses_)},
+             {"refused", trouble.refused},
              {"explanation", std::move(explanation)},
              {"choices", std::move(choices)},
              {"unfinished", unfinished_names()},
@@ -215,6 +215,7 @@ void TopicEngine::restart() {
   core_.mouth.withdraw_questions();
   asked_.reset();
   late_.reset();
+  said_ = {};
   query_.reset();
   no_input_ = 0;
   misses_ = 0;

@@ -23,6 +23,17 @@ ClassifierContext TopicEngine::classifier_context() const {
   return context;
 }
 
+// None where the last turn has answered what is asked: a correction is of that.
+List TopicEngine::names_said_before(SlotId asked) const {
+  List names;
+  for (auto slot : said_.slots) {
+    if (slot == asked)
+      return {};
+    names.emplace_back(core_.topic(said_.topic).slots[slot].name);
+  }
+  return names;
+}
+
 Value TopicEngine::understanding_context() const {
   const auto context = classifier_context();
   auto name = [&](TopicId topic) {
@@ -33,6 +44,8 @@ Value TopicEngine::understanding_context() const {
     const auto& slot = core_.topic(context.asked).slots[context.asked_slot];
     result.set("asked",
                Map{{"topic", name(context.asked)}, {"slot", slot.name}});
+    if (said_.topic == context.asked)
+      result.set("said", names_said_before(context.asked_slot));
     if (!slot.grammar.empty())
       result.set("grammar", slot.grammar);
   }

@@ -44,6 +44,9 @@ void TopicEngine::take_act(Step& step) {
   core_.turns.taken_up(step.turn);
   core_.turns.let_go(step.turn);
   no_input_ = 0;
+  refused_.reset();
+  if (std::exchange(turn_, step.turn) != step.turn)
+    said_before_ = core_.mouth.spoken();
   if (core_.states.pushed() || !answer_to_question(step))
     offer_act(step);
 }
@@ -136,20 +139,6 @@ void TopicEngine::topic_act(Step& step) {
   }
   steps.push_back(make_step(StepKind::fill, std::move(step)));
   core_.lane.now(std::move(steps));
-}
-
-// A topic of system initiative takes only the slot asked for (engine rule 5).
-void TopicEngine::keep_what_is_asked(Step& step) const {
-  const auto& topic = core_.topic(step.topic);
-  if (topic.initiative != script::Initiative::system)
-    return;
-  auto asked =
-      asked_ && asked_->topic == step.topic ? asked_->slot : script::no_id;
-  auto act = *step.act;
-  std::erase_if(act.slots, [&](const SlotValue& value) {
-    return topic.slot(value.slot) != asked;
-  });
-  step.act = std::make_shared<const Act>(std::move(act));
 }
 
 // Whether the act answers the question that waits for one: a <confirm> of the

@@ -42,6 +42,9 @@ public:
   // What a phrase of that act sees where a script's <say> gives no data.
   Value data_of(const std::string& act, TopicId topic, SlotId slot);
   void repeat(TurnId turn); // what was heard last
+  // A topic whose wait for the user is over is the current one: the steps that
+  // this takes.
+  std::vector<Step> back_to(TopicId topic);
   // <consume/> in a reaction to what was offered with this number, also after
   // it waited.
   void consume(std::uint64_t offered) {
@@ -101,6 +104,10 @@ private:
     QueryId id = 0;
     Step step;
   };
+  struct SlotOf {
+    TopicId topic = script::no_id;
+    SlotId slot = script::no_id;
+  };
 
   // The steps.
   void take_act(Step& step);
@@ -144,11 +151,12 @@ private:
   void generic_act(const Step& step);
   // What <repair> says is to be done; false where none does.
   struct Trouble {
-    const char* act = "";
+    std::string_view act;
     TopicId topic = script::no_id;
     SlotId slot = script::no_id;
     std::uint32_t count = 0;
     TurnId turn = 0;
+    bool refused = false; // understood, and does not fit
   };
   bool repair(const Trouble& trouble);
   Value situation(const Trouble& trouble);
@@ -157,7 +165,7 @@ private:
   void answer_confirm(const Asked& asked, bool yes);
   void settle_confirmed(const Asked& asked, bool yes);
   void confirm_slot(TopicId topic, SlotId slot, bool yes, TurnId turn);
-  void keep_what_is_asked(Step& step) const;
+  void keep_what_is_asked(Step& step);
   // Whether the act might be about several topics: they are asked for.
   bool ask_which(const Step& step);
   void ask_which_again(Asked asked, OutputAct as, TurnId turn);
@@ -176,7 +184,6 @@ private:
   void set_status(TopicId topic, TopicStatus status);
   TopicId needed_by(TopicId topic) const;
   void leave_enquiry(TopicId next);
-  std::vector<Step> back_to(TopicId topic);
   List unfinished_names() const;
 
   // Frames.
@@ -191,6 +198,9 @@ private:
   void refuse_source(Step& step);
   SlotId missing(TopicId topic) const;
   SlotId doubtful(TopicId topic) const;
+
+  // Whether a slot may be asked for because it is missing.
+  bool may_ask(TopicId topic) const;
 
   // Questions.
   // What silence leads to.
@@ -215,9 +225,15 @@ private:
   void put(Asked asked, const char* act, Value data, std::string text,
            OutputAct as, TurnId turn);
   void reprompt(TurnId turn, bool heard_something);
-  bool run_own_words(bool heard_something, std::uint32_t times, TurnId turn);
+  void climb(const Trouble& trouble);
+  bool run_own_words(const Trouble& trouble);
   std::uint32_t count_miss(bool heard_something);
-  void climb_own(TopicId topic, SlotId slot, std::uint32_t times, TurnId turn);
+  void climb_own(const Trouble& trouble);
+  // An answer that does not fit counts as one that was not understood.
+  void count_refusal(TopicId topic, SlotId slot);
+  bool climb_after_refusal(TopicId topic, SlotId slot, TurnId turn);
+  // Never silent: a topic that may not ask has heard what was said.
+  void acknowledge_unasked(TurnId turn);
   void repeat_question(TurnId turn);
   Value choices_of(TopicId topic, SlotId slot);
   std::string text_of(CodeId code, TopicId topic);
@@ -227,20 +243,29 @@ private:
   void say_text(std::string text, TurnId turn);
 
   ClassifierContext classifier_context() const;
+  List names_said_before(SlotId asked) const;
+  void note_what_was_said(const Step& step);
   void run_body(CodeId code, TopicId topic, SlotId slot, TurnId turn,
                 std::vector<Step>& steps) const;
 
   Core& core_;
   std::optional<Asked> asked_;
+  std::optional<SlotOf> refused_; // by this act, though it had been asked for
+  struct Said {
+    TopicId topic = script::no_id;
+    std::vector<SlotId> slots;
+  } said_; // what the user gave values for last, fitting or not
   std::optional<Step> awaiting_; // for the frame's actor
   std::optional<Query> query_;
   std::uint64_t redirections_ = 0;
-  std::vector<Asked> confirms_; // <confirm>s that wait, innermost last
-  std::optional<Act> late_;     // a correction of a completed topic
-  Timestamp completed_at_ = 0;  // the latest one
-  int no_input_ = 0;            // unanswered questions in a row
-  std::uint32_t misses_ = 0;    // not understood in a row, nothing being asked
-  std::uint64_t offered_ = 0;   // acts and the like, counted
+  TurnId turn_ = 0;               // the latest
+  std::uint64_t said_before_ = 0; // outputs that were made before that
+  std::vector<Asked> confirms_;   // <confirm>s that wait, innermost last
+  std::optional<Act> late_;       // a correction of a completed topic
+  Timestamp completed_at_ = 0;    // the latest one
+  int no_input_ = 0;              // unanswered questions in a row
+  std::uint32_t misses_ = 0;  // not understood in a row, nothing being asked
+  std::uint64_t offered_ = 0; // acts and the like, counted
   std::set<std::uint64_t> consumed_; // of these
 };
 

@@ -41,6 +41,28 @@ bool leads_on(const script::Slot& slot, SlotOutcome outcome) {
 
 } // namespace
 
+// A topic of system initiative takes only the slot asked for (engine rule 5),
+// and mends of what it has; who says more is told.
+void TopicEngine::keep_what_is_asked(Step& step) {
+  const auto& topic = core_.topic(step.topic);
+  if (topic.initiative != script::Initiative::system)
+    return;
+  const auto asked =
+      asked_ && asked_->topic == step.topic ? asked_->slot : script::no_id;
+  const auto& slots = core_.frame(step.topic).slots;
+  const bool mends =
+      step.act->kind == ActKind::correct || step.act->kind == ActKind::deny;
+  auto act = *step.act;
+  const auto dropped = std::erase_if(act.slots, [&](const SlotValue& value) {
+    const auto slot = topic.slot(value.slot);
+    return slot != asked && !(mends && slot != script::no_id &&
+                              slots[slot].status != SlotStatus::empty);
+  });
+  if (dropped > 0)
+    say("one_by_one", step.topic, script::no_id, {}, step.turn);
+  step.act = std::make_shared<const Act>(std::move(act));
+}
+
 void TopicEngine::fill(Step& step) {
   auto changes = changes_of(step);
   request(std::move(step), std::move(changes));
@@ -116,7 +138,19 @@ void TopicEngine::tell_filled(Step& step, FrameResult result) {
   for (const auto& error : result.errors) // of constraints
     core_.script_failed(error, step.turn);
   step.result = std::make_shared<const FrameResult>(std::move(result));
+  note_what_was_said(step);
   filled(step);
+}
+
+void TopicEngine::note_what_was_said(const Step& step) {
+  if (!step.act) // a yes or no
+    return;
+  said_.topic = step.topic;
+  said_.slots.clear();
+  for (const auto& report : step.result->reports)
+    if (report.outcome != SlotOutcome::cleared &&
+        report.outcome != SlotOutcome::rejected)
+      said_.slots.push_back(report.slot);
 }
 
 void TopicEngine::filled(Step& step) {
@@ -195,6 +229,7 @@ void TopicEngine::report(Step& step) {
     else if (!told_before(step, report))
       say("invalid", step.topic, step.slot, refusal(step.topic, report),
           step.turn);
+    count_refusal(step.topic, step.slot);
     break;
   case SlotOutcome::ambiguous:
     if (slot.ambiguous != script::no_code) {

@@ -20,6 +20,7 @@ void TopicEngine::conclude(Step& step) {
   Step next;
   next.turn = step.turn;
   ask_next(next);
+  acknowledge_unasked(step.turn);
 }
 
 void TopicEngine::ask_next(Step& step) {
@@ -46,10 +47,27 @@ SlotId TopicEngine::to_ask(TopicId topic) const {
     return script::no_id;
   if (auto slot = doubtful(topic); slot != script::no_id)
     return slot;
-  return definition.kind == script::TopicKind::task &&
-                 definition.initiative != script::Initiative::user
+  return definition.kind == script::TopicKind::task && may_ask(topic)
              ? missing(topic)
              : script::no_id;
+}
+
+// One that leaves the lead to the user never asks (engine rule 5).
+bool TopicEngine::may_ask(TopicId topic) const {
+  return core_.topic(topic).initiative != script::Initiative::user;
+}
+
+void TopicEngine::acknowledge_unasked(TurnId turn) {
+  const auto current = core_.order.current();
+  if (turn == 0 || turn != turn_ || core_.mouth.spoken() != said_before_ ||
+      !current || may_ask(*current) || core_.ending ||
+      waits_for_user(*current) ||
+      core_.frame(*current).status != TopicStatus::active)
+    return;
+  const auto slot = missing(*current);
+  if (slot != script::no_id)
+    say("acknowledge", *current, script::no_id,
+        Map{{"missing", core_.topic(*current).slots[slot].name}}, turn);
 }
 
 void TopicEngine::ask(Step& step) {
@@ -72,6 +90,8 @@ void TopicEngine::ask_slot(TopicId topic, SlotId slot, OutputAct as,
     ask_choice(topic, slot, turn, true);
     return;
   }
+  if (climb_after_refusal(topic, slot, turn))
+    return;
   Asked asked;
   asked.topic = topic;
   asked.slot = slot;

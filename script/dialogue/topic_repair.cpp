@@ -10,6 +10,14 @@
 
 namespace parlour::dialogue {
 
+namespace {
+
+// What a <repair> is for.
+constexpr std::string_view not_matched = "no_match";
+constexpr std::string_view not_said = "no_input";
+
+} // namespace
+
 void TopicEngine::no_match(Step& step) {
   core_.turns.taken_up(step.turn);
   core_.turns.let_go(step.turn);
@@ -43,21 +51,25 @@ void TopicEngine::no_input(Step& step) {
     reprompt(step.turn, false);
 }
 
-// The slot's own <nomatch> or <noinput>, the settings' <ladder>, else the
-// <repair> for it.
 void TopicEngine::reprompt(TurnId turn, bool heard_something) {
   const auto times = count_miss(heard_something);
-  const auto topic = asked_->topic;
-  const auto slot = asked_->slot;
-  if (slot != script::no_id && run_own_words(heard_something, times, turn))
+  climb({.act = heard_something ? not_matched : not_said,
+         .topic = asked_->topic,
+         .slot = asked_->slot,
+         .count = times,
+         .turn = turn});
+}
+
+// The slot's own <nomatch> or <noinput>, the settings' <ladder>, else the
+// <repair> for it.
+void TopicEngine::climb(const Trouble& trouble) {
+  const bool of_slot = trouble.slot != script::no_id;
+  if (of_slot && run_own_words(trouble))
     return;
-  if (slot != script::no_id && !core_.program->ladder.empty()) {
-    climb_own(topic, slot, times, turn);
-    return;
-  }
-  const auto* act = heard_something ? "no_match" : "no_input";
-  if (!repair({act, topic, slot, times, turn}))
-    repeat_question(turn);
+  if (of_slot && !core_.program->ladder.empty())
+    climb_own(trouble);
+  else if (!repair(trouble))
+    repeat_question(trouble.turn);
 }
 
 std::uint32_t TopicEngine::count_miss(bool heard_something) {
@@ -72,31 +84,61 @@ std::uint32_t TopicEngine::count_miss(bool heard_something) {
   return heard_something ? state.no_match : state.no_input;
 }
 
-bool TopicEngine::run_own_words(bool heard_something, std::uint32_t times,
-                                TurnId turn) {
-  const auto& definition = core_.topic(asked_->topic).slots[asked_->slot];
-  auto body = counted_body(
-      heard_something ? definition.no_match : definition.no_input, times);
+void TopicEngine::count_refusal(TopicId topic, SlotId slot) {
+  if (core_.frame(topic).slots[slot].asked == 0)
+    return; // nobody had asked
+  change(topic, {.kind = FrameChange::Kind::no_match, .slot = slot});
+  refused_ = SlotOf{topic, slot};
+}
+
+// The first time, what does not fit was told, and the question comes as ever.
+bool TopicEngine::climb_after_refusal(TopicId topic, SlotId slot, TurnId turn) {
+  const bool refused =
+      refused_ && refused_->topic == topic && refused_->slot == slot;
+  const auto times = core_.frame(topic).slots[slot].no_match;
+  if (!refused || times < 2)
+    return false;
+  refused_.reset();
+  Asked asked;
+  asked.topic = topic;
+  asked.slot = slot;
+  asked.pending = false;
+  asked.heard = true;
+  asked_ = std::move(asked);
+  climb({.act = not_matched,
+         .topic = topic,
+         .slot = slot,
+         .count = times,
+         .turn = turn,
+         .refused = true});
+  return true;
+}
+
+bool TopicEngine::run_own_words(const Trouble& trouble) {
+  const auto& definition = core_.topic(trouble.topic).slots[trouble.slot];
+  auto body = counted_body(trouble.act == not_matched ? definition.no_match
+                                                      : definition.no_input,
+                           trouble.count);
   if (body == script::no_code)
     return false;
   std::vector<Step> steps;
-  run_body(body, asked_->topic, asked_->slot, turn, steps);
+  run_body(body, trouble.topic, trouble.slot, trouble.turn, steps);
   core_.lane.now(std::move(steps));
   return true;
 }
 
 // A step of the application's own ladder, then the question once more, unless
 // the step has asked, cleared or left.
-void TopicEngine::climb_own(TopicId topic, SlotId slot, std::uint32_t times,
-                            TurnId turn) {
+void TopicEngine::climb_own(const Trouble& trouble) {
   const auto& ladder = core_.program->ladder;
   const auto last = ladder.size() - 1;
+  const auto rung = trouble.count == 0 ? 0 : trouble.count - 1;
   std::vector<Step> steps;
-  run_body(ladder[std::min<std::size_t>(times == 0 ? 0 : times - 1, last)],
-           topic, slot, turn, steps);
-  auto ask = topic_step(StepKind::ask_still, topic);
-  ask.slot = slot;
-  ask.turn = turn;
+  run_body(ladder[std::min<std::size_t>(rung, last)], trouble.topic,
+           trouble.slot, trouble.turn, steps);
+  auto ask = topic_step(StepKind::ask_still, trouble.topic);
+  ask.slot = trouble.slot;
+  ask.turn = trouble.turn;
   ask.mark = redirections_;
   steps.push_back(std::move(ask));
   core_.lane.now(std::move(steps));

@@ -71,6 +71,8 @@ void TopicEngine::settle_enquiry(Step& step) {
     ask.slot = missing(step.topic);
   if (ask.slot != script::no_id) {
     set_status(step.topic, TopicStatus::active);
+    if (!may_ask(step.topic) && doubtful(step.topic) == script::no_id)
+      return;                                   // it is left to the user
     if (!asked_ || asked_->topic != step.topic) // by an <ambiguous>
       core_.lane.at_once(std::move(ask));
   } else if ((!looked_for && refused_any(step)) ||

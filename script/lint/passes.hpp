@@ -15,6 +15,8 @@ void lint_messages(const Subject& subject, Findings& findings);
 void lint_slots(const Subject& subject, Findings& findings);
 void lint_loops(const Subject& subject, Findings& findings);
 void lint_texts(const Subject& subject, Findings& findings);
+void lint_examples(const Subject& subject, Findings& findings);
+void lint_computing(const Subject& subject, Findings& findings);
 void lint_joined_sql(const Subject& subject, Findings& findings);
 void lint_allowances(const Subject& subject, Findings& findings);
 

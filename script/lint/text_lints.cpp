@@ -4,6 +4,7 @@
 
 #include "script/attribute_check.hpp"
 #include "script/lint/passes.hpp"
+#include "script/plain_brace.hpp"
 
 namespace parlour::script::lint {
 
@@ -40,6 +41,7 @@ struct Text {
   std::string_view text;
   Position position;
   bool collapsed = false;
+  bool is_spoken = false; // a brace in it is hardly meant
 };
 
 class TextLint {
@@ -47,9 +49,14 @@ public:
   TextLint(const std::set<std::string>& names, Findings& findings)
       : names_(names), findings_(findings) {}
 
-  void look_at(const Text& text);
+  void look_at(const Text& text) {
+    if (!look_for_variables(text) && text.is_spoken)
+      look_for_braces(text);
+  }
 
 private:
+  bool look_for_variables(const Text& text);
+  void look_for_braces(const Text& text);
   void warn_at(const Text& text, std::size_t at, std::size_t length,
                std::string message) {
     findings_.add({Severity::warning,
@@ -62,9 +69,19 @@ private:
   Findings& findings_;
 };
 
-void TextLint::look_at(const Text& text) {
+void TextLint::look_for_braces(const Text& text) {
+  const auto at = plain_brace(text.text);
+  if (at != std::string_view::npos)
+    warn_at(text, at, 1,
+            "this brace is said as it is, as it embeds no expression; for a "
+            "brace that is meant write '{{' or '}}'");
+}
+
+// Whether there was anything to warn of.
+bool TextLint::look_for_variables(const Text& text) {
   constexpr auto npos = std::string_view::npos;
   const auto all = text.text;
+  const auto before = findings_.all().size();
   for (auto at = all.find('{'); at != npos; at = all.find('{', at + 1)) {
     const bool doubled = at + 1 < all.size() && all[at + 1] == '{';
     const auto inner = all.substr(at + (doubled ? 2 : 1));
@@ -88,6 +105,15 @@ void TextLint::look_at(const Text& text) {
               "expression; for the variable write {" +
                   word + "}");
   }
+  return findings_.all().size() > before;
+}
+
+// What is said as it stands there.
+bool is_spoken(const Element& element, const std::string& attribute) {
+  return (element.is("speak") && attribute == "param") ||
+         ((element.is("slot") || element.is("confirm")) &&
+          attribute == "question") ||
+         (element.is("constraint") && attribute == "message");
 }
 
 } // namespace
@@ -95,6 +121,7 @@ void TextLint::look_at(const Text& text) {
 void lint_texts(const Subject& subject, Findings& findings) {
   const auto names = declared_names(subject);
   TextLint lint(names, findings);
+  std::set<const Element*> wordings; // of questions and explanations
   walk(subject, false, [&](const Element& element, const ElementRule& rule) {
     using enum AttributeKind;
     for (const auto& attribute : element.attributes) {
@@ -102,12 +129,17 @@ void lint_texts(const Subject& subject, Findings& findings) {
       if (known &&
           (known->kind == text || (known->kind == text_or_expression &&
                                    !parse_expression(attribute.value).node)))
-        lint.look_at({attribute.value, attribute.value_position});
+        lint.look_at({attribute.value, attribute.value_position, false,
+                      is_spoken(element, attribute.name)});
     }
+    if (element.is("help") || element.is("explain"))
+      for (const auto& wording : element.children)
+        wordings.insert(&wording);
     const bool is_said = element.is("phrase") || element.is("value");
     if (is_said && element.text.find('{') != std::string::npos) {
       const auto said = collapsed(element.text);
-      lint.look_at({said, element.text_position, true});
+      lint.look_at(
+          {said, element.text_position, true, wordings.count(&element) > 0});
     }
   });
 }

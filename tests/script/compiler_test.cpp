@@ -135,6 +135,31 @@ TEST(Compiler, tells_what_cannot_be_read) {
       ElementsAre("x.xml: error: x.xml: this file cannot be read"));
 }
 
+// A few things in settings.xml, and all else as without it.
+TEST(Compiler, completes_settings_without_scripts) {
+  test::TemporaryFolder folder;
+  folder.write("settings.xml",
+               "<settings><sessions no-input-after='5s'/></settings>");
+  folder.write("a.xml", "<dialogue><state name='First'/></dialogue>");
+  const auto compiled = compile_application(folder.path(), test::platform());
+  ASSERT_TRUE(compiled.program);
+  const auto& settings = compiled.program->settings;
+  EXPECT_EQ(settings.start, "First");
+  EXPECT_EQ(settings.sessions.no_input_after, Milliseconds(5000));
+  EXPECT_THAT(settings.scripts, ElementsAre("a.xml"));
+  EXPECT_EQ(settings.components.size(), 2u);
+}
+
+TEST(Compiler, needs_a_script) {
+  test::TemporaryFolder folder;
+  for (const auto* settings :
+       {"<settings/>", "<settings><Scripts/></settings>"}) {
+    folder.write("settings.xml", settings);
+    EXPECT_FALSE(compile_application(folder.path(), test::platform()).program)
+        << settings;
+  }
+}
+
 TEST(Compiler, needs_no_settings) {
   test::TemporaryFolder folder;
   folder.write("b.xml", "<dialogue><state name='Second'/></dialogue>");

@@ -22,6 +22,20 @@ TEST(PhraseCompiler, reads_wordings_and_conditions) {
   EXPECT_EQ(phrases[1].condition, no_code);
 }
 
+TEST(PhraseCompiler, refuses_braces_that_would_be_said) {
+  const auto lines_of = [](const std::string& words) {
+    return test::compile_declarations("<phrases>\n<phrase act='greet'>" +
+                                      words + "</phrase></phrases>")
+        .lines;
+  };
+  for (const auto* words :
+       {"Hi {count(2 'dogs')}", "Hi {data.name", "Hi data.name}", "{}"})
+    EXPECT_THAT(lines_of(words), testing::ElementsAre(testing::HasSubstr(
+                                     "error: this brace would be said")))
+        << words;
+  EXPECT_THAT(lines_of("Hi {{data.name}} {data.name}"), testing::IsEmpty());
+}
+
 TEST(PhraseCompiler, the_platform_has_words_for_every_act) {
   const auto outcome = test::compile_declarations("");
   ASSERT_TRUE(outcome.program);

@@ -84,6 +84,10 @@ INSTANTIATE_TEST_SUITE_P(
         NotWellFormed{"<a/><b/>",
                       "a.xml:1:5: error: a second root element; a file "
                       "has one"},
+        NotWellFormed{"<a/>\n<![CDATA[]]>",
+                      "a.xml:2:1: error: text outside of the root element"},
+        NotWellFormed{"<![CDATA[x]]><a/>",
+                      "a.xml:1:1: error: text outside of the root element"},
         NotWellFormed{"<a/> x", "a.xml:1:6: error: text outside of the root "
                                 "element"},
         NotWellFormed{"<a/>>", "a.xml:1:5: error: text outside of the root "

@@ -32,6 +32,15 @@ std::string well_formed(std::string_view text) {
   return all;
 }
 
+// As at the beginning of a conversation: in the first state, with its grammar.
+Map beginning(const script::Program& program, Timestamp now) {
+  Map context{{"now", now}};
+  const auto state = program.state(program.settings.start);
+  if (state != script::no_id && !program.states[state].grammar.empty())
+    context.set("grammar", program.states[state].grammar);
+  return context;
+}
+
 } // namespace
 
 int understand_command(const Places& places, const UnderstandOptions& options,
@@ -54,7 +63,8 @@ int understand_command(const Places& places, const UnderstandOptions& options,
       say_error(console, to_string(error));
     return exit_code::wrong;
   }
-  const Map context{{"now", options.clock.value_or(SystemClock().now())}};
+  const auto context = beginning(*application.program,
+                                 options.clock.value_or(SystemClock().now()));
   print(console.out,
         built->understand(well_formed(options.text), context, true));
   return exit_code::well;

@@ -36,7 +36,8 @@ TEST(Attributes, Initiative) {
     world.advance(3s);
     world.say(inform("Taxi", {{"Place", "Hall"}}));
   };
-  EXPECT_EQ(hold(script, "user", talk), Texts{});
+  EXPECT_EQ(hold(script, "user", talk),
+            Texts{"[acknowledge Taxi {missing: Time}]"});
   EXPECT_EQ(hold(script, "mixed", talk), Texts{"When?"});
   EXPECT_EQ(hold(script, "system", talk), (Texts{"Where?", "When?"}));
   Talk at_once = [](World& world) {
@@ -44,7 +45,8 @@ TEST(Attributes, Initiative) {
   };
   EXPECT_EQ(hold(script, "user", at_once), Texts{"Done."});
   EXPECT_EQ(hold(script, "mixed", at_once), Texts{"Done."});
-  EXPECT_EQ(hold(script, "system", at_once), (Texts{"Where?", "When?"}));
+  EXPECT_EQ(hold(script, "system", at_once),
+            (Texts{"Where?", "[one_by_one Taxi]", "When?"}));
 }
 
 constexpr const char* confirming = R"xml(

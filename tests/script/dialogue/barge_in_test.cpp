@@ -67,6 +67,40 @@ TEST_F(BargeIn, WhatNobodyHeardCannotBeRepeated) {
   EXPECT_EQ(world_->said(), Texts{"[repeat_nothing]"});
 }
 
+TEST_F(BargeIn, ANoiseWithoutEndIsGivenUp) {
+  begin();
+  const auto noise = [&] {
+    world_->hold_outputs = true;
+    world_->event("Ears", "SpeechStarted");
+    const auto id = static_cast<std::int64_t>(world_->playing.front());
+    world_->playing.clear();
+    world_->event("Loudspeaker", "Finished", {id, 0, true, "Good"});
+    world_->advance(2s);
+    return world_->said();
+  };
+  const Texts again{"Good morning, how can I help you?"};
+  for (int time = 0; time < 3; ++time)
+    EXPECT_EQ(noise(), again) << time;
+  EXPECT_EQ(noise(), Texts{});
+}
+
+TEST_F(BargeIn, WhatIsHeardInBetweenEndsTheCounting) {
+  begin();
+  for (int time = 0; time < 5; ++time) {
+    const auto id = static_cast<std::int64_t>(world_->playing.front());
+    world_->playing.clear();
+    world_->event("Ears", "SpeechStarted");
+    world_->event("Loudspeaker", "Finished", {id, 0, true, "Good"});
+    world_->advance(2s);
+    EXPECT_EQ(world_->said(), Texts{"Good morning, how can I help you?"});
+    const auto again = static_cast<std::int64_t>(world_->playing.front());
+    world_->playing.clear();
+    world_->event("Loudspeaker", "Finished", {again, 1, false, ""});
+    world_->say("repeat");
+    world_->said();
+  }
+}
+
 TEST_F(BargeIn, ANoiseIsFollowedByTheSameOnceMore) {
   begin();
   world_->event("Ears", "SpeechStarted");

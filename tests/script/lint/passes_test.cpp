@@ -181,6 +181,45 @@ INSTANTIATE_TEST_SUITE_P(
                "3:62 text-like-expression"},
         Linted{"<function name='main'><param name='who'/><print param='Hello "
                "{who} {so on} {{it}}'/></function>",
+               ""},
+        Linted{"<topic name='T'><slot name='S' question='So {on'><explain>"
+               "<value>Because {of it.</value><value>{1 + 1} {{ok}}</value>"
+               "</explain></slot><completed><speak param='so {{on}} }'/>"
+               "</completed></topic>",
+               "3:47 text-like-expression, 3:76 text-like-expression, "
+               "3:172 text-like-expression"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    examples, LintCase,
+    testing::Values(
+        Linted{"<topic name='A'><examples><value>I want a cab!</value>"
+               "<value>i want [a cab](S)</value></examples>"
+               "<slot name='S'/></topic>\n"
+               "<topic name='B'><examples><value>i want a   cab</value>"
+               "<value>I want a cat</value></examples></topic>",
+               "4:27 same-example"},
+        Linted{"<topic name='A'><examples><value>a cab</value></examples>"
+               "</topic><topic name='B'><examples><value>a cat</value>"
+               "</examples></topic>",
+               ""}));
+
+INSTANTIATE_TEST_SUITE_P(
+    computing, LintCase,
+    testing::Values(
+        Linted{"<function name='shops'><querydb param='select 1' return='r'/>"
+               "<return expr='r'/></function>"
+               "<function name='said'><return expr='list(shops())'/></function>"
+               "\n<phrases><phrase act='greet'>{said()}</phrase></phrases>",
+               "4:10 querying-text"},
+        Linted{"<function name='shops'><querydb param='select 1' return='r'/>"
+               "<return expr='r'/></function>\n<topic name='T'>"
+               "<slot name='S' question='Which?'><explain><value>{shops()}"
+               "</value></explain></slot>"
+               "<filled><speak param='{shops()}'/></filled></topic>",
+               "4:17 querying-text"},
+        Linted{"<function name='f'><param name='x'/>"
+               "<return expr='x gt 0 ? f(x - 1) : 0'/></function>"
+               "<phrases><phrase act='greet'>{f(3)}</phrase></phrases>",
                ""}));
 
 INSTANTIATE_TEST_SUITE_P(

@@ -14,6 +14,8 @@ namespace {
 // For a number that is no value of what was asked: anything else that makes
 // sense of it is likelier.
 constexpr float wrong_number_gain = 0.15F;
+// For a verb of what is to be done: less than for a name, more than nothing.
+constexpr float deed_gain = 0.2F;
 
 // What is to be done may begin with a verb that says little by itself: "remind
 // me to take out the bin".
@@ -198,10 +200,11 @@ std::vector<std::uint32_t> Spans::open(EntityId entity, std::size_t position,
   for (auto at = first; !taken && at < size && at < first + most; ++at) {
     if (at > position && utterance_.tokens.list[at].before != Break::none)
       break;
-    gain += open_gain(at) * (of_set ? 0.7F : 1.0F);
-    const bool begins = can_stand(at) || (entity == words_entity &&
-                                          is_deed(utterance_.tokens, at));
-    if ((at == first && !begins) || (of_set && value_near(entity, at, at + 2)))
+    const bool deed =
+        entity == words_entity && at == first && is_deed(utterance_.tokens, at);
+    gain += (deed ? deed_gain : open_gain(at)) * (of_set ? 0.7F : 1.0F);
+    if ((at == first && !deed && !can_stand(at)) ||
+        (of_set && value_near(entity, at, at + 2)))
       break;
     if (!can_stand(at))
       continue;

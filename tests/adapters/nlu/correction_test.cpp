@@ -36,22 +36,22 @@ TEST(Correction, IsOfWhatWasSaidBefore) {
     const char* expected;
   } const cases[] = {
       // the other reading of the same words
-      {"Chairs", {"Guests"}, "no, I meant three", "correct Table Guests=3"},
-      {"When", {"Guests"}, "no, I meant three", "correct Table Guests=3"},
-      {"When", {"Guests"}, "three", "inform Table When=15:00"},
+      {"Chairs", {"Guests"}, "no, I meant three", "~correct Table Guests=3"},
+      {"When", {"Guests"}, "no, I meant three", "~correct Table Guests=3"},
+      {"When", {"Guests"}, "three", "~inform Table When=15:00"},
       // what does not fit there is of what is asked
-      {"Chairs", {"When"}, "no, at 7pm", "correct Table When=19:00"},
-      {"Chairs", {"Place"}, "no, I meant three", "correct Table Chairs=3"},
-      {"Chairs", {}, "no, I meant three", "correct Table Chairs=3"},
+      {"Chairs", {"When"}, "no, at 7pm", "~correct Table When=19:00"},
+      {"Chairs", {"Place"}, "no, I meant three", "~correct Table Chairs=3"},
+      {"Chairs", {}, "no, I meant three", "~correct Table Chairs=3"},
       // the last that it fits
       {"Chairs",
        {"Guests", "When"},
        "I mean three",
-       "correct Table When=15:00"},
-      {"Chairs", {"When", "Guests"}, "I mean three", "correct Table Guests=3"},
+       "~correct Table When=15:00"},
+      {"Chairs", {"When", "Guests"}, "I mean three", "~correct Table Guests=3"},
       // any words fit a slot of any words, but not better than what is asked
-      {"When", {"Name"}, "no, I meant 7pm", "correct Table When=19:00"},
-      {"Guests", {"Name"}, "no, I meant Hannah", "correct Table Name=Hannah"},
+      {"When", {"Name"}, "no, I meant 7pm", "~correct Table When=19:00"},
+      {"Place", {"Name"}, "no, I meant Hannah", "~correct Table Name=Hannah"},
   };
   for (const auto& [asked, said, text, expected] : cases)
     EXPECT_EQ(understood(asked, said, text), expected) << asked << ": " << text;

@@ -186,8 +186,8 @@ INSTANTIATE_TEST_SUITE_P(
                "<value>Because {of it.</value><value>{1 + 1} {{ok}}</value>"
                "</explain></slot><completed><speak param='so {{on}} }'/>"
                "</completed></topic>",
-               "3:47 text-like-expression, 3:76 text-like-expression, "
-               "3:172 text-like-expression"}));
+               "3:45 text-like-expression, 3:74 text-like-expression, "
+               "3:170 text-like-expression"}));
 
 INSTANTIATE_TEST_SUITE_P(
     examples, LintCase,

@@ -42,6 +42,7 @@ PluginFactory phrase_nlg_factory() {
   description.roles = {"NLG"};
   description.sentence = "words from the phrases of application and platform";
   description.is_inline = true;
+  description.events = {{"NoPhrase", "act, topic", Reply::none}};
   return {description, [] { return std::make_unique<PhraseNLG>(); }};
 }
 

@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "adapters/nlu/understander.hpp"
+#include "runtime/plugin/adaptors.hpp"
 #include "runtime/plugin/folder.hpp"
 
 namespace parlour::adapters {
@@ -40,20 +41,17 @@ Error joined(const std::vector<Error>& errors) {
   return all;
 }
 
-class GrammarNLU : public InlinePlugin {
-public:
-  std::vector<Answer> answers(const Message& message) const override {
-    if (message.command != "DoNLU")
-      return {};
-    const auto text =
-        message.params.empty() ? std::string() : message.params[0].text();
-    auto made = understander_->understand(text, context_of(message));
-    if (made.acts.empty())
-      return {{"NoResult", {text}}};
-    return {{"FrameInfo", std::move(made.acts)}};
+class GrammarNLU : public NLUPlugin {
+protected:
+  // A context without a clock gets the platform's.
+  std::vector<Value> understand(const std::string& text,
+                                const Map& given) const override {
+    auto context = given;
+    if (!context.find("now"))
+      context.set("now", host().clock().now());
+    return understander_->understand(text, std::move(context)).acts;
   }
 
-protected:
   Expected<void> on_start(const Options& options) override {
     nlu::Understander::Options wanted;
     const auto threshold = parse_number(option(options, "threshold", "0.4"));
@@ -69,16 +67,6 @@ protected:
   }
 
 private:
-  // A context without a clock gets the platform's.
-  Value context_of(const Message& message) const {
-    Map context;
-    if (message.params.size() > 1 && message.params[1].if_map())
-      context = *message.params[1].if_map();
-    if (!context.find("now"))
-      context.set("now", host().clock().now());
-    return context;
-  }
-
   Expected<void> build(nlu::Understander::Options wanted) {
     const auto model = host().understanding();
     auto built = nlu::Understander::build(

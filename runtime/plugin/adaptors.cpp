@@ -4,8 +4,7 @@
 
 namespace parlour {
 
-// -- microphone
-// ----------------------------------------------------------------
+// -- microphone --------------------------------------------------------------
 
 MicrophonePlugin::MicrophonePlugin() : RolePlugin("Microphone") {
   on("start_mic", &MicrophonePlugin::on_start_mic);
@@ -34,8 +33,7 @@ void MicrophonePlugin::fire_failed(std::string reason) {
   fire_event("Failed", {std::move(reason)});
 }
 
-// -- vad
-// -----------------------------------------------------------------------
+// -- vad ---------------------------------------------------------------------
 
 VADPlugin::VADPlugin() : RolePlugin("VAD") {
   on("Process", &VADPlugin::on_process);
@@ -50,8 +48,7 @@ void VADPlugin::fire_speech_ended(std::int64_t position) {
   fire_event("SpeechEnded", {position});
 }
 
-// -- asr
-// -----------------------------------------------------------------------
+// -- asr ---------------------------------------------------------------------
 
 ASRPlugin::ASRPlugin() : RolePlugin("ASR") {
   on("DoRecognition", &ASRPlugin::on_do_recognition);
@@ -78,8 +75,7 @@ void ASRPlugin::fire_rejected(std::string reason) {
   fire_event("Rejected", {std::move(reason)});
 }
 
-// -- tts
-// -----------------------------------------------------------------------
+// -- tts ---------------------------------------------------------------------
 
 TTSPlugin::TTSPlugin() : RolePlugin("TTS") {
   on("Speak", &TTSPlugin::on_speak);
@@ -104,8 +100,7 @@ void TTSPlugin::fire_finished(Utterance utterance) {
   fire_event("Finished", {utterance});
 }
 
-// -- nlu
-// -----------------------------------------------------------------------
+// -- nlu ---------------------------------------------------------------------
 
 std::vector<Answer> NLUPlugin::answers(const Message& message) const {
   std::string text;
@@ -113,7 +108,7 @@ std::vector<Answer> NLUPlugin::answers(const Message& message) const {
     return {{"Failed",
              {"NLU does not know the command '" + message.command + "'"}}};
   if (message.params.empty() || !read(message.params[0], text))
-    return {{"Failed", {"DoNLU takes a text as its parameter 1, 'text'"}}};
+    return {{"NoResult", {""}}};
   Map context;
   if (message.params.size() > 1)
     read(message.params[1], context);
@@ -123,8 +118,7 @@ std::vector<Answer> NLUPlugin::answers(const Message& message) const {
   return {{"FrameInfo", std::move(acts)}};
 }
 
-// -- nlg
-// -----------------------------------------------------------------------
+// -- nlg ---------------------------------------------------------------------
 
 std::vector<Answer> NLGPlugin::answers(const Message& message) const {
   const auto& params = message.params;
@@ -140,8 +134,7 @@ std::vector<Answer> NLGPlugin::answers(const Message& message) const {
   return {{"Speak", {std::move(*words)}}};
 }
 
-// -- database
-// ------------------------------------------------------------------
+// -- database ----------------------------------------------------------------
 
 DatabasePlugin::DatabasePlugin() : RolePlugin("Database") {
   on("Connect", &DatabasePlugin::on_connect);
@@ -159,8 +152,7 @@ void DatabasePlugin::fire_error(const Error& error) {
   fire_event("Error", {name_of(error.kind), error.message});
 }
 
-// -- knowledge
-// -----------------------------------------------------------------
+// -- knowledge ---------------------------------------------------------------
 
 KnowledgePlugin::KnowledgePlugin() : RolePlugin("Knowledge") {
   on("Ask", &KnowledgePlugin::on_ask);

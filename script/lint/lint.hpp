@@ -13,6 +13,8 @@ namespace parlour::script::lint {
 struct Options {
   // Of each component of the settings, the roles that it fills.
   std::map<std::string, std::vector<std::string>> component_roles{};
+  // And what it understands beyond them.
+  std::map<std::string, std::vector<std::string>> component_commands{};
 };
 
 // Adds warnings to `compiled.findings`, without those that their files allow.

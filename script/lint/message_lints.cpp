@@ -31,6 +31,7 @@ private:
   bool check_module(std::string name, Position position);
   void check_command(const std::string& module, const Attribute& command);
   std::vector<std::string> roles_of(const std::string& module) const;
+  std::vector<std::string> own_commands(const std::string& module) const;
 
   const Subject& subject_;
   Findings& findings_;
@@ -64,6 +65,19 @@ MessageLint::roles_of(const std::string& module) const {
   return found == known.end() ? std::vector<std::string>() : found->second;
 }
 
+// Those that components so called, or that fill the role so called, add.
+std::vector<std::string>
+MessageLint::own_commands(const std::string& module) const {
+  std::vector<std::string> commands;
+  for (const auto& [component, own] : subject_.options.component_commands) {
+    const auto roles = roles_of(component);
+    if (component == module || std::find(roles.begin(), roles.end(),
+                                         canonical_role(module)) != roles.end())
+      commands.insert(commands.end(), own.begin(), own.end());
+  }
+  return commands;
+}
+
 // A component by its own name may understand more than its roles say: there,
 // again, only slips are told.
 void MessageLint::check_command(const std::string& module,
@@ -73,6 +87,8 @@ void MessageLint::check_command(const std::string& module,
     if (const auto* role = find_role(name))
       for (const auto& one : role->commands)
         commands.push_back(one.name);
+  for (const auto& own : own_commands(module))
+    commands.push_back(own);
   const auto& name = command.value;
   if (commands.empty() || is_computed(name) ||
       std::find(commands.begin(), commands.end(), name) != commands.end())

@@ -1,80 +1,14 @@
 #!/usr/bin/env python3
-"""docs/tutorial.md does what it says: its files are written, its commands run,
-and what they print is compared.
+"""docs/tutorial.md does what it says."""
 
-A block is `file=NAME` (written), `add=NAME` (put before the last line of a
-file), `sh` (run), or `text` (what the commands before it print; a line `…`
-stands for any others)."""
-
-import os
-import re
-import subprocess
-import tempfile
 import unittest
-from pathlib import Path
 
-ROOT = Path(__file__).parents[2]
-PROGRAM = Path(os.environ.get(
-    "PARLOUR_PROGRAM", ROOT / "build" / "debug" / "bin" / "parlour"))
+from page_case import PageCase
 
 
-def blocks_of(page):
-    """(info, text) of each fenced block."""
-    return re.findall(r"^```([^\n]*)\n(.*?)^```$", page, re.M | re.S)
-
-
-@unittest.skipUnless(PROGRAM.exists(), "parlour is not built")
-class TutorialTest(unittest.TestCase):
-    def setUp(self):
-        self.folder = tempfile.TemporaryDirectory()
-        self.addCleanup(self.folder.cleanup)
-        self.work = Path(self.folder.name) / "work"
-        self.work.mkdir()
-        commands = Path(self.folder.name) / "bin"
-        commands.mkdir()
-        (commands / "parlour").symlink_to(PROGRAM.resolve())
-        self.environment = {
-            **os.environ,
-            "PATH": f"{commands}:{os.environ['PATH']}",
-            "XDG_DATA_HOME": self.folder.name,
-        }
-
-    def run_commands(self, commands):
-        done = subprocess.run(
-            ["bash", "-eu", "-c", commands], cwd=self.work, text=True,
-            env=self.environment, stdout=subprocess.PIPE,
-            stderr=subprocess.STDOUT, timeout=120, check=False)
-        self.assertEqual(done.returncode, 0, commands + done.stdout)
-        return done.stdout
-
-    def add(self, name, text):
-        file = self.work / name
-        *lines, last = file.read_text(encoding="utf-8").splitlines()
-        file.write_text("\n".join([*lines, "", text + last, ""]),
-                        encoding="utf-8")
-
-    def compare(self, printed, text):
-        pattern = re.escape(text).replace("…\\\n", r"(?:.*\n)*")
-        if not re.fullmatch(pattern, printed):
-            self.assertEqual(printed, text)
-
+class TutorialTest(PageCase):
     def test_the_page_does_what_it_says(self):
-        page = (ROOT / "docs" / "tutorial.md").read_text(encoding="utf-8")
-        printed = ""
-        compared = 0
-        for info, text in blocks_of(page):
-            language, _, target = info.partition(" ")
-            kind, _, name = target.partition("=")
-            if kind == "file":
-                (self.work / name).write_text(text, encoding="utf-8")
-            elif kind == "add":
-                self.add(name, text)
-            elif language == "sh":
-                printed = self.run_commands(text)
-            else:
-                self.compare(printed, text)
-                compared += 1
-        self.assertGreater(compared, 7)
+        self.assertGreater(self.try_out("tutorial.md"), 7)
 
 
 if __name__ == "__main__":

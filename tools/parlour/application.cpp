@@ -51,9 +51,12 @@ Settings settings_alone(const fs::path& folder, const fs::path& platform) {
 
 void lint(script::Compiled& compiled, const Application& application) {
   script::lint::Options options;
-  for (const auto& component : application.composition.components)
-    options.component_roles[component.name] =
-        component.factory.description.roles;
+  for (const auto& component : application.composition.components) {
+    const auto& plugin = component.factory.description;
+    options.component_roles[component.name] = plugin.roles;
+    for (const auto& command : plugin.commands)
+      options.component_commands[component.name].push_back(command.name);
+  }
   lint_sql(compiled, application.composition, application.folder);
   script::lint::lint(compiled, options);
 }
@@ -75,14 +78,16 @@ bool Application::has_errors() const {
 }
 
 Application load_application(const fs::path& folder, const fs::path& platform,
-                             Scrutiny scrutiny) {
-  Application application{folder, platform, nullptr, {}, {}};
+                             Scrutiny scrutiny,
+                             std::shared_ptr<Catalogue> plugins) {
+  Application application{folder, platform, nullptr, {}, {}, plugins};
   auto compiled = compile_folder(folder, platform);
   application.program = compiled.program;
   if (application.program)
-    application.composition = compose(application.program->settings);
+    application.composition = compose(application.program->settings, *plugins);
   else
-    application.composition = compose(settings_alone(folder, platform));
+    application.composition =
+        compose(settings_alone(folder, platform), *plugins);
   tell_platform(application.composition, platform);
   if (scrutiny == Scrutiny::lint)
     lint(compiled, application);

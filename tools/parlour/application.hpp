@@ -22,6 +22,7 @@ struct Application {
   std::shared_ptr<const script::Program> program; // null where it has errors
   Composition composition;
   std::vector<script::Finding> findings; // all of them, sorted
+  std::shared_ptr<Catalogue> plugins;    // never null
 
   bool has_errors() const;
 };
@@ -32,9 +33,10 @@ enum class Scrutiny { compile, lint };
 // Compiles, checks plug-ins and options, loads the database's SQL in memory,
 // reads the columns that grammars and slots name, builds the understanding.
 // Creates nothing on the disk.
-Application load_application(const std::filesystem::path& folder,
-                             const std::filesystem::path& platform,
-                             Scrutiny scrutiny = Scrutiny::compile);
+Application load_application(
+    const std::filesystem::path& folder, const std::filesystem::path& platform,
+    Scrutiny scrutiny = Scrutiny::compile,
+    std::shared_ptr<Catalogue> plugins = std::make_shared<Catalogue>());
 
 // What the compiler alone says of an application, and of one script file.
 script::Compiled compile_folder(const std::filesystem::path& folder,

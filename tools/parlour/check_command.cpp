@@ -39,8 +39,9 @@ Expected<Target> find_target(const Places& places, const std::string& app) {
 
 Findings findings_of(const Places& places, const Target& target) {
   if (!target.is_file)
-    return load_application(target.path, find_platform(places, target.path),
-                            Scrutiny::lint)
+    return load_application(
+               target.path, find_platform(places, target.path), Scrutiny::lint,
+               std::make_shared<Catalogue>(plugin_folders(places, target.path)))
         .findings;
   auto compiled = load_file(target.path, places);
   script::lint::lint(compiled, {});

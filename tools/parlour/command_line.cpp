@@ -12,6 +12,7 @@
 #include "tools/parlour/commands.hpp"
 #include "tools/parlour/completion.hpp"
 #include "tools/parlour/exit_code.hpp"
+#include "tools/parlour/plugin_commands.hpp"
 
 namespace parlour::tools {
 
@@ -34,6 +35,7 @@ public:
     add_exec();
     add_understand();
     add_bench();
+    add_plugin();
     add_completion();
   }
 
@@ -72,13 +74,24 @@ private:
   // A command that runs `action` when it is chosen.
   template <class Action>
   CLI::App* add(const char* name, const char* sentence, Action action) {
-    auto* command = app_.add_subcommand(name, sentence);
+    return add(app_, name, sentence, action);
+  }
+  template <class Action>
+  CLI::App* add(CLI::App& parent, const char* name, const char* sentence,
+                Action action) {
+    auto* command = parent.add_subcommand(name, sentence);
     command->callback([this, action] { chosen_ = action; });
     return command;
   }
 
   void add_app(CLI::App* command, std::string& app, const char* sentence) {
     command->add_option("APP", app, sentence)->required();
+    add_plugins(command);
+  }
+  void add_plugins(CLI::App* command) {
+    command->add_option("--plugins", places_.plugins,
+                        "Folder of plug-ins that are files; else "
+                        "$PARLOUR_PLUGINS, or APP/plugins and the installed");
   }
 
   void add_clock(CLI::App* command, std::optional<Timestamp>& clock,
@@ -223,6 +236,34 @@ private:
                         "Where the public data sets of nlu are");
   }
 
+  void add_plugin() {
+    auto* plugin = app_.add_subcommand("plugin", "Plug-ins: list, new, test");
+    plugin->require_subcommand(1);
+    auto* list =
+        add(*plugin, "list", "What there is: roles, options, files", [this] {
+          return plugin_list_command(places_, plugin_app_, console_);
+        });
+    list->add_option("APP", plugin_app_, "Also those of an application");
+    add_plugins(list);
+    auto* made =
+        add(*plugin, "new", "Write a new one that builds and passes", [this] {
+          return plugin_new_command(places_, new_plugin_, console_);
+        });
+    made->add_option("NAME", new_plugin_.name, "Such as EchoTTS")->required();
+    made->add_option("--role", new_plugin_.role, "Such as TTS")->required();
+    made->add_option("--folder", new_plugin_.folder, "Where; else ./NAME");
+    auto* test =
+        add(*plugin, "test", "The conformance test of its roles", [this] {
+          return plugin_test_command(places_, test_plugin_, console_);
+        });
+    test->add_option("PLUGIN", test_plugin_.plugin, "FILE.so, or a name")
+        ->required();
+    test->add_option("--option", test_plugin_.options,
+                     "NAME=VALUE, as often "
+                     "as there are some");
+    add_plugins(test);
+  }
+
   void add_completion() {
     auto* command =
         add("completion", "Print a shell's completion script", [this] {
@@ -237,7 +278,7 @@ private:
   static constexpr const char* app_sentence =
       "A folder, or a name in ./config/apps or the installed share";
 
-  const Places& places_;
+  Places places_;
   const Console& console_;
   CLI::App app_{"A dialogue platform: talk with applications made of scripts",
                 "parlour"};
@@ -249,6 +290,9 @@ private:
   TestOptions test_;
   UnderstandOptions understand_;
   BenchOptions bench_;
+  std::string plugin_app_;
+  NewPluginOptions new_plugin_;
+  TestPluginOptions test_plugin_;
   std::string exec_file_;
   std::string shell_;
 };

@@ -3,17 +3,6 @@
 #include <algorithm>
 #include <map>
 
-#include "adapters/database/mariadb_database.hpp"
-#include "adapters/database/sqlite_database.hpp"
-#include "adapters/nlg/phrase_nlg.hpp"
-#include "adapters/nlu/grammar_nlu.hpp"
-#include "adapters/standins/log_devices.hpp"
-#include "adapters/standins/log_reports.hpp"
-#include "adapters/standins/log_robot.hpp"
-#include "adapters/standins/log_sms.hpp"
-#include "adapters/standins/log_taxi.hpp"
-#include "adapters/standins/log_telephone.hpp"
-
 namespace parlour::tools {
 
 namespace {
@@ -33,24 +22,6 @@ const std::map<std::string, std::string>& voice_plugins() {
   return table;
 }
 
-std::vector<std::string> names_of(const std::vector<PluginFactory>& plugins) {
-  std::vector<std::string> names;
-  for (const auto& plugin : plugins)
-    names.push_back(plugin.description.name);
-  for (const auto& [name, instead] : voice_plugins())
-    names.push_back(name);
-  return names;
-}
-
-const PluginFactory* find_in(const std::vector<PluginFactory>& plugins,
-                             std::string_view name) {
-  const auto found = std::find_if(plugins.begin(), plugins.end(),
-                                  [&](const PluginFactory& plugin) {
-                                    return plugin.description.name == name;
-                                  });
-  return found == plugins.end() ? nullptr : &*found;
-}
-
 // Whom a finding is about: the plug-in, where need be of which component.
 std::string whose(const ComponentSettings& component) {
   return component.name == component.plugin
@@ -60,71 +31,49 @@ std::string whose(const ComponentSettings& component) {
 
 void check_options(const ComponentSettings& component,
                    const PluginDescription& plugin, Composition& composition) {
+  auto report = [&](std::string text) {
+    composition.findings.push_back(
+        {Severity::error, component.place, std::move(text)});
+  };
   std::vector<std::string> known;
   for (const auto& option : plugin.options) {
     known.push_back(option.name);
-    if (option.required && component.options.count(option.name) == 0)
-      composition.findings.push_back({Severity::error, component.place,
-                                      component.name + ": the option '" +
-                                          option.name +
-                                          "' is missing: " + option.sentence});
+    const auto given = component.options.find(option.name);
+    if (given == component.options.end()) {
+      if (option.required)
+        report(component.name + ": the option '" + option.name +
+               "' is missing: " + option.sentence);
+    } else if (const auto fits = check_option(option, given->second); !fits) {
+      report(whose(component) + ": " + fits.error().message);
+    }
   }
   for (const auto& [name, value] : component.options)
     if (std::find(known.begin(), known.end(), name) == known.end())
-      composition.findings.push_back({Severity::error, component.place,
-                                      whose(component) + " has no option '" +
-                                          name + "'" +
-                                          script::did_you_mean(name, known)});
-}
-
-void report_missing(const ComponentSettings& component,
-                    const std::vector<PluginFactory>& plugins,
-                    Composition& composition) {
-  const auto voice = voice_plugins().find(component.plugin);
-  if (voice != voice_plugins().end())
-    composition.notices.push_back(
-        component.plugin + " is not available in this build: " + voice->second);
-  else
-    composition.findings.push_back(
-        {Severity::error, component.place,
-         "there is no plug-in '" + component.plugin + "'" +
-             script::did_you_mean(component.plugin, names_of(plugins))});
+      report(whose(component) + " has no option '" + name + "'" +
+             script::did_you_mean(name, known));
 }
 
 } // namespace
 
-const std::vector<PluginFactory>& built_in_plugins() {
-  static const std::vector<PluginFactory> plugins = {
-      adapters::grammar_nlu_factory(),     adapters::phrase_nlg_factory(),
-      adapters::sqlite_database_factory(), adapters::mysql_database_factory(),
-      adapters::log_telephone_factory(),   adapters::log_taxi_factory(),
-      adapters::log_sms_factory(),         adapters::log_weather_factory(),
-      adapters::log_traffic_factory(),     adapters::log_robot_factory(),
-      adapters::log_devices_factory(),
-  };
-  return plugins;
-}
-
-const PluginFactory* find_plugin(std::string_view name) {
-  return find_in(built_in_plugins(), name);
-}
-
-Composition compose(const Settings& settings) {
-  return compose(settings, built_in_plugins());
-}
-
-Composition compose(const Settings& settings,
-                    const std::vector<PluginFactory>& plugins) {
+Composition compose(const Settings& settings, Catalogue& plugins) {
   Composition composition;
   for (const auto& component : settings.components) {
-    const auto* factory = find_in(plugins, component.plugin);
+    const auto& name = component.plugin;
+    const auto voice = voice_plugins().find(name);
+    if (voice != voice_plugins().end() && !plugins.has(name)) {
+      composition.notices.push_back(
+          name + " is not available in this build: " + voice->second);
+      continue;
+    }
+    auto factory = plugins.find(name);
     if (!factory) {
-      report_missing(component, plugins, composition);
+      composition.findings.push_back(
+          {Severity::error, component.place, factory.error().message});
       continue;
     }
     check_options(component, factory->description, composition);
-    composition.components.push_back(
-        {component.name, *factory, component.options, component.place});
+    composition.components.push_back({component.name, std::move(*factory),
+                                      component.options, component.place});
   }
   return composition;
 }

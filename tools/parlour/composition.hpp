@@ -1,6 +1,5 @@
-// The composition root's table: which plug-ins this program has, and which of
-// them an application's settings chose, with which options (architecture rule
-// 7). Knows every adapter; nobody else does.
+// What an application's settings chose of the plug-ins, with which options
+// (architecture rule 7).
 #pragma once
 
 #include <string>
@@ -10,6 +9,7 @@
 #include "runtime/base/settings.hpp"
 #include "runtime/plugin/plugin.hpp"
 #include "script/findings.hpp"
+#include "tools/parlour/catalogue.hpp"
 
 namespace parlour::tools {
 
@@ -29,14 +29,7 @@ struct Composition {
   std::vector<std::string> notices;
 };
 
-// Every plug-in that is part of this program.
-const std::vector<PluginFactory>& built_in_plugins();
-const PluginFactory* find_plugin(std::string_view name);
-
-Composition compose(const Settings& settings);
-// The same with another table.
-Composition compose(const Settings& settings,
-                    const std::vector<PluginFactory>& plugins);
+Composition compose(const Settings& settings, Catalogue& plugins);
 
 // The first chosen component of a role; null where there is none.
 const ChosenComponent* first_of_role(const Composition& composition,

@@ -14,8 +14,9 @@ std::variant<Application, int> open_application(const Places& places,
     say_error(console, folder.error().message);
     return exit_code::usage;
   }
-  auto application =
-      load_application(*folder, find_platform(places, *folder), scrutiny);
+  auto application = load_application(
+      *folder, find_platform(places, *folder), scrutiny,
+      std::make_shared<Catalogue>(plugin_folders(places, *folder)));
   if (!application.has_errors() && application.program)
     return application;
   print_lines(console.err, application.findings, places);

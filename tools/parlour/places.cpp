@@ -34,10 +34,12 @@ std::string absolute_text(const fs::path& path) {
 
 Places process_places() {
   std::error_code ignored;
-  Places places{fs::current_path(ignored), {}, environment_variable};
+  Places places{fs::current_path(ignored), {}, environment_variable, {}, {}};
   // bin/parlour and share/parlour lie side by side, wherever both were put.
   const auto program = fs::read_symlink("/proc/self/exe", ignored);
-  const auto beside = program.parent_path().parent_path() / "share/parlour";
+  const auto prefix = program.parent_path().parent_path();
+  const auto beside = prefix / "share/parlour";
+  places.installed_plugins = prefix / PARLOUR_PLUGIN_FOLDER;
   for (const auto& share :
        {beside, fs::path(PARLOUR_CONFIG), fs::path(PARLOUR_SHARE)})
     if (is_folder(share))
@@ -76,6 +78,19 @@ fs::path find_platform(const Places& places, const fs::path& application) {
     if (is_folder(share / "platform"))
       return share / "platform";
   return fs::path(PARLOUR_SHARE) / "platform";
+}
+
+std::vector<fs::path> plugin_folders(const Places& places,
+                                     const fs::path& application) {
+  if (!places.plugins.empty())
+    return {places.working / places.plugins};
+  if (const auto set = places.environment("PARLOUR_PLUGINS"))
+    return {places.working / *set};
+  std::vector<fs::path> folders;
+  for (const auto& folder : {application / "plugins", places.installed_plugins})
+    if (is_folder(folder))
+      folders.push_back(folder);
+  return folders;
 }
 
 fs::path default_data_folder(const Places& places,

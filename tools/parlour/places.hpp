@@ -18,6 +18,8 @@ struct Places {
   // installed share; the source tree, for a program that is not installed.
   std::vector<std::filesystem::path> shares;
   std::function<std::optional<std::string>(const char*)> environment;
+  std::filesystem::path plugins;           // as --plugins says; may be empty
+  std::filesystem::path installed_plugins; // may be empty
 };
 
 // Those of the running program.
@@ -35,6 +37,12 @@ Expected<std::filesystem::path> find_application(const Places& places,
 // The platform's folder beside the application's `apps`, else a share's.
 std::filesystem::path find_platform(const Places& places,
                                     const std::filesystem::path& application);
+
+// Where plug-ins that are files are looked for, the first folder preferred: in
+// what --plugins or else PARLOUR_PLUGINS names, and nowhere else; or in
+// `plugins` of the application, then where they are installed.
+std::vector<std::filesystem::path>
+plugin_folders(const Places& places, const std::filesystem::path& application);
 
 // Where a run of the application keeps its data unless it is told otherwise.
 std::filesystem::path

@@ -194,6 +194,7 @@ TEST(Adaptors, OfWords) {
               ElementsAre("FrameInfo({act: inform, seen: 1})"));
   EXPECT_THAT(tell<Understanding>("DoNLU", {"what?"}),
               ElementsAre("NoResult(what?)"));
+  EXPECT_THAT(tell<Understanding>("DoNLU"), ElementsAre("NoResult()"));
   EXPECT_THAT(tell<Words>("Generate", {"hi"}), ElementsAre("Speak(hi!)"));
   EXPECT_THAT(tell<Words>("Generate", {Map{{"act", "ask"}, {"topic", "Taxi"}}}),
               ElementsAre("Speak()", "NoPhrase(ask, Taxi)"));

@@ -30,8 +30,10 @@ TEST_F(CommandTest, line_has_help_version_and_completion) {
     EXPECT_THAT(out_.str(), HasSubstr(lint.sentence));
   }
   EXPECT_EQ(call({"completion", "bash"}), exit_code::well);
-  EXPECT_THAT(out_.str(), HasSubstr("check) words=\"--help --json --fix"));
-  EXPECT_THAT(out_.str(), HasSubstr("run) words=\"--help --text --clock"));
+  EXPECT_THAT(out_.str(),
+              HasSubstr("check) words=\"--help --plugins --json --fix"));
+  EXPECT_THAT(out_.str(),
+              HasSubstr("run) words=\"--help --plugins --text --clock"));
 }
 
 } // namespace

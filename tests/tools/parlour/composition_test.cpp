@@ -1,5 +1,3 @@
-#include <set>
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -21,22 +19,22 @@ ComponentSettings component(std::string plugin, Options options = {}) {
   return {plugin, plugin, std::move(options), {"settings.xml", 3, 5}};
 }
 
+Composition compose(const Settings& settings) {
+  Catalogue plugins;
+  return tools::compose(settings, plugins);
+}
+
+Composition compose(const Settings& settings, const PluginFactory& plugin) {
+  const std::vector<PluginFactory> table = {plugin};
+  Catalogue plugins({}, table);
+  return tools::compose(settings, plugins);
+}
+
 std::vector<std::string> findings_of(ComponentSettings asked) {
   std::vector<std::string> texts;
   for (const auto& finding : compose(settings_with({asked})).findings)
     texts.push_back(script::to_string(finding));
   return texts;
-}
-
-TEST(Composition, knows_plugins_by_one_name_each) {
-  std::set<std::string> names;
-  for (const auto& plugin : built_in_plugins()) {
-    EXPECT_TRUE(names.insert(plugin.description.name).second);
-    EXPECT_TRUE(plugin.create()) << plugin.description.name;
-  }
-  EXPECT_TRUE(names.count("SQLiteDatabase"));
-  EXPECT_TRUE(names.count("PhraseNLG"));
-  EXPECT_EQ(find_plugin("Nothing"), nullptr);
 }
 
 TEST(Composition, chooses_what_the_settings_name_in_their_order) {
@@ -73,10 +71,27 @@ TEST(Composition, misses_options_that_are_required) {
   PluginFactory factory;
   factory.description.name = "Needy";
   factory.description.options = {{"place", "", "where it is", true}};
-  const auto made = compose(settings_with({component("Needy")}), {factory});
+  const auto made = compose(settings_with({component("Needy")}), factory);
   ASSERT_EQ(made.findings.size(), 1u);
   EXPECT_EQ(made.findings[0].message,
             "Needy: the option 'place' is missing: where it is");
+}
+
+TEST(Composition, misses_values_that_fit_their_options) {
+  PluginFactory factory;
+  factory.description.name = "Paced";
+  factory.description.options = {
+      {"pace", "2s", "how long it takes", false, OptionType::duration}};
+  EXPECT_THAT(
+      compose(settings_with({component("Paced", {{"pace", "1s"}})}), factory)
+          .findings,
+      IsEmpty());
+  const auto made =
+      compose(settings_with({component("Paced", {{"pace", "soon"}})}), factory);
+  ASSERT_EQ(made.findings.size(), 1u);
+  EXPECT_EQ(made.findings[0].message,
+            "Paced: the option 'pace' takes a time such as 200ms, 1.5s or 2m, "
+            "not 'soon': how long it takes");
 }
 
 TEST(Composition, runs_without_the_voice_that_it_does_not_have) {

@@ -106,5 +106,24 @@ TEST(ProcessPlaces, finds_the_source_tree_of_a_program_not_installed) {
             std::filesystem::path(PARLOUR_SOURCE_DIR) / "config");
 }
 
+TEST_F(PlacesTest, looks_for_plugins_where_it_is_told_and_nowhere_else) {
+  make("work/app/plugins");
+  environment_["PARLOUR_PLUGINS"] = "/elsewhere";
+  EXPECT_THAT(plugin_folders(places_, root() / "work/app"),
+              testing::ElementsAre("/elsewhere"));
+  places_.plugins = "here";
+  EXPECT_THAT(plugin_folders(places_, root() / "work/app"),
+              testing::ElementsAre(root() / "work/here"));
+}
+
+TEST_F(PlacesTest, looks_for_plugins_beside_the_application_and_installed) {
+  places_.installed_plugins = root() / "lib";
+  EXPECT_THAT(plugin_folders(places_, root() / "app"), testing::IsEmpty());
+  make("app/plugins");
+  make("lib");
+  EXPECT_THAT(plugin_folders(places_, root() / "app"),
+              testing::ElementsAre(root() / "app/plugins", root() / "lib"));
+}
+
 } // namespace
 } // namespace parlour::tools

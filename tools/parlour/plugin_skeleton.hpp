@@ -1,0 +1,22 @@
+// The files of a new plug-in: it builds outside of our tree, passes the role's
+// conformance test, and has a place for each command of the role. Pure.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "runtime/base/error.hpp"
+
+namespace parlour::tools {
+
+struct SkeletonFile {
+  std::string name;
+  std::string text;
+};
+
+// Errors, of kind Settings: the name is none of a class, or there is no such
+// role for a component.
+Expected<std::vector<SkeletonFile>> plugin_skeleton(const std::string& name,
+                                                    const std::string& role);
+
+} // namespace parlour::tools

@@ -1,0 +1,186 @@
+#include "tools/parlour/plugin_source.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <vector>
+
+#include "runtime/plugin/parameters.hpp"
+
+namespace parlour::tools {
+
+namespace {
+
+// Roles that runtime/plugin/adaptors.hpp has a class for.
+constexpr std::array tailored = {"Microphone", "VAD", "ASR",      "TTS",
+                                 "NLU",        "NLG", "Database", "Knowledge"};
+
+bool is_tailored(const Role& role) {
+  return std::ranges::find(tailored, role.name) != tailored.end();
+}
+
+struct Type {
+  const char* passed;  // as a handler's parameter
+  const char* held;    // as a type of its own
+  const char* nothing; // a value of it
+};
+
+Type type_of(ParameterKind kind) {
+  switch (kind) {
+  case ParameterKind::text:
+    return {"const std::string&", "std::string", "\"\""};
+  case ParameterKind::integer:
+    return {"std::int64_t", "std::int64_t", "0"};
+  case ParameterKind::number:
+    return {"double", "double", "0.5"};
+  case ParameterKind::boolean:
+    return {"bool", "bool", "false"};
+  case ParameterKind::list:
+    return {"const parlour::List&", "parlour::List", "parlour::List{}"};
+  case ParameterKind::map:
+    return {"const parlour::Map&", "parlour::Map", "parlour::Map{}"};
+  case ParameterKind::audio:
+    return {"const parlour::Binary&", "parlour::Binary", "parlour::Binary{}"};
+  case ParameterKind::rows:
+    return {"const parlour::ResultSet&", "parlour::ResultSet",
+            "parlour::ResultSet{}"};
+  case ParameterKind::value:
+    break;
+  }
+  return {"const parlour::Value&", "parlour::Value", "parlour::Value{}"};
+}
+
+// "text or act" is `text`.
+std::string identifier(const std::string& parameter) {
+  return parameter.substr(0, parameter.find(' '));
+}
+
+// The event that ends the command best: Stopped for stop_mic, Grasped for
+// Grasp; the role's first where none is called alike.
+const RoleEvent* answer_to(const RoleCommand& command, const Role& role) {
+  const RoleEvent* best = nullptr;
+  std::ptrdiff_t alike = -1;
+  for (const auto& event : role.events) {
+    if (event.reply != Reply::answer)
+      continue;
+    const auto end = std::ranges::mismatch(
+        command.name, event.name, [](unsigned char one, unsigned char other) {
+          return std::tolower(one) == std::tolower(other);
+        });
+    const auto same = end.in1 - command.name.begin();
+    if (same > alike) {
+      best = &event;
+      alike = same;
+    }
+  }
+  return best;
+}
+
+std::string fired(const RoleEvent& event, const std::vector<Parameter>& given) {
+  std::string params;
+  for (const auto& parameter : read_parameters(event.parameters)) {
+    const auto same =
+        std::ranges::find(given, parameter.name, &Parameter::name);
+    const bool has = same != given.end() && !same->optional;
+    if (!parameter.optional)
+      params += (params.empty() ? "" : ", ") +
+                (has ? identifier(parameter.name)
+                     : std::string(type_of(parameter.kind).nothing));
+  }
+  return "    fire_event(\"" + event.name + "\", {" + params + "});\n";
+}
+
+std::string handler(const RoleCommand& command, const Role& role) {
+  const auto parameters = read_parameters(command.parameters);
+  const auto* answer = command.answered ? answer_to(command, role) : nullptr;
+  const auto body = answer ? fired(*answer, parameters) : std::string();
+  std::string list;
+  for (const auto& parameter : parameters) {
+    const auto type = type_of(parameter.kind);
+    const auto name = identifier(parameter.name);
+    const bool is_used = body.find(", " + name) != std::string::npos ||
+                         body.find("{" + name) != std::string::npos;
+    list += list.empty() ? "" : ", ";
+    list += parameter.optional ? "std::optional<" + std::string(type.held) + ">"
+                               : std::string(type.passed);
+    list += is_used ? " " + name : " /*" + name + "*/";
+  }
+  return "  void on_" + snake_case(command.name) + "(" + list + ")" +
+         (is_tailored(role) ? " override" : "") + " {\n" + body + "  }\n";
+}
+
+std::string constructor(const std::string& name, const Role& role) {
+  auto text =
+      "public:\n  " + name + "() : RolePlugin(\"" + role.name + "\") {\n";
+  for (const auto& command : role.commands)
+    text += "    on(\"" + command.name + "\", &" + name + "::on_" +
+            snake_case(command.name) + ");\n";
+  return text + "  }\n\nprivate:\n";
+}
+
+std::string body(const std::string& name, const Role& role) {
+  if (role.name == "NLU")
+    return "protected:\n"
+           "  std::vector<parlour::Value> understand(\n"
+           "      const std::string& text, const parlour::Map& /*context*/)"
+           " const override {\n"
+           "    return {parlour::Map{{\"act\", \"inform\"}, {\"text\", text}}"
+           "};\n  }\n";
+  if (role.name == "NLG")
+    return "protected:\n"
+           "  std::optional<std::string> generate(\n"
+           "      const parlour::Value& what, const parlour::Value& /*data*/)"
+           " const override {\n"
+           "    return what.text();\n  }\n";
+  auto text =
+      is_tailored(role) ? std::string("protected:\n") : constructor(name, role);
+  for (const auto& command : role.commands)
+    text += (&command == &role.commands.front() ? "" : "\n") +
+            handler(command, role);
+  return text;
+}
+
+} // namespace
+
+std::string plugin_source(const std::string& name, const Role& role) {
+  return "// " + name + " (role " + role.name + "): " + role.sentence +
+         ".\n"
+         "#include \"runtime/plugin/adaptors.hpp\"\n"
+         "#include \"runtime/plugin/export.hpp\"\n"
+         "\n"
+         "namespace {\n"
+         "\n"
+         "class " +
+         name + " : public parlour::" +
+         (is_tailored(role) ? role.name : std::string("Role")) + "Plugin {\n" +
+         body(name, role) +
+         "};\n"
+         "\n"
+         "} // namespace\n"
+         "\n"
+         "PARLOUR_PLUGIN(" +
+         name + ", {.name = \"" + name +
+         "\",\n"
+         "    .roles = {\"" +
+         role.name +
+         "\"},\n"
+         "    .sentence = \"" +
+         role.sentence + "\"})\n";
+}
+
+std::string snake_case(const std::string& name) {
+  auto is = [&](std::size_t at, int (*kind)(int)) {
+    return at < name.size() && kind(static_cast<unsigned char>(name[at])) != 0;
+  };
+  std::string snake;
+  for (std::size_t at = 0; at < name.size(); ++at) {
+    const bool begins = at > 0 && name[at - 1] != '_' && is(at, std::isupper) &&
+                        (!is(at - 1, std::isupper) || is(at + 1, std::islower));
+    snake += begins ? "_" : "";
+    snake +=
+        static_cast<char>(std::tolower(static_cast<unsigned char>(name[at])));
+  }
+  return snake;
+}
+
+} // namespace parlour::tools

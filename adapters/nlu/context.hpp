@@ -13,7 +13,7 @@ struct Context {
   TopicNumber asked_topic = no_topic;
   std::string asked_slot;                  // "" for none
   EntityId asked_entity_id = asked_entity; // that for none
-  std::vector<Schema::Slot> said;          // of that topic, in the turn before
+  std::vector<Schema::Slot> said;          // of that topic, the latest last
   TopicNumber current = no_topic;
   TopicNumber resting = no_topic;
   std::vector<TopicNumber> unfinished;

@@ -71,7 +71,7 @@ inline constexpr const char* candidates = "candidates";
 } // namespace act_key
 
 // The session's context, DoNLU's second parameter, is a map: asked {topic,
-// slot} or unknown, said (slots of that topic, given in the last turn), current
+// slot} or unknown, said (slots of it given before, the latest last), current
 // and resting topic, unfinished list of topics, grammar or unknown, now (ms).
 
 } // namespace parlour

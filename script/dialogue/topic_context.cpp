@@ -23,14 +23,16 @@ ClassifierContext TopicEngine::classifier_context() const {
   return context;
 }
 
-// None where the last turn has answered what is asked: a correction is of that.
+// The latest last. None where the last turn has answered what is asked, though
+// not well: a correction is of that.
 List TopicEngine::names_said_before(SlotId asked) const {
   List names;
-  for (auto slot : said_.slots) {
-    if (slot == asked)
-      return {};
-    names.emplace_back(core_.topic(said_.topic).slots[slot].name);
-  }
+  if (said_.slots.empty() || said_.slots.back() == asked)
+    return names;
+  const auto& slots = core_.frame(said_.topic).slots;
+  for (auto slot : said_.slots)
+    if (slot != asked && slots[slot].status != SlotStatus::empty)
+      names.emplace_back(core_.topic(said_.topic).slots[slot].name);
   return names;
 }
 

@@ -24,6 +24,17 @@ bool told_before(const Step& step, const SlotReport& report) {
   return first != reports.end() && first->slot != report.slot;
 }
 
+bool is_said(SlotOutcome outcome) {
+  return outcome != SlotOutcome::cleared && outcome != SlotOutcome::rejected;
+}
+
+// What will be asked for again.
+bool is_doubtful(SlotOutcome outcome) {
+  return outcome == SlotOutcome::refused ||
+         outcome == SlotOutcome::unconfirmed ||
+         outcome == SlotOutcome::ambiguous;
+}
+
 // Whether anything is done about what became of the slot.
 bool leads_on(const script::Slot& slot, SlotOutcome outcome) {
   switch (outcome) {
@@ -145,12 +156,14 @@ void TopicEngine::tell_filled(Step& step, FrameResult result) {
 void TopicEngine::note_what_was_said(const Step& step) {
   if (!step.act) // a yes or no
     return;
-  said_.topic = step.topic;
-  said_.slots.clear();
-  for (const auto& report : step.result->reports)
-    if (report.outcome != SlotOutcome::cleared &&
-        report.outcome != SlotOutcome::rejected)
-      said_.slots.push_back(report.slot);
+  if (std::exchange(said_.topic, step.topic) != step.topic)
+    said_.slots.clear();
+  for (const bool doubtful : {false, true})
+    for (const auto& report : step.result->reports)
+      if (is_said(report.outcome) && is_doubtful(report.outcome) == doubtful) {
+        std::erase(said_.slots, report.slot);
+        said_.slots.push_back(report.slot);
+      }
 }
 
 void TopicEngine::filled(Step& step) {

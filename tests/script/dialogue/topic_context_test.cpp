@@ -12,6 +12,7 @@ constexpr const char* table = R"xml(
       <cardinality type="number"/></slot>
     <slot name="Chairs" type="Functional" question="Chairs?" confirm="never">
       <cardinality type="number"/></slot>
+    <slot name="Name" type="Functional" question="Who?" confirm="never"/>
   </topic>
   <handler name="Probe"><messages><component><Bell>
     <Rings><post module="NLU" command="DoNLU" param="{'hello'}"/></Rings>
@@ -35,6 +36,15 @@ TEST_F(UnderstandingContext, HasWhatWasSaidBeforeTheQuestion) {
   world.say(inform("Table", {{"Guests", 2}}));
   EXPECT_EQ(context()["asked"]["slot"], "Chairs");
   EXPECT_EQ(context()["said"], (List{"Guests"}));
+}
+
+TEST_F(UnderstandingContext, HasTheLatestLast) {
+  world.say(inform("Table", {{"Chairs", 2}}));
+  world.say(inform("Table", {{"Guests", 2}}));
+  EXPECT_EQ(context()["asked"]["slot"], "Name");
+  EXPECT_EQ(context()["said"], (List{"Chairs", "Guests"}));
+  world.say(inform("Table", {{"Chairs", 3}}));
+  EXPECT_EQ(context()["said"], (List{"Guests", "Chairs"}));
 }
 
 // A correction is of the answer that did not fit, not of what was before it.

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "actors/component.hpp"
 #include "actors/query.hpp"
 #include "runtime/base/roles.hpp"
 
@@ -34,11 +35,12 @@ bool send(Self self, const AskOrder& order) {
   auto& state = self->state;
   auto request = order.request;
   request.correlation = state.correlation;
-  auto routed = state.services->table.load()->route(std::move(request));
-  for (auto& delivery : routed.deliveries)
-    self->send(delivery.target->host,
-               handle_message{std::move(delivery.message), order.work});
-  return !routed.deliveries.empty();
+  auto& services = *state.services;
+  auto routed = services.table.load()->route(std::move(request));
+  bool taken = false;
+  for (auto& [target, copy] : routed.deliveries)
+    taken |= !hand_over(services, *target, {std::move(copy), order.work});
+  return taken;
 }
 
 std::string asked(const AskOrder& order) {

@@ -12,49 +12,145 @@ namespace {
 
 using Self = component_host_actor::stateful_pointer<component_host_state>;
 
-void report(Self self, const std::string& reason, Work work) {
-  self->send(
-      self->state.services->supervisor,
-      component_failed{self->state.component->name, reason, std::move(work)});
-}
+// Messages after which others on the same thread get their turn.
+constexpr int most_at_once = 30;
 
-// What the plug-in throws when it is called, in words.
+// -- calls --------------------------------------------------------------------
+
+struct Called {
+  enum class How { refused, in_time, late };
+  How how = How::refused;
+  std::optional<std::string> thrown;
+
+  bool well() const {
+    return how == How::in_time && !thrown;
+  }
+};
+
+// Calls the plug-in under the eyes of the supervisor.
 template <class Action>
-std::optional<std::string> thrown_by_plugin(Component& component,
-                                            Action&& action) {
-  component.at_work = true;
-  auto thrown = thrown_by(std::forward<Action>(action));
-  component.at_work = false;
-  return thrown;
+Called call(Self self, Work& work, Action&& action) {
+  auto& [services, instance] = self->state;
+  const auto begun = instance->watch.begin(services->clock->now(), work);
+  if (begun == CallWatch::Begin::refused)
+    return {};
+  if (begun == CallWatch::Begin::unwatched)
+    self->send(services->supervisor, watch_instance{instance->id, true});
+  Called called;
+  called.thrown = thrown_by(std::forward<Action>(action));
+  called.how = instance->watch.end() ? Called::How::in_time : Called::How::late;
+  return called;
 }
 
-void start(Self self, const start_component& what) {
-  auto& component = *self->state.component;
-  Expected<void> outcome;
-  auto thrown = thrown_by_plugin(component, [&] {
-    outcome = component.plugin->start(*component.door, component.options);
+void report(Self self, const std::string& reason) {
+  auto& [services, instance] = self->state;
+  self->send(services->supervisor,
+             component_failed{instance->component->name(), instance->id, reason,
+                              services->work.begin()});
+}
+
+void tell_of_rest(Self self) {
+  auto& [services, instance] = self->state;
+  if (instance->leaves)
+    self->send(services->supervisor,
+               instance_rests{instance->id, services->work.begin()});
+}
+
+// It was given up meanwhile: nobody waits for it, and another has its place.
+void end_late(Self self) {
+  auto plugin = self->state.instance->plugin;
+  thrown_by([&] {
+    if (plugin)
+      plugin->stop();
   });
-  if (thrown)
-    outcome = fail(ErrorKind::settings, *thrown);
-  *component.up = outcome.has_value();
-  what.done(std::move(outcome));
+  self->quit();
 }
 
-void handle(Self self, const handle_message& what) {
-  auto& component = *self->state.component;
-  auto reason = thrown_by_plugin(
-      component, [&] { component.plugin->receive(what.message); });
-  if (!reason)
-    return;
-  report(self, *reason, what.work);
-  if (what.message.correlation != 0)
-    self->send(self->state.services->centre,
-               publish{{failure_answer(component.name, what.message, *reason)},
-                       what.work});
+void judge(Self self, const Called& called) {
+  if (called.how == Called::How::late)
+    end_late(self);
+  else if (called.thrown)
+    report(self, *called.thrown);
+}
+
+// -- the plug-in's life -------------------------------------------------------
+
+Expected<void> make(Instance& instance) {
+  const auto& factory = instance.component->order.factory;
+  auto reason = thrown_by([&] { instance.plugin = factory.create(); });
+  if (instance.plugin)
+    return {};
+  return fail(ErrorKind::settings,
+              "was not made: " + reason.value_or("its factory gave none"));
+}
+
+Expected<void> bring_up(Instance& instance) {
+  if (auto made = make(instance); !made)
+    return made;
+  return instance.plugin->start(*instance.door,
+                                instance.component->order.options);
+}
+
+void start(Self self) {
+  auto& [services, instance] = self->state;
+  auto work = services->work.begin();
+  Work expected;
+  Expected<void> outcome;
+  const auto called =
+      call(self, expected, [&, &one = *instance] { outcome = bring_up(one); });
+  if (called.how != Called::How::in_time)
+    return end_late(self);
+  if (called.thrown)
+    outcome = fail(ErrorKind::settings, *called.thrown);
+  self->send(services->supervisor,
+             instance_started{instance->id, std::move(outcome), work});
+}
+
+void stop(Self self) {
+  auto& [services, instance] = self->state;
+  Work expected;
+  const auto called = call(self, expected, [&one = *instance] {
+    if (one.plugin)
+      one.plugin->stop();
+  });
+  if (called.how == Called::How::in_time) {
+    if (called.thrown)
+      services->log(instance->component->name() +
+                    " did not stop well: " + *called.thrown);
+    self->send(services->supervisor,
+               instance_stopped{instance->id, services->work.begin()});
+  }
+  self->quit();
+}
+
+// -- its work -----------------------------------------------------------------
+
+// False where it is to take no more.
+bool handle(Self self, ComponentMailbox::Job job) {
+  auto& instance = *self->state.instance;
+  Called called;
+  if (instance.door->gives(job.message))
+    called =
+        call(self, job.work, [&] { instance.plugin->receive(job.message); });
+  if (called.how == Called::How::refused)
+    instance.component->mailbox->put_back(std::move(job));
+  judge(self, called);
+  return called.well();
+}
+
+void work(Self self) {
+  auto& mailbox = *self->state.instance->component->mailbox;
+  for (int i = 0; i < most_at_once; ++i) {
+    auto job = mailbox.take(self);
+    if (!job)
+      return tell_of_rest(self);
+    if (!handle(self, std::move(*job)))
+      return mailbox.leave(self);
+  }
+  self->send(self, work_waits{});
 }
 
 void put_off(Self self, const run_after& what) {
-  self->state.delays.insert(what.due->id());
   if (what.delay > Milliseconds::zero())
     self->delayed_send(self, what.delay, run_now{what.due, what.action});
   else
@@ -62,53 +158,27 @@ void put_off(Self self, const run_after& what) {
 }
 
 void call_back(Self self, const run_now& what) {
-  auto& due_times = self->state.services->due_times;
-  const auto due = what.due->id();
-  self->state.delays.erase(due);
-  if (!due_times.has(due))
-    return; // cancelled
-  auto work = self->state.services->work.begin();
-  if (auto reason = thrown_by_plugin(*self->state.component, what.action))
-    report(self, *reason, work);
-  due_times.remove(due);
-}
-
-void stop(Self self) {
-  auto& component = *self->state.component;
-  *component.up = false;
-  if (auto reason =
-          thrown_by_plugin(component, [&] { component.plugin->stop(); }))
-    self->state.services->log(component.name +
-                              " did not stop well: " + *reason);
-  self->quit();
+  auto& [services, instance] = self->state;
+  if (!instance->door->calls_back(what.due->id()))
+    return; // cancelled, or closed
+  auto work = services->work.begin();
+  const auto called = call(self, work, what.action);
+  services->due_times.remove(what.due->id());
+  if (!called.well())
+    instance->component->mailbox->leave(self);
+  judge(self, called);
 }
 
 } // namespace
 
-component_host_state::~component_host_state() {
-  for (auto due : delays)
-    services->due_times.remove(due);
-}
-
-Message failure_answer(const std::string& component, const Message& message,
-                       const std::string& reason) {
-  Message event;
-  event.source = component;
-  event.command = "Failed";
-  event.params = {reason};
-  event.session = message.session;
-  event.correlation = message.correlation;
-  return event;
-}
-
 component_host_actor::behavior_type component_host(
     component_host_actor::stateful_pointer<component_host_state> self,
-    Services* services, std::shared_ptr<Component> component) {
+    Services* services, std::shared_ptr<Instance> instance) {
   self->state.services = services;
-  self->state.component = std::move(component);
+  self->state.instance = std::move(instance);
   return {
-      [=](const start_component& what) { start(self, what); },
-      [=](const handle_message& what) { handle(self, what); },
+      [=](const start_component&) { start(self); },
+      [=](const work_waits&) { work(self); },
       [=](const run_after& what) { put_off(self, what); },
       [=](const run_now& what) { call_back(self, what); },
       [=](const stop_component&) { stop(self); },

@@ -1,43 +1,23 @@
-// A component: one plug-in's object and the actor around it. What the plug-in
-// throws ends neither the actor nor the house: the supervisor hears of it, the
-// message is answered by Failed, and the next message is handled.
+// The host of one instance: the actor, and in real time mostly the thread, that
+// calls its plug-in. What the plug-in throws ends neither the actor nor the
+// house: the supervisor hears of it and puts another instance in its place.
+//
+// A call that does not return is given up from outside (call_watch.hpp): when
+// it returns after all, nobody hears of it, and the actor ends.
 #pragma once
 
-#include <atomic>
-#include <set>
-
-#include "actors/plugin_door.hpp"
+#include "actors/component.hpp"
 
 namespace parlour::actors {
 
-// Shared by the node, the routing table (for inline calls) and the host actor.
-struct Component {
-  std::string name;
-  Options options;
-  PluginDescription description;
-  std::shared_ptr<PluginDoor> door; // before the plug-in: outlives it
-  std::shared_ptr<IPlugin> plugin;
-  std::shared_ptr<std::atomic<bool>> up =
-      std::make_shared<std::atomic<bool>>(false);
-  std::atomic<bool> at_work = false; // a call into the plug-in has not returned
-};
-
 struct component_host_state {
   static inline const char* name = "component_host";
-  std::shared_ptr<Component> component;
   Services* services = nullptr;
-  // That it has not called back for yet: CAF's clock holds their messages, and
-  // tickets, until they are due, whether there still is a host or not.
-  std::set<DueTimes::Id> delays;
-  ~component_host_state();
+  std::shared_ptr<Instance> instance;
 };
 
 component_host_actor::behavior_type component_host(
     component_host_actor::stateful_pointer<component_host_state> self,
-    Services* services, std::shared_ptr<Component> component);
-
-// The event that answers a message whose component failed.
-Message failure_answer(const std::string& component, const Message& message,
-                       const std::string& reason);
+    Services* services, std::shared_ptr<Instance> instance);
 
 } // namespace parlour::actors

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <future>
+#include <numeric>
 #include <utility>
 
 #include <caf/scoped_actor.hpp>
@@ -23,35 +24,13 @@ std::unique_ptr<Drive> make_drive(const NodeOptions& options) {
                                : make_real_drive(options.threads);
 }
 
-// In place of a plug-in that its factory did not make.
-class Unmade : public IPlugin {
-public:
-  explicit Unmade(std::string reason) : reason_(std::move(reason)) {}
-
-protected:
-  Expected<void> on_start(const Options&) override {
-    return fail(ErrorKind::settings, "was not made: " + reason_);
-  }
-  void on_message(const Message&) override {}
-
-private:
-  std::string reason_;
-};
-
-std::unique_ptr<IPlugin> make_plugin(const PluginFactory& factory) {
-  std::unique_ptr<IPlugin> plugin;
-  auto reason = thrown_by([&] { plugin = factory.create(); });
-  if (plugin)
-    return plugin;
-  return std::make_unique<Unmade>(reason.value_or("its factory gave none"));
-}
-
 } // namespace
 
 House::House(NodeOptions options)
     : options_(std::move(options)), drive_(make_drive(options_)),
       chance_(options_.seed), services_(drive_->gate()) {
   set_up_services();
+  set_up_routing();
   drive_->configure(config_);
   system_ = std::make_unique<caf::actor_system>(config_);
   drive_->attach(*system_, services_);
@@ -75,6 +54,8 @@ void House::set_up_services() {
   services_.data_folder = options_.data_folder;
   services_.application_folder = options_.application_folder;
   services_.clock = &drive_->clock();
+  services_.detaches = drive_->detaches();
+  services_.plugins = options_.plugins;
   services_.files = options_.files;
   services_.sockets = options_.sockets;
   services_.new_session_id = [this] { return chance_.session_id(); };
@@ -105,83 +86,84 @@ void House::spawn_actors() {
       drive_->detaches()
           ? system_->spawn<caf::detached>(file_keeper, &services_)
           : system_->spawn(file_keeper, &services_);
-  for (auto& order : options_.components)
-    add_component(std::move(order));
-  publish_table();
 }
 
-void House::add_component(ComponentOrder order) {
-  auto component = std::make_shared<Component>();
-  component->name = order.name;
-  component->options = std::move(order.options);
-  component->description = std::move(order.factory.description);
-  component->door = std::make_shared<PluginDoor>(services_, order.name);
-  component->plugin = make_plugin(order.factory);
-  auto host =
-      component->description.blocks && drive_->detaches()
-          ? system_->spawn<caf::detached>(component_host, &services_, component)
-          : system_->spawn(component_host, &services_, component);
-  component->door->belongs_to(host);
-  components_.push_back({std::move(component), std::move(host)});
-}
-
-void House::publish_table() {
-  RoutingTable::Parts parts;
+// A table that nobody fills a role of, until the components are up.
+void House::set_up_routing() {
+  auto& parts = services_.routing;
   parts.program = options_.program;
   parts.aliases = options_.aliases;
   parts.clock = services_.clock;
   parts.numbers = std::make_shared<std::atomic<std::uint64_t>>(0);
   parts.counters = services_.counters;
-  for (const auto& [component, host] : components_) {
-    Target target{component->name, component->description.roles, host, nullptr,
-                  component->up};
-    if (component->description.is_inline)
-      target.direct =
-          std::dynamic_pointer_cast<const InlinePlugin>(component->plugin);
-    parts.targets.push_back(std::move(target));
-  }
   if (services_.inspect && services_.inspect_all)
     parts.taps.push_back(inspection_tap(services_));
-  auto table = std::make_shared<const RoutingTable>(std::move(parts));
-  services_.table.store(table);
-  caf::anon_send(services_.centre, use_table{std::move(table)});
+  services_.table.store(std::make_shared<const RoutingTable>(parts));
 }
 
 Expected<void> House::start_components() {
-  for (const auto* running : in_starting_order())
-    if (auto started = start(*running); !started) {
+  for (const auto rank : in_starting_order()) {
+    const auto name = options_.components[rank].name + ": ";
+    if (auto started = start(rank); !started) {
       auto error = started.error();
-      const auto name = running->component->name + ": ";
       if (!error.message.starts_with(name))
         error.message = name + error.message;
       stop();
       return tl::make_unexpected(std::move(error));
     }
+  }
   return {};
 }
 
 // Others read from the databases when they start.
-std::vector<const House::Running*> House::in_starting_order() const {
-  std::vector<const Running*> order;
-  for (const auto& running : components_)
-    order.push_back(&running);
-  std::ranges::stable_partition(order, [](const Running* running) {
-    const auto& roles = running->component->description.roles;
+std::vector<std::size_t> House::in_starting_order() const {
+  std::vector<std::size_t> order(options_.components.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::ranges::stable_partition(order, [this](std::size_t rank) {
+    const auto& roles = options_.components[rank].factory.description.roles;
     return std::ranges::find(roles, "Database") != roles.end();
   });
   return order;
 }
 
-Expected<void> House::start(const Running& running) {
+Expected<void> House::start(std::size_t rank) {
+  return wish([&](Done done, Work work) {
+    caf::anon_send(services_.supervisor,
+                   load_component{std::make_shared<const ComponentOrder>(
+                                      std::move(options_.components[rank])),
+                                  rank + 1, std::move(done), std::move(work)});
+  });
+}
+
+Expected<void> House::load(const std::string& plugin, const std::string& name) {
+  return wish([&](Done done, Work work) {
+    caf::anon_send(services_.supervisor,
+                   load_plugin{plugin, name, std::move(done), std::move(work)});
+  });
+}
+
+Expected<void> House::unload(const std::string& name) {
+  return wish([&](Done done, Work work) {
+    caf::anon_send(services_.supervisor,
+                   unload_component{name, std::move(done), std::move(work)});
+  });
+}
+
+Expected<void> House::wish(const std::function<void(Done, Work)>& send) {
   auto outcome = std::make_shared<std::promise<Expected<void>>>();
   auto future = outcome->get_future();
-  caf::anon_send(running.host,
-                 start_component{[outcome](Expected<void> result) {
-                                   outcome->set_value(std::move(result));
-                                 },
-                                 services_.work.begin()});
-  if (!drive_->run_until_quiet())
-    return fail(ErrorKind::cancelled, "interrupted while starting");
+  send([outcome](
+           Expected<void> result) { outcome->set_value(std::move(result)); },
+       services_.work.begin());
+  auto done = [&](Milliseconds patience) {
+    return future.wait_for(patience) == std::future_status::ready;
+  };
+  // What departs may take its time.
+  while (drive_->run_until_quiet() && !done(Milliseconds(0)) &&
+         drive_->step_to_next_due(options_.drain_time)) {
+  }
+  if (services_.work.interrupted() || !done(options_.drain_time))
+    return fail(ErrorKind::cancelled, "interrupted");
   return future.get();
 }
 
@@ -233,10 +215,7 @@ bool House::stop() {
 
 // The components whose call does not return, or else something: a seat.
 std::string House::who_is_at_work() const {
-  std::string names;
-  for (const auto& [component, host] : components_)
-    if (component->at_work)
-      names += (names.empty() ? "" : ", ") + component->name;
+  const auto names = services_.instances.names_in_call();
   return names.empty() ? "something" : names;
 }
 
@@ -249,8 +228,8 @@ void House::stop_sessions() {
 }
 
 void House::stop_components() {
-  for (const auto& running : components_)
-    caf::anon_send(running.host, stop_component{services_.work.begin()});
+  caf::anon_send(services_.supervisor,
+                 actors::stop_components{services_.work.begin()});
   drive_->run_until([this] { return services_.work.none(); },
                     options_.drain_time);
 }
@@ -261,8 +240,6 @@ void House::stop_actors() {
     caf::anon_send_exit(session, reason);
   for (auto& seat : std::exchange(seats_, {}))
     caf::anon_send_exit(seat, reason);
-  for (auto& running : std::exchange(components_, {}))
-    caf::anon_send_exit(running.host, reason);
   caf::anon_send_exit(services_.manager, reason);
   caf::anon_send_exit(services_.supervisor, reason);
   caf::anon_send_exit(services_.file_keeper, reason);

@@ -10,7 +10,6 @@
 #include <caf/actor_system_config.hpp>
 
 #include "actors/chance.hpp"
-#include "actors/component_host.hpp"
 #include "actors/drive.hpp"
 #include "actors/node.hpp"
 #include "actors/seat.hpp"
@@ -25,6 +24,10 @@ public:
 
   // Starts the components in order; an error stops those that are up.
   Expected<void> start_components();
+  // While it runs; both return when it is done, or with an error of kind
+  // Cancelled when interrupted.
+  Expected<void> load(const std::string& plugin, const std::string& name);
+  Expected<void> unload(const std::string& name);
   seat_actor open_seat(SeatCalls calls);
   SessionId open_session(const seat_actor& seat);
   // Sessions, then components, then the rest, each for at most the drain time;
@@ -40,17 +43,14 @@ public:
   }
 
 private:
-  struct Running {
-    std::shared_ptr<Component> component;
-    component_host_actor host;
-  };
-
   void set_up_services();
   void spawn_actors();
-  void add_component(ComponentOrder order);
-  void publish_table();
-  std::vector<const Running*> in_starting_order() const;
-  Expected<void> start(const Running& running);
+  void set_up_routing();
+  // Of the components: places in the order of preference.
+  std::vector<std::size_t> in_starting_order() const;
+  Expected<void> start(std::size_t rank);
+  // Sends a wish to the supervisor and runs until it is done.
+  Expected<void> wish(const std::function<void(Done, Work)>& send);
   void stop_sessions();
   void stop_components();
   void stop_actors();
@@ -65,7 +65,6 @@ private:
   Services services_;
   caf::actor_system_config config_;
   std::unique_ptr<caf::actor_system> system_;
-  std::vector<Running> components_;
   std::vector<seat_actor> seats_;
 };
 

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "actors/component.hpp"
+
 namespace parlour::actors {
 
 namespace {
@@ -43,9 +45,10 @@ void carry(Self self, Services& services, const publish& what) {
     auto routed = table->route(message);
     for (const auto& sink : routed.unreachable)
       services.unhandled(message, "nobody is there for " + sink);
-    for (auto& delivery : routed.deliveries)
-      self->send(delivery.target->host,
-                 handle_message{std::move(delivery.message), what.work});
+    for (auto& [target, copy] : routed.deliveries)
+      if (auto answer =
+              hand_over(services, *target, {std::move(copy), what.work}))
+        self->send(self, publish{{std::move(*answer)}, what.work});
     if (routed.rest)
       add(self, services, batch, std::move(*routed.rest), what.work);
   }
@@ -59,7 +62,6 @@ message_centre_actor::behavior_type message_centre(
     Services* services) {
   return {
       [=](const publish& what) { carry(self, *services, what); },
-      [=](const use_table& what) { services->table.store(what.table); },
       [=](const retire& what) { self->send(what.session, leave{what.work}); },
   };
 }

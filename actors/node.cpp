@@ -139,6 +139,14 @@ void Node::inject(const SessionId& session, Message message) {
   implementation_->house.services().publish({std::move(message)});
 }
 
+Expected<void> Node::load(const std::string& plugin, const std::string& name) {
+  return implementation_->house.load(plugin, name);
+}
+
+Expected<void> Node::unload(const std::string& name) {
+  return implementation_->house.unload(name);
+}
+
 void Node::end(const SessionId& session) {
   auto& services = implementation_->house.services();
   if (!session.empty())

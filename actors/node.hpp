@@ -21,6 +21,8 @@
 #include "runtime/base/phrases.hpp"
 #include "runtime/base/sockets.hpp"
 #include "runtime/base/understanding.hpp"
+#include "runtime/base/upkeep.hpp"
+#include "runtime/plugin/catalogue.hpp"
 #include "runtime/plugin/plugin.hpp"
 #include "script/dialogue/output_queue.hpp"
 #include "script/program.hpp"
@@ -32,11 +34,14 @@ struct ComponentOrder {
   std::string name;
   PluginFactory factory;
   Options options;
+  Upkeep upkeep = {};
 };
 
 struct NodeOptions {
   std::shared_ptr<const script::Program> program;
   std::vector<ComponentOrder> components;
+  // What scripts can load; without, they are refused it.
+  std::shared_ptr<PluginCatalogue> plugins = {};
   // Another name of a role: "Record" is "Microphone".
   std::map<std::string, std::string, std::less<>> aliases;
   std::shared_ptr<const PhraseEvaluator> phrases;
@@ -122,6 +127,10 @@ public:
                    const std::string& slot);
   std::string state(const SessionId& session);
   NodeCounters counters() const;
+
+  // Components while it runs, as <load> and <unload> do it.
+  Expected<void> load(const std::string& plugin, const std::string& name = {});
+  Expected<void> unload(const std::string& name);
 
   void end(const SessionId& session);
   // Ends all sessions, then the components. Nothing runs afterwards, but where

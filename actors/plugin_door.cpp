@@ -23,14 +23,88 @@ bool is_reserved(const std::string& source) {
 
 } // namespace
 
-PluginDoor::PluginDoor(Services& services, std::string name)
-    : services_(services), name_(std::move(name)) {}
+PluginDoor::PluginDoor(Services& services, std::string name,
+                       std::vector<std::string> roles, InstanceId instance)
+    : services_(services), name_(std::move(name)), instance_(instance),
+      unanswered_(std::move(roles)) {}
 
 void PluginDoor::belongs_to(const component_host_actor& host) {
   host_ = caf::actor_cast<caf::weak_actor_ptr>(host);
 }
 
+// -- who keeps the instance ---------------------------------------------------
+
+bool PluginDoor::gives(const Message& message) {
+  std::lock_guard lock(mutex_);
+  if (closed_)
+    return false;
+  credit_.earn();
+  unanswered_.given(message, clock().now());
+  return true;
+}
+
+bool PluginDoor::calls_back(DelayId delay) {
+  std::lock_guard lock(mutex_);
+  return delays_.erase(delay) != 0;
+}
+
+void PluginDoor::leaves() {
+  std::lock_guard lock(mutex_);
+  leaves_ = true;
+}
+
+bool PluginDoor::is_closed() const {
+  std::lock_guard lock(mutex_);
+  return closed_;
+}
+
+bool PluginDoor::owes_nothing() {
+  std::lock_guard lock(mutex_);
+  return unanswered_.none(clock().now());
+}
+
+std::vector<Message> PluginDoor::close() {
+  std::unique_lock lock(mutex_);
+  closed_ = true;
+  auto delays = std::exchange(delays_, {});
+  auto messages = unanswered_.take(clock().now());
+  lock.unlock();
+  for (auto delay : delays)
+    services_.due_times.remove(delay);
+  return messages;
+}
+
+// -- what it says -------------------------------------------------------------
+
+// False where its credit is used up, or it is to say nothing any more.
+bool PluginDoor::may_say(const Message& message) {
+  std::unique_lock lock(mutex_);
+  if (closed_ || flooded_)
+    return false;
+  flooded_ = !credit_.spend(clock().now());
+  if (!flooded_)
+    unanswered_.said(message);
+  const bool rests = leaves_ && unanswered_.none(clock().now());
+  const bool floods = flooded_;
+  lock.unlock();
+  if (floods)
+    failed("it floods the house: more than " +
+           std::to_string(EventCredit::each_second) + " events a second");
+  else if (rests)
+    tell_supervisor_of_rest();
+  return !floods;
+}
+
+void PluginDoor::tell_supervisor_of_rest() {
+  auto tell = [this, work = services_.work.begin()] {
+    caf::anon_send(services_.supervisor, instance_rests{instance_, work});
+  };
+  services_.gate.enter(std::move(tell));
+}
+
 void PluginDoor::publish_as_itself(Message message) {
+  if (!may_say(message))
+    return;
   if (message.source.empty() || is_reserved(message.source))
     message.source = name_;
   std::vector<Message> messages;
@@ -49,6 +123,8 @@ void PluginDoor::send_message(Message message) {
 
 void PluginDoor::ask(Message request, Milliseconds patience,
                      Reaction reaction) {
+  if (is_closed())
+    return;
   request.source = name_;
   const auto id = services_.due_times.add(clock().now() + patience.count(),
                                           DueTimes::Of::component);
@@ -66,11 +142,26 @@ void PluginDoor::ask(Message request, Milliseconds patience,
   });
 }
 
+void PluginDoor::failed(const std::string& reason) {
+  auto tell = [this, reason, work = services_.work.begin()] {
+    caf::anon_send(services_.supervisor,
+                   component_failed{name_, instance_, reason, work});
+  };
+  services_.gate.enter(std::move(tell));
+}
+
+// -- its delays ---------------------------------------------------------------
+
 PluginHost::DelayId PluginDoor::after(Milliseconds delay,
                                       std::function<void()> action) {
   const auto id = services_.due_times.add(clock().now() + delay.count(),
                                           DueTimes::Of::component);
   auto due = std::make_shared<const DueTicket>(services_.due_times, id);
+  std::unique_lock lock(mutex_);
+  if (closed_)
+    return id; // which goes with its ticket
+  delays_.insert(id);
+  lock.unlock();
   auto order = [this, delay, due = std::move(due), action = std::move(action),
                 work = services_.work.begin()] {
     if (auto host = caf::actor_cast<caf::strong_actor_ptr>(host_))
@@ -82,15 +173,14 @@ PluginHost::DelayId PluginDoor::after(Milliseconds delay,
 }
 
 void PluginDoor::cancel(DelayId delay) {
+  {
+    std::lock_guard lock(mutex_);
+    delays_.erase(delay);
+  }
   services_.due_times.remove(delay);
 }
 
-void PluginDoor::failed(const std::string& reason) {
-  auto tell = [this, reason, work = services_.work.begin()] {
-    caf::anon_send(services_.supervisor, component_failed{name_, reason, work});
-  };
-  services_.gate.enter(std::move(tell));
-}
+// -- what it asks for ---------------------------------------------------------
 
 const Clock& PluginDoor::clock() const {
   return *services_.clock;

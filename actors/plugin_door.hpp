@@ -1,24 +1,45 @@
-// PluginDoor: the platform as one plug-in sees it.
+// PluginDoor: the platform as one instance of a plug-in sees it.
 #pragma once
 
 #include <memory>
 #include <mutex>
+#include <set>
 
 #include <caf/actor_control_block.hpp>
 
+#include "actors/event_credit.hpp"
 #include "actors/services.hpp"
+#include "actors/unanswered.hpp"
 #include "runtime/plugin/plugin.hpp"
 
 namespace parlour::actors {
 
 // Safe to use from any thread, as its contract says. Outlives its plug-in.
+// Once it is closed, nothing that the instance still says or wants goes any
+// further.
 class PluginDoor : public PluginHost,
                    public std::enable_shared_from_this<PluginDoor> {
 public:
-  PluginDoor(Services& services, std::string name);
+  // The component's name and roles.
+  PluginDoor(Services& services, std::string name,
+             std::vector<std::string> roles, InstanceId instance = 0);
 
   // The actor that calls the plug-in; set before the plug-in starts.
   void belongs_to(const component_host_actor& host);
+
+  // -- who keeps the instance ------------------------------------------------
+
+  // Its plug-in is about to be given this; false where it is closed.
+  bool gives(const Message& message);
+  // It has called back for a delay: false where that was cancelled.
+  bool calls_back(DelayId delay);
+  // It is to go when it owes no answer any more: then the supervisor is told.
+  void leaves();
+  bool owes_nothing();
+  // To those whose messages it has not answered.
+  std::vector<Message> close();
+
+  // -- the plug-in -----------------------------------------------------------
 
   void fire_event(Message event) override;
   void send_message(Message message) override;
@@ -37,10 +58,23 @@ public:
 
 private:
   void publish_as_itself(Message message);
+  bool may_say(const Message& message);
+  bool is_closed() const;
+  void tell_supervisor_of_rest();
 
   Services& services_;
   const std::string name_;
+  const InstanceId instance_;
   caf::weak_actor_ptr host_; // weak: the actor holds the plug-in
+  mutable std::mutex mutex_; // of what follows
+  bool closed_ = false;
+  bool leaves_ = false;
+  bool flooded_ = false;
+  EventCredit credit_;
+  Unanswered unanswered_;
+  // What it has not been called back for yet: CAF's clock holds their messages
+  // until they are due, whether there still is a host or not.
+  std::set<DelayId> delays_;
 };
 
 } // namespace parlour::actors

@@ -3,6 +3,8 @@
 #include <optional>
 #include <utility>
 
+#include "actors/component.hpp"
+
 namespace parlour::actors {
 
 namespace {
@@ -40,10 +42,10 @@ void finish(Self self, const session_actor& session, std::uint64_t id,
 bool ask(Self self, Message message, const Work& work) {
   auto& services = *self->state.services;
   auto routed = services.table.load()->route(std::move(message));
-  for (auto& delivery : routed.deliveries)
-    self->send(delivery.target->host,
-               handle_message{std::move(delivery.message), work});
-  return !routed.deliveries.empty();
+  bool taken = false;
+  for (auto& [target, copy] : routed.deliveries)
+    taken |= !hand_over(services, *target, {std::move(copy), work});
+  return taken;
 }
 
 // Databases name the kind of an error in front of its words; a component that

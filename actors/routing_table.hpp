@@ -13,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+#include "actors/component_mailbox.hpp"
 #include "runtime/base/clock.hpp"
 #include "runtime/base/message.hpp"
 #include "runtime/interfaces.hpp"
@@ -25,7 +26,7 @@ namespace parlour::actors {
 struct Target {
   std::string name;
   std::vector<std::string> roles;
-  component_host_actor host;
+  std::shared_ptr<ComponentMailbox> mailbox;
   // Callable in a session's own turn; null: only by its mailbox.
   std::shared_ptr<const InlinePlugin> direct;
   // False before it has started and after it has gone down; shared.

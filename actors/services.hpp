@@ -9,6 +9,7 @@
 #include <string>
 
 #include "actors/due_times.hpp"
+#include "actors/instance_directory.hpp"
 #include "actors/query_claims.hpp"
 #include "actors/routing_table.hpp"
 #include "actors/session_directory.hpp"
@@ -17,6 +18,7 @@
 #include "runtime/base/inspection.hpp"
 #include "runtime/base/phrases.hpp"
 #include "runtime/interfaces.hpp"
+#include "runtime/plugin/catalogue.hpp"
 
 namespace parlour::actors {
 
@@ -40,6 +42,11 @@ struct Services {
   std::string data_folder;
   std::string application_folder;
   const Clock* clock = nullptr;
+  // Components get threads of their own.
+  bool detaches = false;
+  // What scripts can load; may be empty.
+  std::shared_ptr<PluginCatalogue> plugins;
+  InstanceDirectory instances;
   // Both may be empty: then scripts have none.
   FileAccess files;
   std::shared_ptr<Sockets> sockets;
@@ -58,7 +65,9 @@ struct Services {
   std::function<SessionId()> new_session_id;
   std::function<std::uint64_t()> new_seed;
 
-  // The snapshot that senders apply; replaced by the message centre only.
+  // What every table has in common; its targets are the supervisor's.
+  RoutingTable::Parts routing;
+  // The snapshot that senders apply; replaced by the supervisor only.
   std::atomic<std::shared_ptr<const RoutingTable>> table;
 
   message_centre_actor centre;

@@ -27,6 +27,7 @@ session_actor::behavior_type over(Self self) {
       [](const timer_due&) {},
       [](const query_outcome&) {},
       [](const file_outcome&) {},
+      [](const component_outcome&) {},
       [](const socket_told&) {},
       [](const output_done&) {},
       [=](const look& what) { what.at(*self->state.conversation); },
@@ -88,6 +89,12 @@ void hear_query(Self self, const query_outcome& what) {
 
 void hear_file(Self self, const file_outcome& what) {
   self->state.conversation->file_answered(what.id, what.outcome, now(self));
+  go_on(self);
+}
+
+void hear_component(Self self, const component_outcome& what) {
+  self->state.conversation->component_answered(what.id, what.outcome,
+                                               now(self));
   go_on(self);
 }
 
@@ -170,6 +177,7 @@ session(session_actor::stateful_pointer<session_state> self, Services* services,
       [=](const timer_due& what) { hear_timer(self, what); },
       [=](const query_outcome& what) { hear_query(self, what); },
       [=](const file_outcome& what) { hear_file(self, what); },
+      [=](const component_outcome& what) { hear_component(self, what); },
       [=](const socket_told& what) { hear_socket(self, what); },
       [=](const output_done& what) { hear_seat(self, what); },
       [=](const look& what) { what.at(*self->state.conversation); },

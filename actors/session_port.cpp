@@ -5,7 +5,7 @@
 
 #include <caf/send.hpp>
 
-#include "actors/component_host.hpp"
+#include "actors/component.hpp"
 #include "actors/query.hpp"
 #include "actors/session.hpp"
 #include "actors/thrown.hpp"
@@ -50,9 +50,9 @@ void SessionPort::carry(Message message, std::vector<Message>& back,
     if (target->direct && depth < inline_depth)
       for (auto& event : ask_directly(*target, copy))
         carry(std::move(event), back, depth + 1);
-    else
-      self_->send(target->host,
-                  handle_message{std::move(copy), services_.work.begin()});
+    else if (auto answer = hand_over(services_, *target,
+                                     {std::move(copy), services_.work.begin()}))
+      carry(std::move(*answer), back, depth + 1);
   if (routed.rest)
     back.push_back(std::move(*routed.rest));
 }
@@ -63,8 +63,8 @@ std::vector<Message> SessionPort::ask_directly(const Target& target,
   std::vector<Answer> answers;
   if (auto reason =
           thrown_by([&] { answers = target.direct->answers(message); })) {
-    self_->send(services_.supervisor,
-                component_failed{target.name, *reason, services_.work.begin()});
+    self_->send(services_.supervisor, component_failed{target.name, 0, *reason,
+                                                       services_.work.begin()});
     return {failure_answer(target.name, message, *reason)};
   }
   std::vector<Message> events;
@@ -137,7 +137,25 @@ void SessionPort::query_is_over(dialogue::QueryId id) {
   queries_.erase(id);
 }
 
-// -- files, sockets -----------------------------------------------------------
+// -- components, files, sockets
+// -----------------------------------------------------------
+
+void SessionPort::component(dialogue::ComponentRequest request) {
+  auto work = services_.work.begin();
+  auto done = [session = session_actor(self_), id = request.id,
+               &work_count = services_.work](Expected<void> outcome) {
+    caf::anon_send(
+        session, component_outcome{id, std::move(outcome), work_count.begin()});
+  };
+  if (request.load)
+    self_->send(services_.supervisor,
+                load_plugin{std::move(request.plugin), std::move(request.name),
+                            std::move(done), std::move(work)});
+  else
+    self_->send(services_.supervisor,
+                unload_component{std::move(request.name), std::move(done),
+                                 std::move(work)});
+}
 
 void SessionPort::file(dialogue::QueryId id, FileRequest request) {
   self_->send(services_.file_keeper,

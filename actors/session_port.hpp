@@ -28,6 +28,7 @@ public:
   void cancel_timer(dialogue::TimerId id) override;
   void query(dialogue::QueryRequest request) override;
   void file(dialogue::QueryId id, FileRequest request) override;
+  void component(dialogue::ComponentRequest request) override;
   void open_socket(dialogue::SocketRequest request) override;
   Expected<void> send_socket(dialogue::SocketId id,
                              const std::string& text) override;

@@ -1,22 +1,24 @@
 #include "actors/supervisor.hpp"
 
-#include <utility>
-
 namespace parlour::actors {
 
 supervisor_actor::behavior_type
 supervisor(supervisor_actor::stateful_pointer<supervisor_state> self,
            Services* services) {
+  self->state.supervision = std::make_unique<Supervision>(self, *services);
+  auto* all = self->state.supervision.get();
   return {
-      [=](const component_failed& what) {
-        const auto count = ++self->state.failures[what.name];
-        services->log(what.name + " failed: " + what.reason);
-        Message event;
-        event.source = "System";
-        event.command = "ComponentFailed";
-        event.params = {what.name, what.reason, count};
-        self->send(services->centre, publish{{std::move(event)}, what.work});
-      },
+      [=](const load_component& what) { all->load(what); },
+      [=](const load_plugin& what) { all->load(what); },
+      [=](const unload_component& what) { all->unload(what); },
+      [=](const stop_components&) { all->stop_all(); },
+      [=](const instance_started& what) { all->started(what); },
+      [=](const instance_stopped& what) { all->stopped(what); },
+      [=](const component_failed& what) { all->failed(what); },
+      [=](const watch_instance& what) { all->watch(what); },
+      [=](const instance_rests& what) { all->rests(what); },
+      [=](const try_again& what) { all->try_again(what); },
+      [=](const drain_over& what) { all->drain_over(what); },
   };
 }
 

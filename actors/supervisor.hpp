@@ -1,20 +1,15 @@
-// The supervisor: hears of every call into a component that threw, counts it,
-// shows it, and tells the sessions (System.ComponentFailed).
-//
-// It does nothing else yet: a component that hangs has no deadline, one that
-// floods no credit; none is restarted, and one that fails again and again stays
-// the first of its role (there is no System.ComponentDown).
+// The supervisor: the actor around Supervision, which says what it does.
 #pragma once
 
-#include <map>
+#include <memory>
 
-#include "actors/services.hpp"
+#include "actors/supervision.hpp"
 
 namespace parlour::actors {
 
 struct supervisor_state {
   static inline const char* name = "supervisor";
-  std::map<std::string, std::int64_t> failures; // by component
+  std::unique_ptr<Supervision> supervision;
 };
 
 supervisor_actor::behavior_type

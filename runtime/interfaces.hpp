@@ -27,8 +27,8 @@ struct Output;
 
 namespace parlour::actors {
 
-class DueTicket;    // actors/due_times.hpp
-class RoutingTable; // actors/routing_table.hpp
+class DueTicket;       // actors/due_times.hpp
+struct ComponentOrder; // actors/node.hpp
 
 // Held while what a message asks for is not done, so that it is known when the
 // house is quiet (actors/work_count.hpp).
@@ -66,6 +66,12 @@ struct file_outcome {
   Expected<Value> outcome;
   Work work;
 };
+// What became of a component that a script wanted to load or unload.
+struct component_outcome {
+  std::uint64_t id;
+  Expected<void> outcome;
+  Work work;
+};
 // A socket of this session is open, has a text, or is over.
 struct socket_told {
   std::uint64_t id;
@@ -92,13 +98,13 @@ struct leave {
   Work work;
 };
 
-using session_actor =
-    caf::typed_actor<caf::reacts_to<begin_session>, caf::reacts_to<deliver>,
-                     caf::reacts_to<take_step>, caf::reacts_to<timer_due>,
-                     caf::reacts_to<query_outcome>,
-                     caf::reacts_to<file_outcome>, caf::reacts_to<socket_told>,
-                     caf::reacts_to<output_done>, caf::reacts_to<look>,
-                     caf::reacts_to<end_session>, caf::reacts_to<leave>>;
+using session_actor = caf::typed_actor<
+    caf::reacts_to<begin_session>, caf::reacts_to<deliver>,
+    caf::reacts_to<take_step>, caf::reacts_to<timer_due>,
+    caf::reacts_to<query_outcome>, caf::reacts_to<file_outcome>,
+    caf::reacts_to<component_outcome>, caf::reacts_to<socket_told>,
+    caf::reacts_to<output_done>, caf::reacts_to<look>,
+    caf::reacts_to<end_session>, caf::reacts_to<leave>>;
 
 // -- files --------------------------------------------------------------------
 
@@ -121,10 +127,6 @@ struct publish {
   std::vector<Message> messages;
   Work work;
 };
-// The table of components and routes was replaced.
-struct use_table {
-  std::shared_ptr<const RoutingTable> table;
-};
 // A session has ended and can no longer be found. What was sent to it before
 // is in its mailbox when the centre lets it go.
 struct retire {
@@ -133,8 +135,7 @@ struct retire {
 };
 
 using message_centre_actor =
-    caf::typed_actor<caf::reacts_to<publish>, caf::reacts_to<use_table>,
-                     caf::reacts_to<retire>>;
+    caf::typed_actor<caf::reacts_to<publish>, caf::reacts_to<retire>>;
 
 // -- what a session spawns ----------------------------------------------------
 
@@ -175,16 +176,15 @@ using query_actor =
 
 // -- components ---------------------------------------------------------------
 
-// Start the plug-in and say how it went.
-struct start_component {
-  std::function<void(Expected<void>)> done;
-  Work work;
-};
-// A message for the plug-in.
-struct handle_message {
-  Message message;
-  Work work;
-};
+// Names one instance of a component; never given again.
+using InstanceId = std::uint64_t;
+// How a wish ended; called once, on the supervisor's thread.
+using Done = std::function<void(Expected<void>)>;
+
+// Make and start the plug-in; instance_started follows.
+struct start_component {};
+// Something is in the component's mailbox (actors/component_mailbox.hpp).
+struct work_waits {};
 // Work that the plug-in asked for later; `due` is its entry among the due
 // times, which goes with the message where nobody takes it.
 struct run_after {
@@ -198,24 +198,86 @@ struct run_now {
   std::shared_ptr<const DueTicket> due;
   std::function<void()> action;
 };
-// Drain, stop the plug-in, end.
-struct stop_component {
-  Work work;
-};
+// Stop the plug-in and end; instance_stopped follows.
+struct stop_component {};
 
 using component_host_actor =
     caf::typed_actor<caf::reacts_to<start_component>,
-                     caf::reacts_to<handle_message>, caf::reacts_to<run_after>,
+                     caf::reacts_to<work_waits>, caf::reacts_to<run_after>,
                      caf::reacts_to<run_now>, caf::reacts_to<stop_component>>;
 
-// A component threw an exception or did not start.
+// -- the supervisor -----------------------------------------------------------
+
+// Load a component, or put it in the place of the one of its name.
+// `rank`: its place in the order of preference, from 1; 0: after all others, or
+// that of the one whose place it takes.
+struct load_component {
+  std::shared_ptr<const ComponentOrder> order;
+  std::size_t rank;
+  Done done;
+  Work work;
+};
+// The same by names alone, as a script does: the plug-in's and the component's.
+struct load_plugin {
+  std::string plugin;
+  std::string name;
+  Done done;
+  Work work;
+};
+struct unload_component {
+  std::string name;
+  Done done;
+  Work work;
+};
+// Stop all, and start none any more.
+struct stop_components {
+  Work work;
+};
+struct instance_started {
+  InstanceId instance;
+  Expected<void> outcome;
+  Work work;
+};
+struct instance_stopped {
+  InstanceId instance;
+  Work work;
+};
+// It threw, or says itself that it is broken. Instance 0: it was called in a
+// session's turn.
 struct component_failed {
   std::string name;
+  InstanceId instance;
   std::string reason;
   Work work;
 };
+// A call of it began, the first since nobody watched; else: look whether its
+// calls return in time.
+struct watch_instance {
+  InstanceId instance;
+  bool begins;
+};
+// One that is to go has nothing to do any more.
+struct instance_rests {
+  InstanceId instance;
+  Work work;
+};
+// A component that failed is tried again.
+struct try_again {
+  std::string name;
+  std::uint64_t trial;
+};
+// Those that are to go have had their time.
+struct drain_over {
+  std::uint64_t departure;
+};
 
-using supervisor_actor = caf::typed_actor<caf::reacts_to<component_failed>>;
+using supervisor_actor = caf::typed_actor<
+    caf::reacts_to<load_component>, caf::reacts_to<load_plugin>,
+    caf::reacts_to<unload_component>, caf::reacts_to<stop_components>,
+    caf::reacts_to<instance_started>, caf::reacts_to<instance_stopped>,
+    caf::reacts_to<component_failed>, caf::reacts_to<watch_instance>,
+    caf::reacts_to<instance_rests>, caf::reacts_to<try_again>,
+    caf::reacts_to<drain_over>>;
 
 // -- seats --------------------------------------------------------------------
 
@@ -281,7 +343,6 @@ using session_manager_actor =
   CAF_ALLOW_UNSAFE_MESSAGE_TYPE(parlour::actors::name)
 
 PARLOUR_LOCAL_MESSAGE(publish)
-PARLOUR_LOCAL_MESSAGE(use_table)
 PARLOUR_LOCAL_MESSAGE(retire)
 PARLOUR_LOCAL_MESSAGE(begin_session)
 PARLOUR_LOCAL_MESSAGE(deliver)
@@ -289,6 +350,7 @@ PARLOUR_LOCAL_MESSAGE(take_step)
 PARLOUR_LOCAL_MESSAGE(timer_due)
 PARLOUR_LOCAL_MESSAGE(query_outcome)
 PARLOUR_LOCAL_MESSAGE(file_outcome)
+PARLOUR_LOCAL_MESSAGE(component_outcome)
 PARLOUR_LOCAL_MESSAGE(socket_told)
 PARLOUR_LOCAL_MESSAGE(file_order)
 PARLOUR_LOCAL_MESSAGE(output_done)
@@ -302,11 +364,21 @@ PARLOUR_LOCAL_MESSAGE(cancel_timer)
 PARLOUR_LOCAL_MESSAGE(component_event)
 PARLOUR_LOCAL_MESSAGE(give_up)
 PARLOUR_LOCAL_MESSAGE(start_component)
-PARLOUR_LOCAL_MESSAGE(handle_message)
+PARLOUR_LOCAL_MESSAGE(work_waits)
 PARLOUR_LOCAL_MESSAGE(run_after)
 PARLOUR_LOCAL_MESSAGE(run_now)
 PARLOUR_LOCAL_MESSAGE(stop_component)
+PARLOUR_LOCAL_MESSAGE(load_component)
+PARLOUR_LOCAL_MESSAGE(load_plugin)
+PARLOUR_LOCAL_MESSAGE(unload_component)
+PARLOUR_LOCAL_MESSAGE(stop_components)
+PARLOUR_LOCAL_MESSAGE(instance_started)
+PARLOUR_LOCAL_MESSAGE(instance_stopped)
 PARLOUR_LOCAL_MESSAGE(component_failed)
+PARLOUR_LOCAL_MESSAGE(watch_instance)
+PARLOUR_LOCAL_MESSAGE(instance_rests)
+PARLOUR_LOCAL_MESSAGE(try_again)
+PARLOUR_LOCAL_MESSAGE(drain_over)
 PARLOUR_LOCAL_MESSAGE(say)
 PARLOUR_LOCAL_MESSAGE(session_over)
 PARLOUR_LOCAL_MESSAGE(next_session)

@@ -81,6 +81,11 @@ void Conversation::file_answered(QueryId id, Expected<Value> outcome,
     implementation_->go_on();
 }
 
+void Conversation::component_answered(QueryId id, Expected<void> outcome,
+                                      Timestamp now) {
+  file_answered(id, std::move(outcome).map([] { return Value(); }), now);
+}
+
 void Conversation::socket_opened(SocketId id, Expected<void> outcome,
                                  Timestamp now) {
   if (ended())

@@ -58,6 +58,7 @@ public:
   void frame_applied(FrameResult result, Timestamp now);
   void query_answered(QueryId id, Expected<ResultSet> outcome, Timestamp now);
   void file_answered(QueryId id, Expected<Value> outcome, Timestamp now);
+  void component_answered(QueryId id, Expected<void> outcome, Timestamp now);
   void socket_opened(SocketId id, Expected<void> outcome, Timestamp now);
   // By the other side. Whoever tells of it receives its message, too.
   void socket_closed(SocketId id);

@@ -120,7 +120,7 @@ script::Performed Effects::perform_dialogue(Context context, Call effect) {
   }
 }
 
-// Databases, files, sockets.
+// Databases, files, sockets, components.
 script::Performed Effects::perform_outside(Call effect) {
   using enum script::EffectKind;
   if (auto request =
@@ -143,6 +143,9 @@ script::Performed Effects::perform_outside(Call effect) {
     return sockets.send(effect);
   case close_socket:
     return sockets.close(effect);
+  case load:
+  case unload:
+    return change_component(effect);
   default:
     return not_yet(effect);
   }

@@ -38,8 +38,8 @@ public:
   void unhandled(const Message& message, TurnId turn, bool raised);
   // A reply to a <request>; false where none waits for it.
   bool reply(const Message& message);
-  // The outcome of a <querydb>, of a transaction's ends, of a <readfile> …;
-  // false where it is none of these.
+  // The outcome of a <querydb>, of a transaction's ends, a <readfile>, <load>
+  // …; false where it is none of these.
   bool answered(QueryId id, Expected<Value> outcome);
   bool waits_for_answer() const {
     return !requests_.empty() || !queries_.empty() ||
@@ -70,6 +70,7 @@ private:
   Performed perform_outside(Call effect);
   Performed file(FileRequest request);
   Performed open_socket(Call effect);
+  Performed change_component(Call effect);
   Performed confirm(Context context, Call effect);
   Performed later(StepKind kind, Context context, Call effect);
   Performed push(Context context, Call effect);

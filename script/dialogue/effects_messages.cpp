@@ -12,13 +12,14 @@ namespace parlour::dialogue {
 namespace {
 
 // What a correlated event means to the request it answers (roles.def). The
-// first one ends it where the table does not know the event.
+// first one ends it where the table does not know the event; Failed says of any
+// component that it broke.
 Reply meaning(const Port& port, const Message& message) {
   for (const auto& role : roles())
     if (port.is_source(role.name, message.source))
       if (const auto* event = role.event(message.command))
         return event->reply;
-  return Reply::answer;
+  return message.command == "Failed" ? Reply::refusal : Reply::answer;
 }
 
 // What another session asks for: correlations are a session's own, and what is

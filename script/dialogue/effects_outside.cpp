@@ -1,4 +1,5 @@
-// What scripts want of databases, files and the network. Each waits, holding no
+// What scripts want of databases, files, the network and whoever keeps the
+// components. Each waits, holding no
 // thread; the outcome comes back by answered().
 #include <utility>
 
@@ -80,6 +81,20 @@ script::Performed Effects::file(FileRequest request) {
       core_.program->settings.sessions.request_timeout,
       {.purpose = Timer::Purpose::wait, .wait = wait, .correlation = id});
   core_.port.file(id, std::move(request));
+  return script::Waits{};
+}
+
+// No time-out: whoever keeps the components sees to it that one comes up or
+// goes in time, and what was begun is not to end unheard.
+script::Performed Effects::change_component(Call effect) {
+  ComponentRequest request;
+  request.id = core_.next_id();
+  request.load = effect.kind == script::EffectKind::load;
+  if (request.load)
+    request.plugin = effect.text(0);
+  request.name = text_or(effect.operand(request.load ? 1 : 0), "");
+  queries_[request.id] = {begin_wait(false), false};
+  core_.port.component(std::move(request));
   return script::Waits{};
 }
 

@@ -33,6 +33,13 @@ struct QueryRequest {
   bool write = false;
 };
 
+struct ComponentRequest {
+  QueryId id = 0;
+  bool load = true; // else unload
+  std::string plugin;
+  std::string name; // the component's; of load, empty: the plug-in's
+};
+
 struct SocketRequest {
   SocketId id = 0;
   std::string name; // the source of its messages
@@ -65,6 +72,9 @@ public:
   virtual void query(QueryRequest request) = 0;
   // Conversation::file_answered follows.
   virtual void file(QueryId id, FileRequest request) = 0;
+
+  // Conversation::component_answered follows when it is up, or gone.
+  virtual void component(ComponentRequest request) = 0;
 
   // Conversation::socket_opened follows, then its texts as messages, and after
   // the last one Conversation::socket_closed, if it was not closed here.

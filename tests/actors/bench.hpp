@@ -101,6 +101,7 @@ public:
                      (what.outcome ? to_string(*what.outcome)
                                    : to_string(what.outcome.error())));
               },
+              [=](const component_outcome&) {},
               [=](const socket_told& what) {
                 note("is told " + what.event.text);
               },
@@ -159,7 +160,6 @@ public:
                 for (const auto& message : what.messages)
                   seen.push_back(to_string(message));
               },
-              [](const use_table&) {},
               [=](const retire& what) {
                 self->send(what.session, leave{what.work});
               },
@@ -168,14 +168,25 @@ public:
         this);
   }
 
-  component_host_actor component_probe(const std::string& name) {
+  // A target with a mailbox that this probe reads; up.
+  Target target(const std::string& name, std::vector<std::string> roles) {
+    auto mailbox = std::make_shared<ComponentMailbox>();
+    mailbox->join(component_probe(name, mailbox));
+    return {name, std::move(roles), std::move(mailbox), nullptr,
+            std::make_shared<std::atomic<bool>>(true)};
+  }
+
+  component_host_actor
+  component_probe(const std::string& name,
+                  std::shared_ptr<ComponentMailbox> mailbox = nullptr) {
     return spawn(
-        [this, name](component_host_actor::pointer,
-                     Bench*) -> component_host_actor::behavior_type {
+        [=, this](component_host_actor::pointer self,
+                  Bench*) -> component_host_actor::behavior_type {
           return {
               [](const start_component&) {},
-              [this, name](const handle_message& what) {
-                seen.push_back(name + " gets " + to_string(what.message));
+              [=, this](const work_waits&) {
+                while (auto job = mailbox->take(self))
+                  seen.push_back(name + " gets " + to_string(job->message));
               },
               [this, name](const run_after& what) {
                 seen.push_back(name + " is to wait");
@@ -200,13 +211,6 @@ private:
   std::vector<caf::strong_actor_ptr> spawned_;
   int ids_ = 0;
 };
-
-// A target with this host; up.
-inline Target target(std::string name, std::vector<std::string> roles,
-                     component_host_actor host) {
-  return {std::move(name), std::move(roles), std::move(host), nullptr,
-          std::make_shared<std::atomic<bool>>(true)};
-}
 
 inline Message event(std::string source, std::string command,
                      std::vector<Value> params = {}, SessionId session = "") {

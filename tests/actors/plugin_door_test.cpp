@@ -11,7 +11,7 @@ protected:
   }
 
   Bench bench;
-  PluginDoor door{bench.services, "Ear"};
+  PluginDoor door{bench.services, "Ear", {"ASR"}};
 };
 
 TEST_F(PluginDoorTest, LetsNobodySpeakUnderAReservedName) {

@@ -4,17 +4,21 @@
 namespace parlour::actors {
 namespace {
 
-TEST(Supervisor, CountsLogsAndTells) {
+// What the actor does is tested as supervision; here: that it is asked.
+TEST(Supervisor, AnswersWhatIsWished) {
   Bench bench;
   bench.services.centre = bench.centre_probe();
-  auto actor = bench.spawn(supervisor, &bench.services);
-  for (const auto* name : {"Ear", "Mouth", "Ear"})
-    bench.send(actor, component_failed{name, "worn", bench.work()});
-  EXPECT_THAT(bench.logs, ElementsAre("Ear failed: worn", "Mouth failed: worn",
-                                      "Ear failed: worn"));
-  EXPECT_THAT(bench.seen, ElementsAre("System.ComponentFailed(Ear, worn, 1)",
-                                      "System.ComponentFailed(Mouth, worn, 1)",
-                                      "System.ComponentFailed(Ear, worn, 2)"));
+  bench.services.supervisor = bench.spawn(supervisor, &bench.services);
+  std::vector<std::string> outcomes;
+  Done note = [&](Expected<void> outcome) {
+    outcomes.push_back(outcome ? "done" : outcome.error().message);
+  };
+  bench.send(bench.services.supervisor,
+             load_plugin{"Voice", "", note, bench.work()});
+  bench.send(bench.services.supervisor,
+             unload_component{"Voice", note, bench.work()});
+  EXPECT_THAT(outcomes, ElementsAre("this run has no plug-ins to load",
+                                    "there is no component 'Voice'"));
 }
 
 } // namespace

@@ -44,6 +44,7 @@ public:
   void cancel_timer(dialogue::TimerId) override {}
   void query(dialogue::QueryRequest) override {}
   void file(dialogue::QueryId, FileRequest) override {}
+  void component(dialogue::ComponentRequest) override {}
   void open_socket(dialogue::SocketRequest) override {}
   Expected<void> send_socket(dialogue::SocketId, const std::string&) override {
     return {};

@@ -70,6 +70,10 @@ bool World::move() {
   } else if (!files_.empty())
     conversation_->file_answered(
         take(files_), fail(ErrorKind::file, "a corpus has no files"), now_);
+  else if (!changes_.empty())
+    conversation_->component_answered(
+        take(changes_),
+        fail(ErrorKind::refused, "a corpus has no components to change"), now_);
   else if (!sockets_.empty())
     conversation_->socket_opened(take(sockets_), no_network(), now_);
   else
@@ -148,6 +152,10 @@ void World::query(dialogue::QueryRequest request) {
 
 void World::file(dialogue::QueryId id, FileRequest) {
   files_.push_back(id);
+}
+
+void World::component(dialogue::ComponentRequest request) {
+  changes_.push_back(request.id);
 }
 
 void World::open_socket(dialogue::SocketRequest request) {

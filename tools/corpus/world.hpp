@@ -47,6 +47,7 @@ public:
   void cancel_timer(dialogue::TimerId id) override;
   void query(dialogue::QueryRequest request) override;
   void file(dialogue::QueryId id, FileRequest request) override;
+  void component(dialogue::ComponentRequest request) override;
   void open_socket(dialogue::SocketRequest request) override;
   Expected<void> send_socket(dialogue::SocketId id,
                              const std::string& text) override;
@@ -72,6 +73,7 @@ private:
   std::deque<dialogue::OutputId> playing_;
   std::deque<dialogue::QueryRequest> queries_;
   std::deque<dialogue::QueryId> files_;
+  std::deque<dialogue::QueryId> changes_; // of components
   std::deque<dialogue::SocketId> sockets_;
   std::map<dialogue::TimerId, Timestamp> timers_;
   std::map<dialogue::TopicId, dialogue::FramePointer> frames_;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <map>
 
+#include "runtime/plugin/scope_check.hpp"
+
 namespace parlour::tools {
 
 namespace {
@@ -53,6 +55,14 @@ void check_options(const ComponentSettings& component,
              script::did_you_mean(name, known));
 }
 
+void check_scope(const ComponentSettings& component,
+                 const PluginDescription& plugin, Composition& composition) {
+  if (auto fits = check_scope(component.upkeep.scope, plugin); !fits)
+    composition.findings.push_back(
+        {Severity::error, component.place,
+         whose(component) + ": " + fits.error().message});
+}
+
 } // namespace
 
 Composition compose(const Settings& settings, Catalogue& plugins) {
@@ -72,8 +82,10 @@ Composition compose(const Settings& settings, Catalogue& plugins) {
       continue;
     }
     check_options(component, factory->description, composition);
+    check_scope(component, factory->description, composition);
     composition.components.push_back({component.name, std::move(*factory),
-                                      component.options, component.place});
+                                      component.options, component.place,
+                                      component.upkeep});
   }
   return composition;
 }

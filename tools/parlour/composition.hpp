@@ -19,6 +19,7 @@ struct ChosenComponent {
   PluginFactory factory;
   Options options;
   Place place; // in the settings
+  Upkeep upkeep = {};
 };
 
 struct Composition {

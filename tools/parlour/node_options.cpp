@@ -30,7 +30,9 @@ actors::NodeOptions node_options(const Application& application,
   for (const auto& component : composition.components)
     options.components.push_back(
         {component.name, component.factory,
-         options_of(component, wishes.virtual_start.has_value())});
+         options_of(component, wishes.virtual_start.has_value()),
+         component.upkeep});
+  options.plugins = application.plugins;
   options.aliases = role_aliases();
   options.phrases = script::make_phrase_evaluator(application.program);
   options.columns =

@@ -83,6 +83,7 @@ public:
   std::deque<SocketRequest> opening;
   std::map<std::string, SocketId> sockets;
   Texts sent;
+  std::deque<ComponentRequest> changes; // of components, to be answered
   bool hold_queries = false;
   bool hold_outputs = false; // they are played until the test says otherwise
   std::deque<QueryRequest> queries; // not answered yet
@@ -101,6 +102,9 @@ public:
   void cancel_timer(TimerId id) override;
   void query(QueryRequest request) override;
   void file(QueryId id, FileRequest request) override;
+  void component(ComponentRequest request) override {
+    changes.push_back(std::move(request));
+  }
   void open_socket(SocketRequest request) override;
   Expected<void> send_socket(SocketId id, const std::string& text) override;
   void socket_taken(SocketId id) override;

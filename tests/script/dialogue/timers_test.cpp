@@ -29,6 +29,7 @@ public:
   void release(const Output&) override {}
   void query(QueryRequest) override {}
   void file(QueryId, FileRequest) override {}
+  void component(ComponentRequest) override {}
   void open_socket(SocketRequest) override {}
   Expected<void> send_socket(SocketId, const std::string&) override {
     return {};

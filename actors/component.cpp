@@ -1,0 +1,28 @@
+#include "actors/component.hpp"
+
+namespace parlour::actors {
+
+Message failure_answer(const std::string& component, const Message& message,
+                       const std::string& reason) {
+  Message event;
+  event.source = component;
+  event.command = "Failed";
+  event.params = {reason};
+  event.session = message.session;
+  event.correlation = message.correlation;
+  return event;
+}
+
+std::optional<Message> hand_over(Services& services, const Target& target,
+                                 ComponentMailbox::Job job) {
+  const auto* why = target.mailbox->put(job);
+  if (!why)
+    return std::nullopt;
+  const auto reason = target.name + " " + why;
+  services.unhandled(job.message, reason);
+  if (job.message.correlation == 0)
+    return std::nullopt;
+  return failure_answer(target.name, job.message, reason);
+}
+
+} // namespace parlour::actors

@@ -6,12 +6,14 @@
 #include "adapters/database/sqlite_database.hpp"
 #include "adapters/nlg/phrase_nlg.hpp"
 #include "adapters/nlu/grammar_nlu.hpp"
+#include "adapters/nlu/keywords/keyword_nlu.hpp"
 #include "adapters/standins/log_devices.hpp"
 #include "adapters/standins/log_reports.hpp"
 #include "adapters/standins/log_robot.hpp"
 #include "adapters/standins/log_sms.hpp"
 #include "adapters/standins/log_taxi.hpp"
 #include "adapters/standins/log_telephone.hpp"
+#include "adapters/tts/text_file_tts.hpp"
 #include "script/findings.hpp"
 
 namespace parlour::tools {
@@ -35,7 +37,8 @@ const std::vector<PluginFactory>& built_in_plugins() {
       adapters::log_telephone_factory(),   adapters::log_taxi_factory(),
       adapters::log_sms_factory(),         adapters::log_weather_factory(),
       adapters::log_traffic_factory(),     adapters::log_robot_factory(),
-      adapters::log_devices_factory(),
+      adapters::log_devices_factory(),     adapters::keyword_nlu_factory(),
+      adapters::text_file_tts_factory(),
   };
   return plugins;
 }

@@ -8,6 +8,7 @@
 #include "adapters/database/sqlite_columns.hpp"
 #include "adapters/database/sqlite_image.hpp"
 #include "adapters/database/sqlite_options.hpp"
+#include "adapters/nlu/keywords/keyword_nlu.hpp"
 #include "tools/parlour/understanding.hpp"
 
 namespace parlour::tools {
@@ -100,6 +101,18 @@ void check_understanding(Application& application,
       report(application, error, component.place, component.name);
 }
 
+void check_keywords(Application& application,
+                    const ChosenComponent& component) {
+  const auto read = adapters::load_keyword_rules(
+      component.options, application.folder.string(),
+      *application.program->understanding,
+      column_reader(in_memory(application.composition), application.folder,
+                    ""));
+  if (!read)
+    for (const auto& error : read.error())
+      report(application, error, component.place, component.name);
+}
+
 } // namespace
 
 void check_resources(Application& application) {
@@ -119,6 +132,8 @@ void check_resources(Application& application) {
   for (const auto& component : composition.components)
     if (component.factory.description.name == "GrammarNLU")
       check_understanding(application, component);
+    else if (component.factory.description.name == "KeywordNLU")
+      check_keywords(application, component);
 }
 
 ColumnReader column_reader(const Composition& composition,

@@ -1,0 +1,232 @@
+#include "adapters/nlu/keywords/keyword_matcher.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+namespace parlour::adapters::nlu {
+
+namespace {
+
+// Words of an open slot.
+constexpr std::size_t most_words = 5;
+// "to the airport": what may stand between a word and the value behind it.
+constexpr std::size_t most_between = 2;
+// Of what is understood only because it was expected.
+constexpr double when_expected = 0.8;
+
+struct Range {
+  std::size_t begin = 0; // tokens
+  std::size_t end = 0;
+};
+
+// A rule of which a keyword was said.
+struct Said {
+  const KeywordRule* rule = nullptr;
+  Range keyword;
+};
+
+class Search {
+public:
+  Search(const KeywordRules& rules, const std::string& text,
+         const Value& context)
+      : rules_(rules), text_(text), tokens_(tokenize(text)),
+        context_(read_context(context, rules.schema)) {}
+
+  std::vector<Value> run() {
+    find_rules();
+    matches_ = rules_.schema.values().find(tokens_, plain_);
+    std::vector<Value> acts;
+    for (const auto& said : said_)
+      if (said.rule->topic != no_topic)
+        acts.push_back(
+            act(said.rule->topic, said.rule->act, slots(*said.rule), false));
+    if (acts.empty())
+      go_on(acts);
+    if (acts.empty() && !said_.empty())
+      acts.push_back(act(no_topic, said_.front().rule->act, {}, false));
+    return acts;
+  }
+
+private:
+  // -- keywords ---------------------------------------------------------------
+
+  void find_rules() {
+    plain_.assign(tokens_.list.size(), false);
+    for (const auto& rule : rules_.rules)
+      if (const auto keyword = first_of(rule.keywords);
+          keyword && !has(rule.topic))
+        said_.push_back({&rule, *keyword});
+    std::ranges::stable_sort(said_, {},
+                             [](const Said& one) { return one.keyword.begin; });
+    for (const auto& said : said_)
+      for (auto at = said.keyword.begin; at < said.keyword.end; ++at)
+        plain_[at] = true;
+  }
+
+  bool has(TopicNumber topic) const {
+    return topic != no_topic &&
+           std::ranges::any_of(said_, [&](const Said& one) {
+             return one.rule->topic == topic;
+           });
+  }
+
+  std::optional<Range> first_of(const std::vector<Words>& keywords) const {
+    std::optional<Range> first;
+    for (const auto& words : keywords)
+      if (const auto found = find(words))
+        if (!first || found->begin < first->begin)
+          first = found;
+    return first;
+  }
+
+  std::optional<Range> find(const Words& words) const {
+    const auto& list = tokens_.list;
+    const auto found = std::ranges::search(list, words, {}, &Token::word);
+    if (found.empty() || words.empty())
+      return {};
+    return Range{static_cast<std::size_t>(found.begin() - list.begin()),
+                 static_cast<std::size_t>(found.end() - list.begin())};
+  }
+
+  // -- slots ------------------------------------------------------------------
+
+  Map slots(const KeywordRule& rule) const {
+    Map map;
+    for (const auto& slot : rule.slots)
+      if (auto fill = fill_of(slot))
+        map.set(slot.name, std::move(*fill));
+    return map;
+  }
+
+  std::optional<Value> fill_of(const KeywordSlot& slot) const {
+    if (slot.value)
+      return Value(*slot.value);
+    if (slot.after.empty())
+      return found_between({0, tokens_.list.size()}, slot.entity, false);
+    const auto before = find(slot.after);
+    if (!before)
+      return {};
+    if (slot.entity == words_entity)
+      return words_from(before->end);
+    const Range near{before->end, before->end + most_between + 1};
+    return found_between(near, slot.entity, true);
+  }
+
+  // A value that begins there.
+  std::optional<Value> found_between(Range range, EntityId entity,
+                                     bool expected) const {
+    if (is_set(entity))
+      return value_of_set(range, entity - first_set_entity);
+    if (!is_form(entity))
+      return {};
+    const auto end = std::min(range.end, tokens_.list.size());
+    for (auto at = range.begin; at < end; ++at)
+      if (const auto form =
+              form_at(static_cast<Form>(entity), tokens_, at, context_.now);
+          form && (expected || !form->weak))
+        return fill(form->value, 1, {at, at + form->length});
+    return {};
+  }
+
+  std::optional<Value> value_of_set(Range range, SetId set) const {
+    const ValueMatch* best = nullptr;
+    for (const auto& match : matches_)
+      if (match.set == set && match.begin >= range.begin &&
+          match.begin < range.end &&
+          (!best || match.confidence > best->confidence))
+        best = &match;
+    if (!best)
+      return {};
+    List values;
+    for (const auto value : best->values)
+      values.push_back(rules_.schema.values().value(set, value));
+    const Range place{best->begin, best->end};
+    if (values.size() == 1)
+      return fill(values.front(), best->confidence, place);
+    auto candidates = fill({}, best->confidence, place);
+    candidates.set(act_key::candidates, std::move(values));
+    return Value(std::move(candidates));
+  }
+
+  // Up to a comma, the end of a sentence, or a keyword.
+  std::optional<Value> words_from(std::size_t begin) const {
+    auto end = begin;
+    while (end < tokens_.list.size() && end - begin < most_words &&
+           !plain_[end] &&
+           (end == begin || tokens_.list[end].before == Break::none))
+      ++end;
+    if (end == begin)
+      return {};
+    return fill(text_of({begin, end}), 1, {begin, end});
+  }
+
+  Map fill(Value value, double confidence, Range place) const {
+    return Map{{act_key::value, std::move(value)},
+               {act_key::confidence, confidence},
+               {act_key::text, text_of(place)}};
+  }
+
+  std::string text_of(Range range) const {
+    return std::string(words_of(text_, tokens_, range.begin, range.end));
+  }
+
+  // -- without a topic's keyword ----------------------------------------------
+
+  void go_on(std::vector<Value>& acts) const {
+    for (const auto topic :
+         {context_.asked_topic, context_.current, context_.resting})
+      if (topic != no_topic && acts.empty())
+        if (auto slots = expected_slots(topic); !slots.empty())
+          acts.push_back(
+              act(topic, rules_.schema.at(topic).enquiry ? "request" : "inform",
+                  std::move(slots), true));
+  }
+
+  Map expected_slots(TopicNumber topic) const {
+    const auto& known = rules_.schema.at(topic);
+    const auto asked = [&](const Schema::Slot& slot) {
+      return topic == context_.asked_topic && slot.name == context_.asked_slot;
+    };
+    const Range everywhere{0, tokens_.list.size()};
+    Map slots;
+    for (const auto& slot : known.slots)
+      if (auto found = found_between(everywhere, slot.entity, asked(slot)))
+        slots.set(slot.name, std::move(*found));
+    if (!slots.empty() || !said_.empty() || tokens_.list.empty())
+      return slots;
+    for (const auto& slot : known.slots)
+      if (asked(slot) && slot.entity == words_entity)
+        slots.set(slot.name, fill(text_, 1, everywhere));
+    return slots;
+  }
+
+  Value act(TopicNumber topic, const std::string& act, Map slots,
+            bool elliptical) const {
+    return Map{{act_key::topic, topic == no_topic
+                                    ? Value()
+                                    : Value(rules_.schema.at(topic).name)},
+               {act_key::act, act},
+               {act_key::confidence, elliptical ? when_expected : 1.0},
+               {act_key::slots, std::move(slots)},
+               {act_key::text, text_},
+               {act_key::elliptical, elliptical}};
+  }
+
+  const KeywordRules& rules_;
+  const std::string& text_;
+  const Tokens tokens_;
+  const Context context_;
+  std::vector<Said> said_;
+  std::vector<bool> plain_; // words of the keywords
+  std::vector<ValueMatch> matches_;
+};
+
+} // namespace
+
+std::vector<Value> KeywordMatcher::understand(const std::string& text,
+                                              const Value& context) const {
+  return Search(rules_, text, context).run();
+}
+
+} // namespace parlour::adapters::nlu

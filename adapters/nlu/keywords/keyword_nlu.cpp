@@ -1,0 +1,97 @@
+#include "adapters/nlu/keywords/keyword_nlu.hpp"
+
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <utility>
+
+#include "adapters/nlu/keywords/keyword_matcher.hpp"
+#include "runtime/plugin/folder.hpp"
+
+namespace parlour::adapters {
+
+namespace {
+
+// All of them in one: the first one's place, a line for each.
+Error joined(const std::vector<Error>& errors) {
+  auto all = errors.front();
+  for (std::size_t at = 1; at < errors.size(); ++at)
+    all.message += '\n' + to_string(errors[at]);
+  return all;
+}
+
+class KeywordNLU : public InlinePlugin {
+public:
+  std::vector<Answer> answers(const Message& message) const override {
+    if (message.command != "DoNLU")
+      return {{"Failed",
+               {"KeywordNLU does not know the command '" + message.command +
+                "'."}}};
+    const auto text =
+        message.params.empty() ? std::string() : message.params[0].text();
+    auto acts = matcher_->understand(text, context_of(message));
+    if (acts.empty())
+      return {{"NoResult", {text}}};
+    return {{"FrameInfo", std::move(acts)}};
+  }
+
+protected:
+  Expected<void> on_start(const Options& options) override {
+    const auto model = host().understanding();
+    auto rules = load_keyword_rules(
+        options, host().application_folder(),
+        model ? *model : UnderstandingModel(),
+        [this](const std::string& name) { return host().column(name); });
+    if (!rules)
+      return tl::make_unexpected(joined(rules.error()));
+    matcher_ = std::make_unique<nlu::KeywordMatcher>(std::move(*rules));
+    return {};
+  }
+
+private:
+  // A context without a clock gets the platform's.
+  Value context_of(const Message& message) const {
+    Map context;
+    if (message.params.size() > 1 && message.params[1].if_map())
+      context = *message.params[1].if_map();
+    if (!context.find("now"))
+      context.set("now", host().clock().now());
+    return context;
+  }
+
+  std::unique_ptr<nlu::KeywordMatcher> matcher_;
+};
+
+} // namespace
+
+tl::expected<nlu::KeywordRules, std::vector<Error>> load_keyword_rules(
+    const Options& options, const std::string& application_folder,
+    const UnderstandingModel& model, const ColumnReader& columns) {
+  using Errors = std::vector<Error>;
+  const auto given = options.find("rules");
+  const auto path = inside(
+      application_folder, given == options.end() ? "" : given->second, "rules");
+  if (!path)
+    return tl::make_unexpected(Errors{path.error()});
+  std::ifstream file(*path, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  if (!file)
+    return tl::make_unexpected(Errors{
+        {ErrorKind::file, "cannot read the rules", {path->string(), 0, 0}}});
+  return nlu::read_keyword_rules(text, path->string(), model, columns);
+}
+
+PluginFactory keyword_nlu_factory() {
+  PluginDescription description;
+  description.name = "KeywordNLU";
+  description.roles = {"NLU"};
+  description.sentence = "understands by keywords and values alone";
+  description.options = {{"rules", "",
+                          "the file of its rules, in the application's folder",
+                          true}};
+  description.is_inline = true;
+  return {std::move(description),
+          [] { return std::make_unique<KeywordNLU>(); }};
+}
+
+} // namespace parlour::adapters

@@ -1,0 +1,170 @@
+#include "adapters/tts/text_file_tts.hpp"
+
+#include <filesystem>
+#include <sstream>
+#include <utility>
+
+#include "runtime/plugin/folder.hpp"
+
+namespace parlour::adapters {
+
+namespace {
+
+constexpr std::size_t most_waiting = 100;
+
+std::string option_or(const Options& options, const std::string& name,
+                      const std::string& fallback) {
+  const auto found = options.find(name);
+  return found == options.end() ? fallback : found->second;
+}
+
+Value param(const Message& message, std::size_t index) {
+  return index < message.params.size() ? message.params[index] : Value();
+}
+
+std::string text_param(const Message& message, std::size_t index) {
+  const auto value = param(message, index);
+  return value.is_unknown() ? std::string() : value.text();
+}
+
+std::vector<std::string> words_of(const std::string& text) {
+  std::istringstream stream(text);
+  std::vector<std::string> words;
+  for (std::string word; stream >> word;)
+    words.push_back(word);
+  return words;
+}
+
+// Line breaks would break the line's form.
+std::string in_one_line(const std::string& text) {
+  std::string line;
+  for (const auto& word : words_of(text))
+    line += (line.empty() ? "" : " ") + word;
+  return line;
+}
+
+} // namespace
+
+Expected<void> TextFileTTS::on_start(const Options& options) {
+  const auto rate = parse_number(option_or(options, "rate", "180"));
+  if (rate.number_or(-1) < 0 || rate.number_or(-1) > 10'000)
+    return fail(ErrorKind::settings,
+                "option 'rate' is a number of words a minute, 0 to 10000");
+  const auto a_minute = rate.number_or(0);
+  word_time_ = Milliseconds(
+      a_minute > 0 ? static_cast<std::int64_t>(60'000 / a_minute) : 0);
+  const auto path = inside(host().data_folder(),
+                           option_or(options, "file", "speech.txt"), "file");
+  if (!path)
+    return tl::make_unexpected(path.error());
+  std::error_code ignored;
+  std::filesystem::create_directories(path->parent_path(), ignored);
+  file_.open(*path, std::ios::app);
+  if (!file_)
+    return fail(ErrorKind::file, "cannot be written", {path->string(), 0, 0});
+  return {};
+}
+
+void TextFileTTS::stop() {
+  if (delay_ != 0)
+    host().cancel(std::exchange(delay_, 0));
+  waiting_.clear();
+  file_.close();
+}
+
+void TextFileTTS::on_message(const Message& message) {
+  if (message.command == "Speak")
+    speak(message);
+  else if (message.command == "Stop")
+    stop_speaking(param(message, 0));
+  else if (message.command == "SetVoice")
+    voice_ = in_one_line(text_param(message, 0));
+  else
+    fire_event("Failed", {"TextFileTTS does not know the command '" +
+                          message.command + "'."});
+}
+
+void TextFileTTS::speak(const Message& order) {
+  if (waiting_.size() >= most_waiting)
+    return fire_event("Failed", {"There is too much to say already."});
+  waiting_.push_back({order, text_param(order, 0), param(order, 1)});
+  if (waiting_.size() == 1)
+    begin();
+}
+
+void TextFileTTS::begin() {
+  while (!waiting_.empty()) {
+    write(waiting_.front());
+    words_ = words_of(waiting_.front().text);
+    spoken_ = 0;
+    if (word_time_ > Milliseconds::zero() && !words_.empty())
+      return next_word();
+    end();
+  }
+}
+
+void TextFileTTS::next_word() {
+  delay_ = 0;
+  const auto& utterance = waiting_.front();
+  if (spoken_ == words_.size()) {
+    end();
+    return begin();
+  }
+  const auto position = static_cast<std::int64_t>(spoken_) * word_time_.count();
+  answer(utterance.order, "Mark",
+         {utterance.name, words_[spoken_++], position});
+  delay_ = host().after(word_time_, [this] { next_word(); });
+}
+
+// Of the first one.
+void TextFileTTS::end() {
+  const auto utterance = std::move(waiting_.front());
+  waiting_.pop_front();
+  finish(utterance);
+}
+
+void TextFileTTS::stop_speaking(const Value& utterance) {
+  auto meant = [&](const Utterance& one) {
+    return utterance.is_unknown() || one.name == utterance;
+  };
+  if (waiting_.empty())
+    return;
+  const bool first = meant(waiting_.front());
+  if (first && delay_ != 0)
+    host().cancel(std::exchange(delay_, 0));
+  auto before = std::exchange(waiting_, {});
+  for (auto& one : before)
+    if (meant(one))
+      finish(one);
+    else
+      waiting_.push_back(std::move(one));
+  if (first)
+    begin();
+}
+
+void TextFileTTS::finish(const Utterance& utterance) {
+  answer(utterance.order, "Finished", {utterance.name});
+}
+
+void TextFileTTS::write(const Utterance& utterance) {
+  file_ << format_timestamp(host().clock().now(), "%H:%M:%S") << '\t'
+        << (voice_.empty() ? "" : voice_ + ": ") << in_one_line(utterance.text)
+        << std::endl;
+  if (!file_)
+    host().log("What was said could not be written.");
+}
+
+PluginFactory text_file_tts_factory() {
+  PluginDescription description;
+  description.name = "TextFileTTS";
+  description.roles = {"TTS"};
+  description.sentence = "writes to a file what a voice would speak, in its "
+                         "time";
+  description.options = {
+      {"file", "speech.txt", "the file, in the data folder", false},
+      {"rate", "180", "words a minute; 0 takes no time", false}};
+  return {std::move(description),
+          [] { return std::make_unique<TextFileTTS>(); }};
+}
+
+} // namespace parlour::adapters

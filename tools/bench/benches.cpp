@@ -1,5 +1,6 @@
 #include "tools/bench/benches.hpp"
 
+#include "tools/bench/component_bench.hpp"
 #include "tools/bench/db_bench.hpp"
 #include "tools/bench/dialogue_bench.hpp"
 #include "tools/bench/script_bench.hpp"
@@ -11,6 +12,7 @@ const std::vector<Bench>& benches() {
       {"script", script_bench_rows(), script_bench},
       {"dialogue", dialogue_bench_rows(), dialogue_bench},
       {"db", db_bench_rows(), db_bench},
+      {"components", component_bench_rows(), component_bench},
   };
   return all;
 }

@@ -1,0 +1,26 @@
+// Messages through components' mailboxes: two plug-ins that hand balls to each
+// other by name, through the message centre; and the same by typed actors of
+// CAF with nothing around them.
+#pragma once
+
+#include "runtime/base/error.hpp"
+#include "tools/bench/measure.hpp"
+
+namespace parlour::tools {
+
+// Both run on one thread, so that what is measured is work and not waiting.
+struct BallGame {
+  int throws = 0; // altogether
+  int balls = 64; // in the air at a time
+};
+
+// A throw is a message from one plug-in to the other: stamped, routed, counted.
+Expected<Measured> components_play(const BallGame& game);
+
+enum class Way : unsigned char {
+  hub,   // through an actor that knows the players by their names
+  direct // from player to player
+};
+Measured bare_actors_play(const BallGame& game, Way way);
+
+} // namespace parlour::tools

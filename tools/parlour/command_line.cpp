@@ -37,6 +37,7 @@ public:
     add_bench();
     add_plugin();
     add_completion();
+    add_component();
   }
 
   int run(std::vector<std::string> arguments) {
@@ -275,6 +276,15 @@ private:
         ->check(CLI::IsMember({"bash"}));
   }
 
+  void add_component() {
+    auto* command =
+        add("component", "Run a component in a process of its own",
+            [this] { return component_command(component_, console_); });
+    command->group(""); // not shown
+    command->add_option("PLUGIN", component_.plugin, "Its plug-in")->required();
+    command->add_option("--plugins", component_.folder, "Its file's folder");
+  }
+
   static constexpr const char* app_sentence =
       "A folder, or a name in ./config/apps or the installed share";
 
@@ -295,6 +305,7 @@ private:
   TestPluginOptions test_plugin_;
   std::string exec_file_;
   std::string shell_;
+  ComponentOptions component_;
 };
 
 } // namespace

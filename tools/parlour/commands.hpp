@@ -62,6 +62,14 @@ int schema_command(const SchemaOptions& options, const Console& console);
 int exec_command(const Places& places, const std::string& file,
                  const Console& console);
 
+struct ComponentOptions {
+  std::string plugin;
+  std::string folder; // of its file; empty: part of the program
+};
+// Serves the plug-in to the program that started this one for it
+// (adapters/process); nobody else has a use for it.
+int component_command(const ComponentOptions& options, const Console& console);
+
 struct BenchOptions {
   std::string name; // of benches(), or nlu
   int runs = 5;

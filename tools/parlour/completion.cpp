@@ -20,6 +20,8 @@ std::string completion_script(const CLI::App& app) {
   std::string commands;
   std::string cases;
   for (const auto* command : app.get_subcommands(nullptr)) {
+    if (command->get_group().empty())
+      continue; // not shown
     commands += command->get_name() + ' ';
     cases += "    " + command->get_name() + ") words=\"" +
              options_of(*command) + "\" ;;\n";

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "runtime/plugin/scope_check.hpp"
+#include "tools/parlour/hosting.hpp"
 
 namespace parlour::tools {
 
@@ -81,6 +82,8 @@ Composition compose(const Settings& settings, Catalogue& plugins) {
           {Severity::error, component.place, factory.error().message});
       continue;
     }
+    *factory =
+        hosted(std::move(*factory), component.upkeep, plugins.file_of(name));
     check_options(component, factory->description, composition);
     check_scope(component, factory->description, composition);
     composition.components.push_back({component.name, std::move(*factory),

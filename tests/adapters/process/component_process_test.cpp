@@ -1,0 +1,78 @@
+#include <future>
+
+#include "adapters/process/component_process.hpp"
+#include "tests/adapters/process/process_fixture.hpp"
+
+namespace parlour::adapters {
+namespace {
+
+class ComponentProcessTest : public testing::Test {
+protected:
+  void start(const ProcessOrder& order) {
+    process.emplace(order, [this](const Frame& frame) -> Expected<void> {
+      taken.push_back(std::string(name_of(frame.kind)));
+      if (frame.kind == FrameKind::failed)
+        return fail(ErrorKind::network, "not to be taken");
+      return {};
+    });
+  }
+  Expected<Frame> start_trial() {
+    start(trial());
+    if (auto hello = process->hello(patience); !hello)
+      return hello;
+    return call(FrameKind::start, {0, false, Map{}});
+  }
+  Expected<Frame> call(FrameKind kind, List fields) {
+    return process->call({kind, std::move(fields)}, patience);
+  }
+
+  std::vector<std::string> taken;
+  std::optional<ComponentProcess> process;
+};
+
+TEST_F(ComponentProcessTest, HearsHelloFirst) {
+  start(trial());
+  const auto hello = process->hello(patience).value();
+  EXPECT_EQ(hello.at(0), Value(frame_protocol));
+  EXPECT_EQ(hello.at(1), Value("Trial"));
+}
+
+TEST_F(ComponentProcessTest, CarriesOutWhatIsSaidBeforeACallReturns) {
+  ASSERT_TRUE(start_trial());
+  const auto done =
+      call(FrameKind::handle,
+           {0, List{0, 0, "", "Flood", List{1000}, List{}, "", 0}})
+          .value();
+  EXPECT_TRUE(done.at(0).is_unknown());
+  EXPECT_EQ(taken.size(), 1000u);
+}
+
+TEST_F(ComponentProcessTest, EndsWhoSaysWhatIsNotToBeTaken) {
+  ASSERT_TRUE(start_trial());
+  const auto done =
+      call(FrameKind::handle, {0, List{0, 0, "", "Broken", List{}, List{}}});
+  ASSERT_TRUE(done || done.error().message == "not to be taken");
+  const auto again = call(FrameKind::stop, {0});
+  ASSERT_FALSE(again);
+  EXPECT_EQ(again.error().message, "not to be taken");
+}
+
+TEST_F(ComponentProcessTest, TellsOnceThatItIsOver) {
+  ASSERT_TRUE(start_trial());
+  EXPECT_FALSE(
+      call(FrameKind::handle, {0, List{0, 0, "", "Exit", List{}, List{}}}));
+  std::promise<std::string> first;
+  process->when_over([&](const std::string& why) { first.set_value(why); });
+  EXPECT_EQ(first.get_future().get(), "its process ended with status 1");
+  std::promise<std::string> second;
+  process->when_over([&](const std::string& why) { second.set_value(why); });
+  EXPECT_EQ(second.get_future().get(), "its process ended with status 1");
+}
+
+TEST_F(ComponentProcessTest, IsEndedAtOnceWhereNobodyWantsItAnyMore) {
+  start(shell("kill -STOP $$")); // before or after it is there
+  process.reset();
+}
+
+} // namespace
+} // namespace parlour::adapters

@@ -1,0 +1,65 @@
+// A copy of one of our applications with some lines changed, and its
+// conversations held.
+#pragma once
+
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+#include <utility>
+
+#include "tests/tools/parlour/application_fixture.hpp"
+#include "tools/parlour/conversation_runner.hpp"
+
+namespace parlour::tools {
+
+class ChangedApplication : public ApplicationTest {
+protected:
+  // Components of tests run out of process in the program, not in the test.
+  ChangedApplication() {
+    setenv("PARLOUR_PROGRAM", PARLOUR_PROGRAM, 1);
+  }
+
+  void copy(const std::string& application) {
+    std::filesystem::copy(
+        std::string(PARLOUR_SOURCE_DIR) + "/config/apps/" + application,
+        folder_.path(), std::filesystem::copy_options::recursive);
+  }
+  void change(const std::string& file, const std::string& from,
+              const std::string& to) {
+    auto text = read(folder_.path() / file);
+    const auto at = text.find(from);
+    if (at == std::string::npos)
+      throw std::runtime_error(file + " has no " + from);
+    folder_.write(file, text.replace(at, from.size(), to));
+  }
+  Application load_changed() const {
+    return load_application(std::filesystem::canonical(folder_.path()),
+                            platform());
+  }
+
+  // Empty where it went well.
+  std::string hold(const Application& application,
+                   const std::string& conversation) {
+    if (application.has_errors())
+      return findings(application);
+    const auto file = folder_.path() / "dialogues" / conversation;
+    const auto parsed = parse_conversation(read(file), file.string());
+    Coverage coverage{*application.program};
+    result = hold_conversation(application, parsed.conversation, coverage);
+    if (!result.failure)
+      return "";
+    return conversation + ":" + std::to_string(result.failure->line) +
+           ": expected " + result.failure->expected + ", found " +
+           result.failure->found;
+  }
+
+  static std::string read(const std::filesystem::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+  }
+
+  ConversationResult result;
+};
+
+} // namespace parlour::tools

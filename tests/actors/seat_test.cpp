@@ -44,6 +44,14 @@ TEST_F(SeatTest, ShowsTheLastWordsOfASessionThatIsGone) {
   EXPECT_THAT(bench.seen, IsEmpty());
 }
 
+TEST_F(SeatTest, HasBeenHeardWhereNobodyListens) {
+  auto actor = bench.spawn(seat, &bench.services, SeatCalls{});
+  speak(actor, "a");
+  bench.send(actor, session_over{"a", bench.work()});
+  EXPECT_THAT(bench.seen, ElementsAre("a played 7"));
+  EXPECT_TRUE(bench.services.work.none());
+}
+
 TEST_F(SeatTest, SurvivesWhatItsCallsThrow) {
   SeatCalls throwing{
       [](const auto&, const auto&) { throw std::runtime_error("no paper"); },

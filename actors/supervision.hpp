@@ -79,7 +79,7 @@ private:
   Expected<ComponentOrder> order_for(const load_plugin& what) const;
 
   // -- departing: supervision_loading.cpp
-  void depart(const KeptPointer& kept, bool unloads, Done done);
+  void depart(KeptPointer kept, bool unloads, Done done);
   void see_off(std::uint64_t departure, bool at_once);
   bool has_finished(const Entry& entry, const Departure& departure) const;
   void gone(std::uint64_t departure);

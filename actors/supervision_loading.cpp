@@ -152,7 +152,8 @@ void Supervision::came_not(const KeptPointer& kept, Error error) {
 
 // -- departing ----------------------------------------------------------------
 
-void Supervision::depart(const KeptPointer& kept, bool unloads, Done done) {
+// By value: who calls may hold it in what is erased here.
+void Supervision::depart(KeptPointer kept, bool unloads, Done done) {
   const auto id = ++last_number_;
   departures_[id] = {kept, unloads, std::move(done), ticket(drain_time)};
   if (unloads) {

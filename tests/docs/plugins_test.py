@@ -25,6 +25,8 @@ class PluginsTest(PageCase):
         if shutil.which("ninja"):
             self.environment["CMAKE_GENERATOR"] = "Ninja"
 
+    @unittest.skipIf("LSAN_OPTIONS" in os.environ,
+                     "its programs are built without a sanitizer")
     def test_the_page_does_what_it_says(self):
         self.assertGreater(self.try_out("plugins.md"), 3)
 

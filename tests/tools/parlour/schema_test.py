@@ -8,11 +8,14 @@ import subprocess
 import sys
 import tempfile
 import unittest
+from xml.etree import ElementTree
 
 PROGRAM = os.environ.get("PARLOUR_PROGRAM", "build/debug/bin/parlour")
 ROOT = pathlib.Path(__file__).resolve().parents[3]
+# What a plug-in reads is not ours to describe.
 RIGHT = [path for folder in ("config", "tests/fixtures")
-         for path in sorted((ROOT / folder).rglob("*.xml"))]
+         for path in sorted((ROOT / folder).rglob("*.xml"))
+         if ElementTree.parse(path).getroot().tag != "keywords"]
 WRONG = {
     "misspelt element": "<dialogue><stat name='a'/></dialogue>",
     "misplaced element": "<dialogue><print param='a'/></dialogue>",

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include <caf/typed_event_based_actor.hpp>
+
 #include "actors/component.hpp"
 #include "actors/query.hpp"
 #include "runtime/base/roles.hpp"

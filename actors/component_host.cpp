@@ -4,6 +4,8 @@
 #include <string>
 #include <utility>
 
+#include <caf/typed_event_based_actor.hpp>
+
 #include "actors/thrown.hpp"
 
 namespace parlour::actors {

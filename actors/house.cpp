@@ -8,6 +8,7 @@
 
 #include <caf/scoped_actor.hpp>
 #include <caf/send.hpp>
+#include <caf/typed_event_based_actor.hpp>
 
 #include "actors/file_keeper.hpp"
 #include "actors/message_centre.hpp"

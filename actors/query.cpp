@@ -3,6 +3,8 @@
 #include <optional>
 #include <utility>
 
+#include <caf/typed_event_based_actor.hpp>
+
 #include "actors/component.hpp"
 
 namespace parlour::actors {

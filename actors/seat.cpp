@@ -1,5 +1,7 @@
 #include "actors/seat.hpp"
 
+#include <caf/typed_event_based_actor.hpp>
+
 #include "actors/thrown.hpp"
 
 namespace parlour::actors {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include <caf/typed_event_based_actor.hpp>
+
 #include "actors/session.hpp"
 
 namespace parlour::actors {

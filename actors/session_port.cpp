@@ -4,6 +4,7 @@
 #include <utility>
 
 #include <caf/send.hpp>
+#include <caf/typed_event_based_actor.hpp>
 
 #include "actors/component.hpp"
 #include "actors/query.hpp"

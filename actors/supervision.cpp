@@ -5,6 +5,8 @@
 #include <optional>
 #include <utility>
 
+#include <caf/typed_event_based_actor.hpp>
+
 #include "actors/component_host.hpp"
 #include "actors/supervisor.hpp"
 

@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <utility>
 
+#include <caf/typed_event_based_actor.hpp>
+
 #include "actors/supervision.hpp"
 #include "actors/supervisor.hpp"
 #include "runtime/plugin/scope_check.hpp"

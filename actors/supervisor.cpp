@@ -1,5 +1,7 @@
 #include "actors/supervisor.hpp"
 
+#include <caf/typed_event_based_actor.hpp>
+
 namespace parlour::actors {
 
 supervisor_actor::behavior_type

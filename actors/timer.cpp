@@ -1,5 +1,7 @@
 #include "actors/timer.hpp"
 
+#include <caf/typed_event_based_actor.hpp>
+
 namespace parlour::actors {
 
 timer_actor::behavior_type

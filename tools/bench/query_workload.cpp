@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "script/compiler.hpp"
+#include "script/computing_host.hpp"
 #include "script/interpreter.hpp"
 #include "tools/bench/desk.hpp"
 
@@ -14,7 +15,7 @@ namespace parlour::tools {
 namespace {
 
 // A session's script; its queries go to the component and it waits.
-class Asking : public script::Host {
+class Asking : public script::LonelyHost {
 public:
   Asking(const std::shared_ptr<const script::Program>& program,
          IPlugin& component, std::size_t number)
@@ -54,17 +55,6 @@ public:
     message.correlation = number_;
     component_.receive(message);
     return script::Waits{};
-  }
-  Value slot(script::TopicId, script::SlotId) const override {
-    return {};
-  }
-  void set_slot(script::TopicId, script::SlotId, Value) override {}
-  Value system(const script::Activation&,
-               script::SystemVariable) const override {
-    return {};
-  }
-  bool online(const std::string&) const override {
-    return false;
   }
   Timestamp now() const override {
     return 0;

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "script/compiler.hpp"
+#include "script/computing_host.hpp"
 #include "script/interpreter.hpp"
 
 namespace parlour::tools {
@@ -10,22 +11,11 @@ namespace parlour::tools {
 namespace {
 
 // Every effect waits, and nothing else is there.
-class WaitingHost : public script::Host {
+class WaitingHost : public script::LonelyHost {
 public:
   script::Performed perform(script::Activation&,
                             const script::Effect&) override {
     return script::Waits{};
-  }
-  Value slot(script::TopicId, script::SlotId) const override {
-    return {};
-  }
-  void set_slot(script::TopicId, script::SlotId, Value) override {}
-  Value system(const script::Activation&,
-               script::SystemVariable) const override {
-    return {};
-  }
-  bool online(const std::string&) const override {
-    return false;
   }
   Timestamp now() const override {
     return 0;

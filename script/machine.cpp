@@ -186,11 +186,15 @@ void Machine::take_slice() {
   fuel = static_cast<std::int64_t>(taken);
 }
 
-// What the run left of its slice, or took beyond it.
-void Machine::give_back_fuel() {
+// What the run left of its slice is the event's, and what it took beyond it.
+std::uint64_t Machine::fuel_left() const {
   const auto overdrawn = static_cast<std::uint64_t>(fuel < 0 ? -fuel : 0);
-  left_ -= std::min(left_, overdrawn);
-  left_ += static_cast<std::uint64_t>(fuel < 0 ? 0 : fuel);
+  return left_ - std::min(left_, overdrawn) +
+         static_cast<std::uint64_t>(fuel < 0 ? 0 : fuel);
+}
+
+void Machine::give_back_fuel() {
+  left_ = fuel_left();
   fuel = 0;
 }
 
@@ -215,9 +219,8 @@ bool Machine::goes_on_beyond_slice() {
 }
 
 std::size_t Machine::walk_budget() const {
-  const auto left =
-      2 * static_cast<std::size_t>(std::max<std::int64_t>(fuel, 0)) + 2 * left_;
-  return std::min<std::size_t>(left, heap_->limit() / sizeof(Box)) + 1000;
+  const auto most = heap_->limit() / sizeof(Box);
+  return 2 * std::min<std::size_t>(fuel_left(), most / 2) + 1000;
 }
 
 // -- running ------------------------------------------------------------------

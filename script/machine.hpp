@@ -209,6 +209,7 @@ private:
 
   void dispatch();
   bool may_call(const Code& callee); // false: too deep, raised
+  std::uint64_t fuel_left() const;
   void take_slice();
   void give_back_fuel();
   bool goes_on_beyond_slice(); // false: raised

@@ -55,6 +55,19 @@ TEST_F(ExecStateTest, EverythingDueComesInItsTime) {
   EXPECT_EQ(run->save(), (*restored)->save());
 }
 
+// What was taken beyond a slice counts, wherever the slice began.
+TEST(ExecStateLimitsTest, TheSameLimitEndsARunWhereverItIsRestored) {
+  const auto outcome = test::compile_declarations(
+      "<function name='main'><var name='l' expr=\"['a text, said']\"/>"
+      "<for name='i' from='1' to='12'><set name='l' expr='[l, l]'/></for>"
+      "<print param='{l}'/></function>");
+  ASSERT_TRUE(outcome.program);
+  for (std::uint64_t fuel = 2000; fuel < 4000; fuel += 200)
+    EXPECT_EQ(test::run_script(outcome.program, fuel).errors,
+              test::run_with_restores(outcome.program, fuel).errors)
+        << fuel;
+}
+
 TEST_F(ExecStateTest, WhatIsNoRunIsRefused) {
   EXPECT_NE(error_of("").find("byte 0"), std::string::npos) << error_of("");
   EXPECT_NE(error_of("<dialogue/>").find("another version"), std::string::npos);

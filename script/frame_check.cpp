@@ -1,6 +1,7 @@
 #include "script/frame_check.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "script/instruction.hpp"
 #include "script/operations.hpp"
@@ -82,17 +83,29 @@ bool FrameCheck::may_be_missing(std::uint16_t reg) const {
 
 namespace {
 
+// Whether a count stays an integer. A whole way may be longer than the largest
+// one: from the smallest to the largest.
+bool can_step(std::int64_t from, std::int64_t step, std::int64_t times) {
+  using Limits = std::numeric_limits<std::int64_t>;
+  const auto apart = [](std::int64_t high, std::int64_t low) {
+    return static_cast<std::uint64_t>(high) - static_cast<std::uint64_t>(low);
+  };
+  if (step == 0)
+    return true;
+  const auto most = step > 0 ? apart(Limits::max(), from) / apart(step, 0)
+                             : apart(from, Limits::min()) / apart(0, step);
+  return static_cast<std::uint64_t>(times) <= most;
+}
+
 // Machine::for_prepare: left, current, step, from, variable.
 bool can_count(const Box* loop) {
   if (!loop[0].is_small() || loop[0].as_small() < 0)
     return false;
   if (loop[1].is_number())
     return numeric(loop[2]) && numeric(loop[3]);
-  std::int64_t end = 0;
   return loop[1].is_integer() && loop[2].is_integer() &&
-         !__builtin_mul_overflow(loop[0].as_small(), loop[2].as_integer(),
-                                 &end) &&
-         !__builtin_add_overflow(loop[1].as_integer(), end, &end);
+         can_step(loop[1].as_integer(), loop[2].as_integer(),
+                  loop[0].as_small());
 }
 
 // Machine::each_prepare: a list, a position.

@@ -39,6 +39,7 @@ COLUMNS = {
                 "email, department, location",
     "rr_facility": "facility_id, name, category, tags, unit, level, "
                    "description, contact",
+    "rr_hours": "hours_id, facility, days, opens, closes",
     "rr_meeting": "meeting_id, date, time, venue, host, visitor, "
                   "organisation, status",
     "rr_visitor": "visitor_id, salutation, name, contact, email, "
@@ -62,6 +63,13 @@ def facility_rows():
     return rows
 
 
+def hours_rows():
+    spans = [(name, *span)
+             for name, hours in receptionist_facilities.HOURS.items()
+             for span in hours]
+    return [(index + 1, *span) for index, span in enumerate(spans)]
+
+
 def literal(value):
     if value is None:
         return "null"
@@ -81,7 +89,7 @@ def tables():
     staff = receptionist_staff.rows(draw)
     meetings, visitors = receptionist_meetings.rows(staff, draw)
     return {"rr_staff": staff, "rr_facility": facility_rows(),
-            "rr_meeting": meetings, "rr_visitor": visitors}
+            "rr_hours": hours_rows(), "rr_meeting": meetings, "rr_visitor": visitors}
 
 
 def seed():

@@ -6,6 +6,9 @@ the swimming pool, the sky garden, the auditorium, Star home, the one food
 court and the two coffee shops; everything else is made up around them. No
 other row may be a coffee shop or a food court: the relaxed answers of the
 example conversation count them.
+
+`HOURS` has when they are open, where that is known: days of the week (1 is
+Monday) and from when until when, agreeing with what the description says.
 """
 
 FACILITIES = [
@@ -151,3 +154,51 @@ FACILITIES = [
      "The Viewing Deck is on the twenty fourth floor, around the "
      "restaurant."),
 ]
+
+EVERY_DAY = "1234567"
+WEEKDAYS = "12345"
+
+
+def daily(opens, closes):
+    return [(EVERY_DAY, opens, closes)]
+
+
+def weekdays(opens, closes):
+    return [(WEEKDAYS, opens, closes)]
+
+
+NEVER_CLOSES = daily("00:00", "24:00")
+
+HOURS = {
+    "Basement Car Park": NEVER_CLOSES,
+    "Loading Bay": weekdays("08:00", "18:00"),
+    "Food Chain food court": daily("07:00", "21:30"),
+    "Fresh Basket": daily("08:00", "22:00"),
+    "Daily Stop": NEVER_CLOSES,
+    "Merlin Cleaners": weekdays("08:00", "19:00") + [("6", "09:00", "17:00")],
+    "Lion City Exchange": daily("09:00", "20:00"),
+    "Starbucks Coffee": daily("07:30", "21:00"),
+    "Ya Kun Toastwich": weekdays("07:00", "19:00") + [("6", "08:00", "15:00")],
+    "Straits Union Bank": weekdays("09:00", "16:30"),
+    "Information Counter": daily("08:00", "22:00"),
+    "Good Health Pharmacy": daily("09:00", "21:00"),
+    "Paper Crane Books": daily("10:00", "20:00"),
+    "Parcel Wall": NEVER_CLOSES,
+    "Kelapa Kitchen": daily("11:30", "14:30") + daily("18:00", "22:00"),
+    "Saffron Table": daily("11:30", "14:30") + daily("18:00", "22:00"),
+    "Harbour Commerce Bank": weekdays("09:30", "16:00"),
+    "White Pearl Dental": weekdays("09:00", "18:00"),
+    "Silver Scissors": [("23456", "10:00", "20:00"), ("7", "10:00", "17:00")],
+    "Evergreen Medical": weekdays("08:30", "17:30") + [
+        ("6", "08:30", "12:30")],
+    "Bright Steps": weekdays("07:00", "19:00"),
+    "Sharp Copies": weekdays("09:00", "18:00"),
+    "Innovation Gallery": [("234567", "10:00", "18:00")],
+    "Meridian Library": weekdays("08:00", "20:00") + [("6", "09:00", "17:00")],
+    "Star home": weekdays("10:00", "17:00"),
+    "Sky garden": daily("07:00", "19:00"),
+    "Swimming pool": daily("07:00", "21:00"),
+    "Skyline Gym": daily("06:00", "22:00"),
+    "Cloud Terrace": daily("18:00", "23:00"),
+    "Viewing Deck": daily("09:00", "22:00"),
+}

@@ -174,6 +174,40 @@ class Facilities(Database):
         self.assertEqual(self.names_in("clinic", 1), [])
 
 
+class Hours(Database):
+    def test_normal_forms(self):
+        query = "select days, opens, closes from rr_hours"
+        for days, opens, closes in self.rows(query):
+            self.assertRegex(days, r"^1?2?3?4?5?6?7?$")
+            self.assertTrue(days)
+            for time in (opens, closes):
+                self.assertRegex(time, r"^([01]\d|2[0-4]):[0-5]\d$")
+            self.assertLess(opens, closes)
+            self.assertLessEqual(closes, "24:00")
+
+    def test_facilities_exist(self):
+        lost = self.rows("select * from rr_hours where facility not in "
+                         "(select name from rr_facility)")
+        self.assertEqual(lost, [])
+
+    def test_no_two_of_a_day_overlap(self):
+        rows = self.rows("select facility, days, opens, closes from rr_hours "
+                         "order by facility, opens")
+        for day in "1234567":
+            spans = [row for row in rows if day in row[1]]
+            for before, after in zip(spans, spans[1:]):
+                if before[0] == after[0]:
+                    self.assertLess(before[3], after[2], before[0])
+
+    def test_all_kinds_are_there(self):
+        self.assertTrue(self.rows("select * from rr_hours where opens = "
+                                  "'00:00' and closes = '24:00'"))
+        self.assertTrue(self.rows("select facility from rr_hours where days = "
+                                  "'1234567' group by 1 having count(*) > 1"))
+        self.assertTrue(self.rows("select name from rr_facility where name "
+                                  "not in (select facility from rr_hours)"))
+
+
 class Meetings(Database):
     def test_normal_forms(self):
         for date, time in self.rows("select date, time from rr_meeting"):

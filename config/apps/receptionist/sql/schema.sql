@@ -46,6 +46,20 @@ create table rr_facility (
 
 create index rr_facility_by_category on rr_facility (category, level);
 
+-- When a facility is open: on these days of the week, from a time until another
+-- of the same day. It has several rows where it closes in between or where days
+-- differ, and none where nobody knows. What never closes is open every day from
+-- 00:00 to 24:00.
+create table rr_hours (
+  hours_id integer primary key,
+  facility varchar(80) not null,  -- rr_facility.name
+  days     varchar(7)  not null,  -- 12345 is Monday to Friday
+  opens    varchar(5)  not null,
+  closes   varchar(5)  not null
+) /*! character set utf8mb4 collate utf8mb4_nopad_bin */;
+
+create index rr_hours_by_facility on rr_hours (facility, opens);
+
 -- The host is the name of a staff member, as in rr_staff.staff_name. A host may
 -- have two rows for one time: it is the dialogue that says who is busy.
 create table rr_meeting (

@@ -722,6 +722,47 @@ values
 (49, 'Cloud Terrace', 'restaurant', 'western, grill, bar, dinner', '#24-01', 24, 'Cloud Terrace is a restaurant on the twenty fourth floor that opens for dinner at six.', '64072816'),
 (50, 'Viewing Deck', 'viewing deck', 'view, photographs, outdoor', '#24-02', 24, 'The Viewing Deck is on the twenty fourth floor, around the restaurant.', '64072833');
 
+insert into rr_hours
+  (hours_id, facility, days, opens, closes)
+values
+(1, 'Basement Car Park', '1234567', '00:00', '24:00'),
+(2, 'Loading Bay', '12345', '08:00', '18:00'),
+(3, 'Food Chain food court', '1234567', '07:00', '21:30'),
+(4, 'Fresh Basket', '1234567', '08:00', '22:00'),
+(5, 'Daily Stop', '1234567', '00:00', '24:00'),
+(6, 'Merlin Cleaners', '12345', '08:00', '19:00'),
+(7, 'Merlin Cleaners', '6', '09:00', '17:00'),
+(8, 'Lion City Exchange', '1234567', '09:00', '20:00'),
+(9, 'Starbucks Coffee', '1234567', '07:30', '21:00'),
+(10, 'Ya Kun Toastwich', '12345', '07:00', '19:00'),
+(11, 'Ya Kun Toastwich', '6', '08:00', '15:00'),
+(12, 'Straits Union Bank', '12345', '09:00', '16:30'),
+(13, 'Information Counter', '1234567', '08:00', '22:00'),
+(14, 'Good Health Pharmacy', '1234567', '09:00', '21:00'),
+(15, 'Paper Crane Books', '1234567', '10:00', '20:00'),
+(16, 'Parcel Wall', '1234567', '00:00', '24:00'),
+(17, 'Kelapa Kitchen', '1234567', '11:30', '14:30'),
+(18, 'Kelapa Kitchen', '1234567', '18:00', '22:00'),
+(19, 'Saffron Table', '1234567', '11:30', '14:30'),
+(20, 'Saffron Table', '1234567', '18:00', '22:00'),
+(21, 'Harbour Commerce Bank', '12345', '09:30', '16:00'),
+(22, 'White Pearl Dental', '12345', '09:00', '18:00'),
+(23, 'Silver Scissors', '23456', '10:00', '20:00'),
+(24, 'Silver Scissors', '7', '10:00', '17:00'),
+(25, 'Evergreen Medical', '12345', '08:30', '17:30'),
+(26, 'Evergreen Medical', '6', '08:30', '12:30'),
+(27, 'Bright Steps', '12345', '07:00', '19:00'),
+(28, 'Sharp Copies', '12345', '09:00', '18:00'),
+(29, 'Innovation Gallery', '234567', '10:00', '18:00'),
+(30, 'Meridian Library', '12345', '08:00', '20:00'),
+(31, 'Meridian Library', '6', '09:00', '17:00'),
+(32, 'Star home', '12345', '10:00', '17:00'),
+(33, 'Sky garden', '1234567', '07:00', '19:00'),
+(34, 'Swimming pool', '1234567', '07:00', '21:00'),
+(35, 'Skyline Gym', '1234567', '06:00', '22:00'),
+(36, 'Cloud Terrace', '1234567', '18:00', '23:00'),
+(37, 'Viewing Deck', '1234567', '09:00', '22:00');
+
 insert into rr_meeting
   (meeting_id, date, time, venue, host, visitor, organisation, status)
 values

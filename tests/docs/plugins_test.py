@@ -1,14 +1,42 @@
 #!/usr/bin/env python3
 """docs/plugins.md does what it says, against an installed Parlour and outside of
-its tree; what is installed needs nothing of CAF."""
+its tree, and what `parlour plugin new` writes works for every role; what is
+installed needs nothing of CAF."""
 
 import os
+import re
 import shutil
 import subprocess
 import unittest
 from pathlib import Path
 
 from page_case import PROGRAM, PageCase, blocks_of, ROOT
+
+# All plug-ins in one program, as to link a library for each takes minutes.
+PROJECT = """cmake_minimum_required(VERSION 3.25)
+project(skeletons LANGUAGES CXX)
+find_package(Parlour REQUIRED)
+add_executable(skeletons skeletons.cpp)
+target_link_libraries(skeletons PRIVATE Parlour::plugin)
+target_compile_options(skeletons PRIVATE -Wall -Wextra -Wpedantic -Werror)
+"""
+ONE_OF_THEM = """#define parlour_plugin parlour_plugin_{role}
+#include "{name}/{stem}.cpp"
+#undef parlour_plugin
+"""
+TRY_ALL = """#include <cstdio>
+#include "runtime/plugin/conformance.hpp"
+int main() {{
+  int count = 0;
+  for (const auto* plugin : {{{plugins}}}) {{
+    const auto factory = plugin->factory();
+    for (const auto& wrong : parlour::nonconformities(factory, {{}}))
+      std::printf("%s: %s\\n", factory.description.name.c_str(), wrong.c_str());
+    ++count;
+  }}
+  std::printf("%d tried\\n", count);
+}}
+"""
 
 BUILD = PROGRAM.resolve().parents[1]
 
@@ -29,6 +57,26 @@ class PluginsTest(PageCase):
                      "its programs are built without a sanitizer")
     def test_the_page_does_what_it_says(self):
         self.assertGreater(self.try_out("plugins.md"), 3)
+
+    @unittest.skipIf("LSAN_OPTIONS" in os.environ,
+                     "its program is built without a sanitizer")
+    def test_what_plugin_new_writes_works_for_every_role(self):
+        table = (ROOT / "runtime/base/roles.def").read_text(encoding="utf-8")
+        roles = re.findall(r"^ROLE\((\w+),", table, re.M)
+        self.assertGreater(len(roles), 15)
+        source = ""
+        for role in roles:
+            name = f"New{role.capitalize()}"
+            self.run_commands(f"parlour plugin new {name} --role {role}")
+            source += ONE_OF_THEM.format(role=role, name=name,
+                                         stem=f"new_{role.lower()}")
+        source += TRY_ALL.format(plugins=", ".join(
+            f"&parlour_plugin_{role}" for role in roles))
+        (self.work / "CMakeLists.txt").write_text(PROJECT, encoding="utf-8")
+        (self.work / "skeletons.cpp").write_text(source, encoding="utf-8")
+        self.run_commands("cmake -S . -B build && cmake --build build")
+        self.assertEqual(self.run_commands("build/skeletons"),
+                         f"{len(roles)} tried\n")
 
     def test_its_plugin_is_short(self):
         page = (ROOT / "docs" / "plugins.md").read_text(encoding="utf-8")

@@ -13,6 +13,7 @@
 #include "tools/parlour/completion.hpp"
 #include "tools/parlour/exit_code.hpp"
 #include "tools/parlour/plugin_commands.hpp"
+#include "tools/parlour/plugin_skeleton.hpp"
 
 namespace parlour::tools {
 
@@ -268,7 +269,8 @@ private:
   void add_completion() {
     auto* command =
         add("completion", "Print a shell's completion script", [this] {
-          console_.out << completion_script(app_);
+          console_.out << completion_script(app_,
+                                            {{"--role", component_roles()}});
           return exit_code::well;
         });
     command->add_option("SHELL", shell_, "bash")

@@ -20,13 +20,10 @@ Expected<const Role*> component_role(const std::string& name) {
   const auto* role = find_role(name);
   if (role && !role->reserved)
     return role;
-  std::vector<std::string> names;
+  const auto names = component_roles();
   std::string all;
-  for (const auto& one : roles())
-    if (!one.reserved) {
-      names.push_back(one.name);
-      all += (all.empty() ? "" : ", ") + one.name;
-    }
+  for (const auto& one : names)
+    all += (all.empty() ? "" : ", ") + one;
   const auto hint = script::did_you_mean(name, names);
   return fail(ErrorKind::settings,
               "there is no role '" + name + "'" +
@@ -102,6 +99,14 @@ std::string read_me(const std::string& name, const Role& role) {
 }
 
 } // namespace
+
+std::vector<std::string> component_roles() {
+  std::vector<std::string> names;
+  for (const auto& role : roles())
+    if (!role.reserved)
+      names.push_back(role.name);
+  return names;
+}
 
 Expected<std::vector<SkeletonFile>> plugin_skeleton(const std::string& name,
                                                     const std::string& role) {

@@ -14,6 +14,9 @@ struct SkeletonFile {
   std::string text;
 };
 
+// The roles that a component may have.
+std::vector<std::string> component_roles();
+
 // Errors, of kind Settings: the name is none of a class, or there is no such
 // role for a component.
 Expected<std::vector<SkeletonFile>> plugin_skeleton(const std::string& name,

@@ -10,6 +10,8 @@ namespace {
 using jsgf::Node;
 using jsgf::NodeKind;
 
+constexpr std::size_t shown_bytes = 40; // of an example that is too long
+
 void add_words(Node& sequence, std::string_view text) {
   for (auto& token : tokenize(text).list)
     sequence.children.push_back(
@@ -35,6 +37,15 @@ ExampleRules example_rules(const TopicModel& topic, const std::string& example,
                            std::vector<Error>& errors) {
   ExampleRules made;
   made.whole.kind = NodeKind::sequence;
+  if (example.size() > most_example_bytes) {
+    errors.push_back({ErrorKind::compile,
+                      "the example \"" + example.substr(0, shown_bytes) +
+                          "...\" of the topic '" + topic.name +
+                          "' has more than " +
+                          std::to_string(most_example_bytes) + " bytes",
+                      {}});
+    return made;
+  }
   const auto marked = read_marks(example);
   if (!marked) {
     errors.push_back({ErrorKind::compile,

@@ -3,6 +3,7 @@
 // are its parts that end in a slot ("from …").
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -11,12 +12,15 @@
 
 namespace parlour::adapters::nlu {
 
+inline constexpr std::size_t most_example_bytes = 1000; // with its marks
+
 struct ExampleRules {
   jsgf::Node whole;
   std::vector<jsgf::Node> parts;
 };
 
-// Marks that do not fit together are errors; slots are not checked here.
+// Marks that do not fit together and an example that is too long are errors;
+// slots are not checked here.
 ExampleRules example_rules(const TopicModel& topic, const std::string& example,
                            std::vector<Error>& errors);
 

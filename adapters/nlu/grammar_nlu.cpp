@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <fstream>
 #include <iterator>
+#include <utility>
 
-#include "adapters/nlu/understander.hpp"
+#include "adapters/nlu/example_file.hpp"
 #include "runtime/plugin/adaptors.hpp"
 #include "runtime/plugin/folder.hpp"
 
@@ -12,11 +13,22 @@ namespace parlour::adapters {
 
 namespace {
 
-std::string option(const Options& options, const std::string& name,
-                   std::string fallback) {
-  const auto found = options.find(name);
-  return found == options.end() || found->second.empty() ? fallback
-                                                         : found->second;
+const std::vector<OptionDescription>& option_descriptions() {
+  static const std::vector<OptionDescription> descriptions{
+      {"threshold", "0.4",
+       "acts with a lower score are not understood, from 0 to 1", false,
+       OptionType::number},
+      {"examples", "",
+       "a file of the application with further examples, a topic, a tab and a "
+       "text in each line"},
+      {"generic", "",
+       "the application's grammar of generic acts, instead of the platform's"},
+      {"platform", "", "folder of what the platform ships"}};
+  return descriptions;
+}
+
+std::string option(const Options& options, const std::string& name) {
+  return option_value(options, option_descriptions(), name);
 }
 
 bool is_of_data(const Error& error) {
@@ -53,32 +65,22 @@ protected:
   }
 
   Expected<void> on_start(const Options& options) override {
-    nlu::Understander::Options wanted;
-    const auto threshold = parse_number(option(options, "threshold", "0.4"));
-    wanted.threshold = threshold.number_or(-1);
-    if (wanted.threshold < 0 || wanted.threshold > 1)
-      return fail(ErrorKind::settings,
-                  "GrammarNLU: threshold is a number from 0 to 1");
-    auto generic = nlu::read_generic(options, host().application_folder());
-    if (!generic)
-      return tl::make_unexpected(generic.error());
-    wanted.generic = {std::move(*generic)};
-    return build(std::move(wanted));
-  }
-
-private:
-  Expected<void> build(nlu::Understander::Options wanted) {
+    for (const auto& described : option_descriptions())
+      if (auto fits = check_option(described, option(options, described.name));
+          !fits)
+        return fits;
     const auto model = host().understanding();
-    auto built = nlu::Understander::build(
-        model ? *model : UnderstandingModel(),
+    auto built = nlu::build_understander(
+        options, model ? *model : UnderstandingModel(),
         [this](const std::string& name) { return host().column(name); },
-        std::move(wanted));
+        host().application_folder());
     if (!built)
       return tl::make_unexpected(joined(built.error()));
     understander_ = std::make_unique<nlu::Understander>(std::move(*built));
     return {};
   }
 
+private:
   std::unique_ptr<nlu::Understander> understander_;
 };
 
@@ -99,8 +101,8 @@ Expected<GrammarModel> read_grammar(const std::string& path) {
 
 Expected<GrammarModel> read_generic(const Options& options,
                                     const std::string& application_folder) {
-  const auto own = option(options, "generic", "");
-  const auto platform = option(options, "platform", "");
+  const auto own = option(options, "generic");
+  const auto platform = option(options, "platform");
   if (!own.empty())
     return inside(application_folder, own, "generic")
         .and_then([](const auto& path) { return read_grammar(path.string()); });
@@ -110,19 +112,64 @@ Expected<GrammarModel> read_generic(const Options& options,
   return read_grammar(platform + "/generic-acts.jsgf");
 }
 
+namespace {
+
+void read_threshold(const Options& options, double& threshold,
+                    std::vector<Error>& errors) {
+  const auto given = option(options, "threshold");
+  // What is no number is told where the settings are checked.
+  threshold = parse_number(given).number_or(threshold);
+  if (threshold < 0 || threshold > 1)
+    errors.push_back(
+        {ErrorKind::settings,
+         "the option 'threshold' takes a number from 0 to 1, not '" + given +
+             "'",
+         {}});
+}
+
+void read_examples(const Options& options,
+                   const std::string& application_folder,
+                   UnderstandingModel& model, std::vector<Error>& errors) {
+  const auto name = option(options, "examples");
+  if (name.empty())
+    return;
+  const auto path = inside(application_folder, name, "examples");
+  if (!path)
+    return errors.push_back(path.error());
+  for (auto& error : add_example_file(*path, model))
+    errors.push_back(std::move(error));
+}
+
+} // namespace
+
+tl::expected<Understander, std::vector<Error>>
+build_understander(const Options& options, UnderstandingModel model,
+                   const ColumnReader& columns,
+                   const std::string& application_folder) {
+  std::vector<Error> errors;
+  Understander::Options wanted;
+  read_threshold(options, wanted.threshold, errors);
+  if (auto generic = read_generic(options, application_folder))
+    wanted.generic = {std::move(*generic)};
+  else
+    errors.push_back(generic.error());
+  read_examples(options, application_folder, model, errors);
+  auto built = Understander::build(model, columns, std::move(wanted));
+  if (!built)
+    errors.insert(errors.end(), built.error().begin(), built.error().end());
+  if (!errors.empty())
+    return tl::make_unexpected(std::move(errors));
+  return built;
+}
+
 } // namespace nlu
 
 PluginFactory grammar_nlu_factory() {
   PluginDescription description;
   description.name = "GrammarNLU";
   description.roles = {"NLU"};
-  description.sentence = "Understands by grammars, examples, names and values.";
-  description.options = {
-      {"threshold", "0.4", "acts with a lower score are not understood", false},
-      {"platform", "", "folder of what the platform ships", false},
-      {"generic", "",
-       "the application's grammar of generic acts, instead of the platform's",
-       false}};
+  description.sentence = "understands by grammars, examples, names and values";
+  description.options = option_descriptions();
   description.is_inline = true;
   return {std::move(description),
           [] { return std::make_unique<GrammarNLU>(); }};

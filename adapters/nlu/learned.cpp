@@ -76,36 +76,68 @@ std::vector<LearningWord> learning_words(const Utterance& utterance,
 // All examples, on their way into what is learnt.
 class Lesson {
 public:
-  Lesson(Learned& learned, const Schema& schema, const Automaton& automaton)
-      : learned_(learned), schema_(schema), automaton_(automaton) {
+  Lesson(Learned& learned, const Schema& schema, const Automaton& automaton,
+         LearningLimits limits)
+      : learned_(learned), schema_(schema), automaton_(automaton),
+        limits_(limits) {
     learned_.slots_of_.resize(schema.topics().size());
   }
 
-  void add(const TopicModel& topic) {
+  Expected<void> add(const TopicModel& topic) {
     if (topic.examples.empty())
-      return;
+      return {};
     learned_.topics_.push_back(schema_.topic(topic.name));
     for (const auto& example : topic.examples)
-      if (const auto marked = read_marks(example))
+      if (const auto marked = read_marks(example)) {
         add(*marked);
+        if (features_ > limits_.features)
+          return fail(ErrorKind::limit,
+                      "the examples are too many to be learnt: there is room "
+                      "for the first " +
+                          std::to_string(texts_.size() - 1) +
+                          "; leave out some, of those that say the same");
+      }
+    return {};
   }
 
-  void learn(double threshold) {
+  Expected<void> learn(double threshold) {
     if (learned_.topics_.empty())
-      return;
+      return {};
     number_slots();
     add_nothing();
-    const auto labels = static_cast<std::uint32_t>(learned_.topics_.size() + 1);
-    if (texts_.size() >= many_texts)
-      learned_.sharpness_ = find_sharpness(labels, threshold);
-    learned_.classifier_ = Classifier(texts_, labels);
-    for (std::size_t at = 0; at < tagged_.size(); ++at)
-      tagged_[at].slots = learned_.slots_of_[tagged_topics_[at]];
-    learned_.tagger_ =
-        Tagger(tagged_, static_cast<std::uint32_t>(learned_.slots_.size()));
+    return learn_topics(threshold).and_then([this] { return learn_slots(); });
   }
 
 private:
+  Expected<void> learn_topics(double threshold) {
+    const auto labels = static_cast<std::uint32_t>(learned_.topics_.size() + 1);
+    auto classifier = Classifier::train(texts_, labels, limits_.weights);
+    if (!classifier)
+      return fail(ErrorKind::limit,
+                  "the examples of " + std::to_string(labels - 1) +
+                      " topics are too many to be learnt; leave out examples, "
+                      "or write one topic for several");
+    learned_.classifier_ = std::move(*classifier);
+    if (texts_.size() >= many_texts)
+      learned_.sharpness_ = find_sharpness(labels, threshold);
+    texts_ = {};
+    return {};
+  }
+
+  Expected<void> learn_slots() {
+    for (std::size_t at = 0; at < tagged_.size(); ++at)
+      tagged_[at].slots = learned_.slots_of_[tagged_topics_[at]];
+    const auto slots = static_cast<std::uint32_t>(learned_.slots_.size());
+    auto tagger = Tagger::train(tagged_, slots, limits_.weights);
+    if (!tagger)
+      return fail(ErrorKind::limit,
+                  "the examples of " + std::to_string(slots) +
+                      " slots are too many to be learnt; leave out examples, "
+                      "or write one slot for several");
+    learned_.tagger_ = std::move(*tagger);
+    return {};
+  }
+
   struct Read {
     explicit Read(std::string_view text, const Schema& schema,
                   const Automaton& automaton)
@@ -122,8 +154,14 @@ private:
     const Read read(marked.text, schema_, automaton_);
     texts_.push_back({text_features(read.words),
                       static_cast<std::uint32_t>(learned_.topics_.size())});
+    features_ += texts_.back().features.size();
+    const auto topic = learned_.topics_.back();
+    if (schema_.at(topic).slots.empty())
+      return;
     tagged_.push_back({word_features(read.words), labels(marked, read), {}});
-    tagged_topics_.push_back(learned_.topics_.back());
+    tagged_topics_.push_back(topic);
+    for (const auto& word : tagged_.back().features)
+      features_ += word.size();
   }
 
   std::vector<TagLabel> labels(const MarkedText& marked, const Read& read) {
@@ -179,35 +217,43 @@ private:
         {text_features(Read(text, schema_, automaton_).words), nothing});
   }
 
-  float find_sharpness(std::uint32_t labels, double threshold) const {
+  // Takes the texts apart, so that none is held twice.
+  float find_sharpness(std::uint32_t labels, double threshold) {
     std::vector<LabelledText> learnt;
-    std::vector<const LabelledText*> held_out;
-    for (std::size_t at = 0; at < texts_.size(); ++at)
-      if (at % one_in == 0 && texts_[at].label != nothing)
-        held_out.push_back(&texts_[at]);
-      else
-        learnt.push_back(texts_[at]);
-    const Classifier trial(learnt, labels);
+    std::vector<LabelledText> held_out;
+    for (std::size_t at = 0; at < texts_.size(); ++at) {
+      const bool out = at % one_in == 0 && texts_[at].label != nothing;
+      (out ? held_out : learnt).push_back(std::move(texts_[at]));
+    }
+    const auto trial = Classifier::train(learnt, labels);
     std::vector<std::vector<float>> scores;
-    for (const auto* text : held_out)
-      scores.push_back(trial.scores(text->features));
+    for (const auto& text : held_out)
+      scores.push_back(trial->scores(text.features));
     return sharpness_of(scores, threshold);
   }
 
   Learned& learned_;
   const Schema& schema_;
   const Automaton& automaton_;
+  const LearningLimits limits_;
+  std::size_t features_ = 0; // of all examples so far
   std::vector<LabelledText> texts_;
   std::vector<TaggedText> tagged_;
   std::vector<TopicNumber> tagged_topics_;
 };
 
-Learned::Learned(const std::vector<TopicModel>& topics, const Schema& schema,
-                 const Automaton& automaton, double threshold) {
-  Lesson lesson(*this, schema, automaton);
+Expected<Learned> Learned::train(const std::vector<TopicModel>& topics,
+                                 const Schema& schema,
+                                 const Automaton& automaton, double threshold,
+                                 LearningLimits limits) {
+  Learned learned;
+  Lesson lesson(learned, schema, automaton, limits);
   for (const auto& topic : topics)
-    lesson.add(topic);
-  lesson.learn(threshold);
+    if (auto added = lesson.add(topic); !added)
+      return tl::make_unexpected(added.error());
+  if (auto learnt = lesson.learn(threshold); !learnt)
+    return tl::make_unexpected(learnt.error());
+  return learned;
 }
 
 std::vector<TopicGuess>

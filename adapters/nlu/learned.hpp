@@ -29,13 +29,21 @@ struct SlotGuess {
 std::vector<LearningWord> learning_words(const Utterance& utterance,
                                          const Spans& spans);
 
+// What learning may take.
+struct LearningLimits {
+  std::size_t features = 8 << 20; // of all examples; of eight bytes each
+  std::size_t weights = 16 << 20; // of topics and of slots; of four bytes each
+};
+
 class Learned {
 public:
   // Examples whose marks do not fit are left out. `threshold`: with many
   // examples, probabilities are made such that of 100 examples that were not
-  // learnt 97 reach it.
-  Learned(const std::vector<TopicModel>& topics, const Schema& schema,
-          const Automaton& automaton, double threshold);
+  // learnt 97 reach it. An error says what there is too much of.
+  static Expected<Learned> train(const std::vector<TopicModel>& topics,
+                                 const Schema& schema,
+                                 const Automaton& automaton, double threshold,
+                                 LearningLimits limits = {});
 
   // Best first, of topics with examples. What is left to 1 is the probability
   // that it is about none of them.

@@ -226,9 +226,12 @@ Understander::build(const UnderstandingModel& model,
   auto automaton = builder.finish();
   if (!errors.empty())
     return tl::make_unexpected(std::move(errors));
-  Learned learned(model.topics, schema, automaton, options.threshold);
+  auto learned =
+      Learned::train(model.topics, schema, automaton, options.threshold);
+  if (!learned)
+    return tl::make_unexpected(std::vector{learned.error()});
   return Understander(std::make_unique<const Implementation>(
-      std::move(schema), std::move(automaton), std::move(learned),
+      std::move(schema), std::move(automaton), std::move(*learned),
       options.threshold));
 }
 

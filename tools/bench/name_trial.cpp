@@ -123,7 +123,7 @@ private:
 
   std::vector<Words> names_;
   std::vector<NameTrial> made_;
-  Random random_{7};
+  Random random_{2026};
 };
 
 } // namespace

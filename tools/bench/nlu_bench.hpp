@@ -23,6 +23,7 @@ struct NluApplication {
 struct NluBenchOptions {
   std::string only;           // one row; empty: all
   std::filesystem::path data; // where the public data sets are; empty: nowhere
+  bool validation = false;    // of them what was held out, instead of the test
 };
 
 // The names of the rows.

@@ -97,8 +97,10 @@ void add_slot(TopicModel& topic, const std::string& slot) {
     topic.slots.push_back({slot, "", {}, "", false, false});
 }
 
+constexpr std::size_t held_out_of = 10;
+
 Expected<void> add_snips(NluData& data, const fs::path& folder,
-                         const std::string& name) {
+                         const std::string& name, DataPart part) {
   const auto train =
       read_json(folder / name / ("train_" + name + "_full.json"));
   if (!train)
@@ -107,22 +109,38 @@ Expected<void> add_snips(NluData& data, const fs::path& folder,
   if (!test)
     return tl::make_unexpected(test.error());
   auto& topic = topic_of(data, name);
+  std::size_t number = 0;
   for (const auto& row : train->at(name)) {
     const Parts parts(row);
-    topic.examples.push_back(parts.marked);
     for (const auto& slot : parts.slots)
       add_slot(topic, slot.first);
+    if (part == DataPart::validation && ++number % held_out_of == 0)
+      data.texts.push_back({parts.text, name, parts.slots});
+    else
+      topic.examples.push_back(parts.marked);
   }
-  for (const auto& row : test->at(name)) {
-    const Parts parts(row);
-    data.texts.push_back({parts.text, name, parts.slots});
-  }
+  if (part == DataPart::test)
+    for (const auto& row : test->at(name)) {
+      const Parts parts(row);
+      data.texts.push_back({parts.text, name, parts.slots});
+    }
   return {};
+}
+
+// Of CLINC's parts: those about a topic, and those about none.
+std::vector<NluText> texts_of(const json& data, const char* inside,
+                              const char* outside) {
+  std::vector<NluText> texts;
+  for (const auto& row : data.at(inside))
+    texts.push_back({row.at(0), row.at(1), {}});
+  for (const auto& row : data.at(outside))
+    texts.push_back({row.at(0), "", {}});
+  return texts;
 }
 
 } // namespace
 
-Expected<NluData> read_clinc(const fs::path& folder) {
+Expected<NluData> read_clinc(const fs::path& folder, DataPart part) {
   const auto path =
       first_there(folder, {"data_full.json", "data/data_full.json",
                            "oos-eval/data/data_full.json"});
@@ -134,14 +152,13 @@ Expected<NluData> read_clinc(const fs::path& folder) {
   NluData data;
   for (const auto& row : read->at("train"))
     topic_of(data, row.at(1)).examples.push_back(unmarked(row.at(0)));
-  for (const auto& row : read->at("test"))
-    data.texts.push_back({row.at(0), row.at(1), {}});
-  for (const auto& row : read->at("oos_test"))
-    data.texts.push_back({row.at(0), "", {}});
+  data.held_out = texts_of(*read, "val", "oos_val");
+  data.texts = part == DataPart::test ? texts_of(*read, "test", "oos_test")
+                                      : data.held_out;
   return data;
 }
 
-Expected<NluData> read_snips(const fs::path& folder) {
+Expected<NluData> read_snips(const fs::path& folder, DataPart part) {
   const auto path =
       first_there(folder, {"2017-06-custom-intent-engines",
                            "nlu-benchmark/2017-06-custom-intent-engines"});
@@ -149,7 +166,7 @@ Expected<NluData> read_snips(const fs::path& folder) {
     return tl::make_unexpected(path.error());
   NluData data;
   for (const auto* topic : snips_topics)
-    if (auto added = add_snips(data, *path, topic); !added)
+    if (auto added = add_snips(data, *path, topic, part); !added)
       return tl::make_unexpected(added.error());
   return data;
 }

@@ -68,7 +68,8 @@ int bench_nlu_command(const Places& places, const BenchOptions& options,
                                                    application.folder.string()))
       measured.generic = {std::move(*generic)};
   measured.said = said_to(application.folder / "dialogues");
-  return nlu_bench({options.only, options.data}, measured, console.out)
+  return nlu_bench({options.only, options.data, options.validation}, measured,
+                   console.out)
              ? exit_code::well
              : exit_code::wrong;
 }

@@ -236,6 +236,8 @@ private:
         ->check(CLI::IsMember(rows));
     command->add_option("--data", bench_.data,
                         "Where the public data sets of nlu are");
+    command->add_flag("--validation", bench_.validation,
+                      "Of them what is held out of training, not the test");
   }
 
   void add_plugin() {

@@ -75,6 +75,7 @@ struct BenchOptions {
   int runs = 5;
   std::string only; // one row; empty: all
   std::string data; // a folder with public data sets, of nlu; empty: nowhere
+  bool validation = false; // of nlu: what is held out, instead of the test
 };
 int bench_command(const BenchOptions& options, const Console& console);
 

@@ -9,7 +9,7 @@
 
 namespace parlour::tools {
 
-// All errors of grammars and columns.
+// All errors of options, grammars, examples and columns.
 tl::expected<adapters::nlu::Understander, std::vector<Error>>
 build_understander(const Application& application,
                    const ChosenComponent& component,

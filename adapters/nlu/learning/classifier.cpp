@@ -31,10 +31,19 @@ std::vector<float> softmax(std::vector<float> scores) {
   return scores;
 }
 
-Classifier::Classifier(const std::vector<LabelledText>& texts,
-                       std::uint32_t labels)
-    : labels_(labels) {
-  number_features(texts);
+std::optional<Classifier>
+Classifier::train(const std::vector<LabelledText>& texts, std::uint32_t labels,
+                  std::size_t most_weights) {
+  Classifier made;
+  made.labels_ = labels;
+  made.number_features(texts);
+  if ((made.table_.size() + 1) * labels > most_weights)
+    return {};
+  made.learn_all(texts);
+  return made;
+}
+
+void Classifier::learn_all(const std::vector<LabelledText>& texts) {
   weights_.assign((table_.size() + 1) * labels_, 0);
   moved_.assign(table_.size() + 1, 0);
   std::vector<std::vector<Input>> inputs_of;

@@ -3,7 +3,9 @@
 // Immutable once trained; any number of threads may ask it.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "adapters/nlu/learning/features.hpp"
@@ -19,8 +21,11 @@ class Classifier {
 public:
   Classifier() = default;
 
-  // Labels are 0 to labels - 1.
-  Classifier(const std::vector<LabelledText>& texts, std::uint32_t labels);
+  // Labels are 0 to labels - 1. Nothing where that would take more than so many
+  // weights, of four bytes each.
+  static std::optional<Classifier> train(const std::vector<LabelledText>& texts,
+                                         std::uint32_t labels,
+                                         std::size_t most_weights = no_limit);
 
   // For each label how far the text speaks for it. What no example had takes
   // its share away from all.
@@ -32,6 +37,7 @@ private:
     float value = 0;
   };
 
+  void learn_all(const std::vector<LabelledText>& texts);
   void number_features(const std::vector<LabelledText>& texts);
   std::vector<Input> inputs(const std::vector<Feature>& features) const;
   std::vector<float> scores_of(const std::vector<Input>& inputs) const;

@@ -8,7 +8,7 @@ namespace parlour::adapters::nlu {
 namespace {
 
 constexpr std::size_t shortest_piece = 3;
-constexpr std::size_t longest_piece = 5;
+constexpr std::size_t longest_piece = 4;
 constexpr std::size_t longest_affix = 4;
 
 // FNV-1a of bytes, going on from `hash`.

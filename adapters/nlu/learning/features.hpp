@@ -2,6 +2,7 @@
 // bits, so that no names are kept; a table numbers those that training had.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string_view>
 #include <unordered_map>
@@ -12,6 +13,8 @@ namespace parlour::adapters::nlu {
 using Feature = std::uint64_t;
 using FeatureNumber = std::uint32_t;
 inline constexpr FeatureNumber no_feature = 0xFFFFFFFF;
+// Of weights that training may need.
+inline constexpr std::size_t no_limit = static_cast<std::size_t>(-1);
 
 // Numbers, in the order in which features came.
 class FeatureTable {

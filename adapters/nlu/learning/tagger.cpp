@@ -9,7 +9,7 @@ namespace parlour::adapters::nlu {
 
 namespace {
 
-constexpr int rounds = 8;
+constexpr int rounds = 16;
 // In training a wrong label counts that much more: what is right must be
 // better by as much.
 constexpr float margin = 1;
@@ -111,8 +111,17 @@ class TaggerTraining {
 public:
   explicit TaggerTraining(Tagger& tagger) : tagger_(tagger) {}
 
+  void number_features(const std::vector<TaggedText>& texts) {
+    const int needed = texts.size() < many_texts ? 1 : 2;
+    std::unordered_map<Feature, int> counts;
+    for (const auto& text : texts)
+      for (const auto& word : text.features)
+        for (const auto feature : word)
+          if (++counts[feature] == needed)
+            tagger_.table_.add(feature);
+  }
+
   void run(const std::vector<TaggedText>& texts) {
-    number_features(texts);
     tagger_.weights_.assign(tagger_.after(tagger_.labels_) * tagger_.labels_,
                             0);
     sums_ = tagger_.weights_;
@@ -127,16 +136,6 @@ public:
   }
 
 private:
-  void number_features(const std::vector<TaggedText>& texts) {
-    const int needed = texts.size() < many_texts ? 1 : 2;
-    std::unordered_map<Feature, int> counts;
-    for (const auto& text : texts)
-      for (const auto& word : text.features)
-        for (const auto feature : word)
-          if (++counts[feature] == needed)
-            tagger_.table_.add(feature);
-  }
-
   void learn(const TaggedText& text, const Tagger::Rows& rows) {
     ++steps_;
     const auto found =
@@ -175,9 +174,17 @@ private:
   float steps_ = 0;
 };
 
-Tagger::Tagger(const std::vector<TaggedText>& texts, std::uint32_t slots)
-    : labels_(2 * slots + 1) {
-  TaggerTraining(*this).run(texts);
+std::optional<Tagger> Tagger::train(const std::vector<TaggedText>& texts,
+                                    std::uint32_t slots,
+                                    std::size_t most_weights) {
+  Tagger made;
+  made.labels_ = 2 * slots + 1;
+  TaggerTraining training(made);
+  training.number_features(texts);
+  if (made.after(made.labels_) * made.labels_ > most_weights)
+    return {};
+  training.run(texts);
+  return made;
 }
 
 Tagger::Rows

@@ -4,7 +4,9 @@
 // may ask it.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "adapters/nlu/learning/features.hpp"
@@ -37,8 +39,11 @@ class Tagger {
 public:
   Tagger() = default;
 
-  // Slots are 0 to slots - 1.
-  Tagger(const std::vector<TaggedText>& texts, std::uint32_t slots);
+  // Slots are 0 to slots - 1. Nothing where that would take more than so many
+  // weights, of four bytes each, and twice as many in training.
+  static std::optional<Tagger> train(const std::vector<TaggedText>& texts,
+                                     std::uint32_t slots,
+                                     std::size_t most_weights = no_limit);
 
   // The likeliest labels, of these slots only, one for each word.
   std::vector<TagLabel> tag(const std::vector<std::vector<Feature>>& features,

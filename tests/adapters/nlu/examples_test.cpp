@@ -27,6 +27,16 @@ TEST(Examples, BecomeRules) {
   EXPECT_EQ(text(rules.parts[1]), "from @T.Firm");
 }
 
+TEST(Examples, AreNotTooLong) {
+  TopicModel topic;
+  topic.name = "T";
+  std::vector<Error> errors;
+  example_rules(topic, std::string(most_example_bytes + 1, 'a'), errors);
+  ASSERT_EQ(errors.size(), 1U);
+  EXPECT_NE(errors[0].message.find("has more than 1000 bytes"),
+            std::string::npos);
+}
+
 TEST(Examples, SayHowSlotsAreMarked) {
   std::vector<Error> errors;
   example_rules({}, "I am [David]", errors);

@@ -1,7 +1,9 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "tests/adapters/nlu/sample.hpp"
 #include "tests/support/fake_plugin_host.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace parlour::adapters {
 namespace {
@@ -58,9 +60,36 @@ TEST_F(GrammarNLU, DoesNotStartWithWrongSettings) {
     EXPECT_EQ(
         start({{"platform", platform_}, {"generic", outside}}).error().kind,
         ErrorKind::settings);
-  EXPECT_EQ(
-      start({{"platform", platform_}, {"threshold", "much"}}).error().kind,
-      ErrorKind::settings);
+  for (const auto* wrong : {"much", "2", "-0.1"})
+    EXPECT_EQ(
+        start({{"platform", platform_}, {"threshold", wrong}}).error().kind,
+        ErrorKind::settings);
+}
+
+TEST_F(GrammarNLU, LearnsExamplesOfAFile) {
+  const parlour::test::TemporaryFolder folder;
+  host_.application = folder.path().string();
+  folder.write("more.tsv", "Taxi\tI want to be driven\n");
+  ASSERT_TRUE(start({{"platform", platform_}, {"examples", "more.tsv"}}));
+  plugin_->receive(parlour::test::message("DoNLU", {"I want to be driven"}));
+  ASSERT_EQ(host_.events.size(), 1U);
+  EXPECT_EQ(host_.events[0].params[0]["topic"].text(), "Taxi");
+}
+
+TEST_F(GrammarNLU, TellsAllThatIsWrongAtOnce) {
+  const parlour::test::TemporaryFolder folder;
+  host_.application = folder.path().string();
+  folder.write("more.tsv", "Taxy\tI want to be driven\nTaxi\n");
+  const auto started = start(
+      {{"platform", platform_}, {"examples", "more.tsv"}, {"threshold", "2"}});
+  ASSERT_FALSE(started);
+  for (const auto* part : {"from 0 to 1",
+                           "more.tsv:1:1: there is no topic "
+                           "'Taxy', did you mean 'Taxi'?",
+                           "more.tsv:2:1: a line is"})
+    EXPECT_THAT(started.error().message, testing::HasSubstr(part));
+  EXPECT_EQ(start({{"platform", platform_}, {"examples", "../x"}}).error().kind,
+            ErrorKind::settings);
 }
 
 TEST_F(GrammarNLU, ReportsAColumnThatCannotBeRead) {

@@ -52,7 +52,8 @@ TEST(Guesses, HaveSlotsOfTheirTopic) {
                 "a meeting with Priya Nair at ten o'clock");
   auto topics = sample_model().topics;
   topics[0].examples = {"I have a meeting with [Jeffery Ho](Host)"};
-  const Learned learned(topics, stages.schema, stages.automaton, 0.4);
+  const auto learned =
+      *Learned::train(topics, stages.schema, stages.automaton, 0.4);
   const auto guesses = guessed_acts(learned, stages.utterance, stages.spans,
                                     stages.schema, stages.context, 0.4);
   ASSERT_FALSE(guesses.empty());

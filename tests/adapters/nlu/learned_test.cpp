@@ -1,8 +1,15 @@
+#include <set>
+
+#include <gmock/gmock.h>
+
 #include "adapters/nlu/learned.hpp"
 #include "tests/adapters/nlu/stages.hpp"
 
 namespace parlour::adapters::nlu::test {
 namespace {
+
+using testing::HasSubstr;
+using testing::UnorderedElementsAre;
 
 std::vector<TopicModel> lessons() {
   auto topics = sample_model().topics;
@@ -21,7 +28,8 @@ std::vector<TopicModel> lessons() {
 // What is learnt says of a text: the topic, then its slots.
 std::string said_of(const std::string& text) {
   Stages stages("public <x> = @Facility.Category | @Appointment.Host;", text);
-  const Learned learned(lessons(), stages.schema, stages.automaton, 0.4);
+  const auto learned =
+      *Learned::train(lessons(), stages.schema, stages.automaton, 0.4);
   const auto words = learning_words(stages.utterance, stages.spans);
   const auto guess = learned.topics(words).front();
   auto made = guess.probability < 0.4 ? std::string("none")
@@ -48,12 +56,29 @@ TEST(Learned, RejectsStrangers) {
   EXPECT_EQ(said_of("so what is it").substr(0, 4), "none");
 }
 
+TEST(Learned, SaysWhatIsTooMuchToLearn) {
+  Stages stages("public <x> = hello;", "hello");
+  const auto failure = [&](LearningLimits limits) {
+    const auto learned =
+        Learned::train(lessons(), stages.schema, stages.automaton, 0.4, limits);
+    return learned ? "" : learned.error().message;
+  };
+  EXPECT_THAT(failure({1000, 1 << 20}),
+              HasSubstr("there is room for the first 4;"));
+  std::set<std::string> all;
+  for (std::size_t weights = 1000; weights < 100'000; weights += weights / 4)
+    all.insert(failure({1 << 20, weights}));
+  EXPECT_THAT(all, UnorderedElementsAre("", HasSubstr("of 3 topics are too"),
+                                        HasSubstr("of 6 slots are too")));
+}
+
 TEST(Learned, IsEmptyWithoutExamples) {
   Stages stages("public <x> = hello;", "hello");
   auto topics = sample_model().topics;
   for (auto& topic : topics)
     topic.examples.clear();
-  EXPECT_TRUE(Learned(topics, stages.schema, stages.automaton, 0.4).empty());
+  EXPECT_TRUE(
+      Learned::train(topics, stages.schema, stages.automaton, 0.4)->empty());
 }
 
 } // namespace

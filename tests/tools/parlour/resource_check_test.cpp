@@ -47,6 +47,25 @@ TEST_F(ResourceCheckTest, places_a_mistake_in_a_grammar) {
               HasSubstr("desk.jsgf:3:"));
 }
 
+TEST_F(ResourceCheckTest, places_a_mistake_in_a_file_of_examples) {
+  folder_.write("schema.sql", guest_schema);
+  folder_.write("more.tsv", "Visit\tI am here\nVist\tI want to see her\n");
+  const auto with = [&](const std::string& name, const std::string& value) {
+    return findings(load(std::string(guest_settings) +
+                             "<component name=\"GrammarNLU\"><option name=\"" +
+                             name + "\" value=\"" + value + "\"/></component>",
+                         guest_topic));
+  };
+  EXPECT_EQ(with("examples", "more.tsv"),
+            "more.tsv:2:1: error: there is no topic 'Vist', did you mean "
+            "'Visit'?\n");
+  EXPECT_THAT(with("examples", "../more.tsv"), HasSubstr("leaves its folder"));
+  for (const auto* threshold : {"2", "high"})
+    EXPECT_THAT(with("threshold", threshold),
+                MatchesRegex("settings.xml:[0-9:]+ error: GrammarNLU: the "
+                             "option 'threshold' takes a number[^\n]*\n"));
+}
+
 TEST_F(ResourceCheckTest, misses_a_file_that_an_option_names) {
   const std::string settings =
       "<Plugins><Plugin>LogWeather</Plugin></Plugins>"

@@ -31,13 +31,13 @@ std::size_t best(const std::vector<float>& scores) {
 }
 
 TEST(Classifier, LearnsItsExamples) {
-  const Classifier classifier(texts(), 3);
+  const auto classifier = *Classifier::train(texts(), 3);
   for (const auto& text : texts())
     EXPECT_EQ(best(classifier.scores(text.features)), text.label);
 }
 
 TEST(Classifier, TellsWhatIsLikeThem) {
-  const Classifier classifier(texts(), 3);
+  const auto classifier = *Classifier::train(texts(), 3);
   EXPECT_EQ(best(classifier.scores(features({"taxis", "please"}))), 0U);
   EXPECT_EQ(best(classifier.scores(features({"which", "bank", "is", "it"}))),
             1U);
@@ -45,16 +45,21 @@ TEST(Classifier, TellsWhatIsLikeThem) {
 
 TEST(Classifier, IsTheSameEachTime) {
   const auto asked = features({"a", "cab", "to", "the", "bank"});
-  EXPECT_EQ(Classifier(texts(), 3).scores(asked),
-            Classifier(texts(), 3).scores(asked));
+  EXPECT_EQ(Classifier::train(texts(), 3)->scores(asked),
+            Classifier::train(texts(), 3)->scores(asked));
 }
 
 TEST(Classifier, IsLessSureOfWhatItDoesNotKnow) {
-  const Classifier classifier(texts(), 3);
+  const auto classifier = *Classifier::train(texts(), 3);
   const auto known = softmax(classifier.scores(features({"a", "taxi"})));
   const auto strange = softmax(classifier.scores(
       features({"a", "taxi", "quotes", "philosophical", "poetry"})));
   EXPECT_GT(known[0], strange[0]);
+}
+
+TEST(Classifier, KeepsToItsWeights) {
+  EXPECT_FALSE(Classifier::train(texts(), 3, 100));
+  EXPECT_TRUE(Classifier::train(texts(), 3, 1000));
 }
 
 TEST(Softmax, SumsUpToOne) {

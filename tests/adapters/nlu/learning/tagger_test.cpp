@@ -37,13 +37,13 @@ const std::vector<TaggedText>& texts() {
 }
 
 TEST(Tagger, LearnsItsExamples) {
-  const Tagger tagger(texts(), 2);
+  const auto tagger = *Tagger::train(texts(), 2);
   for (const auto& text : texts())
     EXPECT_EQ(tagger.tag(text.features, text.slots), text.labels);
 }
 
 TEST(Tagger, FindsOtherWordsInTheSamePlaces) {
-  const Tagger tagger(texts(), 2);
+  const auto tagger = *Tagger::train(texts(), 2);
   EXPECT_EQ(tagger.tag(features({"i", "am", "wendy", "from", "globex"}),
                        {visitor, firm}),
             (std::vector<TagLabel>{outside, outside, begins(visitor), outside,
@@ -51,11 +51,16 @@ TEST(Tagger, FindsOtherWordsInTheSamePlaces) {
 }
 
 TEST(Tagger, KeepsToTheSlotsAllowed) {
-  const Tagger tagger(texts(), 2);
+  const auto tagger = *Tagger::train(texts(), 2);
   for (const auto label : tagger.tag(texts()[0].features, {firm}))
     EXPECT_TRUE(label == outside || slot_of(label) == firm);
   EXPECT_EQ(tagger.tag(texts()[2].features, {}),
             std::vector<TagLabel>(4, outside));
+}
+
+TEST(Tagger, KeepsToItsWeights) {
+  EXPECT_FALSE(Tagger::train(texts(), 2, 500));
+  EXPECT_TRUE(Tagger::train(texts(), 2, 5000));
 }
 
 TEST(Tagger, TakesNothingToTag) {

@@ -18,16 +18,24 @@ namespace parlour::adapters {
 
 namespace {
 
-// What the new process starts with: nothing of ours but its socket, signals as
-// they are by default, and a group of its own, so that Ctrl-C is ours to take.
+// Read without waiting by us; not the next process's to inherit.
+bool make_pipe(int (&ends)[2]) {
+  return pipe2(ends, O_CLOEXEC) == 0 &&
+         fcntl(ends[0], F_SETFL, O_NONBLOCK) == 0;
+}
+
+// What the new process starts with: nothing of ours but its socket and where it
+// prints, signals as they are by default, and a group of its own, so that
+// Ctrl-C is ours to take.
 class Start {
 public:
-  explicit Start(int socket) {
+  Start(int socket, int output) {
     posix_spawn_file_actions_init(&actions_);
     posix_spawnattr_init(&attributes_);
-    for (const auto stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
-      posix_spawn_file_actions_addopen(&actions_, stream, "/dev/null", O_RDWR,
-                                       0);
+    posix_spawn_file_actions_addopen(&actions_, STDIN_FILENO, "/dev/null",
+                                     O_RDONLY, 0);
+    for (const auto stream : {STDOUT_FILENO, STDERR_FILENO})
+      posix_spawn_file_actions_adddup2(&actions_, output, stream);
     posix_spawn_file_actions_adddup2(&actions_, socket, component_socket);
     posix_spawn_file_actions_addclosefrom_np(&actions_, component_socket + 1);
     sigset_t signals;
@@ -84,19 +92,26 @@ ChildProcess::spawn(const std::filesystem::path& program,
   int ends[2];
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
     return not_started(program, errno);
+  int output[2] = {-1, -1};
   pid_t process = -1;
-  const auto trouble = Start(ends[1]).run(process, program, arguments);
-  ::close(ends[1]);
+  const auto trouble =
+      make_pipe(output)
+          ? Start(ends[1], output[1]).run(process, program, arguments)
+          : errno;
+  for (const auto theirs : {ends[1], output[1]})
+    ::close(theirs);
   if (trouble == 0)
-    return std::unique_ptr<ChildProcess>(new ChildProcess(process, ends[0]));
-  ::close(ends[0]);
+    return std::unique_ptr<ChildProcess>(
+        new ChildProcess(process, ends[0], output[0]));
+  for (const auto ours : {ends[0], output[0]})
+    ::close(ours);
   return not_started(program, trouble);
 }
 
-ChildProcess::ChildProcess(pid_t process, int socket)
+ChildProcess::ChildProcess(pid_t process, int socket, int output)
     : process_(process),
       ended_(static_cast<int>(syscall(SYS_pidfd_open, process, 0))),
-      socket_(socket) {
+      output_(output), socket_(socket) {
   if (ended_ >= 0)
     fcntl(ended_, F_SETFD, FD_CLOEXEC);
 }
@@ -104,8 +119,19 @@ ChildProcess::ChildProcess(pid_t process, int socket)
 ChildProcess::~ChildProcess() {
   if (process_ > 0)
     bury(Milliseconds::zero());
-  if (ended_ >= 0)
-    ::close(ended_);
+  for (const auto ours : {ended_, output_})
+    if (ours >= 0)
+      ::close(ours);
+}
+
+std::string ChildProcess::read_output() {
+  std::string bytes(1 << 16, '\0');
+  const auto got =
+      output_ < 0 ? 0 : ::read(output_, bytes.data(), bytes.size());
+  if (got == 0 && output_ >= 0)
+    ::close(std::exchange(output_, -1)); // else we would be told for ever
+  bytes.resize(got > 0 ? static_cast<std::size_t>(got) : 0);
+  return bytes;
 }
 
 bool ChildProcess::has_ended() const {

@@ -1,5 +1,6 @@
 // ChildProcess: a program that runs for one component. Of ours it has nothing
-// but one end of a socket pair, as `component_socket`.
+// but one end of a socket pair, as `component_socket`, and of a pipe for what
+// it prints.
 #pragma once
 
 #include <filesystem>
@@ -29,10 +30,14 @@ public:
   FrameSocket& socket() {
     return socket_;
   }
-  // Blocks until something can be read of its socket, or it has ended.
+  // Blocks until something can be read of its socket or its output, or it has
+  // ended.
   void wait() const {
-    socket_.wait(ended_);
+    socket_.wait(ended_, output_);
   }
+  // What it has printed since, on standard output or error, some 64 KiB at a
+  // time; without waiting.
+  std::string read_output();
   bool has_ended() const;
   void kill(); // from any thread, at any time
 
@@ -41,11 +46,12 @@ public:
   std::string bury(Milliseconds patience);
 
 private:
-  ChildProcess(pid_t process, int socket);
+  ChildProcess(pid_t process, int socket, int output);
 
   std::mutex mutex_;
   pid_t process_; // -1: buried
   int ended_;     // a descriptor that can be read then; -1: there is none
+  int output_;    // the same; -1: it prints nothing any more
   FrameSocket socket_;
 };
 

@@ -21,8 +21,10 @@ FrameSocket::Moment in(Milliseconds time) {
 
 } // namespace
 
-ComponentProcess::ComponentProcess(const ProcessOrder& order, Take take)
-    : take_(std::move(take)), thread_([this, order] { work(order); }) {}
+ComponentProcess::ComponentProcess(const ProcessOrder& order, Take take,
+                                   Print print)
+    : take_(std::move(take)), output_(std::move(print)),
+      thread_([this, order] { work(order); }) {}
 
 ComponentProcess::~ComponentProcess() {
   {
@@ -51,6 +53,8 @@ void ComponentProcess::work(const ProcessOrder& order) {
   }
   const auto trouble = read_all();
   const auto ending = child_->bury(trouble.empty() ? last_breath : 0ms);
+  read_output(); // why, perhaps
+  output_.finish();
   finish(trouble.empty() ? "its process " + ending : trouble);
 }
 
@@ -59,6 +63,7 @@ void ComponentProcess::work(const ProcessOrder& order) {
 std::string ComponentProcess::read_all() {
   for (;;) {
     child_->wait();
+    read_output();
     auto frames = child_->socket().receive();
     if (!frames)
       return frames.error().kind == ErrorKind::offline
@@ -71,6 +76,12 @@ std::string ComponentProcess::read_all() {
     if (frames->empty() && child_->has_ended())
       return "";
   }
+}
+
+void ComponentProcess::read_output() {
+  const auto now = std::chrono::steady_clock::now().time_since_epoch();
+  output_.add(child_->read_output(),
+              std::chrono::duration_cast<Milliseconds>(now).count());
 }
 
 Expected<void> ComponentProcess::deliver(Frame frame) {

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "adapters/process/child_process.hpp"
+#include "adapters/process/output_lines.hpp"
 
 namespace parlour::adapters {
 
@@ -36,7 +37,10 @@ public:
   // Called once, on any thread: the process is over, and nobody wanted that.
   using Over = std::function<void(const std::string& reason)>;
 
-  ComponentProcess(const ProcessOrder& order, Take take);
+  // A line that it prints, on its thread.
+  using Print = OutputLines::Print;
+
+  ComponentProcess(const ProcessOrder& order, Take take, Print print);
   ComponentProcess(const ComponentProcess&) = delete;
   ComponentProcess& operator=(const ComponentProcess&) = delete;
   ~ComponentProcess();
@@ -57,6 +61,7 @@ private:
 
   void work(const ProcessOrder& order);
   std::string read_all();
+  void read_output();
   Expected<void> deliver(Frame frame);
   void finish(const std::string& reason);
 
@@ -67,6 +72,7 @@ private:
   void end(const std::string& reason);
 
   Take take_;
+  OutputLines output_; // of the process's thread
   std::mutex mutex_;
   std::condition_variable changed_;
   std::unique_ptr<ChildProcess> child_; // none before it started

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <iterator>
 #include <utility>
 
 #include <poll.h>
@@ -85,9 +86,10 @@ Expected<std::vector<Frame>> FrameSocket::receive() {
   }
 }
 
-void FrameSocket::wait(int other) const {
-  pollfd ready[] = {{descriptor_, POLLIN, 0}, {other, POLLIN, 0}};
-  poll(ready, 2, -1);
+void FrameSocket::wait(int other, int another) const {
+  pollfd ready[] = {
+      {descriptor_, POLLIN, 0}, {other, POLLIN, 0}, {another, POLLIN, 0}};
+  poll(ready, std::size(ready), -1);
 }
 
 void FrameSocket::shut_down() {

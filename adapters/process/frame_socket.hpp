@@ -30,8 +30,8 @@ public:
   // What is there, without waiting. An error is of kind Offline, where the
   // other end is closed and all of it was received, or Network: rubbish.
   Expected<std::vector<Frame>> receive();
-  // Until there is something, or another descriptor (-1: none) can be read.
-  void wait(int other = -1) const;
+  // Until there is something, or one of the others (-1: none) can be read.
+  void wait(int other = -1, int another = -1) const;
 
   // Both ways, from any thread; the other end sees it as closed.
   void shut_down();

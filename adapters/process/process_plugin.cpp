@@ -61,7 +61,8 @@ private:
 
 Expected<void> ProcessPlugin::on_start(const Options& options) {
   process_ = std::make_unique<ComponentProcess>(
-      order_, [this](const Frame& frame) { return take(frame); });
+      order_, [this](const Frame& frame) { return take(frame); },
+      [this](const std::string& line) { host().log("prints: " + line); });
   auto outcome = come_up(options);
   if (!outcome)
     process_.reset();

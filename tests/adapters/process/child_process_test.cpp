@@ -41,9 +41,16 @@ TEST(ChildProcess, HasNothingOfOursButItsSocket) {
   const auto file = std::tmpfile(); // open without close-on-exec
   auto child = shell("for i in 4 5 6 7 8 9 10 11 12 13 14 15; do "
                      "test ! -e /proc/$$/fd/$i || exit 1; done; "
-                     "test \"$(readlink /proc/$$/fd/1)\" = /dev/null");
+                     "test \"$(readlink /proc/$$/fd/0)\" = /dev/null");
   EXPECT_EQ(child->bury(patience), "ended with status 0");
   std::fclose(file);
+}
+
+TEST(ChildProcess, IsHeardWhenItPrints) {
+  auto child = shell("echo one; echo two >&2");
+  EXPECT_EQ(child->bury(patience), "ended with status 0");
+  EXPECT_EQ(child->read_output(), "one\ntwo\n");
+  EXPECT_EQ(child->read_output(), "");
 }
 
 TEST(ChildProcess, IsInAGroupOfItsOwn) {

@@ -9,12 +9,15 @@ namespace {
 class ComponentProcessTest : public testing::Test {
 protected:
   void start(const ProcessOrder& order) {
-    process.emplace(order, [this](const Frame& frame) -> Expected<void> {
-      taken.push_back(std::string(name_of(frame.kind)));
-      if (frame.kind == FrameKind::failed)
-        return fail(ErrorKind::network, "not to be taken");
-      return {};
-    });
+    process.emplace(
+        order,
+        [this](const Frame& frame) -> Expected<void> {
+          taken.push_back(std::string(name_of(frame.kind)));
+          if (frame.kind == FrameKind::failed)
+            return fail(ErrorKind::network, "not to be taken");
+          return {};
+        },
+        [this](const std::string& line) { printed.push_back(line); });
   }
   Expected<Frame> start_trial() {
     start(trial());
@@ -27,6 +30,7 @@ protected:
   }
 
   std::vector<std::string> taken;
+  std::vector<std::string> printed; // once it is over
   std::optional<ComponentProcess> process;
 };
 
@@ -67,6 +71,22 @@ TEST_F(ComponentProcessTest, TellsOnceThatItIsOver) {
   std::promise<std::string> second;
   process->when_over([&](const std::string& why) { second.set_value(why); });
   EXPECT_EQ(second.get_future().get(), "its process ended with status 1");
+}
+
+TEST_F(ComponentProcessTest, SaysWhatItPrintsToTheLast) {
+  start(shell("echo 'cannot open the device' >&2; printf 'so I'; kill -9 $$"));
+  const auto hello = process->hello(patience);
+  ASSERT_FALSE(hello);
+  EXPECT_EQ(hello.error().message,
+            "its process was killed by signal 9 (Killed)");
+  EXPECT_THAT(printed, ElementsAre("cannot open the device", "so I"));
+}
+
+// Nobody waits for it to have printed all, and the log stays readable.
+TEST_F(ComponentProcessTest, MayPrintAsMuchAsItLikes) {
+  start(shell("yes | head -c 10000000"));
+  EXPECT_FALSE(process->hello(patience));
+  EXPECT_LT(printed.size(), 10'000u);
 }
 
 TEST_F(ComponentProcessTest, IsEndedAtOnceWhereNobodyWantsItAnyMore) {

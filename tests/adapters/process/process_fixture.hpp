@@ -29,6 +29,10 @@ public:
     add([&] { failures.push_back(reason); });
   }
 
+  void log(const std::string& text) override {
+    add([&] { logs.push_back(text); }); // what a process prints, by its thread
+  }
+
   // Until there are so many of both.
   bool wait_for(std::size_t count) {
     std::unique_lock lock(mutex_);

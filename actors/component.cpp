@@ -15,7 +15,9 @@ Message failure_answer(const std::string& component, const Message& message,
 
 std::optional<Message> hand_over(Services& services, const Target& target,
                                  ComponentMailbox::Job job) {
-  const auto* why = target.mailbox->put(job);
+  const auto mailbox = target.mailbox_of(job.message.session);
+  const auto* why =
+      mailbox ? mailbox->put(job) : "has no instance for that session";
   if (!why)
     return std::nullopt;
   const auto reason = target.name + " " + why;

@@ -57,6 +57,7 @@ void House::set_up_services() {
   services_.clock = &drive_->clock();
   services_.detaches = drive_->detaches();
   services_.plugins = options_.plugins;
+  services_.complete = options_.complete;
   services_.files = options_.files;
   services_.sockets = options_.sockets;
   services_.new_session_id = [this] { return chance_.session_id(); };
@@ -170,9 +171,14 @@ Expected<void> House::wish(const std::function<void(Done, Work)>& send) {
 
 // -- sessions -----------------------------------------------------------------
 
-seat_actor House::open_seat(SeatCalls calls) {
+seat_actor House::open_seat(const std::string& name, SeatCalls calls) {
   seats_.push_back(system_->spawn(seat, &services_, std::move(calls)));
-  return seats_.back();
+  const auto& opened = seats_.back();
+  caf::anon_send(services_.manager,
+                 seat_opened{name, opened, services_.work.begin()});
+  caf::anon_send(services_.supervisor,
+                 seat_opened{name, opened, services_.work.begin()});
+  return opened;
 }
 
 SessionId House::open_session(const seat_actor& seat) {

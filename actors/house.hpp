@@ -28,7 +28,7 @@ public:
   // Cancelled when interrupted.
   Expected<void> load(const std::string& plugin, const std::string& name);
   Expected<void> unload(const std::string& name);
-  seat_actor open_seat(SeatCalls calls);
+  seat_actor open_seat(const std::string& name, SeatCalls calls);
   SessionId open_session(const seat_actor& seat);
   // Sessions, then components, then the rest, each for at most the drain time;
   // safe to call again. False where something does not come to an end: this

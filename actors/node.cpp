@@ -99,7 +99,7 @@ SeatId Node::open_seat(SeatCallbacks callbacks) {
   calls.on_next = [&self, id](const SessionId& session) {
     self.set_session(id, session);
   };
-  auto actor = self.house.open_seat(std::move(calls));
+  auto actor = self.house.open_seat(id, std::move(calls));
   std::lock_guard lock(self.mutex);
   self.seats[id].actor = std::move(actor);
   return id;

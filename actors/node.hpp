@@ -39,9 +39,12 @@ struct ComponentOrder {
 
 struct NodeOptions {
   std::shared_ptr<const script::Program> program;
+  // One whose scope has 0 instances is not started: it is for <load>.
   std::vector<ComponentOrder> components;
   // What scripts can load; without, they are refused it.
   std::shared_ptr<PluginCatalogue> plugins = {};
+  // Completes what is loaded, as the components above are: where it runs, say.
+  std::function<void(ComponentOrder&)> complete = {};
   // Another name of a role: "Record" is "Microphone".
   std::map<std::string, std::string, std::less<>> aliases;
   std::shared_ptr<const PhraseEvaluator> phrases;

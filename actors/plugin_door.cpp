@@ -25,9 +25,10 @@ bool is_reserved(const std::string& source) {
 } // namespace
 
 PluginDoor::PluginDoor(Services& services, std::string name,
-                       std::vector<std::string> roles, InstanceId instance)
+                       std::vector<std::string> roles, InstanceId instance,
+                       std::shared_ptr<const Place> place)
     : services_(services), name_(std::move(name)), instance_(instance),
-      unanswered_(std::move(roles)) {}
+      place_(std::move(place)), unanswered_(std::move(roles)) {}
 
 void PluginDoor::belongs_to(const component_host_actor& host) {
   host_ = caf::actor_cast<caf::weak_actor_ptr>(host);
@@ -108,9 +109,15 @@ void PluginDoor::publish_as_itself(Message message) {
     return;
   if (message.source.empty() || is_reserved(message.source))
     message.source = name_;
+  fill_session(message);
   std::vector<Message> messages;
   messages.push_back(std::move(message));
   services_.publish(std::move(messages));
+}
+
+void PluginDoor::fill_session(Message& message) const {
+  if (place_ && message.session.empty())
+    message.session = place_->session();
 }
 
 void PluginDoor::fire_event(Message event) {
@@ -127,6 +134,7 @@ void PluginDoor::ask(Message request, Milliseconds patience,
   if (is_closed())
     return;
   request.source = name_;
+  fill_session(request);
   const auto id = services_.due_times.add(clock().now() + patience.count(),
                                           DueTimes::Of::component);
   AskOrder order{std::move(request),

@@ -8,6 +8,7 @@
 #include <caf/actor_control_block.hpp>
 
 #include "actors/event_credit.hpp"
+#include "actors/place.hpp"
 #include "actors/services.hpp"
 #include "actors/unanswered.hpp"
 #include "runtime/plugin/plugin.hpp"
@@ -20,9 +21,11 @@ namespace parlour::actors {
 class PluginDoor : public PluginHost,
                    public std::enable_shared_from_this<PluginDoor> {
 public:
-  // The component's name and roles.
+  // The component's name and roles, and which place the instance is for: what
+  // it says by itself belongs to the session there.
   PluginDoor(Services& services, std::string name,
-             std::vector<std::string> roles, InstanceId instance = 0);
+             std::vector<std::string> roles, InstanceId instance = 0,
+             std::shared_ptr<const Place> place = nullptr);
 
   // The actor that calls the plug-in; set before the plug-in starts.
   void belongs_to(const component_host_actor& host);
@@ -58,6 +61,7 @@ public:
 
 private:
   void publish_as_itself(Message message);
+  void fill_session(Message& message) const;
   bool may_say(const Message& message);
   bool is_closed() const;
   void tell_supervisor_of_rest();
@@ -65,6 +69,7 @@ private:
   Services& services_;
   const std::string name_;
   const InstanceId instance_;
+  const std::shared_ptr<const Place> place_; // null: the house
   caf::weak_actor_ptr host_; // weak: the actor holds the plug-in
   mutable std::mutex mutex_; // of what follows
   bool closed_ = false;

@@ -21,6 +21,21 @@ bool any_of(const std::vector<script::Reaction>& reactions,
 
 } // namespace
 
+bool Target::is_up(const SessionId& session) const {
+  if (!branches)
+    return *up;
+  const auto branch = branches->find(session);
+  return branch && *branch->up;
+}
+
+std::shared_ptr<ComponentMailbox>
+Target::mailbox_of(const SessionId& session) const {
+  if (!branches)
+    return mailbox;
+  const auto branch = branches->find(session);
+  return branch ? branch->mailbox : nullptr;
+}
+
 RoutingTable::RoutingTable(Parts parts) : parts_(std::move(parts)) {}
 
 // -- names --------------------------------------------------------------------
@@ -38,21 +53,25 @@ const Target* RoutingTable::named(std::string_view name) const {
 }
 
 std::vector<const Target*>
-RoutingTable::targets_of(std::string_view sink) const {
+RoutingTable::targets_of(std::string_view sink,
+                         const SessionId& session) const {
   if (auto target = named(sink))
-    return *target->up ? std::vector{target} : std::vector<const Target*>();
+    return target->is_up(session) ? std::vector{target}
+                                  : std::vector<const Target*>();
   const bool all = sink.ends_with('*');
   const auto wanted = role(sink.substr(0, sink.size() - all));
   std::vector<const Target*> found;
   for (const auto& target : parts_.targets)
-    if (*target.up && (all || found.empty()) &&
-        std::count(target.roles.begin(), target.roles.end(), wanted))
+    if ((all || found.empty()) &&
+        std::count(target.roles.begin(), target.roles.end(), wanted) &&
+        target.is_up(session))
       found.push_back(&target);
   return found;
 }
 
-const Target* RoutingTable::find(std::string_view module) const {
-  const auto found = targets_of(module);
+const Target* RoutingTable::find(std::string_view module,
+                                 const SessionId& session) const {
+  const auto found = targets_of(module, session);
   return found.empty() ? nullptr : found.front();
 }
 
@@ -79,6 +98,12 @@ bool RoutingTable::subscribed(const Message& message) const {
     if (any_of(state.messages, *this, message))
       return true;
   return false;
+}
+
+bool RoutingTable::has_branches() const {
+  return std::any_of(
+      parts_.targets.begin(), parts_.targets.end(),
+      [](const Target& target) { return target.branches != nullptr; });
 }
 
 // -- a message's way (engine rule 1) ------------------------------------------
@@ -178,7 +203,7 @@ Message RoutingTable::copy_for(const script::Route& route,
 
 void RoutingTable::deliver(const Message& message, const std::string& to,
                            Routed& routed) const {
-  const auto targets = targets_of(to);
+  const auto targets = targets_of(to, message.session);
   if (targets.empty())
     routed.unreachable.push_back(to);
   for (const auto* target : targets)

@@ -13,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+#include "actors/branches.hpp"
 #include "actors/component_mailbox.hpp"
 #include "runtime/base/clock.hpp"
 #include "runtime/base/message.hpp"
@@ -31,6 +32,14 @@ struct Target {
   std::shared_ptr<const InlinePlugin> direct;
   // False before it has started and after it has gone down; shared.
   std::shared_ptr<const std::atomic<bool>> up;
+  // Where each seat or session has its own: those of the sessions, and the
+  // three above are null.
+  std::shared_ptr<const Branches> branches = nullptr;
+
+  // For messages of that session.
+  bool is_up(const SessionId& session) const;
+  // Null where the session has none.
+  std::shared_ptr<ComponentMailbox> mailbox_of(const SessionId& session) const;
 };
 
 struct Delivery {
@@ -78,9 +87,10 @@ public:
   // Stamps, relays, filters, finds the sinks. Safe from any thread.
   Routed route(Message message) const;
 
-  // By instance name, else the first component that is up and fills the role
-  // or alias; null where there is none. "Role*" is found like "Role".
-  const Target* find(std::string_view module) const;
+  // By instance name, else the first component that is up for the session and
+  // fills the role or alias; null where there is none. "Role*" is found like
+  // "Role".
+  const Target* find(std::string_view module, const SessionId& session) const;
   // Whether a message's source is meant by `module`: "*", the same name, or a
   // role or alias that it fills.
   bool is_source(std::string_view module, std::string_view source) const;
@@ -88,6 +98,8 @@ public:
   bool begins_turn(const Message& message) const;
   // Whether a handler or a state of the program takes such a message.
   bool subscribed(const Message& message) const;
+  // Whether a component has an instance for each seat or session.
+  bool has_branches() const;
 
   Counters& counters() const {
     return *parts_.counters;
@@ -100,7 +112,8 @@ private:
   std::string_view role(std::string_view name) const;
   const Target* named(std::string_view name) const;
   // All that a sink means: for "Role*" each that is up (language rule 1).
-  std::vector<const Target*> targets_of(std::string_view sink) const;
+  std::vector<const Target*> targets_of(std::string_view sink,
+                                        const SessionId& session) const;
   void stamp(Message& message) const;
   bool matches(const script::Route& route, const Message& message) const;
   Expected<Value> evaluate(script::CodeId code, const Message& message) const;

@@ -46,6 +46,7 @@ struct Services {
   bool detaches = false;
   // What scripts can load; may be empty.
   std::shared_ptr<PluginCatalogue> plugins;
+  std::function<void(ComponentOrder&)> complete; // may be empty
   InstanceDirectory instances;
   // Both may be empty: then scripts have none.
   FileAccess files;

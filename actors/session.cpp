@@ -63,6 +63,22 @@ void go_on(Self self) {
   self->send(self, take_step{state.services->work.begin()});
 }
 
+void begin(Self self) {
+  self->state.conversation->open(now(self));
+  go_on(self);
+}
+
+// Where components have an instance for each session, what this one says to
+// them from its first word on is to find its own.
+void settle_and_begin(Self self, const SessionId& id, const Work& work) {
+  const auto& services = *self->state.services;
+  if (!services.table.load()->has_branches())
+    return begin(self);
+  self->request(services.supervisor, caf::infinite, session_begins{id, work})
+      .await([=](const session_settled&) { begin(self); },
+             [=](const caf::error&) { begin(self); }); // the house stops
+}
+
 void take_one_step(Self self) {
   auto& state = self->state;
   state.stepping = false;
@@ -168,12 +184,10 @@ session_actor::behavior_type
 session(session_actor::stateful_pointer<session_state> self, Services* services,
         SessionOrder order) {
   end_by_what_is_thrown(self);
+  const auto id = order.id;
   set_up(self, services, std::move(order));
   return {
-      [=](const begin_session&) {
-        self->state.conversation->open(now(self));
-        go_on(self);
-      },
+      [=](const begin_session& what) { settle_and_begin(self, id, what.work); },
       [=](const deliver& what) { queue(self, what); },
       [=](const take_step&) { take_one_step(self); },
       [=](const timer_due& what) { hear_timer(self, what); },

@@ -35,7 +35,7 @@ SessionId open(Self self, Services& services, const open_session& what) {
   auto session = self->spawn<caf::monitored>(
       actors::session, &services,
       SessionOrder{id, services.new_seed(), what.seat});
-  services.sessions.add(id, session);
+  services.sessions.add(id, session, what.seat);
   self->send(session, begin_session{what.work});
   self->state.sessions[id] = {std::move(session), what.seat};
   return id;
@@ -48,7 +48,9 @@ seat_actor last_seat_of(const session_manager_state& state,
   for (const auto& [id, seat] : state.departed)
     if (id == session)
       return seat;
-  return {};
+  // Who speaks for a seat without a session names the seat.
+  const auto named = state.seats.find(session);
+  return named == state.seats.end() ? seat_actor() : named->second;
 }
 
 void leave_unhandled(Services& services, const std::vector<Message>& messages) {
@@ -95,6 +97,7 @@ void forget(Self self, Services& services, const session_gone& what) {
   if (entry.empty())
     return;
   auto& [session, seat] = entry.mapped();
+  self->send(services.supervisor, session_ended{what.session, seat, what.work});
   state.departed.emplace_back(what.session, seat);
   if (state.departed.size() > most_departed)
     state.departed.pop_front();
@@ -160,6 +163,9 @@ session_manager_actor::behavior_type session_manager(
       [=](const forward& what) { pass_on(self, *services, what); },
       [=](const close_session& what) { close(self, what); },
       [=](const session_gone& what) { forget(self, *services, what); },
+      [=](const seat_opened& what) {
+        self->state.seats[what.name] = what.seat;
+      },
   };
 }
 

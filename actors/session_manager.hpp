@@ -17,7 +17,8 @@ struct session_manager_state {
     session_actor session;
     seat_actor seat;
   };
-  std::map<SessionId, Entry> sessions; // a seat has one at a time
+  std::map<SessionId, Entry> sessions;     // a seat has one at a time
+  std::map<std::string, seat_actor> seats; // by name
   // Those that ended last, and where: for turns that come too late for them.
   std::deque<std::pair<SessionId, seat_actor>> departed;
   bool closing = false;

@@ -82,7 +82,7 @@ std::vector<Message> SessionPort::ask_directly(const Target& target,
 }
 
 bool SessionPort::reachable(const std::string& module) const {
-  return services_.table.load()->find(module) != nullptr;
+  return services_.table.load()->find(module, id_) != nullptr;
 }
 
 bool SessionPort::is_source(const std::string& module,
@@ -138,8 +138,7 @@ void SessionPort::query_is_over(dialogue::QueryId id) {
   queries_.erase(id);
 }
 
-// -- components, files, sockets
-// -----------------------------------------------------------
+// -- components, files, sockets -----------------------------------------------
 
 void SessionPort::component(dialogue::ComponentRequest request) {
   auto work = services_.work.begin();

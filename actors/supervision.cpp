@@ -20,7 +20,7 @@ constexpr Milliseconds start_deadline{30'000};
 bool is_called_inline(const Component& component) {
   using enum Scope::Kind;
   const auto scope = component.order.upkeep.scope.kind;
-  return component.description().is_inline &&
+  return component.description().is_inline && !component.description().blocks &&
          (scope == usual || scope == in_turn);
 }
 
@@ -42,52 +42,59 @@ std::size_t wanted_instances(const Component& component) {
 
 // -- instances ----------------------------------------------------------------
 
-std::vector<InstanceId>
-Supervision::instances_of(const KeptPointer& kept) const {
+std::vector<InstanceId> Supervision::instances_of(const Branch& branch) const {
   std::vector<InstanceId> ids;
   for (const auto& [id, entry] : entries_)
-    if (entry.kept == kept)
+    if (entry.branch.get() == &branch)
       ids.push_back(id);
   return ids;
 }
 
-bool Supervision::is_kept(const KeptPointer& kept) const {
-  const auto found = kept_.find(kept->component->name());
-  return found != kept_.end() && found->second == kept;
+bool Supervision::is_kept(const BranchPointer& branch) const {
+  const auto found = kept_.find(branch->name());
+  return found != kept_.end() && has(*found->second, branch);
 }
 
-bool Supervision::is_coming(const KeptPointer& kept) const {
-  const auto found = coming_.find(kept->component->name());
-  return found != coming_.end() && found->second == kept;
+// What it comes with; null: it does not.
+Supervision::KeptPointer
+Supervision::is_coming(const BranchPointer& branch) const {
+  const auto found = coming_.find(branch->name());
+  return found != coming_.end() && has(*found->second, branch) ? found->second
+                                                               : nullptr;
+}
+
+bool Supervision::has(const Kept& kept, const BranchPointer& branch) {
+  const auto found = kept.branches.find(branch->place->name());
+  return found != kept.branches.end() && found->second == branch;
 }
 
 // Not before those that stop have stopped: both may want the same device.
-void Supervision::make_missing(const KeptPointer& kept) {
-  const auto ids = instances_of(kept);
+void Supervision::make_missing(const BranchPointer& branch) {
+  const auto ids = instances_of(*branch);
   const bool one_stops = std::any_of(ids.begin(), ids.end(), [&](auto id) {
     return entries_[id].stage == Stage::stops;
   });
-  if (kept->pauses || one_stops || closing_)
+  if (branch->pauses || one_stops || closing_)
     return;
-  for (auto i = ids.size(); i < wanted_instances(*kept->component); ++i)
-    make_instance(kept);
+  for (auto i = ids.size(); i < wanted_instances(*branch->component); ++i)
+    make_instance(branch);
 }
 
-void Supervision::make_instance(const KeptPointer& kept) {
-  const auto& component = kept->component;
+void Supervision::make_instance(const BranchPointer& branch) {
+  const auto& component = branch->component;
   auto instance = std::make_shared<Instance>();
   instance->id = ++last_instance_;
   instance->component = component;
   instance->door = std::make_shared<PluginDoor>(services_, component->name(),
                                                 component->description().roles,
-                                                instance->id);
+                                                instance->id, branch->place);
   services_.instances.add(instance);
   auto host = host_for(instance);
   instance->door->belongs_to(host);
   instance->watch.expect(services_.work.begin());
   self_->send(host, start_component{});
   const auto id = instance->id;
-  entries_[id] = {std::move(instance), std::move(host), kept, Stage::starts};
+  entries_[id] = {std::move(instance), std::move(host), branch, Stage::starts};
 }
 
 // In real time each has a thread of its own: one that hangs takes no other's.
@@ -104,48 +111,50 @@ void Supervision::started(const instance_started& what) {
   if (found == entries_.end() || found->second.stage != Stage::starts)
     return;
   auto& entry = found->second;
-  const auto kept = entry.kept;
+  const auto branch = entry.branch;
   if (what.outcome)
     return works(entry);
   stop(entry);
-  if (is_kept(kept))
-    count_failure(kept, what.outcome.error().message);
-  else if (is_coming(kept))
+  if (is_kept(branch))
+    count_failure(branch, what.outcome.error().message);
+  else if (const auto kept = is_coming(branch))
     came_not(kept, what.outcome.error());
 }
 
 void Supervision::works(Entry& entry) {
   entry.stage = Stage::works;
   entry.instance->watch.watch_anew();
-  entry.kept->direct = direct_of(entry.instance);
-  if (is_coming(entry.kept))
-    came(entry.kept);
-  else if (is_kept(entry.kept))
+  entry.branch->direct = direct_of(entry.instance);
+  if (const auto kept = is_coming(entry.branch))
+    came(kept);
+  else if (is_kept(entry.branch))
     joins(entry);
   else
     stop(entry);
 }
 
-// In the place of one that failed.
+// In the place of one that failed, or as the first of its session or seat.
 void Supervision::joins(const Entry& entry) {
-  auto& component = *entry.kept->component;
-  if (entry.kept->direct)
+  const auto& branch = *entry.branch;
+  auto& component = *branch.component;
+  if (branch.direct)
     publish_table(); // who asks in its own turn asks the new one
   component.mailbox->open();
   component.mailbox->join(entry.host);
   *component.up = true;
-  tell_up(component);
+  if (branch.failures.count() != 0)
+    tell_up(component, branch.place->session());
 }
 
 void Supervision::stop(Entry& entry) {
   entry.stage = Stage::stops;
-  entry.kept->component->mailbox->leave(entry.host);
+  entry.branch->component->mailbox->leave(entry.host);
   entry.instance->watch.expect(services_.work.begin());
   self_->send(entry.host, stop_component{});
 }
 
 void Supervision::close(Entry& entry, const std::string& reason) {
-  answer_by_failure(entry.kept, entry.instance->door->close(), reason);
+  answer_by_failure(*entry.branch, entry.instance->door->close(), reason);
 }
 
 void Supervision::stopped(const instance_stopped& what) {
@@ -157,13 +166,13 @@ void Supervision::remove(InstanceId id, const std::string& reason) {
   if (entry.empty())
     return;
   close(entry.mapped(), reason);
-  after_end(entry.mapped().kept);
+  after_end(entry.mapped().branch);
 }
 
-void Supervision::after_end(const KeptPointer& kept) {
-  if (is_kept(kept))
-    make_missing(kept);
-  else if (const auto departure = departure_of(kept); departure != 0)
+void Supervision::after_end(const BranchPointer& branch) {
+  if (is_kept(branch))
+    make_missing(branch);
+  else if (const auto departure = departure_of(branch); departure != 0)
     gone(departure);
 }
 
@@ -173,41 +182,44 @@ void Supervision::failed(const component_failed& what) {
   const auto found = entries_.find(what.instance);
   if (what.instance == 0) {
     if (const auto kept = kept_.find(what.name); kept != kept_.end())
-      count_failure(kept->second, what.reason);
+      if (const auto house = kept->second->branches.find(house_->name());
+          house != kept->second->branches.end())
+        count_failure(house->second, what.reason);
     return;
   }
   if (found == entries_.end() || found->second.stage == Stage::stops)
     return;
   auto& entry = found->second;
-  const auto kept = entry.kept;
+  const auto branch = entry.branch;
   stop(entry);
   close(entry, what.reason);
-  if (is_kept(kept))
-    count_failure(kept, what.reason);
-  else if (is_coming(kept))
+  if (is_kept(branch))
+    count_failure(branch, what.reason);
+  else if (const auto kept = is_coming(branch))
     came_not(kept, {ErrorKind::settings, what.reason, {}});
   else
     services_.log(what.name + " failed while it left: " + what.reason);
 }
 
-void Supervision::count_failure(const KeptPointer& kept,
+void Supervision::count_failure(const BranchPointer& branch,
                                 const std::string& reason) {
   if (closing_)
     return;
-  const auto& name = kept->component->name();
-  const auto verdict = kept->failures.failed(services_.clock->now());
-  services_.log(name + " failed: " + reason);
-  tell("ComponentFailed", {name, reason, kept->failures.count()});
-  kept->pauses = true;
+  const auto verdict = branch->failures.failed(services_.clock->now());
+  services_.log(branch->name() + " failed: " + reason);
+  tell("ComponentFailed", {branch->name(), reason, branch->failures.count()},
+       branch->place->session());
+  branch->pauses = true;
   if (verdict.down)
-    return rest(kept, reason, verdict.pause);
-  kept->due = ticket(verdict.pause);
-  try_later(kept, verdict.pause);
+    return rest(branch, reason, verdict.pause);
+  branch->due = ticket(verdict.pause);
+  try_later(*branch, verdict.pause);
 }
 
-void Supervision::try_later(const KeptPointer& kept, Milliseconds pause) {
-  kept->trial = ++last_number_;
-  const actors::try_again again{kept->component->name(), kept->trial};
+void Supervision::try_later(Branch& branch, Milliseconds pause) {
+  branch.trial = ++last_number_;
+  const actors::try_again again{branch.name(), branch.place->name(),
+                                branch.trial};
   if (pause > Milliseconds::zero())
     self_->delayed_send(self_, pause, again);
   else
@@ -215,30 +227,33 @@ void Supervision::try_later(const KeptPointer& kept, Milliseconds pause) {
 }
 
 // Its role falls to the next component of it.
-void Supervision::rest(const KeptPointer& kept, const std::string& reason,
+void Supervision::rest(const BranchPointer& branch, const std::string& reason,
                        Milliseconds pause) {
-  const auto& name = kept->component->name();
-  *kept->component->up = false;
-  kept->component->mailbox->close("is down");
-  services_.log(name + " is down");
-  for (auto id : instances_of(kept))
+  *branch->component->up = false;
+  branch->component->mailbox->close("is down");
+  services_.log(branch->name() + " is down");
+  for (auto id : instances_of(*branch))
     if (auto& entry = entries_[id]; entry.stage != Stage::stops) {
       stop(entry);
       close(entry, reason);
     }
-  answer_what_waits(kept, reason);
-  tell("ComponentDown", {name, reason});
-  try_later(kept, pause);
+  answer_what_waits(*branch, reason);
+  tell("ComponentDown", {branch->name(), reason}, branch->place->session());
+  try_later(*branch, pause);
 }
 
 void Supervision::try_again(const actors::try_again& what) {
-  const auto found = kept_.find(what.name);
-  if (found == kept_.end() || found->second->trial != what.trial)
+  const auto kept = kept_.find(what.name);
+  if (kept == kept_.end())
     return;
-  const auto kept = found->second;
-  kept->due = {};
-  kept->pauses = false;
-  make_missing(kept);
+  const auto found = kept->second->branches.find(what.place);
+  if (found == kept->second->branches.end() ||
+      found->second->trial != what.trial)
+    return;
+  const auto branch = found->second;
+  branch->due = {};
+  branch->pauses = false;
+  make_missing(branch);
 }
 
 // -- calls that do not return -------------------------------------------------
@@ -247,8 +262,8 @@ void Supervision::watch(const watch_instance& what) {
   const auto found = entries_.find(what.instance);
   if (found == entries_.end())
     return;
-  const auto& [instance, host, kept, stage] = found->second;
-  auto deadline = kept->component->order.upkeep.deadline;
+  const auto& [instance, host, branch, stage] = found->second;
+  auto deadline = branch->component->order.upkeep.deadline;
   if (stage == Stage::starts)
     deadline = std::max(deadline, start_deadline);
   std::optional left = deadline;
@@ -264,63 +279,20 @@ void Supervision::watch(const watch_instance& what) {
 void Supervision::hangs(InstanceId id) {
   auto node = entries_.extract(id);
   auto& entry = node.mapped();
-  const auto kept = entry.kept;
+  const auto branch = entry.branch;
   const auto reason =
       "a call did not return within " +
-      std::to_string(kept->component->order.upkeep.deadline.count()) + " ms";
+      std::to_string(branch->component->order.upkeep.deadline.count()) + " ms";
   entry.instance->watch.give_up();
-  kept->component->mailbox->leave(entry.host);
+  branch->component->mailbox->leave(entry.host);
   close(entry, reason);
-  if (is_coming(kept))
+  if (const auto kept = is_coming(branch))
     came_not(kept, {ErrorKind::timeout, reason, {}});
-  else if (is_kept(kept) && entry.stage != Stage::stops)
-    count_failure(kept, reason);
+  else if (is_kept(branch) && entry.stage != Stage::stops)
+    count_failure(branch, reason);
   else
-    services_.log(kept->component->name() + " does not stop: " + reason);
-  after_end(kept);
-}
-
-// -- telling ------------------------------------------------------------------
-
-void Supervision::tell(const char* event, std::vector<Value> params) {
-  Message message;
-  message.source = "System";
-  message.command = event;
-  message.params = std::move(params);
-  services_.publish({std::move(message)});
-}
-
-void Supervision::tell_up(const Component& component) {
-  const auto& roles = component.description().roles;
-  tell("ComponentUp",
-       {component.name(), roles.empty() ? Value() : Value(roles.front())});
-}
-
-void Supervision::answer_by_failure(const KeptPointer& kept,
-                                    const std::vector<Message>& messages,
-                                    const std::string& reason) {
-  std::vector<Message> answers;
-  for (const auto& message : messages)
-    if (message.correlation != 0)
-      answers.push_back(
-          failure_answer(kept->component->name(), message, reason));
-  if (!answers.empty() && !closing_)
-    services_.publish(std::move(answers));
-}
-
-void Supervision::answer_what_waits(const KeptPointer& kept,
-                                    const std::string& reason) {
-  std::vector<Message> messages;
-  for (auto& job : kept->component->mailbox->take_all())
-    messages.push_back(std::move(job.message));
-  answer_by_failure(kept, messages, reason);
-}
-
-// So that virtual time stops there, and nobody thinks that nothing is due.
-DueTicket Supervision::ticket(Milliseconds delay) {
-  const auto due = services_.clock->now() + delay.count();
-  return {services_.due_times,
-          services_.due_times.add(due, DueTimes::Of::component)};
+    services_.log(branch->name() + " does not stop: " + reason);
+  after_end(branch);
 }
 
 } // namespace parlour::actors

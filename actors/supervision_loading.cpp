@@ -6,6 +6,7 @@
 
 #include "actors/supervision.hpp"
 #include "actors/supervisor.hpp"
+#include "runtime/base/call_deadline.hpp"
 #include "runtime/plugin/scope_check.hpp"
 #include "script/findings.hpp"
 
@@ -25,6 +26,8 @@ void Supervision::load(const load_component& what) {
     return what.done(may);
   settled_[what.order->name] = *what.order;
   settled_[what.order->name].factory.create = nullptr;
+  if (what.order->upkeep.scope.instances == 0) // for <load> alone
+    return what.done({});
   come(*what.order, what.rank, false, what.done);
 }
 
@@ -38,9 +41,10 @@ void Supervision::load(const load_plugin& what) {
 }
 
 void Supervision::unload(const unload_component& what) {
-  const auto found = kept_.find(what.name);
-  if (found != kept_.end())
-    return depart(found->second, true, what.done);
+  if (const auto found = kept_.extract(what.name)) {
+    publish_table();
+    return depart(branches_of(*found.mapped()), what.name, what.done);
+  }
   std::vector<std::string> names;
   for (const auto& [name, kept] : kept_)
     names.push_back(name);
@@ -52,12 +56,14 @@ void Supervision::unload(const unload_component& what) {
 void Supervision::stop_all() {
   closing_ = true;
   for (auto& [name, kept] : kept_)
-    kept->component->mailbox->close("stops");
+    for (auto& [place, branch] : kept->branches)
+      branch->component->mailbox->close("stops");
   for (auto& [id, entry] : entries_)
     if (entry.stage != Stage::stops)
       stop(entry);
   for (auto& [name, kept] : kept_)
-    kept->component->mailbox->take_all();
+    for (auto& [place, branch] : kept->branches)
+      branch->component->mailbox->take_all();
 }
 
 // -- coming -------------------------------------------------------------------
@@ -77,7 +83,11 @@ Expected<ComponentOrder> Supervision::order_for(const load_plugin& what) const {
       known->second.factory.description.name == what.plugin) {
     order.options = known->second.options;
     order.upkeep = known->second.upkeep;
+    auto& instances = order.upkeep.scope.instances;
+    instances = std::max<std::size_t>(instances, 1);
   }
+  if (services_.complete)
+    services_.complete(order);
   return order;
 }
 
@@ -101,101 +111,126 @@ Expected<void> Supervision::may_come(const ComponentOrder& order) const {
 
 void Supervision::come(const ComponentOrder& order, std::size_t rank, bool tell,
                        Done done) {
+  using enum Scope::Kind;
   auto kept = std::make_shared<Kept>();
-  kept->component = std::make_shared<Component>();
-  kept->component->order = order;
-  const auto before = kept_.find(order.name);
-  kept->component->mailbox = before == kept_.end()
-                                 ? std::make_shared<ComponentMailbox>()
-                                 : before->second->component->mailbox;
+  kept->order = order;
+  auto& upkeep = kept->order.upkeep;
+  upkeep.deadline = call_deadline(
+      upkeep, services_.program->settings.sessions.request_timeout);
   kept->rank = rank;
   kept->tell = tell;
   kept->done = std::move(done);
+  if (const auto scope = upkeep.scope.kind; scope == seat || scope == session)
+    kept->by_session = std::make_shared<Branches>();
   coming_[order.name] = kept;
-  make_missing(kept);
+  settle(kept);
+  came(kept); // if there is nobody yet to have a branch
 }
 
-// One of its instances works: once all do, it takes its place.
+// One of its instances works, or is not wanted any more: once all that are
+// left work, it takes its place.
 void Supervision::came(const KeptPointer& kept) {
-  const auto ids = instances_of(kept);
-  const auto& component = *kept->component;
-  if (!std::all_of(ids.begin(), ids.end(),
-                   [&](auto id) { return entries_[id].stage == Stage::works; }))
-    return;
-  coming_.erase(component.name());
-  auto& place = kept_[component.name()];
+  for (const auto& [place, branch] : kept->branches)
+    for (auto id : instances_of(*branch))
+      if (entries_[id].stage != Stage::works)
+        return;
+  coming_.erase(kept->order.name);
+  takes_place(kept);
+  settle(kept); // who came meanwhile
+  if (kept->tell)
+    for (const auto& branch : branches_of(*kept))
+      tell_up(*branch->component, branch->place->session());
+  std::exchange(kept->done, {})({});
+}
+
+void Supervision::takes_place(const KeptPointer& kept) {
+  auto& place = kept_[kept->order.name];
   if (place)
     kept->rank = place->rank;
   else if (kept->rank == 0)
     kept->rank = last_rank_ + 1;
   last_rank_ = std::max(last_rank_, kept->rank);
   const auto before = std::exchange(place, kept);
-  *component.up = true;
+  for (const auto& [name, branch] : kept->branches)
+    *branch->component->up = true;
   publish_table();
-  if (before)
-    depart(before, false, {});
-  component.mailbox->open();
-  for (auto id : ids)
-    component.mailbox->join(entries_[id].host);
-  if (kept->tell)
-    tell_up(component);
-  std::exchange(kept->done, {})({});
+  if (before) {
+    for (const auto& [name, branch] : before->branches)
+      branch->handed_on = kept->branches.count(name) != 0; // mailbox_at
+    depart(branches_of(*before), {}, {});
+  }
+  for (const auto& [name, branch] : kept->branches) {
+    branch->component->mailbox->open();
+    for (auto id : instances_of(*branch))
+      branch->component->mailbox->join(entries_[id].host);
+  }
 }
 
 // What was there before stays.
 void Supervision::came_not(const KeptPointer& kept, Error error) {
-  coming_.erase(kept->component->name());
-  for (auto id : instances_of(kept))
-    if (auto& entry = entries_[id]; entry.stage != Stage::stops)
-      stop(entry);
+  coming_.erase(kept->order.name);
+  for (const auto& [place, branch] : kept->branches)
+    for (auto id : instances_of(*branch))
+      if (auto& entry = entries_[id]; entry.stage != Stage::stops)
+        stop(entry);
   if (auto done = std::exchange(kept->done, {}))
     done(tl::make_unexpected(std::move(error)));
 }
 
 // -- departing ----------------------------------------------------------------
 
-// By value: who calls may hold it in what is erased here.
-void Supervision::depart(KeptPointer kept, bool unloads, Done done) {
+std::vector<Supervision::BranchPointer>
+Supervision::branches_of(const Kept& kept) {
+  std::vector<BranchPointer> all;
+  for (const auto& [place, branch] : kept.branches)
+    all.push_back(branch);
+  return all;
+}
+
+void Supervision::depart(std::vector<BranchPointer> branches,
+                         const std::string& unloads, Done done) {
   const auto id = ++last_number_;
-  departures_[id] = {kept, unloads, std::move(done), ticket(drain_time)};
-  if (unloads) {
-    kept->component->mailbox->close("is being unloaded");
-    kept_.erase(kept->component->name());
-    publish_table();
-  }
-  for (auto instance : instances_of(kept)) {
-    auto& entry = entries_[instance];
-    if (!unloads)
-      kept->component->mailbox->leave(entry.host);
-    entry.instance->leaves = true;
-    entry.instance->door->leaves();
-  }
+  for (const auto& branch : branches)
+    withdraw(*branch);
+  departures_[id] = {std::move(branches), unloads, std::move(done),
+                     ticket(drain_time)};
   self_->delayed_send(self_, drain_time, actors::drain_over{id});
   see_off(id, false);
 }
 
-std::uint64_t Supervision::departure_of(const KeptPointer& kept) const {
+void Supervision::withdraw(Branch& branch) {
+  auto& mailbox = *branch.component->mailbox;
+  if (!branch.handed_on)
+    mailbox.close("is being unloaded");
+  for (auto instance : instances_of(branch)) {
+    auto& entry = entries_[instance];
+    if (branch.handed_on)
+      mailbox.leave(entry.host);
+    entry.instance->leaves = true;
+    entry.instance->door->leaves();
+  }
+}
+
+std::uint64_t Supervision::departure_of(const BranchPointer& branch) const {
   for (const auto& [id, departure] : departures_)
-    if (departure.kept == kept)
+    if (std::ranges::count(departure.branches, branch) != 0)
       return id;
   return 0;
 }
 
-bool Supervision::has_finished(const Entry& entry,
-                               const Departure& departure) const {
+bool Supervision::has_finished(const Entry& entry) const {
   return !entry.instance->watch.in_call() &&
          entry.instance->door->owes_nothing() &&
-         (!departure.unloads || entry.kept->component->mailbox->empty());
+         (entry.branch->handed_on || entry.branch->component->mailbox->empty());
 }
 
 void Supervision::see_off(std::uint64_t id, bool at_once) {
-  const auto& departure = departures_[id];
-  for (auto instance : instances_of(departure.kept)) {
-    auto& entry = entries_[instance];
-    if (entry.stage != Stage::stops &&
-        (at_once || has_finished(entry, departure)))
-      stop(entry);
-  }
+  for (const auto& branch : departures_[id].branches)
+    for (auto instance : instances_of(*branch)) {
+      auto& entry = entries_[instance];
+      if (entry.stage != Stage::stops && (at_once || has_finished(entry)))
+        stop(entry);
+    }
   gone(id);
 }
 
@@ -203,7 +238,7 @@ void Supervision::rests(const instance_rests& what) {
   const auto found = entries_.find(what.instance);
   if (found == entries_.end())
     return;
-  if (const auto id = departure_of(found->second.kept); id != 0)
+  if (const auto id = departure_of(found->second.branch); id != 0)
     see_off(id, false);
 }
 
@@ -218,32 +253,21 @@ void Supervision::drain_over(const actors::drain_over& what) {
 // Once no instance is left.
 void Supervision::gone(std::uint64_t id) {
   const auto found = departures_.find(id);
-  if (found == departures_.end() || !instances_of(found->second.kept).empty())
+  if (found == departures_.end())
     return;
+  for (const auto& branch : found->second.branches)
+    if (!instances_of(*branch).empty())
+      return;
   auto departure = std::move(found->second);
   departures_.erase(found);
-  if (departure.unloads) {
-    answer_what_waits(departure.kept, "it was unloaded");
-    tell("ComponentDown", {departure.kept->component->name(), "unloaded"});
-  }
+  for (const auto& branch : departure.branches)
+    if (!branch->handed_on)
+      answer_what_waits(*branch, branch->over ? "its session is over"
+                                              : "it was unloaded");
+  if (!departure.unloads.empty())
+    tell("ComponentDown", {departure.unloads, "unloaded"});
   if (departure.done)
     departure.done({});
-}
-
-// -- the table ----------------------------------------------------------------
-
-void Supervision::publish_table() {
-  std::vector<KeptPointer> order;
-  for (const auto& [name, kept] : kept_)
-    order.push_back(kept);
-  std::ranges::sort(order, {}, &Kept::rank);
-  auto parts = services_.routing;
-  for (const auto& kept : order) {
-    const auto& component = *kept->component;
-    parts.targets.push_back({component.name(), component.description().roles,
-                             component.mailbox, kept->direct, component.up});
-  }
-  services_.table.store(std::make_shared<const RoutingTable>(std::move(parts)));
 }
 
 } // namespace parlour::actors

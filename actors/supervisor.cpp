@@ -21,6 +21,12 @@ supervisor(supervisor_actor::stateful_pointer<supervisor_state> self,
       [=](const instance_rests& what) { all->rests(what); },
       [=](const try_again& what) { all->try_again(what); },
       [=](const drain_over& what) { all->drain_over(what); },
+      [=](const seat_opened& what) { all->opened(what); },
+      [=](const session_begins& what) {
+        all->begins(what);
+        return session_settled{};
+      },
+      [=](const session_ended& what) { all->ended(what); },
   };
 }
 

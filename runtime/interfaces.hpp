@@ -206,6 +206,36 @@ using component_host_actor =
                      caf::reacts_to<work_waits>, caf::reacts_to<run_after>,
                      caf::reacts_to<run_now>, caf::reacts_to<stop_component>>;
 
+// -- seats --------------------------------------------------------------------
+
+// The robot says something at this seat.
+struct say {
+  SessionId session;
+  std::shared_ptr<const dialogue::Output> output;
+  Work work;
+};
+// The seat's session is over; the next turn opens another.
+struct session_over {
+  SessionId session;
+  Work work;
+};
+// Another has opened by itself, for turns that the last one did not come to.
+struct next_session {
+  SessionId session;
+  Work work;
+};
+
+using seat_actor =
+    caf::typed_actor<caf::reacts_to<say>, caf::reacts_to<session_over>,
+                     caf::reacts_to<next_session>>;
+
+// To the supervisor and the session manager: a seat is there, by this name.
+struct seat_opened {
+  std::string name;
+  seat_actor seat;
+  Work work;
+};
+
 // -- the supervisor -----------------------------------------------------------
 
 // Load a component, or put it in the place of the one of its name.
@@ -261,14 +291,30 @@ struct instance_rests {
   InstanceId instance;
   Work work;
 };
-// A component that failed is tried again.
+// A component that failed is tried again; `place`: the session or seat whose it
+// is, if it is one's.
 struct try_again {
   std::string name;
+  std::string place;
   std::uint64_t trial;
 };
 // Those that are to go have had their time.
 struct drain_over {
   std::uint64_t departure;
+};
+
+// A session asks for what it has of components before it begins: answered when
+// messages for them find their way; their instances may still be starting.
+struct session_begins {
+  SessionId session;
+  Work work;
+};
+struct session_settled {};
+// Its own instances go, once they have done what they were given.
+struct session_ended {
+  SessionId session;
+  seat_actor seat;
+  Work work;
 };
 
 using supervisor_actor = caf::typed_actor<
@@ -277,30 +323,9 @@ using supervisor_actor = caf::typed_actor<
     caf::reacts_to<instance_started>, caf::reacts_to<instance_stopped>,
     caf::reacts_to<component_failed>, caf::reacts_to<watch_instance>,
     caf::reacts_to<instance_rests>, caf::reacts_to<try_again>,
-    caf::reacts_to<drain_over>>;
-
-// -- seats --------------------------------------------------------------------
-
-// The robot says something at this seat.
-struct say {
-  SessionId session;
-  std::shared_ptr<const dialogue::Output> output;
-  Work work;
-};
-// The seat's session is over; the next turn opens another.
-struct session_over {
-  SessionId session;
-  Work work;
-};
-// Another has opened by itself, for turns that the last one did not come to.
-struct next_session {
-  SessionId session;
-  Work work;
-};
-
-using seat_actor =
-    caf::typed_actor<caf::reacts_to<say>, caf::reacts_to<session_over>,
-                     caf::reacts_to<next_session>>;
+    caf::reacts_to<drain_over>, caf::reacts_to<seat_opened>,
+    caf::replies_to<session_begins>::with<session_settled>,
+    caf::reacts_to<session_ended>>;
 
 // -- sessions of a node -------------------------------------------------------
 
@@ -335,57 +360,27 @@ struct session_gone {
 using session_manager_actor =
     caf::typed_actor<caf::replies_to<open_session>::with<session_opened>,
                      caf::reacts_to<forward>, caf::reacts_to<close_session>,
-                     caf::reacts_to<session_gone>>;
+                     caf::reacts_to<session_gone>, caf::reacts_to<seat_opened>>;
 
 } // namespace parlour::actors
 
-#define PARLOUR_LOCAL_MESSAGE(name)                                            \
-  CAF_ALLOW_UNSAFE_MESSAGE_TYPE(parlour::actors::name)
+// clang-format off
+#define PARLOUR_LOCAL_MESSAGES(X) \
+  X(publish) X(retire) X(begin_session) X(deliver) X(take_step) \
+  X(timer_due) X(query_outcome) X(file_outcome) X(component_outcome) \
+  X(socket_told) X(file_order) X(output_done) X(look) X(end_session) \
+  X(leave) X(apply_changes) X(frame_changed) X(ring) X(cancel_timer) \
+  X(component_event) X(give_up) X(start_component) X(work_waits) \
+  X(run_after) X(run_now) X(stop_component) X(load_component) \
+  X(load_plugin) X(unload_component) X(stop_components) X(instance_started) \
+  X(instance_stopped) X(component_failed) X(watch_instance) \
+  X(instance_rests) X(try_again) X(drain_over) X(seat_opened) \
+  X(session_begins) X(session_settled) X(session_ended) X(say) \
+  X(session_over) X(next_session) X(open_session) X(session_opened) \
+  X(forward) X(close_session) X(session_gone)
+// clang-format on
 
-PARLOUR_LOCAL_MESSAGE(publish)
-PARLOUR_LOCAL_MESSAGE(retire)
-PARLOUR_LOCAL_MESSAGE(begin_session)
-PARLOUR_LOCAL_MESSAGE(deliver)
-PARLOUR_LOCAL_MESSAGE(take_step)
-PARLOUR_LOCAL_MESSAGE(timer_due)
-PARLOUR_LOCAL_MESSAGE(query_outcome)
-PARLOUR_LOCAL_MESSAGE(file_outcome)
-PARLOUR_LOCAL_MESSAGE(component_outcome)
-PARLOUR_LOCAL_MESSAGE(socket_told)
-PARLOUR_LOCAL_MESSAGE(file_order)
-PARLOUR_LOCAL_MESSAGE(output_done)
-PARLOUR_LOCAL_MESSAGE(look)
-PARLOUR_LOCAL_MESSAGE(end_session)
-PARLOUR_LOCAL_MESSAGE(leave)
-PARLOUR_LOCAL_MESSAGE(apply_changes)
-PARLOUR_LOCAL_MESSAGE(frame_changed)
-PARLOUR_LOCAL_MESSAGE(ring)
-PARLOUR_LOCAL_MESSAGE(cancel_timer)
-PARLOUR_LOCAL_MESSAGE(component_event)
-PARLOUR_LOCAL_MESSAGE(give_up)
-PARLOUR_LOCAL_MESSAGE(start_component)
-PARLOUR_LOCAL_MESSAGE(work_waits)
-PARLOUR_LOCAL_MESSAGE(run_after)
-PARLOUR_LOCAL_MESSAGE(run_now)
-PARLOUR_LOCAL_MESSAGE(stop_component)
-PARLOUR_LOCAL_MESSAGE(load_component)
-PARLOUR_LOCAL_MESSAGE(load_plugin)
-PARLOUR_LOCAL_MESSAGE(unload_component)
-PARLOUR_LOCAL_MESSAGE(stop_components)
-PARLOUR_LOCAL_MESSAGE(instance_started)
-PARLOUR_LOCAL_MESSAGE(instance_stopped)
-PARLOUR_LOCAL_MESSAGE(component_failed)
-PARLOUR_LOCAL_MESSAGE(watch_instance)
-PARLOUR_LOCAL_MESSAGE(instance_rests)
-PARLOUR_LOCAL_MESSAGE(try_again)
-PARLOUR_LOCAL_MESSAGE(drain_over)
-PARLOUR_LOCAL_MESSAGE(say)
-PARLOUR_LOCAL_MESSAGE(session_over)
-PARLOUR_LOCAL_MESSAGE(next_session)
-PARLOUR_LOCAL_MESSAGE(open_session)
-PARLOUR_LOCAL_MESSAGE(session_opened)
-PARLOUR_LOCAL_MESSAGE(forward)
-PARLOUR_LOCAL_MESSAGE(close_session)
-PARLOUR_LOCAL_MESSAGE(session_gone)
-
-#undef PARLOUR_LOCAL_MESSAGE
+#define X(name) CAF_ALLOW_UNSAFE_MESSAGE_TYPE(parlour::actors::name)
+PARLOUR_LOCAL_MESSAGES(X)
+#undef X
+#undef PARLOUR_LOCAL_MESSAGES

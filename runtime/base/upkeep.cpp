@@ -26,6 +26,18 @@ std::size_t size_of_pool(std::string_view text) {
 
 Expected<Scope> parse_scope(std::string_view text) {
   using enum Scope::Kind;
+  if (text == "loaded")
+    return Scope{usual, 0};
+  constexpr std::string_view loaded = "loaded ";
+  if (text.starts_with(loaded)) {
+    auto scope = parse_scope(text.substr(loaded.size()));
+    if (scope && scope->kind != pool && scope->instances != 0) {
+      scope->instances = 0;
+      return scope;
+    }
+    return fail(ErrorKind::settings, "expected node, seat, session, or inline "
+                                     "behind 'loaded'");
+  }
   static const std::map<std::string_view, Scope::Kind> words = {
       {"node", node},
       {"seat", seat},

@@ -43,6 +43,9 @@ std::vector<std::string> check_description(const PluginDescription& plugin) {
     findings.push_back("it is described without a name");
   if (plugin.sentence.empty())
     findings.push_back("it is described without a sentence");
+  if (plugin.is_inline && plugin.blocks)
+    findings.push_back("is_inline says that it answers at once, and blocks "
+                       "that it does not");
   check_roles(plugin, findings);
   check_options(plugin, findings);
   return findings;

@@ -76,7 +76,7 @@ TEST_F(HouseOfActors, ComesUpAndGoesDownInOrder) {
   options.components = {noting("Ear"), noting("Mouth")};
   House house(std::move(options));
   ASSERT_TRUE(house.start_components());
-  EXPECT_FALSE(house.open_session(house.open_seat(calls())).empty());
+  EXPECT_FALSE(house.open_session(house.open_seat("desk", calls())).empty());
   house.stop();
   house.stop();
   EXPECT_THAT(notes, ElementsAre("Ear starts", "Mouth starts", "Hello.", "Bye.",
@@ -124,7 +124,7 @@ TEST_F(HouseOfActors, DoesNotFallWithWhoeverWatches) {
     throw std::runtime_error("out of paper");
   };
   House house(std::move(options));
-  house.open_session(house.open_seat(calls()));
+  house.open_session(house.open_seat("desk", calls()));
   EXPECT_THAT(notes, ElementsAre("Hello."));
   EXPECT_THAT(logs,
               testing::Each(std::string("who watches failed: out of paper")));
@@ -140,9 +140,9 @@ TEST_F(HouseOfActors, LosesOneSessionAndGoesOn) {
     if (!virtual_time)
       wanted.virtual_start.reset();
     House house(std::move(wanted));
-    auto seat = house.open_seat(calls());
+    auto seat = house.open_seat("desk", calls());
     auto lost = house.open_session(seat);
-    auto other = house.open_session(house.open_seat(calls()));
+    auto other = house.open_session(house.open_seat("desk", calls()));
     auto& services = house.services();
     auto breaks = [](const auto&) { throw std::runtime_error("broken"); };
     caf::anon_send(services.sessions.find(lost),

@@ -87,10 +87,10 @@ TEST_F(RoutingTableTest, GivesAStarToAllThatAreUp) {
   *up[1] = false;
   EXPECT_THAT(delivered(table->route(message)),
               ElementsAre(HasSubstr("Good: Script.DoRecognition")));
-  EXPECT_EQ(table->find("ASR*")->name, "Good");
+  EXPECT_EQ(table->find("ASR*", "")->name, "Good");
   *up[2] = false;
   EXPECT_THAT(table->route(message).unreachable, ElementsAre("ASR*"));
-  EXPECT_EQ(table->find("ASR*"), nullptr);
+  EXPECT_EQ(table->find("ASR*", ""), nullptr);
   message.sinks = {"Record*"}; // an alias
   EXPECT_THAT(delivered(table->route(message)), ElementsAre(HasSubstr("Mic")));
 }
@@ -149,14 +149,39 @@ TEST_F(RoutingTableTest, KnowsRolesNamesAndAliases) {
   EXPECT_TRUE(table->is_source("*", "anyone"));
   EXPECT_FALSE(table->is_source("ASR", "Mic"));
   EXPECT_FALSE(table->is_source("Good", "Fast"));
-  EXPECT_EQ(table->find("Record")->name, "Mic");
-  EXPECT_EQ(table->find("Nobody"), nullptr);
+  EXPECT_EQ(table->find("Record", "")->name, "Mic");
+  EXPECT_EQ(table->find("Nobody", ""), nullptr);
 }
 
 TEST_F(RoutingTableTest, KnowsWhoListens) {
   make("");
   EXPECT_TRUE(table->subscribed(event("Fast", "RecognitionResult")));
   EXPECT_FALSE(table->subscribed(event("Fast", "Partial")));
+}
+
+// Of two of a role, each session has the first where it has one that is up.
+TEST_F(RoutingTableTest, AComponentMayHaveABranchForEachSession) {
+  make("");
+  EXPECT_FALSE(table->has_branches());
+  auto branches = std::make_shared<Branches>();
+  const auto mailbox = std::make_shared<ComponentMailbox>();
+  const auto is_up = std::make_shared<std::atomic<bool>>(true);
+  branches->put("s1", {mailbox, is_up});
+  RoutingTable::Parts parts;
+  parts.program = compile(echo);
+  Target own;
+  own.name = "Own";
+  own.roles = {"ASR"};
+  own.branches = branches;
+  parts.targets = {own, {"All", {"ASR"}, {}, nullptr, up.front()}};
+  const RoutingTable with(std::move(parts));
+  EXPECT_TRUE(with.has_branches());
+  EXPECT_EQ(with.find("ASR", "s1")->name, "Own");
+  EXPECT_EQ(with.find("ASR", "s1")->mailbox_of("s1"), mailbox);
+  EXPECT_EQ(with.find("ASR", "s2")->name, "All");
+  EXPECT_EQ(with.find("Own", "s2"), nullptr);
+  *is_up = false;
+  EXPECT_EQ(with.find("ASR", "s1")->name, "All");
 }
 
 } // namespace

@@ -10,7 +10,11 @@ TEST(SessionDirectory, FindsWhatIsThere) {
   auto ada = bench.session_probe("ada");
   auto ben = bench.session_probe("ben");
   directory.add("a", ada);
-  directory.add("b", ben);
+  const auto desk = bench.seat_probe();
+  directory.add("b", ben, desk);
+  EXPECT_EQ(directory.seat_of("b"), desk);
+  EXPECT_FALSE(directory.seat_of("c"));
+  EXPECT_EQ(directory.seats().size(), 2u);
   EXPECT_EQ(directory.find("a"), ada);
   EXPECT_THAT(directory.all(), ElementsAre(ada, ben));
   directory.remove("a");

@@ -10,6 +10,24 @@ namespace {
 
 using SupervisionLoadingTest = LoadingTest;
 
+// Answers by its option.
+class Named : public IPlugin {
+  Expected<void> on_start(const Options& options) override {
+    name_ = options.count("name") ? options.at("name") : "nobody";
+    return {};
+  }
+  void on_message(const Message&) override {
+    fire_event("Booked", {name_});
+  }
+  std::string name_;
+};
+
+ComponentOrder named_city() {
+  auto city = taxi("City");
+  city.factory.create = [] { return std::make_unique<Named>(); };
+  return city;
+}
+
 TEST_F(SupervisionLoadingTest, LoadsAndUnloadsByName) {
   shelf->put(taxi("City"));
   start(load_and_ask);
@@ -55,14 +73,11 @@ TEST_F(SupervisionLoadingTest, SaysWhyItDoesNotLoad) {
 TEST_F(SupervisionLoadingTest, SaysWhatAScopeIsNotFor) {
   auto city = taxi("City");
   city.upkeep.scope.kind = Scope::Kind::in_turn;
-  auto desk = taxi("Desk");
-  desk.upkeep.scope.kind = Scope::Kind::seat;
   auto shelf_of_books = component("Shelf", "Database", [](auto&, auto&) {});
   shelf_of_books.upkeep.scope = {Scope::Kind::pool, 2};
   for (const auto& [order, why] :
        std::vector<std::pair<ComponentOrder, const char*>>{
            {city, "has a state of its own"},
-           {desk, "not available yet"},
            {shelf_of_books, "not for a database"}}) {
     NodeOptions wanted;
     wanted.virtual_start = nine_o_clock;
@@ -84,18 +99,7 @@ TEST_F(SupervisionLoadingTest, OneTakesThePlaceOfAnother) {
 }
 
 TEST_F(SupervisionLoadingTest, WhatIsLoadedAgainHasItsOptions) {
-  class Named : public IPlugin {
-    Expected<void> on_start(const Options& options) override {
-      name_ = options.count("name") ? options.at("name") : "nobody";
-      return {};
-    }
-    void on_message(const Message&) override {
-      fire_event("Booked", {name_});
-    }
-    std::string name_;
-  };
-  auto city = taxi("City");
-  city.factory.create = [] { return std::make_unique<Named>(); };
+  auto city = named_city();
   shelf->put(city);
   city.options = {{"name", "Ada"}};
   options.components = {city};
@@ -106,6 +110,23 @@ TEST_F(SupervisionLoadingTest, WhatIsLoadedAgainHasItsOptions) {
               ElementsAre("City is gone.", "City is up.", "Ada"));
   EXPECT_THAT(say({"unload City", "load City as Other", "home"}),
               ElementsAre("City is gone.", "Other is up.", "nobody"));
+}
+
+// It stands in the settings for scripts alone, under a name of its own.
+TEST_F(SupervisionLoadingTest, WhatIsForScriptsHasItsOptionsWhenItIsLoaded) {
+  auto city = named_city();
+  shelf->put(city);
+  city.name = "Spare";
+  city.options = {{"name", "Ada"}};
+  city.upkeep.scope = {Scope::Kind::usual, 0};
+  options.components = {city};
+  options.complete = [](ComponentOrder& order) {
+    order.options["name"] += " of " + order.name;
+  };
+  start(load_and_ask);
+  EXPECT_THAT(say({"home"}), ElementsAre(HasSubstr("Offline: ")));
+  EXPECT_THAT(say({"load City as Spare", "home"}),
+              ElementsAre("Spare is up.", "Ada of Spare"));
 }
 
 TEST_F(SupervisionLoadingTest, WhatDoesNotStartTakesNobodysPlace) {

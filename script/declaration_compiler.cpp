@@ -73,7 +73,7 @@ private:
 void DeclarationCompiler::prepare(SettingsSource settings) {
   compilation_.sources = known_sources(program_, agents_of(settings));
   for (const auto& document : documents_) {
-    add_socket_names(document.root, compilation_.sources);
+    add_names_made(document.root, compilation_.sources);
     collect_grammars(document.root, compilation_.grammars,
                      compilation_.findings);
   }

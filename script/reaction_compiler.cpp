@@ -118,11 +118,13 @@ std::vector<std::string> known_sources(const Program& program,
   return names;
 }
 
-void add_socket_names(const Element& root, std::vector<std::string>& names) {
+void add_names_made(const Element& root, std::vector<std::string>& names) {
   for (const auto& child : root.children) {
     if (child.is("socket"))
       names.push_back(child.value("name"));
-    add_socket_names(child, names);
+    if (child.is("load"))
+      names.push_back(child.value(child.attribute("name") ? "name" : "plugin"));
+    add_names_made(child, names);
   }
 }
 

@@ -16,8 +16,9 @@ std::vector<Reaction> compile_messages(const Element& messages,
 // The names of everything that can be a source of messages.
 std::vector<std::string> known_sources(const Program& program,
                                        const std::vector<std::string>& agents);
-// The sockets that scripts below `root` open; a computed name helps nobody.
-void add_socket_names(const Element& root, std::vector<std::string>& names);
+// The sockets that scripts below `root` open and the components that they load;
+// a computed name helps nobody.
+void add_names_made(const Element& root, std::vector<std::string>& names);
 
 // A source and an event as the roles table spells them; what it does not know
 // is a warning.

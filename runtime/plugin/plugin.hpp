@@ -59,9 +59,9 @@ public:
   virtual void ask(Message request, Milliseconds patience,
                    Reaction reaction) = 0;
 
-  // Calls back on the plug-in's own thread, unless it is cancelled before.
-  // While it is due, a run by pipe waits for it: cancel what has lost its
-  // purpose.
+  // Calls back on the plug-in's own thread, unless it is cancelled before. An
+  // empty line of a run by pipe waits for it, its end does not: cancel what has
+  // lost its purpose.
   using DelayId = std::uint64_t;
   virtual DelayId after(Milliseconds delay, std::function<void()> action) = 0;
   // From the plug-in's own thread: no call comes any more. Nothing happens

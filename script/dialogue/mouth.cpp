@@ -140,8 +140,18 @@ bool Mouth::release() {
     playing_.push_back({output.id, output.interruptible});
     core_.topics.released(output);
     core_.port.release(output);
+    voice(output);
   }
   return !result.released.empty();
+}
+
+// What is shown is spoken too, where there is a voice.
+void Mouth::voice(const Output& output) {
+  if (core_.port.reachable("TTS"))
+    core_.post("TTS", "Speak",
+               {output.text, static_cast<std::int64_t>(output.id),
+                output.interruptible},
+               0);
 }
 
 void Mouth::withdraw_questions() {

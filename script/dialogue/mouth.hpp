@@ -1,7 +1,9 @@
 // Mouth: how what the engine wants to say becomes words, and when they leave
 // (engine rule 3; understanding, "Phrases"). If an NLG component is there, a
 // `say` goes to it as Generate, and its Speak event brings the words back, by a
-// handler's <speak> or by itself; if not, the phrase is spoken directly.
+// handler's <speak> or by itself; if not, the phrase is spoken directly. What
+// is released goes to the session's seat, and to a TTS component if one is
+// there.
 #pragma once
 
 #include <cstdint>
@@ -105,6 +107,7 @@ private:
   Value generate_params(const Say& what);
   std::string words_of(const Value& params) const;
   void word(OutputId id, std::string text);
+  void voice(const Output& output);
   void inspect(const Output& output, const char* what);
   void no_longer_playing(OutputId id);
 

@@ -22,7 +22,10 @@ class MessageLint {
 public:
   MessageLint(const Subject& subject, Findings& findings)
       : subject_(subject), findings_(findings),
-        modules_(known_sources(subject.program, agents_of(subject.settings))) {}
+        modules_(known_sources(subject.program, agents_of(subject.settings))) {
+    for (const auto& document : subject.documents)
+      add_names_made(document.root, modules_);
+  }
 
   void message(const Element& element);
   void route(const Element& element);

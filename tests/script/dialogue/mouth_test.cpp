@@ -118,6 +118,14 @@ TEST(Mouth, AComponentThatIsSilentIsGivenUp) {
   EXPECT_FALSE(world.conversation->waits_for_answer());
 }
 
+TEST(Mouth, WhatIsReleasedIsSpokenWhereThereIsAVoice) {
+  World world(asking);
+  world.components["Voice"] = {"TTS"};
+  world.say(inform("T", {}));
+  EXPECT_EQ(world.said(), Texts{"S?"});
+  EXPECT_EQ(world.posted(), Texts{"TTS.Speak(S?, 1, true)"});
+}
+
 TEST(Mouth, OrderIsKeptWhileWordsAreWaitedFor) {
   Worded world(std::string(asking) + R"xml(
     <handler name="B"><messages><component><Bell><Rings>

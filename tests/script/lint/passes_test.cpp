@@ -116,19 +116,26 @@ INSTANTIATE_TEST_SUITE_P(
 
 INSTANTIATE_TEST_SUITE_P(
     messages, LintCase,
-    testing::Values(Linted{"<function name='main'><post module='ARS' "
-                           "command='Finish'/></function>",
-                           "3:37 unknown-module"},
-                    Linted{"<function name='main'><post module='ASR' "
-                           "command='Finsh'/></function>",
-                           "3:51 unknown-command"},
-                    Linted{"<function name='main'><post module='{_LPARAM1}' "
-                           "command='x'/><post module='Record' "
-                           "command='start_mic'/></function>",
-                           ""},
-                    Linted{"<routes><relay source='ASR' command='*' "
-                           "to='NLU, Spekaer'/></routes>",
-                           "3:45 unknown-module"}));
+    testing::Values(
+        Linted{"<function name='main'><post module='ARS' "
+               "command='Finish'/></function>",
+               "3:37 unknown-module"},
+        Linted{"<function name='main'><post module='ASR' "
+               "command='Finsh'/></function>",
+               "3:51 unknown-command"},
+        Linted{"<function name='main'><post module='{_LPARAM1}' "
+               "command='x'/><post module='Record' "
+               "command='start_mic'/></function>",
+               ""},
+        Linted{"<function name='main'><load plugin='P' "
+               "name='AST'/><post module='AST' command='x'/>"
+               "</function><handler name='H'><messages><component><AST>"
+               "<Said><stop/></Said></AST></component></messages>"
+               "</handler>",
+               ""},
+        Linted{"<routes><relay source='ASR' command='*' "
+               "to='NLU, Spekaer'/></routes>",
+               "3:45 unknown-module"}));
 
 INSTANTIATE_TEST_SUITE_P(
     slots, LintCase,

@@ -35,12 +35,9 @@ TEST_F(ExchangeTest, RulesOfKeywordsAreChecked) {
                         "'Dya'; there are Robot, Day"));
 }
 
-// An application that has a voice, here one that this build may not have.
-TEST_F(ExchangeTest, AVoiceWritesToAFileInsteadOfSpeaking) {
+// An application without a voice gets one by a line.
+TEST_F(ExchangeTest, AVoiceWritesWhatIsSaidToAFile) {
   copy("lab");
-  change("lab.xml", R"(<state name="Welcome">)",
-         R"(<routes><relay source="NLG" command="Speak" to="TTS"/></routes>
-            <state name="Welcome">)");
   change("settings.xml", "<Plugin>SQLiteDatabase",
          "<Plugin>TextFileTTS</Plugin><Plugin>SQLiteDatabase");
   const auto application = load_changed();
@@ -56,7 +53,8 @@ TEST_F(ExchangeTest, AVoiceWritesToAFileInsteadOfSpeaking) {
   ASSERT_TRUE((*node)->run_until_quiet());
   (*node)->advance(Milliseconds(5000));
   EXPECT_EQ(read(data.path() / "speech.txt"),
-            "09:00:00\tSpot is in room 12.\n");
+            "09:00:00\tWelcome to the robot lab. What would you like?\n"
+            "09:00:02\tSpot is in room 12.\n");
 }
 
 } // namespace

@@ -64,6 +64,9 @@ private:
     bool over = false;       // its place is: nobody waits for its answers
     std::uint64_t trial = 0; // which try_again counts
     DueTicket due;           // of that
+    // They begin when it has finished: else what was said last might be
+    // answered first.
+    std::vector<InstanceId> successors;
 
     const std::string& name() const {
       return component->name();
@@ -113,6 +116,7 @@ private:
   void see_off(std::uint64_t departure, bool at_once);
   bool has_finished(const Entry& entry) const;
   void gone(std::uint64_t departure);
+  void begin(const std::vector<InstanceId>& instances);
   std::uint64_t departure_of(const BranchPointer& branch) const;
 
   // -- seats and sessions: supervision_places.cpp

@@ -154,16 +154,28 @@ void Supervision::takes_place(const KeptPointer& kept) {
   for (const auto& [name, branch] : kept->branches)
     *branch->component->up = true;
   publish_table();
-  if (before) {
-    for (const auto& [name, branch] : before->branches)
-      branch->handed_on = kept->branches.count(name) != 0; // mailbox_at
-    depart(branches_of(*before), {}, {});
-  }
+  std::map<std::string, BranchPointer> leaving;
+  if (before)
+    leaving = before->branches;
   for (const auto& [name, branch] : kept->branches) {
     branch->component->mailbox->open();
-    for (auto id : instances_of(*branch))
-      branch->component->mailbox->join(entries_[id].host);
+    const auto old = leaving.find(name);
+    if (old == leaving.end()) {
+      begin(instances_of(*branch));
+      continue;
+    }
+    old->second->handed_on = true; // mailbox_at
+    old->second->successors = instances_of(*branch);
   }
+  if (before)
+    depart(branches_of(*before), {}, {});
+}
+
+void Supervision::begin(const std::vector<InstanceId>& instances) {
+  for (auto id : instances)
+    if (const auto found = entries_.find(id);
+        found != entries_.end() && found->second.stage == Stage::works)
+      found->second.branch->component->mailbox->join(found->second.host);
 }
 
 // What was there before stays.
@@ -250,14 +262,22 @@ void Supervision::drain_over(const actors::drain_over& what) {
   see_off(what.departure, true);
 }
 
-// Once no instance is left.
+// Once no instance is left; once all of a branch stop, others have its place.
 void Supervision::gone(std::uint64_t id) {
   const auto found = departures_.find(id);
   if (found == departures_.end())
     return;
-  for (const auto& branch : found->second.branches)
-    if (!instances_of(*branch).empty())
-      return;
+  bool is_gone = true;
+  for (const auto& branch : found->second.branches) {
+    const auto left = instances_of(*branch);
+    is_gone = is_gone && left.empty();
+    if (std::ranges::all_of(left, [&](auto instance) {
+          return entries_[instance].stage == Stage::stops;
+        }))
+      begin(std::exchange(branch->successors, {}));
+  }
+  if (!is_gone)
+    return;
   auto departure = std::move(found->second);
   departures_.erase(found);
   for (const auto& branch : departure.branches)

@@ -165,6 +165,30 @@ TEST_F(SupervisionLoadingTest, TheOldOneStillAnswersWhatItOwes) {
   }
 }
 
+// What comes meanwhile waits for that: nothing is answered out of turn.
+TEST_F(SupervisionLoadingTest, TheNewOneBeginsWhenTheOldOneHasFinished) {
+  options.components = {
+      component("City", "Taxi", [](auto& self, const Message& message) {
+        self.host().after(1500ms, [&self, message] {
+          self.answer(message, "Booked", {"old"});
+        });
+      })};
+  shelf->put(taxi("Luxury"));
+  start(load_and_ask);
+  EXPECT_THAT(say({"home"}), IsEmpty());
+  std::vector<std::string> others;
+  const auto other = node->open_seat(
+      {[&](const auto&, const auto& output) { others.push_back(output.text); },
+       {}});
+  node->enter(other, {"load Luxury as City", "work"});
+  node->run_until_quiet();
+  EXPECT_THAT(others, ElementsAre("City is up."));
+  node->advance(1500ms);
+  node->run_until_quiet();
+  EXPECT_THAT(said(), ElementsAre("old"));
+  EXPECT_THAT(others, ElementsAre("City is up.", "Luxury for work"));
+}
+
 TEST_F(SupervisionLoadingTest, AnUnloadedOneStillDoesWhatWaits) {
   options.components = {taxi("City")};
   start(load_and_ask);

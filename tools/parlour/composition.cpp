@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "runtime/base/call_deadline.hpp"
 #include "runtime/plugin/scope_check.hpp"
 #include "tools/parlour/hosting.hpp"
 
@@ -64,6 +65,30 @@ void check_scope(const ComponentSettings& component,
          whose(component) + ": " + fits.error().message});
 }
 
+// A deadline has to be one that is kept, and in time for whoever waits.
+void check_deadline(const ComponentSettings& component,
+                    const PluginDescription& plugin,
+                    const SessionSettings& sessions, Composition& composition) {
+  const auto& [scope, deadline, host] = component.upkeep;
+  const bool in_turn = plugin.is_inline && (scope.kind == Scope::Kind::usual ||
+                                            scope.kind == Scope::Kind::in_turn);
+  if (deadline == defaults::component_deadline)
+    return; // not said
+  if (in_turn)
+    composition.findings.push_back(
+        {Severity::error, component.place,
+         whose(component) +
+             ": it is asked in the conversation's own turn, where nobody can "
+             "give up a call that hangs; for a deadline, say scope=\"node\""});
+  else if (deadline >= sessions.request_timeout)
+    composition.findings.push_back(
+        {Severity::warning, component.place,
+         whose(component) +
+             ": its deadline is not shorter than request-timeout: a request "
+             "ends before the component is given up",
+         "long-deadline"});
+}
+
 } // namespace
 
 Composition compose(const Settings& settings, Catalogue& plugins) {
@@ -82,13 +107,16 @@ Composition compose(const Settings& settings, Catalogue& plugins) {
           {Severity::error, component.place, factory.error().message});
       continue;
     }
-    *factory =
-        hosted(std::move(*factory), component.upkeep, plugins.file_of(name));
+    auto upkeep = component.upkeep;
+    upkeep.deadline = call_deadline(upkeep, settings.sessions.request_timeout);
+    *factory = hosted(std::move(*factory), upkeep, plugins.file_of(name));
     check_options(component, factory->description, composition);
     check_scope(component, factory->description, composition);
+    check_deadline(component, factory->description, settings.sessions,
+                   composition);
     composition.components.push_back({component.name, std::move(*factory),
                                       component.options, component.place,
-                                      component.upkeep});
+                                      upkeep});
   }
   return composition;
 }
@@ -96,6 +124,8 @@ Composition compose(const Settings& settings, Catalogue& plugins) {
 const ChosenComponent* first_of_role(const Composition& composition,
                                      std::string_view role) {
   for (const auto& component : composition.components) {
+    if (component.upkeep.scope.instances == 0)
+      continue; // not before it is loaded
     const auto& roles = component.factory.description.roles;
     if (std::find(roles.begin(), roles.end(), role) != roles.end())
       return &component;

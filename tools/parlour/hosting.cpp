@@ -9,6 +9,8 @@ namespace parlour::tools {
 
 PluginFactory hosted(PluginFactory factory, const Upkeep& upkeep,
                      const std::filesystem::path& file) {
+  if (!file.empty() && upkeep.scope.kind == Scope::Kind::usual)
+    factory.description.is_inline = false;
   if (upkeep.host != "process")
     return factory;
   adapters::ProcessOrder order;

@@ -10,7 +10,9 @@ namespace parlour::tools {
 
 // The plug-in, or where its upkeep says host="process", the same in a process
 // of its own: of this program, or of the one that the environment's
-// PARLOUR_PROGRAM names. `file`: where it comes from; empty: the program.
+// PARLOUR_PROGRAM names. `file`: where it comes from; empty: the program. One
+// of a file is asked in a session's own turn only where its upkeep says so:
+// nobody can give it up there when it hangs.
 PluginFactory hosted(PluginFactory factory, const Upkeep& upkeep,
                      const std::filesystem::path& file = {});
 

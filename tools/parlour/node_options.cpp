@@ -3,6 +3,7 @@
 #include "adapters/files/data_files.hpp"
 #include "adapters/network/tcp_sockets.hpp"
 #include "script/phrase_evaluator.hpp"
+#include "tools/parlour/hosting.hpp"
 #include "tools/parlour/module_names.hpp"
 
 namespace parlour::tools {
@@ -11,13 +12,10 @@ namespace {
 
 // What a plug-in hears from a server comes in real time: where time is virtual
 // it has to be there before the next message.
-Options options_of(const ChosenComponent& component, bool is_virtual) {
-  auto options = component.options;
-  if (is_virtual)
-    for (const auto& option : component.factory.description.options)
-      if (option.name == "one-by-one")
-        options[option.name] = "true";
-  return options;
+void fit_to_time(actors::ComponentOrder& order, bool is_virtual) {
+  for (const auto& option : order.factory.description.options)
+    if (is_virtual && option.name == "one-by-one")
+      order.options[option.name] = "true";
 }
 
 } // namespace
@@ -27,12 +25,19 @@ actors::NodeOptions node_options(const Application& application,
                                  const RunWishes& wishes) {
   actors::NodeOptions options;
   options.program = application.program;
-  for (const auto& component : composition.components)
-    options.components.push_back(
-        {component.name, component.factory,
-         options_of(component, wishes.virtual_start.has_value()),
-         component.upkeep});
+  const bool is_virtual = wishes.virtual_start.has_value();
+  for (const auto& component : composition.components) {
+    options.components.push_back({component.name, component.factory,
+                                  component.options, component.upkeep});
+    fit_to_time(options.components.back(), is_virtual);
+  }
   options.plugins = application.plugins;
+  options.complete = [plugins = application.plugins,
+                      is_virtual](actors::ComponentOrder& order) {
+    const auto file = plugins->file_of(order.factory.description.name);
+    order.factory = hosted(std::move(order.factory), order.upkeep, file);
+    fit_to_time(order, is_virtual);
+  };
   options.aliases = role_aliases();
   options.phrases = script::make_phrase_evaluator(application.program);
   options.columns =

@@ -94,6 +94,36 @@ TEST(Composition, misses_values_that_fit_their_options) {
             "not 'soon': how long it takes");
 }
 
+TEST(Composition, has_deadlines_that_are_kept_in_time) {
+  auto slow = component("LogTaxi");
+  EXPECT_EQ(compose(settings_with({slow})).components[0].upkeep.deadline,
+            Milliseconds(5'000)); // half of request-timeout
+  slow.upkeep.deadline = Milliseconds(10'001);
+  EXPECT_THAT(
+      findings_of(slow),
+      ElementsAre("settings.xml:3:5: warning: LogTaxi: its deadline is not "
+                  "shorter than request-timeout: a request ends before the "
+                  "component is given up"));
+  auto direct = component("PhraseNLG");
+  direct.upkeep.deadline = Milliseconds(100);
+  EXPECT_THAT(findings_of(direct),
+              ElementsAre("settings.xml:3:5: error: PhraseNLG: it is asked in "
+                          "the conversation's own turn, where nobody can give "
+                          "up a call that hangs; for a deadline, say "
+                          "scope=\"node\""));
+  direct.upkeep.scope.kind = Scope::Kind::node;
+  EXPECT_THAT(findings_of(direct), IsEmpty());
+}
+
+TEST(Composition, passes_over_what_is_not_loaded_yet) {
+  auto spare = component("LogTaxi");
+  spare.upkeep.scope.instances = 0;
+  const auto made =
+      compose(settings_with({spare, {"Second", "LogTaxi", {}, {}}}));
+  EXPECT_EQ(made.components.size(), 2u); // checked it is all the same
+  EXPECT_EQ(first_of_role(made, "Taxi")->name, "Second");
+}
+
 TEST(Composition, runs_without_the_voice_that_it_does_not_have) {
   const auto made = compose(settings_with({component("ESpeakTTS")}));
   EXPECT_THAT(made.findings, IsEmpty());

@@ -35,6 +35,14 @@ TEST(Hosting, LeavesAPluginInTheProgramUnlessItIsToldOtherwise) {
   EXPECT_TRUE(outside.description.blocks);
 }
 
+TEST(Hosting, AsksWhatIsOfAFileInTheTurnOnlyWhereThatIsSaid) {
+  Upkeep upkeep;
+  const auto& plugin = *find_plugin("PhraseNLG");
+  EXPECT_FALSE(hosted(plugin, upkeep, "/x/Own.so").description.is_inline);
+  upkeep.scope.kind = Scope::Kind::in_turn;
+  EXPECT_TRUE(hosted(plugin, upkeep, "/x/Own.so").description.is_inline);
+}
+
 TEST_F(HostingTest, RunsThePluginOfAFileOutside) {
   Catalogue plugins({test::sample_plugins()});
   Upkeep upkeep;
@@ -67,6 +75,18 @@ TEST_F(HostingTest, TableOneIsTheSameOutOfProcess) {
   EXPECT_EQ(hold(application, "table-1-in-other-words.txt"), "");
 }
 
+TEST_F(HostingTest, TableOneIsTheSameWithComponentsOfItsOwn) {
+  copy("receptionist");
+  change("settings.xml", R"(<component name="SQLiteDatabase")",
+         R"(<component name="GrammarNLU" scope="session"/>
+            <component name="PhraseNLG" scope="seat"/>
+            <component name="LogTelephone" scope="session"/>
+            <component name="SQLiteDatabase")");
+  const auto application = load_changed();
+  EXPECT_THAT(findings(application), IsEmpty());
+  EXPECT_EQ(hold(application, "table-1.txt"), "");
+}
+
 TEST_F(HostingTest, SaysWhyAComponentDoesNotComeUp) {
   copy("lab");
   change("settings.xml", R"(<component name="SQLiteDatabase")",
@@ -87,7 +107,9 @@ protected:
   void start() {
     copy("lab");
     change("settings.xml", R"(<component name="SQLiteDatabase")",
-           R"(<component name="SQLiteDatabase" host="process")");
+           R"(<component name="Spare" plugin="LogTelephone" host="process"
+                         scope="loaded"/>
+              <component name="SQLiteDatabase" host="process")");
     application_.emplace(load_changed());
     auto options =
         node_options(*application_, application_->composition,
@@ -126,6 +148,10 @@ protected:
     return -1;
   }
 
+  Expected<void> load(const std::string& plugin, const std::string& name) {
+    return node_->load(plugin, name);
+  }
+
   void wait_for_failure() {
     const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(1);
     while (failures.empty() && std::chrono::steady_clock::now() < end)
@@ -153,6 +179,19 @@ TEST_F(KilledProcessTest, IsAnEventAndAnotherTakesItsPlace) {
                                            "(Killed)")));
   EXPECT_THAT(say("where is Rover?"), Contains("Rover is in room 12."));
   EXPECT_NE(process_of("SQLiteDatabase"), before);
+}
+
+// What the settings say of it counts when a script loads it.
+TEST_F(KilledProcessTest, WhatIsLoadedRunsWhereItsSettingsSay) {
+  start();
+  EXPECT_EQ(process_of("LogTelephone"), -1);
+  const auto loaded = load("LogTelephone", "Spare");
+  ASSERT_TRUE(loaded) << loaded.error().message;
+  const auto process = process_of("LogTelephone");
+  ASSERT_GT(process, 0);
+  ASSERT_EQ(kill(process, SIGKILL), 0);
+  wait_for_failure();
+  EXPECT_THAT(failures, Contains(HasSubstr("System.ComponentFailed(Spare")));
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 #include "actors/component_mailbox.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include <caf/send.hpp>

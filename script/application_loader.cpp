@@ -1,6 +1,7 @@
 #include "script/application_loader.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "runtime/base/paths.hpp"
 #include "script/source_reader.hpp"

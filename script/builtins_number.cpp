@@ -1,4 +1,5 @@
 // Built-in functions of numbers and types (language rules 3 and 7).
+#include <algorithm>
 #include <cmath>
 
 #include "script/builtin_call.hpp"

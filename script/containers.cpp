@@ -1,5 +1,6 @@
 // Indexing, fields and elements (language rules 2 and 7, "Reading past the
 // end").
+#include <algorithm>
 #include <cstring>
 #include <unordered_set>
 

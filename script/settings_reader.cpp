@@ -1,6 +1,7 @@
 #include "script/settings_reader.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "script/attribute_check.hpp"
 

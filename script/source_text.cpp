@@ -4,6 +4,7 @@
 #include <cctype>
 #include <charconv>
 #include <string_view>
+#include <utility>
 
 #include "script/lexer.hpp"
 #include "script/text_positions.hpp"

@@ -1,5 +1,7 @@
 #include "script/state_compiler.hpp"
 
+#include <iterator>
+
 #include "script/name_collector.hpp"
 #include "script/reaction_compiler.hpp"
 

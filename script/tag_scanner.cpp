@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <utility>
 
 #include "script/element_table.hpp"
 #include "script/findings.hpp"

@@ -1,6 +1,7 @@
 #include "script/validator.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "script/attribute_check.hpp"
 #include "script/expression_slips.hpp"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <map>
+#include <utility>
 
 #include "script/findings.hpp"
 #include "script/tag_scanner.hpp"

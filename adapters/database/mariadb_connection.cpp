@@ -1,6 +1,7 @@
 #include "adapters/database/mariadb_connection.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <memory>
 #include <utility>
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <unordered_set>
+#include <utility>
 
 #include "adapters/nlu/value_search.hpp"
 #include "adapters/nlu/words.hpp"

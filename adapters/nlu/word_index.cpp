@@ -1,6 +1,8 @@
 #include "adapters/nlu/word_index.hpp"
 
 #include <algorithm>
+#include <functional>
+#include <utility>
 
 #include "adapters/nlu/similarity.hpp"
 

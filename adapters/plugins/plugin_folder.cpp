@@ -1,6 +1,7 @@
 #include "adapters/plugins/plugin_folder.hpp"
 
 #include <algorithm>
+#include <cctype>
 
 #include <sys/stat.h>
 

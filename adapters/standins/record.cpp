@@ -1,5 +1,6 @@
 #include "adapters/standins/record.hpp"
 
+#include <ostream>
 #include <string>
 
 namespace parlour::adapters {

@@ -1,6 +1,7 @@
 #include "adapters/tts/text_file_tts.hpp"
 
 #include <filesystem>
+#include <ostream>
 #include <sstream>
 #include <utility>
 

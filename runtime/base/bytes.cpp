@@ -1,5 +1,7 @@
 #include "runtime/base/bytes.hpp"
 
+#include <utility>
+
 #include "runtime/base/utf8.hpp"
 
 namespace parlour {

@@ -1,5 +1,6 @@
 #include "script/dialogue/effects.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "script/dialogue/core.hpp"

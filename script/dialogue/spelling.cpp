@@ -1,8 +1,10 @@
 #include "script/dialogue/spelling.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <numeric>
+#include <utility>
 
 #include <unicode/uchar.h>
 #include <unicode/unistr.h>

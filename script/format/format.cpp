@@ -1,6 +1,7 @@
 #include "script/format/format.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "runtime/base/utf8.hpp"
 #include "script/element_table.hpp"

@@ -1,6 +1,8 @@
 #include "script/format/layout_tree.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <utility>
 
 namespace parlour::script {
 

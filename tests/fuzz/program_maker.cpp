@@ -1,5 +1,7 @@
 #include "tests/fuzz/program_maker.hpp"
 
+#include <utility>
+
 namespace parlour::fuzz {
 
 namespace {

@@ -1,6 +1,7 @@
 #include "tests/script/margin.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <fstream>
 #include <iterator>
 #include <sstream>

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <sstream>
 #include <string_view>
+#include <utility>
 
 #include "runtime/base/random.hpp"
 

@@ -2,6 +2,7 @@
 
 #include <map>
 #include <ostream>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 

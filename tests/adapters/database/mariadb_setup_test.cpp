@@ -1,3 +1,5 @@
+#include <thread>
+
 #include "adapters/database/mariadb_setup.hpp"
 #include "tests/adapters/database/mariadb_fixture.hpp"
 

@@ -1,4 +1,5 @@
 #include <future>
+#include <utility>
 
 #include <gtest/gtest.h>
 

@@ -1,3 +1,5 @@
+#include <stdexcept>
+
 #include <sys/wait.h>
 
 #include "tests/adapters/process/process_fixture.hpp"

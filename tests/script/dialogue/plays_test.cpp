@@ -2,6 +2,7 @@
 // (play.hpp) below plays/.
 #include <algorithm>
 #include <filesystem>
+#include <vector>
 
 #include <gtest/gtest.h>
 

@@ -159,10 +159,11 @@ bool Machine::perform(const EffectShape& shape, const Box* operands,
   // No more than the session could hold, and at the cost of its size.
   const auto most = std::min(walk_budget(), heap_->limit() / sizeof(Box)) + 1;
   auto left = most;
-  for (const auto& box : given)
-    weigh(box, left);
-  for (const auto& box : captured)
-    weigh(box, left);
+  for (const auto& box : std::span(operands, given.size() + captured.size()))
+    if (box.is_object() || box.is_reference())
+      weigh(box, left);
+    else if (left > 0)
+      --left; // one value, whatever it is
   if (left == 0)
     return raise(ErrorKind::limit, "a value is too large to leave the script");
   if (!charge(most - left))

@@ -44,7 +44,8 @@ Frame new_frame(const script::Program& program, TopicId topic,
   frame.topic = topic;
   frame.slots.resize(slots.size());
   for (std::size_t i = 0; i < slots.size(); ++i)
-    frame.slots[i] = new_slot(slots[i], frame, evaluate);
+    if (slots[i].initial != script::no_code)
+      frame.slots[i] = new_slot(slots[i], frame, evaluate);
   return frame;
 }
 

@@ -37,7 +37,7 @@ void Lane::now_from(std::vector<Step>& steps) {
   steps.clear();
 }
 
-void Lane::at_once(Step step) {
+void Lane::at_once(Step&& step) {
   running().agenda.push_back(std::move(step));
 }
 

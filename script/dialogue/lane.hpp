@@ -21,7 +21,7 @@ public:
   // In front of all that runs, in the given order; above a context that waits.
   void now(std::vector<Step> steps);
   void now_from(std::vector<Step>& steps);
-  void at_once(Step step);
+  void at_once(Step&& step);
 
   // The next step to take, or nothing while the lane waits or is idle.
   std::optional<Step> next();

@@ -37,7 +37,7 @@ Value Mouth::generate_params(const Say& what) {
   return say;
 }
 
-OutputId Mouth::say(Say what) {
+OutputId Mouth::say(Say&& what) {
   if (!core_.port.reachable(language_generation)) {
     auto text = what.text.empty() ? words_of(generate_params(what))
                                   : std::move(what.text);

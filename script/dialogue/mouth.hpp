@@ -38,7 +38,7 @@ public:
   explicit Mouth(Core& core);
 
   // Returns the entry's id; 0 where there are no words for it.
-  OutputId say(Say what);
+  OutputId say(Say&& what);
   // A <speak>. Where it handles the Speak event of a `say`, it words that
   // entry, else it is an answer.
   OutputId speak(std::string text, Correlation handled, TurnId turn,

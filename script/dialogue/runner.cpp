@@ -49,10 +49,6 @@ WaitId Runner::resume(WaitId wait, Expected<Value> outcome) {
   return dispose(std::move(waiting.activation), result);
 }
 
-void Runner::later(Step step) {
-  later_.push_back(std::move(step));
-}
-
 bool Runner::for_user(WaitId wait) const {
   auto found = waiting_.find(wait);
   return found != waiting_.end() && found->second.for_user;

@@ -35,7 +35,9 @@ public:
 
   // A step that the running activation's statements asked for; taken when it
   // ends or waits.
-  void later(Step step);
+  void later(Step&& step) {
+    later_.push_back(std::move(step));
+  }
 
   bool waiting(WaitId wait) const {
     return waiting_.count(wait) > 0;

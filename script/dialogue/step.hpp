@@ -82,8 +82,7 @@ struct Step {
   SlotId slot = script::no_id;
   StateId state = script::no_id;
   CodeId code = script::no_code;
-  CodeId condition = script::no_code; // of a rule
-  std::uint32_t report = 0;           // which of the result's, of report
+  std::uint32_t index = 0; // which of the topic's rules, or of the reports
   TurnId turn = 0;
   std::uint64_t mark = 0;    // how many outputs there were before
   std::uint64_t offered = 0; // of the message that reactions may consume

@@ -8,9 +8,9 @@
 namespace parlour::dialogue {
 
 // The same work's next step.
-inline Step make_step(StepKind kind, Step like) {
+inline Step make_step(StepKind kind, Step&& like) {
   like.kind = kind;
-  return like;
+  return std::move(like);
 }
 
 // One about the same topic, slot and turn, and nothing else.

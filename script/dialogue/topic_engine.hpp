@@ -222,7 +222,7 @@ private:
   void ask_slot(TopicId topic, SlotId slot, OutputAct as, TurnId turn);
   void ask_confirmation(TopicId topic, SlotId slot, TurnId turn);
   void ask_choice(TopicId topic, SlotId slot, TurnId turn, bool aloud);
-  void put(Asked asked, const char* act, Value data, std::string text,
+  void put(Asked&& asked, const char* act, Value data, std::string text,
            OutputAct as, TurnId turn);
   void reprompt(TurnId turn, bool heard_something);
   void climb(const Trouble& trouble);

@@ -170,10 +170,9 @@ void TopicEngine::filled(Step& step) {
   const auto& topic = core_.topic(step.topic);
   const auto& reports = step.result->reports;
   std::vector<Step> steps;
-  for (const auto& rule : topic.rules) {
+  for (std::uint32_t i = 0; i < topic.rules.size(); ++i) {
     auto check = light_step(StepKind::rule, step);
-    check.code = rule.body;
-    check.condition = rule.condition;
+    check.index = i;
     steps.push_back(std::move(check));
   }
   for (std::uint32_t i = 0; i < reports.size(); ++i) {
@@ -182,7 +181,7 @@ void TopicEngine::filled(Step& step) {
       continue;
     auto next = light_step(StepKind::report, step);
     next.result = step.result;
-    next.report = i;
+    next.index = i;
     next.slot = reports[i].slot;
     steps.push_back(std::move(next));
   }
@@ -216,20 +215,21 @@ Value TopicEngine::refusal(TopicId topic, const SlotReport& report) {
 }
 
 void TopicEngine::rule(Step& step) {
-  auto holds = core_.runner.evaluate(step.condition, {}, step.topic);
+  const auto& rule = core_.topic(step.topic).rules[step.index];
+  auto holds = core_.runner.evaluate(rule.condition, {}, step.topic);
   if (!holds) {
     core_.script_failed(holds.error(), step.turn);
     return;
   }
   std::vector<Step> steps;
   if (*holds)
-    run_body(step.code, step.topic, script::no_id, step.turn, steps);
+    run_body(rule.body, step.topic, script::no_id, step.turn, steps);
   core_.lane.now(std::move(steps));
 }
 
 void TopicEngine::report(Step& step) {
   const auto& slot = core_.topic(step.topic).slots[step.slot];
-  const auto& report = step.result->reports[step.report];
+  const auto& report = step.result->reports[step.index];
   std::vector<Step> steps;
   switch (report.outcome) {
   case SlotOutcome::accepted:

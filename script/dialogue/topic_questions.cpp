@@ -143,7 +143,7 @@ void TopicEngine::confirm(std::string question, TopicId topic, SlotId slot,
       turn);
 }
 
-void TopicEngine::put(Asked asked, const char* act, Value data,
+void TopicEngine::put(Asked&& asked, const char* act, Value data,
                       std::string text, OutputAct as, TurnId turn) {
   Say what;
   what.as = as;

@@ -37,16 +37,14 @@ Interpreter::start(CodeId code, const std::vector<Value>& arguments,
   return implementation_->start(code, arguments, std::move(context));
 }
 
-BodyResult Interpreter::run_body(CodeId code,
-                                 const std::vector<Value>& arguments,
-                                 ActivationContext context, Host& host) {
+std::optional<StoppedBody>
+Interpreter::run_body(CodeId code, const std::vector<Value>& arguments,
+                      ActivationContext context, Host& host) {
   auto activation = implementation_->start(code, arguments, std::move(context));
-  BodyResult body{implementation_->run(*activation, host, false), nullptr};
-  if (body.result.status == RunStatus::finished)
-    implementation_->keep_spare(std::move(activation));
-  else
-    body.activation = std::move(activation);
-  return body;
+  if (auto stopped = implementation_->run_body(*activation, host))
+    return StoppedBody{std::move(*stopped), std::move(activation)};
+  implementation_->keep_spare(std::move(activation));
+  return std::nullopt;
 }
 
 RunResult Interpreter::run(Activation& activation, Host& host) {

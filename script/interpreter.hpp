@@ -58,10 +58,10 @@ struct RunResult {
   std::vector<std::string> stack; // "function f (file:line)", innermost first
 };
 
-// What became of a body that was run at once.
-struct BodyResult {
+// A body that was run and did not finish.
+struct StoppedBody {
   RunResult result;
-  std::unique_ptr<Activation> activation; // null where it finished
+  std::unique_ptr<Activation> activation;
 };
 
 struct Restored;
@@ -80,9 +80,10 @@ public:
                                     const std::vector<Value>& arguments,
                                     ActivationContext context);
   // Starts and runs it. What finishes at once, as most bodies do, leaves
-  // nothing behind.
-  BodyResult run_body(CodeId code, const std::vector<Value>& arguments,
-                      ActivationContext context, Host& host);
+  // nothing behind, not even its value.
+  std::optional<StoppedBody> run_body(CodeId code,
+                                      const std::vector<Value>& arguments,
+                                      ActivationContext context, Host& host);
 
   // Runs until it ends, waits, or has used up a slice. A fresh event's fuel is
   // counted from new_event().

@@ -332,6 +332,16 @@ RunResult Machine::run(Execution& activation, Host& current_host,
   return outcome();
 }
 
+std::optional<RunResult> Machine::run_body(Execution& activation,
+                                           Host& current_host) {
+  RunScope scope(*this, activation, current_host, false);
+  dispatch();
+  if (stop_ != Stop::finished)
+    return outcome();
+  value_ = Box();
+  return std::nullopt;
+}
+
 RunResult Machine::resume(Execution& activation,
                           const Expected<Value>& outcome_of_wait,
                           Host& current_host) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -95,6 +96,8 @@ public:
 
   // Runs the activation until it stops.
   RunResult run(Execution& activation, Host& current_host, bool to_the_end);
+  // One that was just started; nothing where it finished.
+  std::optional<RunResult> run_body(Execution& activation, Host& current_host);
   RunResult resume(Execution& activation,
                    const Expected<Value>& outcome_of_wait, Host& current_host);
   std::unique_ptr<Execution> start(CodeId body,

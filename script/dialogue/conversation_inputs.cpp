@@ -1,6 +1,7 @@
 // The part of a conversation that says what happens with each input, and what
 // silence leads to (engine rules 1 to 3).
 #include <algorithm>
+#include <iterator>
 #include <string_view>
 #include <utility>
 
@@ -15,6 +16,17 @@ namespace {
 using namespace std::string_view_literals;
 
 const std::string recogniser = "ASR";
+
+// Whether the engine itself has an ear for it, besides who reacts to it; most
+// messages are only for those.
+bool is_heard(const Message& message) {
+  static constexpr std::string_view commands[] = {
+      "RecognitionResult", "SpeechStarted", "Partial",     "Rejected",
+      "Finished",          "AgentOnline",   "AgentOffline"};
+  return std::any_of(
+      std::begin(commands), std::end(commands),
+      [&](std::string_view command) { return message.command == command; });
+}
 
 // The user was heard to speak, but not yet understood.
 bool is_speech(const Port& port, const Message& message) {
@@ -127,13 +139,14 @@ std::vector<Message> Conversation::Implementation::take_unread() {
 
 void Conversation::Implementation::receive(
     std::shared_ptr<const Message> message) {
+  const bool heard = is_heard(*message);
   Input input;
-  input.begins_turn = message->command == "RecognitionResult"sv &&
+  input.begins_turn = heard && message->command == "RecognitionResult"sv &&
                       core.port.is_source(recogniser, message->source);
   input.turn = input.begins_turn ? core.turns.begin()
                                  : core.turns.of(message->correlation);
   core.turns.hold(input.turn);
-  if (is_speech(core.port, *message)) // known before a question is released
+  if (heard && is_speech(core.port, *message)) // known before a release
     core.turns.speaks(std::max(core.now, message->time) +
                       defaults::speech_without_words.count());
   if (!input.begins_turn)
@@ -164,15 +177,17 @@ void Conversation::Implementation::user_begins() {
 // While the session ends it only hears what is not the user's: the words that
 // it still waits for.
 std::vector<Input>::iterator Conversation::Implementation::next_input() {
-  return std::find_if(
-      core.inbox.begin(), core.inbox.end(),
-      [&](const Input& input) { return !core.ending || !input.begins_turn; });
+  if (!core.ending)
+    return core.inbox.begin();
+  return std::find_if(core.inbox.begin(), core.inbox.end(),
+                      [](const Input& input) { return !input.begins_turn; });
 }
 
 bool Conversation::Implementation::has_work() {
   return !core.ended && !core.topics.awaiting_frame() &&
          (core.mouth.wants_release() || core.runner.has_slices() ||
-          !core.internal.empty() || next_input() != core.inbox.end());
+          !core.internal.empty() ||
+          (!core.inbox.empty() && next_input() != core.inbox.end()));
 }
 
 void Conversation::Implementation::begin_event() {
@@ -208,9 +223,8 @@ void Conversation::Implementation::process(Input&& input) {
     user_begins();
   if (input.begins_turn)
     core.mouth.give_up_interrupted();
-  if (hear_speech(message) || hear_speaker(message))
-    input.raised = true; // the engine itself took it
-  if (core.machine.agent_changed(message))
+  if (is_heard(message) && (hear_speech(message) || hear_speaker(message) ||
+                            core.machine.agent_changed(message)))
     input.raised = true; // somebody took it
   if (core.effects.reply(message))
     core.turns.let_go(input.turn);
@@ -314,6 +328,8 @@ void Conversation::Implementation::go_on() {
 
 // The understanding of what was said never came.
 void Conversation::Implementation::give_up_turns() {
+  if (!core.turns.asked_anything())
+    return;
   for (auto turn : core.turns.expire(core.now)) {
     Step step;
     step.kind = StepKind::no_match;
@@ -326,11 +342,10 @@ void Conversation::Implementation::give_up_turns() {
 // -- silence ------------------------------------------------------------------
 
 void Conversation::Implementation::watch_silence() {
-  const bool open = core.turns.any_open(core.now);
   if (core.ending || !core.lane.idle() || !core.mouth.silent() ||
       core.topics.awaiting_frame()) {
     stop_silence();
-  } else if (open) {
+  } else if (core.turns.any_open(core.now)) {
     // Nobody may ever answer on the turn's behalf.
     if (auto until = core.turns.open_until(core.now))
       watch_for(Milliseconds(*until - core.now), Timer::Purpose::patience);
@@ -357,8 +372,9 @@ void Conversation::Implementation::watch_for(Milliseconds length,
 }
 
 void Conversation::Implementation::stop_silence() {
-  if (watch_)
-    core.timers.cancel(watch_->id);
+  if (!watch_)
+    return;
+  core.timers.cancel(watch_->id);
   watch_.reset();
 }
 

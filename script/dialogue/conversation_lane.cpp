@@ -9,7 +9,7 @@ namespace parlour::dialogue {
 
 void Conversation::Implementation::run_lane() {
   while (!core.topics.awaiting_frame()) {
-    auto step = core.lane.next();
+    auto* step = core.lane.next();
     if (!step)
       return;
     take(std::move(*step));

@@ -92,8 +92,7 @@ script::Performed Effects::perform_dialogue(Context context, Call effect) {
   using enum script::EffectKind;
   switch (effect.kind) {
   case transit:
-    core_.topics.redirect();
-    return later(StepKind::transit, context, effect);
+    return this->transit(context, effect);
   case push:
     return this->push(context, effect);
   case pop:
@@ -211,6 +210,25 @@ script::Performed Effects::push(Context context, Call effect) {
 
 // -- states and topics --------------------------------------------------------
 
+script::Performed Effects::transit(Context context, Call effect) {
+  core_.topics.redirect();
+  reached(effect.position);
+  const auto state = core_.program->state(effect.text(0));
+  if (state == script::no_id)
+    return missing("state", effect.operand(0));
+  auto& step = core_.runner.later(StepKind::transit);
+  step.state = state;
+  step.topic = context.topic;
+  step.slot = context.slot;
+  step.turn = context.turn;
+  if (effect.body != script::no_code) {
+    step.code = effect.body;
+    step.matter().arguments = effect.captured();
+    step.matter().message = context.message;
+  }
+  return Value();
+}
+
 script::Performed Effects::later(StepKind kind, Context context, Call effect) {
   Step step;
   step.kind = kind;
@@ -218,18 +236,7 @@ script::Performed Effects::later(StepKind kind, Context context, Call effect) {
   step.topic = context.topic;
   if (kind == StepKind::activate || kind == StepKind::cancel)
     step.mark = effect.operand(1) ? 1 : 0;
-  if (kind == StepKind::transit) {
-    reached(effect.position);
-    step.state = core_.program->state(effect.text(0));
-    if (step.state == script::no_id)
-      return missing("state", effect.operand(0));
-    step.slot = context.slot;
-    if (effect.body != script::no_code) {
-      step.code = effect.body;
-      step.matter().arguments = effect.captured();
-      step.matter().message = context.message;
-    }
-  } else if (kind == StepKind::ask) {
+  if (kind == StepKind::ask) {
     step.slot = context.topic == script::no_id
                     ? script::no_id
                     : core_.topic(context.topic).slot(effect.text(0));
@@ -331,8 +338,11 @@ bool Effects::watches_branches() const {
 }
 
 void Effects::reached(script::Position position) {
-  if (!core_.port.inspected())
-    return;
+  if (core_.port.inspected()) [[unlikely]]
+    tell_reached(position);
+}
+
+void Effects::tell_reached(script::Position position) {
   auto place = core_.program->place(position);
   core_.inspect(InspectionKind::branch,
                 place.file + ":" + std::to_string(place.line), "");

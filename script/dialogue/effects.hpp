@@ -17,7 +17,7 @@ namespace parlour::dialogue {
 
 struct Core;
 
-class Effects : public script::Host {
+class Effects final : public script::Host {
 public:
   explicit Effects(Core& core);
 
@@ -72,11 +72,13 @@ private:
   Performed open_socket(Call effect);
   Performed change_component(Call effect);
   Performed confirm(Context context, Call effect);
+  Performed transit(Context context, Call effect);
   Performed later(StepKind kind, Context context, Call effect);
   Performed push(Context context, Call effect);
   Performed clear(Context context, Call effect);
   Performed register_topic(Call effect);
   Performed wait_for(Milliseconds time);
+  void tell_reached(script::Position position);
 
   // The running activation waits; `for_user`: other items may be taken.
   WaitId begin_wait(bool for_user);

@@ -4,7 +4,7 @@
 // pushed state), for the next items too. Any other wait holds the lane.
 #pragma once
 
-#include <optional>
+#include <cstddef>
 #include <vector>
 
 #include "script/dialogue/fifo.hpp"
@@ -23,8 +23,12 @@ public:
   void now_from(std::vector<Step>& steps);
   void at_once(Step&& step);
 
-  // The next step to take, or nothing while the lane waits or is idle.
-  std::optional<Step> next();
+  // An empty list of steps with the memory of one that is over.
+  std::vector<Step> blank();
+
+  // The next step to take, where it lies until the next call; null while the
+  // lane waits or is idle.
+  Step* next();
 
   // The running context waits; `for_user` lets further items be taken, and
   // what else its utterance said before them.
@@ -46,19 +50,34 @@ public:
   bool returning() const;
 
 private:
+  // Steps in their order; a step stays where it is while it is taken.
+  struct Agenda {
+    std::vector<Step> steps;
+    std::size_t taken = 0;
+
+    bool over() const {
+      return taken == steps.size();
+    }
+  };
   struct Context {
-    std::vector<Step> agenda; // the next one last
+    std::vector<Agenda> agendas; // the one in front last
     WaitId waiting = 0;
     bool for_user = false;
+
+    bool has_steps() const;
   };
 
   bool at_rest() const; // what is queued would be taken at once
-  static void take_item(std::vector<Step>& item, Context& context);
-  Context& running(); // above one that waits
+  static void put_in_front(std::vector<Step>&& steps, Context& context);
+  void keep_memory(std::vector<Step>&& steps);
+  Step* take_from(Context& context); // null: it has none
+  Context& running();                // above one that waits
   void part_with_acts(Context& context);
 
   std::vector<Context> contexts_{1};
   Fifo<std::vector<Step>> queue_;
+  std::vector<Context> abandoned_; // the step that is being taken lies there
+  std::vector<std::vector<Step>> blanks_;
   bool running_ = false; // a step was given out, and there may be others
 };
 

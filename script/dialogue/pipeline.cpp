@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::string_view any = "*";
 
-bool fits(const std::string& wanted, const std::string& name) {
+inline bool fits(const std::string& wanted, const std::string& name) {
   return wanted == name || wanted == any;
 }
 
@@ -31,12 +31,10 @@ bool wants_out(const Step& step) {
 Pipeline::Pipeline(Core& core) : core_(core) {}
 
 void Pipeline::take(Input&& input) {
-  for (auto& item : waiting_)
-    if (item->message->source == input.message->source &&
-        item->message->command == input.message->command) {
-      hold(*item, std::move(input));
-      return;
-    }
+  if (auto* before = waits_before(*input.message)) {
+    hold(*before, std::move(input));
+    return;
+  }
   Item item;
   item.turn = input.turn;
   item.raised = input.raised;
@@ -47,7 +45,15 @@ void Pipeline::take(Input&& input) {
                   return true;
                 });
   item.message = std::move(input.message);
-  go_on(std::move(item));
+  go_on(item);
+}
+
+Pipeline::Item* Pipeline::waits_before(const Message& message) const {
+  for (const auto& item : waiting_)
+    if (item->message->source == message.source &&
+        item->message->command == message.command)
+      return item.get();
+  return nullptr;
 }
 
 void Pipeline::hold(Item& item, Input input) {
@@ -123,7 +129,7 @@ bool Pipeline::captures_everything() const {
          core_.program->states[state].capture == script::Capture::all;
 }
 
-void Pipeline::go_on(Item&& item) {
+void Pipeline::go_on(Item& item) {
   while (item.next < item.reactions.size() && !item.consumed) {
     const auto& match = item.reactions[item.next++];
     script::ActivationContext context;
@@ -143,7 +149,7 @@ void Pipeline::go_on(Item&& item) {
       return;
     }
   }
-  finish(std::move(item));
+  finish(item);
 }
 
 void Pipeline::keep(Item&& item) {
@@ -157,11 +163,13 @@ void Pipeline::hand_over(const Item& item) {
   if (steps.empty())
     return;
   // Cancel and start over pass every wait (engine rule 2).
-  if (core_.lane.held() && std::any_of(steps.begin(), steps.end(), wants_out)) {
+  if (std::any_of(steps.begin(), steps.end(), wants_out) && core_.lane.held()) {
     core_.lane.now(core_.cancel_waits());
     core_.machine.clear_pushed();
   }
-  steps.push_back(conclude_step(item.turn));
+  auto& conclude = steps.emplace_back();
+  conclude.kind = StepKind::conclude;
+  conclude.turn = item.turn;
   core_.lane.queue_from(steps);
 }
 
@@ -180,18 +188,14 @@ bool Pipeline::resume(WaitId wait, Expected<Value> outcome) {
   if (item.waiting != 0)
     keep(std::move(item));
   else
-    go_on(std::move(item));
+    go_on(item);
   return true;
 }
 
-void Pipeline::finish(Item&& item) {
+void Pipeline::finish(Item& item) {
   const bool taken = item.next > 0;
-  // Who listens to everything has not meant to say it in other words.
-  const bool worded = std::any_of(
-      item.reactions.begin(),
-      item.reactions.begin() + static_cast<std::ptrdiff_t>(item.next),
-      [](const Match& match) { return match.named(); });
-  core_.mouth.handled(*item.message, worded);
+  if (core_.mouth.waits_for_words())
+    core_.mouth.handled(*item.message, was_worded(item));
   core_.effects.sockets.handled(*item.message);
   if (means_nothing(item))
     not_understood(item, taken);
@@ -205,6 +209,14 @@ void Pipeline::finish(Item&& item) {
   }
   item.reactions.clear();
   spare_ = std::move(item.reactions);
+}
+
+// Who listens to everything has not meant to say it in other words.
+bool Pipeline::was_worded(const Item& item) {
+  return std::any_of(item.reactions.begin(),
+                     item.reactions.begin() +
+                         static_cast<std::ptrdiff_t>(item.next),
+                     [](const Match& match) { return match.named(); });
 }
 
 // The understanding gave up, or broke.

@@ -64,10 +64,13 @@ private:
   void visit_matches(const std::string& source, const std::string& event,
                      Visit visit) const;
   void hold(Item& item, Input input);
-  void go_on(Item&& item);
-  void finish(Item&& item);
+  // The one that waits and that this message must wait for; null: none.
+  Item* waits_before(const Message& message) const;
+  void go_on(Item& item);
+  void finish(Item& item);
   void keep(Item&& item); // until what it waits for comes
   void hand_over(const Item& item);
+  static bool was_worded(const Item& item);
   bool means_nothing(const Item& item) const;
   void not_understood(const Item& item, bool taken);
   bool captures_everything() const;

@@ -27,9 +27,11 @@ Runner::Runner(Core& core) : core_(core) {}
 
 WaitId Runner::start(CodeId code, const std::vector<Value>& arguments,
                      script::ActivationContext context) {
-  auto [result, activation] = core_.interpreter.run_body(
+  auto stopped = core_.interpreter.run_body(
       code, arguments, std::move(context), core_.effects);
-  return activation ? dispose(std::move(activation), result) : 0;
+  return stopped
+             ? dispose(std::move(stopped->activation), stopped->result)
+             : 0;
 }
 
 WaitId Runner::resume(WaitId wait, Expected<Value> outcome) {
@@ -106,7 +108,10 @@ void Runner::report(const script::ActivationContext& context,
 }
 
 std::vector<Step>& Runner::hand_over() {
-  keep_last_transit(later_);
+  if (later_.empty())
+    return later_;
+  if (later_.size() > 1)
+    keep_last_transit(later_);
   const auto end = std::find_if(later_.begin(), later_.end(), [&](Step& step) {
     if (!core_.one_more_internal_event())
       return true; // it and the rest are dropped

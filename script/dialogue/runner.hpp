@@ -35,6 +35,11 @@ public:
 
   // A step that the running activation's statements asked for; taken when it
   // ends or waits.
+  Step& later(StepKind kind) {
+    auto& step = later_.emplace_back();
+    step.kind = kind;
+    return step;
+  }
   void later(Step&& step) {
     later_.push_back(std::move(step));
   }

@@ -70,7 +70,7 @@ void TopicEngine::suspend(TopicId topic, std::vector<Step>& steps) {
 void TopicEngine::activate(Step& step) {
   if (step.topic == script::no_id || !core_.order.registered(step.topic))
     return;
-  std::vector<Step> steps;
+  auto steps = core_.lane.blank();
   const bool keep = step.mark != 0;
   begin_topic(step.topic, steps, keep);
   auto next = topic_step(StepKind::settle, step.topic);
@@ -85,7 +85,7 @@ void TopicEngine::activate(Step& step) {
 
 // A topic whose <confirm> is asked again or answered is the current one.
 std::vector<Step> TopicEngine::back_to(TopicId topic) {
-  std::vector<Step> steps;
+  auto steps = core_.lane.blank();
   if (topic != script::no_id &&
       core_.frame(topic).status == TopicStatus::suspended)
     begin_topic(topic, steps);

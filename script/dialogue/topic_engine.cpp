@@ -78,7 +78,7 @@ void TopicEngine::offer(std::string command, Value parameter, Step otherwise) {
   message.session = core_.options.session;
   message.number = otherwise.offered = ++offered_;
   auto shared = std::make_shared<const Message>(std::move(message));
-  std::vector<Step> steps;
+  auto steps = core_.lane.blank();
   bool captured = false;
   for (const auto& match :
        core_.pipeline.matches(dialogue_source, shared->command)) {
@@ -131,7 +131,7 @@ void TopicEngine::topic_act(Step& step) {
   if (ask_which(step))
     return;
   keep_what_is_asked(step);
-  std::vector<Step> steps;
+  auto steps = core_.lane.blank();
   begin_topic(step.topic, steps);
   if (steps.empty()) {
     fill(step);

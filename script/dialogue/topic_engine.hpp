@@ -215,6 +215,7 @@ private:
   };
   Due due() const;
   bool state_listens() const;
+  void ask_what_misses(OutputAct as, TurnId turn); // of the current topic
   SlotId to_ask(TopicId topic) const;
   bool waits_for_user(TopicId topic) const;
   void ask_again();

@@ -17,18 +17,20 @@ void TopicEngine::conclude(Step& step) {
     return;
   if (asked_ && (asked_->heard || asked_->pending))
     return;
-  Step next;
-  next.turn = step.turn;
-  ask_next(next);
+  ask_what_misses(OutputAct::question, step.turn);
   acknowledge_unasked(step.turn);
 }
 
 void TopicEngine::ask_next(Step& step) {
+  ask_what_misses(step.output, step.turn);
+}
+
+void TopicEngine::ask_what_misses(OutputAct as, TurnId turn) {
   auto current = core_.order.current();
   if (core_.ending || !current || waits_for_user(*current))
     return;
   if (auto slot = to_ask(*current); slot != script::no_id)
-    ask_slot(*current, slot, step.output, step.turn);
+    ask_slot(*current, slot, as, turn);
 }
 
 // Whether the topic must not ask: in a subtask, or while it waits for a yes.

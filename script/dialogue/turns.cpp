@@ -74,12 +74,10 @@ std::vector<TurnId> Turns::expire(Timestamp now) {
   return without_meaning;
 }
 
-bool Turns::any_open(Timestamp now) const {
-  return speaking(now) ||
-         std::any_of(turns_.begin(), turns_.end(), [&](const Turn& turn) {
-           return !turn.taken &&
-                  (turn.holders > 0 || asked_until(turn.id, now) > now);
-         });
+bool Turns::any_waits(Timestamp now) const {
+  return std::any_of(turns_.begin(), turns_.end(), [&](const Turn& turn) {
+    return !turn.taken && (turn.holders > 0 || asked_until(turn.id, now) > now);
+  });
 }
 
 std::optional<Timestamp> Turns::open_until(Timestamp now) const {

@@ -55,8 +55,14 @@ public:
   // Returns the turns that were not taken up and whose meaning never came.
   std::vector<TurnId> expire(Timestamp now);
 
+  // Whether any component was asked, of late.
+  bool asked_anything() const {
+    return !questions_.empty();
+  }
   // Whether some turn is open.
-  bool any_open(Timestamp now) const;
+  bool any_open(Timestamp now) const {
+    return speaking(now) || (!turns_.empty() && any_waits(now));
+  }
   // When the last of the open turns is given up if no component answers;
   // nothing where none is open, or something still works for one.
   std::optional<Timestamp> open_until(Timestamp now) const;
@@ -77,6 +83,7 @@ private:
     bool meaning = false;
   };
 
+  bool any_waits(Timestamp now) const;
   // The latest time until which a component is waited for; 0: none.
   Timestamp asked_until(TurnId turn, Timestamp now) const;
   Turn* find(TurnId turn) { // null where it is over

@@ -30,18 +30,30 @@ TEST(Lane, ItemsOneAfterTheOther) {
   EXPECT_TRUE(lane.idle());
 }
 
-TEST(Lane, WhatIsTakenFromKeepsItsMemory) {
+TEST(Lane, ItsMemoryIsUsedAgain) {
   Lane lane;
   std::vector<Step> item{numbered(1), numbered(2)};
-  const auto capacity = item.capacity();
+  const auto* memory = item.data();
   lane.queue_from(item);
   EXPECT_TRUE(item.empty());
-  EXPECT_EQ(item.capacity(), capacity);
   EXPECT_EQ(taken(lane), (Numbers{1, 2}));
   item.push_back(numbered(3));
   lane.now_from(item);
   EXPECT_TRUE(item.empty());
+  EXPECT_EQ(item.data(), memory);
   EXPECT_EQ(taken(lane), (Numbers{3}));
+}
+
+TEST(Lane, AStepStaysWhereItIsWhileItIsTaken) {
+  Lane lane;
+  lane.queue({numbered(1), numbered(9)});
+  const auto* step = lane.next();
+  for (TurnId number = 8; number > 2; --number)
+    lane.at_once(numbered(number));
+  EXPECT_TRUE(lane.abandon().empty());
+  EXPECT_EQ(step->turn, 1u);
+  lane.at_once(numbered(2));
+  EXPECT_EQ(taken(lane), Numbers{2});
 }
 
 TEST(Lane, WhatComesWhileAStepIsTakenWaitsBehindIt) {

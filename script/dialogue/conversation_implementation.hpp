@@ -40,7 +40,7 @@ private:
     Milliseconds length{0};
   };
 
-  std::vector<Step> beginning() const;
+  StepList beginning() const;
   std::vector<Input>::iterator next_input();
   void process(Input&& input);
   void user_begins();
@@ -67,7 +67,6 @@ private:
   // The session's end: its Exits run, then Session.Ended has been told.
   enum class Leaving : std::uint8_t { no, exits, told };
 
-  std::vector<Step> said_; // empty between two calls: its memory
   std::optional<Watch> watch_;
   Leaving leaving_ = Leaving::no;
 };

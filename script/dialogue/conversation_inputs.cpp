@@ -53,7 +53,7 @@ void Conversation::Implementation::open() {
 
 // The start state or topic, else the first topic of system initiative
 // (language rule 1).
-std::vector<Step> Conversation::Implementation::beginning() const {
+StepList Conversation::Implementation::beginning() const {
   const auto& start = core.program->settings.start;
   Step step;
   if (auto state = core.program->state(start); state != script::no_id) {
@@ -79,8 +79,7 @@ void Conversation::Implementation::close() {
   auto steps = core.cancel_waits();
   for (auto wait : core.pipeline.waits())
     core.pipeline.resume(wait, fail(ErrorKind::cancelled, "the session ended"));
-  for (auto& exit : core.machine.exits())
-    steps.push_back(std::move(exit));
+  steps.append(core.machine.exits());
   core.lane.clear();
   core.lane.now(std::move(steps));
   Timer deadline;
@@ -160,12 +159,15 @@ void Conversation::Implementation::take_acts(std::span<const ActPointer> acts) {
   begin_event();
   user_begins();
   const auto turn = core.turns.begin();
+  StepList item;
   for (const auto& act : acts) {
     core.turns.hold(turn);
-    said_.push_back(act_step(act, turn));
+    auto& step = item.add(StepKind::take_act);
+    step.act = act;
+    step.turn = turn;
   }
-  said_.push_back(conclude_step(turn));
-  core.lane.queue_from(said_);
+  item.add(StepKind::conclude).turn = turn;
+  core.lane.queue(std::move(item));
   go_on();
 }
 

@@ -87,10 +87,10 @@ void Conversation::Implementation::resume(Step&& step) {
 }
 
 void Conversation::Implementation::started(WaitId wait) {
-  auto& steps = core.runner.hand_over();
+  auto steps = core.runner.hand_over();
   if (wait != 0)
     core.lane.wait(wait, core.runner.for_user(wait));
-  core.lane.now_from(steps);
+  core.lane.now(std::move(steps));
 }
 
 } // namespace parlour::dialogue

@@ -79,13 +79,13 @@ void Core::resume(WaitId wait, Expected<Value> outcome) {
   lane.wake(wait, outcome_step(wait, std::move(outcome)));
 }
 
-std::vector<Step> Core::cancel_waits() {
+StepList Core::cancel_waits() {
   auto waits = lane.abandon();
   for (auto wait : pipeline.waits())
     if (runner.for_user(wait))
       waits.push_back(wait);
   topics.forget_waits();
-  std::vector<Step> steps;
+  StepList steps;
   for (auto wait : waits) {
     effects.forget(wait);
     steps.push_back(outcome_step(

@@ -85,7 +85,7 @@ struct Core {
   // and what waits for the user anywhere, is to end with kind Cancelled
   // (engine rule 2). The steps that tell them so, innermost first; pushed
   // states are left to the caller.
-  [[nodiscard]] std::vector<Step> cancel_waits();
+  [[nodiscard]] StepList cancel_waits();
   // False where there were too many of them without an external one: scripts
   // chase each other (engine rule 2). What is queued is dropped then.
   bool one_more_internal_event();

@@ -1,58 +1,33 @@
 #include "script/dialogue/lane.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <utility>
 
 namespace parlour::dialogue {
 
-namespace {
-
-// Lists of steps that are over whose memory is kept.
-constexpr std::size_t most_blanks = 4;
-
-} // namespace
-
-void Lane::queue(std::vector<Step> item) {
-  queue_from(item);
-}
-
-void Lane::queue_from(std::vector<Step>& item) {
+void Lane::queue(StepList item) {
   if (item.empty())
     return;
-  auto steps = std::exchange(item, blank());
   if (at_rest())
-    put_in_front(std::move(steps), contexts_.back());
+    contexts_.back().agenda = std::move(item);
   else
-    queue_.push_back(std::move(steps));
+    queue_.push_back(std::move(item));
 }
 
 bool Lane::at_rest() const {
   return !running_ && queue_.empty() && contexts_.size() == 1 &&
-         contexts_.back().waiting == 0 && !contexts_.back().has_steps();
+         contexts_.back().waiting == 0 && contexts_.back().agenda.empty();
 }
 
-bool Lane::Context::has_steps() const {
-  return std::any_of(agendas.begin(), agendas.end(),
-                     [](const Agenda& agenda) { return !agenda.over(); });
-}
-
-void Lane::now(std::vector<Step> steps) {
+void Lane::now(StepList steps) {
   if (!steps.empty())
-    put_in_front(std::move(steps), running());
-  else
-    keep_memory(std::move(steps));
-}
-
-void Lane::now_from(std::vector<Step>& steps) {
-  if (!steps.empty())
-    put_in_front(std::exchange(steps, blank()), running());
+    running().agenda.prepend(std::move(steps));
 }
 
 void Lane::at_once(Step&& step) {
-  auto steps = blank();
+  StepList steps;
   steps.push_back(std::move(step));
-  put_in_front(std::move(steps), running());
+  now(std::move(steps));
 }
 
 Lane::Context& Lane::running() {
@@ -61,50 +36,22 @@ Lane::Context& Lane::running() {
   return contexts_.back();
 }
 
-void Lane::put_in_front(std::vector<Step>&& steps, Context& context) {
-  context.agendas.push_back({std::move(steps), 0});
-}
-
-std::vector<Step> Lane::blank() {
-  if (blanks_.empty())
-    return {};
-  auto steps = std::move(blanks_.back());
-  blanks_.pop_back();
-  return steps;
-}
-
-void Lane::keep_memory(std::vector<Step>&& steps) {
-  steps.clear();
-  if (steps.capacity() > 0 && blanks_.size() < most_blanks)
-    blanks_.push_back(std::move(steps));
-}
-
-Step* Lane::take_from(Context& context) {
-  auto& agendas = context.agendas;
-  for (; !agendas.empty(); agendas.pop_back()) {
-    auto& front = agendas.back();
-    if (!front.over())
-      return &front.steps[front.taken++];
-    keep_memory(std::move(front.steps));
-  }
-  return nullptr;
-}
-
 Step* Lane::next() {
   running_ = true;
-  abandoned_.clear();
+  taken_.reset();
   for (;;) {
     auto& top = contexts_.back();
     if (top.waiting != 0) {
       if (!top.for_user || queue_.empty())
         break;
-      put_in_front(queue_.take(), contexts_.emplace_back());
-    } else if (auto* step = take_from(top)) {
-      return step;
+      contexts_.emplace_back().agenda = queue_.take();
+    } else if (!top.agenda.empty()) {
+      taken_ = top.agenda.take();
+      return taken_.get();
     } else if (contexts_.size() > 1) {
       contexts_.pop_back(); // the one below goes on, or still waits
     } else if (!queue_.empty()) {
-      put_in_front(queue_.take(), top);
+      top.agenda = queue_.take();
     } else {
       break;
     }
@@ -116,23 +63,13 @@ Step* Lane::next() {
 // What else the user said does not wait for the answer: it is an item of its
 // own, and both conclude.
 void Lane::part_with_acts(Context& context) {
-  std::vector<Step> item;
-  const Step* last = nullptr; // of all that the context will take
-  for (auto agenda = context.agendas.rbegin(); agenda != context.agendas.rend();
-       ++agenda) {
-    auto& steps = agenda->steps;
-    const auto acts = std::stable_partition(
-        steps.begin() + static_cast<std::ptrdiff_t>(agenda->taken), steps.end(),
-        [](const Step& step) { return step.kind != StepKind::take_act; });
-    std::move(acts, steps.end(), std::back_inserter(item));
-    steps.erase(acts, steps.end());
-    if (!agenda->over())
-      last = &steps.back();
-  }
+  auto item = context.agenda.take_if(
+      [](const Step& step) { return step.kind == StepKind::take_act; });
   if (item.empty())
     return;
-  if (last && last->kind == StepKind::conclude)
-    item.push_back(*last);
+  if (const auto& rest = context.agenda;
+      !rest.empty() && rest.back().kind == StepKind::conclude)
+    item.push_back(Step(rest.back()));
   queue_.push_front(std::move(item));
 }
 
@@ -148,9 +85,9 @@ bool Lane::wake(WaitId wait, Step step) {
   for (auto& context : contexts_)
     if (context.waiting == wait) {
       context.waiting = 0;
-      auto steps = blank();
+      StepList steps;
       steps.push_back(std::move(step));
-      put_in_front(std::move(steps), context);
+      context.agenda.prepend(std::move(steps));
       return true;
     }
   return false;
@@ -162,7 +99,6 @@ std::vector<WaitId> Lane::abandon() {
        ++context)
     if (context->waiting != 0)
       waits.push_back(context->waiting);
-  std::move(contexts_.begin(), contexts_.end(), std::back_inserter(abandoned_));
   contexts_.clear();
   contexts_.emplace_back();
   return waits;
@@ -171,13 +107,13 @@ std::vector<WaitId> Lane::abandon() {
 void Lane::clear() {
   queue_.clear();
   if (auto& top = contexts_.back(); !running_ && top.waiting == 0)
-    top.agendas.clear(); // an item that came while the lane was at rest
+    top.agenda.clear(); // an item that came while the lane was at rest
 }
 
 bool Lane::idle() const {
   const auto& top = contexts_.back();
   const bool nothing_to_take =
-      top.waiting != 0 || (contexts_.size() == 1 && !top.has_steps());
+      top.waiting != 0 || (top.agenda.empty() && contexts_.size() == 1);
   return queue_.empty() && nothing_to_take && !held();
 }
 

@@ -4,30 +4,23 @@
 // pushed state), for the next items too. Any other wait holds the lane.
 #pragma once
 
-#include <cstddef>
 #include <vector>
 
 #include "script/dialogue/fifo.hpp"
-#include "script/dialogue/step.hpp"
+#include "script/dialogue/step_list.hpp"
 
 namespace parlour::dialogue {
 
 class Lane {
 public:
   // Behind everything that is queued: acts and events.
-  void queue(std::vector<Step> item);
-  // The same; what is given is empty then and keeps its memory.
-  void queue_from(std::vector<Step>& item);
+  void queue(StepList item);
   // In front of all that runs, in the given order; above a context that waits.
-  void now(std::vector<Step> steps);
-  void now_from(std::vector<Step>& steps);
+  void now(StepList steps);
   void at_once(Step&& step);
 
-  // An empty list of steps with the memory of one that is over.
-  std::vector<Step> blank();
-
-  // The next step to take, where it lies until the next call; null while the
-  // lane waits or is idle.
+  // The next step to take, which stays where it is until the next call; null
+  // while the lane waits or is idle.
   Step* next();
 
   // The running context waits; `for_user` lets further items be taken, and
@@ -50,34 +43,19 @@ public:
   bool returning() const;
 
 private:
-  // Steps in their order; a step stays where it is while it is taken.
-  struct Agenda {
-    std::vector<Step> steps;
-    std::size_t taken = 0;
-
-    bool over() const {
-      return taken == steps.size();
-    }
-  };
   struct Context {
-    std::vector<Agenda> agendas; // the one in front last
+    StepList agenda;
     WaitId waiting = 0;
     bool for_user = false;
-
-    bool has_steps() const;
   };
 
   bool at_rest() const; // what is queued would be taken at once
-  static void put_in_front(std::vector<Step>&& steps, Context& context);
-  void keep_memory(std::vector<Step>&& steps);
-  Step* take_from(Context& context); // null: it has none
-  Context& running();                // above one that waits
+  Context& running();   // above one that waits
   void part_with_acts(Context& context);
 
   std::vector<Context> contexts_{1};
-  Fifo<std::vector<Step>> queue_;
-  std::vector<Context> abandoned_; // the step that is being taken lies there
-  std::vector<std::vector<Step>> blanks_;
+  Fifo<StepList> queue_;
+  StepList::Taken taken_;
   bool running_ = false; // a step was given out, and there may be others
 };
 

@@ -159,7 +159,7 @@ void Pipeline::keep(Item&& item) {
 // What the script asked for becomes an item of the dialogue lane, which ends
 // with the question that is then due.
 void Pipeline::hand_over(const Item& item) {
-  auto& steps = core_.runner.hand_over();
+  auto steps = core_.runner.hand_over();
   if (steps.empty())
     return;
   // Cancel and start over pass every wait (engine rule 2).
@@ -167,10 +167,8 @@ void Pipeline::hand_over(const Item& item) {
     core_.lane.now(core_.cancel_waits());
     core_.machine.clear_pushed();
   }
-  auto& conclude = steps.emplace_back();
-  conclude.kind = StepKind::conclude;
-  conclude.turn = item.turn;
-  core_.lane.queue_from(steps);
+  steps.add(StepKind::conclude).turn = item.turn;
+  core_.lane.queue(std::move(steps));
 }
 
 bool Pipeline::resume(WaitId wait, Expected<Value> outcome) {

@@ -10,15 +10,15 @@ namespace parlour::dialogue {
 namespace {
 
 // Of several transits in one activation the last counts (engine rule 2).
-void keep_last_transit(std::vector<Step>& steps) {
+void keep_last_transit(StepList& steps) {
   auto is_transit = [](const Step& step) {
     return step.kind == StepKind::transit;
   };
-  const auto last = std::find_if(steps.rbegin(), steps.rend(), is_transit);
-  if (last == steps.rend())
-    return;
-  const auto kept = last.base() - 1;
-  steps.erase(std::remove_if(steps.begin(), kept, is_transit), kept);
+  auto transits = std::count_if(steps.begin(), steps.end(), is_transit);
+  if (transits > 1)
+    steps.take_if([&](const Step& step) {
+      return is_transit(step) && --transits > 0;
+    });
 }
 
 } // namespace
@@ -107,20 +107,18 @@ void Runner::report(const script::ActivationContext& context,
                 context.turn);
 }
 
-std::vector<Step>& Runner::hand_over() {
+StepList Runner::hand_over() {
   if (later_.empty())
-    return later_;
-  if (later_.size() > 1)
-    keep_last_transit(later_);
-  const auto end = std::find_if(later_.begin(), later_.end(), [&](Step& step) {
-    if (!core_.one_more_internal_event())
-      return true; // it and the rest are dropped
+    return {};
+  keep_last_transit(later_);
+  StepList steps;
+  while (!later_.empty() && core_.one_more_internal_event()) {
+    const auto& step = steps.append(later_.take());
     if (step.kind == StepKind::take_act || step.kind == StepKind::no_match)
       core_.turns.hold(step.turn);
-    return false;
-  });
-  later_.erase(end, later_.end());
-  return later_;
+  }
+  later_.clear(); // what is too much
+  return steps;
 }
 
 } // namespace parlour::dialogue

@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "script/dialogue/fifo.hpp"
-#include "script/dialogue/step.hpp"
+#include "script/dialogue/step_list.hpp"
 #include "script/interpreter.hpp"
 
 namespace parlour::dialogue {
@@ -36,9 +36,7 @@ public:
   // A step that the running activation's statements asked for; taken when it
   // ends or waits.
   Step& later(StepKind kind) {
-    auto& step = later_.emplace_back();
-    step.kind = kind;
-    return step;
+    return later_.add(kind);
   }
   void later(Step&& step) {
     later_.push_back(std::move(step));
@@ -62,15 +60,14 @@ public:
 
   // What the statements of the activation that ended or waits asked for. Each
   // is an internal event (engine rule 2); acts hold their turn until taken.
-  // To be emptied by who takes them; the next activation fills it again.
-  std::vector<Step>& hand_over();
+  StepList hand_over();
 
 private:
   struct Waiting {
     std::unique_ptr<script::Activation> activation;
     bool for_user = false;
     bool yielded = false;    // its slice was used up; it waits for nothing
-    std::vector<Step> later; // what it asked for so far, where it yielded
+    StepList later;       // what it asked for so far, where it yielded
   };
 
   WaitId dispose(std::unique_ptr<script::Activation> activation,
@@ -80,7 +77,7 @@ private:
 
   Core& core_;
   Wait expected_;
-  std::vector<Step> later_;
+  StepList later_;
   std::map<WaitId, Waiting> waiting_;
   Fifo<WaitId> slices_;
 };

@@ -126,7 +126,7 @@ void StateMachine::greet_agents() {
   }
 }
 
-std::vector<Step> StateMachine::way_out(StateId state) const {
+StepList StateMachine::way_out(StateId state) const {
   Step leave;
   leave.kind = StepKind::leave;
   leave.state = state;
@@ -147,12 +147,11 @@ void StateMachine::clear() {
   core_.states.enter(script::no_id);
 }
 
-std::vector<Step> StateMachine::exits() const {
-  std::vector<Step> steps;
+StepList StateMachine::exits() const {
+  StepList steps;
   const auto& levels = core_.states.levels();
   for (auto level = levels.rbegin(); level != levels.rend(); ++level)
-    for (auto& step : way_out(*level))
-      steps.push_back(std::move(step));
+    steps.append(way_out(*level));
   return steps;
 }
 

@@ -27,12 +27,12 @@ public:
   // Leaves the pushed levels, whose activations were cancelled.
   void clear_pushed();
   // The Exit of every level, innermost first.
-  std::vector<Step> exits() const;
+  StepList exits() const;
 
 private:
   void react(const script::Reaction& reaction,
              std::shared_ptr<const Message> event);
-  std::vector<Step> way_out(StateId state) const;
+  StepList way_out(StateId state) const;
 
   Core& core_;
   struct Push { // an activation that pushed

@@ -183,7 +183,7 @@ void TopicEngine::cancel_topic(Step& step) {
   asked_.reset();
   if (step.mark == 0)
     say("cancelled", step.topic, script::no_id, {}, step.turn);
-  auto steps = core_.lane.blank();
+  StepList steps;
   run_body(core_.topic(step.topic).cancelled, step.topic, script::no_id,
            step.turn, steps);
   core_.lane.now(std::move(steps));

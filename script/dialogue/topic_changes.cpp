@@ -17,7 +17,7 @@ bool dealt_with(TopicStatus status) {
 
 } // namespace
 
-void TopicEngine::begin_topic(TopicId topic, std::vector<Step>& steps,
+void TopicEngine::begin_topic(TopicId topic, StepList& steps,
                               bool keep) {
   const auto status = core_.frame(topic).status;
   leave_enquiry(topic);
@@ -52,7 +52,7 @@ void TopicEngine::leave_enquiry(TopicId next) {
 }
 
 // `needs`: those topics first, then on with this one (engine rule 5).
-void TopicEngine::begin_needs(TopicId topic, std::vector<Step>& steps) {
+void TopicEngine::begin_needs(TopicId topic, StepList& steps) {
   for (const auto& name : core_.topic(topic).needs) {
     auto need = core_.program->topic(name);
     if (need != script::no_id && core_.order.registered(need) &&
@@ -61,7 +61,7 @@ void TopicEngine::begin_needs(TopicId topic, std::vector<Step>& steps) {
   }
 }
 
-void TopicEngine::suspend(TopicId topic, std::vector<Step>& steps) {
+void TopicEngine::suspend(TopicId topic, StepList& steps) {
   core_.mouth.withdraw_questions();
   set_status(topic, TopicStatus::suspended);
   run_body(core_.topic(topic).suspended, topic, script::no_id, 0, steps);
@@ -70,7 +70,7 @@ void TopicEngine::suspend(TopicId topic, std::vector<Step>& steps) {
 void TopicEngine::activate(Step& step) {
   if (step.topic == script::no_id || !core_.order.registered(step.topic))
     return;
-  auto steps = core_.lane.blank();
+  StepList steps;
   const bool keep = step.mark != 0;
   begin_topic(step.topic, steps, keep);
   auto next = topic_step(StepKind::settle, step.topic);
@@ -84,8 +84,8 @@ void TopicEngine::activate(Step& step) {
 }
 
 // A topic whose <confirm> is asked again or answered is the current one.
-std::vector<Step> TopicEngine::back_to(TopicId topic) {
-  auto steps = core_.lane.blank();
+StepList TopicEngine::back_to(TopicId topic) {
+  StepList steps;
   if (topic != script::no_id &&
       core_.frame(topic).status == TopicStatus::suspended)
     begin_topic(topic, steps);

@@ -78,7 +78,7 @@ void TopicEngine::offer(std::string command, Value parameter, Step otherwise) {
   message.session = core_.options.session;
   message.number = otherwise.offered = ++offered_;
   auto shared = std::make_shared<const Message>(std::move(message));
-  auto steps = core_.lane.blank();
+  StepList steps;
   bool captured = false;
   for (const auto& match :
        core_.pipeline.matches(dialogue_source, shared->command)) {
@@ -131,7 +131,7 @@ void TopicEngine::topic_act(Step& step) {
   if (ask_which(step))
     return;
   keep_what_is_asked(step);
-  auto steps = core_.lane.blank();
+  StepList steps;
   begin_topic(step.topic, steps);
   if (steps.empty()) {
     fill(step);
@@ -261,7 +261,7 @@ Value TopicEngine::with_marks(TopicId topic, Value data) const {
 }
 
 void TopicEngine::run_body(CodeId code, TopicId topic, SlotId slot, TurnId turn,
-                           std::vector<Step>& steps) const {
+                           StepList& steps) const {
   if (code == script::no_code)
     return;
   auto step = body_step(code, turn);

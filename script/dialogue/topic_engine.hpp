@@ -44,7 +44,7 @@ public:
   void repeat(TurnId turn); // what was heard last
   // A topic whose wait for the user is over is the current one: the steps that
   // this takes.
-  std::vector<Step> back_to(TopicId topic);
+  StepList back_to(TopicId topic);
   // <consume/> in a reaction to what was offered with this number, also after
   // it waited.
   void consume(std::uint64_t offered) {
@@ -175,9 +175,9 @@ private:
   std::vector<TopicId> unfinished() const;
 
   // Topics.
-  void begin_topic(TopicId topic, std::vector<Step>& steps, bool keep = false);
-  void begin_needs(TopicId topic, std::vector<Step>& steps);
-  void suspend(TopicId topic, std::vector<Step>& steps);
+  void begin_topic(TopicId topic, StepList& steps, bool keep = false);
+  void begin_needs(TopicId topic, StepList& steps);
+  void suspend(TopicId topic, StepList& steps);
   void take_up(TopicId topic);
   void answer_resume(TopicId topic, bool yes, TurnId turn);
   void rest(TopicId topic);
@@ -247,7 +247,7 @@ private:
   List names_said_before(SlotId asked) const;
   void note_what_was_said(const Step& step);
   void run_body(CodeId code, TopicId topic, SlotId slot, TurnId turn,
-                std::vector<Step>& steps) const;
+                StepList& steps) const;
 
   Core& core_;
   std::optional<Asked> asked_;

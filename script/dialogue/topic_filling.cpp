@@ -169,7 +169,7 @@ void TopicEngine::note_what_was_said(const Step& step) {
 void TopicEngine::filled(Step& step) {
   const auto& topic = core_.topic(step.topic);
   const auto& reports = step.result->reports;
-  auto steps = core_.lane.blank();
+  StepList steps;
   for (std::uint32_t i = 0; i < topic.rules.size(); ++i) {
     auto check = light_step(StepKind::rule, step);
     check.index = i;
@@ -221,7 +221,7 @@ void TopicEngine::rule(Step& step) {
     core_.script_failed(holds.error(), step.turn);
     return;
   }
-  auto steps = core_.lane.blank();
+  StepList steps;
   if (*holds)
     run_body(rule.body, step.topic, script::no_id, step.turn, steps);
   core_.lane.now(std::move(steps));
@@ -230,7 +230,7 @@ void TopicEngine::rule(Step& step) {
 void TopicEngine::report(Step& step) {
   const auto& slot = core_.topic(step.topic).slots[step.slot];
   const auto& report = step.result->reports[step.index];
-  auto steps = core_.lane.blank();
+  StepList steps;
   switch (report.outcome) {
   case SlotOutcome::accepted:
   case SlotOutcome::corrected:

@@ -121,7 +121,7 @@ bool TopicEngine::run_own_words(const Trouble& trouble) {
                            trouble.count);
   if (body == script::no_code)
     return false;
-  auto steps = core_.lane.blank();
+  StepList steps;
   run_body(body, trouble.topic, trouble.slot, trouble.turn, steps);
   core_.lane.now(std::move(steps));
   return true;
@@ -133,7 +133,7 @@ void TopicEngine::climb_own(const Trouble& trouble) {
   const auto& ladder = core_.program->ladder;
   const auto last = ladder.size() - 1;
   const auto rung = trouble.count == 0 ? 0 : trouble.count - 1;
-  auto steps = core_.lane.blank();
+  StepList steps;
   run_body(ladder[std::min<std::size_t>(rung, last)], trouble.topic,
            trouble.slot, trouble.turn, steps);
   auto ask = topic_step(StepKind::ask_still, trouble.topic);

@@ -57,7 +57,7 @@ void TopicEngine::settle(Step& step) {
   }
   auto finish = light_step(StepKind::finish, step);
   finish.mark = redirections_;
-  auto steps = core_.lane.blank();
+  StepList steps;
   run_body(topic.filled, step.topic, script::no_id, step.turn, steps);
   steps.push_back(std::move(finish));
   core_.lane.now(std::move(steps));
@@ -86,7 +86,7 @@ void TopicEngine::settle_enquiry(Step& step) {
 }
 
 void TopicEngine::answer_enquiry(const Step& step) {
-  auto steps = core_.lane.blank();
+  StepList steps;
   run_body(core_.topic(step.topic).filled, step.topic, script::no_id, step.turn,
            steps);
   auto answer = light_step(StepKind::answer, step);
@@ -109,7 +109,7 @@ void TopicEngine::complete(Step& step) {
   core_.order.completed(step.topic);
   if (asked_ && asked_->topic == step.topic)
     asked_.reset();
-  auto steps = core_.lane.blank();
+  StepList steps;
   run_body(core_.topic(step.topic).completed, step.topic, script::no_id,
            step.turn, steps);
   if (auto next = needed_by(step.topic); next != script::no_id)

@@ -129,7 +129,7 @@ void TopicEngine::answer_resume(TopicId topic, bool yes, TurnId turn) {
 }
 
 void TopicEngine::take_up(TopicId topic) {
-  auto steps = core_.lane.blank();
+  StepList steps;
   begin_topic(topic, steps);
   steps.push_back(topic_step(StepKind::settle, topic));
   auto ask = topic_step(StepKind::ask_next, topic);

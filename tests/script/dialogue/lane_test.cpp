@@ -30,20 +30,6 @@ TEST(Lane, ItemsOneAfterTheOther) {
   EXPECT_TRUE(lane.idle());
 }
 
-TEST(Lane, ItsMemoryIsUsedAgain) {
-  Lane lane;
-  std::vector<Step> item{numbered(1), numbered(2)};
-  const auto* memory = item.data();
-  lane.queue_from(item);
-  EXPECT_TRUE(item.empty());
-  EXPECT_EQ(taken(lane), (Numbers{1, 2}));
-  item.push_back(numbered(3));
-  lane.now_from(item);
-  EXPECT_TRUE(item.empty());
-  EXPECT_EQ(item.data(), memory);
-  EXPECT_EQ(taken(lane), (Numbers{3}));
-}
-
 TEST(Lane, AStepStaysWhereItIsWhileItIsTaken) {
   Lane lane;
   lane.queue({numbered(1), numbered(9)});

@@ -63,9 +63,10 @@ SlotOutcome outcome_of_change(const Value& before, const Value& after) {
   return before == after ? SlotOutcome::unchanged : SlotOutcome::corrected;
 }
 
-FillingEvent::FillingEvent(const script::Topic& topic, Frame& frame,
+FillingEvent::FillingEvent(const script::Program& program, Frame& frame,
                            const FrameEvaluator& evaluate)
-    : topic_(topic), frame_(frame), evaluate_(evaluate) {}
+    : program_(program), topic_(program.topics[frame.topic]), frame_(frame),
+      evaluate_(evaluate) {}
 
 FillingEvent::Offer& FillingEvent::offer(SlotId slot) {
   const auto found =
@@ -79,6 +80,10 @@ FillingEvent::Offer& FillingEvent::offer(SlotId slot) {
 
 Expected<Value> FillingEvent::evaluate(CodeId code) const {
   return evaluate_(code, frame_, nullptr);
+}
+
+CardinalityEvaluator FillingEvent::cardinalities() const {
+  return {[this](CodeId code) { return evaluate(code); }, &program_};
 }
 
 // (1) corrections and denials
@@ -96,8 +101,7 @@ void FillingEvent::take(const FrameChange& change) {
 }
 
 bool FillingEvent::denies(const FrameChange& denial, const Value& value) const {
-  auto denied = match(topic_.slots[denial.slot], denial,
-                      [&](CodeId code) { return evaluate(code); });
+  auto denied = match(topic_.slots[denial.slot], denial, cardinalities());
   return !value.is_unknown() && denied.value == value;
 }
 
@@ -105,9 +109,8 @@ void FillingEvent::deny(const FrameChange& denial) {
   auto& slot = frame_.slots[denial.slot];
   auto& offer = this->offer(denial.slot);
   const auto& definition = topic_.slots[denial.slot];
-  auto by_code = [&](CodeId code) { return evaluate(code); };
   if (offer.change &&
-      denies(denial, match(definition, *offer.change, by_code).value)) {
+      denies(denial, match(definition, *offer.change, cardinalities()).value)) {
     offer.change = nullptr;
     offer.corrects = false;
   }
@@ -125,7 +128,7 @@ void FillingEvent::deny(const FrameChange& denial) {
 void FillingEvent::narrow(Offer& offer, const FrameChange& denial) {
   auto& candidates = frame_.slots[offer.slot].candidates;
   const auto meant = match_choice(topic_.slots[offer.slot], denial, candidates,
-                                  [&](CodeId code) { return evaluate(code); });
+                                  cardinalities());
   if (meant.candidates.size() < candidates.size())
     std::erase_if(candidates, [&](const Value& value) {
       return meant.value == value || has(meant.candidates, value);
@@ -140,10 +143,14 @@ void FillingEvent::narrow(Offer& offer, const FrameChange& denial) {
   offer.change = &left_by_no_.front();
 }
 
-std::vector<SlotReport> FillingEvent::run(std::vector<Error>& errors) {
+SlotReports FillingEvent::run(std::vector<Error>& errors) {
   for (auto& offer : offers_) // (2)
     if (offer.change) {
-      offer.unfilled = frame_.slots[offer.slot];
+      const auto& slot = frame_.slots[offer.slot];
+      if (slot.status == SlotStatus::unconfirmed)
+        offer.doubted = slot.value;
+      if (!topic_.constraints.empty())
+        offer.unfilled = slot;
       match_offer(offer.slot, *offer.change);
     }
   for (const auto& constraint : topic_.constraints) // (3)
@@ -163,11 +170,10 @@ void FillingEvent::match_offer(SlotId id, const FrameChange& change) {
     report(id, SlotOutcome::rejected).offered = said(change);
     return;
   }
-  auto by_code = [&](CodeId code) { return evaluate(code); };
   auto matched =
       slot.status == SlotStatus::ambiguous
-          ? match_choice(definition, change, slot.candidates, by_code)
-          : match(definition, change, by_code);
+          ? match_choice(definition, change, slot.candidates, cardinalities())
+          : match(definition, change, cardinalities());
   if (!matched) {
     report(id, SlotOutcome::refused).offered = said(change);
     drop_default(slot);
@@ -237,7 +243,7 @@ void FillingEvent::refuse(const std::vector<SlotId>& reads,
       continue;
     report.outcome = SlotOutcome::refused;
     report.reason = reason;
-    frame_.slots[report.slot] = offer(report.slot).unfilled;
+    frame_.slots[report.slot] = *offer(report.slot).unfilled;
     drop_default(frame_.slots[report.slot]);
   }
 }
@@ -245,12 +251,10 @@ void FillingEvent::refuse(const std::vector<SlotId>& reads,
 // (4)
 void FillingEvent::ground_value(SlotReport& report) {
   auto& slot = frame_.slots[report.slot];
-  const auto& old = offer(report.slot).unfilled;
   report.outcome = outcome_of_change(slot.previous, slot.value);
   // To say it again is to say yes.
-  const bool known =
-      report.outcome == SlotOutcome::unchanged ||
-      (old.status == SlotStatus::unconfirmed && old.value == slot.value);
+  const bool known = report.outcome == SlotOutcome::unchanged ||
+                     offer(report.slot).doubted == slot.value;
   const auto grounding =
       ground(topic_.slots[report.slot].confirm, slot.confidence);
   if (grounding == Grounding::explicitly && !known) {

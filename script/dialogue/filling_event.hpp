@@ -5,9 +5,11 @@
 #pragma once
 
 #include <forward_list>
+#include <optional>
 #include <vector>
 
 #include "script/dialogue/frame.hpp"
+#include "script/dialogue/matching.hpp"
 
 namespace parlour::dialogue {
 
@@ -27,7 +29,7 @@ SlotOutcome outcome_of_change(const Value& before, const Value& after);
 // Refers to all that it is given; lives for one event.
 class FillingEvent {
 public:
-  FillingEvent(const script::Topic& topic, Frame& frame,
+  FillingEvent(const script::Program& program, Frame& frame,
                const FrameEvaluator& evaluate);
 
   // A fill, correct or deny. A correction stands against later fills; a
@@ -36,7 +38,7 @@ public:
 
   // Changes the frame; one report for each slot that was spoken of. Errors of
   // constraints are appended.
-  std::vector<SlotReport> run(std::vector<Error>& errors);
+  SlotReports run(std::vector<Error>& errors);
 
 private:
   // What was said of a slot, and how the slot was before.
@@ -44,12 +46,15 @@ private:
     SlotId slot;
     const FrameChange* change = nullptr; // null: only denials
     bool corrects = false;
-    Value before{};       // the event
-    SlotState unfilled{}; // after the denials
+    Value before{};  // the event
+    Value doubted{}; // after the denials: that waited for a yes
+    // After the denials, for constraints to go back to.
+    std::optional<SlotState> unfilled{};
   };
 
   Offer& offer(SlotId slot); // in slot order; made where there is none
   Expected<Value> evaluate(CodeId code) const;
+  CardinalityEvaluator cardinalities() const;
   void deny(const FrameChange& change);
   bool denies(const FrameChange& denial, const Value& value) const;
   void narrow(Offer& offer, const FrameChange& denial);
@@ -65,12 +70,13 @@ private:
   void ground_value(SlotReport& report);
   SlotReport& report(SlotId slot, SlotOutcome outcome);
 
+  const script::Program& program_;
   const script::Topic& topic_;
   Frame& frame_;
   const FrameEvaluator& evaluate_;
-  std::vector<Offer> offers_;                 // of the slots spoken of
+  ShortLivedList<Offer> offers_;              // of the slots spoken of
   std::forward_list<FrameChange> left_by_no_; // offers of our own
-  std::vector<SlotReport> reports_; // of slots that got a value: accepted
+  SlotReports reports_; // of slots that got a value: accepted
 };
 
 } // namespace parlour::dialogue

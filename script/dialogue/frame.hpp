@@ -13,6 +13,7 @@
 
 #include "runtime/base/clock.hpp"
 #include "runtime/base/value.hpp"
+#include "script/dialogue/short_lived.hpp"
 #include "script/program.hpp"
 
 namespace parlour::dialogue {
@@ -132,12 +133,14 @@ struct SlotReport {
   std::string reason; // a constraint's message; empty: the cardinality
 };
 
+using SlotReports = ShortLivedList<SlotReport>;
+
 struct FrameResult {
   FramePointer frame;
-  std::vector<SlotReport> reports; // in slot order
-  SlotId missing = script::no_id;  // the first Functional slot not accepted
-  bool query_slot_filled = false;  // one that a <by> uses, by this event
-  std::vector<Error> errors;       // of constraints: they count as failing
+  SlotReports reports;            // in slot order
+  SlotId missing = script::no_id; // the first Functional slot not accepted
+  bool query_slot_filled = false; // one that a <by> uses, by this event
+  std::vector<Error> errors;      // of constraints: they count as failing
 };
 
 // Evaluates a condition or text of the topic against a frame under

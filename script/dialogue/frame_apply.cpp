@@ -41,7 +41,7 @@ public:
         change(*at++);
         continue;
       }
-      FillingEvent filling(topic_, frame_, evaluate_);
+      FillingEvent filling(program_, frame_, evaluate_);
       for (; at != changes.end() && is_filling(at->kind); ++at)
         filling.take(*at);
       add(filling.run(errors_));
@@ -49,7 +49,7 @@ public:
     settle(topic_, frame_);
   }
 
-  std::vector<SlotReport> reports() {
+  SlotReports reports() {
     std::sort(reports_.begin(), reports_.end(),
               [](const auto& a, const auto& b) { return a.slot < b.slot; });
     return std::move(reports_);
@@ -68,7 +68,7 @@ public:
   }
 
 private:
-  void add(std::vector<SlotReport> reports) {
+  void add(SlotReports reports) {
     if (reports_.empty())
       reports_ = std::move(reports);
     else
@@ -236,7 +236,7 @@ private:
   const script::Topic& topic_;
   Frame& frame_;
   const FrameEvaluator& evaluate_;
-  std::vector<SlotReport> reports_;
+  SlotReports reports_;
   std::vector<Error> errors_;
 };
 

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "script/dialogue/frame_evaluator.hpp"
+#include "script/dialogue/short_lived.hpp"
 #include "script/instruction.hpp"
 
 namespace parlour::dialogue {
@@ -95,7 +96,7 @@ void Frames::store(FramePointer frame) {
 Frames::Entry& Frames::entry(TopicId topic, Timestamp now) const {
   auto& mine = entries_[topic];
   if (!mine.frame)
-    mine.frame = mine.own = std::make_shared<Frame>(
+    mine.frame = mine.own = make_short_lived<Frame>(
         new_frame(*program_, topic, make_frame_evaluator(*interpreter_, now)));
   return mine;
 }

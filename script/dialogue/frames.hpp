@@ -26,8 +26,7 @@ public:
   FrameResult apply(TopicId topic, std::span<const FrameChange> changes,
                     Timestamp now);
   // What became of the topic's slots by it.
-  std::vector<SlotReport> change(TopicId topic, const FrameChange& change,
-                                 Timestamp now) {
+  SlotReports change(TopicId topic, const FrameChange& change, Timestamp now) {
     return apply(topic, {&change, 1}, now).reports;
   }
   void set_status(TopicId topic, TopicStatus status, Timestamp now) {

@@ -112,9 +112,9 @@ void Lane::clear() {
 
 bool Lane::idle() const {
   const auto& top = contexts_.back();
-  const bool nothing_to_take =
-      top.waiting != 0 || (top.agenda.empty() && contexts_.size() == 1);
-  return queue_.empty() && nothing_to_take && !held();
+  if (top.waiting != 0)
+    return queue_.empty() && !held();
+  return contexts_.size() == 1 && top.agenda.empty() && queue_.empty();
 }
 
 bool Lane::held() const {

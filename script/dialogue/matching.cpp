@@ -23,22 +23,50 @@ Matched one_of(List values) {
   return {{}, std::move(values)};
 }
 
+// Whether a text is the same as what was said but for case and spaces.
+class SameWords {
+public:
+  explicit SameWords(const Value& said)
+      : text_(said.text()), words_(folded(text_)) {}
+
+  bool operator()(std::string_view written) const {
+    if (words_.empty())
+      return written == text_;
+    return written == words_ || // as sets are mostly written
+           (written.size() >= words_.size() && folds_to(written, words_));
+  }
+
+private:
+  std::string text_;
+  std::string words_;
+};
+
 // The options that are the same but for case and spaces.
 List same(const Value& said, const List& options) {
-  const auto text = said.text();
-  const auto words = folded(text);
-  auto is_same = [&](const std::string& written) {
-    return written == words || // as sets are mostly written
-           (written.size() >= words.size() && folded(written) == words);
-  };
+  const SameWords is_same(said);
   List found;
   for (const auto& option : options) {
     const auto* string = option.if_string();
-    const auto written = string ? std::string() : option.text();
-    const auto& name = string ? *string : written;
-    if (is_same(name) && (!words.empty() || name == text) &&
+    if ((string ? is_same(*string) : is_same(option.text())) &&
         !contains(found, option))
       found.push_back(option);
+  }
+  return found;
+}
+
+// The same, of a set of constant texts, made values only where they fit;
+// nothing where the set has other values.
+std::optional<List> same_constants(const Value& said,
+                                   const script::Cardinality& cardinality,
+                                   const CardinalityEvaluator& evaluate) {
+  const SameWords is_same(said);
+  List found;
+  for (auto code : cardinality.values) {
+    const auto text = evaluate.constant(code);
+    if (!text)
+      return std::nullopt;
+    if (is_same(*text) && !contains(found, *text))
+      found.emplace_back(*text);
   }
   return found;
 }
@@ -122,7 +150,15 @@ Value by_pattern(const std::string& pattern, const Value& said) {
 
 bool is_empty(const Value& value) {
   return value.is_unknown() ||
-         (value.if_string() && folded(*value.if_string()).empty());
+         (value.if_string() && folds_to(*value.if_string(), {}));
+}
+
+Matched match_set(const script::Cardinality& cardinality, const Value& said,
+                  const CardinalityEvaluator& evaluate) {
+  auto found = same_constants(said, cardinality, evaluate);
+  if (!found || found->empty())
+    found = nearest(said, set_values(cardinality, evaluate));
+  return one_of(std::move(*found));
 }
 
 Matched match_said(const script::Slot& slot, const Value& said, bool unmatched,
@@ -131,7 +167,7 @@ Matched match_said(const script::Slot& slot, const Value& said, bool unmatched,
   if (said.is_unknown())
     return {};
   if (cardinality.type == "set")
-    return one_of(nearest(said, set_values(cardinality, evaluate)));
+    return match_set(cardinality, said, evaluate);
   if (cardinality.type == "range")
     return {in_range(cardinality, said, evaluate), {}};
   if (cardinality.type == "pattern")

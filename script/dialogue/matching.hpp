@@ -3,7 +3,11 @@
 #pragma once
 
 #include <functional>
+#include <optional>
+#include <string_view>
+#include <utility>
 
+#include "script/constant_text.hpp"
 #include "script/dialogue/frame.hpp"
 #include "script/program.hpp"
 
@@ -19,8 +23,26 @@ struct Matched {
   }
 };
 
-// Evaluates the values and bounds of a cardinality.
-using CardinalityEvaluator = std::function<Expected<Value>(CodeId code)>;
+// Evaluates the values and bounds of a cardinality; knows which of them are
+// texts that need no evaluation, where it was given the program.
+class CardinalityEvaluator {
+public:
+  template <class Evaluate>
+  CardinalityEvaluator(Evaluate evaluate,
+                       const script::Program* program = nullptr)
+      : evaluate_(std::move(evaluate)), program_(program) {}
+
+  Expected<Value> operator()(CodeId code) const {
+    return evaluate_(code);
+  }
+  std::optional<std::string_view> constant(CodeId code) const {
+    return program_ ? script::constant_text(*program_, code) : std::nullopt;
+  }
+
+private:
+  std::function<Expected<Value>(CodeId code)> evaluate_;
+  const script::Program* program_; // may be null
+};
 
 // What the user said for the slot: the change's value, else its words.
 Value said(const FrameChange& change);

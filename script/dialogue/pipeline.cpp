@@ -31,7 +31,8 @@ bool wants_out(const Step& step) {
 Pipeline::Pipeline(Core& core) : core_(core) {}
 
 void Pipeline::take(Input&& input) {
-  if (auto* before = waits_before(*input.message)) {
+  if (auto* before =
+          waiting_.empty() ? nullptr : waits_before(*input.message)) {
     hold(*before, std::move(input));
     return;
   }
@@ -73,27 +74,29 @@ bool Pipeline::Match::named() const {
 }
 
 template <class Visit>
+bool Pipeline::visit_each(const std::vector<script::Reaction>& reactions,
+                          bool captures, const std::string& source,
+                          const std::string& event, Visit& visit) const {
+  for (const auto& reaction : reactions)
+    if (fits(reaction.event, event) && is_source(reaction.source, source) &&
+        !visit(Match{&reaction, captures}))
+      return false;
+  return true;
+}
+
+template <class Visit>
 void Pipeline::visit_matches(const std::string& source,
                              const std::string& event, Visit visit) const {
-  auto each = [&](const std::vector<script::Reaction>& reactions,
-                  bool captures) {
-    return std::all_of(reactions.begin(), reactions.end(),
-                       [&](const script::Reaction& reaction) {
-                         return !fits(reaction.event, event) ||
-                                !is_source(reaction.source, source) ||
-                                visit(Match{&reaction, captures});
-                       });
-  };
   if (auto state = core_.states.active(); state != script::no_id) {
     const auto& active = core_.program->states[state];
-    if (!each(active.messages, active.capture != script::Capture::none))
+    const bool captures = active.capture != script::Capture::none;
+    if (!visit_each(active.messages, captures, source, event, visit) ||
+        active.capture == script::Capture::all)
       return;
   }
-  if (captures_everything())
-    return;
   for (const auto& handler : core_.program->handlers)
     if ((unregistered_.empty() || !unregistered_.contains(handler.name)) &&
-        !each(handler.reactions, false))
+        !visit_each(handler.reactions, false, source, event, visit))
       return;
 }
 
@@ -121,12 +124,6 @@ bool Pipeline::listens(const std::string& source,
     return false;
   });
   return found;
-}
-
-bool Pipeline::captures_everything() const {
-  auto state = core_.states.active();
-  return state != script::no_id &&
-         core_.program->states[state].capture == script::Capture::all;
 }
 
 void Pipeline::go_on(Item& item) {

@@ -61,6 +61,10 @@ private:
 
   // Tells them to `visit` in that order, until it wants no more (false).
   template <class Visit>
+  bool visit_each(const std::vector<script::Reaction>& reactions, bool captures,
+                  const std::string& source, const std::string& event,
+                  Visit& visit) const;
+  template <class Visit>
   void visit_matches(const std::string& source, const std::string& event,
                      Visit visit) const;
   void hold(Item& item, Input input);
@@ -73,7 +77,6 @@ private:
   static bool was_worded(const Item& item);
   bool means_nothing(const Item& item) const;
   void not_understood(const Item& item, bool taken);
-  bool captures_everything() const;
   bool is_source(const std::string& wanted, const std::string& source) const;
 
   Core& core_;

@@ -16,9 +16,8 @@ void keep_last_transit(StepList& steps) {
   };
   auto transits = std::count_if(steps.begin(), steps.end(), is_transit);
   if (transits > 1)
-    steps.take_if([&](const Step& step) {
-      return is_transit(step) && --transits > 0;
-    });
+    steps.take_if(
+        [&](const Step& step) { return is_transit(step) && --transits > 0; });
 }
 
 } // namespace
@@ -27,11 +26,9 @@ Runner::Runner(Core& core) : core_(core) {}
 
 WaitId Runner::start(CodeId code, const std::vector<Value>& arguments,
                      script::ActivationContext context) {
-  auto stopped = core_.interpreter.run_body(
-      code, arguments, std::move(context), core_.effects);
-  return stopped
-             ? dispose(std::move(stopped->activation), stopped->result)
-             : 0;
+  auto stopped = core_.interpreter.run_body(code, arguments, std::move(context),
+                                            core_.effects);
+  return stopped ? dispose(std::move(stopped->activation), stopped->result) : 0;
 }
 
 WaitId Runner::resume(WaitId wait, Expected<Value> outcome) {

@@ -66,7 +66,7 @@ private:
   struct Waiting {
     std::unique_ptr<script::Activation> activation;
     bool for_user = false;
-    bool yielded = false;    // its slice was used up; it waits for nothing
+    bool yielded = false; // its slice was used up; it waits for nothing
     StepList later;       // what it asked for so far, where it yielded
   };
 

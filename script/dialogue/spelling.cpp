@@ -116,10 +116,12 @@ bool is_ascii(std::string_view text) {
 }
 
 // The same as below, for the letters that most texts are made of.
-std::string folded_ascii(std::string_view text) {
-  std::string result;
-  result.reserve(text.size());
+// Gives what is left of it letter by letter, while that is wanted; false: it
+// was no longer.
+template <class Give>
+bool fold_ascii(std::string_view text, Give give) {
   bool gap = false;
+  bool begun = false;
   for (char letter : text) {
     if (letter == '\'')
       continue;
@@ -127,12 +129,21 @@ std::string folded_ascii(std::string_view text) {
       letter = static_cast<char>(letter | 0x20);
     const bool shown =
         (letter >= 'a' && letter <= 'z') || (letter >= '0' && letter <= '9');
-    if (shown && gap && !result.empty())
-      result += ' ';
-    if (shown)
-      result += letter;
+    if (shown && ((gap && begun && !give(' ')) || !give(letter)))
+      return false;
+    begun = begun || shown;
     gap = !shown;
   }
+  return true;
+}
+
+std::string folded_ascii(std::string_view text) {
+  std::string result;
+  result.reserve(text.size());
+  fold_ascii(text, [&](char letter) {
+    result += letter;
+    return true;
+  });
   return result;
 }
 
@@ -165,6 +176,16 @@ std::string folded_unicode(std::string_view text) {
 
 std::string folded(std::string_view text) {
   return is_ascii(text) ? folded_ascii(text) : folded_unicode(text);
+}
+
+bool folds_to(std::string_view text, std::string_view words) {
+  if (!is_ascii(text))
+    return folded_unicode(text) == words;
+  std::size_t at = 0;
+  const bool begins_so = fold_ascii(text, [&](char letter) {
+    return at < words.size() && words[at++] == letter;
+  });
+  return begins_so && at == words.size();
 }
 
 std::vector<std::string> words_of(std::string_view text) {

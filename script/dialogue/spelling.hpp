@@ -12,6 +12,9 @@ namespace parlour::dialogue {
 // Lower case by Unicode; punctuation and white space become one space.
 std::string folded(std::string_view text);
 
+// Whether folded(text) == words.
+bool folds_to(std::string_view text, std::string_view words);
+
 std::vector<std::string> words_of(std::string_view text); // folded
 
 // 0: the same but for case and punctuation; 1: but for word order and plural;

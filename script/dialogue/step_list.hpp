@@ -77,7 +77,8 @@ public:
     return *this;
   }
   ~StepList() {
-    clear();
+    if (!empty())
+      clear();
   }
 
   bool empty() const {

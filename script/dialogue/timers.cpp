@@ -7,7 +7,7 @@
 
 namespace parlour::dialogue {
 
-TimerId Timers::start(Milliseconds after, Timer timer) {
+TimerId Timers::start(Milliseconds after, Timer&& timer) {
   timers_.emplace_back(++last_, std::move(timer));
   port_->start_timer(last_, after);
   return last_;
@@ -58,7 +58,7 @@ std::optional<Timer> Timers::fired(TimerId id) {
   auto timer = std::move(found->second);
   timers_.erase(found);
   if (timer.every.count() > 0)
-    start(timer.every, timer);
+    start(timer.every, Timer(timer));
   return timer;
 }
 

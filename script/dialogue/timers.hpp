@@ -39,7 +39,7 @@ class Timers {
 public:
   explicit Timers(Port& port) : port_(&port) {}
 
-  TimerId start(Milliseconds after, Timer timer);
+  TimerId start(Milliseconds after, Timer&& timer);
   void cancel(TimerId id);
   void cancel_named(const std::string& name); // scripts' ones
   void cancel_wait(WaitId wait);

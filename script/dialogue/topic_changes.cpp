@@ -17,8 +17,7 @@ bool dealt_with(TopicStatus status) {
 
 } // namespace
 
-void TopicEngine::begin_topic(TopicId topic, StepList& steps,
-                              bool keep) {
+void TopicEngine::begin_topic(TopicId topic, StepList& steps, bool keep) {
   const auto status = core_.frame(topic).status;
   leave_enquiry(topic);
   auto left = core_.order.activate(topic);

@@ -210,7 +210,8 @@ void TopicEngine::confirm_slot(TopicId topic, SlotId slot, bool yes,
   Step step;
   step.topic = topic;
   step.turn = turn;
-  request(std::move(step), {std::move(change)});
+  std::vector<FrameChange> changes{std::move(change)};
+  request(std::move(step), changes);
 }
 
 // -- small things -------------------------------------------------------------
@@ -264,10 +265,11 @@ void TopicEngine::run_body(CodeId code, TopicId topic, SlotId slot, TurnId turn,
                            StepList& steps) const {
   if (code == script::no_code)
     return;
-  auto step = body_step(code, turn);
+  auto& step = steps.add(StepKind::run);
+  step.code = code;
   step.topic = topic;
   step.slot = slot;
-  steps.push_back(std::move(step));
+  step.turn = turn;
 }
 
 SlotId TopicEngine::missing(TopicId topic) const {

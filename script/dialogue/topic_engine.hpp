@@ -187,8 +187,8 @@ private:
   List unfinished_names() const;
 
   // Frames.
-  void request(Step&& step, std::vector<FrameChange> changes);
-  std::vector<FrameChange> changes_of(const Step& step) const;
+  void request(Step&& step, std::vector<FrameChange>& changes);
+  void note_changes(const Step& step, std::vector<FrameChange>& changes) const;
   FrameChange inherit(const Step& step) const;
   Value refusal(TopicId topic, const SlotReport& report);
   void inspect_report(TopicId topic, const SlotReport& report);
@@ -256,7 +256,8 @@ private:
     TopicId topic = script::no_id;
     std::vector<SlotId> slots;
   } said_; // what the user gave values for last, fitting or not
-  std::optional<Step> awaiting_; // for the frame's actor
+  std::vector<FrameChange> changes_; // empty between two steps: its memory
+  std::optional<Step> awaiting_;     // for the frame's actor
   std::optional<Query> query_;
   std::uint64_t redirections_ = 0;
   TurnId turn_ = 0;               // the latest

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "script/dialogue/core.hpp"
+#include "script/dialogue/short_lived.hpp"
 #include "script/dialogue/steps.hpp"
 
 namespace parlour::dialogue {
@@ -75,11 +76,12 @@ void TopicEngine::keep_what_is_asked(Step& step) {
 }
 
 void TopicEngine::fill(Step& step) {
-  auto changes = changes_of(step);
-  request(std::move(step), std::move(changes));
+  note_changes(step, changes_);
+  request(std::move(step), changes_);
+  changes_.clear();
 }
 
-void TopicEngine::request(Step&& step, std::vector<FrameChange> changes) {
+void TopicEngine::request(Step&& step, std::vector<FrameChange>& changes) {
   if (!core_.port.writes_frames()) {
     tell_filled(step, core_.frames.apply(step.topic, changes, core_.now));
     return;
@@ -91,9 +93,8 @@ void TopicEngine::request(Step&& step, std::vector<FrameChange> changes) {
   core_.port.apply(topic, std::move(request));
 }
 
-std::vector<FrameChange> TopicEngine::changes_of(const Step& step) const {
-  std::vector<FrameChange> changes;
-  changes.reserve(step.act->slots.size() + 1);
+void TopicEngine::note_changes(const Step& step,
+                               std::vector<FrameChange>& changes) const {
   const auto& topic = core_.topic(step.topic);
   if (topic.kind == script::TopicKind::enquiry)
     changes.push_back(inherit(step));
@@ -113,7 +114,6 @@ std::vector<FrameChange> TopicEngine::changes_of(const Step& step) const {
     change.candidates = value.candidates;
     change.unmatched = value.unmatched;
   }
-  return changes;
 }
 
 // What an enquiry keeps of its last answer: an elliptical turn all but what
@@ -148,7 +148,7 @@ void TopicEngine::frame_applied(FrameResult result) {
 void TopicEngine::tell_filled(Step& step, FrameResult result) {
   for (const auto& error : result.errors) // of constraints
     core_.script_failed(error, step.turn);
-  step.result = std::make_shared<const FrameResult>(std::move(result));
+  step.result = make_short_lived<const FrameResult>(std::move(result));
   note_what_was_said(step);
   filled(step);
 }

@@ -44,7 +44,8 @@ TEST(StepList, AStepStaysWhereItIs) {
 
 TEST(StepList, TakesOutWhatIsWanted) {
   StepList steps{numbered(1), numbered(2), numbered(3), numbered(4)};
-  const auto even = steps.take_if([](const Step& s) { return s.turn % 2 == 0; });
+  const auto even =
+      steps.take_if([](const Step& s) { return s.turn % 2 == 0; });
   EXPECT_EQ(numbers(even), (Numbers{2, 4}));
   EXPECT_EQ(numbers(steps), (Numbers{1, 3}));
   steps.add(StepKind::run).turn = 5;

@@ -41,7 +41,7 @@ private:
   };
 
   StepList beginning() const;
-  std::vector<Input>::iterator next_input();
+  Fifo<Input>::Place next_input();
   void process(Input&& input);
   void user_begins();
   bool hear_speech(const Message& message);

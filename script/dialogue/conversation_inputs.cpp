@@ -82,10 +82,8 @@ void Conversation::Implementation::close() {
   steps.append(core.machine.exits());
   core.lane.clear();
   core.lane.now(std::move(steps));
-  Timer deadline;
-  deadline.purpose = Timer::Purpose::leaving;
   core.timers.start(core.program->settings.sessions.request_timeout,
-                    std::move(deadline));
+                    Timer::Purpose::leaving);
   leaving_ = Leaving::exits;
   leave();
 }
@@ -178,7 +176,7 @@ void Conversation::Implementation::user_begins() {
 
 // While the session ends it only hears what is not the user's: the words that
 // it still waits for.
-std::vector<Input>::iterator Conversation::Implementation::next_input() {
+Fifo<Input>::Place Conversation::Implementation::next_input() {
   if (!core.ending)
     return core.inbox.begin();
   return std::find_if(core.inbox.begin(), core.inbox.end(),
@@ -368,9 +366,7 @@ void Conversation::Implementation::watch_for(Milliseconds length,
       (watch_->length == length || purpose == Timer::Purpose::patience))
     return;
   stop_silence();
-  Timer timer;
-  timer.purpose = purpose;
-  watch_ = Watch{core.timers.start(length, std::move(timer)), purpose, length};
+  watch_ = Watch{core.timers.start(length, purpose), purpose, length};
 }
 
 void Conversation::Implementation::stop_silence() {

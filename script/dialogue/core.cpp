@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "script/dialogue/short_lived.hpp"
 #include "script/dialogue/steps.hpp"
 
 namespace parlour::dialogue {
@@ -23,7 +24,7 @@ void Core::raise(const char* source, std::string command,
   message.params = std::move(params);
   message.session = options.session;
   Input input;
-  input.message = std::make_shared<const Message>(std::move(message));
+  input.message = make_short_lived<const Message>(std::move(message));
   input.turn = turn;
   input.raised = true;
   turns.hold(turn);

@@ -4,13 +4,16 @@
 
 #include <cstddef>
 #include <utility>
-#include <vector>
+
+#include "script/dialogue/short_lived.hpp"
 
 namespace parlour::dialogue {
 
 template <class T>
 class Fifo {
 public:
+  using Place = typename ShortLivedList<T>::iterator;
+
   bool empty() const {
     return first_ == items_.size();
   }
@@ -74,7 +77,7 @@ private:
     }
   }
 
-  std::vector<T> items_;
+  ShortLivedList<T> items_;
   std::size_t first_ = 0; // those before were taken
 };
 

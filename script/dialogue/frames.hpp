@@ -53,7 +53,7 @@ private:
 
   const script::Program* program_;
   script::Interpreter* interpreter_;
-  mutable std::vector<Entry> entries_;
+  mutable ShortLivedList<Entry> entries_;
 };
 
 } // namespace parlour::dialogue

@@ -120,7 +120,7 @@ private:
     OutputId id = 0;
     bool interruptible = true;
   };
-  std::vector<Playing> playing_;
+  ShortLivedList<Playing> playing_;
   std::optional<Output> interrupted_;
   int taken_up_ = 0; // since something was played to its end
   bool changed_ = false;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "runtime/base/clock.hpp"
+#include "script/dialogue/short_lived.hpp"
 #include "script/program.hpp"
 
 namespace parlour::dialogue {
@@ -72,8 +73,8 @@ public:
   void turn_begins(); // the next release starts a new robot turn
 
 private:
-  std::vector<Output> entries_;
-  std::vector<Output> last_turn_; // of the robot, as they were released
+  ShortLivedList<Output> entries_;
+  ShortLivedList<Output> last_turn_; // of the robot, as they were released
   std::vector<std::pair<OutputId, std::string>>
       cut_; // of these, what was heard
   bool fresh_turn_ = true;

@@ -2,7 +2,7 @@
 // Entrance; push and pop.
 #pragma once
 
-#include "script/dialogue/step.hpp"
+#include "script/dialogue/step_list.hpp"
 
 namespace parlour::dialogue {
 

@@ -7,14 +7,22 @@
 
 namespace parlour::dialogue {
 
-TimerId Timers::start(Milliseconds after, Timer&& timer) {
+TimerId Timers::start(Milliseconds after, Timer timer) {
   timers_.emplace_back(++last_, std::move(timer));
   port_->start_timer(last_, after);
   return last_;
 }
 
+TimerId Timers::start(Milliseconds after, Timer::Purpose purpose) {
+  auto& entry = timers_.emplace_back();
+  entry.first = ++last_;
+  entry.second.purpose = purpose;
+  port_->start_timer(last_, after);
+  return last_;
+}
+
 // The latest are the likeliest.
-std::vector<Timers::Entry>::iterator Timers::find(TimerId id) {
+Timers::Entries::iterator Timers::find(TimerId id) {
   const auto found =
       std::find_if(timers_.rbegin(), timers_.rend(),
                    [&](const Entry& entry) { return entry.first == id; });
@@ -58,7 +66,7 @@ std::optional<Timer> Timers::fired(TimerId id) {
   auto timer = std::move(found->second);
   timers_.erase(found);
   if (timer.every.count() > 0)
-    start(timer.every, Timer(timer));
+    start(timer.every, timer);
   return timer;
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "script/dialogue/port.hpp"
+#include "script/dialogue/short_lived.hpp"
 #include "script/dialogue/step.hpp"
 
 namespace parlour::dialogue {
@@ -39,7 +40,8 @@ class Timers {
 public:
   explicit Timers(Port& port) : port_(&port) {}
 
-  TimerId start(Milliseconds after, Timer&& timer);
+  TimerId start(Milliseconds after, Timer timer);
+  TimerId start(Milliseconds after, Timer::Purpose purpose); // and no more
   void cancel(TimerId id);
   void cancel_named(const std::string& name); // scripts' ones
   void cancel_wait(WaitId wait);
@@ -57,10 +59,11 @@ private:
   void cancel_where(Predicate predicate);
 
   using Entry = std::pair<TimerId, Timer>;
+  using Entries = ShortLivedList<Entry>;
 
-  std::vector<Entry>::iterator find(TimerId id);
+  Entries::iterator find(TimerId id);
 
-  std::vector<Entry> timers_; // by id
+  Entries timers_; // by id
   Port* port_;
   TimerId last_ = 0;
 };

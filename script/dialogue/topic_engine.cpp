@@ -13,13 +13,24 @@ namespace {
 
 const std::string dialogue_source = "Dialogue";
 
+bool listens_to_silence(const script::State& state) {
+  return std::any_of(state.messages.begin(), state.messages.end(),
+                     [](const script::Reaction& reaction) {
+                       return reaction.event == "no_input" &&
+                              reaction.source == dialogue_source;
+                     });
+}
+
 bool wants_out(const Act& act) {
   return act.kind == ActKind::cancel || act.kind == ActKind::abandon;
 }
 
 } // namespace
 
-TopicEngine::TopicEngine(Core& core) : core_(core) {}
+TopicEngine::TopicEngine(Core& core) : core_(core) {
+  for (const auto& state : core.program->states)
+    listens_to_silence_.push_back(listens_to_silence(state));
+}
 
 void TopicEngine::take(Step&& step) {
   switch (step.kind) {

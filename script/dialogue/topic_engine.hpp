@@ -11,7 +11,7 @@
 
 #include "script/dialogue/classifier.hpp"
 #include "script/dialogue/port.hpp"
-#include "script/dialogue/step.hpp"
+#include "script/dialogue/step_list.hpp"
 
 namespace parlour::dialogue {
 
@@ -250,6 +250,7 @@ private:
                 StepList& steps) const;
 
   Core& core_;
+  std::vector<bool> listens_to_silence_; // each state
   std::optional<Asked> asked_;
   std::optional<SlotOf> refused_; // by this act, though it had been asked for
   struct Said {

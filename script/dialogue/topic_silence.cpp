@@ -1,15 +1,11 @@
 // The part of the topic engine for silence: what it leads to, and how
 // unfinished topics are taken up again (engine rule 5, "Which topic next").
-#include <algorithm>
-#include <string_view>
 #include <utility>
 
 #include "script/dialogue/core.hpp"
 #include "script/dialogue/steps.hpp"
 
 namespace parlour::dialogue {
-
-using namespace std::string_view_literals;
 
 namespace {
 
@@ -38,14 +34,8 @@ TopicEngine::Due TopicEngine::due() const {
 // The active state says what silence means where nothing is asked.
 bool TopicEngine::state_listens() const {
   const auto state = core_.states.active();
-  if (state == script::no_id || no_input_ >= most_reprompts)
-    return false;
-  const auto& reactions = core_.program->states[state].messages;
-  return std::any_of(reactions.begin(), reactions.end(),
-                     [](const script::Reaction& reaction) {
-                       return reaction.event == "no_input"sv &&
-                              reaction.source == "Dialogue"sv;
-                     });
+  return state != script::no_id && no_input_ < most_reprompts &&
+         listens_to_silence_[state];
 }
 
 std::optional<Milliseconds> TopicEngine::silence_wanted() const {

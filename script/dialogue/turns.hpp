@@ -12,6 +12,7 @@
 
 #include "runtime/base/clock.hpp"
 #include "runtime/base/message.hpp"
+#include "script/dialogue/short_lived.hpp"
 
 namespace parlour::dialogue {
 
@@ -95,7 +96,7 @@ private:
   }
   void close_if_idle(TurnId turn);
 
-  std::vector<Turn> turns_; // those that are remembered, few
+  ShortLivedList<Turn> turns_; // those that are remembered, few
   std::map<Correlation, Question> questions_;
   TurnId last_ = 0;
   Timestamp speech_until_ = 0;

@@ -77,7 +77,7 @@ void TextFileTTS::on_message(const Message& message) {
   if (message.command == "Speak")
     speak(message);
   else if (message.command == "Stop")
-    stop_speaking(param(message, 0));
+    stop_speaking(message.session, param(message, 0));
   else if (message.command == "SetVoice")
     voice_ = in_one_line(text_param(message, 0));
   else
@@ -124,9 +124,11 @@ void TextFileTTS::end() {
   finish(utterance);
 }
 
-void TextFileTTS::stop_speaking(const Value& utterance) {
+void TextFileTTS::stop_speaking(const SessionId& session,
+                                const Value& utterance) {
   auto meant = [&](const Utterance& one) {
-    return utterance.is_unknown() || one.name == utterance;
+    return one.order.session == session &&
+           (utterance.is_unknown() || one.name == utterance);
   };
   if (waiting_.empty())
     return;
@@ -163,7 +165,8 @@ PluginFactory text_file_tts_factory() {
                          "time";
   description.options = {
       {"file", "speech.txt", "the file, in the data folder", false},
-      {"rate", "180", "words a minute; 0 takes no time", false}};
+      {"rate", "180", "words a minute; 0 takes no time", false,
+       OptionType::number}};
   return {std::move(description),
           [] { return std::make_unique<TextFileTTS>(); }};
 }

@@ -5,7 +5,8 @@
 //   Speak(text, utterance, interruptible?)   one after the other:
 //                 Mark(utterance, word, position) as each word begins, then
 //                 Finished(utterance); Failed(reason) where too much waits
-//   Stop(utterance?)   that one, or all; each of them ends with Finished
+//   Stop(utterance?)   that one, or all of the session; each of them ends with
+//                 Finished
 //   SetVoice(name)     written before what follows
 //
 // Options: file (speech.txt); rate, words a minute (180; 0: in no time, without
@@ -37,7 +38,7 @@ private:
   };
 
   void speak(const Message& order);
-  void stop_speaking(const Value& utterance);
+  void stop_speaking(const SessionId& session, const Value& utterance);
   void begin();
   void next_word();
   void end();

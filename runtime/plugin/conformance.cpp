@@ -155,6 +155,8 @@ private:
   // Calls the plug-in; false where it throws.
   template <class Action>
   bool call(const std::string& what, Action action) {
+    if (terms_.on_step)
+      terms_.on_step(what);
     const auto begin = std::chrono::steady_clock::now();
     try {
       action();

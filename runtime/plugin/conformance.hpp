@@ -2,6 +2,7 @@
 // of the role, and the contract of plugin.hpp.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,9 @@ struct TrialTerms {
   Milliseconds deadline{2'000};
   std::string data_folder;        // absolute, writable
   std::string application_folder; // absolute
+  // Told what comes before each call: "start", or the command's name. So who
+  // watches knows where a plug-in crashes or hangs.
+  std::function<void(const std::string& step)> on_step = {};
 };
 
 // What is wrong with the plug-in, a sentence each; empty where it conforms.

@@ -49,6 +49,26 @@ Settings settings_alone(const fs::path& folder, const fs::path& platform) {
       environment_value, said);
 }
 
+// Reads the settings once more: they are known to be readable, and who asks
+// has a mistake to tell of.
+std::optional<Place> place_of_option(const fs::path& folder,
+                                     const fs::path& platform,
+                                     const std::string& component,
+                                     const std::string& option) {
+  script::Findings said;
+  script::ApplicationLoader loader(folder, platform, said);
+  const auto settings =
+      loader.read(script::settings_file(folder, platform), {"settings"}, {});
+  if (!settings)
+    return std::nullopt;
+  for (const auto& element : settings->children)
+    if (element.is("component") && element.value("name") == component)
+      for (const auto& given : element.children)
+        if (given.value("name") == option)
+          return said.place(given.position);
+  return std::nullopt;
+}
+
 void lint(script::Compiled& compiled, const Application& application) {
   script::lint::Options options;
   for (const auto& component : application.composition.components) {
@@ -83,11 +103,12 @@ Application load_application(const fs::path& folder, const fs::path& platform,
   Application application{folder, platform, nullptr, {}, {}, plugins};
   auto compiled = compile_folder(folder, platform);
   application.program = compiled.program;
-  if (application.program)
-    application.composition = compose(application.program->settings, *plugins);
-  else
-    application.composition =
-        compose(settings_alone(folder, platform), *plugins);
+  application.composition =
+      compose(application.program ? application.program->settings
+                                  : settings_alone(folder, platform),
+              *plugins, [&](const auto& component, const auto& option) {
+                return place_of_option(folder, platform, component, option);
+              });
   tell_platform(application.composition, platform);
   if (scrutiny == Scrutiny::lint)
     lint(compiled, application);

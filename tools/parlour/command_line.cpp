@@ -241,7 +241,8 @@ private:
   }
 
   void add_plugin() {
-    auto* plugin = app_.add_subcommand("plugin", "Plug-ins: list, new, test");
+    auto* plugin =
+        app_.add_subcommand("plugin", "Plug-ins: list, roles, new, test");
     plugin->require_subcommand(1);
     auto* list =
         add(*plugin, "list", "What there is: roles, options, files", [this] {
@@ -249,6 +250,9 @@ private:
         });
     list->add_option("APP", plugin_app_, "Also those of an application");
     add_plugins(list);
+    add(*plugin, "roles", "What a role's components understand and fire",
+        [this] { return plugin_roles_command(plugin_role_, console_); })
+        ->add_option("ROLE", plugin_role_, "Such as TTS; else all, in brief");
     auto* made =
         add(*plugin, "new", "Write a new one that builds and passes", [this] {
           return plugin_new_command(places_, new_plugin_, console_);
@@ -271,8 +275,9 @@ private:
   void add_completion() {
     auto* command =
         add("completion", "Print a shell's completion script", [this] {
-          console_.out << completion_script(app_,
-                                            {{"--role", component_roles()}});
+          console_.out << completion_script(
+              app_,
+              {{"--role", component_roles()}, {"roles", component_roles()}});
           return exit_code::well;
         });
     command->add_option("SHELL", shell_, "bash")
@@ -305,6 +310,7 @@ private:
   UnderstandOptions understand_;
   BenchOptions bench_;
   std::string plugin_app_;
+  std::string plugin_role_;
   NewPluginOptions new_plugin_;
   TestPluginOptions test_plugin_;
   std::string exec_file_;

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 #include "runtime/base/call_deadline.hpp"
 #include "runtime/plugin/scope_check.hpp"
 #include "tools/parlour/hosting.hpp"
+#include "tools/parlour/option_check.hpp"
 
 namespace parlour::tools {
 
@@ -34,27 +36,17 @@ std::string whose(const ComponentSettings& component) {
 }
 
 void check_options(const ComponentSettings& component,
-                   const PluginDescription& plugin, Composition& composition) {
-  auto report = [&](std::string text) {
-    composition.findings.push_back(
-        {Severity::error, component.place, std::move(text)});
-  };
-  std::vector<std::string> known;
-  for (const auto& option : plugin.options) {
-    known.push_back(option.name);
-    const auto given = component.options.find(option.name);
-    if (given == component.options.end()) {
-      if (option.required)
-        report(component.name + ": the option '" + option.name +
-               "' is missing: " + option.sentence);
-    } else if (const auto fits = check_option(option, given->second); !fits) {
-      report(whose(component) + ": " + fits.error().message);
-    }
+                   const PluginDescription& plugin, const OptionPlaces& places,
+                   Composition& composition) {
+  for (auto& mistake :
+       option_mistakes(whose(component), plugin, component.options)) {
+    const auto place = mistake.is_given && places
+                           ? places(component.name, mistake.option)
+                           : std::nullopt;
+    composition.findings.push_back({Severity::error,
+                                    place.value_or(component.place),
+                                    std::move(mistake.text)});
   }
-  for (const auto& [name, value] : component.options)
-    if (std::find(known.begin(), known.end(), name) == known.end())
-      report(whose(component) + " has no option '" + name + "'" +
-             script::did_you_mean(name, known));
 }
 
 void check_scope(const ComponentSettings& component,
@@ -91,7 +83,8 @@ void check_deadline(const ComponentSettings& component,
 
 } // namespace
 
-Composition compose(const Settings& settings, Catalogue& plugins) {
+Composition compose(const Settings& settings, Catalogue& plugins,
+                    const OptionPlaces& places) {
   Composition composition;
   for (const auto& component : settings.components) {
     const auto& name = component.plugin;
@@ -110,7 +103,7 @@ Composition compose(const Settings& settings, Catalogue& plugins) {
     auto upkeep = component.upkeep;
     upkeep.deadline = call_deadline(upkeep, settings.sessions.request_timeout);
     *factory = hosted(std::move(*factory), upkeep, plugins.file_of(name));
-    check_options(component, factory->description, composition);
+    check_options(component, factory->description, places, composition);
     check_scope(component, factory->description, composition);
     check_deadline(component, factory->description, settings.sessions,
                    composition);

@@ -2,6 +2,8 @@
 // (architecture rule 7).
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,7 +32,13 @@ struct Composition {
   std::vector<std::string> notices;
 };
 
-Composition compose(const Settings& settings, Catalogue& plugins);
+// Where the settings give a component an option; nothing where that is not
+// known. Asked for mistakes only, whose place is otherwise the component's.
+using OptionPlaces = std::function<std::optional<Place>(
+    const std::string& component, const std::string& option)>;
+
+Composition compose(const Settings& settings, Catalogue& plugins,
+                    const OptionPlaces& places = {});
 
 // The first chosen component of a role; null where there is none.
 const ChosenComponent* first_of_role(const Composition& composition,

@@ -1,5 +1,5 @@
-// The commands `parlour plugin …`: list what there is, make a new one, try one
-// out.
+// The commands `parlour plugin …`: list what there is, tell of roles, make a
+// new one, try one out.
 #pragma once
 
 #include <string>
@@ -14,6 +14,9 @@ namespace parlour::tools {
 // working folder.
 int plugin_list_command(const Places& places, const std::string& app,
                         const Console& console);
+
+// A role's commands and events; with an empty name, what roles there are.
+int plugin_roles_command(const std::string& name, const Console& console);
 
 struct NewPluginOptions {
   std::string name;

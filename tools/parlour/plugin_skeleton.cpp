@@ -16,20 +16,6 @@ bool is_class_name(const std::string& name) {
              name, [](unsigned char c) { return std::isalnum(c) || c == '_'; });
 }
 
-Expected<const Role*> component_role(const std::string& name) {
-  const auto* role = find_role(name);
-  if (role && !role->reserved)
-    return role;
-  const auto names = component_roles();
-  std::string all;
-  for (const auto& one : names)
-    all += (all.empty() ? "" : ", ") + one;
-  const auto hint = script::did_you_mean(name, names);
-  return fail(ErrorKind::settings,
-              "there is no role '" + name + "'" +
-                  (hint.empty() ? "; roles are " + all : hint));
-}
-
 std::string build_file(const std::string& name, const std::string& stem) {
   return "cmake_minimum_required(VERSION 3.25)\n"
          "project(" +
@@ -54,8 +40,9 @@ std::string build_file(const std::string& name, const std::string& stem) {
 
 std::string test_file(const std::string& name, const std::string& role) {
   return "// " + name + " passes the conformance test of the role " + role +
-         "; what else it is to do\n"
-         "// is tried with a TrialHost (runtime/plugin/trial_host.hpp).\n"
+         ";\n"
+         "// what else it is to do is tried with a TrialHost\n"
+         "// (runtime/plugin/trial_host.hpp).\n"
          "#include <cstdio>\n"
          "\n"
          "#include \"runtime/plugin/conformance.hpp\"\n"
@@ -106,6 +93,20 @@ std::vector<std::string> component_roles() {
     if (!role.reserved)
       names.push_back(role.name);
   return names;
+}
+
+Expected<const Role*> component_role(const std::string& name) {
+  const auto* role = find_role(name);
+  if (role && !role->reserved)
+    return role;
+  const auto names = component_roles();
+  std::string all;
+  for (const auto& one : names)
+    all += (all.empty() ? "" : ", ") + one;
+  const auto hint = script::did_you_mean(name, names);
+  return fail(ErrorKind::settings,
+              "there is no role '" + name + "'" +
+                  (hint.empty() ? "; roles are " + all : hint));
 }
 
 Expected<std::vector<SkeletonFile>> plugin_skeleton(const std::string& name,

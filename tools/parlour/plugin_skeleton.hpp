@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "runtime/base/error.hpp"
+#include "runtime/base/roles.hpp"
 
 namespace parlour::tools {
 
@@ -16,6 +17,9 @@ struct SkeletonFile {
 
 // The roles that a component may have.
 std::vector<std::string> component_roles();
+
+// By name or alias; the error says what roles there are.
+Expected<const Role*> component_role(const std::string& name);
 
 // Errors, of kind Settings: the name is none of a class, or there is no such
 // role for a component.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <sstream>
 #include <vector>
 
 #include "runtime/plugin/parameters.hpp"
@@ -17,6 +18,43 @@ constexpr std::array tailored = {"Microphone", "VAD", "ASR",      "TTS",
 
 bool is_tailored(const Role& role) {
   return std::ranges::find(tailored, role.name) != tailored.end();
+}
+
+constexpr std::size_t line_length = 80;
+
+// `items` behind `head`, in as many lines as it takes, below each other.
+std::string wrapped(const std::string& head,
+                    const std::vector<std::string>& items,
+                    const std::string& tail) {
+  auto text = head;
+  auto used = head.size();
+  for (const auto& item : items) {
+    const bool is_last = &item == &items.back();
+    const auto piece = item + (is_last ? tail : ",");
+    const auto blank = text == head ? 0u : 1u;
+    if (used + blank + piece.size() <= line_length) {
+      text += (blank ? " " : "") + piece;
+      used += blank + piece.size();
+    } else {
+      text += '\n' + std::string(head.size(), ' ') + piece;
+      used = head.size() + piece.size();
+    }
+  }
+  return items.empty() ? text + tail : text;
+}
+
+std::string comment(const std::string& sentence) {
+  std::string text = "//";
+  auto used = text.size();
+  std::istringstream words(sentence);
+  for (std::string word; words >> word; used += 1 + word.size()) {
+    if (used + 1 + word.size() > line_length) {
+      text += "\n//";
+      used = 2;
+    }
+    text += ' ' + word;
+  }
+  return text + '\n';
 }
 
 struct Type {
@@ -76,37 +114,64 @@ const RoleEvent* answer_to(const RoleCommand& command, const Role& role) {
   return best;
 }
 
-std::string fired(const RoleEvent& event, const std::vector<Parameter>& given) {
-  std::string params;
+// Whether the event says what the command gave.
+bool repeats(const RoleEvent& event, const Parameter& given) {
+  return !given.optional &&
+         std::ranges::any_of(read_parameters(event.parameters),
+                             [&](const Parameter& said) {
+                               return said.name == given.name && !said.optional;
+                             });
+}
+
+// As its adaptor calls it, where the role has one.
+std::string firing(const RoleEvent& event, const Role& role) {
+  if (!is_tailored(role))
+    return "fire_event(\"" + event.name + "\", {";
+  return "fire_" +
+         (event.name == "RecognitionResult" ? "result"
+                                            : snake_case(event.name)) +
+         '(';
+}
+
+std::string fired(const RoleEvent& event, const Role& role,
+                  const std::vector<Parameter>& given) {
+  std::vector<std::string> params;
   for (const auto& parameter : read_parameters(event.parameters)) {
-    const auto same =
-        std::ranges::find(given, parameter.name, &Parameter::name);
-    const bool has = same != given.end() && !same->optional;
+    const bool has = std::ranges::any_of(given, [&](const Parameter& one) {
+      return one.name == parameter.name && repeats(event, one);
+    });
     if (!parameter.optional)
-      params += (params.empty() ? "" : ", ") +
-                (has ? identifier(parameter.name)
-                     : std::string(type_of(parameter.kind).nothing));
+      params.push_back(has ? identifier(parameter.name)
+                           : type_of(parameter.kind).nothing);
   }
-  return "    fire_event(\"" + event.name + "\", {" + params + "});\n";
+  return wrapped("    " + firing(event, role), params,
+                 is_tailored(role) ? ");\n" : "});\n");
+}
+
+// An utterance's number has a name of its own in the adaptor.
+std::string type_of(const Parameter& parameter, const Role& role) {
+  const bool is_utterance = role.name == "TTS" && parameter.name == "utterance";
+  const auto type = type_of(parameter.kind);
+  const std::string held = is_utterance ? "Utterance" : type.held;
+  if (parameter.optional)
+    return "std::optional<" + held + ">";
+  return is_utterance ? held : type.passed;
 }
 
 std::string handler(const RoleCommand& command, const Role& role) {
   const auto parameters = read_parameters(command.parameters);
   const auto* answer = command.answered ? answer_to(command, role) : nullptr;
-  const auto body = answer ? fired(*answer, parameters) : std::string();
-  std::string list;
+  const auto body = answer ? fired(*answer, role, parameters) : std::string();
+  std::vector<std::string> list;
   for (const auto& parameter : parameters) {
-    const auto type = type_of(parameter.kind);
     const auto name = identifier(parameter.name);
-    const bool is_used = body.find(", " + name) != std::string::npos ||
-                         body.find("{" + name) != std::string::npos;
-    list += list.empty() ? "" : ", ";
-    list += parameter.optional ? "std::optional<" + std::string(type.held) + ">"
-                               : std::string(type.passed);
-    list += is_used ? " " + name : " /*" + name + "*/";
+    const bool is_used = answer && repeats(*answer, parameter);
+    list.push_back(type_of(parameter, role) +
+                   (is_used ? " " + name : " /*" + name + "*/"));
   }
-  return "  void on_" + snake_case(command.name) + "(" + list + ")" +
-         (is_tailored(role) ? " override" : "") + " {\n" + body + "  }\n";
+  const std::string end = is_tailored(role) ? ") override {" : ") {";
+  return wrapped("  void on_" + snake_case(command.name) + "(", list, end) +
+         "\n" + body + "  }\n";
 }
 
 std::string constructor(const std::string& name, const Role& role) {
@@ -143,8 +208,7 @@ std::string body(const std::string& name, const Role& role) {
 } // namespace
 
 std::string plugin_source(const std::string& name, const Role& role) {
-  return "// " + name + " (role " + role.name + "): " + role.sentence +
-         ".\n"
+  return comment(name + " (role " + role.name + "): " + role.sentence + ".") +
          "#include \"runtime/plugin/adaptors.hpp\"\n"
          "#include \"runtime/plugin/export.hpp\"\n"
          "\n"

@@ -4,6 +4,7 @@
 #include <ostream>
 #include <string_view>
 
+#include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -12,6 +13,7 @@
 #include "tools/parlour/catalogue.hpp"
 #include "tools/parlour/data_folder.hpp"
 #include "tools/parlour/exit_code.hpp"
+#include "tools/parlour/option_check.hpp"
 #include "tools/parlour/plugin_commands.hpp"
 
 namespace parlour::tools {
@@ -38,10 +40,9 @@ Expected<Options> read_options(const std::vector<std::string>& given,
                   "--option " + text + " lacks its '=value'");
     options[text.substr(0, equals)] = text.substr(equals + 1);
   }
-  for (const auto& option : plugin.options)
-    if (const auto value = options.find(option.name); value != options.end())
-      if (auto fits = check_option(option, value->second); !fits)
-        return tl::make_unexpected(fits.error());
+  const auto mistakes = option_mistakes(plugin.name, plugin, options);
+  if (!mistakes.empty())
+    return fail(ErrorKind::settings, mistakes.front().text);
   return options;
 }
 
@@ -50,17 +51,45 @@ struct Report {
   std::string text;
 };
 
+// What the process on trial does now, seen by the one that waits for it.
+class Progress {
+public:
+  Progress()
+      : memory_(mmap(nullptr, size, PROT_READ | PROT_WRITE,
+                     MAP_SHARED | MAP_ANONYMOUS, -1, 0)) {}
+  ~Progress() {
+    if (memory_ != MAP_FAILED)
+      munmap(memory_, size);
+  }
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  void is_at(const std::string& step) {
+    if (memory_ != MAP_FAILED)
+      std::strncpy(static_cast<char*>(memory_), step.c_str(), size - 1);
+  }
+  std::string step() const {
+    return memory_ == MAP_FAILED ? "" : static_cast<const char*>(memory_);
+  }
+
+private:
+  static constexpr std::size_t size = 256; // its last byte stays 0
+  void* memory_;
+};
+
 Report try_out(const Places& places, const TestPluginOptions& asked,
-               const std::string& data) {
+               const std::string& data, Progress& progress) {
+  progress.is_at("opening it");
   const auto factory = find(places, asked.plugin);
   if (!factory)
     return {exit_code::usage, "error: " + factory.error().message + "\n"};
   auto options = read_options(asked.options, factory->description);
   if (!options)
     return {exit_code::usage, "error: " + options.error().message + "\n"};
-  const auto wrong =
-      nonconformities(*factory, {std::move(*options), Milliseconds(2'000), data,
-                                 places.working.string()});
+  const auto wrong = nonconformities(
+      *factory,
+      {std::move(*options), Milliseconds(2'000), data, places.working.string(),
+       [&](const auto& step) { progress.is_at(step); }});
   std::string text;
   for (const auto& sentence : wrong)
     text += asked.plugin + ": " + sentence + '\n';
@@ -107,6 +136,7 @@ std::string end_of(int status) {
 int plugin_test_command(const Places& places, const TestPluginOptions& options,
                         const Console& console) {
   const auto data = DataFolder::temporary();
+  Progress progress;
   int ends[2];
   if (!data || pipe(ends) != 0) {
     say_error(console, data ? "no pipe can be made" : data.error().message);
@@ -116,7 +146,8 @@ int plugin_test_command(const Places& places, const TestPluginOptions& options,
   if (child == 0) {
     close(ends[0]);
     alarm(trial_seconds);
-    const auto report = try_out(places, options, data->path().string());
+    const auto report =
+        try_out(places, options, data->path().string(), progress);
     write_all(ends[1], report.text);
     _exit(report.status);
   }
@@ -128,7 +159,7 @@ int plugin_test_command(const Places& places, const TestPluginOptions& options,
     continue;
   const auto why = child > 0 ? end_of(status) : "no process can be made";
   if (!why.empty())
-    say_error(console, options.plugin + ": " + why);
+    say_error(console, options.plugin + ": " + progress.step() + ": " + why);
   const auto code = why.empty() ? WEXITSTATUS(status) : exit_code::wrong;
   (code == exit_code::usage ? console.err : console.out) << text << std::flush;
   return code;

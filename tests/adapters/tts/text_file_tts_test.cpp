@@ -93,6 +93,18 @@ TEST_F(TextFileTtsTest, StopsOneOrAll) {
   EXPECT_THAT(host.events, IsEmpty());
 }
 
+TEST_F(TextFileTtsTest, StopsNothingOfAnotherSession) {
+  ASSERT_TRUE(start({{"rate", "60"}}));
+  send("Speak", {"word", 1});
+  host.take_events();
+  auto stop = test::message("Stop", {1});
+  stop.session = "s2";
+  plugin->receive(stop);
+  EXPECT_THAT(host.take_events(), IsEmpty());
+  send("Stop", {1});
+  EXPECT_THAT(host.take_events(), ElementsAre("Finished(1)"));
+}
+
 TEST_F(TextFileTtsTest, RefusesWhatItCannot) {
   ASSERT_TRUE(start());
   for (int i = 0; i < 101; ++i)

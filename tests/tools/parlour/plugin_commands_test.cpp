@@ -84,6 +84,36 @@ TEST_F(PluginCommandsTest, test_refuses_what_cannot_be_tried) {
   EXPECT_THAT(err_.str(), HasSubstr("the option 'pace' takes a time"));
   EXPECT_EQ(call({"plugin", "test", "EchoTTS", "--option", "pace"}),
             exit_code::usage);
+  EXPECT_EQ(call({"plugin", "test", "EchoTTS", "--option", "pase=1s"}),
+            exit_code::usage);
+  EXPECT_THAT(err_.str(), HasSubstr("EchoTTS has no option 'pase', did you "
+                                    "mean 'pace'?"));
+  EXPECT_EQ(call({"plugin", "test", "LogDevices"}), exit_code::usage);
+  EXPECT_THAT(err_.str(), HasSubstr("the option 'devices' is missing"));
+}
+
+TEST_F(PluginCommandsTest, test_says_where_a_plugin_crashes) {
+  const auto file = (sample_plugins() / "Abrupt.so").string();
+  EXPECT_EQ(call({"plugin", "test", file}), exit_code::wrong);
+  EXPECT_THAT(err_.str(), HasSubstr("Goto: it ends its process: Aborted"));
+}
+
+TEST_F(PluginCommandsTest, roles_tells_what_a_role_means) {
+  EXPECT_EQ(call({"plugin", "roles", "Record"}), exit_code::well);
+  EXPECT_EQ(out_.str(),
+            "Microphone, Record: hears: audio from a device\n"
+            "  understands start_mic(); always answered\n"
+            "  understands stop_mic(); always answered\n"
+            "  understands SetFormat(rate, channels)\n"
+            "  fires BufferFull(audio, position)\n"
+            "  fires Started(); ends a request\n"
+            "  fires Stopped(); ends a request\n"
+            "  fires Failed(reason); ends a request with an error\n");
+  EXPECT_EQ(call({"plugin", "roles"}), exit_code::well);
+  EXPECT_THAT(out_.str(), HasSubstr("TTS: turns text into speech\n"));
+  EXPECT_THAT(out_.str(), testing::Not(HasSubstr("Timer")));
+  EXPECT_EQ(call({"plugin", "roles", "Tsx"}), exit_code::usage);
+  EXPECT_THAT(err_.str(), HasSubstr("there is no role 'Tsx'"));
 }
 
 // -- an application that names a file ----------------------------------------
@@ -105,7 +135,9 @@ protected:
         <param expr="_LPARAM1"/><param expr="1"/>
       </post>
     </RecognitionResult></ASR>
-    <EchoTTS><Echo><speak param="{_LPARAM1}"/></Echo></EchoTTS>
+    <EchoTTS><Echo>
+      <if cond="_LPARAM1 eq 'You said: hello'"><speak param="{_LPARAM1}"/></if>
+    </Echo></EchoTTS>
   </component></messages></handler>
 </dialogue>
 )");
@@ -125,7 +157,8 @@ TEST_F(FilePluginTest, its_options_and_commands_are_checked) {
       << out_.str();
   write(R"(<option name="pase" value="2s"/>)", "Whisper");
   EXPECT_EQ(call({"check", folder_.path().string()}), exit_code::wrong);
-  EXPECT_THAT(out_.str(), HasSubstr("did you mean 'pace'?"));
+  EXPECT_THAT(out_.str(), HasSubstr("settings.xml:1:92: error: EchoTTS has no "
+                                    "option 'pase', did you mean 'pace'?"));
   write(R"(<option name="pace" value="slow"/>)", "Whisper");
   EXPECT_EQ(call({"check", folder_.path().string()}), exit_code::wrong);
   EXPECT_THAT(out_.str(), HasSubstr("the option 'pace' takes a time"));

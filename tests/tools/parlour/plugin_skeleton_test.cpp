@@ -1,3 +1,5 @@
+#include <sstream>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -28,6 +30,15 @@ TEST(PluginSkeleton, has_all_that_builds_and_tests_it) {
 TEST(PluginSkeleton, knows_roles_by_their_aliases) {
   EXPECT_THAT(plugin_skeleton("Ear", "Record")->at(1).text,
               HasSubstr("MicrophonePlugin"));
+}
+
+TEST(PluginSkeleton, has_lines_that_can_be_read) {
+  for (const auto& role : component_roles())
+    for (const auto& file : *plugin_skeleton("New" + role, role)) {
+      std::istringstream lines(file.text);
+      for (std::string line; std::getline(lines, line);)
+        EXPECT_TRUE(line.size() <= 80 || file.name == "README.md") << line;
+    }
 }
 
 TEST(PluginSkeleton, wants_a_name_and_a_role) {

@@ -33,9 +33,10 @@ TEST(PluginSource, derives_from_the_tailored_adaptor) {
   const auto text = source("TTS");
   EXPECT_THAT(text, HasSubstr("class Mine : public parlour::TTSPlugin {"));
   EXPECT_THAT(text, HasSubstr("void on_speak(const std::string& /*text*/, "
-                              "std::int64_t utterance, std::optional<bool> "
+                              "Utterance utterance,\n"
+                              "                std::optional<bool> "
                               "/*interruptible*/) override {\n"
-                              "    fire_event(\"Finished\", {utterance});"));
+                              "    fire_finished(utterance);\n"));
   EXPECT_THAT(text, HasSubstr("PARLOUR_PLUGIN(Mine, {.name = \"Mine\","));
 }
 
@@ -50,7 +51,11 @@ TEST(PluginSource, or_handles_each_command_itself) {
 TEST(PluginSource, answers_by_the_event_that_is_called_alike) {
   const auto text = source("Microphone");
   EXPECT_THAT(text, HasSubstr("on_stop_mic() override {\n"
-                              "    fire_event(\"Stopped\", {});"));
+                              "    fire_stopped();"));
+}
+
+TEST(PluginSource, names_a_result_as_the_adaptor_does) {
+  EXPECT_THAT(source("ASR"), HasSubstr("    fire_result(\"\", 0.5);\n"));
 }
 
 TEST(PluginSource, understands_and_words_without_messages) {

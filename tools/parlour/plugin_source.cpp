@@ -193,9 +193,9 @@ std::string body(const std::string& name, const Role& role) {
            "};\n  }\n";
   if (role.name == "NLG")
     return "protected:\n"
-           "  std::optional<std::string> generate(\n"
-           "      const parlour::Value& what, const parlour::Value& /*data*/)"
-           " const override {\n"
+           "  std::optional<std::string>\n"
+           "  generate(const parlour::Value& what,\n"
+           "           const parlour::Value& /*data*/) const override {\n"
            "    return what.text();\n  }\n";
   auto text =
       is_tailored(role) ? std::string("protected:\n") : constructor(name, role);

@@ -1,7 +1,5 @@
 #include "adapters/database/mariadb_database.hpp"
 
-#include <array>
-#include <optional>
 #include <random>
 #include <utility>
 
@@ -10,26 +8,6 @@
 namespace parlour::adapters {
 
 namespace {
-
-using Kind = DatabaseOrder::Kind;
-
-const Value& param(const Message& message, std::size_t index) {
-  static const Value unknown;
-  return index < message.params.size() ? message.params[index] : unknown;
-}
-
-std::optional<Kind> order_kind(const std::string& command) {
-  constexpr std::array<std::pair<std::string_view, Kind>, 5> kinds{
-      {{"Connect", Kind::connect},
-       {"Query", Kind::query},
-       {"Begin", Kind::begin},
-       {"Commit", Kind::commit},
-       {"Rollback", Kind::rollback}}};
-  for (const auto& [name, kind] : kinds)
-    if (command == name)
-      return kind;
-  return {};
-}
 
 // Nobody else makes one of that name.
 std::string own_name(const std::string& database) {
@@ -53,8 +31,8 @@ Expected<void> MySQLDatabase::on_start(const Options& options) {
     options_.database = own_name(options_.database);
   pool_ = std::make_unique<MariaDBPool>(
       options_,
-      [this](const Message& message, const StatementOutcome& outcome) {
-        tell(message, outcome);
+      [this](const Message& message, StatementOutcome outcome) {
+        tell(message, std::move(outcome));
       },
       [this](const std::string& text) { host().log(text); });
   auto first = pool_->first_connection();
@@ -74,28 +52,21 @@ void MySQLDatabase::stop() {
 }
 
 void MySQLDatabase::on_message(const Message& message) {
-  const auto kind = order_kind(message.command);
+  const auto command = command_of(message);
   if (!pool_)
-    return fail_with(message,
-                     {ErrorKind::offline, "The database is closed.", {}});
-  if (!kind)
-    return fail_with(message, {ErrorKind::refused,
-                               "A database does not know the command '" +
-                                   message.command + "'.",
-                               {}});
-  if (kind == Kind::query && !param(message, 0).if_string())
-    return fail_with(
-        message,
-        {ErrorKind::type, "Query needs SQL as its first parameter.", {}});
-  if (kind == Kind::connect && !is_this_database(param(message, 0)))
+    return fail_with(message, database_closed());
+  if (!command)
+    return fail_with(message, command.error());
+  if (*command == DatabaseCommand::connect &&
+      !is_this_database(param(message, 0)))
     return fail_with(message,
                      {ErrorKind::refused,
                       "This component's database is '" + options_.database +
                           "'; for another the settings need a component of "
                           "its own.",
                       {}});
-  submit({*kind, message,
-          kind == Kind::query && static_cast<bool>(param(message, 2))});
+  submit({*command, message,
+          *command == DatabaseCommand::query && is_write(message)});
 }
 
 void MySQLDatabase::submit(DatabaseOrder order) {
@@ -115,23 +86,18 @@ bool MySQLDatabase::is_this_database(const Value& wanted) const {
   return !wanted || name == "unknown" || name == options_.database;
 }
 
-void MySQLDatabase::tell(const Message& message,
-                         const StatementOutcome& outcome) {
-  if (outcome) {
-    std::vector<Value> params{outcome->rows};
-    if (message.command == "Query" && param(message, 2))
-      params.emplace_back(outcome->changes);
-    answer(message, "Result", std::move(params));
-  } else {
+void MySQLDatabase::tell(const Message& message, StatementOutcome outcome) {
+  if (outcome)
+    answer(message, "Result", result_params(message, std::move(*outcome)));
+  else
     fail_with(message, outcome.error());
-  }
   const std::lock_guard lock(mutex_);
   --untold_;
   told_.notify_all();
 }
 
 void MySQLDatabase::fail_with(const Message& message, const Error& error) {
-  answer(message, "Error", {name_of(error.kind), error.message});
+  answer(message, "Error", error_params(error));
 }
 
 PluginFactory mysql_database_factory() {

@@ -14,6 +14,7 @@
 #include <memory>
 #include <mutex>
 
+#include "adapters/database/database_command.hpp"
 #include "adapters/database/mariadb_options.hpp"
 #include "adapters/database/statement.hpp"
 #include "runtime/plugin/plugin.hpp"
@@ -39,7 +40,7 @@ protected:
 private:
   void submit(DatabaseOrder order);
   bool is_this_database(const Value& wanted) const;
-  void tell(const Message& message, const StatementOutcome& outcome);
+  void tell(const Message& message, StatementOutcome outcome);
   void fail_with(const Message& message, const Error& error);
 
   MariaDBOptions options_;

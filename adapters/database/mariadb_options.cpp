@@ -38,20 +38,17 @@ Expected<void> read_database(const OptionValues& values, MariaDBOptions& made) {
   return {};
 }
 
-Expected<void> read_tls(const OptionValues& values, MariaDBOptions& made) {
+void read_tls(const OptionValues& values, MariaDBOptions& made) {
   const auto said = values.text("tls");
   if (said.empty())
     made.tls = is_here(made) ? Tls::off : Tls::verify;
-  else if (said == "off" || said == "encrypt" || said == "verify")
+  else
     made.tls = said == "off"       ? Tls::off
                : said == "encrypt" ? Tls::encrypt
                                    : Tls::verify;
-  else
-    return wrong("tls", "is off, encrypt or verify, not '" + said + "'");
   made.tls_ca = values.text("tls-ca");
   made.tls_certificate = values.text("tls-certificate");
   made.tls_key = values.text("tls-key");
-  return {};
 }
 
 // The first line of the file, so that an editor may end it.
@@ -83,26 +80,14 @@ Expected<void> read_port(const OptionValues& values, MariaDBOptions& made) {
   return {};
 }
 
-Expected<void> read_limits(const OptionValues& values, MariaDBOptions& made) {
-  for (auto&& read :
-       {values.read("connections", made.connections),
-        values.read("connect-timeout", made.connect_timeout),
-        values.read("query-timeout", made.query_timeout),
-        values.read("busy-timeout", made.busy_timeout),
-        values.read("transaction-timeout", made.transaction_timeout),
-        values.read("max-rows", made.rows),
-        values.read("max-bytes", made.bytes)})
-    if (!read)
-      return read;
-  return {};
-}
-
 } // namespace
 
 const std::vector<OptionDescription>& mariadb_option_descriptions() {
-  static const std::vector<OptionDescription> descriptions{
+  using Type = OptionType;
+  static const auto descriptions = with_database_options({
       {"host", "localhost", "the machine that the server runs on", false},
-      {"port", "", "its port; 3306 where nothing is said", false},
+      {"port", "", "its port; 3306 where nothing is said", false,
+       Type::integer},
       {"socket", "", "the server's socket, on this machine", false},
       {"user", "", "who connects; who runs the program where nothing is said",
        false},
@@ -112,52 +97,53 @@ const std::vector<OptionDescription>& mariadb_option_descriptions() {
        false},
       {"file", "", "as SQLiteDatabase has it: 'lab.db' is the database 'lab'",
        false},
-      {"schema", "", "SQL that makes the tables of an empty database", false},
-      {"seed", "", "SQL that fills the tables of an empty database", false},
       {"copy", "false",
        "a database of its own, made from schema and seed and dropped at the "
        "end: for tests",
-       false},
+       false, Type::boolean},
       {"one-by-one", "false",
        "answers each message before it takes the next: where time is virtual",
-       false},
-      {"tls", "",
-       "off, encrypt, or verify, which holds for other machines where nothing "
-       "is said",
-       false},
+       false, Type::boolean},
+      {"tls",
+       "",
+       "verify, the server's certificate too, holds for other machines where "
+       "nothing is said",
+       false,
+       Type::choice,
+       {"off", "encrypt", "verify"}},
       {"tls-ca", "", "the certificates that the server's must come from",
        false},
       {"tls-certificate", "", "the client's own certificate", false},
       {"tls-key", "", "its key", false},
-      {"connections", "4", "the most at a time", false},
-      {"connect-timeout", "5s", "how long connecting may take", false},
-      {"query-timeout", "5s", "how long a statement may run", false},
-      {"busy-timeout", "2s",
-       "how long to wait for a connection, the server, or others' locks",
-       false},
-      {"transaction-timeout", "30s",
-       "after which an open transaction is rolled back", false},
-      {"max-rows", "10000", "the most rows that a query returns", false},
-      {"max-bytes", "4194304", "the most bytes that a query returns", false},
-  };
+      {"connections", "4", "the most at a time", false, Type::integer},
+      {"connect-timeout", "5s", "how long connecting may take", false,
+       Type::duration},
+      {"query-timeout", "5s", "how long a statement may run", false,
+       Type::duration},
+  });
   return descriptions;
 }
 
 Expected<MariaDBOptions>
 read_mariadb_options(const Options& options,
                      const std::string& application_folder) {
-  const OptionValues values(options, mariadb_option_descriptions());
+  const auto known = OptionValues::of(options, mariadb_option_descriptions());
+  if (!known)
+    return tl::make_unexpected(known.error());
+  const auto& values = *known;
   MariaDBOptions made;
   made.host = values.text("host");
   made.socket = values.text("socket");
   made.user = values.text("user");
-  for (auto&& read :
-       {read_port(values, made), read_database(values, made),
-        read_tls(values, made), read_password(values, application_folder, made),
-        values.read("schema", application_folder, made.schema),
-        values.read("seed", application_folder, made.seed),
-        values.read("copy", made.copy),
-        values.read("one-by-one", made.one_by_one), read_limits(values, made)})
+  made.copy = values.truth("copy");
+  made.one_by_one = values.truth("one-by-one");
+  made.connect_timeout = values.duration("connect-timeout");
+  made.query_timeout = values.duration("query-timeout");
+  read_tls(values, made);
+  for (auto&& read : {read_port(values, made), read_database(values, made),
+                      read_password(values, application_folder, made),
+                      read_database_options(values, application_folder, made),
+                      values.read("connections", made.connections)})
     if (!read)
       return tl::make_unexpected(read.error());
   return made;

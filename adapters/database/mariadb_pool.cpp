@@ -16,7 +16,7 @@ namespace parlour::adapters {
 namespace {
 
 using Steady = std::chrono::steady_clock;
-using Kind = DatabaseOrder::Kind;
+using Kind = DatabaseCommand;
 
 constexpr std::size_t most_pending = 1'000;
 // The server ends a statement itself; beyond that it is not there any more.
@@ -67,13 +67,13 @@ Expected<void> MariaDBPool::first_connection() {
 }
 
 void MariaDBPool::submit(DatabaseOrder order) {
+  const auto deadline = Steady::now() + options_->busy_timeout;
   {
     const std::lock_guard lock(mutex_);
     if (pending_ < most_pending) {
       ++pending_;
-      inbox_.push_back(std::move(order));
-      // Who came before has woken the thread.
-      return inbox_.size() == 1 ? wake() : void();
+      inbox_.push_back({std::move(order), deadline});
+      return std::exchange(wants_waking_, false) ? wake() : void();
     }
   }
   tell_(order.message, fail(ErrorKind::limit, "Too many wait for the "
@@ -93,29 +93,55 @@ void MariaDBPool::work() {
   sigfillset(&all);
   pthread_sigmask(SIG_BLOCK, &all, nullptr);
   open_one();
-  while (true) {
-    {
-      const std::lock_guard lock(mutex_);
-      if (over_)
-        break;
-    }
-    take_in();
+  while (take_in()) {
     expire(Steady::now());
     assign();
+    hand_over();
     wait_for_events();
   }
   end();
 }
 
-void MariaDBPool::take_in() {
+// False where it is to end.
+bool MariaDBPool::take_in() {
+  bool goes_on = false;
   {
     const std::lock_guard lock(mutex_);
+    goes_on = !over_;
+    wants_waking_ = false;
     taken_.swap(inbox_);
   }
-  const auto deadline = Steady::now() + options_->busy_timeout;
-  for (auto& order : taken_)
-    waiting_.push_back({std::move(order), deadline});
+  std::move(taken_.begin(), taken_.end(), std::back_inserter(waiting_));
   taken_.clear();
+  return goes_on;
+}
+
+// The connections have work again before others are told what was done.
+void MariaDBPool::hand_over() {
+  if (told_.empty())
+    return;
+  {
+    const std::lock_guard lock(mutex_);
+    pending_ -= told_.size();
+  }
+  for (auto& [message, outcome] : told_)
+    tell_(message, std::move(outcome));
+  told_.clear();
+}
+
+// Nothing can be begun before one of them is done.
+bool MariaDBPool::is_busy() const {
+  return std::all_of(workers_.begin(), workers_.end(), [](const auto& worker) {
+    return static_cast<bool>(worker->task);
+  });
+}
+
+// False where something has come in that could be begun.
+bool MariaDBPool::may_sleep() {
+  const bool busy = is_busy();
+  const std::lock_guard lock(mutex_);
+  wants_waking_ = !busy;
+  return !over_ && (busy || inbox_.empty());
 }
 
 void MariaDBPool::assign() {
@@ -146,7 +172,7 @@ bool MariaDBPool::somebody_needs_one() const {
 // False where it has to wait.
 bool MariaDBPool::assign(Waiting& waiting) {
   if (auto error = objection(waiting)) {
-    tell(waiting, tl::make_unexpected(std::move(*error)));
+    tell(std::move(waiting), tl::make_unexpected(std::move(*error)));
     return true;
   }
   auto* worker = holder(waiting.order.message.session);
@@ -166,20 +192,13 @@ std::optional<Error> MariaDBPool::objection(const Waiting& waiting) {
   if (kind == Kind::begin) {
     lost_.forget(session);
     if (holder(session))
-      return Error{ErrorKind::database,
-                   "Begin: this conversation is in a transaction already.",
-                   {}};
+      return already_begun();
   } else if (lost_.has(session) && (ends || kind == Kind::query)) {
     if (ends)
       lost_.forget(session);
-    return Error{ErrorKind::database,
-                 message.command + ": the transaction was rolled back, as it "
-                                   "took too long or failed.",
-                 {}};
+    return rolled_back(message);
   } else if (ends && !holder(session)) {
-    return Error{ErrorKind::database,
-                 message.command + ": this conversation has no transaction.",
-                 {}};
+    return not_begun(message);
   }
   return {};
 }
@@ -251,27 +270,35 @@ MariaDBPool::Moment MariaDBPool::next_moment() const {
   return moment;
 }
 
+// Who waits unseen, as all are busy, is seen before its time is up.
+Milliseconds MariaDBPool::time_to_sleep() {
+  if (!may_sleep())
+    return Milliseconds(0);
+  auto moment = next_moment();
+  if (is_busy())
+    moment = std::min(moment, Steady::now() + options_->busy_timeout);
+  if (moment == Moment::max())
+    return Milliseconds(-1);
+  const auto left = std::chrono::ceil<Milliseconds>(moment - Steady::now());
+  return std::clamp(left, Milliseconds(0), Milliseconds(60'000));
+}
+
 void MariaDBPool::wait_for_events() {
-  std::vector<pollfd> polled{{wake_, POLLIN, 0}};
+  polled_.assign(1, {wake_, POLLIN, 0});
   for (const auto& worker : workers_)
-    polled.push_back(worker->connection
-                         ? pollfd{worker->connection->descriptor(),
-                                  worker->connection->interest(), 0}
-                         : pollfd{-1, 0, 0});
-  const auto moment = next_moment();
-  const auto left =
-      moment == Moment::max()
-          ? Milliseconds(-1)
-          : std::max(Milliseconds(0),
-                     std::chrono::ceil<Milliseconds>(moment - Steady::now()));
-  poll(polled.data(), polled.size(),
-       static_cast<int>(std::min(left, Milliseconds(60'000)).count()));
+    polled_.push_back(worker->connection
+                          ? pollfd{worker->connection->descriptor(),
+                                   worker->connection->interest(), 0}
+                          : pollfd{-1, 0, 0});
+  poll(polled_.data(), polled_.size(),
+       static_cast<int>(time_to_sleep().count()));
   std::uint64_t times = 0;
-  (void)!read(wake_, &times, sizeof times);
+  if (polled_.front().revents != 0)
+    (void)!read(wake_, &times, sizeof times);
   const auto now = Steady::now();
   for (std::size_t i = 0; i < workers_.size(); ++i)
     if (workers_[i]->connection)
-      look_after(*workers_[i], polled[i + 1].revents, now);
+      look_after(*workers_[i], polled_[i + 1].revents, now);
 }
 
 void MariaDBPool::look_after(Worker& worker, short ready, Moment now) {
@@ -290,10 +317,10 @@ void MariaDBPool::look_after(Worker& worker, short ready, Moment now) {
 }
 
 void MariaDBPool::expire(Moment now) {
-  std::erase_if(waiting_, [&](const Waiting& one) {
+  std::erase_if(waiting_, [&](Waiting& one) {
     if (one.deadline > now || holder(one.order.message.session))
       return false;
-    tell(one, tl::make_unexpected(why_it_waited()));
+    tell(std::move(one), tl::make_unexpected(why_it_waited()));
     return true;
   });
 }

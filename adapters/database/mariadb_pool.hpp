@@ -15,6 +15,9 @@
 #include <thread>
 #include <vector>
 
+#include <poll.h>
+
+#include "adapters/database/database_command.hpp"
 #include "adapters/database/lost_transactions.hpp"
 #include "adapters/database/mariadb_connection.hpp"
 #include "runtime/base/message.hpp"
@@ -23,16 +26,14 @@ namespace parlour::adapters {
 
 // What a message asks of the database.
 struct DatabaseOrder {
-  enum class Kind : std::uint8_t { connect, query, begin, commit, rollback };
-
-  Kind kind = Kind::query;
+  DatabaseCommand kind = DatabaseCommand::query;
   Message message; // query: its SQL and values
   bool write = false;
 };
 
 class MariaDBPool {
 public:
-  // What came of it; from any of the pool's threads.
+  // What came of it; from the pool's thread, or who submits too much.
   using Tell = std::function<void(const Message&, StatementOutcome)>;
   using Log = std::function<void(const std::string&)>;
 
@@ -55,6 +56,11 @@ private:
     std::size_t deaths = 0; // of connections, over it
   };
 
+  struct Told {
+    Message message;
+    StatementOutcome outcome;
+  };
+
   // A connection and what goes on there.
   struct Worker {
     std::unique_ptr<MariaDBConnection> connection;
@@ -69,7 +75,10 @@ private:
   };
 
   void work();
-  void take_in();
+  bool take_in();
+  void hand_over();
+  bool may_sleep();
+  bool is_busy() const;
   void wake();
   void assign();
   bool assign(Waiting& waiting);
@@ -82,6 +91,7 @@ private:
   bool is_opening() const;
   bool somebody_needs_one() const;
   void wait_for_events();
+  Milliseconds time_to_sleep();
   Moment next_moment() const;
   void look_after(Worker& worker, short ready, Moment now);
   void expire(Moment now);
@@ -93,7 +103,7 @@ private:
   void lose(Worker& worker, Waiting waiting, const Error& error);
   void drop(Worker& worker);
   void take_away(Worker& worker);
-  void tell(const Waiting& waiting, StatementOutcome outcome);
+  void tell(Waiting&& waiting, StatementOutcome outcome);
   void end();
   void drop_copy();
 
@@ -103,16 +113,19 @@ private:
   std::promise<Expected<void>> first_;
   bool first_told_ = false;
 
-  std::mutex mutex_; // for the three that follow
-  std::vector<DatabaseOrder> inbox_;
-  std::size_t pending_ = 0; // not told about yet
+  std::mutex mutex_; // for the four that follow
+  std::vector<Waiting> inbox_;
+  std::size_t pending_ = 0;   // not told about yet
+  bool wants_waking_ = false; // sleeps, and could do something with an order
   bool over_ = false;
 
   // Of the thread alone.
   std::vector<std::unique_ptr<Worker>> workers_;
   std::deque<Waiting> waiting_;
-  std::deque<Waiting> round_;        // of them, while they are assigned
-  std::vector<DatabaseOrder> taken_; // of the inbox, for its memory
+  std::deque<Waiting> round_;  // of them, while they are assigned
+  std::vector<Waiting> taken_; // of the inbox, for its memory
+  std::vector<Told> told_;     // handed over when the next ones are under way
+  std::vector<pollfd> polled_; // for its memory
   LostTransactions lost_;
   bool set_up_ = false;
   unsigned failures_ = 0;          // to connect, one after the other

@@ -9,17 +9,13 @@ namespace parlour::adapters {
 namespace {
 
 using Steady = std::chrono::steady_clock;
-using Kind = DatabaseOrder::Kind;
+using Kind = DatabaseCommand;
 
 constexpr Milliseconds first_pause{50};
 constexpr Milliseconds longest_pause{5'000};
 
 Milliseconds pause_after(unsigned failures) {
   return std::min(longest_pause, first_pause * (1 << std::min(failures, 10u)));
-}
-
-Error closed() {
-  return {ErrorKind::offline, "The database was closed.", {}};
 }
 
 Error in_doubt(const DatabaseOrder& order, const std::string& reason) {
@@ -76,7 +72,7 @@ void MariaDBPool::succeeded(Worker& worker, Waiting waiting,
     worker.session.reset();
     worker.transaction_ends = Moment::max();
   }
-  tell(waiting, std::move(outcome));
+  tell(std::move(waiting), std::move(outcome));
 }
 
 void MariaDBPool::failed(Worker& worker, Waiting waiting, const Error& error) {
@@ -88,7 +84,7 @@ void MariaDBPool::failed(Worker& worker, Waiting waiting, const Error& error) {
     drop(worker);
   else if (worker.session && worker.connection->ended_transaction())
     take_away(worker);
-  tell(waiting, tl::make_unexpected(error));
+  tell(std::move(waiting), tl::make_unexpected(error));
 }
 
 void MariaDBPool::lose(Worker& worker, Waiting waiting, const Error& error) {
@@ -104,11 +100,12 @@ void MariaDBPool::lose(Worker& worker, Waiting waiting, const Error& error) {
   else
     drop(worker);
   if (doubtful)
-    return tell(waiting, tl::make_unexpected(in_doubt(order, error.message)));
+    return tell(std::move(waiting),
+                tl::make_unexpected(in_doubt(order, error.message)));
   // Connections that die together may not all be known to be dead yet.
   if (!can_be_repeated || ++waiting.deaths > options_->connections ||
       error.kind == ErrorKind::timeout)
-    return tell(waiting, tl::make_unexpected(error));
+    return tell(std::move(waiting), tl::make_unexpected(error));
   waiting.deadline = Steady::now() + options_->busy_timeout;
   waiting_.push_front(std::move(waiting));
 }
@@ -131,30 +128,27 @@ void MariaDBPool::take_away(Worker& worker) {
   drop(worker);
 }
 
-void MariaDBPool::tell(const Waiting& waiting, StatementOutcome outcome) {
-  {
-    const std::lock_guard lock(mutex_);
-    --pending_;
-  }
-  tell_(waiting.order.message, std::move(outcome));
+void MariaDBPool::tell(Waiting&& waiting, StatementOutcome outcome) {
+  told_.push_back({std::move(waiting.order.message), std::move(outcome)});
 }
 
 void MariaDBPool::end() {
   take_in();
   for (auto& worker : workers_) {
     if (auto waiting = std::exchange(worker->waiting, {}))
-      tell(*waiting,
+      tell(std::move(*waiting),
            tl::make_unexpected(
                changes_something(waiting->order) &&
                        (!worker->session || waiting->order.kind == Kind::commit)
-                   ? in_doubt(waiting->order, closed().message)
-                   : closed()));
+                   ? in_doubt(waiting->order, database_closed().message)
+                   : database_closed()));
     drop(*worker);
   }
-  for (const auto& one : std::exchange(waiting_, {}))
-    tell(one, tl::make_unexpected(closed()));
+  for (auto& one : std::exchange(waiting_, {}))
+    tell(std::move(one), tl::make_unexpected(database_closed()));
+  hand_over();
   if (!first_told_)
-    first_.set_value(tl::make_unexpected(closed()));
+    first_.set_value(tl::make_unexpected(database_closed()));
   if (options_->copy)
     drop_copy();
 }

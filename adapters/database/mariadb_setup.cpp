@@ -13,7 +13,7 @@ namespace {
 using Outcome = MariaDBConnection::Outcome;
 
 // A table that is there while the others are being made.
-constexpr auto mark_of_loading = "\"parlour is loading\"";
+const std::string mark_of_loading = "parlour is loading";
 constexpr Milliseconds most_time{120'000};
 
 Expected<std::string> read_file(const std::filesystem::path& path) {
@@ -54,7 +54,7 @@ Outcome drop_all(MariaDBConnection& connection) {
     co_return off;
   for (const auto& name : tables->rows.cells) {
     const auto drop = "drop table \"" + name.text() + "\"";
-    if (name.text() != "parlour is loading")
+    if (name.text() != mark_of_loading)
       if (auto dropped = co_await connection.control(drop); !dropped)
         co_return dropped;
   }
@@ -62,9 +62,8 @@ Outcome drop_all(MariaDBConnection& connection) {
 }
 
 Outcome fill(MariaDBConnection& connection, const MariaDBOptions& options) {
-  auto marked =
-      co_await connection.control(std::string("create table if not exists ") +
-                                  mark_of_loading + " (a integer)");
+  auto marked = co_await connection.control("create table if not exists \"" +
+                                            mark_of_loading + "\" (a integer)");
   if (!marked)
     co_return marked;
   if (auto done = co_await run_file(connection, options.schema); !done)
@@ -75,17 +74,18 @@ Outcome fill(MariaDBConnection& connection, const MariaDBOptions& options) {
     co_return done;
   if (auto kept = co_await connection.control("commit"); !kept)
     co_return kept;
-  co_return co_await connection.control(std::string("drop table ") +
-                                        mark_of_loading);
+  co_return co_await connection.control("drop table \"" + mark_of_loading +
+                                        "\"");
 }
 
 // How many tables there are; none of a database that was not finished.
 Outcome fill_if_empty(MariaDBConnection& connection,
                       const MariaDBOptions& options) {
+  const Value mark = List{mark_of_loading};
   auto found = co_await connection.run(
-      "select count(*), coalesce(sum(table_name = 'parlour is loading'), 0) "
+      "select count(*), coalesce(sum(table_name = ?), 0) "
       "from information_schema.tables where table_schema = database()",
-      {}, Access::write);
+      mark, Access::write);
   if (!found)
     co_return found;
   const bool unfinished = found->rows.cells[1] == Value(1);

@@ -6,13 +6,26 @@
 
 namespace parlour::adapters {
 
+Expected<OptionValues>
+OptionValues::of(const Options& options,
+                 const std::vector<OptionDescription>& descriptions) {
+  const OptionValues values(options, descriptions);
+  for (const auto& option : descriptions)
+    if (auto fits = check_option(option, values.text(option.name)); !fits)
+      return tl::make_unexpected(fits.error());
+  return values;
+}
+
 std::string OptionValues::text(const std::string& name) const {
-  if (auto found = options_.find(name); found != options_.end())
-    return found->second;
-  for (const auto& option : descriptions_)
-    if (option.name == name)
-      return option.fallback;
-  return {};
+  return option_value(options_, descriptions_, name);
+}
+
+Milliseconds OptionValues::duration(const std::string& name) const {
+  return parse_duration(text(name)).value_or(Milliseconds(0));
+}
+
+bool OptionValues::truth(const std::string& name) const {
+  return text(name) == "true";
 }
 
 Expected<void> OptionValues::read(const char* name, const std::string& folder,
@@ -27,33 +40,13 @@ Expected<void> OptionValues::read(const char* name, const std::string& folder,
   return {};
 }
 
-Expected<void> OptionValues::read(const char* name,
-                                  Milliseconds& duration) const {
-  auto read = parse_duration(text(name));
-  if (!read)
-    return fail(ErrorKind::settings,
-                "option '" + std::string(name) + "': " + read.error().message);
-  duration = *read;
-  return {};
-}
-
 Expected<void> OptionValues::read(const char* name, std::size_t& count) const {
-  const auto number = parse_number(text(name));
-  if (!number.if_integer() || *number.if_integer() < 1)
+  const auto number = parse_number(text(name)).integer_or(0);
+  if (number < 1)
     return fail(ErrorKind::settings, "option '" + std::string(name) +
                                          "' is a whole number from 1, not '" +
                                          text(name) + "'");
-  count = static_cast<std::size_t>(*number.if_integer());
-  return {};
-}
-
-Expected<void> OptionValues::read(const char* name, bool& truth) const {
-  const auto said = text(name);
-  if (said != "true" && said != "false")
-    return fail(ErrorKind::settings, "option '" + std::string(name) +
-                                         "' is true or false, not '" + said +
-                                         "'");
-  truth = said == "true";
+  count = static_cast<std::size_t>(number);
   return {};
 }
 

@@ -13,24 +13,27 @@ namespace parlour::adapters {
 
 class OptionValues {
 public:
-  // Both outlive it.
-  OptionValues(const Options& options,
-               const std::vector<OptionDescription>& descriptions)
-      : options_(options), descriptions_(descriptions) {}
+  // An error where a value is not of its option's type. Both outlive it.
+  static Expected<OptionValues>
+  of(const Options& options,
+     const std::vector<OptionDescription>& descriptions);
 
   std::string text(const std::string& name) const;
+  Milliseconds duration(const std::string& name) const;
+  bool truth(const std::string& name) const;
 
   // Leaves `path` alone where the option says nothing; else it lies in
   // `folder`.
   Expected<void> read(const char* name, const std::string& folder,
                       std::filesystem::path& path) const;
-  Expected<void> read(const char* name, Milliseconds& duration) const;
   // A whole number from 1.
   Expected<void> read(const char* name, std::size_t& count) const;
-  // "true" or "false".
-  Expected<void> read(const char* name, bool& truth) const;
 
 private:
+  OptionValues(const Options& options,
+               const std::vector<OptionDescription>& descriptions)
+      : options_(options), descriptions_(descriptions) {}
+
   const Options& options_;
   const std::vector<OptionDescription>& descriptions_;
 };

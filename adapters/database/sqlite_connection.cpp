@@ -76,12 +76,9 @@ std::vector<std::string> columns_of(sqlite3_stmt* statement) {
 
 // Returns how many bytes the row holds.
 std::size_t append_row(sqlite3_stmt* statement, ResultSet& rows) {
-  std::size_t bytes = 0;
-  for (int i = 0; i < static_cast<int>(rows.columns.size()); ++i) {
-    rows.cells.push_back(read_cell(statement, i));
-    bytes += static_cast<std::size_t>(sqlite3_column_bytes(statement, i)) +
-             sizeof(Value);
-  }
+  std::size_t bytes = rows.columns.size() * sizeof(Value);
+  for (int i = 0; i < static_cast<int>(rows.columns.size()); ++i)
+    bytes += append_cell(statement, i, rows.cells);
   return bytes;
 }
 
@@ -117,16 +114,17 @@ Expected<StatementAnswer> SQLiteConnection::run(const std::string& sql,
                                                 const Value& values,
                                                 Access access) {
   steps_left_ = limits_.steps;
-  auto statement = prepared(sql);
-  if (!statement)
-    return tl::make_unexpected(statement.error());
-  if (access == Access::read && !sqlite3_stmt_readonly(*statement))
+  auto known = prepared(sql);
+  if (!known)
+    return tl::make_unexpected(known.error());
+  auto* statement = (*known)->statement.get();
+  if (access == Access::read && !sqlite3_stmt_readonly(statement))
     return only_reads(sql);
-  Reset reset(*statement);
-  if (auto bound = bind_values(*statement, values); !bound)
+  Reset reset(statement);
+  if (auto bound = bind_values(statement, values); !bound)
     return fail(bound.error().kind,
                 first_words(sql) + ": " + bound.error().message);
-  return collect(*statement, sql);
+  return collect(**known);
 }
 
 Expected<void> SQLiteConnection::begin() {
@@ -155,21 +153,22 @@ Expected<void> SQLiteConnection::control(const char* sql) {
   return {};
 }
 
-Expected<sqlite3_stmt*> SQLiteConnection::prepared(const std::string& sql) {
+Expected<SQLiteConnection::Prepared*>
+SQLiteConnection::prepared(const std::string& sql) {
   if (auto place = places_.find(sql); place != places_.end()) {
     cache_.splice(cache_.begin(), cache_, place->second);
-    return cache_.front().statement.get();
+    return &cache_.front();
   }
   auto statement = prepare(sql);
   if (!statement)
     return tl::make_unexpected(statement.error());
-  cache_.push_front({sql, std::move(*statement)});
+  cache_.push_front({sql, std::move(*statement), {}});
   places_.emplace(cache_.front().sql, cache_.begin());
   if (cache_.size() > std::max<std::size_t>(limits_.statements, 1)) {
     places_.erase(cache_.back().sql);
     cache_.pop_back();
   }
-  return cache_.front().statement.get();
+  return &cache_.front();
 }
 
 Expected<SQLiteStatement> SQLiteConnection::prepare(const std::string& sql) {
@@ -207,24 +206,28 @@ Expected<void> SQLiteConnection::check_rest(const std::string& sql,
   return {};
 }
 
-Expected<StatementAnswer> SQLiteConnection::collect(sqlite3_stmt* statement,
-                                                    const std::string& sql) {
+Expected<StatementAnswer> SQLiteConnection::collect(Prepared& prepared) {
+  auto* statement = prepared.statement.get();
   const auto before = sqlite3_total_changes64(handle_.get());
   StatementAnswer answer;
   std::size_t bytes = 0;
   // The first step comes before the columns: it prepares the statement again
   // where the tables have changed.
   auto code = sqlite3_step(statement);
-  answer.rows.columns = columns_of(statement);
+  const auto preparations =
+      sqlite3_stmt_status(statement, SQLITE_STMTSTATUS_REPREPARE, 0);
+  if (std::exchange(prepared.preparations, preparations) != preparations)
+    prepared.columns = columns_of(statement);
+  answer.rows.columns = prepared.columns;
   if (code == SQLITE_ROW)
     answer.rows.cells.reserve(answer.rows.columns.size());
   for (; code == SQLITE_ROW; code = sqlite3_step(statement)) {
     bytes += append_row(statement, answer.rows);
     if (answer.rows.row_count() > limits_.rows || bytes > limits_.bytes)
-      return too_much(sql, limits_.rows, limits_.bytes);
+      return too_much(prepared.sql, limits_.rows, limits_.bytes);
   }
   if (code != SQLITE_DONE)
-    return failure(sql, code);
+    return failure(prepared.sql, code);
   answer.changes = sqlite3_total_changes64(handle_.get()) - before;
   return answer;
 }

@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <vector>
 
 #include "adapters/database/statement.hpp"
 #include "runtime/base/clock.hpp"
@@ -65,16 +66,17 @@ private:
   struct Prepared {
     std::string sql;
     SQLiteStatement statement;
+    std::vector<std::string> columns; // as of that many preparations
+    int preparations = -1;
   };
 
   // Most recently used first.
   using Cache = std::list<Prepared>;
 
-  Expected<sqlite3_stmt*> prepared(const std::string& sql);
+  Expected<Prepared*> prepared(const std::string& sql);
   Expected<SQLiteStatement> prepare(const std::string& sql);
   Expected<void> check_rest(const std::string& sql, const char* rest);
-  Expected<StatementAnswer> collect(sqlite3_stmt* statement,
-                                    const std::string& sql);
+  Expected<StatementAnswer> collect(Prepared& prepared);
   Expected<void> control(const char* sql);
   tl::unexpected<Error> failure(const std::string& sql, int code);
 

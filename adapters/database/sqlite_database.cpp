@@ -1,34 +1,11 @@
 #include "adapters/database/sqlite_database.hpp"
 
-#include <array>
 #include <utility>
 
 #include "adapters/database/sqlite_image.hpp"
 #include "adapters/database/sqlite_open.hpp"
 
 namespace parlour::adapters {
-
-namespace {
-
-const Value& param(const Message& message, std::size_t index) {
-  static const Value unknown;
-  return index < message.params.size() ? message.params[index] : unknown;
-}
-
-bool is_write(const Message& message) {
-  return static_cast<bool>(param(message, 2));
-}
-
-Error no_transaction(const Message& message, bool lost) {
-  return {ErrorKind::database,
-          message.command + ": " +
-              (lost ? "the transaction was rolled back, as it took too long or "
-                      "failed."
-                    : "this conversation has no transaction."),
-          {}};
-}
-
-} // namespace
 
 Expected<void> SQLiteDatabase::on_start(const Options& options) {
   auto read = read_sqlite_options(options, host().data_folder(),
@@ -47,7 +24,7 @@ Expected<void> SQLiteDatabase::open_memory_copy() {
   if (!handle)
     return tl::make_unexpected(handle.error());
   writer_ = std::make_unique<SQLiteConnection>(
-      std::move(*handle), options_.limits, options_.busy_timeout);
+      std::move(*handle), options_.limits(), options_.busy_timeout);
   return {};
 }
 
@@ -86,8 +63,8 @@ Expected<std::unique_ptr<SQLiteConnection>> SQLiteDatabase::connect() const {
     return tl::make_unexpected(handle.error());
   if (auto allowed = allow_writing(handle->get(), options_.file); !allowed)
     return tl::make_unexpected(allowed.error());
-  return std::make_unique<SQLiteConnection>(std::move(*handle), options_.limits,
-                                            options_.busy_timeout);
+  return std::make_unique<SQLiteConnection>(
+      std::move(*handle), options_.limits(), options_.busy_timeout);
 }
 
 void SQLiteDatabase::stop() {
@@ -96,44 +73,44 @@ void SQLiteDatabase::stop() {
   for (const auto& [ticket, delay] : std::exchange(delays_, {}))
     host().cancel(delay);
   while (auto waiting = transactions_.next())
-    fail_with(waiting->message,
-              {ErrorKind::offline, "The database was closed.", {}});
+    fail_with(waiting->message, database_closed());
   transactions_ = {};
   reader_.reset();
   writer_.reset();
 }
 
 void SQLiteDatabase::on_message(const Message& message) {
+  const auto command = command_of(message);
   if (!writer_)
-    fail_with(message, {ErrorKind::offline, "The database is closed.", {}});
-  else if (must_wait(message))
+    fail_with(message, database_closed());
+  else if (!command)
+    fail_with(message, command.error());
+  else if (must_wait(*command, message))
     wait(message);
   else
-    handle(message);
+    handle(*command, message);
 }
 
-void SQLiteDatabase::handle(const Message& message) {
-  using Handler = void (SQLiteDatabase::*)(const Message&);
-  constexpr std::array<std::pair<std::string_view, Handler>, 5> handlers{
-      {{"Connect", &SQLiteDatabase::check_connection},
-       {"Query", &SQLiteDatabase::query},
-       {"Begin", &SQLiteDatabase::begin},
-       {"Commit", &SQLiteDatabase::end},
-       {"Rollback", &SQLiteDatabase::end}}};
-  for (const auto& [command, handler] : handlers)
-    if (message.command == command)
-      return (this->*handler)(message);
-  fail_with(message,
-            {ErrorKind::refused,
-             "A database does not know the command '" + message.command + "'.",
-             {}});
+void SQLiteDatabase::handle(DatabaseCommand command, const Message& message) {
+  switch (command) {
+  case DatabaseCommand::connect:
+    return check_connection(message);
+  case DatabaseCommand::query:
+    return query(message);
+  case DatabaseCommand::begin:
+    return begin(message);
+  case DatabaseCommand::commit:
+  case DatabaseCommand::rollback:
+    return end(command, message);
+  }
 }
 
-bool SQLiteDatabase::must_wait(const Message& message) const {
+bool SQLiteDatabase::must_wait(DatabaseCommand command,
+                               const Message& message) const {
   if (!transactions_.held() || transactions_.held_by(message.session))
     return false;
-  return message.command == "Begin" ||
-         (message.command == "Query" && (is_write(message) || !reader_));
+  return command == DatabaseCommand::begin ||
+         (command == DatabaseCommand::query && (is_write(message) || !reader_));
 }
 
 void SQLiteDatabase::wait(const Message& message) {
@@ -171,7 +148,7 @@ void SQLiteDatabase::let_others_on() {
     if (!waiting)
       return;
     no_longer_timed(waiting->ticket);
-    handle(waiting->message);
+    handle(*command_of(waiting->message), waiting->message);
   }
 }
 
@@ -191,27 +168,20 @@ void SQLiteDatabase::check_connection(const Message& message) {
 }
 
 void SQLiteDatabase::query(const Message& message) {
-  const auto* sql = param(message, 0).if_string();
-  if (!sql)
-    return fail_with(
-        message,
-        {ErrorKind::type, "Query needs SQL as its first parameter.", {}});
   if (transactions_.lost_by(message.session))
-    return fail_with(message, no_transaction(message, true));
-  const bool write = is_write(message);
-  auto& connection =
-      reader_ && !write && !transactions_.held_by(message.session) ? *reader_
-                                                                   : *writer_;
-  auto result = connection.run(*sql, param(message, 1),
-                               write ? Access::write : Access::read);
-  if (!result) {
-    fail_with(message, result.error());
-    return notice_lost_transaction(message.session);
-  }
-  std::vector<Value> params{std::move(result->rows)};
-  if (write)
-    params.emplace_back(result->changes);
-  answer(message, "Result", std::move(params));
+    return fail_with(message, rolled_back(message));
+  const auto access = is_write(message) ? Access::write : Access::read;
+  auto& connection = reader_ && access == Access::read &&
+                             !transactions_.held_by(message.session)
+                         ? *reader_
+                         : *writer_;
+  auto result =
+      connection.run(*param(message, 0).if_string(), param(message, 1), access);
+  if (result)
+    return answer(message, "Result",
+                  result_params(message, std::move(*result)));
+  fail_with(message, result.error());
+  notice_lost_transaction(message.session);
 }
 
 // SQLite itself rolls back after some failures, such as a full disk.
@@ -225,10 +195,7 @@ void SQLiteDatabase::notice_lost_transaction(const SessionId& session) {
 
 void SQLiteDatabase::begin(const Message& message) {
   if (transactions_.held_by(message.session))
-    return fail_with(message, {ErrorKind::database,
-                               "Begin: this conversation is in a transaction "
-                               "already.",
-                               {}});
+    return fail_with(message, already_begun());
   if (auto begun = writer_->begin(); !begun)
     return fail_with(message, begun.error());
   transactions_.forget_loss(message.session);
@@ -237,15 +204,15 @@ void SQLiteDatabase::begin(const Message& message) {
   answer(message, "Result", {ResultSet{}});
 }
 
-void SQLiteDatabase::end(const Message& message) {
+void SQLiteDatabase::end(DatabaseCommand how, const Message& message) {
   if (!transactions_.held_by(message.session)) {
     const bool lost = transactions_.lost_by(message.session);
     transactions_.forget_loss(message.session);
-    return fail_with(message, no_transaction(message, lost));
+    return fail_with(message, lost ? rolled_back(message) : not_begun(message));
   }
-  auto ended =
-      message.command == "Commit" ? writer_->commit() : writer_->rollback();
-  if (!ended && message.command == "Commit")
+  const bool commits = how == DatabaseCommand::commit;
+  auto ended = commits ? writer_->commit() : writer_->rollback();
+  if (!ended && commits)
     (void)writer_->rollback();
   no_longer_timed(transactions_.ticket());
   transactions_.release();
@@ -266,7 +233,7 @@ void SQLiteDatabase::take_away(Ticket ticket) {
 }
 
 void SQLiteDatabase::fail_with(const Message& message, const Error& error) {
-  answer(message, "Error", {name_of(error.kind), error.message});
+  answer(message, "Error", error_params(error));
 }
 
 PluginFactory sqlite_database_factory() {

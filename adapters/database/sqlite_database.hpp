@@ -10,8 +10,10 @@
 // was there before.
 #pragma once
 
+#include <map>
 #include <memory>
 
+#include "adapters/database/database_command.hpp"
 #include "adapters/database/sqlite_connection.hpp"
 #include "adapters/database/sqlite_options.hpp"
 #include "adapters/database/sqlite_transactions.hpp"
@@ -36,8 +38,8 @@ private:
   Expected<void> create_missing() const;
   Expected<std::unique_ptr<SQLiteConnection>> connect() const;
 
-  void handle(const Message& message);
-  bool must_wait(const Message& message) const;
+  void handle(DatabaseCommand command, const Message& message);
+  bool must_wait(DatabaseCommand command, const Message& message) const;
   void wait(const Message& message);
   void give_up_waiting(Ticket ticket);
   void let_others_on();
@@ -45,7 +47,7 @@ private:
   void check_connection(const Message& message);
   void query(const Message& message);
   void begin(const Message& message);
-  void end(const Message& message);
+  void end(DatabaseCommand how, const Message& message);
   void notice_lost_transaction(const SessionId& session);
   void take_away(Ticket ticket);
   // For who holds or waits with the ticket: what happens after so long.

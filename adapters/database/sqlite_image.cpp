@@ -121,6 +121,22 @@ Expected<void> copy(sqlite3* from, sqlite3* to, const fs::path& file) {
   return {};
 }
 
+// The image itself, to be read while it is there. Each look at it asks a file
+// system of SQLite's whether the bytes have changed.
+Expected<SQLiteHandle> open_bytes(const SQLiteImage& image) {
+  auto db = open_memory();
+  if (!db || image->empty())
+    return db;
+  const auto size = static_cast<sqlite3_int64>(image->size());
+  // It only reads what it is handed.
+  auto* bytes =
+      reinterpret_cast<unsigned char*>(const_cast<char*>(image->data()));
+  if (sqlite3_deserialize(db->get(), "main", bytes, size, size,
+                          SQLITE_DESERIALIZE_READONLY) != SQLITE_OK)
+    return fail(ErrorKind::database, "The database cannot be copied.");
+  return db;
+}
+
 fs::path temporary_beside(const fs::path& file) {
   unsigned number = 0;
   sqlite3_randomness(sizeof number, &number);
@@ -155,26 +171,21 @@ Expected<SQLiteImage> sqlite_image(const fs::path& schema,
 }
 
 Expected<SQLiteHandle> open_image(const SQLiteImage& image) {
-  auto db = open_memory();
-  if (!db || image->empty())
-    return db;
-  auto* bytes = static_cast<unsigned char*>(sqlite3_malloc64(image->size()));
-  if (!bytes)
-    return fail(ErrorKind::limit, "There is no memory for the database.");
-  std::memcpy(bytes, image->data(), image->size());
-  const auto size = static_cast<sqlite3_int64>(image->size());
-  const auto code = sqlite3_deserialize(db->get(), "main", bytes, size, size,
-                                        SQLITE_DESERIALIZE_FREEONCLOSE |
-                                            SQLITE_DESERIALIZE_RESIZEABLE);
-  if (code != SQLITE_OK)
-    return fail(ErrorKind::database, "The database cannot be copied.");
-  return db;
+  auto from = open_bytes(image);
+  if (!from)
+    return from;
+  auto to = open_memory();
+  if (!to || image->empty())
+    return to;
+  if (auto copied = copy(from->get(), to->get(), {}); !copied)
+    return tl::make_unexpected(copied.error());
+  return to;
 }
 
 Expected<void> write_image(const SQLiteImage& image, const fs::path& file) {
   std::error_code ignored; // opening says it better
   fs::create_directories(file.parent_path(), ignored);
-  auto from = open_image(image);
+  auto from = open_bytes(image);
   if (!from)
     return tl::make_unexpected(from.error());
   const auto temporary = temporary_beside(file);

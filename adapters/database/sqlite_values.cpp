@@ -88,20 +88,21 @@ Expected<void> bind_map(sqlite3_stmt* statement, const Map& values) {
   return {};
 }
 
-Value text_cell(sqlite3_stmt* statement, int column) {
-  const auto* text = sqlite3_column_text(statement, column);
-  const auto length =
-      static_cast<std::size_t>(sqlite3_column_bytes(statement, column));
-  return valid_utf8({reinterpret_cast<const char*>(text), length});
+std::size_t append_text(sqlite3_value* cell, List& cells) {
+  const auto* first = reinterpret_cast<const char*>(sqlite3_value_text(cell));
+  const auto length = static_cast<std::size_t>(sqlite3_value_bytes(cell));
+  cells.emplace_back(valid_utf8({first, length}));
+  return length;
 }
 
-Value blob_cell(sqlite3_stmt* statement, int column) {
-  const auto* first =
-      static_cast<const std::byte*>(sqlite3_column_blob(statement, column));
-  const auto length = sqlite3_column_bytes(statement, column);
-  return Binary{"application/octet-stream",
-                first ? std::vector<std::byte>(first, first + length)
-                      : std::vector<std::byte>{}};
+std::size_t append_blob(sqlite3_value* cell, List& cells) {
+  const auto* first = static_cast<const std::byte*>(sqlite3_value_blob(cell));
+  const auto length = static_cast<std::size_t>(sqlite3_value_bytes(cell));
+  cells.emplace_back(Binary{"application/octet-stream",
+                            first
+                                ? std::vector<std::byte>(first, first + length)
+                                : std::vector<std::byte>{}});
+  return length;
 }
 
 } // namespace
@@ -117,18 +118,24 @@ Expected<void> bind_values(sqlite3_stmt* statement, const Value& values) {
                                    std::string(name_of(values.type())) + ".");
 }
 
-Value read_cell(sqlite3_stmt* statement, int column) {
-  switch (sqlite3_column_type(statement, column)) {
-  case SQLITE_INTEGER:
-    return std::int64_t{sqlite3_column_int64(statement, column)};
-  case SQLITE_FLOAT:
-    return sqlite3_column_double(statement, column);
+// Asked of the cell itself, which is looked up once: a connection belongs to
+// one thread at a time, as SQLite wants it for this.
+std::size_t append_cell(sqlite3_stmt* statement, int column, List& cells) {
+  auto* cell = sqlite3_column_value(statement, column);
+  switch (sqlite3_value_type(cell)) {
   case SQLITE_TEXT:
-    return text_cell(statement, column);
+    return append_text(cell, cells);
   case SQLITE_BLOB:
-    return blob_cell(statement, column);
+    return append_blob(cell, cells);
+  case SQLITE_INTEGER:
+    cells.emplace_back(std::int64_t{sqlite3_value_int64(cell)});
+    return 0;
+  case SQLITE_FLOAT:
+    cells.emplace_back(sqlite3_value_double(cell));
+    return 0;
   default:
-    return {};
+    cells.emplace_back();
+    return 0;
   }
 }
 

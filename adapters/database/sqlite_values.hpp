@@ -1,6 +1,10 @@
 // Values into placeholders and cells into values.
 #pragma once
 
+#include <cstddef>
+#include <string>
+#include <string_view>
+
 #include "runtime/base/error.hpp"
 #include "runtime/base/value.hpp"
 
@@ -14,7 +18,8 @@ namespace parlour::adapters {
 Expected<void> bind_values(sqlite3_stmt* statement, const Value& values);
 
 // NULL is unknown; bytes that are not UTF-8 become U+FFFD; blobs are binary.
-Value read_cell(sqlite3_stmt* statement, int column);
+// Returns how many bytes the text or blob has.
+std::size_t append_cell(sqlite3_stmt* statement, int column, List& cells);
 
 // Each malformed sequence replaced by U+FFFD.
 std::string valid_utf8(std::string_view text);

@@ -10,9 +10,12 @@ void Desk::take(std::vector<Message>& events) {
 }
 
 void Desk::fire_event(Message event) {
-  const std::lock_guard lock(mutex_);
+  std::unique_lock lock(mutex_);
   events_.push_back(std::move(event));
-  if (events_.size() == 1)
+  const bool is_first = events_.size() == 1;
+  // Who wakes need not wait for this thread.
+  lock.unlock();
+  if (is_first)
     arrived_.notify_one();
 }
 

@@ -19,7 +19,12 @@ class Asking : public script::LonelyHost {
 public:
   Asking(const std::shared_ptr<const script::Program>& program,
          IPlugin& component, std::size_t number)
-      : interpreter_(program), component_(component), number_(number) {
+      : interpreter_(program), component_(component) {
+    query_.source = "Session";
+    query_.command = "Query";
+    query_.sinks = {"Database"};
+    query_.session = "0000000000000000";
+    query_.correlation = number;
     interpreter_.limit_instructions(std::numeric_limits<std::int64_t>::max());
     interpreter_.new_event();
   }
@@ -46,14 +51,11 @@ public:
 
   script::Performed perform(script::Activation&,
                             const script::Effect& effect) override {
-    Message message;
-    message.source = "Session";
-    message.command = "Query";
-    message.params = {effect.operand(0), effect.operand(1), false};
-    message.sinks = {"Database"};
-    message.session = "0000000000000000";
-    message.correlation = number_;
-    component_.receive(message);
+    query_.params.clear();
+    query_.params.push_back(effect.operand(0));
+    query_.params.push_back(effect.operand(1));
+    query_.params.emplace_back(false);
+    component_.receive(query_);
     return script::Waits{};
   }
   Timestamp now() const override {
@@ -75,7 +77,7 @@ private:
 
   script::Interpreter interpreter_;
   IPlugin& component_;
-  std::size_t number_; // the correlation of its queries
+  Message query_; // the same but for its values
   std::unique_ptr<script::Activation> activation_;
   std::int64_t letters_ = 0;
 };

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "tools/bench/benches.hpp"
+#include "tools/parlour/bench_rows.hpp"
 #include "tools/parlour/commands.hpp"
 #include "tools/parlour/console.hpp"
 #include "tools/parlour/exit_code.hpp"
@@ -12,12 +13,8 @@ int bench_command(const BenchOptions& options, const Console& console) {
   const auto& bench =
       *std::find_if(benches().begin(), benches().end(),
                     [&](const Bench& one) { return one.name == options.name; });
-  if (!options.only.empty() && std::find(bench.rows.begin(), bench.rows.end(),
-                                         options.only) == bench.rows.end()) {
-    say_error(console,
-              "bench " + options.name + " has no row '" + options.only + "'");
+  if (!has_row(bench.rows, options, console))
     return exit_code::usage;
-  }
   return bench.run({options.runs, options.only}, console.out)
              ? exit_code::well
              : exit_code::wrong;

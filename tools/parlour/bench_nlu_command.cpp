@@ -1,10 +1,10 @@
 // `parlour bench nlu`: the receptionist's understanding, and public data sets.
-#include <algorithm>
 #include <map>
 #include <memory>
 
 #include "adapters/nlu/grammar_nlu.hpp"
 #include "tools/bench/nlu_bench.hpp"
+#include "tools/parlour/bench_rows.hpp"
 #include "tools/parlour/commands.hpp"
 #include "tools/parlour/conversation_file.hpp"
 #include "tools/parlour/exit_code.hpp"
@@ -46,12 +46,8 @@ std::vector<std::string> said_to(const fs::path& dialogues) {
 
 int bench_nlu_command(const Places& places, const BenchOptions& options,
                       const Console& console) {
-  if (const auto rows = nlu_bench_rows();
-      !options.only.empty() &&
-      std::ranges::find(rows, options.only) == rows.end()) {
-    say_error(console, "bench nlu has no row '" + options.only + "'");
+  if (!has_row(nlu_bench_rows(), options, console))
     return exit_code::usage;
-  }
   auto opened = open_application(places, "receptionist", console);
   if (const auto* status = std::get_if<int>(&opened))
     return *status;

@@ -28,6 +28,16 @@ void report(Application& application, const Error& error,
        has_place ? error.message : component + ": " + error.message});
 }
 
+// What is not of its option's type was told with the settings.
+bool options_fit(const ChosenComponent& component) {
+  const auto& all = component.factory.description.options;
+  return std::ranges::all_of(all, [&](const OptionDescription& option) {
+    const auto given = component.options.find(option.name);
+    return given == component.options.end() ||
+           check_option(option, given->second);
+  });
+}
+
 void check_database(Application& application,
                     const ChosenComponent& component) {
   // The data folder is not known here; any will do, as nothing is opened in it.
@@ -90,6 +100,22 @@ void check_files(Application& application, const ChosenComponent& component) {
   }
 }
 
+// False where the settings were found wrong before.
+bool check_databases(Application& application) {
+  bool fit = true;
+  for (const auto& component : application.composition.components) {
+    const auto& plugin = component.factory.description.name;
+    const auto check = plugin == "SQLiteDatabase"  ? check_database
+                       : plugin == "MySQLDatabase" ? check_server_database
+                                                   : nullptr;
+    if (check && !options_fit(component))
+      fit = false;
+    else if (check)
+      check(application, component);
+  }
+  return fit;
+}
+
 void check_understanding(Application& application,
                          const ChosenComponent& component) {
   const auto built =
@@ -118,16 +144,12 @@ void check_keywords(Application& application,
 void check_resources(Application& application) {
   const auto before = application.findings.size();
   const auto& composition = application.composition;
-  for (const auto& component : composition.components)
-    if (component.factory.description.name == "SQLiteDatabase")
-      check_database(application, component);
-    else if (component.factory.description.name == "MySQLDatabase")
-      check_server_database(application, component);
+  const bool fit = check_databases(application);
   const auto failed = application.findings.size();
   for (const auto& component : composition.components)
     check_files(application, component);
   // Columns of a database that cannot be made would only say so again.
-  if (!application.program || failed > before)
+  if (!application.program || !fit || failed > before)
     return;
   for (const auto& component : composition.components)
     if (component.factory.description.name == "GrammarNLU")

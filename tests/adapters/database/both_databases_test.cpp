@@ -80,8 +80,7 @@ protected:
     MariaDBTest::SetUp();
     if (IsSkipped())
       return;
-    plugin = mysql_database_factory().create();
-    ASSERT_TRUE(plugin->start(host, options()));
+    ASSERT_TRUE(start(options()));
     other = sqlite_database_factory().create();
     ASSERT_TRUE(
         other->start(host, {{"schema", "schema.sql"}, {"seed", "seed.sql"}}));

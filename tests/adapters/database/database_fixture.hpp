@@ -1,14 +1,51 @@
-// Folders, a small schema and seed, and the plug-in as a session sees it.
+// A folder with a small schema and seed that every database reads, and a
+// database plug-in as a session sees it.
 #pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "adapters/database/sqlite_database.hpp"
+#include "runtime/plugin/plugin.hpp"
 #include "tests/support/fake_plugin_host.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace parlour::adapters {
+
+// Events may come from a thread of the plug-in's own.
+class WaitingHost : public test::FakePluginHost {
+public:
+  void fire_event(Message event) override {
+    const std::lock_guard lock(mutex_);
+    FakePluginHost::fire_event(std::move(event));
+    changed_.notify_all();
+  }
+  void log(const std::string& text) override {
+    const std::lock_guard lock(mutex_);
+    FakePluginHost::log(text);
+    changed_.notify_all();
+  }
+
+  // The next events, at least so many, as "Command(param, …)".
+  std::vector<std::string> wait_for_events(std::size_t count) {
+    std::unique_lock lock(mutex_);
+    changed_.wait_for(lock, std::chrono::minutes(1),
+                      [&] { return events.size() >= count; });
+    return take_events();
+  }
+  bool wait_for_log() {
+    std::unique_lock lock(mutex_);
+    return changed_.wait_for(lock, std::chrono::minutes(1),
+                             [&] { return !logs.empty(); });
+  }
+
+private:
+  std::mutex mutex_;
+  std::condition_variable changed_;
+};
 
 class DatabaseTest : public testing::Test {
 protected:
@@ -16,26 +53,27 @@ protected:
     host.data = (folder.path() / "data").string();
     host.application = folder.path().string();
     folder.write("schema.sql",
-                 "-- the staff\ncreate table staff (\n"
-                 "  id integer primary key, name text not null unique,\n"
-                 "  level integer);\n");
+                 "-- the staff; of one house\ncreate table staff (\n"
+                 "  id integer primary key /*! auto_increment */,\n"
+                 "  name varchar(80) not null unique, level integer)\n"
+                 "/*! character set utf8mb4 collate utf8mb4_nopad_bin */;\n");
     folder.write("seed.sql",
                  "insert into staff (name, level) values\n"
                  "('Dr. Jeffery Ho', 13), ('Tan Ah Kow', null), ('Lim', 13);");
   }
 
-  Options file_options() const {
-    return {
-        {"file", "staff.db"}, {"schema", "schema.sql"}, {"seed", "seed.sql"}};
-  }
-  Options memory_options() const {
-    auto options = file_options();
-    options["file"] = ":memory:";
-    return options;
+  virtual PluginFactory factory() const = 0;
+  // What it has answered, now or after a while.
+  virtual std::vector<std::string> answers() = 0;
+
+  static Options with(Options all, const std::string& name,
+                      const std::string& value) {
+    all[name] = value;
+    return all;
   }
 
   Expected<void> start(const Options& options) {
-    plugin = sqlite_database_factory().create();
+    plugin = factory().create();
     return plugin->start(host, options);
   }
 
@@ -44,12 +82,11 @@ protected:
     plugin->receive(
         test::message(std::move(command), std::move(params), session));
   }
-
   // "Result([…])" or "Error(Kind, message)".
   std::string tell(std::string command, std::vector<Value> params = {},
                    const SessionId& session = "s1") {
     send(session, std::move(command), std::move(params));
-    const auto events = host.take_events();
+    const auto events = answers();
     return events.size() == 1 ? events[0]
                               : std::to_string(events.size()) + " events";
   }
@@ -63,7 +100,7 @@ protected:
   }
 
   test::TemporaryFolder folder;
-  test::FakePluginHost host;
+  WaitingHost host;
   std::unique_ptr<IPlugin> plugin;
 };
 

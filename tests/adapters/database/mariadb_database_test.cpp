@@ -13,66 +13,6 @@ const std::string everybody = "select count(*) from staff";
 
 using MariaDBDatabaseTest = MariaDBTest;
 
-TEST_F(MariaDBDatabaseTest, AnswersQueries) {
-  ASSERT_TRUE(start(options()));
-  EXPECT_EQ(
-      query("select name from staff where level = ? order by id", List{13}),
-      "Result([Dr. Jeffery Ho, Lim])");
-  EXPECT_EQ(query("select level from staff where name = :n",
-                  Map{{"n", "Tan Ah Kow"}}),
-            "Result([unknown])");
-}
-
-TEST_F(MariaDBDatabaseTest, AnswersWithSessionAndCorrelation) {
-  ASSERT_TRUE(start(options()));
-  send("s8", "Query", {everybody});
-  ASSERT_EQ(host.events.size(), 1u);
-  EXPECT_EQ(host.events[0].session, "s8");
-  EXPECT_EQ(host.events[0].correlation, 7u);
-  ASSERT_EQ(host.events[0].params.size(), 1u);
-  EXPECT_TRUE(host.events[0].params[0].if_result());
-}
-
-TEST_F(MariaDBDatabaseTest, WritesWhenToldTo) {
-  ASSERT_TRUE(start(options()));
-  EXPECT_EQ(write("insert into staff (name) values (?)", List{"Ong"}),
-            "Result([], 1)");
-  EXPECT_EQ(query(everybody), "Result([4])");
-  EXPECT_THAT(query("delete from staff"), StartsWith("Error(Refused, "));
-  EXPECT_EQ(query(everybody), "Result([4])");
-}
-
-TEST_F(MariaDBDatabaseTest, AnswersErrorsByKind) {
-  ASSERT_TRUE(start(options()));
-  EXPECT_THAT(query("select nam from staff"), StartsWith("Error(Database, "));
-  EXPECT_THAT(query("select ?", List{List{}}), StartsWith("Error(Type, "));
-  EXPECT_THAT(query("select 1; select 2"), StartsWith("Error(Refused, "));
-  EXPECT_THAT(write("insert into staff (name) values ('Lim')"),
-              StartsWith("Error(Database, 'insert into staff (name) values "
-                         "('Lim')' failed: Duplicate entry"));
-  EXPECT_THAT(tell("Query"), StartsWith("Error(Type, "));
-  EXPECT_THAT(tell("Query", {5}), StartsWith("Error(Type, "));
-  EXPECT_THAT(tell("Truncate"), HasSubstr("the command 'Truncate'"));
-}
-
-TEST_F(MariaDBDatabaseTest, KeepsWhatIsWritten) {
-  ASSERT_TRUE(start(options_for("kept")));
-  EXPECT_EQ(query(everybody), "Result([3])");
-  write("insert into staff (name) values ('Ong')");
-  plugin->stop();
-  EXPECT_THAT(query(everybody), StartsWith("Error(Offline, "));
-  ASSERT_TRUE(start(options_for("kept")));
-  EXPECT_EQ(query(everybody), "Result([4])");
-}
-
-TEST_F(MariaDBDatabaseTest, SharesNoCopy) {
-  ASSERT_TRUE(start(options()));
-  write("delete from staff");
-  const auto first = std::move(plugin);
-  ASSERT_TRUE(start(options()));
-  EXPECT_EQ(query(everybody), "Result([3])");
-}
-
 TEST_F(MariaDBDatabaseTest, DropsItsCopyInTheEnd) {
   ASSERT_TRUE(start(options()));
   const std::string copies = "select count(*) from information_schema.schemata "
@@ -113,16 +53,6 @@ TEST_F(MariaDBDatabaseTest, IsConnectedToItsOwnDatabaseOnly) {
   EXPECT_THAT(tell("Connect", {"mysql"}), StartsWith("Error(Refused, "));
 }
 
-TEST_F(MariaDBDatabaseTest, KeepsATransactionApartFromOthers) {
-  ASSERT_TRUE(start(options()));
-  EXPECT_EQ(tell("Begin"), "Result([])");
-  EXPECT_EQ(write("delete from staff"), "Result([], 3)");
-  EXPECT_EQ(query(everybody), "Result([0])");
-  EXPECT_EQ(query(everybody, {}, "s2"), "Result([3])");
-  EXPECT_EQ(tell("Rollback"), "Result([])");
-  EXPECT_EQ(query(everybody), "Result([3])");
-}
-
 TEST_F(MariaDBDatabaseTest, LetsOtherWritersWaitForTheCommit) {
   ASSERT_TRUE(start(with(options(), "one-by-one", "false")));
   EXPECT_EQ(tell("Begin"), "Result([])");
@@ -153,12 +83,9 @@ TEST_F(MariaDBDatabaseTest, TakesAnOldTransactionAway) {
   EXPECT_EQ(query(everybody), "Result([3])");
 }
 
-TEST_F(MariaDBDatabaseTest, RefusesTransactionsOutOfOrder) {
+TEST_F(MariaDBDatabaseTest, RefusesInATransactionWhatItCannotUndo) {
   ASSERT_TRUE(start(options()));
-  EXPECT_THAT(tell("Commit"), StartsWith("Error(Database, Commit: "));
-  EXPECT_THAT(tell("Rollback"), StartsWith("Error(Database, Rollback: "));
   tell("Begin");
-  EXPECT_THAT(tell("Begin"), HasSubstr("in a transaction already"));
   EXPECT_THAT(write("create table t (a integer)"),
               StartsWith("Error(Refused, "));
 }
@@ -180,15 +107,6 @@ TEST_F(MariaDBDatabaseTest, EndsADeadlock) {
   const auto second = tell("Commit", {}, "s2");
   EXPECT_THAT((std::vector{first, second}),
               UnorderedElementsAre("Result([])", HasSubstr("rolled back")));
-}
-
-TEST_F(MariaDBDatabaseTest, RollsBackWhenItStops) {
-  ASSERT_TRUE(start(options_for("stopped")));
-  tell("Begin");
-  write("delete from staff");
-  plugin->stop();
-  ASSERT_TRUE(start(options_for("stopped")));
-  EXPECT_EQ(query(everybody), "Result([3])");
 }
 
 TEST_F(MariaDBDatabaseTest, DescribesItself) {

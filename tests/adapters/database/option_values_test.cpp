@@ -8,39 +8,45 @@ namespace {
 
 using testing::HasSubstr;
 
-const std::vector<OptionDescription> described{{"time", "2s", "", false},
-                                               {"count", "10", "", false},
-                                               {"path", "", "", false},
-                                               {"truth", "false", "", false}};
+const std::vector<OptionDescription> described{
+    {"time", "2s", "", false, OptionType::duration},
+    {"count", "10", "", false, OptionType::integer},
+    {"path", "", "", false},
+    {"truth", "false", "", false, OptionType::boolean}};
 
 TEST(OptionValues, HoldWhatIsDescribedOtherwise) {
-  const Options given{{"time", "5s"}};
-  const OptionValues values(given, described);
-  Milliseconds time{};
+  const Options given{{"time", "5s"}, {"truth", ""}};
+  const auto values = OptionValues::of(given, described);
+  ASSERT_TRUE(values);
   std::size_t count = 0;
-  bool truth = true;
-  ASSERT_TRUE(values.read("time", time));
-  ASSERT_TRUE(values.read("count", count));
-  ASSERT_TRUE(values.read("truth", truth));
-  EXPECT_EQ(time, Milliseconds(5'000));
+  ASSERT_TRUE(values->read("count", count));
+  EXPECT_EQ(values->duration("time"), Milliseconds(5'000));
   EXPECT_EQ(count, 10u);
-  EXPECT_FALSE(truth);
-  EXPECT_EQ(values.text("unheard-of"), "");
+  EXPECT_FALSE(values->truth("truth"));
+  EXPECT_EQ(values->text("unheard-of"), "");
+}
+
+TEST(OptionValues, AreOfTheirTypes) {
+  for (const auto& [name, value] :
+       {std::pair("time", "soon"), std::pair("count", "1.5"),
+        std::pair("truth", "perhaps")}) {
+    const Options given{{name, value}};
+    const auto wrong = OptionValues::of(given, described);
+    ASSERT_FALSE(wrong) << name;
+    EXPECT_EQ(wrong.error().kind, ErrorKind::settings);
+    EXPECT_THAT(wrong.error().message, HasSubstr(name));
+  }
 }
 
 TEST(OptionValues, NameTheOptionThatIsWrong) {
-  const Options given{
-      {"time", "soon"}, {"count", "0"}, {"path", "../x"}, {"truth", "perhaps"}};
-  const OptionValues values(given, described);
-  Milliseconds time{};
+  const Options given{{"count", "0"}, {"path", "../x"}};
+  const auto values = OptionValues::of(given, described);
+  ASSERT_TRUE(values);
   std::size_t count = 0;
-  bool truth = true;
   std::filesystem::path path;
   for (const auto& [name, read] :
-       {std::pair("time", values.read("time", time)),
-        std::pair("count", values.read("count", count)),
-        std::pair("truth", values.read("truth", truth)),
-        std::pair("path", values.read("path", "/data", path))}) {
+       {std::pair("count", values->read("count", count)),
+        std::pair("path", values->read("path", "/data", path))}) {
     ASSERT_FALSE(read) << name;
     EXPECT_EQ(read.error().kind, ErrorKind::settings);
     EXPECT_THAT(read.error().message, HasSubstr(name));

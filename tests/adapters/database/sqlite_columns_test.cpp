@@ -1,5 +1,5 @@
 #include "adapters/database/sqlite_columns.hpp"
-#include "tests/adapters/database/database_fixture.hpp"
+#include "tests/adapters/database/sqlite_fixture.hpp"
 
 namespace parlour::adapters {
 namespace {
@@ -7,7 +7,7 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-class SQLiteColumnsTest : public DatabaseTest {
+class SQLiteColumnsTest : public SQLiteTest {
 protected:
   Expected<std::vector<std::string>> read(const std::string& reference,
                                           const Options& options) {
@@ -31,10 +31,9 @@ TEST(ColumnReference, HasTwoPlainNames) {
 }
 
 TEST_F(SQLiteColumnsTest, HaveDistinctValuesInOrder) {
-  EXPECT_THAT(read("db:staff.name", memory_options()).value(),
+  EXPECT_THAT(read("db:staff.name", options()).value(),
               ElementsAre("Dr. Jeffery Ho", "Lim", "Tan Ah Kow"));
-  EXPECT_THAT(read("db:staff.level", memory_options()).value(),
-              ElementsAre("13"));
+  EXPECT_THAT(read("db:staff.level", options()).value(), ElementsAre("13"));
 }
 
 TEST_F(SQLiteColumnsTest, ComeFromSchemaAndSeedWhereThereIsNoFile) {
@@ -51,7 +50,7 @@ TEST_F(SQLiteColumnsTest, ComeFromTheFileAsItIsNow) {
 
 TEST_F(SQLiteColumnsTest, SayWhatIsMissing) {
   for (auto reference : {"db:staff.nam", "db:stuff.name"}) {
-    auto wrong = read(reference, memory_options());
+    auto wrong = read(reference, options());
     ASSERT_FALSE(wrong);
     EXPECT_EQ(wrong.error().kind, ErrorKind::database);
     EXPECT_THAT(wrong.error().message, HasSubstr(reference));

@@ -1,5 +1,5 @@
 #include "adapters/database/sqlite_database.hpp"
-#include "tests/adapters/database/database_fixture.hpp"
+#include "tests/adapters/database/sqlite_fixture.hpp"
 
 namespace parlour::adapters {
 namespace {
@@ -11,62 +11,11 @@ using testing::StartsWith;
 
 const std::string count = "select count(*) from staff";
 
-using SQLiteDatabaseTest = DatabaseTest;
+using SQLiteDatabaseTest = SQLiteTest;
 
-TEST_F(SQLiteDatabaseTest, AnswersQueries) {
-  ASSERT_TRUE(start(memory_options()));
-  EXPECT_EQ(
-      query("select name from staff where level = ? order by id", List{13}),
-      "Result([Dr. Jeffery Ho, Lim])");
-  EXPECT_EQ(query("select level from staff where name = :n",
-                  Map{{"n", "Tan Ah Kow"}}),
-            "Result([unknown])");
-}
-
-TEST_F(SQLiteDatabaseTest, AnswersWithSessionAndCorrelation) {
-  ASSERT_TRUE(start(memory_options()));
-  send("s8", "Query", {count});
-  ASSERT_EQ(host.events.size(), 1u);
-  EXPECT_EQ(host.events[0].session, "s8");
-  EXPECT_EQ(host.events[0].correlation, 7u);
-  ASSERT_EQ(host.events[0].params.size(), 1u);
-  EXPECT_TRUE(host.events[0].params[0].if_result());
-}
-
-TEST_F(SQLiteDatabaseTest, WritesWhenToldTo) {
-  ASSERT_TRUE(start(memory_options()));
-  EXPECT_EQ(write("insert into staff (name) values (?)", List{"Ong"}),
-            "Result([], 1)");
-  EXPECT_EQ(query(count), "Result([4])");
-  EXPECT_THAT(query("delete from staff"), StartsWith("Error(Refused, "));
-  EXPECT_EQ(query(count), "Result([4])");
-}
-
-TEST_F(SQLiteDatabaseTest, AnswersErrorsByKind) {
-  ASSERT_TRUE(start(memory_options()));
-  EXPECT_THAT(query("select nam from staff"), StartsWith("Error(Database, "));
-  EXPECT_THAT(query("select ?", List{List{}}), StartsWith("Error(Type, "));
-  EXPECT_THAT(query("select 1; select 2"), StartsWith("Error(Refused, "));
-  EXPECT_THAT(tell("Query"), StartsWith("Error(Type, "));
-  EXPECT_THAT(tell("Query", {5}), StartsWith("Error(Type, "));
-  EXPECT_THAT(tell("Truncate"), HasSubstr("the command 'Truncate'"));
-}
-
-TEST_F(SQLiteDatabaseTest, MakesAMissingFileAndKeepsWhatIsWritten) {
+TEST_F(SQLiteDatabaseTest, MakesAMissingFile) {
   ASSERT_TRUE(start(file_options()));
   EXPECT_TRUE(folder.has("data/staff.db"));
-  write("insert into staff (name) values ('Ong')");
-  plugin->stop();
-  ASSERT_TRUE(start(file_options()));
-  EXPECT_EQ(query(count), "Result([4])");
-}
-
-TEST_F(SQLiteDatabaseTest, SharesNothingInMemory) {
-  ASSERT_TRUE(start(memory_options()));
-  write("delete from staff");
-  const auto first = std::move(plugin);
-  ASSERT_TRUE(start(memory_options()));
-  EXPECT_EQ(query(count), "Result([3])");
 }
 
 TEST_F(SQLiteDatabaseTest, DoesNotStartOnADamagedFile) {
@@ -123,16 +72,6 @@ TEST_F(SQLiteDatabaseTest, IsConnectedToItsOwnFileOnly) {
   EXPECT_THAT(tell("Connect", {"/etc/passwd"}), StartsWith("Error(Refused, "));
 }
 
-TEST_F(SQLiteDatabaseTest, KeepsATransactionApartFromOthers) {
-  ASSERT_TRUE(start(file_options()));
-  EXPECT_EQ(tell("Begin"), "Result([])");
-  EXPECT_EQ(write("delete from staff"), "Result([], 3)");
-  EXPECT_EQ(query(count), "Result([0])");
-  EXPECT_EQ(query(count, {}, "s2"), "Result([3])");
-  EXPECT_EQ(tell("Rollback"), "Result([])");
-  EXPECT_EQ(query(count), "Result([3])");
-}
-
 TEST_F(SQLiteDatabaseTest, LetsOtherWritersWaitForTheCommit) {
   ASSERT_TRUE(start(file_options()));
   tell("Begin");
@@ -148,7 +87,7 @@ TEST_F(SQLiteDatabaseTest, LetsOtherWritersWaitForTheCommit) {
 }
 
 TEST_F(SQLiteDatabaseTest, LetsReadersWaitTooInMemory) {
-  ASSERT_TRUE(start(memory_options()));
+  ASSERT_TRUE(start(options()));
   tell("Begin");
   write("delete from staff");
   EXPECT_EQ(query(count, {}, "s2"), "0 events");
@@ -203,15 +142,7 @@ TEST_F(SQLiteDatabaseTest, LeavesNoDelaysBehind) {
   EXPECT_EQ(host.pending(), 0u);
 }
 
-TEST_F(SQLiteDatabaseTest, RefusesTransactionsOutOfOrder) {
-  ASSERT_TRUE(start(file_options()));
-  EXPECT_THAT(tell("Commit"), StartsWith("Error(Database, Commit: "));
-  EXPECT_THAT(tell("Rollback"), StartsWith("Error(Database, Rollback: "));
-  tell("Begin");
-  EXPECT_THAT(tell("Begin"), HasSubstr("in a transaction already"));
-}
-
-TEST_F(SQLiteDatabaseTest, RollsBackWhenItStops) {
+TEST_F(SQLiteDatabaseTest, TellsWhoWaitsWhenItStops) {
   ASSERT_TRUE(start(file_options()));
   tell("Begin");
   write("delete from staff");
@@ -221,8 +152,6 @@ TEST_F(SQLiteDatabaseTest, RollsBackWhenItStops) {
   EXPECT_THAT(query(count), StartsWith("Error(Offline, "));
   host.advance(1min);
   EXPECT_TRUE(host.events.empty());
-  ASSERT_TRUE(start(file_options()));
-  EXPECT_EQ(query(count), "Result([3])");
 }
 
 TEST_F(SQLiteDatabaseTest, DescribesItself) {

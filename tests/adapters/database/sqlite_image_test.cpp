@@ -1,14 +1,14 @@
 #include <thread>
 
 #include "adapters/database/sqlite_image.hpp"
-#include "tests/adapters/database/database_fixture.hpp"
+#include "tests/adapters/database/sqlite_fixture.hpp"
 
 namespace parlour::adapters {
 namespace {
 
 using testing::HasSubstr;
 
-class SQLiteImageTest : public DatabaseTest {
+class SQLiteImageTest : public SQLiteTest {
 protected:
   Expected<SQLiteImage> image() {
     return sqlite_image(folder.path() / "schema.sql",

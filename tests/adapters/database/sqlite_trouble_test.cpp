@@ -5,7 +5,7 @@
 
 #include "adapters/database/sqlite_connection.hpp"
 #include "adapters/database/sqlite_open.hpp"
-#include "tests/adapters/database/database_fixture.hpp"
+#include "tests/adapters/database/sqlite_fixture.hpp"
 
 namespace parlour::adapters {
 namespace {
@@ -15,7 +15,7 @@ using testing::StartsWith;
 
 const std::string count = "select count(*) from staff";
 
-using SQLiteTroubleTest = DatabaseTest;
+using SQLiteTroubleTest = SQLiteTest;
 
 // No file of this process grows beyond `bytes` while this lives.
 class SmallDisk {

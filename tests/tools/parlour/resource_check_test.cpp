@@ -25,6 +25,18 @@ TEST_F(ResourceCheckTest, misses_a_file_of_sql) {
   EXPECT_THAT(wrong(guest_topic), HasSubstr(": error: "));
 }
 
+TEST_F(ResourceCheckTest, tells_once_that_an_option_is_of_another_type) {
+  folder_.write("schema.sql", guest_schema);
+  std::string settings = guest_settings;
+  const std::string schema = "<option name=\"schema\"";
+  settings.insert(settings.find(schema),
+                  "<option name=\"max-rows\" value=\"many\"/>");
+  EXPECT_THAT(findings(load(settings, guest_topic)),
+              MatchesRegex("[^\n]*: error: SQLiteDatabase: the option "
+                           "'max-rows' takes a whole number, not 'many'"
+                           "[^\n]*\n"));
+}
+
 TEST_F(ResourceCheckTest, places_a_mistake_in_sql) {
   folder_.write("schema.sql", "create table guest (name text);\n\n"
                               "insert into gest values ('Ada');\n");

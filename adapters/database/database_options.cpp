@@ -1,0 +1,43 @@
+#include "adapters/database/database_options.hpp"
+
+#include <iterator>
+
+namespace parlour::adapters {
+
+std::vector<OptionDescription>
+with_database_options(std::vector<OptionDescription> own) {
+  const OptionDescription common[] = {
+      {"schema", "", "SQL that makes the tables of what is missing or empty",
+       false},
+      {"seed", "", "SQL that fills the tables of what is missing or empty",
+       false},
+      {"busy-timeout", "2s",
+       "how long to wait for others: their writing, their locks, a connection",
+       false, OptionType::duration},
+      {"transaction-timeout", "30s",
+       "after which an open transaction is rolled back", false,
+       OptionType::duration},
+      {"max-rows", "10000", "the most rows that a query returns", false,
+       OptionType::integer},
+      {"max-bytes", "4194304", "the most bytes that a query returns", false,
+       OptionType::integer},
+  };
+  own.insert(own.end(), std::begin(common), std::end(common));
+  return own;
+}
+
+Expected<void> read_database_options(const OptionValues& values,
+                                     const std::string& application_folder,
+                                     DatabaseOptions& made) {
+  made.busy_timeout = values.duration("busy-timeout");
+  made.transaction_timeout = values.duration("transaction-timeout");
+  for (auto&& read : {values.read("schema", application_folder, made.schema),
+                      values.read("seed", application_folder, made.seed),
+                      values.read("max-rows", made.rows),
+                      values.read("max-bytes", made.bytes)})
+    if (!read)
+      return read;
+  return {};
+}
+
+} // namespace parlour::adapters

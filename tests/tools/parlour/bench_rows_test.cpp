@@ -1,17 +1,24 @@
 #include <sstream>
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/tools/parlour/command_fixture.hpp"
 #include "tools/parlour/bench_rows.hpp"
 
 namespace parlour::tools {
 namespace {
 
-TEST_F(CommandTest, bench_says_which_row_is_not_there) {
-  EXPECT_EQ(call({"bench", "nlu", "--only", "turns"}), exit_code::usage);
-  EXPECT_THAT(err_.str(), testing::HasSubstr("bench nlu has no row 'turns'"));
+TEST(BenchRows, say_which_is_not_there) {
+  std::ostringstream out;
+  std::ostringstream err;
+  BenchOptions options;
+  options.name = "nlu";
+  EXPECT_TRUE(has_row({"clinc"}, options, {out, err}));
+  options.only = "clinc";
+  EXPECT_TRUE(has_row({"clinc"}, options, {out, err}));
+  EXPECT_EQ(err.str(), "");
+  options.only = "turns";
+  EXPECT_FALSE(has_row({"clinc"}, options, {out, err}));
+  EXPECT_NE(err.str().find("bench nlu has no row 'turns'"), std::string::npos);
 }
 
 } // namespace

@@ -6,23 +6,12 @@
 
 #include "actors/component.hpp"
 #include "actors/query.hpp"
-#include "runtime/base/roles.hpp"
 
 namespace parlour::actors {
 
 namespace {
 
 using Self = query_actor::stateful_pointer<ask_state>;
-
-// What an event means to who asked; the first one ends it where the table does
-// not know the event.
-Reply meaning(const RoutingTable& table, const Message& event) {
-  for (const auto& role : roles())
-    if (table.is_source(role.name, event.source))
-      if (const auto* known = role.event(event.command))
-        return known->reply;
-  return event.command == "Failed" ? Reply::refusal : Reply::answer;
-}
 
 Error refusal(const RoutingTable& table, const Message& event) {
   auto error = error_of(event);
@@ -92,7 +81,7 @@ query_actor::behavior_type ask(Self self, Services* services,
   return {
       [=](const component_event& what) {
         const auto table = services->table.load();
-        const auto reply = meaning(*table, what.event);
+        const auto reply = table->reply_to_request(what.event);
         if (reply == Reply::refusal)
           finish(tl::make_unexpected(refusal(*table, what.event)));
         else if (reply == Reply::answer)

@@ -25,10 +25,11 @@ bool is_reserved(const std::string& source) {
 } // namespace
 
 PluginDoor::PluginDoor(Services& services, std::string name,
-                       std::vector<std::string> roles, InstanceId instance,
-                       std::shared_ptr<const Place> place)
+                       const PluginDescription& description,
+                       InstanceId instance, std::shared_ptr<const Place> place)
     : services_(services), name_(std::move(name)), instance_(instance),
-      place_(std::move(place)), unanswered_(std::move(roles)) {}
+      place_(std::move(place)),
+      unanswered_(description.roles, description.events) {}
 
 void PluginDoor::belongs_to(const component_host_actor& host) {
   host_ = caf::actor_cast<caf::weak_actor_ptr>(host);

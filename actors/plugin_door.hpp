@@ -21,10 +21,10 @@ namespace parlour::actors {
 class PluginDoor : public PluginHost,
                    public std::enable_shared_from_this<PluginDoor> {
 public:
-  // The component's name and roles, and which place the instance is for: what
-  // it says by itself belongs to the session there.
+  // The component's name, what it says of itself, and which place the instance
+  // is for: what it says by itself belongs to the session there.
   PluginDoor(Services& services, std::string name,
-             std::vector<std::string> roles, InstanceId instance = 0,
+             const PluginDescription& description, InstanceId instance = 0,
              std::shared_ptr<const Place> place = nullptr);
 
   // The actor that calls the plug-in; set before the plug-in starts.

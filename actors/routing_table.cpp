@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "actors/route_host.hpp"
+#include "runtime/base/replies.hpp"
 #include "script/interpreter.hpp"
 
 namespace parlour::actors {
@@ -82,6 +83,14 @@ bool RoutingTable::is_source(std::string_view module,
   auto target = named(source);
   return target &&
          std::count(target->roles.begin(), target->roles.end(), role(module));
+}
+
+Reply RoutingTable::reply_to_request(const Message& event) const {
+  const auto* target = named(event.source);
+  const auto known =
+      target ? find_reply(event.command, target->roles, target->events)
+             : find_reply(event.command, {std::string(role(event.source))});
+  return known.value_or(Reply::answer);
 }
 
 bool RoutingTable::begins_turn(const Message& message) const {

@@ -17,6 +17,7 @@
 #include "actors/component_mailbox.hpp"
 #include "runtime/base/clock.hpp"
 #include "runtime/base/message.hpp"
+#include "runtime/base/roles.hpp"
 #include "runtime/interfaces.hpp"
 #include "runtime/plugin/plugin.hpp"
 #include "script/program.hpp"
@@ -35,6 +36,7 @@ struct Target {
   // Where each seat or session has its own: those of the sessions, and the
   // three above are null.
   std::shared_ptr<const Branches> branches = nullptr;
+  std::vector<RoleEvent> events = {}; // of its own
 
   // For messages of that session.
   bool is_up(const SessionId& session) const;
@@ -94,6 +96,8 @@ public:
   // Whether a message's source is meant by `module`: "*", the same name, or a
   // role or alias that it fills.
   bool is_source(std::string_view module, std::string_view source) const;
+  // What an event means to the request that it answers.
+  Reply reply_to_request(const Message& event) const;
   // Whether it is a user's turn: what a recogniser heard (engine rule 3).
   bool begins_turn(const Message& message) const;
   // Whether a handler or a state of the program takes such a message.

@@ -90,6 +90,10 @@ bool SessionPort::is_source(const std::string& module,
   return services_.table.load()->is_source(module, source);
 }
 
+Reply SessionPort::reply_to_request(const Message& event) const {
+  return services_.table.load()->reply_to_request(event);
+}
+
 void SessionPort::release(const dialogue::Output& output) {
   self_->send(seat_, say{id_, std::make_shared<const dialogue::Output>(output),
                          services_.work.begin()});

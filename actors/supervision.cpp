@@ -86,7 +86,7 @@ void Supervision::make_instance(const BranchPointer& branch) {
   instance->id = ++last_instance_;
   instance->component = component;
   instance->door = std::make_shared<PluginDoor>(services_, component->name(),
-                                                component->description().roles,
+                                                component->description(),
                                                 instance->id, branch->place);
   services_.instances.add(instance);
   auto host = host_for(instance);

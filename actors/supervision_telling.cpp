@@ -19,6 +19,7 @@ void Supervision::publish_table() {
     Target target;
     target.name = kept->order.name;
     target.roles = kept->order.factory.description.roles;
+    target.events = kept->order.factory.description.events;
     if (kept->by_session) {
       target.branches = kept->by_session;
     } else {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "runtime/base/roles.hpp"
+#include "runtime/base/replies.hpp"
 
 namespace parlour::actors {
 
@@ -36,13 +36,9 @@ bool Unanswered::wants_answer(const std::string& command) const {
   return true;
 }
 
-// As a session would take it (roles.def): what the table does not know is one.
+// As a session would take it.
 bool Unanswered::is_answer(const std::string& command) const {
-  for (const auto& name : roles_)
-    if (const auto* role = find_role(name))
-      if (const auto* event = role->event(command))
-        return event->reply != Reply::none;
-  return true;
+  return find_reply(command, roles_, own_events_) != Reply::none;
 }
 
 bool Unanswered::none(Timestamp now) {

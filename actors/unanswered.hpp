@@ -3,10 +3,13 @@
 #pragma once
 
 #include <deque>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "runtime/base/clock.hpp"
 #include "runtime/base/message.hpp"
+#include "runtime/base/roles.hpp"
 
 namespace parlour::actors {
 
@@ -18,8 +21,9 @@ public:
   static constexpr Milliseconds patience{60'000};
   static constexpr std::size_t most = 1'000;
 
-  explicit Unanswered(std::vector<std::string> roles)
-      : roles_(std::move(roles)) {}
+  explicit Unanswered(std::vector<std::string> roles,
+                      std::vector<RoleEvent> own_events = {})
+      : roles_(std::move(roles)), own_events_(std::move(own_events)) {}
 
   // Its session and correlation are kept. What has no correlation waits for no
   // answer, nor does a command that roles.def says so of.
@@ -41,6 +45,7 @@ private:
     SessionId session;
   };
   std::vector<std::string> roles_;
+  std::vector<RoleEvent> own_events_;
   std::deque<Entry> entries_;
 };
 

@@ -5,6 +5,7 @@
 #include <exception>
 #include <utility>
 
+#include "runtime/base/replies.hpp"
 #include "runtime/plugin/description_check.hpp"
 #include "runtime/plugin/parameters.hpp"
 #include "runtime/plugin/trial_host.hpp"
@@ -128,16 +129,7 @@ private:
 
   // Nothing where nobody says what the event is.
   std::optional<Reply> reply_of(const std::string& event) const {
-    for (const auto& name : description_.roles)
-      if (const auto* role = find_role(name))
-        if (const auto* known = role->event(event))
-          return known->reply;
-    for (const auto& own : description_.events)
-      if (own.name == event)
-        return own.reply;
-    if (event == "Failed")
-      return Reply::refusal;
-    return std::nullopt;
+    return find_reply(event, description_.roles, description_.events);
   }
 
   bool is_refusal(const std::string& event) const {

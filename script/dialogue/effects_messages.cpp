@@ -1,7 +1,6 @@
 // What scripts want of components: messages, requests, frames, speech.
 #include <utility>
 
-#include "runtime/base/roles.hpp"
 #include "script/dialogue/core.hpp"
 #include "script/dialogue/effect_operands.hpp"
 #include "script/dialogue/effects.hpp"
@@ -10,17 +9,6 @@
 namespace parlour::dialogue {
 
 namespace {
-
-// What a correlated event means to the request it answers (roles.def). The
-// first one ends it where the table does not know the event; Failed says of any
-// component that it broke.
-Reply meaning(const Port& port, const Message& message) {
-  for (const auto& role : roles())
-    if (port.is_source(role.name, message.source))
-      if (const auto* event = role.event(message.command))
-        return event->reply;
-  return message.command == "Failed" ? Reply::refusal : Reply::answer;
-}
 
 // What another session asks for: correlations are a session's own, and what is
 // answered goes to that one.
@@ -74,7 +62,7 @@ bool Effects::reply(const Message& message) {
   auto found = requests_.find(message.correlation);
   if (found == requests_.end())
     return false;
-  const auto reply = meaning(core_.port, message);
+  const auto reply = core_.port.reply_to_request(message);
   if (reply == Reply::none)
     return false;
   auto wait = found->second;

@@ -12,6 +12,7 @@
 #include "runtime/base/files.hpp"
 #include "runtime/base/inspection.hpp"
 #include "runtime/base/message.hpp"
+#include "runtime/base/roles.hpp"
 #include "runtime/base/sockets.hpp"
 #include "script/dialogue/frame.hpp"
 #include "script/dialogue/output_queue.hpp"
@@ -62,6 +63,10 @@ public:
   // or alias that it fills.
   virtual bool is_source(const std::string& module,
                          const std::string& source) const = 0;
+
+  // What an event means to the request that it answers (roles.def, and the
+  // component's description of its own events).
+  virtual Reply reply_to_request(const Message& event) const = 0;
 
   // The words leave for the seat; Conversation::output_finished follows when
   // they were played (text: at once).

@@ -84,6 +84,27 @@ TEST_F(AskTest, WaitsForTheEventThatEndsTheRequest) {
               ElementsAre("hi"));
 }
 
+// Its description says of Progress that it ends nothing (roles.md).
+TEST_F(AskTest, AnEventOfItsOwnEndsWhatItsDescriptionSays) {
+  auto oven = component("Oven", "Robot", [](auto& self, const Message&) {
+    self.fire_event("Progress", {50});
+    self.fire_event("Baked", {ResultSet{{"cake"}, {"a cake"}}});
+  });
+  oven.factory.description.events = {{"Progress", "percent"},
+                                     {"Baked", "cake", Reply::answer}};
+  EXPECT_THAT(spot({spotter("Oven"), std::move(oven)}, "x"),
+              ElementsAre("a cake"));
+}
+
+TEST_F(AskTest, ARefusalOfItsOwnIsOne) {
+  auto oven = component("Oven", "Robot", [](auto& self, const Message&) {
+    self.fire_event("Burnt", {"too hot"});
+  });
+  oven.factory.description.events = {{"Burnt", "why", Reply::refusal}};
+  EXPECT_THAT(spot({spotter("Oven"), std::move(oven)}, "x"),
+              ElementsAre("Oven: too hot"));
+}
+
 // The spotter's own request of ten seconds is over at the same time.
 TEST_F(AskTest, GivesUpInTime) {
   std::vector<std::string> told;

@@ -11,7 +11,7 @@ protected:
   }
 
   Bench bench;
-  PluginDoor door{bench.services, "Ear", {"ASR"}};
+  PluginDoor door{bench.services, "Ear", {"Ear", {"ASR"}, "hears"}};
 };
 
 TEST_F(PluginDoorTest, LetsNobodySpeakUnderAReservedName) {

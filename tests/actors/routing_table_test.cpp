@@ -22,6 +22,7 @@ protected:
              {"Mic", "Microphone"}, {"Fast", "ASR"}, {"Good", "ASR"}}) {
       up.push_back(std::make_shared<std::atomic<bool>>(true));
       parts.targets.push_back({name, {role}, {}, nullptr, up.back()});
+      parts.targets.back().events = {{"Noise", "level", Reply::none}};
     }
     table = std::make_unique<RoutingTable>(std::move(parts));
   }
@@ -182,6 +183,19 @@ TEST_F(RoutingTableTest, AComponentMayHaveABranchForEachSession) {
   EXPECT_EQ(with.find("Own", "s2"), nullptr);
   *is_up = false;
   EXPECT_EQ(with.find("ASR", "s1")->name, "All");
+}
+
+// roles.md: the role says it, else the component of its own events.
+TEST_F(RoutingTableTest, KnowsWhatEndsARequest) {
+  make("");
+  EXPECT_EQ(table->reply_to_request(event("Mic", "Started")), Reply::answer);
+  EXPECT_EQ(table->reply_to_request(event("Fast", "Partial")), Reply::none);
+  EXPECT_EQ(table->reply_to_request(event("ASR", "Partial")), Reply::none);
+  EXPECT_EQ(table->reply_to_request(event("Record", "Failed")),
+            Reply::refusal);
+  EXPECT_EQ(table->reply_to_request(event("Fast", "Noise")), Reply::none);
+  EXPECT_EQ(table->reply_to_request(event("Fast", "Other")), Reply::answer);
+  EXPECT_EQ(table->reply_to_request(event("agent", "Noise")), Reply::answer);
 }
 
 } // namespace

@@ -33,6 +33,13 @@ TEST(Unanswered, TakesAnEventOfItsOwnForAnAnswer) {
   EXPECT_TRUE(unanswered.none(0));
 }
 
+TEST(Unanswered, IsNotEndedByAnEventThatIsDescribedAsNone) {
+  Unanswered unanswered({"Oven"}, {{"Warm", "degrees", Reply::none}});
+  unanswered.given(message("Bake", 7), 0);
+  unanswered.said(message("Warm", 7));
+  EXPECT_FALSE(unanswered.none(0));
+}
+
 TEST(Unanswered, KeepsNothingThatWaitsForNoAnswer) {
   Unanswered unanswered({"TTS"});
   unanswered.given(message("Speak", 0), 0);

@@ -37,6 +37,9 @@ public:
                  const std::string& source) const override {
     return module == source;
   }
+  Reply reply_to_request(const Message&) const override {
+    return Reply::answer;
+  }
   void release(const dialogue::Output& output) override;
   void start_timer(dialogue::TimerId id, Milliseconds) override {
     timer_ = id;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "runtime/base/roles.hpp"
+#include "runtime/base/replies.hpp"
 #include "script/dialogue/frame_evaluator.hpp"
 
 namespace parlour::tools::corpus {
@@ -131,6 +131,10 @@ bool World::reachable(const std::string& module) const {
 bool World::is_source(const std::string& module,
                       const std::string& source) const {
   return canonical_role(module) == canonical_role(source);
+}
+
+Reply World::reply_to_request(const Message& event) const {
+  return find_reply(event.command, {event.source}).value_or(Reply::answer);
 }
 
 void World::release(const dialogue::Output& output) {

@@ -42,6 +42,7 @@ public:
   bool reachable(const std::string& module) const override;
   bool is_source(const std::string& module,
                  const std::string& source) const override;
+  Reply reply_to_request(const Message& event) const override;
   void release(const dialogue::Output& output) override;
   void start_timer(dialogue::TimerId id, Milliseconds after) override;
   void cancel_timer(dialogue::TimerId id) override;

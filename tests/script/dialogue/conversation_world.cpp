@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "runtime/base/roles.hpp"
+#include "runtime/base/replies.hpp"
 #include "script/compiler.hpp"
 #include "script/dialogue/frame_evaluator.hpp"
 
@@ -228,6 +228,14 @@ bool World::is_source(const std::string& module,
   auto found = components.find(source);
   return found != components.end() &&
          found->second.contains(std::string(canonical_role(module)));
+}
+
+Reply World::reply_to_request(const Message& event) const {
+  std::vector<std::string> roles{event.source};
+  if (const auto found = components.find(event.source);
+      found != components.end())
+    roles.insert(roles.end(), found->second.begin(), found->second.end());
+  return find_reply(event.command, roles, own_events).value_or(Reply::answer);
 }
 
 void World::release(const Output& output) {

@@ -74,6 +74,7 @@ public:
   std::unique_ptr<Conversation> conversation;
   Timestamp now;
   std::map<std::string, std::set<std::string>> components; // name -> roles
+  std::vector<RoleEvent> own_events; // of any of them
   // What inline components answer; may be empty.
   std::function<std::vector<Message>(const Message&)> answers;
   std::function<Expected<ResultSet>(const QueryRequest&)> database;
@@ -97,6 +98,7 @@ public:
   bool reachable(const std::string& module) const override;
   bool is_source(const std::string& module,
                  const std::string& source) const override;
+  Reply reply_to_request(const Message& event) const override;
   void release(const Output& output) override;
   void start_timer(TimerId id, Milliseconds after) override;
   void cancel_timer(TimerId id) override;

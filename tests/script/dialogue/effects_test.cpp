@@ -55,6 +55,30 @@ TEST(Effects, ARequestRefused) {
   EXPECT_EQ(world.said(), Texts{"Refused: Cabs: no car"});
 }
 
+// What a plug-in says of its own events counts, where its role says nothing.
+TEST(Effects, ARequestHearsOfOwnEventsWhatTheyMean) {
+  Bell world(call, R"xml(<handler name="Hold"><messages><component>
+    <Exchange><Held><speak param="Held for {_LPARAM1}."/></Held></Exchange>
+    </component></messages></handler>)xml");
+  world.own_events = {{"Held", "seconds", Reply::none},
+                      {"Forwarded", "number", Reply::answer},
+                      {"Barred", "reason", Reply::refusal}};
+  const auto answer = [&](const char* command, Value value) {
+    world.event("Exchange", command, {std::move(value)},
+                world.messages.back().correlation);
+    return world.said();
+  };
+  world.ring();
+  EXPECT_EQ(answer("Held", 3), Texts{"Held for 3."});
+  EXPECT_TRUE(world.conversation->waits_for_answer());
+  EXPECT_EQ(answer("Forwarded", 7), Texts{"Forwarded [7]"});
+  world.ring();
+  EXPECT_EQ(answer("Barred", "no credit"),
+            Texts{"Refused: Exchange: no credit"});
+  world.ring();
+  EXPECT_EQ(answer("Undescribed", 1), Texts{"Undescribed [1]"});
+}
+
 TEST(Effects, ARequestTooLate) {
   Bell world(call);
   world.ring();

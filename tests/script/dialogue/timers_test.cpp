@@ -26,6 +26,9 @@ public:
   bool is_source(const std::string&, const std::string&) const override {
     return false;
   }
+  Reply reply_to_request(const Message&) const override {
+    return Reply::answer;
+  }
   void release(const Output&) override {}
   void query(QueryRequest) override {}
   void file(QueryId, FileRequest) override {}

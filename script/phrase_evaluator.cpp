@@ -1,6 +1,9 @@
 #include "script/phrase_evaluator.hpp"
 
 #include <mutex>
+#include <optional>
+#include <utility>
+#include <vector>
 
 #include "runtime/base/random.hpp"
 #include "script/computing_host.hpp"
@@ -30,12 +33,12 @@ public:
   explicit Evaluator(std::shared_ptr<const Program> program)
       : program_(std::move(program)) {}
 
-  std::optional<std::string> render(const Value& say) const override {
+  Rendering render(const Value& say) const override {
     auto interpreter = take(say);
-    auto words = choose(*interpreter, say);
+    auto rendering = choose(*interpreter, say);
     const std::lock_guard lock(mutex_);
     free_.push_back(std::move(interpreter));
-    return words;
+    return rendering;
   }
 
 private:
@@ -80,31 +83,45 @@ private:
            4 * (2 * !phrase.topic.empty() + !phrase.slot.empty());
   }
 
-  std::optional<std::string> choose(Interpreter& interpreter,
-                                    const Value& say) const {
+  // One that fails leaves its turn to the next.
+  Rendering choose(Interpreter& interpreter, const Value& say) const {
+    Rendering rendering;
+    const auto turn = static_cast<std::uint64_t>(say["rotation"].integer_or(0));
     for (int wanted = most_specific; wanted > 0; --wanted) {
-      std::vector<const Phrase*> found;
-      for (const auto& phrase : program_->phrases)
-        if (rank(phrase, say) == wanted && holds(interpreter, phrase, say))
-          found.push_back(&phrase);
-      if (found.empty())
-        continue;
-      const auto turn =
-          static_cast<std::uint64_t>(say["rotation"].integer_or(0));
-      const auto text =
-          evaluate(interpreter, found[turn % found.size()]->text, say);
-      if (text)
-        return text->text();
+      const auto found = that_hold(interpreter, say, wanted, rendering);
+      for (std::size_t i = 0; i < found.size() && !rendering.words; ++i) {
+        const auto& phrase = *found[(turn + i) % found.size()];
+        if (auto text = computed(interpreter, phrase.text, say, rendering))
+          rendering.words = text->text();
+      }
+      if (rendering.words)
+        break;
     }
-    return {};
+    return rendering;
   }
 
-  static bool holds(Interpreter& interpreter, const Phrase& phrase,
-                    const Value& say) {
-    if (phrase.condition == no_code)
-      return true;
-    const auto value = evaluate(interpreter, phrase.condition, say);
-    return value && static_cast<bool>(*value);
+  std::vector<const Phrase*> that_hold(Interpreter& interpreter,
+                                       const Value& say, int wanted,
+                                       Rendering& rendering) const {
+    std::vector<const Phrase*> found;
+    for (const auto& phrase : program_->phrases) {
+      if (rank(phrase, say) != wanted)
+        continue;
+      if (phrase.condition == no_code ||
+          computed(interpreter, phrase.condition, say, rendering)
+              .value_or(false))
+        found.push_back(&phrase);
+    }
+    return found;
+  }
+
+  static std::optional<Value> computed(Interpreter& interpreter, CodeId code,
+                                       const Value& say, Rendering& rendering) {
+    auto value = evaluate(interpreter, code, say);
+    if (value)
+      return std::move(*value);
+    rendering.failures.push_back(std::move(value.error()));
+    return std::nullopt;
   }
 
   std::shared_ptr<const Program> program_;

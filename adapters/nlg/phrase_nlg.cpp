@@ -1,5 +1,10 @@
 #include "adapters/nlg/phrase_nlg.hpp"
 
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
 namespace parlour::adapters {
 
 namespace {
@@ -30,10 +35,14 @@ std::vector<Answer> PhraseNLG::answers(const Message& message) const {
     return {{"Speak", {message.params[0].text()}}};
   const auto say = with_data(*act, message.params);
   const auto phrases = host().phrases();
-  auto text = phrases ? phrases->render(say) : std::nullopt;
-  if (!text)
-    return no_phrase(say);
-  return {{"Speak", {std::move(*text)}}};
+  auto [words, failures] = phrases ? phrases->render(say) : Rendering{};
+  auto answers = words ? std::vector<Answer>{{"Speak", {std::move(*words)}}}
+                       : no_phrase(say);
+  for (auto& failure : failures)
+    answers.push_back({"PhraseFailed",
+                       {std::move(failure.message), failure.place.file,
+                        std::int64_t{failure.place.line}}});
+  return answers;
 }
 
 PluginFactory phrase_nlg_factory() {

@@ -122,6 +122,19 @@ Error error_from(const Value& value) {
   return error;
 }
 
+Value to_value(const Rendering& rendering) {
+  return List{rendering.words ? Value(*rendering.words) : Value(),
+              all<Error>(rendering.failures, to_value)};
+}
+
+Rendering rendering_from(const Value& value) {
+  Rendering rendering;
+  if (const auto* words = value.at(0).if_string())
+    rendering.words = *words;
+  rendering.failures = all_from(value.at(1), error_from);
+  return rendering;
+}
+
 Value to_value(const Options& options) {
   Map map;
   for (const auto& [name, value] : options)

@@ -8,6 +8,7 @@
 
 #include "runtime/base/error.hpp"
 #include "runtime/base/message.hpp"
+#include "runtime/base/phrases.hpp"
 #include "runtime/base/understanding.hpp"
 #include "runtime/plugin/plugin.hpp"
 
@@ -19,6 +20,10 @@ Expected<Message> message_from(const Value& value);
 Value to_value(const Error& error);
 // Never fails: an error that cannot be read is one of kind Network.
 Error error_from(const Value& value);
+
+Value to_value(const Rendering& rendering);
+// Never fails: what cannot be read has no words.
+Rendering rendering_from(const Value& value);
 
 Value to_value(const Options& options);
 Expected<Options> options_from(const Value& value);

@@ -39,7 +39,7 @@ inline constexpr std::int64_t frame_protocol = 1;
   X(log, "text", "a line for the log") \
   X(failed, "reason", "the plug-in says that it is broken") \
   X(column, "question, name", "asks for a column's values") \
-  X(phrase, "question, what to say", "asks for words") \
+  X(phrase, "question, what to say", "asks for words: a rendering") \
   X(reply, "question, error?, value", "the answer to either")
 // clang-format on
 

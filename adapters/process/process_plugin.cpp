@@ -235,8 +235,9 @@ Expected<void> ProcessPlugin::answer_column(const Frame& question) {
 
 Expected<void> ProcessPlugin::answer_phrase(const Frame& question) {
   const auto phrases = host().phrases();
-  const auto words = phrases ? phrases->render(question.at(1)) : std::nullopt;
-  return reply(question.at(0), words ? Value(*words) : Value());
+  return reply(
+      question.at(0),
+      to_value(phrases ? phrases->render(question.at(1)) : Rendering{}));
 }
 
 Expected<void> ProcessPlugin::reply(const Value& question,

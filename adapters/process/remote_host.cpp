@@ -13,11 +13,9 @@ class RemoteHost::Phrases : public PhraseEvaluator {
 public:
   explicit Phrases(const RemoteHost& host) : host_(host) {}
 
-  std::optional<std::string> render(const Value& say) const override {
-    const auto words = host_.inquire(FrameKind::phrase, say);
-    if (!words || !words->if_string())
-      return std::nullopt;
-    return *words->if_string();
+  Rendering render(const Value& say) const override {
+    const auto rendering = host_.inquire(FrameKind::phrase, say);
+    return rendering ? rendering_from(*rendering) : Rendering{};
   }
 
 private:

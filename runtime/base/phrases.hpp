@@ -6,11 +6,18 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
-#include "runtime/base/clock.hpp"
+#include "runtime/base/error.hpp"
 #include "runtime/base/value.hpp"
 
 namespace parlour {
+
+struct Rendering {
+  std::optional<std::string> words = {}; // nothing where no phrase applies
+  // Of phrases that could not be computed: another was taken in their place.
+  std::vector<Error> failures = {};
+};
 
 class PhraseEvaluator {
 public:
@@ -18,8 +25,8 @@ public:
 
   // `say` is a map {act, topic, slot, data, rotation, now}; rotation chooses
   // among the variants that apply, so that equal inputs give equal words.
-  // Nothing where no phrase applies. Safe to call from any thread.
-  virtual std::optional<std::string> render(const Value& say) const = 0;
+  // Safe to call from any thread.
+  virtual Rendering render(const Value& say) const = 0;
 };
 
 } // namespace parlour

@@ -17,7 +17,7 @@
 namespace parlour {
 
 // Raised with each change that a plug-in built before would not survive.
-inline constexpr std::uint32_t plugin_interface = 1;
+inline constexpr std::uint32_t plugin_interface = 2;
 
 // By what program and plug-in know that they mean the same by the same types:
 // compilers, libraries and settings that differ in one of these cannot talk.

@@ -21,8 +21,8 @@ const std::string recogniser = "ASR";
 // messages are only for those.
 bool is_heard(const Message& message) {
   static constexpr std::string_view commands[] = {
-      "RecognitionResult", "SpeechStarted", "Partial",     "Rejected",
-      "Finished",          "AgentOnline",   "AgentOffline"};
+      "RecognitionResult", "SpeechStarted", "Partial",      "Rejected",
+      "Finished",          "AgentOnline",   "AgentOffline", "PhraseFailed"};
   return std::any_of(
       std::begin(commands), std::end(commands),
       [&](std::string_view command) { return message.command == command; });
@@ -224,7 +224,8 @@ void Conversation::Implementation::process(Input&& input) {
   if (input.begins_turn)
     core.mouth.give_up_interrupted();
   if (is_heard(message) && (hear_speech(message) || hear_speaker(message) ||
-                            core.machine.agent_changed(message)))
+                            core.machine.agent_changed(message) ||
+                            core.mouth.hear_failure(message, input.turn)))
     input.raised = true; // somebody took it
   if (core.effects.reply(message))
     core.turns.let_go(input.turn);

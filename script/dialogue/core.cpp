@@ -112,13 +112,16 @@ void Core::drop(const Input& input) {
   mouth.handled(*input.message, false);
 }
 
+void Core::raise_error(const Error& error, TurnId turn) {
+  raise("Script", "Error",
+        {error.message, error.place.file, std::int64_t{error.place.line}},
+        turn);
+}
+
 void Core::script_failed(const Error& error, TurnId turn) {
   inspect(InspectionKind::error, std::string(name_of(error.kind)),
           to_string(error));
-  raise("Script", "Error",
-        {error.message, error.place.file,
-         static_cast<std::int64_t>(error.place.line)},
-        turn);
+  raise_error(error, turn);
 }
 
 void Core::inspect(InspectionKind kind, std::string subject,

@@ -91,7 +91,9 @@ struct Core {
   bool one_more_internal_event();
   // An event that nobody is to handle any more; what hangs on it goes on.
   void drop(const Input& input);
-  // Shown, and raised as Script.Error (language rule 5).
+  // Script.Error (language rule 5).
+  void raise_error(const Error& error, TurnId turn);
+  // Shown, and raised.
   void script_failed(const Error& error, TurnId turn);
   // Errors and logs are told even where nobody watches.
   void inspect(InspectionKind kind, std::string subject, std::string detail);

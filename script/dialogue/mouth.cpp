@@ -1,17 +1,23 @@
 #include "script/dialogue/mouth.hpp"
 
 #include <algorithm>
+#include <string_view>
 #include <utility>
 
 #include "script/dialogue/core.hpp"
 
 namespace parlour::dialogue {
 
+using namespace std::string_view_literals;
+
 namespace {
 
 const std::string language_generation = "NLG";
 
 constexpr int most_taken_up = 3;
+
+// Told of in one robot turn.
+constexpr std::size_t most_failed_phrases = 100;
 
 } // namespace
 
@@ -39,7 +45,7 @@ Value Mouth::generate_params(const Say& what) {
 
 OutputId Mouth::say(Say&& what) {
   if (!core_.port.reachable(language_generation)) {
-    auto text = what.text.empty() ? words_of(generate_params(what))
+    auto text = what.text.empty() ? words_of(generate_params(what), what.turn)
                                   : std::move(what.text);
     return text.empty()
                ? 0
@@ -58,15 +64,43 @@ OutputId Mouth::say(Say&& what) {
 }
 
 // Nothing is said where the application has no phrase for it.
-std::string Mouth::words_of(const Value& params) const {
+std::string Mouth::words_of(const Value& params, TurnId turn) {
   if (const auto* text = params.if_string())
     return *text;
-  auto text = core_.options.phrases ? core_.options.phrases->render(params)
-                                    : std::nullopt;
-  if (!text)
+  const auto* phrases = core_.options.phrases.get();
+  auto [words, failures] = phrases ? phrases->render(params) : Rendering{};
+  for (const auto& failure : failures)
+    phrase_failed(failure, turn);
+  if (!words)
     core_.inspect(InspectionKind::error, params["act"].text(),
                   "there is no phrase for it");
-  return text.value_or("");
+  return std::move(words).value_or("");
+}
+
+bool Mouth::hear_failure(const Message& event, TurnId turn) {
+  if (event.command != "PhraseFailed"sv ||
+      !core_.port.is_source(language_generation, event.source))
+    return false;
+  const Value params(event.params);
+  const auto line = params.at(2).integer_or(0);
+  phrase_failed({ErrorKind::thrown,
+                 params.at(0).text(),
+                 {params.at(1).text(), static_cast<std::uint32_t>(line)}},
+                turn);
+  return true;
+}
+
+// Another phrase was taken in its place: where nobody listens, the user need
+// not hear of it.
+void Mouth::phrase_failed(const Error& error, TurnId turn) {
+  core_.inspect(InspectionKind::error, "phrase", to_string(error));
+  const auto told = std::ranges::find(failed_phrases_, error.place);
+  if (told != failed_phrases_.end() ||
+      failed_phrases_.size() == most_failed_phrases ||
+      !core_.pipeline.listens("Script", "Error"))
+    return;
+  failed_phrases_.push_back(error.place);
+  core_.raise_error(error, turn);
 }
 
 OutputId Mouth::push(OutputAct as, std::string text, const Say& what,
@@ -113,7 +147,8 @@ void Mouth::handled(const Message& event, bool taken) {
   if (wording_.empty() || !wording_.contains(event.correlation))
     return;
   if (event.command != "Speak") {
-    give_up_wording(event.correlation);
+    if (core_.port.reply_to_request(event) != Reply::none)
+      give_up_wording(event.correlation);
     return;
   }
   auto text = !taken && !event.params.empty() ? event.params[0].text() : "";
@@ -124,7 +159,7 @@ void Mouth::give_up_wording(Correlation correlation) {
   auto found = wording_.find(correlation);
   if (found == wording_.end())
     return;
-  auto text = words_of(found->second.params);
+  auto text = words_of(found->second.params, 0);
   speak(std::move(text), correlation, 0, true);
 }
 

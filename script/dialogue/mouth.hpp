@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "runtime/base/error.hpp"
 #include "script/dialogue/output_queue.hpp"
 #include "script/dialogue/turns.hpp"
 
@@ -46,8 +47,12 @@ public:
   // The handlers of an NLG event are done: an entry that none of them worded
   // takes the event's own text, or is dropped where a handler that names the
   // event took it.
-  // Any other answer than Speak means that there are no words to come.
+  // Any other event that ends the request means that there are no words to
+  // come.
   void handled(const Message& event, bool taken);
+  // Where the event tells of a phrase that could not be computed: shown, and
+  // raised as Script.Error for who listens to it.
+  bool hear_failure(const Message& event, TurnId turn);
   // The NLG component did not answer in time.
   void give_up_wording(Correlation correlation);
 
@@ -59,6 +64,7 @@ public:
   // another robot turn.
   void turn_begins() {
     queue_.turn_begins();
+    failed_phrases_.clear();
   }
   bool said_anything() const {
     return !queue_.last_turn().empty();
@@ -105,7 +111,8 @@ private:
   OutputId push(OutputAct as, std::string text, const Say& what,
                 OutputState state);
   Value generate_params(const Say& what);
-  std::string words_of(const Value& params) const;
+  std::string words_of(const Value& params, TurnId turn);
+  void phrase_failed(const Error& error, TurnId turn);
   void word(OutputId id, std::string text);
   void voice(const Output& output);
   void inspect(const Output& output, const char* what);
@@ -116,6 +123,8 @@ private:
   std::map<Correlation, Wording> wording_;
   std::map<std::string, std::int64_t> uses_; // of each phrase, for rotation
   std::uint64_t made_ = 0;
+  // Told of in this robot turn: who listens may have said them himself.
+  std::vector<Place> failed_phrases_;
   struct Playing {
     OutputId id = 0;
     bool interruptible = true;

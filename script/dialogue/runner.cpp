@@ -98,10 +98,7 @@ void Runner::report(const script::ActivationContext& context,
   core_.inspect(cancelled ? InspectionKind::log : InspectionKind::error,
                 std::string(name_of(result.error.kind)), detail);
   if (!cancelled && !context.handles_error)
-    core_.raise("Script", "Error",
-                {result.error.message, result.error.place.file,
-                 static_cast<std::int64_t>(result.error.place.line)},
-                context.turn);
+    core_.raise_error(result.error, context.turn);
 }
 
 StepList Runner::hand_over() {

@@ -191,8 +191,7 @@ TEST_F(RoutingTableTest, KnowsWhatEndsARequest) {
   EXPECT_EQ(table->reply_to_request(event("Mic", "Started")), Reply::answer);
   EXPECT_EQ(table->reply_to_request(event("Fast", "Partial")), Reply::none);
   EXPECT_EQ(table->reply_to_request(event("ASR", "Partial")), Reply::none);
-  EXPECT_EQ(table->reply_to_request(event("Record", "Failed")),
-            Reply::refusal);
+  EXPECT_EQ(table->reply_to_request(event("Record", "Failed")), Reply::refusal);
   EXPECT_EQ(table->reply_to_request(event("Fast", "Noise")), Reply::none);
   EXPECT_EQ(table->reply_to_request(event("Fast", "Other")), Reply::answer);
   EXPECT_EQ(table->reply_to_request(event("agent", "Noise")), Reply::answer);

@@ -98,7 +98,7 @@ TEST_F(SessionTest, EqualInputsGiveEqualRuns) {
 // line says so, its seat may begin again, and the others do not notice.
 TEST_F(SessionTest, EndsWithALogLineWhenItsPortThrows) {
   class Throwing : public PhraseEvaluator {
-    std::optional<std::string> render(const Value&) const override {
+    Rendering render(const Value&) const override {
       throw std::runtime_error("no dictionary");
     }
   };

@@ -33,9 +33,9 @@ TEST(PhraseEvaluator, TakesTheMostSpecificThatHolds) {
               "</phrase>"
               "<phrase act='answer' topic='T' slot='S' if='data.n gt 2'>never"
               "</phrase>");
-  EXPECT_EQ(evaluator->render(say("T", "S", 0)), "slot");
-  EXPECT_EQ(evaluator->render(say("T", "R", 0)), "topic two shops");
-  EXPECT_EQ(evaluator->render(say("U", "S", 0)), "any");
+  EXPECT_EQ(evaluator->render(say("T", "S", 0)).words, "slot");
+  EXPECT_EQ(evaluator->render(say("T", "R", 0)).words, "topic two shops");
+  EXPECT_EQ(evaluator->render(say("U", "S", 0)).words, "any");
 }
 
 // The second time too: what holds beats what always applies.
@@ -45,16 +45,41 @@ TEST(PhraseEvaluator, PrefersAConditionThatHolds) {
                                  "</phrase>"
                                  "<phrase act='answer' if='data.n gt 2'>more"
                                  "</phrase>");
-  EXPECT_EQ(evaluator->render(say("", "", 0)), "many");
-  EXPECT_EQ(evaluator->render(say("", "", 1)), "many");
+  EXPECT_EQ(evaluator->render(say("", "", 0)).words, "many");
+  EXPECT_EQ(evaluator->render(say("", "", 1)).words, "many");
 }
 
 TEST(PhraseEvaluator, RotatesAmongEquals) {
   const auto evaluator = phrases("<phrase act='answer'>one</phrase>"
                                  "<phrase act='answer'>two</phrase>");
-  EXPECT_EQ(evaluator->render(say("", "", 0)), "one");
-  EXPECT_EQ(evaluator->render(say("", "", 1)), "two");
-  EXPECT_EQ(evaluator->render(say("", "", 2)), "one");
+  EXPECT_EQ(evaluator->render(say("", "", 0)).words, "one");
+  EXPECT_EQ(evaluator->render(say("", "", 1)).words, "two");
+  EXPECT_EQ(evaluator->render(say("", "", 2)).words, "one");
+}
+
+TEST(PhraseEvaluator, GoesOnWithTheNextWhereOneFails) {
+  const auto evaluator =
+      phrases("<phrase act='answer'>any</phrase>"
+              "<phrase act='answer' topic='T'>{1 / (data.n - 2)} shops</phrase>"
+              "\n<phrase act='answer' topic='T' if='1 / (data.n - 2) gt 0'>many"
+              "</phrase>");
+  const auto [words, failures] = evaluator->render(say("T", "", 0));
+  EXPECT_EQ(words, "any");
+  ASSERT_EQ(failures.size(), 2u);
+  EXPECT_EQ(failures[0].kind, ErrorKind::arithmetic);
+  EXPECT_EQ(failures[0].place.line, failures[1].place.line + 1);
+  EXPECT_FALSE(failures[1].place.file.empty());
+}
+
+TEST(PhraseEvaluator, LeavesTheTurnOfOneThatFailsToItsEqual) {
+  const auto evaluator =
+      phrases("<phrase act='answer'>{1 / (data.n - 2)}</phrase>"
+              "<phrase act='answer'>two</phrase>");
+  for (const int rotation : {0, 1, 2}) {
+    const auto [words, failures] = evaluator->render(say("", "", rotation));
+    EXPECT_EQ(words, "two");
+    EXPECT_EQ(failures.size(), rotation == 1 ? 0u : 1u);
+  }
 }
 
 } // namespace

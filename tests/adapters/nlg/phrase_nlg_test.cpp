@@ -13,10 +13,13 @@ using testing::ElementsAre;
 // Knows one phrase and shows what it was handed.
 class OnePhrase : public PhraseEvaluator {
 public:
-  std::optional<std::string> render(const Value& say) const override {
+  Rendering render(const Value& say) const override {
+    if (say["act"] == Value("fail"))
+      return {std::nullopt,
+              {{ErrorKind::arithmetic, "no number", {"a.xml", 7}}}};
     if (say["act"] != Value("ask"))
       return {};
-    return "What is the " + say["slot"].text() + "? " + say["data"].text();
+    return {"What is the " + say["slot"].text() + "? " + say["data"].text()};
   }
 };
 
@@ -60,6 +63,12 @@ TEST_F(PhraseNLGTest, IsNotSilentWhereNoPhraseApplies) {
               ElementsAre("Speak()", "NoPhrase(greet, Facility)"));
   EXPECT_THAT(generate({}),
               ElementsAre("Speak()", "NoPhrase(unknown, unknown)"));
+}
+
+TEST_F(PhraseNLGTest, TellsOfAPhraseThatCannotBeComputed) {
+  EXPECT_THAT(generate({Map{{"act", "fail"}}}),
+              ElementsAre("Speak()", "NoPhrase(fail, unknown)",
+                          "PhraseFailed(no number, a.xml, 7)"));
 }
 
 TEST_F(PhraseNLGTest, HasNoPhraseWithoutAnEvaluator) {

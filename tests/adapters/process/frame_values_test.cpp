@@ -23,6 +23,15 @@ TEST(FrameValues, AreErrors) {
   EXPECT_EQ(error_from("text").kind, ErrorKind::network);
 }
 
+TEST(FrameValues, AreRenderedPhrases) {
+  const Rendering rendering{"hello", {{ErrorKind::type, "no", {"a.xml", 3}}}};
+  const auto read = rendering_from(to_value(rendering));
+  EXPECT_EQ(read.words, rendering.words);
+  EXPECT_EQ(read.failures, rendering.failures);
+  EXPECT_EQ(rendering_from(to_value(Rendering{})).words, std::nullopt);
+  EXPECT_EQ(rendering_from(7).words, std::nullopt);
+}
+
 TEST(FrameValues, AreOptionsAndTexts) {
   const Options options{{"file", "a.db"}, {"seed", ""}};
   EXPECT_EQ(options_from(to_value(options)).value(), options);

@@ -61,8 +61,10 @@ TEST_F(ProcessPluginTest, AnswersItsQuestionsMeanwhile) {
 }
 
 struct Parrot : PhraseEvaluator {
-  std::optional<std::string> render(const Value& say) const override {
-    return say.if_string() ? std::optional("say " + say.text()) : std::nullopt;
+  Rendering render(const Value& say) const override {
+    if (say.if_string())
+      return {"say " + say.text()};
+    return {{}, {{ErrorKind::type, "no text", {}}}};
   }
 };
 
@@ -72,7 +74,7 @@ TEST_F(ProcessPluginTest, HasItsPhrasesRenderedHere) {
   send("Words", {"hello"});
   send("Words", {7});
   EXPECT_THAT(host.take_events(),
-              ElementsAre("Words(say hello)", "Words(none)"));
+              ElementsAre("Words(say hello)", "Words(no text)"));
 }
 
 TEST_F(ProcessPluginTest, CallsBackByThePlatformsTime) {

@@ -127,7 +127,7 @@ TEST_F(RemoteHostTest, HasNoAnswerWhereNobodyIs) {
   ASSERT_TRUE(begin(false, true));
   theirs.reset();
   EXPECT_FALSE(host->column("db:a.b"));
-  EXPECT_FALSE(host->phrases()->render("hello"));
+  EXPECT_FALSE(host->phrases()->render("hello").words);
 }
 
 } // namespace

@@ -23,7 +23,9 @@ constexpr const char* pipeline = R"(
 // "[answer Facility {rows: …}]": which phrase, with what.
 class Phrases : public PhraseEvaluator {
 public:
-  std::optional<std::string> render(const Value& say) const override {
+  explicit Phrases(const World& world) : world_(world) {}
+
+  Rendering render(const Value& say) const override {
     auto text = "[" + say["act"].text();
     if (!say["topic"].is_unknown())
       text += " " + say["topic"].text();
@@ -31,8 +33,15 @@ public:
       text += "." + say["slot"].text();
     if (say["data"])
       text += " " + to_string(say["data"]);
-    return text + "]";
+    Rendering rendering{text + "]"};
+    if (world_.fails_to_word == say["act"].text())
+      rendering.failures = {
+          {ErrorKind::arithmetic, "no number", {"phrases.xml", 7}}};
+    return rendering;
   }
+
+private:
+  const World& world_;
 };
 
 std::shared_ptr<const script::Program>
@@ -80,7 +89,7 @@ World::World(const std::string& script, const WorldOptions& options)
   Conversation::Options wanted;
   wanted.session = "s1";
   wanted.seed = options.seed;
-  wanted.phrases = std::make_shared<Phrases>();
+  wanted.phrases = std::make_shared<Phrases>(*this);
   conversation = std::make_unique<Conversation>(program, wanted, *this);
   if (options.open)
     open();

@@ -74,7 +74,9 @@ public:
   std::unique_ptr<Conversation> conversation;
   Timestamp now;
   std::map<std::string, std::set<std::string>> components; // name -> roles
-  std::vector<RoleEvent> own_events; // of any of them
+  std::vector<RoleEvent> own_events;                       // of any of them
+  // The act whose best phrase cannot be computed: there is another.
+  std::string fails_to_word;
   // What inline components answer; may be empty.
   std::function<std::vector<Message>(const Message&)> answers;
   std::function<Expected<ResultSet>(const QueryRequest&)> database;

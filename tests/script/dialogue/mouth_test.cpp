@@ -74,6 +74,45 @@ TEST(Mouth, WordsByAHandler) {
   EXPECT_EQ(world.said(), Texts{"Done."});
 }
 
+constexpr const char* listening = R"xml(
+  <handler name="E"><messages><component><Script><Error>
+    <speak param="{_LPARAM1} in {_LPARAM2}:{_LPARAM3}"/>
+    <say act="thank"/>
+  </Error></Script></component></messages></handler>)xml";
+
+// The handler's own words fail as well: it is told once in a robot turn.
+TEST(Mouth, APhraseThatFailsIsAnErrorAndAnotherIsSaid) {
+  World world(std::string(asking) + listening);
+  world.fails_to_word = "thank";
+  const Texts told{"[thank]", "no number in phrases.xml:7", "[thank]"};
+  world.say("thank");
+  EXPECT_EQ(world.said(), told);
+  EXPECT_EQ(world.seen(InspectionKind::error),
+            (Texts{2, "phrase: phrases.xml:7: no number"}));
+  world.say("thank");
+  EXPECT_EQ(world.said(), told);
+}
+
+TEST(Mouth, TheUserDoesNotHearOfAPhraseThatFails) {
+  World world(asking);
+  world.fails_to_word = "thank";
+  world.say("thank");
+  EXPECT_EQ(world.said(), Texts{"[thank]"});
+  EXPECT_EQ(world.seen(InspectionKind::error).size(), 1u);
+}
+
+TEST(Mouth, AComponentTellsOfAPhraseThatFails) {
+  Worded world(std::string(asking) + listening);
+  world.say(inform("T", {}));
+  const auto number = world.messages.back().correlation;
+  world.event("Phrases", "PhraseFailed", {"no number", "a.xml", 3}, number);
+  EXPECT_EQ(world.said(), Texts{}); // the question's words are still to come
+  world.event("Phrases", "Speak", {"S?"}, number);
+  EXPECT_EQ(world.said(), (Texts{"S?", "no number in a.xml:3"}));
+  for (const auto& line : world.seen(InspectionKind::unhandled))
+    EXPECT_EQ(line.find("PhraseFailed"), std::string::npos);
+}
+
 TEST(Mouth, InlineWordsNeedNoTimer) {
   Worded world(std::string(asking) + speaking, true);
   world.say("thank");

@@ -92,9 +92,10 @@ private:
   }
   void words(const Message& message) {
     const auto phrases = host().phrases();
-    fire_event("Words",
-               {phrases ? phrases->render(message.params.at(0)).value_or("none")
-                        : "nobody"});
+    if (!phrases)
+      return fire_event("Words", {"nobody"});
+    const auto [words, failures] = phrases->render(message.params.at(0));
+    fire_event("Words", {words ? *words : failures.at(0).message});
   }
   void tell(const Message&) {
     host().log("told");

@@ -13,8 +13,8 @@ TEST(ScopeCheck, SaysWhatAScopeIsNotFor) {
   EXPECT_TRUE(check_scope({node}, voice));
   EXPECT_TRUE(check_scope({pool, 4}, voice));
   EXPECT_FALSE(check_scope({in_turn}, voice));
-  EXPECT_FALSE(check_scope({seat}, voice));
-  EXPECT_FALSE(check_scope({session}, voice));
+  EXPECT_TRUE(check_scope({seat}, voice));
+  EXPECT_TRUE(check_scope({session}, voice));
   auto words = voice;
   words.is_inline = true;
   EXPECT_TRUE(check_scope({in_turn}, words));

@@ -130,7 +130,7 @@ INSTANTIATE_TEST_SUITE_P(
         Linted{"<function name='main'><load plugin='P' "
                "name='AST'/><post module='AST' command='x'/>"
                "</function><handler name='H'><messages><component><AST>"
-               "<Said><stop/></Said></AST></component></messages>"
+               "<Said><log param='x'/></Said></AST></component></messages>"
                "</handler>",
                ""},
         Linted{"<routes><relay source='ASR' command='*' "

@@ -54,7 +54,7 @@ TEST_F(CommandTest, check_names_the_nearest_option) {
   EXPECT_EQ(call({"check", "bad-option"}), exit_code::wrong);
   EXPECT_THAT(out_.str(),
               testing::StartsWith(
-                  "bad-option/settings.xml:2:12: error: SQLiteDatabase has no "
+                  "bad-option/settings.xml:5:5: error: SQLiteDatabase has no "
                   "option 'fiel', did you mean 'file'?\n"));
   EXPECT_EQ(err_.str(), "bad-option: 2 errors, 0 warnings\n");
 }

@@ -288,7 +288,7 @@ class BrokenCopies(Hostile):
                   ("settings.xml", 'start="Welcom"', 38),
                   ("settings.xml", "LogTaxy", 5),
                   ("settings.xml", "<Plugin>LogWeather", 5),
-                  ("settings.xml", "<Plugin>LogWeather", 5),
+                  ("settings.xml", '<option name="report"', 5),
                   ("topics/taxi.xml", 'this.Time ge time("', 40))
         self.expect(self.findings(application), *(
             f"{name}:{self.line_of(application / name, text)}:{column}"

@@ -29,8 +29,8 @@ bool send(Self self, const AskOrder& order) {
   auto& services = *state.services;
   auto routed = services.table.load()->route(std::move(request));
   bool taken = false;
-  for (auto& [target, copy] : routed.deliveries)
-    taken |= !hand_over(services, *target, {std::move(copy), order.work});
+  for (auto& [target, sent] : routed.deliveries)
+    taken |= !hand_over(services, *target, {std::move(sent), order.work});
   return taken;
 }
 

@@ -15,16 +15,16 @@ Message failure_answer(const std::string& component, const Message& message,
 
 std::optional<Message> hand_over(Services& services, const Target& target,
                                  ComponentMailbox::Job job) {
-  const auto mailbox = target.mailbox_of(job.message.session);
+  const auto mailbox = target.mailbox_of(job.message->session);
   const auto* why =
       mailbox ? mailbox->put(job) : "has no instance for that session";
   if (!why)
     return std::nullopt;
   const auto reason = target.name + " " + why;
-  services.unhandled(job.message, reason);
-  if (job.message.correlation == 0)
+  services.unhandled(*job.message, reason);
+  if (job.message->correlation == 0)
     return std::nullopt;
-  return failure_answer(target.name, job.message, reason);
+  return failure_answer(target.name, *job.message, reason);
 }
 
 } // namespace parlour::actors

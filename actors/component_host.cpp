@@ -31,9 +31,9 @@ struct Called {
 
 // Calls the plug-in under the eyes of the supervisor.
 template <class Action>
-Called call(Self self, Work& work, Action&& action) {
+Called call(Self self, Timestamp now, Work& work, Action&& action) {
   auto& [services, instance] = self->state;
-  const auto begun = instance->watch.begin(services->clock->now(), work);
+  const auto begun = instance->watch.begin(now, work);
   if (begun == CallWatch::Begin::refused)
     return {};
   if (begun == CallWatch::Begin::unwatched)
@@ -98,8 +98,8 @@ void start(Self self) {
   auto work = services->work.begin();
   Work expected;
   Expected<void> outcome;
-  const auto called =
-      call(self, expected, [&, &one = *instance] { outcome = bring_up(one); });
+  const auto called = call(self, services->clock->now(), expected,
+                           [&, &one = *instance] { outcome = bring_up(one); });
   if (called.how != Called::How::in_time)
     return end_late(self);
   if (called.thrown)
@@ -111,10 +111,11 @@ void start(Self self) {
 void stop(Self self) {
   auto& [services, instance] = self->state;
   Work expected;
-  const auto called = call(self, expected, [&one = *instance] {
-    if (one.plugin)
-      one.plugin->stop();
-  });
+  const auto called =
+      call(self, services->clock->now(), expected, [&one = *instance] {
+        if (one.plugin)
+          one.plugin->stop();
+      });
   if (called.how == Called::How::in_time) {
     if (called.thrown)
       services->log(instance->component->name() +
@@ -129,11 +130,14 @@ void stop(Self self) {
 
 // False where it is to take no more.
 bool handle(Self self, ComponentMailbox::Job job) {
-  auto& instance = *self->state.instance;
+  auto& [services, held] = self->state;
+  auto& instance = *held;
+  const auto& message = *job.message;
+  const auto now = services->clock->now();
   Called called;
-  if (instance.door->gives(job.message))
+  if (instance.door->gives(message, now))
     called =
-        call(self, job.work, [&] { instance.plugin->receive(job.message); });
+        call(self, now, job.work, [&] { instance.plugin->receive(message); });
   if (called.how == Called::How::refused)
     instance.component->mailbox->put_back(std::move(job));
   judge(self, called);
@@ -142,12 +146,13 @@ bool handle(Self self, ComponentMailbox::Job job) {
 
 void work(Self self) {
   auto& mailbox = *self->state.instance->component->mailbox;
+  const component_host_actor host(self);
   for (int i = 0; i < most_at_once; ++i) {
-    auto job = mailbox.take(self);
+    auto job = mailbox.take(host);
     if (!job)
       return tell_of_rest(self);
     if (!handle(self, std::move(*job)))
-      return mailbox.leave(self);
+      return mailbox.leave(host);
   }
   self->send(self, work_waits{});
 }
@@ -164,7 +169,7 @@ void call_back(Self self, const run_now& what) {
   if (!instance->door->calls_back(what.due->id()))
     return; // cancelled, or closed
   auto work = services->work.begin();
-  const auto called = call(self, work, what.action);
+  const auto called = call(self, services->clock->now(), work, what.action);
   services->due_times.remove(what.due->id());
   if (!called.well())
     instance->component->mailbox->leave(self);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <deque>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <vector>
@@ -13,6 +14,9 @@
 
 namespace parlour::actors {
 
+// One for all who are given it.
+using SharedMessage = std::shared_ptr<const Message>;
+
 // Safe to use from any thread.
 class ComponentMailbox {
 public:
@@ -20,7 +24,7 @@ public:
   static constexpr std::size_t capacity = 10'000;
 
   struct Job {
-    Message message;
+    SharedMessage message; // never null
     Work work;
   };
 

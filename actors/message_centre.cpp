@@ -4,8 +4,6 @@
 
 #include <caf/typed_event_based_actor.hpp>
 
-#include "actors/component.hpp"
-
 namespace parlour::actors {
 
 namespace {
@@ -40,21 +38,12 @@ void add(Self self, Services& services, Batch& batch, Message message,
   batch.messages.push_back(std::move(message));
 }
 
-void carry(Self self, Services& services, const publish& what) {
-  auto table = services.table.load();
+void give(Self self, Services& services, std::vector<Message> messages,
+          const Work& work) {
   Batch batch;
-  for (const auto& message : what.messages) {
-    auto routed = table->route(message);
-    for (const auto& sink : routed.unreachable)
-      services.unhandled(message, "nobody is there for " + sink);
-    for (auto& [target, copy] : routed.deliveries)
-      if (auto answer =
-              hand_over(services, *target, {std::move(copy), what.work}))
-        self->send(self, publish{{std::move(*answer)}, what.work});
-    if (routed.rest)
-      add(self, services, batch, std::move(*routed.rest), what.work);
-  }
-  flush(self, services, batch, what.work);
+  for (auto& message : messages)
+    add(self, services, batch, std::move(message), work);
+  flush(self, services, batch, work);
 }
 
 } // namespace
@@ -63,7 +52,13 @@ message_centre_actor::behavior_type message_centre(
     message_centre_actor::stateful_pointer<message_centre_state> self,
     Services* services) {
   return {
-      [=](const publish& what) { carry(self, *services, what); },
+      [=](publish& what) {
+        give(self, *services, services->route(std::move(what.messages)),
+             what.work);
+      },
+      [=](distribute& what) {
+        give(self, *services, std::move(what.messages), what.work);
+      },
       [=](const retire& what) { self->send(what.session, leave{what.work}); },
   };
 }

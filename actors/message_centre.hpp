@@ -1,6 +1,7 @@
-// The message centre: every event passes here on its way to components and
-// sessions (paper III.A; engine rule 1). What sessions post, they send by the
-// same table themselves.
+// The message centre (paper III.A; engine rule 1): its table, which every
+// sender applies itself (routing_table.hpp, Services::publish), and this actor,
+// which gives to sessions what they get, and to queries what they asked for.
+// What comes from outside of the house it routes as well.
 #pragma once
 
 #include "actors/services.hpp"

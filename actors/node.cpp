@@ -131,12 +131,12 @@ void Node::enter(const SeatId& seat, const std::vector<std::string>& lines) {
     turn.session = session;
     turns.push_back(std::move(turn));
   }
-  implementation_->house.services().publish(std::move(turns));
+  implementation_->house.services().bring_in(std::move(turns));
 }
 
 void Node::inject(const SessionId& session, Message message) {
   message.session = session;
-  implementation_->house.services().publish({std::move(message)});
+  implementation_->house.services().bring_in({std::move(message)});
 }
 
 Expected<void> Node::load(const std::string& plugin, const std::string& name) {

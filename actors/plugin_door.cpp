@@ -37,12 +37,12 @@ void PluginDoor::belongs_to(const component_host_actor& host) {
 
 // -- who keeps the instance ---------------------------------------------------
 
-bool PluginDoor::gives(const Message& message) {
+bool PluginDoor::gives(const Message& message, Timestamp now) {
   std::lock_guard lock(mutex_);
   if (closed_)
     return false;
   credit_.earn();
-  unanswered_.given(message, clock().now());
+  unanswered_.given(message, now);
   return true;
 }
 
@@ -80,14 +80,14 @@ std::vector<Message> PluginDoor::close() {
 // -- what it says -------------------------------------------------------------
 
 // False where its credit is used up, or it is to say nothing any more.
-bool PluginDoor::may_say(const Message& message) {
+bool PluginDoor::may_say(const Message& message, Timestamp now) {
   std::unique_lock lock(mutex_);
   if (closed_ || flooded_)
     return false;
-  flooded_ = !credit_.spend(clock().now());
+  flooded_ = !credit_.spend(now);
   if (!flooded_)
     unanswered_.said(message);
-  const bool rests = leaves_ && unanswered_.none(clock().now());
+  const bool rests = leaves_ && unanswered_.none(now);
   const bool floods = flooded_;
   lock.unlock();
   if (floods)
@@ -105,15 +105,14 @@ void PluginDoor::tell_supervisor_of_rest() {
   services_.gate.enter(std::move(tell));
 }
 
-void PluginDoor::publish_as_itself(Message message) {
-  if (!may_say(message))
+void PluginDoor::publish_as_itself(Message&& message) {
+  const auto now = clock().now();
+  if (!may_say(message, now))
     return;
   if (message.source.empty() || is_reserved(message.source))
     message.source = name_;
   fill_session(message);
-  std::vector<Message> messages;
-  messages.push_back(std::move(message));
-  services_.publish(std::move(messages));
+  services_.publish(std::move(message), now);
 }
 
 void PluginDoor::fill_session(Message& message) const {

@@ -33,7 +33,7 @@ public:
   // -- who keeps the instance ------------------------------------------------
 
   // Its plug-in is about to be given this; false where it is closed.
-  bool gives(const Message& message);
+  bool gives(const Message& message, Timestamp now);
   // It has called back for a delay: false where that was cancelled.
   bool calls_back(DelayId delay);
   // It is to go when it owes no answer any more: then the supervisor is told.
@@ -60,9 +60,9 @@ public:
   std::string application_folder() const override;
 
 private:
-  void publish_as_itself(Message message);
+  void publish_as_itself(Message&& message);
   void fill_session(Message& message) const;
-  bool may_say(const Message& message);
+  bool may_say(const Message& message, Timestamp now);
   bool is_closed() const;
   void tell_supervisor_of_rest();
 

@@ -45,8 +45,8 @@ bool ask(Self self, Message message, const Work& work) {
   auto& services = *self->state.services;
   auto routed = services.table.load()->route(std::move(message));
   bool taken = false;
-  for (auto& [target, copy] : routed.deliveries)
-    taken |= !hand_over(services, *target, {std::move(copy), work});
+  for (auto& [target, sent] : routed.deliveries)
+    taken |= !hand_over(services, *target, {std::move(sent), work});
   return taken;
 }
 

@@ -53,27 +53,33 @@ const Target* RoutingTable::named(std::string_view name) const {
   return nullptr;
 }
 
-std::vector<const Target*>
-RoutingTable::targets_of(std::string_view sink,
-                         const SessionId& session) const {
-  if (auto target = named(sink))
-    return target->is_up(session) ? std::vector{target}
-                                  : std::vector<const Target*>();
+template <class Take>
+void RoutingTable::for_targets_of(std::string_view sink,
+                                  const SessionId& session, Take&& take) const {
+  if (auto target = named(sink)) {
+    if (target->is_up(session))
+      take(*target);
+    return;
+  }
   const bool all = sink.ends_with('*');
   const auto wanted = role(sink.substr(0, sink.size() - all));
-  std::vector<const Target*> found;
   for (const auto& target : parts_.targets)
-    if ((all || found.empty()) &&
-        std::count(target.roles.begin(), target.roles.end(), wanted) &&
-        target.is_up(session))
-      found.push_back(&target);
-  return found;
+    if (std::count(target.roles.begin(), target.roles.end(), wanted) &&
+        target.is_up(session)) {
+      take(target);
+      if (!all)
+        return;
+    }
 }
 
 const Target* RoutingTable::find(std::string_view module,
                                  const SessionId& session) const {
-  const auto found = targets_of(module, session);
-  return found.empty() ? nullptr : found.front();
+  const Target* first = nullptr;
+  for_targets_of(module, session, [&](const Target& target) {
+    if (!first)
+      first = &target;
+  });
+  return first;
 }
 
 bool RoutingTable::is_source(std::string_view module,
@@ -118,8 +124,12 @@ bool RoutingTable::has_branches() const {
 // -- a message's way (engine rule 1) ------------------------------------------
 
 Routed RoutingTable::route(Message message) const {
+  return route(std::move(message), parts_.clock->now());
+}
+
+Routed RoutingTable::route(Message message, Timestamp now) const {
   Routed routed;
-  stamp(message);
+  stamp(message, now);
   if (apply_routes(message, routed))
     return routed;
   if (message.sinks.empty()) {
@@ -127,15 +137,17 @@ Routed RoutingTable::route(Message message) const {
     routed.rest = std::move(message);
     return routed;
   }
-  for (const auto& sink : message.sinks) {
-    tap(message, "-> " + sink);
-    deliver(message, sink, routed);
+  const auto shared = std::make_shared<const Message>(std::move(message));
+  for (const auto& sink : shared->sinks) {
+    if (!parts_.taps.empty())
+      tap(*shared, "-> " + sink);
+    deliver(shared, sink, routed);
   }
   return routed;
 }
 
-void RoutingTable::stamp(Message& message) const {
-  message.time = parts_.clock->now();
+void RoutingTable::stamp(Message& message, Timestamp now) const {
+  message.time = now;
   message.number = ++*parts_.numbers;
   ++parts_.counters->messages;
 }
@@ -188,8 +200,9 @@ Expected<Value> RoutingTable::evaluate(script::CodeId code,
 void RoutingTable::send_copies(const script::Route& route,
                                const Message& message, Routed& routed) const {
   for (const auto& to : route.to) {
-    auto copy = copy_for(route, message, to);
-    tap(copy, (route.is_filter ? "filter -> " : "relay -> ") + to);
+    const auto copy =
+        std::make_shared<const Message>(copy_for(route, message, to));
+    tap(*copy, (route.is_filter ? "filter -> " : "relay -> ") + to);
     deliver(copy, to, routed);
   }
 }
@@ -210,13 +223,15 @@ Message RoutingTable::copy_for(const script::Route& route,
   return copy;
 }
 
-void RoutingTable::deliver(const Message& message, const std::string& to,
+void RoutingTable::deliver(const SharedMessage& message, const std::string& to,
                            Routed& routed) const {
-  const auto targets = targets_of(to, message.session);
-  if (targets.empty())
-    routed.unreachable.push_back(to);
-  for (const auto* target : targets)
-    routed.deliveries.push_back({target, message});
+  bool nobody = true;
+  for_targets_of(to, message->session, [&](const Target& target) {
+    routed.deliveries.push_back({&target, message});
+    nobody = false;
+  });
+  if (nobody)
+    routed.unreached.push_back({to, message});
 }
 
 void RoutingTable::tap(const Message& message, const std::string& way) const {

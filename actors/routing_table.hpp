@@ -46,14 +46,20 @@ struct Target {
 
 struct Delivery {
   const Target* target; // lives as long as the table
-  Message message;
+  SharedMessage message;
+};
+
+// A sink that nobody fills, and what was for it.
+struct Unreached {
+  std::string sink;
+  SharedMessage message;
 };
 
 // Where a message goes.
 struct Routed {
   std::vector<Delivery> deliveries;
-  std::optional<Message> rest;          // what its session gets
-  std::vector<std::string> unreachable; // sinks that nobody fills
+  std::optional<Message> rest; // what its session gets
+  std::vector<Unreached> unreached;
 };
 
 // What went through, of all tables of a node.
@@ -88,6 +94,8 @@ public:
 
   // Stamps, relays, filters, finds the sinks. Safe from any thread.
   Routed route(Message message) const;
+  // The same for who knows the time.
+  Routed route(Message message, Timestamp now) const;
 
   // By instance name, else the first component that is up for the session and
   // fills the role or alias; null where there is none. "Role*" is found like
@@ -116,9 +124,10 @@ private:
   std::string_view role(std::string_view name) const;
   const Target* named(std::string_view name) const;
   // All that a sink means: for "Role*" each that is up (language rule 1).
-  std::vector<const Target*> targets_of(std::string_view sink,
-                                        const SessionId& session) const;
-  void stamp(Message& message) const;
+  template <class Take>
+  void for_targets_of(std::string_view sink, const SessionId& session,
+                      Take&& take) const;
+  void stamp(Message& message, Timestamp now) const;
   bool matches(const script::Route& route, const Message& message) const;
   Expected<Value> evaluate(script::CodeId code, const Message& message) const;
   bool holds(const script::Route& route, const Message& message) const;
@@ -126,7 +135,7 @@ private:
                    const std::string& to) const;
   void send_copies(const script::Route& route, const Message& message,
                    Routed& routed) const;
-  void deliver(const Message& message, const std::string& to,
+  void deliver(const SharedMessage& message, const std::string& to,
                Routed& routed) const;
   bool apply_routes(const Message& message, Routed& routed) const;
   void tap(const Message& message, const std::string& way) const;

@@ -4,14 +4,69 @@
 
 #include <caf/send.hpp>
 
+#include "actors/component.hpp"
+
 namespace parlour::actors {
 
+namespace {
+
+enum class Answers : bool { no, yes };
+
+// Where even the answer for a component that failed is for one that failed,
+// nobody is answered again.
+void carry(Services& services, Message message, Timestamp now,
+           std::vector<Message>& rest, Answers answers = Answers::yes) {
+  const auto table = services.table.load();
+  if (!table)
+    return; // the house is down
+  auto routed = table->route(std::move(message), now);
+  services.unreached(routed);
+  for (auto& [target, sent] : routed.deliveries) {
+    auto answer =
+        hand_over(services, *target, {std::move(sent), services.work.begin()});
+    if (answer && answers == Answers::yes)
+      carry(services, std::move(*answer), now, rest, Answers::no);
+  }
+  if (routed.rest)
+    rest.push_back(std::move(*routed.rest));
+}
+
+void pass_to_centre(Services& services, std::vector<Message> messages) {
+  if (!messages.empty() && services.centre)
+    caf::anon_send(services.centre,
+                   distribute{std::move(messages), services.work.begin()});
+}
+
+} // namespace
+
+void Services::publish(Message message, Timestamp now) {
+  if (gate.keeps_out())
+    return publish(std::vector{std::move(message)});
+  std::vector<Message> rest;
+  carry(*this, std::move(message), now, rest);
+  pass_to_centre(*this, std::move(rest));
+}
+
 void Services::publish(std::vector<Message> messages) {
-  auto send = [this, messages = std::move(messages), piece = work.begin()] {
-    if (centre)
-      caf::anon_send(centre, actors::publish{messages, piece});
-  };
-  gate.enter(std::move(send));
+  gate.enter(
+      [this, messages = std::move(messages), waits = work.begin()]() mutable {
+        pass_to_centre(*this, route(std::move(messages)));
+      });
+}
+
+void Services::bring_in(std::vector<Message> messages) {
+  gate.enter(
+      [this, messages = std::move(messages), waits = work.begin()]() mutable {
+        if (centre)
+          caf::anon_send(centre, actors::publish{std::move(messages), waits});
+      });
+}
+
+std::vector<Message> Services::route(std::vector<Message> messages) {
+  std::vector<Message> rest;
+  for (auto& message : messages)
+    carry(*this, std::move(message), clock->now(), rest);
+  return rest;
 }
 
 void Services::unhandled(const Message& message, const std::string& why) {
@@ -27,6 +82,11 @@ void Services::unhandled(const Message& message, const std::string& why) {
   inspection.detail = why;
   inspection.message = std::make_shared<const Message>(message);
   inspect(std::move(inspection));
+}
+
+void Services::unreached(const Routed& routed) {
+  for (const auto& [sink, message] : routed.unreached)
+    unhandled(*message, "nobody is there for " + sink);
 }
 
 Tap inspection_tap(Services& services) {

@@ -76,10 +76,20 @@ struct Services {
   supervisor_actor supervisor;
   file_keeper_actor file_keeper;
 
-  // To the message centre, from any thread.
+  // From any thread: stamped and routed by the table at once (engine rule 1),
+  // into the components' mailboxes; by the message centre what sessions get.
+  void publish(Message message, Timestamp now);
+  // Messages that happened together.
   void publish(std::vector<Message> messages);
+  // Messages from outside that happened together: all of it by the message
+  // centre, as who watches may bring them in while it is shown others.
+  void bring_in(std::vector<Message> messages);
+  // Stamped and routed, in this order; returned is what sessions get.
+  std::vector<Message> route(std::vector<Message> messages);
   // Counted, and shown or else logged: a message that nobody took.
   void unhandled(const Message& message, const std::string& why);
+  // The same for the sinks of a message that nobody fills.
+  void unreached(const Routed& routed);
 };
 
 // Shows each message to whoever watches; `services` has an `inspect`.

@@ -44,15 +44,14 @@ std::vector<Message> SessionPort::post(Message message) {
 void SessionPort::carry(Message message, std::vector<Message>& back,
                         int depth) {
   auto table = services_.table.load();
-  auto routed = table->route(message);
-  for (const auto& sink : routed.unreachable)
-    services_.unhandled(message, "nobody is there for " + sink);
-  for (auto& [target, copy] : routed.deliveries)
+  auto routed = table->route(std::move(message));
+  services_.unreached(routed);
+  for (auto& [target, sent] : routed.deliveries)
     if (target->direct && depth < inline_depth)
-      for (auto& event : ask_directly(*target, copy))
+      for (auto& event : ask_directly(*target, *sent))
         carry(std::move(event), back, depth + 1);
     else if (auto answer = hand_over(services_, *target,
-                                     {std::move(copy), services_.work.begin()}))
+                                     {std::move(sent), services_.work.begin()}))
       carry(std::move(*answer), back, depth + 1);
   if (routed.rest)
     back.push_back(std::move(*routed.rest));

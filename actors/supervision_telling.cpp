@@ -74,8 +74,8 @@ void Supervision::answer_what_waits(const Branch& branch,
   std::vector<Message> messages;
   for (auto& job : branch.component->mailbox->take_all()) {
     if (branch.over)
-      services_.unhandled(job.message, branch.name() + ": " + reason);
-    messages.push_back(std::move(job.message));
+      services_.unhandled(*job.message, branch.name() + ": " + reason);
+    messages.push_back(*job.message);
   }
   answer_by_failure(branch, messages, reason);
 }

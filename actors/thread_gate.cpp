@@ -5,7 +5,7 @@
 namespace parlour::actors {
 
 void ThreadGate::enter(std::function<void()> action) {
-  if (kind_ == Kind::open || owner_.load() == std::this_thread::get_id()) {
+  if (!keeps_out()) {
     action();
     return;
   }

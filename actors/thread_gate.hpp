@@ -19,6 +19,10 @@ public:
 
   // Runs `action` now or, from another thread than the node's, in drain().
   void enter(std::function<void()> action);
+  // Whether what the calling thread wants would wait.
+  bool keeps_out() const {
+    return kind_ != Kind::open && owner_.load() != std::this_thread::get_id();
+  }
   // The calling thread is the node's from now on.
   void belongs_here();
   // Runs what waited; false if nothing did.

@@ -2,24 +2,12 @@
 
 namespace parlour::actors {
 
-class WorkCount::Piece {
-public:
-  explicit Piece(WorkCount& count) : count_(count) {
-    ++count_.under_way_;
-  }
-  Piece(const Piece&) = delete;
-  Piece& operator=(const Piece&) = delete;
-  ~Piece() {
-    if (--count_.under_way_ == 0)
-      count_.wake();
-  }
-
-private:
-  WorkCount& count_;
-};
-
 Work WorkCount::begin() {
-  return std::make_shared<Piece>(*this);
+  return Work(*this);
+}
+
+void WorkCount::all_done() {
+  wake();
 }
 
 void WorkCount::session_waits(bool waits) {

@@ -1,6 +1,6 @@
 // Knows when the house is quiet: nothing queued and nothing running. Every
 // message that asks for something holds a piece of Work
-// (runtime/interfaces.hpp) until its handler is done, and whatever the handler
+// (runtime/work.hpp) until its handler is done, and whatever the handler
 // sends holds another, so that the count is zero exactly when nothing goes on.
 #pragma once
 
@@ -12,21 +12,17 @@
 #include <mutex>
 #include <optional>
 
-#include "runtime/interfaces.hpp"
+#include "runtime/work.hpp"
 
 namespace parlour::actors {
 
 // Safe to use from any thread. Outlives every piece of Work that it gave out.
-class WorkCount {
+class WorkCount : public WorkCounter {
 public:
   using Deadline = std::chrono::steady_clock::time_point;
 
   // A piece of work; over when its last copy is gone.
   Work begin();
-
-  bool none() const {
-    return under_way_ == 0;
-  }
 
   // Sessions that wait for an answer which is to come by itself.
   void session_waits(bool waits);
@@ -49,9 +45,8 @@ public:
   void forget_interrupt();
 
 private:
-  class Piece;
+  void all_done() override;
 
-  std::atomic<std::int64_t> under_way_ = 0;
   std::atomic<std::int64_t> waiting_ = 0;
   std::atomic<bool> interrupted_ = false;
   std::mutex mutex_;

@@ -17,6 +17,7 @@
 #include "runtime/base/files.hpp"
 #include "runtime/base/message.hpp"
 #include "runtime/base/sockets.hpp"
+#include "runtime/work.hpp"
 
 namespace parlour::dialogue {
 class Conversation;
@@ -29,10 +30,6 @@ namespace parlour::actors {
 
 class DueTicket;       // actors/due_times.hpp
 struct ComponentOrder; // actors/node.hpp
-
-// Held while what a message asks for is not done, so that it is known when the
-// house is quiet (actors/work_count.hpp).
-using Work = std::shared_ptr<const void>;
 
 // -- a session ----------------------------------------------------------------
 
@@ -122,8 +119,14 @@ using file_keeper_actor = caf::typed_actor<caf::reacts_to<file_order>>;
 
 // -- the message centre -------------------------------------------------------
 
-// Messages that happened together: stamped, routed and counted in this order.
+// Messages from outside that happened together: stamped, routed and counted in
+// this order.
 struct publish {
+  std::vector<Message> messages;
+  Work work;
+};
+// What is left for sessions of messages that their sender has routed itself.
+struct distribute {
   std::vector<Message> messages;
   Work work;
 };
@@ -135,7 +138,8 @@ struct retire {
 };
 
 using message_centre_actor =
-    caf::typed_actor<caf::reacts_to<publish>, caf::reacts_to<retire>>;
+    caf::typed_actor<caf::reacts_to<publish>, caf::reacts_to<distribute>,
+                     caf::reacts_to<retire>>;
 
 // -- what a session spawns ----------------------------------------------------
 
@@ -366,7 +370,7 @@ using session_manager_actor =
 
 // clang-format off
 #define PARLOUR_LOCAL_MESSAGES(X) \
-  X(publish) X(retire) X(begin_session) X(deliver) X(take_step) \
+  X(publish) X(distribute) X(retire) X(begin_session) X(deliver) X(take_step) \
   X(timer_due) X(query_outcome) X(file_outcome) X(component_outcome) \
   X(socket_told) X(file_order) X(output_done) X(look) X(end_session) \
   X(leave) X(apply_changes) X(frame_changed) X(ring) X(cancel_timer) \

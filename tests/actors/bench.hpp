@@ -158,6 +158,10 @@ public:
           return {
               [this](const publish& what) {
                 for (const auto& message : what.messages)
+                  seen.push_back("outside: " + to_string(message));
+              },
+              [this](const distribute& what) {
+                for (const auto& message : what.messages)
                   seen.push_back(to_string(message));
               },
               [=](const retire& what) {
@@ -186,7 +190,7 @@ public:
               [](const start_component&) {},
               [=, this](const work_waits&) {
                 while (auto job = mailbox->take(self))
-                  seen.push_back(name + " gets " + to_string(job->message));
+                  seen.push_back(name + " gets " + to_string(*job->message));
               },
               [this, name](const run_after& what) {
                 seen.push_back(name + " is to wait");
@@ -220,6 +224,10 @@ inline Message event(std::string source, std::string command,
   message.params = std::move(params);
   message.session = std::move(session);
   return message;
+}
+
+inline SharedMessage shared(Message message) {
+  return std::make_shared<const Message>(std::move(message));
 }
 
 } // namespace parlour::actors

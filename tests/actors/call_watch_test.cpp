@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "actors/call_watch.hpp"
+#include "actors/work_count.hpp"
 
 namespace parlour::actors {
 namespace {
@@ -15,12 +16,13 @@ protected:
   }
   // Whether somebody still waits for the work.
   bool held() const {
-    return !over.expired();
+    return !count.none();
   }
 
+  WorkCount count;
+  WorkCount others;
   CallWatch watch;
-  Work work = std::make_shared<int>(0);
-  std::weak_ptr<const void> over = work;
+  Work work = count.begin();
 };
 
 TEST_F(CallWatchTest, HoldsTheWorkUntilTheCallIsOver) {
@@ -33,8 +35,8 @@ TEST_F(CallWatchTest, HoldsTheWorkUntilTheCallIsOver) {
 }
 
 TEST_F(CallWatchTest, HoldsWorkForACallThatIsExpected) {
-  watch.expect(std::exchange(work, nullptr));
-  Work other = std::make_shared<int>(0);
+  watch.expect(std::exchange(work, {}));
+  Work other = others.begin();
   watch.begin(0, other);
   watch.end();
   EXPECT_TRUE(held());
@@ -67,7 +69,7 @@ TEST_F(CallWatchTest, LetsWhoWaitsGoWhenItIsGivenUp) {
   EXPECT_FALSE(held());
   EXPECT_TRUE(watch.in_call()); // it has not returned
   EXPECT_FALSE(watch.end());
-  work = std::make_shared<int>(1);
+  work = others.begin();
   EXPECT_EQ(begin(1), Begin::refused);
   EXPECT_TRUE(work); // not taken
   EXPECT_FALSE(watch.give_up());

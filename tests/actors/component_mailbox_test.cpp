@@ -7,7 +7,7 @@ namespace {
 class ComponentMailboxTest : public testing::Test {
 protected:
   const char* put(const char* command) {
-    ComponentMailbox::Job job{event("Script", command), bench.work()};
+    ComponentMailbox::Job job{shared(event("Script", command)), bench.work()};
     return mailbox->put(job);
   }
 
@@ -50,7 +50,7 @@ TEST_F(ComponentMailboxTest, AnotherTakesWhatOneLeaves) {
 
 TEST_F(ComponentMailboxTest, DoesFirstWhatIsPutBack) {
   put("Two");
-  mailbox->put_back({event("Script", "One"), bench.work()});
+  mailbox->put_back({shared(event("Script", "One")), bench.work()});
   mailbox->join(reader("ear"));
   bench.run();
   EXPECT_THAT(bench.seen,
@@ -60,9 +60,9 @@ TEST_F(ComponentMailboxTest, DoesFirstWhatIsPutBack) {
 TEST_F(ComponentMailboxTest, RefusesWhenItIsFullOrClosed) {
   for (std::size_t i = 0; i < ComponentMailbox::capacity; ++i)
     ASSERT_EQ(put("Go"), nullptr);
-  ComponentMailbox::Job job{event("Script", "Late"), bench.work()};
+  ComponentMailbox::Job job{shared(event("Script", "Late")), bench.work()};
   EXPECT_STREQ(mailbox->put(job), "has more messages waiting than it may");
-  EXPECT_EQ(job.message.command, "Late"); // still whose it was
+  EXPECT_EQ(job.message->command, "Late"); // still whose it was
   EXPECT_EQ(mailbox->take_all().size(), ComponentMailbox::capacity);
   EXPECT_TRUE(mailbox->empty());
   mailbox->close("is down");

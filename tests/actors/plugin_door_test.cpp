@@ -32,12 +32,14 @@ TEST_F(PluginDoorTest, LetsNobodySpeakUnderAReservedName) {
 }
 
 TEST_F(PluginDoorTest, AnEventGoesNowhereInParticularAMessageDoes) {
+  bench.set_table({bench.target("Robot7", {})});
   auto message = event("", "Stop");
   message.sinks = {"Robot7"};
   door.fire_event(message);
   door.send_message(message);
   bench.run();
-  EXPECT_THAT(bench.seen, ElementsAre("Ear.Stop()", "Ear.Stop() -> Robot7"));
+  EXPECT_THAT(bench.seen,
+              ElementsAre("Ear.Stop()", "Robot7 gets Ear.Stop() -> Robot7"));
 }
 
 TEST_F(PluginDoorTest, CallsBackThroughTheHost) {

@@ -18,8 +18,56 @@ TEST(Services, PublishFromAnyThread) {
   EXPECT_TRUE(bench.services.work.none());
 }
 
+TEST(Services, BringToComponentsWhatIsForThemAndTheRestToTheCentre) {
+  Bench bench(R"(<routes><relay source="Bell" command="Rings" to="Ear"/>
+                 </routes>)");
+  bench.services.centre = bench.centre_probe();
+  bench.set_table({bench.target("Ear", {"ASR"})});
+  auto asked = event("Bell", "Asks");
+  asked.sinks = {"ASR", "Nobody"};
+  bench.services.publish({event("Bell", "Rings"), asked, event("Bell", "Off")});
+  bench.run();
+  EXPECT_THAT(
+      bench.seen, // mailboxes of two
+      testing::UnorderedElementsAre("Ear gets Bell.Rings() -> Ear",
+                                    "Ear gets Bell.Asks() -> ASR, Nobody",
+                                    "Bell.Rings()", "Bell.Off()"));
+  EXPECT_THAT(bench.logs,
+              ElementsAre("Bell.Asks() -> ASR, Nobody: nobody is there for "
+                          "Nobody"));
+  EXPECT_EQ(bench.services.counters->messages, 3u);
+}
+
+// However the routes lead from one that is down to the next.
+TEST(Services, AnswerOnceForComponentsThatAreDown) {
+  Bench bench(R"(<routes><relay source="City" command="Failed" to="City"/>
+                 </routes>)");
+  bench.services.centre = bench.centre_probe();
+  const auto city = bench.target("City", {"Taxi"});
+  city.mailbox->close("is down");
+  bench.set_table({city});
+  auto book = event("Bell", "Book");
+  book.sinks = {"City"};
+  book.correlation = 7;
+  bench.services.publish({book});
+  bench.run();
+  EXPECT_THAT(bench.seen, ElementsAre("City.Failed(City is down)"));
+  EXPECT_EQ(bench.services.counters->unhandled, 2u);
+}
+
+// Who watches may bring something in while it is shown something else.
+TEST(Services, BringInWhatTheCentreRoutes) {
+  Bench bench;
+  bench.services.centre = bench.centre_probe();
+  bench.services.bring_in({event("Bell", "Rings")});
+  bench.run();
+  EXPECT_THAT(bench.seen, ElementsAre("outside: Bell.Rings()"));
+  EXPECT_EQ(bench.services.counters->messages, 0u);
+}
+
 TEST(Services, PublishToNobodyWhenTheHouseIsDown) {
   Bench bench;
+  bench.services.table.store(nullptr);
   bench.services.publish({event("Bell", "Rings")});
   EXPECT_TRUE(bench.services.work.none());
 }

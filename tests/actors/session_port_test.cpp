@@ -96,7 +96,7 @@ TEST_F(SessionPortTest, AsksAnInlineComponentAtOnce) {
 }
 
 // <post to-session>: what is answered is not for who posted.
-TEST_F(SessionPortTest, PostsForAnotherSessionThroughTheCentre) {
+TEST_F(SessionPortTest, PostsForAnotherSessionAsAnybodyElse) {
   install([](const Message&) -> std::vector<Answer> {
     ADD_FAILURE() << "asked on behalf of this session";
     return {};
@@ -107,7 +107,7 @@ TEST_F(SessionPortTest, PostsForAnotherSessionThroughTheCentre) {
     message.session = "s2";
     EXPECT_THAT(port.post(message), IsEmpty());
   });
-  EXPECT_THAT(bench.seen, ElementsAre("Script.Greet() -> NLG"));
+  EXPECT_THAT(bench.seen, ElementsAre("Words gets Script.Greet() -> NLG"));
 }
 
 TEST_F(SessionPortTest, AnswersForAnInlineComponentThatThrows) {

@@ -8,7 +8,12 @@ namespace parlour::actors {
 namespace {
 
 void from_another_thread(ThreadGate& gate, int& calls) {
-  std::thread([&] { gate.enter([&] { ++calls; }); }).join();
+  std::thread([&] {
+    const bool waits = gate.keeps_out();
+    const auto before = calls;
+    gate.enter([&] { ++calls; });
+    EXPECT_EQ(waits, calls == before);
+  }).join();
 }
 
 TEST(ThreadGate, StandsOpen) {
@@ -24,6 +29,7 @@ TEST(ThreadGate, KeepsOtherThreadsWaiting) {
   int calls = 0;
   from_another_thread(gate, calls);
   EXPECT_EQ(calls, 0);
+  EXPECT_FALSE(gate.keeps_out());
   gate.enter([&] { ++calls; });
   EXPECT_EQ(calls, 1);
   EXPECT_TRUE(gate.drain());

@@ -1,5 +1,5 @@
 // Messages through components' mailboxes: two plug-ins that hand balls to each
-// other by name, through the message centre; and the same by typed actors of
+// other by name, by the message centre's table; and the same by typed actors of
 // CAF with nothing around them.
 #pragma once
 
@@ -8,7 +8,8 @@
 
 namespace parlour::tools {
 
-// Both run on one thread, so that what is measured is work and not waiting.
+// What is measured is CPU time, not waiting. Bare actors share one thread; each
+// component has its own.
 struct BallGame {
   int throws = 0; // altogether
   int balls = 64; // in the air at a time

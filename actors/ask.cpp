@@ -26,12 +26,7 @@ bool send(Self self, const AskOrder& order) {
   auto& state = self->state;
   auto request = order.request;
   request.correlation = state.correlation;
-  auto& services = *state.services;
-  auto routed = services.table.load()->route(std::move(request));
-  bool taken = false;
-  for (auto& [target, sent] : routed.deliveries)
-    taken |= !hand_over(services, *target, {std::move(sent), order.work});
-  return taken;
+  return ask_by_table(*state.services, std::move(request), order.work);
 }
 
 std::string asked(const AskOrder& order) {

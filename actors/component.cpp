@@ -1,5 +1,7 @@
 #include "actors/component.hpp"
 
+#include <utility>
+
 namespace parlour::actors {
 
 Message failure_answer(const std::string& component, const Message& message,
@@ -25,6 +27,15 @@ std::optional<Message> hand_over(Services& services, const Target& target,
   if (job.message->correlation == 0)
     return std::nullopt;
   return failure_answer(target.name, *job.message, reason);
+}
+
+bool ask_by_table(Services& services, Message question, const Work& work) {
+  const auto table = services.table.load();
+  auto routed = table->route(std::move(question));
+  bool taken = false;
+  for (auto& [target, sent] : routed.deliveries)
+    taken |= !hand_over(services, *target, {std::move(sent), work});
+  return taken;
 }
 
 } // namespace parlour::actors

@@ -49,4 +49,8 @@ Message failure_answer(const std::string& component, const Message& message,
 std::optional<Message> hand_over(Services& services, const Target& target,
                                  ComponentMailbox::Job job);
 
+// Sends a question by the table, as every sender may (engine rule 1); false
+// where nobody is there to take it.
+bool ask_by_table(Services& services, Message question, const Work& work);
+
 } // namespace parlour::actors

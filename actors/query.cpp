@@ -39,17 +39,6 @@ void finish(Self self, const session_actor& session, std::uint64_t id,
   self->quit();
 }
 
-// Sends the question by the table, as every sender may; false where nobody is
-// there to take it.
-bool ask(Self self, Message message, const Work& work) {
-  auto& services = *self->state.services;
-  auto routed = services.table.load()->route(std::move(message));
-  bool taken = false;
-  for (auto& [target, sent] : routed.deliveries)
-    taken |= !hand_over(services, *target, {std::move(sent), work});
-  return taken;
-}
-
 // Databases name the kind of an error in front of its words; a component that
 // failed has words alone.
 std::optional<ErrorKind> kind_of(const Message& event) {
@@ -105,7 +94,8 @@ query(query_actor::stateful_pointer<query_state> self, Services* services,
   state.correlation = services->claims.claim(query_actor(self));
   self->delayed_send(self, order.timeout, give_up{});
   const auto id = order.request.id;
-  if (!ask(self, as_message(order, state.correlation), order.work))
+  if (!ask_by_table(*services, as_message(order, state.correlation),
+                    order.work))
     finish(self, session, id,
            fail(ErrorKind::offline, "no database component is there"));
   return {

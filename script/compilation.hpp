@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "runtime/base/names.hpp"
 #include "script/body_compiler.hpp"
 #include "script/findings.hpp"
 #include "script/program.hpp"
@@ -24,15 +25,6 @@ struct Compilation {
 
 // "a, b" without the blanks.
 std::vector<std::string> split_names(const std::string& text);
-
-// The names of a list of things that have one.
-template <class T>
-std::vector<std::string> names_of(const std::vector<T>& all) {
-  std::vector<std::string> names;
-  for (const auto& one : all)
-    names.push_back(one.name);
-  return names;
-}
 
 // The keys of a map.
 template <class Map>

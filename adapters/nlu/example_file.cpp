@@ -10,6 +10,7 @@
 #include "adapters/nlu/examples.hpp"
 #include "adapters/nlu/marked_text.hpp"
 #include "adapters/nlu/similarity.hpp"
+#include "runtime/base/names.hpp"
 #include "runtime/base/utf8.hpp"
 
 namespace parlour::adapters::nlu {
@@ -18,14 +19,6 @@ namespace {
 
 constexpr std::size_t most_errors = 100;
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-
-template <class Named>
-std::vector<std::string> names_of(const std::vector<Named>& all) {
-  std::vector<std::string> names;
-  for (const auto& one : all)
-    names.push_back(one.name);
-  return names;
-}
 
 const std::string too_long =
     "an example has at most " + std::to_string(most_example_bytes) + " bytes";

@@ -2,19 +2,13 @@
 
 #include <algorithm>
 
+#include "runtime/base/names.hpp"
+
 namespace parlour::tools {
 
 namespace {
 
 using script::Severity;
-
-template <class Named>
-std::vector<std::string> names_of(const std::vector<Named>& all) {
-  std::vector<std::string> names;
-  for (const auto& one : all)
-    names.push_back(one.name);
-  return names;
-}
 
 // What is wrong with a name, or empty.
 std::string wrong_name(const std::string& what, const std::string& name,

@@ -4,6 +4,7 @@
 #include <ostream>
 #include <utility>
 
+#include "runtime/base/names.hpp"
 #include "runtime/base/paths.hpp"
 #include "script/host.hpp"
 #include "script/instruction.hpp"
@@ -80,14 +81,6 @@ NamedPlaces reactions_of(const Program& program) {
                              reaction.event + ")",
                          place_name(program.place(reaction.position)));
   return found;
-}
-
-template <class Named>
-std::vector<std::string> names_of(const std::vector<Named>& all) {
-  std::vector<std::string> names;
-  for (const auto& one : all)
-    names.push_back(one.name);
-  return names;
 }
 
 } // namespace

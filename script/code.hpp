@@ -53,6 +53,9 @@ struct EffectShape {
   CodeId body = no_code;
   std::uint16_t operands = 0;
   std::uint16_t captured = 0;
+  // The state or topic that the first operand names, where the name stands in
+  // the script; else 0xffffffff.
+  std::uint32_t target = 0xffffffff;
 };
 
 struct Code {

@@ -33,6 +33,9 @@ public:
 
   EffectKind kind;
   CodeId body = no_code; // of timer and transit
+  // The state or topic that operand 0 names, where the name stands in the
+  // script; else no_id.
+  std::uint32_t target = no_id;
   Position position{};
 
   // As effects.def names them; unknown where there are fewer.

@@ -171,6 +171,7 @@ bool Machine::perform(const EffectShape& shape, const Box* operands,
   fuel -= 5;
   Effect effect(static_cast<EffectKind>(shape.kind), given, captured);
   effect.body = shape.body;
+  effect.target = shape.target;
   const auto& frame = *execution->top;
   effect.position = frame.code->positions[static_cast<std::size_t>(
       frame.pc - frame.code->instructions.data())];

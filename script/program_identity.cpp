@@ -94,7 +94,8 @@ void add(Hash& hash, const CatchRange& range) {
 
 void add(Hash& hash, const EffectShape& shape) {
   hash.add(std::uint64_t{shape.kind} << 32 | shape.body);
-  hash.add(std::uint64_t{shape.operands} << 16 | shape.captured);
+  hash.add(std::uint64_t{shape.target} << 32 |
+           std::uint64_t{shape.operands} << 16 | shape.captured);
 }
 
 template <class T>

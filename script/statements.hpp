@@ -113,9 +113,9 @@ private:
   void checked_name(const Attribute& attribute, OperandForm form,
                     Register target);
   void duration(const Attribute& attribute, Register target);
+  std::uint32_t meaning(const Attribute* name, OperandForm form) const;
   void perform(EffectKind kind, Register result, Register base,
-               std::size_t operands, CodeId body = no_code,
-               std::size_t captured = 0);
+               std::size_t operands, EffectShape others = {});
   CodeId detached(const Element& element, bool in_timer,
                   std::vector<const Local*>& captured);
   Register capture(const std::vector<const Local*>& captured);

@@ -126,12 +126,10 @@ bool mentioned(const std::string& name, const Element& element) {
 } // namespace
 
 void StatementCompiler::perform(EffectKind kind, Register result, Register base,
-                                std::size_t operands, CodeId body,
-                                std::size_t captured) {
-  b_.emit(Operation::effect, result, base,
-          b_.shape({static_cast<std::uint8_t>(kind), body,
-                    static_cast<std::uint16_t>(operands),
-                    static_cast<std::uint16_t>(captured)}));
+                                std::size_t operands, EffectShape others) {
+  others.kind = static_cast<std::uint8_t>(kind);
+  others.operands = static_cast<std::uint16_t>(operands);
+  b_.emit(Operation::effect, result, base, b_.shape(others));
 }
 
 void StatementCompiler::effect(const Element& element) {
@@ -149,7 +147,11 @@ void StatementCompiler::effect(const Element& element) {
     operand(element, plain->operands[i].attribute, plain->operands[i].form,
             static_cast<Register>(base + i));
   b_.at(element.position);
-  perform(plain->kind, base, base, count);
+  const auto& first = plain->operands.front();
+  const auto* name =
+      first.attribute ? element.attribute(first.attribute) : nullptr;
+  perform(plain->kind, base, base, count,
+          {.target = meaning(name, first.form)});
   store_result(element.attribute("return"), base);
 }
 
@@ -217,6 +219,21 @@ void StatementCompiler::checked_name(const Attribute& attribute,
       return;
   error(attribute.value_position, std::string("there is no ") + what + " '" +
                                       name + "'" + did_you_mean(name, known));
+}
+
+// What a name that stands in the script is found by when it comes to that.
+std::uint32_t StatementCompiler::meaning(const Attribute* name,
+                                         OperandForm form) const {
+  if (!name || is_computed(name->value))
+    return no_id;
+  switch (form) {
+  case OperandForm::state:
+    return b_.program.state(name->value);
+  case OperandForm::topic:
+    return b_.program.topic(name->value);
+  default:
+    return no_id;
+  }
 }
 
 // -- messages -----------------------------------------------------------------
@@ -333,7 +350,9 @@ void StatementCompiler::timer(const Element& element) {
   const auto body = detached(element, true, captured);
   capture(captured);
   b_.at(element.position);
-  perform(K::timer, base, base, 3, body, captured.size());
+  perform(
+      K::timer, base, base, 3,
+      {.body = body, .captured = static_cast<std::uint16_t>(captured.size())});
   b_.release(base);
 }
 
@@ -347,7 +366,10 @@ void StatementCompiler::transit(const Element& element) {
       element.children.empty() ? no_code : detached(element, false, captured);
   capture(captured);
   b_.at(element.position);
-  perform(K::transit, base, base, 1, body, captured.size());
+  perform(K::transit, base, base, 1,
+          {.body = body,
+           .captured = static_cast<std::uint16_t>(captured.size()),
+           .target = meaning(element.attribute("state"), F::state)});
   b_.release(base);
 }
 

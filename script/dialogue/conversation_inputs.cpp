@@ -1,6 +1,7 @@
 // The part of a conversation that says what happens with each input, and what
 // silence leads to (engine rules 1 to 3).
 #include <algorithm>
+#include <cstdint>
 #include <iterator>
 #include <string_view>
 #include <utility>
@@ -19,13 +20,22 @@ const std::string recogniser = "ASR";
 
 // Whether the engine itself has an ear for it, besides who reacts to it; most
 // messages are only for those.
+constexpr std::string_view heard_commands[] = {
+    "RecognitionResult", "SpeechStarted", "Partial",      "Rejected",
+    "Finished",          "AgentOnline",   "AgentOffline", "PhraseFailed"};
+
+constexpr std::uint64_t lengths_of_heard = [] {
+  std::uint64_t lengths = 0;
+  for (const auto command : heard_commands)
+    lengths |= std::uint64_t{1} << command.size();
+  return lengths;
+}();
+
 bool is_heard(const Message& message) {
-  static constexpr std::string_view commands[] = {
-      "RecognitionResult", "SpeechStarted", "Partial",      "Rejected",
-      "Finished",          "AgentOnline",   "AgentOffline", "PhraseFailed"};
-  return std::any_of(
-      std::begin(commands), std::end(commands),
-      [&](std::string_view command) { return message.command == command; });
+  const auto length = message.command.size();
+  return length < 64 && (lengths_of_heard >> length & 1) != 0 &&
+         std::ranges::find(heard_commands, message.command) !=
+             std::end(heard_commands);
 }
 
 // The user was heard to speak, but not yet understood.

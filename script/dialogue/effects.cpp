@@ -194,7 +194,7 @@ script::Performed Effects::confirm(Context context, Call effect) {
 }
 
 script::Performed Effects::push(Context context, Call effect) {
-  auto state = core_.program->state(effect.text(0));
+  const auto state = state_of(effect);
   if (state == script::no_id)
     return missing("state", effect.operand(0));
   reached(effect.position);
@@ -210,10 +210,21 @@ script::Performed Effects::push(Context context, Call effect) {
 
 // -- states and topics --------------------------------------------------------
 
+// What operand 0 names; no_id where there is none.
+StateId Effects::state_of(Call effect) const {
+  return effect.target != script::no_id ? effect.target
+                                        : core_.program->state(effect.text(0));
+}
+
+TopicId Effects::topic_of(Call effect) const {
+  return effect.target != script::no_id ? effect.target
+                                        : core_.program->topic(effect.text(0));
+}
+
 script::Performed Effects::transit(Context context, Call effect) {
   core_.topics.redirect();
   reached(effect.position);
-  const auto state = core_.program->state(effect.text(0));
+  const auto state = state_of(effect);
   if (state == script::no_id)
     return missing("state", effect.operand(0));
   auto& step = core_.runner.later(StepKind::transit);
@@ -243,7 +254,7 @@ script::Performed Effects::later(StepKind kind, Context context, Call effect) {
     if (step.slot == script::no_id)
       return missing("slot", effect.operand(0));
   } else if (effect.has(0)) {
-    step.topic = core_.program->topic(effect.text(0));
+    step.topic = topic_of(effect);
     if (step.topic == script::no_id)
       return missing("topic", effect.operand(0));
   } else if (step.topic == script::no_id && means_own_topic(kind)) {
@@ -255,7 +266,7 @@ script::Performed Effects::later(StepKind kind, Context context, Call effect) {
 }
 
 script::Performed Effects::register_topic(Call effect) {
-  auto topic = core_.program->topic(effect.text(0));
+  const auto topic = topic_of(effect);
   if (topic == script::no_id)
     return missing("topic", effect.operand(0));
   if (effect.kind == script::EffectKind::register_topic)

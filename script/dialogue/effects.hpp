@@ -76,6 +76,8 @@ private:
   Performed later(StepKind kind, Context context, Call effect);
   Performed push(Context context, Call effect);
   Performed clear(Context context, Call effect);
+  StateId state_of(Call effect) const;
+  TopicId topic_of(Call effect) const;
   Performed register_topic(Call effect);
   Performed wait_for(Milliseconds time);
   void tell_reached(script::Position position);

@@ -150,7 +150,7 @@ SlotReports FillingEvent::run(std::vector<Error>& errors) {
       if (slot.status == SlotStatus::unconfirmed)
         offer.doubted = slot.value;
       if (!topic_.constraints.empty())
-        offer.unfilled = slot;
+        offer.unfilled = std::make_unique<SlotState>(slot);
       match_offer(offer.slot, *offer.change);
     }
   for (const auto& constraint : topic_.constraints) // (3)

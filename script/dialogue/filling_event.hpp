@@ -5,7 +5,7 @@
 #pragma once
 
 #include <forward_list>
-#include <optional>
+#include <memory>
 #include <vector>
 
 #include "script/dialogue/frame.hpp"
@@ -48,8 +48,8 @@ private:
     bool corrects = false;
     Value before{};  // the event
     Value doubted{}; // after the denials: that waited for a yes
-    // After the denials, for constraints to go back to.
-    std::optional<SlotState> unfilled{};
+    // After the denials, for constraints to go back to; null: there are none.
+    std::unique_ptr<SlotState> unfilled{};
   };
 
   Offer& offer(SlotId slot); // in slot order; made where there is none

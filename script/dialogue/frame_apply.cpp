@@ -50,8 +50,9 @@ public:
   }
 
   SlotReports reports() {
-    std::sort(reports_.begin(), reports_.end(),
-              [](const auto& a, const auto& b) { return a.slot < b.slot; });
+    if (reports_.size() > 1)
+      std::sort(reports_.begin(), reports_.end(),
+                [](const auto& a, const auto& b) { return a.slot < b.slot; });
     return std::move(reports_);
   }
 

@@ -165,6 +165,7 @@ private:
   void answer_confirm(const Asked& asked, bool yes);
   void settle_confirmed(const Asked& asked, bool yes);
   void confirm_slot(TopicId topic, SlotId slot, bool yes, TurnId turn);
+  SlotId slot_asked_for(TopicId topic) const;
   void keep_what_is_asked(Step& step);
   // Whether the act might be about several topics: they are asked for.
   bool ask_which(const Step& step);

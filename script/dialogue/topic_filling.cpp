@@ -53,14 +53,25 @@ bool leads_on(const script::Slot& slot, SlotOutcome outcome) {
 
 } // namespace
 
+// Also where others have said something since: of a topic that was begun, the
+// slot that it would ask for now.
+SlotId TopicEngine::slot_asked_for(TopicId topic) const {
+  if (asked_ && asked_->topic == topic)
+    return asked_->slot;
+  const auto status = core_.frame(topic).status;
+  if (status != TopicStatus::active && status != TopicStatus::suspended)
+    return script::no_id;
+  const auto slot = doubtful(topic);
+  return slot == script::no_id ? missing(topic) : slot;
+}
+
 // A topic of system initiative takes only the slot asked for (engine rule 5),
 // and mends of what it has; who says more is told.
 void TopicEngine::keep_what_is_asked(Step& step) {
   const auto& topic = core_.topic(step.topic);
   if (topic.initiative != script::Initiative::system)
     return;
-  const auto asked =
-      asked_ && asked_->topic == step.topic ? asked_->slot : script::no_id;
+  const auto asked = slot_asked_for(step.topic);
   const auto& slots = core_.frame(step.topic).slots;
   const bool mends =
       step.act->kind == ActKind::correct || step.act->kind == ActKind::deny;

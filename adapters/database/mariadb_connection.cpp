@@ -26,8 +26,9 @@ bool prepare_row(MYSQL_STMT* statement, std::unique_ptr<MariaDBRow>& row) {
       mysql_stmt_result_metadata(statement), &mysql_free_result);
   if (!description)
     return false;
-  if (!row || !row->fits(description.get()))
-    row = std::make_unique<MariaDBRow>(description.get());
+  if (row && row->fits(description.get()))
+    return true;
+  row = std::make_unique<MariaDBRow>(description.get());
   return row->bind(statement);
 }
 
@@ -139,39 +140,34 @@ MariaDBConnection::Outcome MariaDBConnection::open(To to) {
   co_return StatementAnswer{};
 }
 
-MariaDBConnection::Outcome MariaDBConnection::run(std::string sql, Value values,
+MariaDBConnection::Outcome MariaDBConnection::run(Value sql, Value values,
                                                   Access access) {
-  return run(std::move(sql), std::move(values), access, false);
-}
-
-MariaDBConnection::Outcome MariaDBConnection::run(std::string sql, Value values,
-                                                  Access access, bool again) {
   in_doubt_ = false;
   if (access != access_ && !in_transaction_)
     if (auto allowed = co_await allow(access); !allowed)
       co_return tl::make_unexpected(allowed.error());
-  auto* statement = prepared(sql);
-  if (!statement) {
-    auto made = co_await prepare(sql);
-    if (!made)
-      co_return tl::make_unexpected(made.error());
-    statement = *made;
+  for (bool again = false;; again = true) {
+    auto* statement = prepared(*sql.if_string());
+    if (!statement) {
+      auto made = co_await prepare(*sql.if_string());
+      if (!made)
+        co_return tl::make_unexpected(made.error());
+      statement = *made;
+    }
+    if (auto fits = check_kind(*statement, access); !fits)
+      co_return tl::make_unexpected(fits.error());
+    if (auto fits = statement->parameters.take(values, statement->names); !fits)
+      co_return fail(fits.error().kind,
+                     first_words(statement->sql) + ": " + fits.error().message);
+    auto outcome = co_await execute(*statement);
+    if (outcome || lost_)
+      co_return outcome;
+    // What was prepared is not what the tables are now, or lies half read.
+    const bool is_old = code_ == mariadb_changed_columns;
+    auto forgotten = co_await forget_front();
+    if (!forgotten || !is_old || again)
+      co_return outcome;
   }
-  if (auto fits = check_kind(*statement, access); !fits)
-    co_return tl::make_unexpected(fits.error());
-  auto ordered = values_in_order(values, statement->names);
-  if (!ordered)
-    co_return fail(ordered.error().kind,
-                   first_words(sql) + ": " + ordered.error().message);
-  auto outcome = co_await execute(*statement, std::move(*ordered));
-  if (outcome || lost_)
-    co_return outcome;
-  // What was prepared is not what the tables are now, or lies half read.
-  const bool is_old = code_ == mariadb_changed_columns;
-  auto forgotten = co_await forget_front();
-  if (!forgotten || !is_old || again)
-    co_return outcome;
-  co_return co_await run(std::move(sql), std::move(values), access, true);
 }
 
 MariaDBConnection::Outcome MariaDBConnection::control(std::string sql) {
@@ -245,6 +241,7 @@ MariaDBConnection::prepare(std::string sql) {
                      std::move(scanned.names),
                      *kind,
                      mysql_stmt_init(handle_),
+                     {},
                      {}});
   auto& front = cache_.front();
   places_.emplace(front.sql, cache_.begin());
@@ -281,14 +278,14 @@ Task<Expected<void>> MariaDBConnection::forget_oldest() {
   co_return co_await forget_front();
 }
 
-MariaDBConnection::Outcome MariaDBConnection::execute(Prepared& prepared,
-                                                      List values) {
-  MariaDBParameters parameters(std::move(values));
-  if (!parameters.bind(prepared.statement))
+MariaDBConnection::Outcome MariaDBConnection::execute(Prepared& prepared) {
+  if (!prepared.parameters.bind(prepared.statement))
     co_return failure(prepared);
   in_doubt_ = true;
   const auto failed = co_await finish<int>(
       mysql_stmt_execute_start, mysql_stmt_execute_cont, prepared.statement);
+  if (prepared.parameters.are_large())
+    prepared.parameters = {};
   if (failed)
     co_return failure(prepared);
   in_doubt_ = false;

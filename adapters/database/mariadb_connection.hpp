@@ -41,10 +41,11 @@ public:
   // Database for all else.
   Outcome open(To to);
 
-  // Runs one statement of a script. `values` is a list for `?` or a map for
+  // Runs one statement of a script, a text. `values` is a list for `?` or a map
+  // for
   // `:name`. Kinds: Type for values that do not fit, Refused for a statement
   // that may not run, Limit, Timeout, Offline, Database.
-  Outcome run(std::string sql, Value values, Access access);
+  Outcome run(Value sql, Value values, Access access);
 
   enum class End : std::uint8_t { commit, rollback };
   Outcome begin();
@@ -91,6 +92,7 @@ private:
     std::vector<std::string> names; // of its placeholders
     StatementKind kind;
     st_mysql_stmt* statement;
+    MariaDBParameters parameters;
     std::unique_ptr<MariaDBRow> row; // of the last result, for the next
   };
   // Most recently used first.
@@ -113,12 +115,11 @@ private:
                                         Handle* handle, Arguments... arguments);
 
   void set_options();
-  Outcome run(std::string sql, Value values, Access access, bool again);
   Expected<void> check_kind(const Prepared& prepared, Access access) const;
   Task<Expected<void>> allow(Access access);
   Prepared* prepared(const std::string& sql);
   Task<Expected<Prepared*>> prepare(std::string sql);
-  Outcome execute(Prepared& prepared, List values);
+  Outcome execute(Prepared& prepared);
   Task<Expected<void>> forget_oldest();
   Task<Expected<void>> forget_front();
   Outcome collect(Prepared& prepared);

@@ -35,8 +35,7 @@ MariaDBConnection::Outcome carry_out(MariaDBConnection& connection,
   case Kind::rollback:
     return connection.end(MariaDBConnection::End::rollback);
   default:
-    return connection.run(params[0].text(),
-                          params.size() > 1 ? params[1] : Value(),
+    return connection.run(params[0], params.size() > 1 ? params[1] : Value(),
                           order.write ? Access::write : Access::read);
   }
 }
@@ -147,11 +146,15 @@ bool MariaDBPool::may_sleep() {
 void MariaDBPool::assign() {
   // Whose connection dies over it right away waits in front of the others.
   round_.swap(waiting_);
-  std::erase_if(round_, [this](auto& one) { return assign(one); });
+  for (; !round_.empty() && !is_busy(); round_.pop_front())
+    if (auto& first = round_.front(); !assign(first))
+      waiting_.push_back(std::move(first));
+  if (waiting_.empty())
+    waiting_.swap(round_);
   std::move(round_.begin(), round_.end(), std::back_inserter(waiting_));
   round_.clear();
   open_at_ = Moment::max();
-  if (!somebody_needs_one() || is_opening())
+  if (is_busy() || !somebody_needs_one() || is_opening())
     return;
   if (Steady::now() < next_attempt_ || open_one())
     open_at_ = next_attempt_;
@@ -265,8 +268,8 @@ MariaDBPool::Moment MariaDBPool::next_moment() const {
       moment = std::min(moment, worker->transaction_ends);
   }
   for (const auto& one : waiting_)
-    if (!holder(one.order.message.session))
-      moment = std::min(moment, one.deadline);
+    if (one.deadline < moment && !holder(one.order.message.session))
+      moment = one.deadline;
   return moment;
 }
 

@@ -69,21 +69,6 @@ void point_at(MYSQL_BIND& bind, enum_field_types type, const void* first,
   bind.buffer_length = length;
 }
 
-void fill(MYSQL_BIND& bind, const Value& value) {
-  if (const auto* boolean = value.if_boolean())
-    point_at(bind, MYSQL_TYPE_TINY, boolean, sizeof *boolean);
-  else if (const auto* integer = value.if_integer())
-    point_at(bind, MYSQL_TYPE_LONGLONG, integer, sizeof *integer);
-  else if (const auto* number = value.if_number())
-    point_at(bind, MYSQL_TYPE_DOUBLE, number, sizeof *number);
-  else if (const auto* text = value.if_string())
-    point_at(bind, MYSQL_TYPE_STRING, text->data(), text->size());
-  else if (const auto* binary = value.if_binary())
-    point_at(bind, MYSQL_TYPE_BLOB, binary->bytes.data(), binary->bytes.size());
-  else
-    bind.buffer_type = MYSQL_TYPE_NULL;
-}
-
 Value decimal(std::string_view digits) {
   const auto number = parse_number(digits);
   return number.is_unknown() ? Value(digits) : number;
@@ -121,16 +106,101 @@ Expected<List> values_in_order(const Value& values,
   return ordered;
 }
 
-MariaDBParameters::MariaDBParameters(List values)
-    : values_(std::move(values)), binds_(values_.size()) {
-  for (std::size_t i = 0; i < values_.size(); ++i)
-    fill(binds_[i], values_[i]);
+struct MariaDBParameters::Place {
+  void take(const Value& value);
+  bool fits(const MYSQL_BIND& bind) const {
+    return bind.buffer_type == type && bind.buffer == buffer();
+  }
+  void point(MYSQL_BIND& bind);
+
+  enum_field_types type = MYSQL_TYPE_NULL; // the last one that was not NULL
+  my_bool is_null = 1;
+  std::int64_t integer = 0;
+  double number = 0;
+  std::string bytes;
+  unsigned long length = 0; // of them
+
+private:
+  const void* buffer() const;
+  void take_bytes(enum_field_types of_type, const void* first,
+                  std::size_t size);
+};
+
+void MariaDBParameters::Place::take_bytes(enum_field_types of_type,
+                                          const void* first, std::size_t size) {
+  type = of_type;
+  bytes.assign(static_cast<const char*>(first), size);
+  length = size;
 }
+
+void MariaDBParameters::Place::take(const Value& value) {
+  is_null = value.is_unknown();
+  if (const auto* boolean = value.if_boolean()) {
+    type = MYSQL_TYPE_LONGLONG;
+    integer = *boolean ? 1 : 0;
+  } else if (const auto* whole = value.if_integer()) {
+    type = MYSQL_TYPE_LONGLONG;
+    integer = *whole;
+  } else if (const auto* real = value.if_number()) {
+    type = MYSQL_TYPE_DOUBLE;
+    number = *real;
+  } else if (const auto* text = value.if_string()) {
+    take_bytes(MYSQL_TYPE_STRING, text->data(), text->size());
+  } else if (const auto* binary = value.if_binary()) {
+    take_bytes(MYSQL_TYPE_BLOB, binary->bytes.data(), binary->bytes.size());
+  }
+}
+
+const void* MariaDBParameters::Place::buffer() const {
+  if (type == MYSQL_TYPE_LONGLONG)
+    return &integer;
+  if (type == MYSQL_TYPE_DOUBLE)
+    return &number;
+  return bytes.data();
+}
+
+void MariaDBParameters::Place::point(MYSQL_BIND& bind) {
+  point_at(bind, type, buffer(), bytes.size());
+  bind.length = &length;
+  bind.is_null = &is_null;
+}
+
+MariaDBParameters::MariaDBParameters() = default;
+
+MariaDBParameters::MariaDBParameters(MariaDBParameters&&) noexcept = default;
+
+MariaDBParameters&
+MariaDBParameters::operator=(MariaDBParameters&&) noexcept = default;
 
 MariaDBParameters::~MariaDBParameters() = default;
 
+Expected<void> MariaDBParameters::take(const Value& values,
+                                       const std::vector<std::string>& names) {
+  const auto ordered = values_in_order(values, names);
+  if (!ordered)
+    return tl::make_unexpected(ordered.error());
+  places_.resize(names.size());
+  binds_.resize(names.size());
+  for (std::size_t i = 0; i < places_.size(); ++i) {
+    places_[i].take((*ordered)[i]);
+    if (places_[i].fits(binds_[i]))
+      continue;
+    places_[i].point(binds_[i]);
+    is_bound_ = false;
+  }
+  return {};
+}
+
 bool MariaDBParameters::bind(MYSQL_STMT* statement) {
-  return binds_.empty() || mysql_stmt_bind_param(statement, binds_.data()) == 0;
+  if (!is_bound_ && !binds_.empty())
+    is_bound_ = mysql_stmt_bind_param(statement, binds_.data()) == 0;
+  return is_bound_ || binds_.empty();
+}
+
+bool MariaDBParameters::are_large() const {
+  return std::any_of(places_.begin(), places_.end(), [](const Place& place) {
+    return place.bytes.capacity() > large_size;
+  });
 }
 
 struct MariaDBRow::Cell {
@@ -237,7 +307,9 @@ bool MariaDBRow::fits(MYSQL_RES* description) const {
   const auto* fields = mysql_fetch_fields(description);
   bool fits = mysql_num_fields(description) == cells_.size();
   for (std::size_t i = 0; fits && i < cells_.size(); ++i)
-    fits = cells_[i].fits(fields[i]) && columns_[i] == fields[i].name;
+    fits =
+        cells_[i].fits(fields[i]) &&
+        columns_[i] == std::string_view(fields[i].name, fields[i].name_length);
   return fits;
 }
 

@@ -22,20 +22,29 @@ namespace parlour::adapters {
 Expected<List> values_in_order(const Value& values,
                                const std::vector<std::string>& names);
 
-// The values of one execution, which have to live as long. unknown becomes
-// NULL, booleans 1 and 0.
+// The values of a statement's placeholders, one execution after the other, at
+// places that stay: the server is told their types where they change. unknown
+// becomes NULL, booleans 1 and 0.
 class MariaDBParameters {
 public:
-  explicit MariaDBParameters(List values);
-  MariaDBParameters(const MariaDBParameters&) = delete;
-  MariaDBParameters& operator=(const MariaDBParameters&) = delete;
+  MariaDBParameters();
+  MariaDBParameters(MariaDBParameters&&) noexcept;
+  MariaDBParameters& operator=(MariaDBParameters&&) noexcept;
   ~MariaDBParameters();
 
+  // Those of the next execution, copied; fails as values_in_order does.
+  Expected<void> take(const Value& values,
+                      const std::vector<std::string>& names);
   bool bind(st_mysql_stmt* statement);
+  // Whether they have grown so far that they are not worth keeping.
+  bool are_large() const;
 
 private:
-  List values_;
+  struct Place;
+
+  std::vector<Place> places_;
   std::vector<st_mysql_bind> binds_;
+  bool is_bound_ = false; // as the places are
 };
 
 // Where the cells of a row arrive. NULL is unknown, a decimal a number; dates

@@ -210,6 +210,7 @@ Expected<StatementAnswer> SQLiteConnection::collect(Prepared& prepared) {
   auto* statement = prepared.statement.get();
   const auto before = sqlite3_total_changes64(handle_.get());
   StatementAnswer answer;
+  std::size_t rows = 0;
   std::size_t bytes = 0;
   // The first step comes before the columns: it prepares the statement again
   // where the tables have changed.
@@ -223,7 +224,7 @@ Expected<StatementAnswer> SQLiteConnection::collect(Prepared& prepared) {
     answer.rows.cells.reserve(answer.rows.columns.size());
   for (; code == SQLITE_ROW; code = sqlite3_step(statement)) {
     bytes += append_row(statement, answer.rows);
-    if (answer.rows.row_count() > limits_.rows || bytes > limits_.bytes)
+    if (++rows > limits_.rows || bytes > limits_.bytes)
       return too_much(prepared.sql, limits_.rows, limits_.bytes);
   }
   if (code != SQLITE_DONE)

@@ -91,7 +91,11 @@ Expected<void> bind_map(sqlite3_stmt* statement, const Map& values) {
 std::size_t append_text(sqlite3_value* cell, List& cells) {
   const auto* first = reinterpret_cast<const char*>(sqlite3_value_text(cell));
   const auto length = static_cast<std::size_t>(sqlite3_value_bytes(cell));
-  cells.emplace_back(valid_utf8({first, length}));
+  const std::string_view text(first, length);
+  if (find_invalid_utf8(text))
+    cells.emplace_back(valid_utf8(text));
+  else
+    cells.emplace_back(text);
   return length;
 }
 

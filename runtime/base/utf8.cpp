@@ -20,9 +20,28 @@ bool second_is_wrong(unsigned char first, unsigned char second) {
          (first == 0xf0 && second < 0x90) || (first == 0xf4 && second > 0x8f);
 }
 
+// The last eight bytes are mostly looked at twice, rather than one by one.
+bool is_ascii(std::string_view text) {
+  std::uint64_t all = 0;
+  std::uint64_t eight = 0;
+  if (text.size() < sizeof eight) {
+    for (const char byte : text)
+      all |= static_cast<unsigned char>(byte);
+    return all < 0x80;
+  }
+  for (std::size_t i = 0; i + sizeof eight < text.size(); i += sizeof eight) {
+    std::memcpy(&eight, text.data() + i, sizeof eight);
+    all |= eight;
+  }
+  std::memcpy(&eight, text.data() + text.size() - sizeof eight, sizeof eight);
+  return ((all | eight) & highest_bits) == 0;
+}
+
 } // namespace
 
 std::optional<std::size_t> find_invalid_utf8(std::string_view text) {
+  if (is_ascii(text))
+    return std::nullopt;
   for (auto i = ascii_up_to(text, 0); i < text.size();
        i = ascii_up_to(text, i)) {
     const auto first = static_cast<unsigned char>(text[i]);

@@ -83,6 +83,16 @@ TYPED_TEST(EachDatabaseTest, WritesWhenToldTo) {
   EXPECT_EQ(this->query(everybody), "Result([4])");
 }
 
+TYPED_TEST(EachDatabaseTest, TakesValuesOfOtherTypesNextTime) {
+  ASSERT_TRUE(this->start(this->options()));
+  const std::string longer(1'000, 'x');
+  for (const auto& value :
+       {Value(1), Value("one"), Value(), Value(longer), Value("a"), Value(2.5),
+        Value(), Value(-3), Value(std::string(40'000, 'y')), Value(true)})
+    EXPECT_EQ(this->query("select ?", List{value}),
+              "Result([" + (value.if_boolean() ? "1" : value.text()) + "])");
+}
+
 TYPED_TEST(EachDatabaseTest, AnswersErrorsByKind) {
   ASSERT_TRUE(this->start(this->options()));
   EXPECT_THAT(this->query("select nam from staff"),

@@ -7,6 +7,17 @@ namespace parlour {
 TEST(Utf8, is_told_from_what_is_not) {
   EXPECT_FALSE(find_invalid_utf8("Grüße, 日本, 😀"));
   EXPECT_EQ(find_invalid_utf8("a\xff"), 1u);
+  EXPECT_EQ(find_invalid_utf8("seven\xff."), 5u);
+  EXPECT_EQ(find_invalid_utf8("\xff first of nine"), 0u);
+  EXPECT_EQ(find_invalid_utf8("1234567\xff"
+                              "9abcdef"),
+            7u);
+  EXPECT_EQ(find_invalid_utf8("12345678\xff"
+                              "a"),
+            8u);
+  EXPECT_EQ(find_invalid_utf8("12345678 ten\xff"), 12u);
+  EXPECT_FALSE(find_invalid_utf8(""));
+  EXPECT_FALSE(find_invalid_utf8("12345678"));
   EXPECT_EQ(find_invalid_utf8("ab\xc3"), 2u);
   EXPECT_EQ(find_invalid_utf8("\xc0\x80"), 0u);         // overlong
   EXPECT_EQ(find_invalid_utf8("\xed\xa0\x80"), 0u);     // surrogate

@@ -29,17 +29,20 @@ std::size_t footprint(const Map& map) {
 
 std::size_t footprint(const Value& value) {
   constexpr auto own = sizeof(Value);
-  if (const auto* string = value.if_string())
-    return own + string->size();
-  if (const auto* list = value.if_list())
-    return own + footprint(*list);
-  if (const auto* map = value.if_map())
-    return own + footprint(*map);
-  if (const auto* result = value.if_result())
-    return own + footprint(*result);
-  if (const auto* binary = value.if_binary())
-    return own + binary->bytes.size();
-  return own;
+  switch (value.type()) {
+  case ValueType::string:
+    return own + value.if_string()->size();
+  case ValueType::list:
+    return own + footprint(*value.if_list());
+  case ValueType::map:
+    return own + footprint(*value.if_map());
+  case ValueType::result:
+    return own + footprint(*value.if_result());
+  case ValueType::binary:
+    return own + value.if_binary()->bytes.size();
+  default:
+    return own;
+  }
 }
 
 } // namespace parlour::script

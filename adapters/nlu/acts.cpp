@@ -104,12 +104,17 @@ private:
     const bool again = std::ranges::any_of(island.fills, [&](const Fill& fill) {
       return find(group_.fills, fill.slot) != nullptr;
     });
-    return !(again && !island.act.empty());
+    return !(again && (!island.act.empty() || is_enquiry()));
   }
 
   // "… and a bank?": another question, not more of the same one.
   bool asks_further() const {
-    return lead_in_ && !marker_ && schema_.at(group_.topic).enquiry;
+    return lead_in_ && !marker_ && is_enquiry();
+  }
+
+  // What is said anew of an enquiry asks again: "… and in the bedroom".
+  bool is_enquiry() const {
+    return schema_.at(group_.topic).enquiry;
   }
 
   void begin_group(const ChainLink& link) {
@@ -204,6 +209,10 @@ private:
   const Island* lead_in_ = nullptr;
 };
 
+// How much of the words of a further value must be understood: "… and in the
+// bedroom" is more of the same, "… and close the blinds in the bedroom" is not.
+constexpr double further_value = 0.6;
+
 // How much of each token is understood, 0 to its weight.
 std::vector<double> coverage(const Chain& chain, std::size_t size) {
   std::vector<double> covered(size, 0);
@@ -222,6 +231,12 @@ double bonus_of(const BuiltAct& act, const Context& context) {
   const bool asked =
       act.topic == context.asked_topic && find(act.fills, context.asked_slot);
   return context.bonus(act.topic) + (asked ? asked_bonus : 0);
+}
+
+bool is_something_else(const BuiltAct& act, const BuiltAct& before,
+                       const Context& context) {
+  return act.elliptical && act.act != "correct" && act.topic == before.topic &&
+         act.score - bonus_of(act, context) < further_value;
 }
 
 // Each act is measured on the words from its beginning to the next one's.
@@ -282,9 +297,12 @@ std::vector<BuiltAct> build_acts(const Chain& chain, const Utterance& utterance,
                                  double threshold) {
   auto acts = ActBuilder(schema, context).run(chain);
   set_scores(acts, chain, utterance, context);
-  std::erase_if(acts,
-                [&](const BuiltAct& act) { return act.score < threshold; });
-  return acts;
+  std::vector<BuiltAct> kept;
+  for (const auto& act : acts)
+    if (act.score >= threshold &&
+        (kept.empty() || !is_something_else(act, kept.back(), context)))
+      kept.push_back(act);
+  return kept;
 }
 
 Map act_value(const BuiltAct& act, const Utterance& utterance,

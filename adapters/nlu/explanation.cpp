@@ -46,6 +46,8 @@ std::vector<std::string> Explanation::learnt(const Learned& learned) const {
     return {};
   const auto words = learning_words(utterance_, spans_);
   const auto guesses = learned.topics(words);
+  if (guesses.empty())
+    return {"learnt nothing of these words"};
   std::string line = "learnt";
   for (std::size_t at = 0; at < guesses.size() && at < most_guesses; ++at)
     line += " " + two_digits(guesses[at].probability) + " " +

@@ -26,6 +26,11 @@ public:
     return tokens_->list[place].word;
   }
 
+  // The word before all that is read; "" where it begins with the text.
+  std::string_view word_before() const {
+    return begin_ == 0 ? std::string_view() : tokens_->list[begin_ - 1].word;
+  }
+
   bool skip(std::string_view expected) {
     const bool found = word() == expected;
     at_ += found ? 1 : 0;

@@ -147,17 +147,27 @@ bool leaves_open(const std::vector<BuiltAct>& acts) {
           (acts[0].elliptical || acts[0].score < well_understood));
 }
 
-bool prefer_better(std::vector<BuiltAct>& acts, const BuiltAct& guess) {
-  if (acts.empty() || (acts[0].elliptical && acts[0].score < guess.score &&
-                       acts[0].topic != guess.topic)) {
+bool prefer_better(std::vector<BuiltAct>& acts, const BuiltAct& guess,
+                   const Context& context) {
+  const bool better =
+      acts.empty() || (acts[0].elliptical && acts[0].score < guess.score);
+  if (acts.empty() || (better && acts[0].topic != guess.topic)) {
     acts = {guess};
     return true;
   }
-  if (acts[0].topic == guess.topic && acts[0].act != "deny")
-    for (const auto& fill : guess.fills)
-      if (may_add(acts[0].fills, fill))
-        acts[0].fills.push_back(fill);
-  return false;
+  if (acts[0].topic != guess.topic || acts[0].act == "deny")
+    return false;
+  for (const auto& fill : guess.fills)
+    if (may_add(acts[0].fills, fill))
+      acts[0].fills.push_back(fill);
+  // A value that several topics may take, in a sentence of this one.
+  const bool sentence =
+      better && acts[0].act == guess.act && context.bonus(guess.topic) == 0;
+  if (sentence) {
+    acts[0].score = guess.score;
+    acts[0].elliptical = false;
+  }
+  return sentence;
 }
 
 } // namespace parlour::adapters::nlu

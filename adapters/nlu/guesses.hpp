@@ -20,7 +20,9 @@ std::vector<BuiltAct> guessed_acts(const Learned& learned,
 bool leaves_open(const std::vector<BuiltAct>& acts);
 
 // The guess in place of the acts where it is better; else what it found beside
-// them. True if it took their place.
-bool prefer_better(std::vector<BuiltAct>& acts, const BuiltAct& guess);
+// them. True if it took their place. A value alone goes on with what the
+// context expects, whatever the examples say.
+bool prefer_better(std::vector<BuiltAct>& acts, const BuiltAct& guess,
+                   const Context& context);
 
 } // namespace parlour::adapters::nlu

@@ -18,6 +18,10 @@ constexpr std::size_t many_texts = 300;
 constexpr std::size_t words_of_nothing = 20; // in one text
 constexpr std::size_t one_in = 5; // is held out to find the sharpness
 
+// Of an utterance; a few letters alone, as in "foo" of "for", are less, and
+// "renting" of "rent" is more.
+constexpr float least_known = 0.3F;
+
 bool is_certain(const Span& span) {
   return !span.weak && !span.unmatched && span.begin == span.core;
 }
@@ -258,7 +262,10 @@ Expected<Learned> Learned::train(const std::vector<TopicModel>& topics,
 
 std::vector<TopicGuess>
 Learned::topics(const std::vector<LearningWord>& words) const {
-  auto scores = classifier_.scores(text_features(words));
+  const auto features = text_features(words);
+  if (classifier_.known_share(features) < least_known)
+    return {};
+  auto scores = classifier_.scores(features);
   for (auto& score : scores)
     score *= sharpness_;
   const auto probabilities = softmax(std::move(scores));

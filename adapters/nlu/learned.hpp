@@ -46,7 +46,8 @@ public:
                                  LearningLimits limits = {});
 
   // Best first, of topics with examples. What is left to 1 is the probability
-  // that it is about none of them.
+  // that it is about none of them. None for words that no example has anything
+  // of: all that is known then is which topic has the most examples.
   std::vector<TopicGuess> topics(const std::vector<LearningWord>& words) const;
 
   // Words that fill the topic's slots, in their order; `features` are

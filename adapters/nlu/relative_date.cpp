@@ -133,19 +133,30 @@ std::optional<FormAt> ahead(FormReader reader, Day today) {
   return as_form(reader, day);
 }
 
+// "for three days from monday": how long, and from when, rather than a day.
+bool tells_how_long(const FormReader& start) {
+  return start.word_before() == "for" && start.word() != "a";
+}
+
 // "a week on tuesday", "three days from now", "a week today".
 std::optional<FormAt> ahead_of_anchor(FormReader reader, Day today) {
   const auto start = reader;
   if (!after(reader, today))
     return {};
+  bool weak = tells_how_long(start) && reader.word() == "from";
   const bool joined = reader.skip_any({"on", "from", "after"});
   auto from = std::optional(today);
-  if (!joined || !reader.skip("now"))
+  if (joined && reader.skip("now"))
+    weak = false;
+  else
     from = anchor(reader, today);
   if (!from)
     return {};
   auto count = start;
-  return as_form(reader, after(count, *from));
+  auto form = as_form(reader, after(count, *from));
+  if (form)
+    form->weak = weak;
+  return form;
 }
 
 // "of this month", "of the month", "of next month": how many months ahead.

@@ -251,7 +251,8 @@ Understanding Understander::understand(std::string_view text,
   const auto guesses = leaves_open(acts)
                            ? self.guesses(utterance, spans, context)
                            : std::vector<BuiltAct>();
-  const bool guessed = !guesses.empty() && prefer_better(acts, guesses[0]);
+  const bool guessed =
+      !guesses.empty() && prefer_better(acts, guesses[0], context);
   for (auto& act : acts)
     correct_what_was_said(act, spans, context);
 

@@ -34,6 +34,7 @@ private:
   Expected<void> come_up(const Options& options);
   Expected<void> meet();
   Expected<Frame> call(FrameKind kind, List fields);
+  void is_over(const std::string& reason);
   List start_fields(const Options& options) const;
 
   // What the process wants.
@@ -55,11 +56,14 @@ private:
   std::mutex mutex_;
   std::map<Id, PluginHost::DelayId> delays_; // ours by the process's
   std::unique_ptr<ComponentProcess> process_;
+  std::mutex telling_;
+  bool told_ = false; // that the process is over
 };
 
 // -- calls --------------------------------------------------------------------
 
 Expected<void> ProcessPlugin::on_start(const Options& options) {
+  told_ = false;
   process_ = std::make_unique<ComponentProcess>(
       order_, [this](const Frame& frame) { return take(frame); },
       [this](const std::string& line) { host().log("prints: " + line); });
@@ -78,9 +82,16 @@ Expected<void> ProcessPlugin::come_up(const Options& options) {
     return fail(ErrorKind::settings, started.error().message);
   if (!started->at(0).is_unknown())
     return tl::make_unexpected(error_from(started->at(0)));
-  process_->when_over(
-      [this](const std::string& reason) { host().failed(reason); });
+  process_->when_over([this](const std::string& reason) { is_over(reason); });
   return {};
+}
+
+// Told once, by whoever notices first: the process's thread, or a call. What
+// comes after the call may rely on it, so that runs in virtual time are equal.
+void ProcessPlugin::is_over(const std::string& reason) {
+  std::lock_guard lock(telling_); // the other waits until it is told
+  if (!std::exchange(told_, true))
+    host().failed(reason);
 }
 
 Expected<void> ProcessPlugin::meet() {
@@ -134,6 +145,8 @@ Expected<Frame> ProcessPlugin::call(FrameKind kind, List fields) {
   auto done = process_->call({kind, std::move(fields)}, order_.answer_within);
   if (!done && done.error().kind == ErrorKind::limit)
     throw std::runtime_error(done.error().message);
+  if (!done)
+    is_over(done.error().message);
   if (done && !done->at(0).is_unknown())
     throw std::runtime_error(done->at(0).text());
   return done;

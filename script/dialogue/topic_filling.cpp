@@ -222,7 +222,9 @@ Value TopicEngine::refusal(TopicId topic, const SlotReport& report) {
   return Map{{"value", report.offered},
              {"reason", report.reason},
              {"type", type},
-             {"choices", choices["choices"]}};
+             {"choices", choices["choices"]},
+             {"from", choices["from"]},
+             {"to", choices["to"]}};
 }
 
 void TopicEngine::rule(Step& step) {

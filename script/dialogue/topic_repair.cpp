@@ -152,10 +152,16 @@ void TopicEngine::ask_still(Step& step) {
 }
 
 Value TopicEngine::choices_of(TopicId topic, SlotId slot) {
+  const auto& taken = core_.topic(topic).slots[slot].cardinality;
   List choices;
-  for (auto code : core_.topic(topic).slots[slot].cardinality.values)
+  for (auto code : taken.values)
     choices.emplace_back(text_of(code, topic));
-  return Map{{"choices", choices}};
+  const auto bound = [&](CodeId code) {
+    return code == script::no_code ? Value() : Value(text_of(code, topic));
+  };
+  return Map{{"choices", choices},
+             {"from", bound(taken.minimum)},
+             {"to", bound(taken.maximum)}};
 }
 
 void TopicEngine::say_text(std::string text, TurnId turn) {

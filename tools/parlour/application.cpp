@@ -81,6 +81,15 @@ void lint(script::Compiled& compiled, const Application& application) {
   script::lint::lint(compiled, options);
 }
 
+script::Compiled no_application(const fs::path& folder) {
+  script::Compiled compiled;
+  const auto file = compiled.findings.add_file(folder.string());
+  compiled.findings.error({file, {}},
+                          "this folder is no application: there is neither "
+                          "settings.xml nor a script (NAME.xml) in it");
+  return compiled;
+}
+
 void sort(std::vector<script::Finding>& findings) {
   std::stable_sort(
       findings.begin(), findings.end(), [](const auto& a, const auto& b) {
@@ -125,6 +134,9 @@ Application load_application(const fs::path& folder, const fs::path& platform,
 
 script::Compiled compile_folder(const fs::path& folder,
                                 const fs::path& platform) {
+  std::error_code ignored;
+  if (!fs::exists(script::settings_file(folder, platform), ignored))
+    return no_application(folder);
   return script::compile_application(folder, compile_options(platform));
 }
 

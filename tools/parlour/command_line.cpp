@@ -52,7 +52,7 @@ public:
     std::reverse(arguments.begin(), arguments.end());
     try {
       app_.parse(std::move(arguments));
-      return chosen_();
+      return written(chosen_());
     } catch (const CLI::ParseError& error) {
       return app_.exit(error, console_.out, console_.err) == 0
                  ? exit_code::well
@@ -61,6 +61,15 @@ public:
   }
 
 private:
+  // What is printed may be what a command is for.
+  int written(int status) {
+    console_.out.flush();
+    if (console_.out || status != exit_code::well)
+      return status;
+    say_error(console_, "what is printed cannot be written");
+    return exit_code::wrong;
+  }
+
   std::vector<std::string> commands() const {
     std::vector<std::string> names;
     for (const auto* command : app_.get_subcommands(nullptr))
@@ -91,9 +100,17 @@ private:
     add_plugins(command);
   }
   void add_plugins(CLI::App* command) {
-    command->add_option("--plugins", places_.plugins,
-                        "Folder of plug-ins that are files; else "
-                        "$PARLOUR_PLUGINS, or APP/plugins and the installed");
+    command
+        ->add_option("--plugins", places_.plugins,
+                     "Folder of plug-ins that are files; else "
+                     "$PARLOUR_PLUGINS, or APP/plugins and the installed")
+        ->check([this](const std::string& folder) {
+          std::error_code ignored;
+          return std::filesystem::is_directory(places_.working / folder,
+                                               ignored)
+                     ? std::string()
+                     : "there is no folder '" + folder + "'";
+        });
   }
 
   void add_clock(CLI::App* command, std::optional<Timestamp>& clock,
@@ -150,7 +167,7 @@ private:
           "  " + lint.name +
           std::string(22 - std::min<std::size_t>(lint.name.size(), 21), ' ') +
           lint.sentence + "\n";
-    command->footer(lints);
+    command->footer(lints + "\n" + app_.get_footer());
   }
 
   void add_format() {

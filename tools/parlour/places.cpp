@@ -20,6 +20,11 @@ bool is_folder(const fs::path& path) {
   return fs::is_directory(path, ignored);
 }
 
+bool is_file(const fs::path& path) {
+  std::error_code ignored;
+  return fs::is_regular_file(path, ignored);
+}
+
 bool is_bare(const std::string& app) {
   return app.find('/') == std::string::npos && app != "." && app != "..";
 }
@@ -66,6 +71,10 @@ Expected<fs::path> find_application(const Places& places,
       return fs::path(absolute_text(candidate));
     looked += (looked.empty() ? "" : ", ") + candidate.string();
   }
+  if (const auto file = places.working / app; is_file(file))
+    return fail(ErrorKind::settings,
+                "'" + app + "' is a file, and an application is a folder: " +
+                    shown_path(places, file.parent_path().string()));
   return fail(ErrorKind::settings,
               "there is no application '" + app + "': looked for " + looked);
 }

@@ -121,10 +121,13 @@ std::string read_all(int descriptor) {
   }
 }
 
-// What became of the process, in words; empty where it ended by itself.
-std::string end_of(int status) {
+// What became of the process, in words; empty where it has said how the trial
+// went.
+std::string end_of(int status, const std::string& text) {
   if (!WIFSIGNALED(status))
-    return {};
+    return text.empty() ? "it ends its process with status " +
+                              std::to_string(WEXITSTATUS(status))
+                        : "";
   if (WTERMSIG(status) == SIGALRM)
     return "it hangs: the test was ended after " +
            std::to_string(trial_seconds) + " s";
@@ -157,7 +160,7 @@ int plugin_test_command(const Places& places, const TestPluginOptions& options,
   int status = 0;
   while (child > 0 && waitpid(child, &status, 0) < 0 && errno == EINTR)
     continue;
-  const auto why = child > 0 ? end_of(status) : "no process can be made";
+  const auto why = child > 0 ? end_of(status, text) : "no process can be made";
   if (!why.empty())
     say_error(console, options.plugin + ": " + progress.step() + ": " + why);
   const auto code = why.empty() ? WEXITSTATUS(status) : exit_code::wrong;

@@ -104,6 +104,13 @@ Classifier::scores(const std::vector<Feature>& features) const {
   return scores_of(inputs(features));
 }
 
+float Classifier::known_share(const std::vector<Feature>& features) const {
+  float share = 0;
+  for (const auto& input : inputs(features))
+    share += input.value * input.value;
+  return share;
+}
+
 void Classifier::learn(const std::vector<Input>& inputs, std::uint32_t label,
                        float rate) {
   auto wrong = softmax(scores_of(inputs));

@@ -31,6 +31,9 @@ public:
   // its share away from all.
   std::vector<float> scores(const std::vector<Feature>& features) const;
 
+  // How much of the text examples had, 0 to 1.
+  float known_share(const std::vector<Feature>& features) const;
+
 private:
   struct Input {
     FeatureNumber feature = 0;

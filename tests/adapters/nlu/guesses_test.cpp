@@ -20,19 +20,34 @@ Fill fill(const std::string& slot, std::uint32_t begin, std::uint32_t end) {
 TEST(Guesses, TakeThePlaceOfNothing) {
   std::vector<BuiltAct> acts;
   EXPECT_TRUE(leaves_open(acts));
-  EXPECT_TRUE(prefer_better(acts, act(0, 0.5)));
+  EXPECT_TRUE(prefer_better(acts, act(0, 0.5), {}));
   EXPECT_EQ(acts.size(), 1U);
 }
 
 TEST(Guesses, TakeThePlaceOfAValueOfAnotherTopic) {
   std::vector<BuiltAct> acts{act(1, 0.5, true)};
-  EXPECT_TRUE(prefer_better(acts, act(0, 0.6)));
+  EXPECT_TRUE(prefer_better(acts, act(0, 0.6), {}));
   EXPECT_EQ(acts[0].topic, 0U);
+}
+
+TEST(Guesses, MakeASentenceOfAValue) {
+  std::vector<BuiltAct> acts{act(0, 0.5, true)};
+  EXPECT_TRUE(prefer_better(acts, act(0, 0.9), {}));
+  EXPECT_FALSE(acts[0].elliptical);
+  EXPECT_EQ(acts[0].score, 0.9);
+}
+
+TEST(Guesses, LeaveAValueToTheTopicThatIsGoingOn) {
+  Context context;
+  context.current = 0;
+  std::vector<BuiltAct> acts{act(0, 0.7, true)};
+  EXPECT_FALSE(prefer_better(acts, act(0, 0.9), context));
+  EXPECT_TRUE(acts[0].elliptical);
 }
 
 TEST(Guesses, DoNotTakeThePlaceOfASentence) {
   std::vector<BuiltAct> acts{act(1, 0.5)};
-  EXPECT_FALSE(prefer_better(acts, act(0, 0.9)));
+  EXPECT_FALSE(prefer_better(acts, act(0, 0.9), {}));
   EXPECT_EQ(acts[0].topic, 1U);
   EXPECT_FALSE(leaves_open({act(1, 0.95)}));
 }
@@ -42,7 +57,7 @@ TEST(Guesses, AddWhatWasNotFoundYet) {
   acts[0].fills = {fill("Host", 3, 5)};
   auto guess = act(0, 0.9);
   guess.fills = {fill("Visitor", 4, 6), fill("Host", 0, 1), fill("Firm", 6, 7)};
-  EXPECT_FALSE(prefer_better(acts, guess));
+  EXPECT_FALSE(prefer_better(acts, guess, {}));
   ASSERT_EQ(acts[0].fills.size(), 2U);
   EXPECT_EQ(acts[0].fills[1].slot, "Firm");
 }

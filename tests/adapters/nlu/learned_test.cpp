@@ -25,13 +25,22 @@ std::vector<TopicModel> lessons() {
   return topics;
 }
 
+// How many topics what is learnt tells of for a text.
+std::size_t topics_of(const std::string& text) {
+  Stages stages("public <x> = hello;", text);
+  const auto learned =
+      *Learned::train(lessons(), stages.schema, stages.automaton, 0.4);
+  return learned.topics(learning_words(stages.utterance, stages.spans)).size();
+}
+
 // What is learnt says of a text: the topic, then its slots.
 std::string said_of(const std::string& text) {
   Stages stages("public <x> = @Facility.Category | @Appointment.Host;", text);
   const auto learned =
       *Learned::train(lessons(), stages.schema, stages.automaton, 0.4);
   const auto words = learning_words(stages.utterance, stages.spans);
-  const auto guess = learned.topics(words).front();
+  const auto guesses = learned.topics(words);
+  const auto guess = guesses.empty() ? TopicGuess() : guesses.front();
   auto made = guess.probability < 0.4 ? std::string("none")
                                       : stages.schema.at(guess.topic).name;
   for (const auto& slot : learned.slots(guess.topic, word_features(words)))
@@ -54,6 +63,12 @@ TEST(Learned, FindsOpenSlots) {
 TEST(Learned, RejectsStrangers) {
   EXPECT_EQ(said_of("the").substr(0, 4), "none");
   EXPECT_EQ(said_of("so what is it").substr(0, 4), "none");
+}
+
+TEST(Learned, KnowsNothingOfWordsThatNoExampleHas) {
+  for (const auto* word : {"foo", "xyzzy", "flurb gnok", "pizza"})
+    EXPECT_EQ(topics_of(word), 0U) << word;
+  EXPECT_NE(topics_of("waits"), 0U); // as in "waiting"
 }
 
 TEST(Learned, SaysWhatIsTooMuchToLearn) {

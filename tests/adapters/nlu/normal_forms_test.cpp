@@ -54,6 +54,17 @@ TEST(Forms, OfADeskAreRead) {
   }
 }
 
+TEST(Forms, TellHowLongFromWhen) {
+  const auto now = *parse_timestamp("2026-11-21 09:00");
+  const auto weak = [&](const std::string& words) {
+    return form_at(Form::date, tokenize(words), 1, now)->weak;
+  };
+  EXPECT_TRUE(weak("for three days from monday"));
+  EXPECT_FALSE(weak("for a week from monday"));
+  EXPECT_FALSE(weak("for three days from now"));
+  EXPECT_FALSE(weak("meet three days from monday"));
+}
+
 TEST(Forms, NeedANowForWhatIsRelative) {
   EXPECT_FALSE(form_at(Form::date, tokenize("tomorrow"), 0, {}));
   EXPECT_TRUE(form_at(Form::date, tokenize("2026-11-21"), 0, {}));

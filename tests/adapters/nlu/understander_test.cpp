@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "tests/adapters/nlu/sample.hpp"
@@ -69,11 +70,20 @@ INSTANTIATE_TEST_SUITE_P(
              "request Facility Category=bank Location=2"},
         Turn{"", "25:00", ""}));
 
-INSTANTIATE_TEST_SUITE_P(AskedFurther, Turns,
+INSTANTIATE_TEST_SUITE_P(
+    AskedFurther, Turns,
+    testing::Values(Turn{"", "is there a bank and a toilet",
+                         "request Facility Category=bank + "
+                         "~request Facility Category=toilet"},
+                    Turn{"", "is there a bank on level 2, on level 3",
+                         "request Facility Category=bank Location=2 + "
+                         "~request Facility Location=3"}));
+
+// What is not understood before a value makes it another matter.
+INSTANTIATE_TEST_SUITE_P(SomethingElse, Turns,
                          testing::Values(Turn{
-                             "", "is there a bank and a toilet",
-                             "request Facility Category=bank + "
-                             "~request Facility Category=toilet"}));
+                             "", "is there a bank and paint the blue toilet",
+                             "request Facility Category=bank"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Elliptical, Turns,
@@ -177,6 +187,44 @@ TEST(Understander, AsksForNothingMoreThanTheThreshold) {
   ASSERT_TRUE(strict);
   EXPECT_TRUE(strict->understand("well is there a bank zork").acts.empty());
   EXPECT_FALSE(strict->understand("well is there a bank").acts.empty());
+}
+
+// Two topics with slots of the same values, known by a few examples only.
+std::string rented(const std::string& text) {
+  const SlotModel kind{"Kind", "set", {"city bike", "tandem"}, "", true, false};
+  UnderstandingModel model;
+  model.topics = {
+      {"Rent",
+       false,
+       {kind,
+        {"Days", "number", {}, "", true, false},
+        {"Start", "date", {}, "", true, false}},
+       {"I would like to rent a [tandem](Kind)",
+        "can I hire a [city bike](Kind) for [three](Days) days",
+        "I need a bike from [tomorrow](Start)", "rent a bike"}},
+      {"Price",
+       true,
+       {kind},
+       {"how much is a [tandem](Kind)", "what does a [city bike](Kind) cost"}}};
+  static const auto built =
+      Understander::build(model, {}, {0.4, {generic_grammar()}});
+  return summary(built->understand(text, sample_context("")).acts);
+}
+
+TEST(Understander, TellsTheTopicOfAValueByTheWordsAroundIt) {
+  EXPECT_EQ(rented("rent a tandem"), "inform Rent Kind=tandem");
+}
+
+TEST(Understander, TakesNoStrangeWordForTheLikeliestTopic) {
+  for (const auto* word : {"foo", "xyzzy", "pizza"})
+    EXPECT_EQ(rented(word), "") << word;
+}
+
+TEST(Understander, TellsHowLongFromFromWhen) {
+  EXPECT_THAT(rented("can I hire a city bike for three days from monday"),
+              testing::AllOf(testing::HasSubstr("Days=3"),
+                             testing::HasSubstr("Kind=city bike"),
+                             testing::Not(testing::HasSubstr("-26"))));
 }
 
 TEST(Understander, BoundsItsWork) {

@@ -1,3 +1,4 @@
+#include <fstream>
 #include <map>
 
 #include <gmock/gmock.h>
@@ -45,6 +46,13 @@ TEST_F(PlacesTest, finds_a_folder_by_its_path) {
   EXPECT_EQ(find_application(places_, "./mine/").value(), root() / "work/mine");
   EXPECT_EQ(find_application(places_, (root() / "work/mine").string()).value(),
             root() / "work/mine");
+}
+
+TEST_F(PlacesTest, tells_a_file_from_an_application) {
+  make("work/mine");
+  std::ofstream(root() / "work/mine/mine.xml") << "<dialogue/>";
+  EXPECT_THAT(find_application(places_, "mine/mine.xml").error().message,
+              HasSubstr("an application is a folder: mine"));
 }
 
 TEST_F(PlacesTest, prefers_the_working_folder_to_what_is_installed) {

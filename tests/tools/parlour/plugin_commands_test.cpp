@@ -40,6 +40,10 @@ TEST_F(PluginCommandsTest, list_tells_what_there_is) {
 TEST_F(PluginCommandsTest, list_looks_where_it_is_told) {
   std::filesystem::remove(folder_.path() / "plugins/Stranger.so");
   EXPECT_EQ(call({"plugin", "list", "--plugins", "elsewhere"}),
+            exit_code::usage);
+  EXPECT_THAT(err_.str(), HasSubstr("there is no folder 'elsewhere'"));
+  std::filesystem::create_directories(folder_.path() / "elsewhere");
+  EXPECT_EQ(call({"plugin", "list", "--plugins", "elsewhere"}),
             exit_code::well);
   EXPECT_THAT(out_.str(), testing::Not(HasSubstr("EchoTTS")));
   EXPECT_EQ(call({"plugin", "list", "--plugins", "plugins"}), exit_code::well);
@@ -96,6 +100,13 @@ TEST_F(PluginCommandsTest, test_says_where_a_plugin_crashes) {
   const auto file = (sample_plugins() / "Abrupt.so").string();
   EXPECT_EQ(call({"plugin", "test", file}), exit_code::wrong);
   EXPECT_THAT(err_.str(), HasSubstr("Goto: it ends its process: Aborted"));
+}
+
+TEST_F(PluginCommandsTest, test_says_where_a_plugin_ends_its_process) {
+  const auto file = (sample_plugins() / "Abrupt.so").string();
+  EXPECT_EQ(call({"plugin", "test", file, "--option", "way=exit"}),
+            exit_code::wrong);
+  EXPECT_THAT(err_.str(), HasSubstr("Goto: it ends its process with status 0"));
 }
 
 TEST_F(PluginCommandsTest, roles_tells_what_a_role_means) {

@@ -14,6 +14,11 @@ TEST_F(CommandTest, test_holds_conversations_and_prints_coverage) {
   EXPECT_THAT(out_.str(), HasSubstr("handlers 1 of 1"));
 }
 
+// What newcomers say to an application of few examples.
+TEST_F(CommandTest, test_holds_conversations_with_bicycles) {
+  EXPECT_EQ(call({"test", "bicycles", "-q"}), exit_code::well) << out_.str();
+}
+
 TEST_F(CommandTest, test_shows_the_first_line_that_differs) {
   test::TemporaryFolder folder;
   folder.write("bad.txt", "R: Hello.\nU: one\nR: You said two.\n");

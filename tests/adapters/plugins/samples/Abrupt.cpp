@@ -6,6 +6,14 @@
 
 namespace {
 
+const std::vector<parlour::OptionDescription> options = {
+    {"way",
+     "abort",
+     "how it ends its process",
+     false,
+     parlour::OptionType::choice,
+     {"abort", "exit"}}};
+
 class Abrupt : public parlour::RolePlugin {
 public:
   Abrupt() : RolePlugin("Robot") {
@@ -13,13 +21,20 @@ public:
   }
 
 private:
-  void on_goto(const std::string&) {
-    std::abort();
+  parlour::Expected<void> on_start(const parlour::Options& given) override {
+    exits_ = option_value(given, options, "way") == "exit";
+    return {};
   }
+  void on_goto(const std::string&) {
+    exits_ ? std::_Exit(0) : std::abort();
+  }
+
+  bool exits_ = false;
 };
 
 } // namespace
 
 PARLOUR_PLUGIN(Abrupt, {.name = "Abrupt",
                         .roles = {"Robot"},
-                        .sentence = "ends where it is to begin"})
+                        .sentence = "ends where it is to begin",
+                        .options = options})

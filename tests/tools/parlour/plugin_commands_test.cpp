@@ -181,6 +181,7 @@ TEST_F(FilePluginTest, its_options_and_commands_are_checked) {
 
 TEST_F(FilePluginTest, is_missed_where_its_file_is) {
   write("", "Speak");
+  std::filesystem::create_directories(folder_.path() / "none");
   EXPECT_EQ(call({"check", folder_.path().string(), "--plugins", "none"}),
             exit_code::wrong);
   EXPECT_THAT(out_.str(), HasSubstr("there is no plug-in 'EchoTTS', and no "

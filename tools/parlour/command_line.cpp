@@ -61,10 +61,10 @@ public:
   }
 
 private:
-  // What is printed may be what a command is for.
+  // What is printed is what a command is for; a conversation may be left.
   int written(int status) {
     console_.out.flush();
-    if (console_.out || status != exit_code::well)
+    if (console_.out || status != exit_code::well || app_.got_subcommand("run"))
       return status;
     say_error(console_, "what is printed cannot be written");
     return exit_code::wrong;

@@ -143,7 +143,7 @@ void compile_facts(const Element& element, Compilation& compilation) {
   if (std::find(names.begin(), names.end(), table.name) != names.end())
     compilation.findings.error(element.position, "there are <facts> named '" +
                                                      table.name + "' already");
-  auto& columns = table.rows.columns;
+  std::vector<std::string> columns;
   for (const auto& fact : element.children)
     for (const auto& attribute : fact.attributes)
       if (std::find(columns.begin(), columns.end(), attribute.name) ==
@@ -154,6 +154,7 @@ void compile_facts(const Element& element, Compilation& compilation) {
       const auto* attribute = fact.attribute(column);
       table.rows.cells.push_back(attribute ? Value(attribute->value) : Value());
     }
+  table.rows.columns = std::move(columns);
   compilation.program.facts.push_back(std::move(table));
 }
 

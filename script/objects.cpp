@@ -31,7 +31,7 @@ std::size_t held(const ErrorObject& error) {
 }
 
 std::size_t held(const ResultObject& result) {
-  return footprint(result.value);
+  return result.bytes;
 }
 
 template <class T>
@@ -194,7 +194,8 @@ Box make_map(Heap& heap) {
 Box make_foreign(Heap& heap, const Value& value) {
   const auto type = value.type() == ValueType::result ? ObjectType::result
                                                       : ObjectType::binary;
-  return account(create<ResultObject>(heap, type, value, Box()));
+  return account(
+      create<ResultObject>(heap, type, value, footprint(value), Box()));
 }
 
 Box make_error(Heap& heap, ErrorKind kind, std::string message, Place place) {

@@ -133,7 +133,8 @@ private:
 // A result set, which is immutable, or a binary.
 struct ResultObject : Object {
   Value value;
-  Box rows; // list of maps, made when first asked for
+  std::size_t bytes; // that the value holds
+  Box rows;          // list of maps, made when first asked for
 };
 
 struct ErrorObject : Object {

@@ -6,7 +6,7 @@
 
 #include <mysql.h>
 
-#include "adapters/database/sqlite_values.hpp"
+#include "adapters/database/row_texts.hpp"
 #include "runtime/base/utf8.hpp"
 
 namespace parlour::adapters {
@@ -209,7 +209,7 @@ struct MariaDBRow::Cell {
   static As kind_of(const MYSQL_FIELD& field);
   bool fits(const MYSQL_FIELD& field) const;
   void point(MYSQL_BIND& bind);
-  Value value() const;
+  Value value(RowTexts& texts) const;
 
   As as = As::text;
   bool is_unsigned = false;
@@ -270,7 +270,7 @@ void MariaDBRow::Cell::point(MYSQL_BIND& bind) {
            bytes.size());
 }
 
-Value MariaDBRow::Cell::value() const {
+Value MariaDBRow::Cell::value(RowTexts& texts) const {
   const auto said = std::string_view(bytes).substr(0, length);
   switch (as) {
   case As::integer:
@@ -286,19 +286,21 @@ Value MariaDBRow::Cell::value() const {
   case As::blob:
     return blob(said);
   default:
-    return valid_utf8(said);
+    return texts.add(said);
   }
 }
 
 MariaDBRow::MariaDBRow(MYSQL_RES* description)
     : cells_(mysql_num_fields(description)), binds_(cells_.size()) {
   const auto* fields = mysql_fetch_fields(description);
+  std::vector<std::string> columns;
   for (std::size_t i = 0; i < cells_.size(); ++i) {
-    columns_.emplace_back(fields[i].name);
+    columns.emplace_back(fields[i].name);
     cells_[i].as = Cell::kind_of(fields[i]);
     cells_[i].is_unsigned = (fields[i].flags & UNSIGNED_FLAG) != 0;
     cells_[i].point(binds_[i]);
   }
+  columns_ = std::move(columns);
 }
 
 MariaDBRow::~MariaDBRow() = default;
@@ -331,6 +333,7 @@ std::size_t MariaDBRow::size() const {
 }
 
 void MariaDBRow::append_to(List& cells, MYSQL_STMT* statement) {
+  RowTexts texts(cells_.size());
   bool has_grown = false;
   for (std::size_t i = 0; i < cells_.size(); ++i) {
     auto& cell = cells_[i];
@@ -342,7 +345,7 @@ void MariaDBRow::append_to(List& cells, MYSQL_STMT* statement) {
                               0);
       has_grown = true;
     }
-    cells.push_back(cell.is_null ? Value() : cell.value());
+    cells.push_back(cell.is_null ? Value() : cell.value(texts));
   }
   // The statement still knows the places as they were.
   if (has_grown)

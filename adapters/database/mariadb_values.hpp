@@ -57,7 +57,7 @@ public:
   MariaDBRow& operator=(const MariaDBRow&) = delete;
   ~MariaDBRow();
 
-  const std::vector<std::string>& columns() const {
+  const Columns& columns() const {
     return columns_;
   }
   // Whether rows of that description can arrive here.
@@ -72,7 +72,7 @@ public:
 private:
   struct Cell;
 
-  std::vector<std::string> columns_;
+  Columns columns_;
   std::vector<Cell> cells_;
   std::vector<st_mysql_bind> binds_;
 };

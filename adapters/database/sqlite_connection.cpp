@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 #include <utility>
+#include <vector>
 
 #include <sqlite3.h>
 
@@ -65,21 +66,13 @@ ErrorKind kind_of(int code) {
   }
 }
 
-std::vector<std::string> columns_of(sqlite3_stmt* statement) {
+Columns columns_of(sqlite3_stmt* statement) {
   const int count = sqlite3_column_count(statement);
   std::vector<std::string> columns;
   columns.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i)
     columns.emplace_back(sqlite3_column_name(statement, i));
   return columns;
-}
-
-// Returns how many bytes the row holds.
-std::size_t append_row(sqlite3_stmt* statement, ResultSet& rows) {
-  std::size_t bytes = rows.columns.size() * sizeof(Value);
-  for (int i = 0; i < static_cast<int>(rows.columns.size()); ++i)
-    bytes += append_cell(statement, i, rows.cells);
-  return bytes;
 }
 
 } // namespace
@@ -210,6 +203,7 @@ Expected<StatementAnswer> SQLiteConnection::collect(Prepared& prepared) {
   auto* statement = prepared.statement.get();
   const auto before = sqlite3_total_changes64(handle_.get());
   StatementAnswer answer;
+  auto& cells = answer.rows.cells;
   std::size_t rows = 0;
   std::size_t bytes = 0;
   // The first step comes before the columns: it prepares the statement again
@@ -220,10 +214,11 @@ Expected<StatementAnswer> SQLiteConnection::collect(Prepared& prepared) {
   if (std::exchange(prepared.preparations, preparations) != preparations)
     prepared.columns = columns_of(statement);
   answer.rows.columns = prepared.columns;
+  const auto columns = prepared.columns.size();
   if (code == SQLITE_ROW)
-    answer.rows.cells.reserve(answer.rows.columns.size());
+    cells.reserve(columns);
   for (; code == SQLITE_ROW; code = sqlite3_step(statement)) {
-    bytes += append_row(statement, answer.rows);
+    bytes += append_row(statement, columns, cells);
     if (++rows > limits_.rows || bytes > limits_.bytes)
       return too_much(prepared.sql, limits_.rows, limits_.bytes);
   }

@@ -10,7 +10,6 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
-#include <vector>
 
 #include "adapters/database/statement.hpp"
 #include "runtime/base/clock.hpp"
@@ -66,7 +65,7 @@ private:
   struct Prepared {
     std::string sql;
     SQLiteStatement statement;
-    std::vector<std::string> columns; // as of that many preparations
+    Columns columns; // as of that many preparations
     int preparations = -1;
   };
 

@@ -3,8 +3,8 @@
 #include <string_view>
 
 #include <sqlite3.h>
-#include <unicode/unistr.h>
 
+#include "adapters/database/row_texts.hpp"
 #include "runtime/base/utf8.hpp"
 
 namespace parlour::adapters {
@@ -88,14 +88,10 @@ Expected<void> bind_map(sqlite3_stmt* statement, const Map& values) {
   return {};
 }
 
-std::size_t append_text(sqlite3_value* cell, List& cells) {
+std::size_t append_text(sqlite3_value* cell, RowTexts& texts, List& cells) {
   const auto* first = reinterpret_cast<const char*>(sqlite3_value_text(cell));
   const auto length = static_cast<std::size_t>(sqlite3_value_bytes(cell));
-  const std::string_view text(first, length);
-  if (find_invalid_utf8(text))
-    cells.emplace_back(valid_utf8(text));
-  else
-    cells.emplace_back(text);
+  cells.push_back(texts.add({first, length}));
   return length;
 }
 
@@ -107,6 +103,26 @@ std::size_t append_blob(sqlite3_value* cell, List& cells) {
                                 ? std::vector<std::byte>(first, first + length)
                                 : std::vector<std::byte>{}});
   return length;
+}
+
+// Asked of the cell itself, which is looked up once: a connection belongs to
+// one thread at a time, as SQLite wants it for this.
+std::size_t append_cell(sqlite3_value* cell, RowTexts& texts, List& cells) {
+  switch (sqlite3_value_type(cell)) {
+  case SQLITE_TEXT:
+    return append_text(cell, texts, cells);
+  case SQLITE_BLOB:
+    return append_blob(cell, cells);
+  case SQLITE_INTEGER:
+    cells.emplace_back(std::int64_t{sqlite3_value_int64(cell)});
+    return 0;
+  case SQLITE_FLOAT:
+    cells.emplace_back(sqlite3_value_double(cell));
+    return 0;
+  default:
+    cells.emplace_back();
+    return 0;
+  }
 }
 
 } // namespace
@@ -122,34 +138,13 @@ Expected<void> bind_values(sqlite3_stmt* statement, const Value& values) {
                                    std::string(name_of(values.type())) + ".");
 }
 
-// Asked of the cell itself, which is looked up once: a connection belongs to
-// one thread at a time, as SQLite wants it for this.
-std::size_t append_cell(sqlite3_stmt* statement, int column, List& cells) {
-  auto* cell = sqlite3_column_value(statement, column);
-  switch (sqlite3_value_type(cell)) {
-  case SQLITE_TEXT:
-    return append_text(cell, cells);
-  case SQLITE_BLOB:
-    return append_blob(cell, cells);
-  case SQLITE_INTEGER:
-    cells.emplace_back(std::int64_t{sqlite3_value_int64(cell)});
-    return 0;
-  case SQLITE_FLOAT:
-    cells.emplace_back(sqlite3_value_double(cell));
-    return 0;
-  default:
-    cells.emplace_back();
-    return 0;
-  }
-}
-
-std::string valid_utf8(std::string_view text) {
-  if (!find_invalid_utf8(text))
-    return std::string(text);
-  std::string valid;
-  const auto length = static_cast<std::int32_t>(text.size());
-  icu::UnicodeString::fromUTF8({text.data(), length}).toUTF8String(valid);
-  return valid;
+std::size_t append_row(sqlite3_stmt* statement, std::size_t columns,
+                       List& cells) {
+  RowTexts texts(columns);
+  std::size_t bytes = columns * sizeof(Value);
+  for (int i = 0; i < static_cast<int>(columns); ++i)
+    bytes += append_cell(sqlite3_column_value(statement, i), texts, cells);
+  return bytes;
 }
 
 } // namespace parlour::adapters

@@ -2,8 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <string>
-#include <string_view>
 
 #include "runtime/base/error.hpp"
 #include "runtime/base/value.hpp"
@@ -18,10 +16,8 @@ namespace parlour::adapters {
 Expected<void> bind_values(sqlite3_stmt* statement, const Value& values);
 
 // NULL is unknown; bytes that are not UTF-8 become U+FFFD; blobs are binary.
-// Returns how many bytes the text or blob has.
-std::size_t append_cell(sqlite3_stmt* statement, int column, List& cells);
-
-// Each malformed sequence replaced by U+FFFD.
-std::string valid_utf8(std::string_view text);
+// Returns how many bytes the row holds.
+std::size_t append_row(sqlite3_stmt* statement, std::size_t columns,
+                       List& cells);
 
 } // namespace parlour::adapters

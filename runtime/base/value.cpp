@@ -24,11 +24,6 @@ bool same_text(std::string_view left, std::string_view right) {
                     [&](char a, char b) { return lower(a) == lower(b); });
 }
 
-template <class Pointer>
-auto* pointee(const Pointer* pointer) {
-  return pointer ? pointer->get() : nullptr;
-}
-
 std::string_view trimmed(std::string_view text) {
   constexpr auto blanks = " \t\r\n";
   auto first = text.find_first_not_of(blanks);
@@ -162,6 +157,23 @@ bool Map::operator==(const Map& other) const {
   });
 }
 
+Columns::Columns(std::vector<std::string> names) {
+  if (!names.empty())
+    names_ = std::make_shared<const std::vector<std::string>>(std::move(names));
+}
+
+Columns::Columns(std::initializer_list<std::string> names)
+    : Columns(std::vector<std::string>(names)) {}
+
+bool Columns::operator==(const Columns& other) const {
+  return names_ == other.names_ || names() == other.names();
+}
+
+const std::vector<std::string>& Columns::none() {
+  static const std::vector<std::string> nothing;
+  return nothing;
+}
+
 std::size_t ResultSet::row_count() const {
   return columns.empty() ? 0 : cells.size() / columns.size();
 }
@@ -187,6 +199,9 @@ std::string_view name_of(ValueType type) {
 Value::Value(std::string value)
     : data_(std::make_shared<const std::string>(std::move(value))) {}
 
+Value::Value(std::string_view value)
+    : data_(std::make_shared<const std::string>(value)) {}
+
 Value::Value(List value)
     : data_(std::make_shared<const List>(std::move(value))) {}
 
@@ -198,26 +213,6 @@ Value::Value(ResultSet value)
 
 Value::Value(Binary value)
     : data_(std::make_shared<const Binary>(std::move(value))) {}
-
-const std::string* Value::if_string() const {
-  return pointee(std::get_if<std::shared_ptr<const std::string>>(&data_));
-}
-
-const List* Value::if_list() const {
-  return pointee(std::get_if<std::shared_ptr<const List>>(&data_));
-}
-
-const Map* Value::if_map() const {
-  return pointee(std::get_if<std::shared_ptr<const Map>>(&data_));
-}
-
-const ResultSet* Value::if_result() const {
-  return pointee(std::get_if<std::shared_ptr<const ResultSet>>(&data_));
-}
-
-const Binary* Value::if_binary() const {
-  return pointee(std::get_if<std::shared_ptr<const Binary>>(&data_));
-}
 
 const Value& Value::operator[](std::string_view key) const {
   const auto* map = if_map();

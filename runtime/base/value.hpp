@@ -53,9 +53,47 @@ private:
   std::vector<std::uint32_t> index_;
 };
 
+// The names of a result's columns. Immutable, so that all results of a
+// statement share them: a copy takes no memory.
+class Columns {
+public:
+  using value_type = std::string;
+  using const_iterator = std::vector<std::string>::const_iterator;
+  using iterator = const_iterator;
+
+  Columns() = default;
+  Columns(std::vector<std::string> names);
+  Columns(std::initializer_list<std::string> names);
+
+  std::size_t size() const {
+    return names().size();
+  }
+  bool empty() const {
+    return !names_;
+  }
+  const std::string& operator[](std::size_t position) const {
+    return names()[position];
+  }
+  const_iterator begin() const {
+    return names().begin();
+  }
+  const_iterator end() const {
+    return names().end();
+  }
+  bool operator==(const Columns& other) const;
+
+private:
+  const std::vector<std::string>& names() const {
+    return names_ ? *names_ : none();
+  }
+  static const std::vector<std::string>& none();
+
+  std::shared_ptr<const std::vector<std::string>> names_; // null: none
+};
+
 // What a query returns; cells row by row.
 struct ResultSet {
-  std::vector<std::string> columns;
+  Columns columns;
   List cells;
 
   std::size_t row_count() const;
@@ -95,8 +133,11 @@ public:
   Value(std::int64_t value) : data_(value) {}
   Value(double value) : data_(value) {}
   Value(std::string value);
-  Value(std::string_view value) : Value(std::string(value)) {}
-  Value(const char* value) : Value(std::string(value)) {}
+  Value(std::string_view value);
+  Value(const char* value) : Value(std::string_view(value)) {}
+  // A text that others share, or that is part of something larger.
+  explicit Value(std::shared_ptr<const std::string> text)
+      : data_(std::move(text)) {}
   Value(List value);
   Value(Map value);
   Value(ResultSet value);
@@ -119,11 +160,21 @@ public:
   const double* if_number() const {
     return std::get_if<double>(&data_);
   }
-  const std::string* if_string() const;
-  const List* if_list() const;
-  const Map* if_map() const;
-  const ResultSet* if_result() const;
-  const Binary* if_binary() const;
+  const std::string* if_string() const {
+    return shared<std::string>();
+  }
+  const List* if_list() const {
+    return shared<List>();
+  }
+  const Map* if_map() const {
+    return shared<Map>();
+  }
+  const ResultSet* if_result() const {
+    return shared<ResultSet>();
+  }
+  const Binary* if_binary() const {
+    return shared<Binary>();
+  }
 
   // Conveniences for readers of messages and frames.
   // A map's entry, or unknown for a missing key or another type.
@@ -144,6 +195,12 @@ public:
   bool operator==(const Value& other) const;
 
 private:
+  template <class T>
+  const T* shared() const {
+    const auto* pointer = std::get_if<std::shared_ptr<const T>>(&data_);
+    return pointer ? pointer->get() : nullptr;
+  }
+
   std::variant<std::monostate, bool, std::int64_t, double,
                std::shared_ptr<const std::string>, std::shared_ptr<const List>,
                std::shared_ptr<const Map>, std::shared_ptr<const ResultSet>,

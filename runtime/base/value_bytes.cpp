@@ -116,12 +116,11 @@ Value read_map(ByteReader& bytes, int depth) {
 }
 
 Value read_result(ByteReader& bytes, int depth) {
-  ResultSet result;
-  const auto columns = bytes.count("columns");
-  for (std::size_t i = 0; i < columns && bytes.ok(); ++i)
-    result.columns.emplace_back(bytes.text());
-  result.cells = read_all(bytes, "cells", depth);
-  return result;
+  std::vector<std::string> columns;
+  const auto count = bytes.count("columns");
+  for (std::size_t i = 0; i < count && bytes.ok(); ++i)
+    columns.emplace_back(bytes.text());
+  return ResultSet{std::move(columns), read_all(bytes, "cells", depth)};
 }
 
 Value read_binary(ByteReader& bytes) {

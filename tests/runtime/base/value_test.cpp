@@ -1,5 +1,8 @@
 #include <cmath>
 #include <limits>
+#include <memory>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -97,6 +100,31 @@ TEST(Value, ReadsEntriesAndElementsOrUnknown) {
   EXPECT_TRUE(frame["host"].is_unknown());
   EXPECT_TRUE(Value(3)["Host"].is_unknown());
   EXPECT_TRUE(frame.at(0).is_unknown());
+}
+
+TEST(Value, SharesATextWithOthers) {
+  const auto text = std::make_shared<const std::string>("Wei Ling");
+  const Value one(text);
+  const Value other(text);
+  EXPECT_EQ(one, Value("Wei Ling"));
+  EXPECT_EQ(one.if_string(), other.if_string());
+}
+
+TEST(Columns, AreSharedByCopies) {
+  const Columns columns{"name", "level"};
+  const auto copy = columns; // NOLINT(performance-unnecessary-copy-*)
+  EXPECT_EQ(copy.begin(), columns.begin());
+  EXPECT_EQ(copy[1], "level");
+  EXPECT_EQ(copy, (Columns{"name", "level"}));
+  EXPECT_NE(copy, Columns{"name"});
+}
+
+TEST(Columns, MayBeNone) {
+  for (const auto& none : {Columns(), Columns(std::vector<std::string>{})}) {
+    EXPECT_TRUE(none.empty());
+    EXPECT_EQ(none.size(), 0u);
+    EXPECT_EQ(none.begin(), none.end());
+  }
 }
 
 TEST(Value, ConvertsNumbersForReaders) {

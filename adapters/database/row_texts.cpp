@@ -1,0 +1,33 @@
+#include "adapters/database/row_texts.hpp"
+
+#include <cassert>
+#include <cstdint>
+
+#include <unicode/unistr.h>
+
+#include "runtime/base/utf8.hpp"
+
+namespace parlour::adapters {
+
+namespace {
+
+void append_valid(std::string& text, std::string_view bytes) {
+  const auto length = static_cast<std::int32_t>(bytes.size());
+  icu::UnicodeString::fromUTF8({bytes.data(), length}).toUTF8String(text);
+}
+
+} // namespace
+
+Value RowTexts::add(std::string_view bytes) {
+  assert(count_ < most_);
+  if (!texts_)
+    texts_ = std::make_shared<std::string[]>(most_);
+  auto& text = texts_[static_cast<std::ptrdiff_t>(count_++)];
+  if (find_invalid_utf8(bytes))
+    append_valid(text, bytes);
+  else
+    text.assign(bytes);
+  return Value(std::shared_ptr<const std::string>(texts_, &text));
+}
+
+} // namespace parlour::adapters

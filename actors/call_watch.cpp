@@ -18,11 +18,10 @@ CallWatch::Begin CallWatch::begin(Timestamp now, Work& work) {
   return std::exchange(watched_, true) ? Begin::watched : Begin::unwatched;
 }
 
-bool CallWatch::end() {
-  Work over; // let go of outside of the lock: it may wake others
+bool CallWatch::end(Work& work) {
   std::lock_guard lock(mutex_);
   since_.reset();
-  over = std::move(work_);
+  std::swap(work, work_);
   return !given_up_;
 }
 
@@ -46,7 +45,7 @@ std::optional<Milliseconds> CallWatch::look(Timestamp now,
 }
 
 bool CallWatch::give_up() {
-  Work over;
+  Work over; // let go of outside of the lock: it may wake others
   Work expected;
   std::lock_guard lock(mutex_);
   given_up_ = true;

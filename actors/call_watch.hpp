@@ -25,8 +25,9 @@ public:
   // Before a call; `work` is taken, unless it is refused, and held until the
   // call is over.
   Begin begin(Timestamp now, Work& work);
-  // After it; false where the instance was given up meanwhile.
-  bool end();
+  // After it, `work` is what was taken for it; false where the instance was
+  // given up meanwhile, and the work with it.
+  bool end(Work& work);
 
   bool in_call() const;
   // The next call is to be watched anew: it has less time than the last.

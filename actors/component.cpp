@@ -4,6 +4,18 @@
 
 namespace parlour::actors {
 
+namespace {
+
+// As ComponentMailbox::put says.
+const char* put(const Target& target, ComponentMailbox::Job& job) {
+  if (!target.branches)
+    return target.mailbox->put(job);
+  const auto mailbox = target.mailbox_of(job.message->session);
+  return mailbox ? mailbox->put(job) : "has no instance for that session";
+}
+
+} // namespace
+
 Message failure_answer(const std::string& component, const Message& message,
                        const std::string& reason) {
   Message event;
@@ -17,9 +29,7 @@ Message failure_answer(const std::string& component, const Message& message,
 
 std::optional<Message> hand_over(Services& services, const Target& target,
                                  ComponentMailbox::Job job) {
-  const auto mailbox = target.mailbox_of(job.message->session);
-  const auto* why =
-      mailbox ? mailbox->put(job) : "has no instance for that session";
+  const auto* why = put(target, job);
   if (!why)
     return std::nullopt;
   const auto reason = target.name + " " + why;

@@ -43,6 +43,10 @@ struct Instance {
 Message failure_answer(const std::string& component, const Message& message,
                        const std::string& reason);
 
+// Where even the answer for a component that failed is for one that failed,
+// nobody is answered again, however the routes lead.
+enum class Answers : bool { no, yes };
+
 // Puts it into the component's mailbox. Where that does not take it, it is
 // counted and shown as unhandled; returned is the event that answers it, if it
 // waits for one.

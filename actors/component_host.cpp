@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <thread>
 #include <utility>
 
 #include <caf/typed_event_based_actor.hpp>
@@ -16,6 +17,9 @@ using Self = component_host_actor::stateful_pointer<component_host_state>;
 
 // Messages after which others on the same thread get their turn.
 constexpr int most_at_once = 30;
+// Where components hand each other much, the next message is a microsecond
+// away: to look again so often costs less than to sleep and be woken.
+constexpr int looks_before_rest = 8;
 
 // -- calls --------------------------------------------------------------------
 
@@ -29,7 +33,8 @@ struct Called {
   }
 };
 
-// Calls the plug-in under the eyes of the supervisor.
+// Calls the plug-in under the eyes of the supervisor, who holds the work while
+// it lasts.
 template <class Action>
 Called call(Self self, Timestamp now, Work& work, Action&& action) {
   auto& [services, instance] = self->state;
@@ -40,7 +45,8 @@ Called call(Self self, Timestamp now, Work& work, Action&& action) {
     self->send(services->supervisor, watch_instance{instance->id, true});
   Called called;
   called.thrown = thrown_by(std::forward<Action>(action));
-  called.how = instance->watch.end() ? Called::How::in_time : Called::How::late;
+  called.how =
+      instance->watch.end(work) ? Called::How::in_time : Called::How::late;
   return called;
 }
 
@@ -51,8 +57,9 @@ void report(Self self, const std::string& reason) {
                               services->work.begin()});
 }
 
-void tell_of_rest(Self self) {
+void rest(Self self) {
   auto& [services, instance] = self->state;
+  instance->door->drop_spare();
   if (instance->leaves)
     self->send(services->supervisor,
                instance_rests{instance->id, services->work.begin()});
@@ -128,30 +135,45 @@ void stop(Self self) {
 
 // -- its work -----------------------------------------------------------------
 
-// False where it is to take no more.
-bool handle(Self self, ComponentMailbox::Job job) {
+// False where it is to take no more. `spare` is the work of what it is done
+// with.
+bool handle(Self self, ComponentMailbox::Job job, Work& spare) {
   auto& [services, held] = self->state;
   auto& instance = *held;
   const auto& message = *job.message;
   const auto now = services->clock->now();
   Called called;
-  if (instance.door->gives(message, now))
+  if (instance.door->gives(message, now, spare))
     called =
         call(self, now, job.work, [&] { instance.plugin->receive(message); });
   if (called.how == Called::How::refused)
     instance.component->mailbox->put_back(std::move(job));
+  spare = std::move(job.work);
   judge(self, called);
   return called.well();
+}
+
+std::optional<ComponentMailbox::Job>
+next_job(const Services& services, ComponentMailbox& mailbox,
+         const component_host_actor& host) {
+  const int looks = services.detaches ? looks_before_rest : 0;
+  for (int look = 0; look < looks; ++look) {
+    if (auto job = mailbox.take(host, ComponentMailbox::IfEmpty::look_again))
+      return job;
+    std::this_thread::yield();
+  }
+  return mailbox.take(host);
 }
 
 void work(Self self) {
   auto& mailbox = *self->state.instance->component->mailbox;
   const component_host_actor host(self);
+  Work spare;
   for (int i = 0; i < most_at_once; ++i) {
-    auto job = mailbox.take(host);
+    auto job = next_job(*self->state.services, mailbox, host);
     if (!job)
-      return tell_of_rest(self);
-    if (!handle(self, std::move(*job)))
+      return rest(self);
+    if (!handle(self, std::move(*job), spare))
       return mailbox.leave(host);
   }
   self->send(self, work_waits{});

@@ -9,12 +9,12 @@
 namespace parlour::actors {
 
 const char* ComponentMailbox::put(Job& job) {
-  std::unique_lock lock(mutex_);
-  if (closed_)
-    return closed_;
-  if (waiting_.size() >= capacity)
+  std::unique_lock lock(back_.mutex);
+  if (back_.closed)
+    return back_.closed;
+  if (back_.waiting.size() >= capacity)
     return "has more messages waiting than it may";
-  waiting_.push_back(std::move(job));
+  back_.waiting.push_back(std::move(job));
   auto host = one_to_wake();
   lock.unlock();
   wake(host);
@@ -22,19 +22,29 @@ const char* ComponentMailbox::put(Job& job) {
 }
 
 void ComponentMailbox::put_back(Job job) {
-  std::unique_lock lock(mutex_);
-  waiting_.push_front(std::move(job));
-  auto host = one_to_wake();
-  lock.unlock();
-  wake(host);
+  std::unique_lock lock(front_.mutex);
+  front_.waiting.push_front(std::move(job));
+  wake_for_what_waits(std::move(lock));
 }
 
+// -- who is told --------------------------------------------------------------
+
+// One that rests, to be told outside of the locks; null: none.
 component_host_actor ComponentMailbox::one_to_wake() {
-  if (waiting_.empty() || resting_.empty())
+  if (back_.resting.empty())
     return {};
-  auto host = std::move(resting_.back());
-  resting_.pop_back();
+  auto host = std::move(back_.resting.back());
+  back_.resting.pop_back();
   return host;
+}
+
+void ComponentMailbox::wake_for_what_waits(Lock front) {
+  std::unique_lock lock(back_.mutex);
+  const bool waits = !front_.waiting.empty() || !back_.waiting.empty();
+  auto host = waits ? one_to_wake() : component_host_actor();
+  lock.unlock();
+  front.unlock();
+  wake(host);
 }
 
 void ComponentMailbox::wake(const component_host_actor& host) {
@@ -43,58 +53,74 @@ void ComponentMailbox::wake(const component_host_actor& host) {
 }
 
 void ComponentMailbox::join(const component_host_actor& host) {
-  std::unique_lock lock(mutex_);
-  members_.push_back(host);
-  resting_.push_back(host);
-  auto next = one_to_wake();
-  lock.unlock();
-  wake(next);
+  std::unique_lock lock(front_.mutex);
+  front_.members.push_back(host);
+  {
+    std::lock_guard back(back_.mutex);
+    back_.resting.push_back(host);
+  }
+  wake_for_what_waits(std::move(lock));
 }
 
 // It may have been told of what it will not take: then another is.
 void ComponentMailbox::leave(const component_host_actor& host) {
-  std::unique_lock lock(mutex_);
-  std::erase(members_, host);
-  std::erase(resting_, host);
-  auto next = one_to_wake();
-  lock.unlock();
-  wake(next);
+  std::unique_lock lock(front_.mutex);
+  std::erase(front_.members, host);
+  {
+    std::lock_guard back(back_.mutex);
+    std::erase(back_.resting, host);
+  }
+  wake_for_what_waits(std::move(lock));
 }
 
+// -- taking -------------------------------------------------------------------
+
 std::optional<ComponentMailbox::Job>
-ComponentMailbox::take(const component_host_actor& host) {
-  std::lock_guard lock(mutex_);
-  if (std::find(members_.begin(), members_.end(), host) == members_.end())
+ComponentMailbox::take(const component_host_actor& host, IfEmpty then) {
+  std::lock_guard lock(front_.mutex);
+  const auto& members = front_.members;
+  if (std::find(members.begin(), members.end(), host) == members.end())
     return std::nullopt;
-  if (waiting_.empty()) {
-    resting_.push_back(host);
+  if (front_.waiting.empty())
+    bring_forward(host, then);
+  if (front_.waiting.empty())
     return std::nullopt;
-  }
-  auto job = std::move(waiting_.front());
-  waiting_.pop_front();
+  auto job = std::move(front_.waiting.front());
+  front_.waiting.pop_front();
   return job;
 }
 
+// What has arrived; where nothing has, the host may rest.
+void ComponentMailbox::bring_forward(const component_host_actor& host,
+                                     IfEmpty then) {
+  std::lock_guard lock(back_.mutex);
+  front_.waiting.swap(back_.waiting);
+  if (front_.waiting.empty() && then == IfEmpty::rest)
+    back_.resting.push_back(host);
+}
+
 bool ComponentMailbox::empty() const {
-  std::lock_guard lock(mutex_);
-  return waiting_.empty();
+  std::scoped_lock lock(front_.mutex, back_.mutex);
+  return front_.waiting.empty() && back_.waiting.empty();
 }
 
 void ComponentMailbox::close(const char* why) {
-  std::lock_guard lock(mutex_);
-  closed_ = why;
+  std::lock_guard lock(back_.mutex);
+  back_.closed = why;
 }
 
 void ComponentMailbox::open() {
-  std::lock_guard lock(mutex_);
-  closed_ = nullptr;
+  std::lock_guard lock(back_.mutex);
+  back_.closed = nullptr;
 }
 
 std::vector<ComponentMailbox::Job> ComponentMailbox::take_all() {
-  std::lock_guard lock(mutex_);
-  std::vector<Job> all(std::make_move_iterator(waiting_.begin()),
-                       std::make_move_iterator(waiting_.end()));
-  waiting_.clear();
+  std::scoped_lock lock(front_.mutex, back_.mutex);
+  std::vector<Job> all;
+  for (auto* waiting : {&front_.waiting, &back_.waiting}) {
+    std::move(waiting->begin(), waiting->end(), std::back_inserter(all));
+    waiting->clear();
+  }
   return all;
 }
 

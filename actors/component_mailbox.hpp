@@ -20,7 +20,8 @@ using SharedMessage = std::shared_ptr<const Message>;
 // Safe to use from any thread.
 class ComponentMailbox {
 public:
-  // More waiting messages are refused.
+  // More that have arrived are refused; those that an instance has come to are
+  // not counted.
   static constexpr std::size_t capacity = 10'000;
 
   struct Job {
@@ -40,9 +41,11 @@ public:
   void join(const component_host_actor& host);
   // Takes part no more.
   void leave(const component_host_actor& host);
-  // The next job for a host that takes part; nothing: it is told when there is
-  // one.
-  std::optional<Job> take(const component_host_actor& host);
+  // The next job for a host that takes part. Nothing: one that rests is told
+  // when there is one.
+  enum class IfEmpty : bool { rest, look_again };
+  std::optional<Job> take(const component_host_actor& host,
+                          IfEmpty then = IfEmpty::rest);
 
   // It was taken and cannot be done: another does it, before all others.
   void put_back(Job job);
@@ -58,15 +61,30 @@ public:
   std::vector<Job> take_all();
 
 private:
-  // One that rests, to be told outside of the lock; null: none.
-  component_host_actor one_to_wake();
-  static void wake(const component_host_actor& host);
+  using Lock = std::unique_lock<std::mutex>;
 
-  mutable std::mutex mutex_;
-  std::deque<Job> waiting_;
-  std::vector<component_host_actor> members_;
-  std::vector<component_host_actor> resting_;
-  const char* closed_ = nullptr; // why
+  component_host_actor one_to_wake();
+  void wake_for_what_waits(Lock front);
+  static void wake(const component_host_actor& host);
+  void bring_forward(const component_host_actor& host, IfEmpty then);
+
+  // What waits stands at two ends, on cache lines of their own, so that who
+  // puts and who takes seldom meet: when nothing is left in front, all that has
+  // arrived moves there. Who locks both locks the front first.
+  static constexpr std::size_t cache_line = 64;
+  struct alignas(cache_line) Back {
+    mutable std::mutex mutex;
+    std::deque<Job> waiting;
+    std::vector<component_host_actor> resting;
+    const char* closed = nullptr; // why
+  };
+  struct alignas(cache_line) Front {
+    mutable std::mutex mutex;
+    std::deque<Job> waiting;
+    std::vector<component_host_actor> members;
+  };
+  Back back_;
+  Front front_;
 };
 
 } // namespace parlour::actors

@@ -96,7 +96,6 @@ void House::set_up_routing() {
   parts.program = options_.program;
   parts.aliases = options_.aliases;
   parts.clock = services_.clock;
-  parts.numbers = std::make_shared<std::atomic<std::uint64_t>>(0);
   parts.counters = services_.counters;
   if (services_.inspect && services_.inspect_all)
     parts.taps.push_back(inspection_tap(services_));

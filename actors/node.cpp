@@ -205,7 +205,7 @@ std::string Node::state(const SessionId& session) {
 
 NodeCounters Node::counters() const {
   const auto& counters = *implementation_->house.services().counters;
-  return {counters.messages, counters.relayed, counters.filtered,
+  return {counters.messages(), counters.relayed, counters.filtered,
           counters.dropped, counters.unhandled};
 }
 

@@ -37,13 +37,21 @@ void PluginDoor::belongs_to(const component_host_actor& host) {
 
 // -- who keeps the instance ---------------------------------------------------
 
-bool PluginDoor::gives(const Message& message, Timestamp now) {
+bool PluginDoor::gives(const Message& message, Timestamp now, Work& spare) {
   std::lock_guard lock(mutex_);
   if (closed_)
     return false;
   credit_.earn();
   unanswered_.given(message, now);
+  if (!spare_)
+    std::swap(spare_, spare);
   return true;
+}
+
+void PluginDoor::drop_spare() {
+  Work over; // let go of outside of the lock: it may wake others
+  std::lock_guard lock(mutex_);
+  std::swap(spare_, over);
 }
 
 bool PluginDoor::calls_back(DelayId delay) {
@@ -67,8 +75,10 @@ bool PluginDoor::owes_nothing() {
 }
 
 std::vector<Message> PluginDoor::close() {
+  Work over;
   std::unique_lock lock(mutex_);
   closed_ = true;
+  std::swap(spare_, over);
   auto delays = std::exchange(delays_, {});
   auto messages = unanswered_.take(clock().now());
   lock.unlock();
@@ -80,13 +90,14 @@ std::vector<Message> PluginDoor::close() {
 // -- what it says -------------------------------------------------------------
 
 // False where its credit is used up, or it is to say nothing any more.
-bool PluginDoor::may_say(const Message& message, Timestamp now) {
+bool PluginDoor::may_say(const Message& message, Timestamp now, Work& work) {
   std::unique_lock lock(mutex_);
   if (closed_ || flooded_)
     return false;
   flooded_ = !credit_.spend(now);
   if (!flooded_)
     unanswered_.said(message);
+  std::swap(work, spare_);
   const bool rests = leaves_ && unanswered_.none(now);
   const bool floods = flooded_;
   lock.unlock();
@@ -107,12 +118,13 @@ void PluginDoor::tell_supervisor_of_rest() {
 
 void PluginDoor::publish_as_itself(Message&& message) {
   const auto now = clock().now();
-  if (!may_say(message, now))
+  Work work;
+  if (!may_say(message, now, work))
     return;
   if (message.source.empty() || is_reserved(message.source))
     message.source = name_;
   fill_session(message);
-  services_.publish(std::move(message), now);
+  services_.publish(std::move(message), now, std::move(work));
 }
 
 void PluginDoor::fill_session(Message& message) const {

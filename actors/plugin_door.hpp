@@ -32,8 +32,11 @@ public:
 
   // -- who keeps the instance ------------------------------------------------
 
-  // Its plug-in is about to be given this; false where it is closed.
-  bool gives(const Message& message, Timestamp now);
+  // Its plug-in is about to be given this; false where it is closed. `spare` is
+  // kept for what it will say, if that is not there already.
+  bool gives(const Message& message, Timestamp now, Work& spare);
+  // It is given nothing for now.
+  void drop_spare();
   // It has called back for a delay: false where that was cancelled.
   bool calls_back(DelayId delay);
   // It is to go when it owes no answer any more: then the supervisor is told.
@@ -62,7 +65,7 @@ public:
 private:
   void publish_as_itself(Message&& message);
   void fill_session(Message& message) const;
-  bool may_say(const Message& message, Timestamp now);
+  bool may_say(const Message& message, Timestamp now, Work& work);
   bool is_closed() const;
   void tell_supervisor_of_rest();
 
@@ -77,6 +80,10 @@ private:
   bool flooded_ = false;
   EventCredit credit_;
   Unanswered unanswered_;
+  // Work of a message that it is done with. What it says next takes it: to give
+  // back one piece and begin another costs more than anything else here, as all
+  // threads count in one place.
+  Work spare_;
   // What it has not been called back for yet: CAF's clock holds their messages
   // until they are due, whether there still is a host or not.
   std::set<DelayId> delays_;

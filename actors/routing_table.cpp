@@ -127,7 +127,7 @@ Routed RoutingTable::route(Message message) const {
   return route(std::move(message), parts_.clock->now());
 }
 
-Routed RoutingTable::route(Message message, Timestamp now) const {
+Routed RoutingTable::route(Message&& message, Timestamp now) const {
   Routed routed;
   stamp(message, now);
   if (apply_routes(message, routed))
@@ -148,8 +148,7 @@ Routed RoutingTable::route(Message message, Timestamp now) const {
 
 void RoutingTable::stamp(Message& message, Timestamp now) const {
   message.time = now;
-  message.number = ++*parts_.numbers;
-  ++parts_.counters->messages;
+  message.number = ++parts_.counters->numbers;
 }
 
 // True where a filter ended the message's way.
@@ -211,7 +210,8 @@ Message RoutingTable::copy_for(const script::Route& route,
                                const Message& message,
                                const std::string& to) const {
   auto copy = message;
-  copy.number = ++*parts_.numbers;
+  copy.number = ++parts_.counters->numbers;
+  ++parts_.counters->copies;
   copy.sinks = {to};
   if (!route.as.empty())
     copy.command = route.as;

@@ -64,12 +64,18 @@ struct Routed {
 
 // What went through, of all tables of a node.
 struct Counters {
-  std::atomic<std::uint64_t> messages = 0;
+  std::atomic<std::uint64_t> numbers = 0; // of stamps
+  std::atomic<std::uint64_t> copies = 0;  // which have numbers of their own
   std::atomic<std::uint64_t> relayed = 0;
   std::atomic<std::uint64_t> filtered = 0;
   std::atomic<std::uint64_t> dropped = 0;
   std::atomic<std::uint64_t> unhandled = 0;
   std::atomic<std::uint64_t> failed_conditions = 0;
+
+  std::uint64_t messages() const {
+    const auto copied = copies.load(); // first: there are never more of them
+    return numbers - copied;
+  }
 };
 
 // Sees each message once, with the way it took: "relay -> ASR", "-> NLU",
@@ -84,8 +90,7 @@ public:
     std::vector<Target> targets; // in order of preference
     // Another name of a role: "Record" is "Microphone".
     std::map<std::string, std::string, std::less<>> aliases;
-    const Clock* clock = nullptr;                        // outlives the table
-    std::shared_ptr<std::atomic<std::uint64_t>> numbers; // of stamps
+    const Clock* clock = nullptr; // outlives the table
     std::shared_ptr<Counters> counters;
     std::vector<Tap> taps;
   };
@@ -95,7 +100,7 @@ public:
   // Stamps, relays, filters, finds the sinks. Safe from any thread.
   Routed route(Message message) const;
   // The same for who knows the time.
-  Routed route(Message message, Timestamp now) const;
+  Routed route(Message&& message, Timestamp now) const;
 
   // By instance name, else the first component that is up for the session and
   // fills the role or alias; null where there is none. "Role*" is found like

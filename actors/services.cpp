@@ -10,11 +10,7 @@ namespace parlour::actors {
 
 namespace {
 
-enum class Answers : bool { no, yes };
-
-// Where even the answer for a component that failed is for one that failed,
-// nobody is answered again.
-void carry(Services& services, Message message, Timestamp now,
+void carry(Services& services, Message&& message, Timestamp now, Work& held,
            std::vector<Message>& rest, Answers answers = Answers::yes) {
   const auto table = services.table.load();
   if (!table)
@@ -22,10 +18,12 @@ void carry(Services& services, Message message, Timestamp now,
   auto routed = table->route(std::move(message), now);
   services.unreached(routed);
   for (auto& [target, sent] : routed.deliveries) {
+    if (!held)
+      held = services.work.begin();
     auto answer =
-        hand_over(services, *target, {std::move(sent), services.work.begin()});
+        hand_over(services, *target, {std::move(sent), std::move(held)});
     if (answer && answers == Answers::yes)
-      carry(services, std::move(*answer), now, rest, Answers::no);
+      carry(services, std::move(*answer), now, held, rest, Answers::no);
   }
   if (routed.rest)
     rest.push_back(std::move(*routed.rest));
@@ -39,11 +37,11 @@ void pass_to_centre(Services& services, std::vector<Message> messages) {
 
 } // namespace
 
-void Services::publish(Message message, Timestamp now) {
+void Services::publish(Message&& message, Timestamp now, Work held) {
   if (gate.keeps_out())
     return publish(std::vector{std::move(message)});
   std::vector<Message> rest;
-  carry(*this, std::move(message), now, rest);
+  carry(*this, std::move(message), now, held, rest);
   pass_to_centre(*this, std::move(rest));
 }
 
@@ -64,8 +62,9 @@ void Services::bring_in(std::vector<Message> messages) {
 
 std::vector<Message> Services::route(std::vector<Message> messages) {
   std::vector<Message> rest;
+  Work held;
   for (auto& message : messages)
-    carry(*this, std::move(message), clock->now(), rest);
+    carry(*this, std::move(message), clock->now(), held, rest);
   return rest;
 }
 

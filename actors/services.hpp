@@ -13,6 +13,7 @@
 #include "actors/query_claims.hpp"
 #include "actors/routing_table.hpp"
 #include "actors/session_directory.hpp"
+#include "actors/shared_table.hpp"
 #include "actors/thread_gate.hpp"
 #include "actors/work_count.hpp"
 #include "runtime/base/inspection.hpp"
@@ -68,8 +69,8 @@ struct Services {
 
   // What every table has in common; its targets are the supervisor's.
   RoutingTable::Parts routing;
-  // The snapshot that senders apply; replaced by the supervisor only.
-  std::atomic<std::shared_ptr<const RoutingTable>> table;
+  // What senders apply; replaced by the supervisor only.
+  SharedTable table;
 
   message_centre_actor centre;
   session_manager_actor manager;
@@ -78,7 +79,9 @@ struct Services {
 
   // From any thread: stamped and routed by the table at once (engine rule 1),
   // into the components' mailboxes; by the message centre what sessions get.
-  void publish(Message message, Timestamp now);
+  // `held` may be none; what comes of the message takes it, so that it need not
+  // be counted anew.
+  void publish(Message&& message, Timestamp now, Work held);
   // Messages that happened together.
   void publish(std::vector<Message> messages);
   // Messages from outside that happened together: all of it by the message

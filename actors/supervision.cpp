@@ -85,9 +85,9 @@ void Supervision::make_instance(const BranchPointer& branch) {
   auto instance = std::make_shared<Instance>();
   instance->id = ++last_instance_;
   instance->component = component;
-  instance->door = std::make_shared<PluginDoor>(services_, component->name(),
-                                                component->description(),
-                                                instance->id, branch->place);
+  instance->door = std::make_shared<PluginDoor>(
+      services_, component->name(), component->description(), instance->id,
+      branch->place == house_ ? nullptr : branch->place);
   services_.instances.add(instance);
   auto host = host_for(instance);
   instance->door->belongs_to(host);

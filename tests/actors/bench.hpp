@@ -49,7 +49,6 @@ public:
     parts.program = services.program;
     parts.targets = std::move(targets);
     parts.clock = services.clock;
-    parts.numbers = std::make_shared<std::atomic<std::uint64_t>>(0);
     parts.counters = services.counters;
     services.table.store(
         std::make_shared<const RoutingTable>(std::move(parts)));

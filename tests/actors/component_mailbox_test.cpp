@@ -48,6 +48,21 @@ TEST_F(ComponentMailboxTest, AnotherTakesWhatOneLeaves) {
   EXPECT_THAT(bench.seen, testing::SizeIs(2));
 }
 
+TEST_F(ComponentMailboxTest, KeepsTheOrderOfWhatComesWhileSeveralTake) {
+  const auto first = reader("first");
+  const auto second = reader("second");
+  mailbox->join(first);
+  mailbox->join(second);
+  put("One");
+  put("Two");
+  EXPECT_EQ(mailbox->take(first)->message->command, "One");
+  put("Four");
+  mailbox->put_back({shared(event("Script", "Three")), bench.work()});
+  for (const char* command : {"Three", "Two", "Four"})
+    EXPECT_EQ(mailbox->take(second)->message->command, command);
+  EXPECT_FALSE(mailbox->take(first));
+}
+
 TEST_F(ComponentMailboxTest, DoesFirstWhatIsPutBack) {
   put("Two");
   mailbox->put_back({shared(event("Script", "One")), bench.work()});

@@ -25,7 +25,7 @@ TEST(InstanceDirectory, NamesThoseThatHaveNotReturned) {
   Work none;
   for (const auto& one : {ear, mouth, hand})
     one->watch.begin(0, none);
-  mouth->watch.end();
+  mouth->watch.end(none);
   hand->watch.give_up();
   EXPECT_EQ(directory.names_in_call(), "Ear, Hand");
   ear.reset();

@@ -42,6 +42,39 @@ TEST_F(PluginDoorTest, AnEventGoesNowhereInParticularAMessageDoes) {
               ElementsAre("Ear.Stop()", "Robot7 gets Ear.Stop() -> Robot7"));
 }
 
+// Each piece is counted in one place by all threads: one is handed on.
+TEST_F(PluginDoorTest, WhatItSaysTakesTheWorkOfWhatItIsDoneWith) {
+  WorkCount count;
+  const auto robot = bench.target("Robot7", {});
+  const auto host = bench.component_probe("host", robot.mailbox);
+  robot.mailbox->join(host);
+  bench.set_table({robot});
+  auto spare = count.begin();
+  ASSERT_TRUE(door.gives(event("Script", "Go"), 0, spare));
+  EXPECT_FALSE(spare);
+  auto message = event("", "Stop");
+  message.sinks = {"Robot7"};
+  door.send_message(message);
+  door.send_message(message);
+  EXPECT_FALSE(count.none());
+  EXPECT_TRUE(robot.mailbox->take(host)); // and its work is over
+  EXPECT_TRUE(count.none());
+  bench.run();
+  EXPECT_TRUE(bench.services.work.none());
+}
+
+TEST_F(PluginDoorTest, KeepsNoWorkWhenItRestsOrIsClosed) {
+  WorkCount count;
+  auto spare = count.begin();
+  door.gives(event("Script", "Go"), 0, spare);
+  door.drop_spare();
+  EXPECT_TRUE(count.none());
+  spare = count.begin();
+  door.gives(event("Script", "Go"), 0, spare);
+  door.close();
+  EXPECT_TRUE(count.none());
+}
+
 TEST_F(PluginDoorTest, CallsBackThroughTheHost) {
   auto host = bench.component_probe("host");
   door.belongs_to(host);

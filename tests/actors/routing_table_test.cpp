@@ -12,7 +12,6 @@ protected:
     parts.program = compile(std::string(echo) + routes);
     parts.aliases = {{"Record", "Microphone"}};
     parts.clock = &clock;
-    parts.numbers = std::make_shared<std::atomic<std::uint64_t>>(0);
     parts.counters = std::make_shared<Counters>();
     parts.taps.push_back(
         [this](const Message& message, const std::string& way) {
@@ -65,7 +64,7 @@ TEST_F(RoutingTableTest, StampsInOrder) {
   EXPECT_EQ(first.rest->number, 1u);
   EXPECT_EQ(second.rest->number, 2u);
   EXPECT_EQ(second.rest->time, clock.now());
-  EXPECT_EQ(table->counters().messages, 2u);
+  EXPECT_EQ(table->counters().messages(), 2u);
 }
 
 TEST_F(RoutingTableTest, GivesASinkToTheFirstThatIsUp) {

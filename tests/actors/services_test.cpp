@@ -35,7 +35,7 @@ TEST(Services, BringToComponentsWhatIsForThemAndTheRestToTheCentre) {
   EXPECT_THAT(bench.logs,
               ElementsAre("Bell.Asks() -> ASR, Nobody: nobody is there for "
                           "Nobody"));
-  EXPECT_EQ(bench.services.counters->messages, 3u);
+  EXPECT_EQ(bench.services.counters->messages(), 3u);
 }
 
 // However the routes lead from one that is down to the next.
@@ -62,7 +62,7 @@ TEST(Services, BringInWhatTheCentreRoutes) {
   bench.services.bring_in({event("Bell", "Rings")});
   bench.run();
   EXPECT_THAT(bench.seen, ElementsAre("outside: Bell.Rings()"));
-  EXPECT_EQ(bench.services.counters->messages, 0u);
+  EXPECT_EQ(bench.services.counters->messages(), 0u);
 }
 
 TEST(Services, PublishToNobodyWhenTheHouseIsDown) {

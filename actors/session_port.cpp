@@ -37,22 +37,23 @@ std::vector<Message> SessionPort::post(Message message) {
     services_.publish({std::move(message)});
     return back;
   }
-  carry(std::move(message), back, 0);
+  carry(std::move(message), back);
   return back;
 }
 
-void SessionPort::carry(Message message, std::vector<Message>& back,
-                        int depth) {
+void SessionPort::carry(Message message, std::vector<Message>& back, int depth,
+                        Answers answers) {
   auto table = services_.table.load();
   auto routed = table->route(std::move(message));
   services_.unreached(routed);
   for (auto& [target, sent] : routed.deliveries)
     if (target->direct && depth < inline_depth)
       for (auto& event : ask_directly(*target, *sent))
-        carry(std::move(event), back, depth + 1);
+        carry(std::move(event), back, depth + 1, answers);
     else if (auto answer = hand_over(services_, *target,
-                                     {std::move(sent), services_.work.begin()}))
-      carry(std::move(*answer), back, depth + 1);
+                                     {std::move(sent), services_.work.begin()});
+             answer && answers == Answers::yes)
+      carry(std::move(*answer), back, depth + 1, Answers::no);
   if (routed.rest)
     back.push_back(std::move(*routed.rest));
 }
@@ -197,7 +198,7 @@ std::vector<Message> SessionPort::hear_socket(dialogue::SocketId id,
                                               const SocketEvent& event) {
   std::vector<Message> messages;
   if (auto message = sockets_.message(id, event))
-    carry(std::move(*message), messages, 0);
+    carry(std::move(*message), messages);
   // A text that the routes ended is dealt with.
   const bool goes_on =
       std::any_of(messages.begin(), messages.end(), [](const Message& message) {

@@ -4,6 +4,7 @@
 
 #include <map>
 
+#include "actors/component.hpp"
 #include "actors/services.hpp"
 #include "actors/session_sockets.hpp"
 #include "script/dialogue/port.hpp"
@@ -61,7 +62,8 @@ private:
     DueTimes::Id due;
   };
 
-  void carry(Message message, std::vector<Message>& back, int depth);
+  void carry(Message message, std::vector<Message>& back, int depth = 0,
+             Answers answers = Answers::yes);
   std::vector<Message> ask_directly(const Target& target,
                                     const Message& message);
   void end_timer(const Timer& timer);

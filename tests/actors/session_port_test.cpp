@@ -115,6 +115,17 @@ TEST_F(SessionPortTest, AnswersForAnInlineComponentThatThrows) {
   EXPECT_THAT(post(), ElementsAre(HasSubstr("s1 Words.Failed(")));
 }
 
+// However the routes lead from one that is down to the next.
+TEST_F(SessionPortTest, AnswersOnceForComponentsThatAreDown) {
+  bench.services.program = compile(R"(<routes>
+      <relay source="Words" command="Failed" to="Words"/></routes>)");
+  const auto words = bench.target("Words", {"NLG"});
+  words.mailbox->close("is down");
+  bench.set_table({words});
+  EXPECT_THAT(post(), ElementsAre("s1 Words.Failed(Words is down) to 4"));
+  EXPECT_EQ(bench.services.counters->unhandled, 2u);
+}
+
 TEST_F(SessionPortTest, CountsAndLogsOnceWhatNobodyTakes) {
   EXPECT_THAT(post(), IsEmpty());
   with_port([](SessionPort& port) { port.unhandled(event("Bell", "Rings")); });

@@ -217,14 +217,13 @@ void TopicEngine::inspect_report(TopicId topic, const SlotReport& report) {
 
 // What was wrong, and what would be right.
 Value TopicEngine::refusal(TopicId topic, const SlotReport& report) {
-  auto choices = choices_of(topic, report.slot);
-  const auto& type = core_.topic(topic).slots[report.slot].cardinality.type;
-  return Map{{"value", report.offered},
-             {"reason", report.reason},
-             {"type", type},
-             {"choices", choices["choices"]},
-             {"from", choices["from"]},
-             {"to", choices["to"]}};
+  Map refused{{"value", report.offered},
+              {"reason", report.reason},
+              {"type", core_.topic(topic).slots[report.slot].cardinality.type}};
+  const auto choices = choices_of(topic, report.slot);
+  for (const auto& [name, value] : choices.if_map()->entries())
+    refused.set(name, value);
+  return refused;
 }
 
 void TopicEngine::rule(Step& step) {

@@ -151,17 +151,18 @@ void TopicEngine::ask_still(Step& step) {
     ask_slot(step.topic, step.slot, OutputAct::reprompt, step.turn);
 }
 
+// The values of a set; a range's bounds, as far as it has them.
 Value TopicEngine::choices_of(TopicId topic, SlotId slot) {
   const auto& taken = core_.topic(topic).slots[slot].cardinality;
   List choices;
   for (auto code : taken.values)
     choices.emplace_back(text_of(code, topic));
-  const auto bound = [&](CodeId code) {
-    return code == script::no_code ? Value() : Value(text_of(code, topic));
-  };
-  return Map{{"choices", choices},
-             {"from", bound(taken.minimum)},
-             {"to", bound(taken.maximum)}};
+  Map said{{"choices", std::move(choices)}};
+  if (taken.minimum != script::no_code)
+    said.set("from", text_of(taken.minimum, topic));
+  if (taken.maximum != script::no_code)
+    said.set("to", text_of(taken.maximum, topic));
+  return said;
 }
 
 void TopicEngine::say_text(std::string text, TurnId turn) {

@@ -187,8 +187,12 @@ void MariaDBServer::stop() {
   end(SIGTERM);
 }
 
+// Its threads run on for a moment: only the wait tells that all stand still.
 void MariaDBServer::pause() {
+  if (process_ <= 0)
+    return;
   ::kill(process_, SIGSTOP);
+  ::waitpid(process_, nullptr, WUNTRACED);
 }
 
 void MariaDBServer::go_on() {

@@ -18,8 +18,7 @@ using namespace std::string_view_literals;
 
 const std::string recogniser = "ASR";
 
-// Whether the engine itself has an ear for it, besides who reacts to it; most
-// messages are only for those.
+// What the engine itself has an ear for, besides who reacts to it.
 constexpr std::string_view heard_commands[] = {
     "RecognitionResult", "SpeechStarted", "Partial",      "Rejected",
     "Finished",          "AgentOnline",   "AgentOffline", "PhraseFailed"};
@@ -31,6 +30,7 @@ constexpr std::uint64_t lengths_of_heard = [] {
   return lengths;
 }();
 
+// Most messages are none of them, which mostly their length tells.
 bool is_heard(const Message& message) {
   const auto length = message.command.size();
   return length < 64 && (lengths_of_heard >> length & 1) != 0 &&

@@ -50,9 +50,8 @@ public:
   }
 
   SlotReports reports() {
-    if (reports_.size() > 1)
-      std::sort(reports_.begin(), reports_.end(),
-                [](const auto& a, const auto& b) { return a.slot < b.slot; });
+    std::sort(reports_.begin(), reports_.end(),
+              [](const auto& a, const auto& b) { return a.slot < b.slot; });
     return std::move(reports_);
   }
 

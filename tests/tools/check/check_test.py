@@ -123,6 +123,53 @@ class Checks(unittest.TestCase):
         self.write("script/s.cpp", "// see /" + "work/x, not net/work\n")
         self.assertEqual(1, len(self.said("words").splitlines()))
 
+    # citations; split, as they are none of this file's
+    def write_rules(self):
+        self.write("docs/engine.md", "# The engine\n\n## 1. A way\n\n"
+                   "* **1a** It is stamped.\n\n### 1.1 The centre\n")
+        self.write("script/LANGUAGE.md", "## 4. Text\n\n**4.4** In text.\n")
+
+    def test_what_is_there_may_be_cited(self):
+        self.write_rules()
+        self.write("docs/understanding.md", "## Score\n")
+        self.write("script/README.md", "[a](../docs/engine.md#11-the-centre)\n"
+                   "[b](https://example.org) `[c](nowhere)`\n"
+                   "```\n[d](nowhere)\n```\n[e](LANGUAGE.md)\n")
+        self.write("script/s.hpp", "// One (engine\n"
+                   "  // rules 1a, 1 and 1.1; engine rule 1, \"The\n// centre\";"
+                   " LANGUAGE.md; docs/engine.md; understanding,\n"
+                   '// "Score").\nauto rule = "engine rule 9";\n')
+        self.assertEqual("", self.said("citations"))
+
+    def test_a_rule_that_is_not_there_is_found(self):
+        self.write_rules()
+        self.write("script/s.hpp", "int a; // (engine\n// rules 1a and 1c)\n")
+        self.write("tests/t.py", "# language rule" + " 4.5\n")
+        self.write("config/c.xml", "<!-- engine rule" + ' 1, "Lanes" -->\n')
+        self.assertEqual('config/c.xml:1: engine rule 1 has no "Lanes"\n'
+                         "script/s.hpp:1: there is no engine rule 1c\n"
+                         "tests/t.py:1: there is no language rule 4.5\n",
+                         self.said("citations"))
+
+    def test_a_rule_of_its_own_page_needs_no_name(self):
+        self.write("script/LANGUAGE.md", "**4.4** Braces (rule 4.5).\n")
+        self.assertIn("LANGUAGE.md:1: there is no language rule" + " 4.5",
+                      self.said("citations"))
+
+    def test_a_page_or_section_that_is_not_there_is_found(self):
+        self.write_rules()
+        self.write("script/s.hpp", "// session" + '.md, "Seats"\n'
+                   "// engine" + '.md, "Seats"\n')
+        self.assertEqual("script/s.hpp:1: there is no page session.md\n"
+                         'script/s.hpp:2: engine.md has no section "Seats"\n',
+                         self.said("citations"))
+
+    def test_a_link_that_leads_nowhere_is_found(self):
+        self.write_rules()
+        self.write("README.md", "[a](docs/engine.md#lanes)\n"
+                   "![b](docs/house.svg)\n[c](#here)\n")
+        self.assertEqual(3, len(self.said("citations").splitlines()))
+
 
 if __name__ == "__main__":
     unittest.main()

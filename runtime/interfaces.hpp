@@ -1,6 +1,6 @@
 // Every actor's typed mailbox on one page, a sentence for each message. Read
 // it and you know who talks to whom (architecture, "The actors"). The messages
-// stay on one node; what crosses hosts is parlour::Message (wire.md).
+// stay on one node; what leaves the process is a parlour::Message.
 #pragma once
 
 #include <functional>

@@ -33,7 +33,7 @@ Expected<Timestamp> parse_timestamp(std::string_view text);
 // strftime of the local time; "%Y-%m-%d %H:%M" unless told otherwise.
 std::string format_timestamp(Timestamp time, const char* pattern);
 
-// "1.5s", "200ms", "2m", "1h" (language rule 5).
+// "1.5s", "200ms", "2m", "1h" (language rule 10.1).
 Expected<Milliseconds> parse_duration(std::string_view text);
 
 } // namespace parlour

@@ -11,7 +11,7 @@
 
 namespace parlour {
 
-// The closed set of kinds that a script can catch (language rule 7).
+// The closed set of kinds that a script can catch (language rule 9.5).
 // clang-format off
 #define PARLOUR_ERROR_KINDS(X) \
   X(type, "Type", "an operand or argument has the wrong type") \

@@ -1,6 +1,6 @@
-// What scripts may do with the files of their data folder (language rule 5,
-// <readfile> and its like), as data, and the door by which it is done. An
-// adapter knows how (adapters/files); `script` and `actors` only ask.
+// What scripts may do with the files of their data folder (language rules 11.5
+// to 11.8), as data, and the door by which it is done. An adapter knows how
+// (adapters/files); `script` and `actors` only ask.
 #pragma once
 
 #include <cstddef>

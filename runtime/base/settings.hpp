@@ -1,4 +1,4 @@
-// The system configuration of an application (settings.xml; language rule 1)
+// The system configuration of an application (settings.xml; docs/writing.md)
 // as data. Read by script/settings_reader; every default is stated in
 // defaults.hpp.
 #pragma once
@@ -42,7 +42,7 @@ struct Limits {
 
 struct Settings {
   std::string name;
-  std::string start;  // a state or a topic; empty: see language rule 1
+  std::string start;  // a state or a topic; empty: see engine rule 4.6
   std::string folder; // the application's
   bool unsafe_sql = false;
   std::vector<ComponentSettings> components; // in order of preference

@@ -1,4 +1,4 @@
-// TCP clients as scripts have them (language rule 5, <socket>): the door to the
+// TCP clients as scripts have them (language rule 11.9): the door to the
 // adapter that knows the network (adapters/network). Data and an interface; the
 // thread is the adapter's.
 #pragma once

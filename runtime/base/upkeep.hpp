@@ -1,5 +1,5 @@
 // How a component is kept: how many instances of it there are, how long it may
-// take, where it runs (session.md, "Seats" and "Components while running").
+// take, where it runs (engine rules 7.1 and 7.3; docs/components.md).
 #pragma once
 
 #include <cstdint>

@@ -187,11 +187,11 @@ public:
   double number_or(double otherwise) const;
   std::int64_t integer_or(std::int64_t otherwise) const;
 
-  // Truth (language rule 2): false, unknown, 0, '' and empty are false.
+  // Truth (language rule 2.3): false, unknown, 0, '' and empty are false.
   explicit operator bool() const;
 
-  // Equality of language rules 2 and 7 (a well-formed number in a string
-  // equals that number).
+  // Equality of language rule 3.5 (a string equals the number that it is
+  // written like).
   bool operator==(const Value& other) const;
 
 private:
@@ -208,14 +208,14 @@ private:
       data_;
 };
 
-// As <print> shows it (language rule 2, "Printed").
+// As <print> shows it (language rule 2.2).
 std::string to_string(const Value& value);
 
 // The shortest text that reads back as this number; "2" for 2.0.
 std::string number_text(double number);
 
-// The number that a string is, by "a well-formed number" of language rule 7;
-// unknown where it is none.
+// The number that a string is written like (language rule 3.5); unknown where
+// it is like none.
 Value parse_number(std::string_view text);
 
 } // namespace parlour

@@ -11,7 +11,7 @@
 //   9 binary    text of its format, block
 //
 // Reading what was written gives the same value; writing what was read, the
-// same bytes. A number that is not finite, which language rule 7 says never
+// same bytes. A number that is not finite, which language rule 2.5 says never
 // arises, and what is nested deeper than `deepest_value` are written as
 // unknown.
 #pragma once

@@ -1,5 +1,5 @@
 // The plug-ins that can be had by name: those of the program, and those of the
-// plug-in folder (session.md, "Components while running").
+// plug-in folder (engine rule 7.3).
 #pragma once
 
 #include <string>

@@ -1,6 +1,7 @@
 // ApplicationLoader: which files an application consists of, read and
-// validated (language rule 1). A file included twice is read once; files that
-// include each other are an error; no path leaves the application's folder.
+// validated (language rules 1.6 and 1.8). A file included twice is read once;
+// files that include each other are an error; no path leaves the application's
+// folder.
 #pragma once
 
 #include <filesystem>

@@ -117,7 +117,7 @@ public:
     box.retain();
     return box;
   }
-  // A by-reference parameter's register (language rule 5, <call>): points to
+  // A by-reference parameter's register (language rule 7.3): points to
   // the variable that it is bound to; lives no longer than that.
   static Box reference(Box* target) {
     return Box(reference_tag << 48 |

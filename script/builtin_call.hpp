@@ -1,5 +1,6 @@
 // What a built-in gets, and the helpers that most of them need: arguments by
-// type, with errors that name the function and the argument (language rule 7).
+// type, with errors that name the function and the argument (language
+// rule 8.1).
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// The built-in functions (language rules 3 and 7): one table, builtins.def.
+// The built-in functions (language rule 8): one table, builtins.def.
 #pragma once
 
 #include <cstdint>

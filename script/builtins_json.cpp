@@ -1,4 +1,4 @@
-// JSON (language rule 7): compact, in insertion order.
+// JSON (language rule 8.9): compact, in insertion order.
 #include <algorithm>
 #include <array>
 #include <cmath>

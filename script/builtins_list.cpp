@@ -1,4 +1,4 @@
-// Built-in functions of lists, maps and results (language rules 3 and 7).
+// Built-in functions of lists, maps and results (language rules 8.4 to 8.6).
 #include <algorithm>
 #include <bit>
 

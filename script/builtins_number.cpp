@@ -1,4 +1,4 @@
-// Built-in functions of numbers and types (language rules 3 and 7).
+// Built-in functions of numbers and types (language rules 8.7 and 8.9).
 #include <algorithm>
 #include <cmath>
 

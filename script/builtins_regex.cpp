@@ -1,4 +1,4 @@
-// Regular expressions: RE2, linear in the text (language rule 3).
+// Regular expressions: RE2, linear in the text (language rule 8.3).
 #include <list>
 #include <memory>
 

@@ -1,4 +1,4 @@
-// Built-in functions of strings (language rules 3 and 7).
+// Built-in functions of strings (language rule 8.2).
 #include <algorithm>
 
 #include <unicode/ucasemap.h>

@@ -1,4 +1,4 @@
-// Built-in functions of time (language rules 3 and 7): the host's clock only.
+// Built-in functions of time (language rule 8.8): the host's clock only.
 #include <cmath>
 
 #include "runtime/base/clock.hpp"

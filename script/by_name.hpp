@@ -1,5 +1,5 @@
 // What is known by the names of elements, which are equal without regard to
-// the case of their first letter (language rule 6).
+// the case of their first letter (language rule 1.4).
 #pragma once
 
 #include <string>

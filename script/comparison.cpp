@@ -1,4 +1,4 @@
-// Equality and order (language rules 2 and 7).
+// Equality and order (language rules 3.5 and 3.6).
 #include <algorithm>
 #include <cmath>
 

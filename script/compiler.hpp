@@ -1,6 +1,6 @@
 // Compiler: from an application's folder (or one file) to a Program. Reports
 // every finding in one go; gives no program when there are errors (language
-// rule 1).
+// rule 1.3).
 #pragma once
 
 #include <filesystem>

@@ -1,5 +1,4 @@
-// Indexing, fields and elements (language rules 2 and 7, "Reading past the
-// end").
+// Indexing, fields and elements (language rules 2.8 to 2.11).
 #include <algorithm>
 #include <cstring>
 #include <unordered_set>

@@ -1,5 +1,5 @@
 // Between the interpreter's mutable boxes and the runtime's immutable values:
-// always a copy, so that no two actors share what changes (language rule 2).
+// always a copy, so that no two actors share what changes.
 #pragma once
 
 #include "runtime/base/value.hpp"

@@ -1,5 +1,5 @@
 // DeclarationCompiler: from an application's documents to its program, in two
-// passes: names, then bodies (language rules 1 and 6).
+// passes: names, then bodies (language rules 1.3 and 1.7).
 #pragma once
 
 #include <vector>

@@ -1,7 +1,7 @@
-// `parlour exec`: the language without the dialogue (language rule 7). Prints
-// and logs go to the given sinks, timers and waits run in the order of their
-// times, files are read and written at once; everything else is an error of
-// kind Refused.
+// `parlour exec`: the language without the dialogue (language rules 1.2 and
+// 9.7). Prints and logs go to the given sinks, timers and waits run in the
+// order of their times, files are read and written at once; everything else is
+// an error of kind Refused.
 #pragma once
 
 #include <algorithm>

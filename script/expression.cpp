@@ -306,7 +306,7 @@ private:
     return node;
   }
 
-  // A trailing comma is allowed (language rule 7).
+  // A trailing comma is allowed (language rule 3.12).
   void elements(NodePointer& node, Sign close) {
     while (!failed() && !accept(close)) {
       add(node, choice());

@@ -255,7 +255,7 @@ void ExpressionCompiler::binary(const Node& node, const Source& source,
           operation == Operator::equal);
 }
 
-// The deciding operand is the value (language rule 7). In a register of its
+// The deciding operand is the value (language rule 3.10). In a register of its
 // own, as the target may be read by the second operand.
 void ExpressionCompiler::logical(const Node& node, const Source& source,
                                  Register target) {

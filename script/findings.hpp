@@ -1,5 +1,5 @@
 // What the compiler and `check` have to say about an application: all of it,
-// in the order of files and lines (language rule 1).
+// in the order of files and lines (language rule 1.3).
 #pragma once
 
 #include <optional>

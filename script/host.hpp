@@ -1,6 +1,6 @@
 // Host: the one door by which everything leaves a script and comes back
-// (session.md, "Everything that enters is an input"). The conversation
-// implements it; the interpreter knows nothing else of the world.
+// (engine rule 7.2). The conversation implements it; the interpreter knows
+// nothing else of the world.
 #pragma once
 
 #include <cstdint>

@@ -90,7 +90,7 @@ bool Machine::raise(Failure failure) {
   return raise(failure.kind, std::move(failure.message));
 }
 
-// A caught error thrown again keeps its place (language rule 7).
+// A caught error thrown again keeps its place (language rule 9.2).
 bool Machine::raise_box(const Box& error_or_value) {
   const Box value = error_or_value.resolved();
   if (value.is(ObjectType::error)) {

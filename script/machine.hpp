@@ -43,7 +43,7 @@ struct Frame {
 };
 
 // A by-reference parameter whose callee waited: its value goes back to the
-// session variable when that frame ends (language rule 5, <call>).
+// session variable when that frame ends (language rule 7.3).
 struct CopyOut {
   Frame* frame;
   std::uint16_t parameter;

@@ -89,7 +89,7 @@ bool Machine::give_back(Box value) {
   return true;
 }
 
-// -- by-reference parameters across a wait (language rule 5, <call>) ----------
+// -- by-reference parameters across a wait (language rule 7.3) ----------------
 
 namespace {
 

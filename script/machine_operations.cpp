@@ -174,7 +174,7 @@ bool Machine::milliseconds(const Box& text, Box& result) {
   return true;
 }
 
-// -- for (language rule 5): the number of iterations is known at the start ----
+// -- for (language rule 6.3): the number of iterations is known at the start --
 
 namespace {
 

@@ -1,5 +1,5 @@
 // NameCollector: the first pass over an application: everything that has a
-// name, before any code is made (language rule 6). The second of two equal
+// name, before any code is made (language rule 1.7). The second of two equal
 // names is the error.
 #pragma once
 

@@ -1,5 +1,5 @@
-// What the operators mean (language rules 2 and 7), as functions of boxes that
-// know no interpreter. What can fail says so in an Outcome.
+// What the operators mean (language rules 3.5 to 3.11), as functions of boxes
+// that know no interpreter. What can fail says so in an Outcome.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
-// SettingsReader: settings.xml as data (language rule 1). The tree is
-// validated before.
+// SettingsReader: settings.xml as data (docs/writing.md). The tree is validated
+// before.
 #pragma once
 
 #include <map>

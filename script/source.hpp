@@ -1,5 +1,5 @@
 // The XML of an application as a tree that knows where everything stands
-// (language rule 1). Reading reports every finding; it never throws.
+// (language rule 1.3). Reading reports every finding; it never throws.
 #pragma once
 
 #include <cstdint>
@@ -45,10 +45,10 @@ struct Element {
 };
 
 // Element names are equal without regard to the case of their first letter
-// (language rule 6).
+// (language rule 1.4).
 bool same_name(std::string_view a, std::string_view b);
 
-// Trimmed, each run of white space one blank (language rule 4, <value>).
+// Trimmed, each run of white space one blank, as a <value> is read.
 std::string collapsed(std::string_view text);
 
 } // namespace parlour::script

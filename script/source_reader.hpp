@@ -1,6 +1,6 @@
 // SourceReader: XML text to a tree of Elements with positions (language rules
-// 1 and 6). Whatever is not well-formed is a finding with its place; nothing
-// throws, and no depth of nesting harms the stack.
+// 1.3 and 1.4). Whatever is not well-formed is a finding with its place;
+// nothing throws, and no depth of nesting harms the stack.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// StatementCompiler: the statements of language rule 5, one function each,
+// StatementCompiler: the statements of the language, one function each,
 // grouped in statements_*.cpp. Which elements and attributes there are was
 // checked before, from the element table.
 #pragma once

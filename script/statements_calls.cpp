@@ -1,4 +1,4 @@
-// Calls, returns and errors (language rule 5).
+// Calls, returns and errors (language rules 7 and 9).
 #include <algorithm>
 
 #include "script/builtins.hpp"

@@ -1,4 +1,4 @@
-// Queries and transactions (language rule 5, <querydb>, <transaction>).
+// Queries and transactions (language rules 11.1 to 11.4).
 #include <array>
 #include <cctype>
 

@@ -1,5 +1,5 @@
 // Statements that leave the script: each becomes an Effect whose operands
-// stand as effects.def lists them (language rule 5).
+// stand as effects.def lists them.
 #include <array>
 
 #include "runtime/base/clock.hpp"
@@ -190,7 +190,7 @@ void StatementCompiler::duration(const Attribute& attribute, Register target) {
 }
 
 // Names of states, topics, handlers and slots are literal and checked here,
-// unless they are computed (language rule 4).
+// unless they are computed (language rules 7.8 and 12.1).
 void StatementCompiler::checked_name(const Attribute& attribute,
                                      OperandForm form, Register target) {
   expressions_.text(source_of(attribute), target);

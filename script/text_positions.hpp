@@ -1,5 +1,5 @@
 // TextPositions: from an offset in a source text to its line and column
-// (counted in code points; language rule 1).
+// (counted in code points; language rule 1.3).
 #pragma once
 
 #include <cstddef>

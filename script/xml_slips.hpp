@@ -1,6 +1,6 @@
 // Why a text is not well-formed XML, looked for only where the parser gave up:
 // it knows one place, this finds all of them and what to write instead
-// (language rule 1).
+// (language rule 1.3).
 #pragma once
 
 #include <cstddef>

@@ -62,7 +62,7 @@ void Conversation::Implementation::open() {
 }
 
 // The start state or topic, else the first topic of system initiative
-// (language rule 1).
+// (engine rule 4.6).
 StepList Conversation::Implementation::beginning() const {
   const auto& start = core.program->settings.start;
   Step step;

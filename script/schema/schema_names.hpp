@@ -12,7 +12,7 @@ namespace parlour::script {
 // A row's own name in a schema; "e12.speak".
 std::string schema_name(const ElementRule& rule);
 
-// "speak" and "Speak": both are right (language rule 6).
+// "speak" and "Speak": both are right (language rule 1.4).
 std::vector<std::string> spellings(const std::string& name);
 
 // The rows that may stand within these contents, in the table's order.

@@ -1,5 +1,5 @@
 // FailureRecord: when a component that failed is tried again, and when it is
-// held for down (session.md, "Components while running").
+// held for down (engine rule 7.3).
 #pragma once
 
 #include <cstdint>

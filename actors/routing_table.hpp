@@ -128,7 +128,7 @@ public:
 private:
   std::string_view role(std::string_view name) const;
   const Target* named(std::string_view name) const;
-  // All that a sink means: for "Role*" each that is up (language rule 1).
+  // All that a sink means: for "Role*" each that is up (engine rule 1c).
   template <class Take>
   void for_targets_of(std::string_view sink, const SessionId& session,
                       Take&& take) const;

@@ -1,5 +1,5 @@
-// A seat: a place where one conversation at a time happens (session.md,
-// "Seats"). This one shows what is said by calling back; text is heard at once.
+// A seat: a place where one conversation at a time happens (engine rule 7.1).
+// This one shows what is said by calling back; text is heard at once.
 #pragma once
 
 #include "actors/services.hpp"

@@ -1,7 +1,6 @@
 // Supervision: the components of a node, and what becomes of them: loaded,
 // replaced, unloaded, tried again after a failure, given up while they hang
-// (session.md, "Components while running"). The supervisor's state; lives on
-// its thread.
+// (engine rule 7.3). The supervisor's state; lives on its thread.
 //
 // A component comes (its instances start), is kept, and departs (its instances
 // finish what they have, then stop). It has a branch for the house, or one for

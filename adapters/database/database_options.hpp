@@ -24,7 +24,7 @@ struct DatabaseOptions {
 std::vector<OptionDescription>
 with_database_options(std::vector<OptionDescription> own);
 
-// `schema` and `seed` lie in the application's folder (language rule 1).
+// `schema` and `seed` lie in the application's folder (docs/databases.md).
 Expected<void> read_database_options(const OptionValues& values,
                                      const std::string& application_folder,
                                      DatabaseOptions& made);

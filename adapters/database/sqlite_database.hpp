@@ -1,5 +1,5 @@
-// The plug-in SQLiteDatabase (role Database; roles.md, session.md "Virtual
-// time"): one database, a file of the data folder or a copy in memory.
+// The plug-in SQLiteDatabase (role Database; engine rule 7.5): one database, a
+// file of the data folder or a copy in memory.
 //
 //   Connect(options)            Result()   is it there?
 //   Query(sql, values, write?)  Result(rows) or Result(rows, changes)

@@ -26,7 +26,8 @@ struct SQLiteOptions : DatabaseOptions {
 const std::vector<OptionDescription>& sqlite_option_descriptions();
 
 // `file` is taken relative to the data folder, which it may not leave
-// (language rule 1). An error of kind Settings names the option that is wrong.
+// (docs/databases.md). An error of kind Settings names the option that is
+// wrong.
 Expected<SQLiteOptions>
 read_sqlite_options(const Options& options, const std::string& data_folder,
                     const std::string& application_folder);

@@ -1,6 +1,6 @@
-// The files of an application's data folder, for its scripts (language rule 5:
-// <readfile> <writefile> <appendfile> <deletefile> <listfiles>). Whole texts in
-// UTF-8, nothing outside of the folder, replaced all at once or not at all.
+// The files of an application's data folder, for its scripts (language rules
+// 11.5 to 11.8). Whole texts in UTF-8, nothing outside of the folder, replaced
+// all at once or not at all.
 #pragma once
 
 #include <filesystem>

@@ -84,7 +84,7 @@ TEST_F(AskTest, WaitsForTheEventThatEndsTheRequest) {
               ElementsAre("hi"));
 }
 
-// Its description says of Progress that it ends nothing (roles.md).
+// Its description says of Progress that it ends nothing (engine rule 1.3).
 TEST_F(AskTest, AnEventOfItsOwnEndsWhatItsDescriptionSays) {
   auto oven = component("Oven", "Robot", [](auto& self, const Message&) {
     self.fire_event("Progress", {50});

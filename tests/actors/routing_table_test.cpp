@@ -191,7 +191,7 @@ TEST_F(RoutingTableTest, AComponentMayHaveABranchForEachSession) {
   EXPECT_EQ(with.find("ASR", "s1")->name, "All");
 }
 
-// roles.md: the role says it, else the component of its own events.
+// Engine rule 1.3: the role says it, else the component of its own events.
 TEST_F(RoutingTableTest, KnowsWhatEndsARequest) {
   make("");
   EXPECT_EQ(table->reply_to_request(event("Mic", "Started")), Reply::answer);

@@ -51,7 +51,7 @@ ColumnReader column_reader(const Composition& composition,
                            const std::string& data_folder);
 
 // Each Database component begins as a copy of its own, in memory where it is
-// SQLite's, of what its schema and seed make (session.md, "Virtual time").
+// SQLite's, of what its schema and seed make (engine rule 7.5).
 Composition in_memory(Composition composition);
 
 } // namespace parlour::tools

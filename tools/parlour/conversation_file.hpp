@@ -1,5 +1,5 @@
 // A conversation as text: what `parlour test` holds against an application
-// (dialogues.md, "Running and testing").
+// (docs/test.md, "Lines").
 //
 //   # comment                     clock 2026-11-21 09:00    seed 7
 //   R: what the robot says        R~ a regular expression

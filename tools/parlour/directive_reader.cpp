@@ -24,7 +24,7 @@ Value Word::value() const {
   if (text == "true" || text == "false")
     return text == "true";
   // A number that prints otherwise than it is written is text (language rule
-  // 4): 007 is a telephone's.
+  // 4.3): 007 is a telephone's.
   if (auto number = parse_number(text); to_string(number) == text)
     return number;
   return text;

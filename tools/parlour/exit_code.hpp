@@ -1,4 +1,4 @@
-// What the program's exit status says (dialogues.md, "Running and testing").
+// What the program's exit status says (docs/running.md, "Exit status").
 #pragma once
 
 namespace parlour::tools::exit_code {

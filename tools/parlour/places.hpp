@@ -1,5 +1,5 @@
 // Places: where applications, the platform's own files and a run's data are
-// looked for (dialogues.md, "Running and testing").
+// looked for (docs/running.md, "Where things are looked for").
 #pragma once
 
 #include <filesystem>

@@ -1,7 +1,7 @@
-// RowReader: piped input to rows of user turns (dialogues.md, "Running and
-// testing"). A row ends at an empty line, at the end of input, or when no byte
-// came for 50 ms; one that never ends is taken in parts, so that no more of it
-// is held than that. Knows neither a clock nor a file: both are the ByteSource.
+// RowReader: piped input to rows of user turns (docs/running.md, "By lines"). A
+// row ends at an empty line, at the end of input, or when no byte came for
+// 50 ms; one that never ends is taken in parts, so that no more of it is held
+// than that. Knows neither a clock nor a file: both are the ByteSource.
 #pragma once
 
 #include <cstddef>

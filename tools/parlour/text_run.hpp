@@ -1,5 +1,4 @@
-// A conversation by lines: pipes, and `--text` (dialogues.md, "Running and
-// testing").
+// A conversation by lines: pipes, and `--text` (docs/running.md, "By lines").
 #pragma once
 
 #include "actors/node.hpp"

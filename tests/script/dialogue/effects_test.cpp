@@ -1,5 +1,5 @@
 // What scripts want of the world: messages, requests, timers, databases,
-// questions (language rule 5, engine rule 2).
+// questions (language rules 11 and 12, engine rule 2).
 #include <gtest/gtest.h>
 
 #include "script/dialogue/effects.hpp"

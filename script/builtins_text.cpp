@@ -1,10 +1,9 @@
 // Built-in functions of strings (language rule 8.2).
 #include <algorithm>
 
-#include <unicode/ucasemap.h>
-
 #include "script/builtin_call.hpp"
 #include "script/builtin_functions.hpp"
+#include "script/letter_case.hpp"
 
 namespace parlour::script::builtins {
 
@@ -12,28 +11,15 @@ namespace {
 
 constexpr std::string_view blanks = " \t\r\n";
 
-using Mapping = int32_t (*)(const UCaseMap*, char*, int32_t, const char*,
-                            int32_t, UErrorCode*);
+using Mapping = std::optional<std::string> (*)(std::string_view);
 
-// By Unicode, of no particular language.
 bool map_case(BuiltinCall& call, Mapping mapping) {
   std::string text;
   if (!call.text(0, text) || !call.room(text.size() * 3))
     return false;
-  // Never changed, so that all threads may share it.
-  static const icu::LocalUCaseMapPointer casemap([] {
-    auto error = U_ZERO_ERROR;
-    return ucasemap_open("", 0, &error);
-  }());
-  std::string mapped(text.size() * 3 + 1, '\0');
-  auto error = U_ZERO_ERROR;
-  const auto size = mapping(casemap.getAlias(), mapped.data(),
-                            static_cast<int32_t>(mapped.size()), text.data(),
-                            static_cast<int32_t>(text.size()), &error);
-  if (U_FAILURE(error))
-    return call.fail(ErrorKind::type, "the text is not well-formed");
-  mapped.resize(static_cast<std::size_t>(size));
-  return call.give_text(mapped);
+  const auto mapped = mapping(text);
+  return mapped ? call.give_text(*mapped)
+                : call.fail(ErrorKind::type, "the text is not well-formed");
 }
 
 std::size_t code_points_before(std::string_view text, std::size_t byte) {
@@ -82,11 +68,11 @@ void replace_all(std::string_view text, std::string_view part,
 } // namespace
 
 bool upper(BuiltinCall& call) {
-  return map_case(call, ucasemap_utf8ToUpper);
+  return map_case(call, capitals);
 }
 
 bool lower(BuiltinCall& call) {
-  return map_case(call, ucasemap_utf8ToLower);
+  return map_case(call, small_letters);
 }
 
 bool trim(BuiltinCall& call) {
@@ -224,30 +210,6 @@ bool ends_with(BuiltinCall& call) {
   std::string part;
   return call.text(0, text) && call.text(1, part) &&
          call.give_flag(text.ends_with(part));
-}
-
-// Each {} takes the next argument; doubled braces are literal.
-bool format(BuiltinCall& call) {
-  std::string pattern;
-  if (!call.text(0, pattern))
-    return false;
-  std::string text;
-  std::size_t next = 1;
-  const auto limit = call.machine.program->settings.limits.result;
-  for (std::size_t at = 0; at < pattern.size(); ++at) {
-    const auto two = std::string_view(pattern).substr(at, 2);
-    if (two == "{}") {
-      if (!call.has(next))
-        return call.fail(ErrorKind::range, "the pattern has more {} than there "
-                                           "are arguments");
-      if (!print(text, call[next++], limit))
-        return call.room(limit + 1);
-    } else {
-      text += pattern[at];
-    }
-    at += two == "{}" || two == "{{" || two == "}}";
-  }
-  return call.give_text(text);
 }
 
 bool string(BuiltinCall& call) {

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "script/builtins.hpp"
+#include "script/literal_arguments.hpp"
 
 namespace parlour::script {
 
@@ -212,6 +213,8 @@ void ExpressionCompiler::call(const Node& node, const Source& source,
             "'" + node.text + "' takes " +
                 range_text(entry.minimum, entry.maximum) + ", not " +
                 std::to_string(count));
+    else if (const auto wrong = wrong_argument(node))
+      error(*node.children[wrong->index], source, wrong->message);
     b_.emit(Operation::call_builtin, base, *index, target,
             static_cast<std::uint8_t>(count));
   } else {

@@ -16,6 +16,18 @@ constexpr std::string_view weekdays[] = {"sunday",    "monday",   "tuesday",
                                          "wednesday", "thursday", "friday",
                                          "saturday"};
 
+constexpr std::int64_t years_ahead = 20;
+
+// "26": the year that ends so from 79 years ago to 20 years ahead.
+std::optional<std::int64_t> century_of(std::int64_t year, Now now) {
+  const auto present =
+      now ? digits_of(format_timestamp(*now, "%Y")) : std::nullopt;
+  if (year > 99 || !present)
+    return year > 99 ? std::optional(year) : std::nullopt;
+  const auto last = *present + years_ahead;
+  return last - (last - year) % 100;
+}
+
 } // namespace
 
 std::string date_text(Day day) {
@@ -36,7 +48,7 @@ std::optional<Day> make_day(std::int64_t year, std::int64_t month,
   return date.ok() ? std::optional(Day(date)) : std::nullopt;
 }
 
-std::optional<Day> read_day(std::string_view text, char separator) {
+std::optional<Day> read_day(std::string_view text, char separator, Now now) {
   std::int64_t parts[3] = {0, 0, 0};
   for (auto& part : parts) {
     const auto end = text.find(separator);
@@ -50,15 +62,17 @@ std::optional<Day> read_day(std::string_view text, char separator) {
     return {};
   if (parts[0] > 31)
     return make_day(parts[0], parts[1], parts[2]);
-  const auto year = parts[2] < 100 ? parts[2] + 2000 : parts[2];
-  return parts[1] > 12 ? make_day(year, parts[0], parts[1])
-                       : make_day(year, parts[1], parts[0]);
+  const auto year = century_of(parts[2], now);
+  if (!year)
+    return {};
+  return parts[1] > 12 ? make_day(*year, parts[0], parts[1])
+                       : make_day(*year, parts[1], parts[0]);
 }
 
 std::optional<Day> day_of(Now now) {
   if (!now)
     return {};
-  return read_day(format_timestamp(*now, "%Y-%m-%d"), '-');
+  return read_day(format_timestamp(*now, "%Y-%m-%d"), '-', now);
 }
 
 Day last_of_month(Day day) {

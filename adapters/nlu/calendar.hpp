@@ -20,8 +20,9 @@ std::string date_text(Day day);
 std::optional<Day> make_day(std::int64_t year, std::int64_t month,
                             std::int64_t day);
 
-// "2026-11-21", "21/11/2026", "21.11.26"; where it must be, the month first.
-std::optional<Day> read_day(std::string_view text, char separator);
+// "2026-11-21", "21/11/2026", "21.11.26"; where it must be, the month first. A
+// year of two digits lies from 79 years ago to 20 years ahead.
+std::optional<Day> read_day(std::string_view text, char separator, Now now);
 
 std::optional<Day> day_of(Now now);
 

@@ -13,18 +13,29 @@ bool is_year(std::int64_t number) {
   return number >= 1900 && number <= 2200;
 }
 
+// "oh five": the end of a year, as "twenty eight" is.
+std::optional<std::int64_t> end_of_year(FormReader& reader) {
+  if (reader.skip_any({"oh", "o"})) {
+    const auto digit = digit_of(reader.word());
+    reader.advance(digit ? 1 : 0);
+    return digit ? std::optional<std::int64_t>(*digit) : std::nullopt;
+  }
+  const auto number = reader.number();
+  if (!number || number->ordinal || number->digits || number->value < 10 ||
+      number->value > 99)
+    return {};
+  return number->value;
+}
+
 // "2028", "two thousand and twenty eight", "twenty twenty eight".
 std::optional<std::int64_t> read_year(FormReader& reader) {
   const auto start = reader.position();
   const auto first = reader.number();
   if (first && !first->ordinal && is_year(first->value))
     return first->value;
-  if (first && !first->digits && (first->value == 19 || first->value == 20)) {
-    const auto second = reader.number();
-    if (second && !second->ordinal && !second->digits && second->value >= 10 &&
-        second->value < 100)
-      return first->value * 100 + second->value;
-  }
+  if (first && !first->digits && (first->value == 19 || first->value == 20))
+    if (const auto second = end_of_year(reader))
+      return first->value * 100 + *second;
   reader.go_back(start);
   return {};
 }
@@ -76,7 +87,7 @@ std::optional<FormAt> digital_date(FormReader reader, Now now) {
   const auto word = reader.word();
   reader.advance();
   for (const char separator : {'-', '/', '.'}) {
-    if (const auto date = read_day(word, separator))
+    if (const auto date = read_day(word, separator, now))
       return reader.form(date_text(*date));
   }
   const auto slash = word.find('/');

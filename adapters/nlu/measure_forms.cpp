@@ -1,5 +1,6 @@
 // Numbers, durations and levels.
 #include <cmath>
+#include <string>
 
 #include "adapters/nlu/form_reader.hpp"
 #include "adapters/nlu/normal_forms.hpp"
@@ -11,15 +12,10 @@ namespace {
 // "2.5" as a token, or nothing.
 std::optional<double> decimal(std::string_view word) {
   const auto point = word.find('.');
-  if (point == std::string_view::npos || point == 0)
-    return {};
-  const auto whole = digits_of(word.substr(0, point));
-  const auto part = digits_of(word.substr(point + 1));
-  if (!whole || !part)
-    return {};
-  const auto digits = static_cast<double>(word.size() - point - 1);
-  return static_cast<double>(*whole) +
-         static_cast<double>(*part) / std::pow(10, digits);
+  const bool is_one = point != std::string_view::npos &&
+                      digits_of(word.substr(0, point)) &&
+                      digits_of(word.substr(point + 1));
+  return is_one ? std::optional(parse_number(word).number_or(0)) : std::nullopt;
 }
 
 // Seconds of "minute", "hours" …; 0 for none.
@@ -48,20 +44,25 @@ double fraction_behind(FormReader& reader) {
   return reader.skip_all({"and", "three", "quarters"}) ? 0.75 : 0;
 }
 
-// "point oh five": what is added; 0 for none.
-double decimals(FormReader& reader) {
+// "point oh five": the digits behind the point; "" for none.
+std::string decimals(FormReader& reader) {
   const auto start = reader.position();
-  double value = 0;
-  double scale = 0.1;
+  std::string digits;
   if (reader.skip("point"))
     while (const auto digit = digit_of(reader.word())) {
-      value += *digit * scale;
-      scale /= 10;
+      digits += static_cast<char>('0' + *digit);
       reader.advance();
     }
-  if (value <= 0)
+  if (digits.find_first_not_of('0') == std::string::npos) {
     reader.go_back(start);
-  return value;
+    return {};
+  }
+  return digits;
+}
+
+// As it would be read, without what adding up would leave.
+double with_decimals(std::int64_t whole, const std::string& digits) {
+  return parse_number(std::to_string(whole) + "." + digits).number_or(0);
 }
 
 // "2h", "90m", "30s", "1h30", in seconds; negative for none.
@@ -116,9 +117,9 @@ double amount(FormReader& reader) {
   const auto number = reader.count();
   if (!number || number->ordinal)
     return -1;
-  const auto part = decimals(reader);
-  return static_cast<double>(number->value) +
-         (part > 0 ? part : fraction_behind(reader));
+  if (const auto digits = decimals(reader); !digits.empty())
+    return with_decimals(number->value, digits);
+  return static_cast<double>(number->value) + fraction_behind(reader);
 }
 
 // "two hours thirty": the minutes behind hours, in seconds.
@@ -258,14 +259,14 @@ std::optional<Value> plain_number(FormReader& reader) {
   }
   if (const auto row = digit_row(reader); row >= 0)
     return Value(row);
-  if (const auto part = decimals(reader); part > 0)
-    return Value(part);
+  if (const auto digits = decimals(reader); !digits.empty())
+    return Value(with_decimals(0, digits));
   const auto number = reader.count();
   if (!number || number->ordinal)
     return {};
-  auto part = decimals(reader);
-  part = part > 0 ? part : fraction_behind(reader);
-  if (part > 0)
+  if (const auto digits = decimals(reader); !digits.empty())
+    return Value(with_decimals(number->value, digits));
+  if (const auto part = fraction_behind(reader); part > 0)
     return Value(static_cast<double>(number->value) + part);
   return Value(number->value);
 }

@@ -14,6 +14,9 @@ struct NumberWord {
   bool ordinal;
 };
 
+constexpr std::int64_t million = 1'000'000;
+constexpr std::int64_t billion = 1'000 * million;
+
 const std::unordered_map<std::string_view, NumberWord>& number_words() {
   static const std::unordered_map<std::string_view, NumberWord> table{
       {"zero", {0, false}},          {"nought", {0, false}},
@@ -33,7 +36,8 @@ const std::unordered_map<std::string_view, NumberWord>& number_words() {
       {"sixty", {60, false}},        {"seventy", {70, false}},
       {"eighty", {80, false}},       {"ninety", {90, false}},
       {"hundred", {100, false}},     {"thousand", {1000, false}},
-      {"million", {1000000, false}}, {"first", {1, true}},
+      {"million", {million, false}}, {"billion", {billion, false}},
+      {"first", {1, true}},          {"hundredth", {100, true}},
       {"second", {2, true}},         {"third", {3, true}},
       {"fourth", {4, true}},         {"fifth", {5, true}},
       {"sixth", {6, true}},          {"seventh", {7, true}},
@@ -45,7 +49,7 @@ const std::unordered_map<std::string_view, NumberWord>& number_words() {
       {"eighteenth", {18, true}},    {"nineteenth", {19, true}},
       {"twentieth", {20, true}},     {"thirtieth", {30, true}},
       {"fortieth", {40, true}},      {"fiftieth", {50, true}},
-      {"sixtieth", {60, true}},      {"hundredth", {100, true}}};
+      {"sixtieth", {60, true}}};
   return table;
 }
 

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <functional>
 
+#include "runtime/base/decimal.hpp"
+
 namespace parlour {
 
 namespace {
@@ -341,11 +343,7 @@ std::string to_string(const Value& value) {
 }
 
 std::string number_text(double number) {
-  std::array<char, 32> buffer{};
-  auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(),
-                           number == 0 ? 0.0 : number)
-                 .ptr;
-  return {buffer.data(), end};
+  return decimal_text(decimal_of(number));
 }
 
 Value parse_number(std::string_view text) {

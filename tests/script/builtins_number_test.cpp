@@ -12,7 +12,7 @@ TEST(BuiltinsNumber, Abs) {
       {"abs(2.5)", "2.5"},
       {"abs(' -4 ')", "4"},
       {"type(abs(0))", "integer"},
-      {"abs(-9223372036854775808)", "9223372036854775808"},
+      {"abs(-9223372036854775808)", "9223372036854776000"},
       {"type(abs(-9223372036854775808))", "number"},
       {"abs('x')", "Type: abs: argument 1 must be a number, not a string"},
       {"abs(unknown)", "Type: abs: argument 1 must be a number, not unknown"},

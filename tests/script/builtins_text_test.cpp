@@ -104,18 +104,6 @@ TEST(BuiltinsText, BeginningsAndEnds) {
   });
 }
 
-TEST(BuiltinsText, Format) {
-  test::expect_rows({
-      {"format('{} of {}', 2, [1])", "2 of [1]"},
-      {"format('{{}} {}', 'x')", "{} x"},
-      {"format('none')", "none"},
-      {"format('{}', 1, 2)", "1"},
-      {"format('{} {}', 1)",
-       "Range: format: the pattern has more {} than there are arguments"},
-      {"format([])", "Type: format: argument 1 must be a string, not a list"},
-  });
-}
-
 TEST(BuiltinsText, String) {
   test::expect_rows({
       {"string(0.5)", "0.5"},

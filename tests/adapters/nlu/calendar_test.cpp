@@ -12,9 +12,22 @@ TEST(Calendar, KnowsWhichDaysThereAre) {
 }
 
 TEST(Calendar, ReadsWrittenDays) {
-  EXPECT_EQ(date_text(*read_day("21/11/2026", '/')), "2026-11-21");
-  EXPECT_EQ(date_text(*read_day("11/21/2026", '/')), "2026-11-21");
-  EXPECT_FALSE(read_day("1/2/3/4", '/'));
+  EXPECT_EQ(date_text(*read_day("21/11/2026", '/', {})), "2026-11-21");
+  EXPECT_EQ(date_text(*read_day("11/21/2026", '/', {})), "2026-11-21");
+  EXPECT_FALSE(read_day("1/2/3/4", '/', {}));
+}
+
+TEST(Calendar, TakesTheCenturyFromTheClock) {
+  const auto read = [](const char* text, const char* now) {
+    return date_text(*read_day(text, '/', *parse_timestamp(now)));
+  };
+  EXPECT_EQ(read("3/5/46", "2026-11-21 09:00"), "2046-05-03");
+  EXPECT_EQ(read("3/5/47", "2026-11-21 09:00"), "1947-05-03");
+  EXPECT_EQ(read("3/5/38", "2042-11-21 09:00"), "2038-05-03");
+  EXPECT_EQ(read("3/5/62", "2042-11-21 09:00"), "2062-05-03");
+  EXPECT_EQ(read("3/5/63", "2042-11-21 09:00"), "1963-05-03");
+  EXPECT_EQ(read("3/5/05", "2092-11-21 09:00"), "2105-05-03");
+  EXPECT_FALSE(read_day("3/5/26", '/', {}));
 }
 
 TEST(Calendar, CountsMonthsToTheirLastDay) {

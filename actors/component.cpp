@@ -24,6 +24,7 @@ Message failure_answer(const std::string& component, const Message& message,
   event.params = {reason};
   event.session = message.session;
   event.correlation = message.correlation;
+  event.rounds = message.rounds + 1;
   return event;
 }
 

@@ -78,6 +78,22 @@ void House::set_up_services() {
       if (auto reason = thrown_by([&] { options_.on_inspection(inspection); }))
         services_.log("who watches failed: " + *reason);
     };
+  if (script::has_private(*options_.program))
+    be_discreet();
+}
+
+void House::be_discreet() {
+  services_.discretion = std::make_unique<Discretion>(
+      services_.inspect,
+      [this](const Message& message) { return services_.is_heard(message); });
+  auto& discretion = *services_.discretion;
+  services_.log = [&discretion, log = services_.log](const std::string& line) {
+    log(discretion.masked(line));
+  };
+  if (services_.inspect && !options_.exact_inspections)
+    services_.inspect = [&discretion](Inspection seen) {
+      discretion.show(std::move(seen));
+    };
 }
 
 void House::spawn_actors() {
@@ -97,6 +113,14 @@ void House::set_up_routing() {
   parts.aliases = options_.aliases;
   parts.clock = services_.clock;
   parts.counters = services_.counters;
+  parts.complain = [this](const Message& message, const Error& error) {
+    services_.failed(message, error);
+  };
+  if (services_.discretion)
+    parts.taps.push_back(
+        [this](const Message& message, const std::string& way) {
+          services_.discretion->pass(message, way);
+        });
   if (services_.inspect && services_.inspect_all)
     parts.taps.push_back(inspection_tap(services_));
   services_.table.store(std::make_shared<const RoutingTable>(parts));

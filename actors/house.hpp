@@ -45,6 +45,7 @@ public:
 private:
   void set_up_services();
   void spawn_actors();
+  void be_discreet();
   void set_up_routing();
   // Of the components: places in the order of preference.
   std::vector<std::size_t> in_starting_order() const;

@@ -203,6 +203,16 @@ std::string Node::state(const SessionId& session) {
   return *state;
 }
 
+std::string Node::masked(const std::string& text) const {
+  const auto& discretion = implementation_->house.services().discretion;
+  return discretion ? discretion->masked(text) : text;
+}
+
+bool Node::is_private(const std::string& words) const {
+  const auto& discretion = implementation_->house.services().discretion;
+  return discretion && discretion->is_private(words);
+}
+
 NodeCounters Node::counters() const {
   const auto& counters = *implementation_->house.services().counters;
   return {counters.messages(), counters.relayed, counters.filtered,

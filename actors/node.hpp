@@ -67,6 +67,10 @@ struct NodeOptions {
   // One call at a time, from any thread; may be empty. What on_inspection
   // throws is logged; log may not throw.
   std::function<void(const Inspection&)> on_inspection;
+  // What is private is masked in what on_inspection and log are given, and what
+  // a user says is shown when it is understood. True: on_inspection is given
+  // all at once and as it is, and shows nothing but by Node::masked().
+  bool exact_inspections = false;
   // False: on_inspection hears of errors, logs and unhandled messages only,
   // and nobody pays for the rest.
   bool inspect_all = true;
@@ -129,6 +133,10 @@ public:
   Value slot_value(const SessionId& session, const std::string& topic,
                    const std::string& slot);
   std::string state(const SessionId& session);
+  // Without what is private, in whatever session.
+  std::string masked(const std::string& text) const;
+  // Whether a user's words are not to be kept.
+  bool is_private(const std::string& words) const;
   NodeCounters counters() const;
 
   // Components while it runs, as <load> and <unload> do it.

@@ -43,6 +43,8 @@ bool PluginDoor::gives(const Message& message, Timestamp now, Work& spare) {
     return false;
   credit_.earn();
   unanswered_.given(message, now);
+  rounds_ = message.rounds;
+  given_ = now;
   if (!spare_)
     std::swap(spare_, spare);
   return true;
@@ -90,13 +92,14 @@ std::vector<Message> PluginDoor::close() {
 // -- what it says -------------------------------------------------------------
 
 // False where its credit is used up, or it is to say nothing any more.
-bool PluginDoor::may_say(const Message& message, Timestamp now, Work& work) {
+bool PluginDoor::may_say(Message& message, Timestamp now, Work& work) {
   std::unique_lock lock(mutex_);
   if (closed_ || flooded_)
     return false;
   flooded_ = !credit_.spend(now);
   if (!flooded_)
     unanswered_.said(message);
+  message.rounds = rounds_of_event(now);
   std::swap(work, spare_);
   const bool rests = leaves_ && unanswered_.none(now);
   const bool floods = flooded_;
@@ -107,6 +110,12 @@ bool PluginDoor::may_say(const Message& message, Timestamp now, Work& work) {
   else if (rests)
     tell_supervisor_of_rest();
   return !floods;
+}
+
+// What it says soon after it was given something comes of that.
+std::uint32_t PluginDoor::rounds_of_event(Timestamp now) const {
+  constexpr Timestamp soon = 100;
+  return given_ != 0 && now - given_ <= soon ? rounds_ + 1 : 0;
 }
 
 void PluginDoor::tell_supervisor_of_rest() {
@@ -132,6 +141,11 @@ void PluginDoor::fill_session(Message& message) const {
     message.session = place_->session();
 }
 
+std::uint32_t PluginDoor::rounds_now() const {
+  std::lock_guard lock(mutex_);
+  return rounds_of_event(clock().now());
+}
+
 void PluginDoor::fire_event(Message event) {
   event.sinks.clear();
   publish_as_itself(std::move(event));
@@ -147,6 +161,7 @@ void PluginDoor::ask(Message request, Milliseconds patience,
     return;
   request.source = name_;
   fill_session(request);
+  request.rounds = rounds_now();
   const auto id = services_.due_times.add(clock().now() + patience.count(),
                                           DueTimes::Of::component);
   AskOrder order{std::move(request),

@@ -65,7 +65,9 @@ public:
 private:
   void publish_as_itself(Message&& message);
   void fill_session(Message& message) const;
-  bool may_say(const Message& message, Timestamp now, Work& work);
+  bool may_say(Message& message, Timestamp now, Work& work);
+  std::uint32_t rounds_of_event(Timestamp now) const;
+  std::uint32_t rounds_now() const;
   bool is_closed() const;
   void tell_supervisor_of_rest();
 
@@ -79,6 +81,8 @@ private:
   bool leaves_ = false;
   bool flooded_ = false;
   EventCredit credit_;
+  std::uint32_t rounds_ = 0; // of what it was given last, at that time
+  Timestamp given_ = 0;
   Unanswered unanswered_;
   // Work of a message that it is done with. What it says next takes it: to give
   // back one piece and begin another costs more than anything else here, as all

@@ -5,7 +5,6 @@
 
 #include "actors/route_host.hpp"
 #include "runtime/base/replies.hpp"
-#include "script/interpreter.hpp"
 
 namespace parlour::actors {
 
@@ -37,7 +36,10 @@ Target::mailbox_of(const SessionId& session) const {
   return branch ? branch->mailbox : nullptr;
 }
 
-RoutingTable::RoutingTable(Parts parts) : parts_(std::move(parts)) {}
+RoutingTable::RoutingTable(Parts parts)
+    : parts_(std::move(parts)),
+      conditions_(
+          std::make_shared<const script::InterpreterPool>(parts_.program)) {}
 
 // -- names --------------------------------------------------------------------
 
@@ -130,7 +132,7 @@ Routed RoutingTable::route(Message message) const {
 Routed RoutingTable::route(Message&& message, Timestamp now) const {
   Routed routed;
   stamp(message, now);
-  if (apply_routes(message, routed))
+  if (goes_in_a_ring(message) || apply_routes(message, routed))
     return routed;
   if (message.sinks.empty()) {
     tap(message, message.session.empty() ? "every session" : "session");
@@ -149,6 +151,25 @@ Routed RoutingTable::route(Message&& message, Timestamp now) const {
 void RoutingTable::stamp(Message& message, Timestamp now) const {
   message.time = now;
   message.number = ++parts_.counters->numbers;
+}
+
+// Dropped then, and told once in a second.
+bool RoutingTable::goes_in_a_ring(const Message& message) const {
+  const auto verdict = parts_.counters->rounds.judge(message);
+  if (verdict == RoundLimit::Verdict::passes)
+    return false;
+  ++parts_.counters->circled;
+  tap(message, "dropped");
+  if (verdict == RoundLimit::Verdict::first_too_many && parts_.complain)
+    parts_.complain(message,
+                    {ErrorKind::limit,
+                     message.source + "." + message.command +
+                         " goes in a ring: components, relays or handlers "
+                         "answer each other more than " +
+                         std::to_string(RoundLimit::each_second) +
+                         " times in a second; the rest is dropped",
+                     {}});
+  return true;
 }
 
 // True where a filter ended the message's way.
@@ -178,22 +199,23 @@ bool RoutingTable::matches(const script::Route& route,
 
 bool RoutingTable::holds(const script::Route& route,
                          const Message& message) const {
-  if (route.condition == script::no_code)
-    return true;
-  auto value = evaluate(route.condition, message);
-  if (!value)
-    ++parts_.counters->failed_conditions;
-  return value && bool(*value);
+  return route.condition == script::no_code ||
+         bool(evaluate(route.condition, message));
 }
 
 // Conditions see the message's own fields and constants, nothing of a session.
-Expected<Value> RoutingTable::evaluate(script::CodeId code,
-                                       const Message& message) const {
-  script::Interpreter interpreter(parts_.program);
+Value RoutingTable::evaluate(script::CodeId code,
+                             const Message& message) const {
   RouteHost host(message, message.time);
   script::ActivationContext context;
   context.message = std::make_shared<const Message>(message);
-  return interpreter.evaluate(code, {}, std::move(context), host);
+  auto value = conditions_->evaluate(code, {}, std::move(context), host);
+  if (value)
+    return std::move(*value);
+  ++parts_.counters->failed_conditions;
+  if (parts_.complain)
+    parts_.complain(message, value.error());
+  return {};
 }
 
 void RoutingTable::send_copies(const script::Route& route,
@@ -212,13 +234,14 @@ Message RoutingTable::copy_for(const script::Route& route,
   auto copy = message;
   copy.number = ++parts_.counters->numbers;
   ++parts_.counters->copies;
+  ++copy.rounds;
   copy.sinks = {to};
   if (!route.as.empty())
     copy.command = route.as;
   if (route.has_params) {
     copy.params.clear();
     for (auto code : route.params)
-      copy.params.push_back(evaluate(code, message).value_or(Value()));
+      copy.params.push_back(evaluate(code, message));
   }
   return copy;
 }

@@ -15,12 +15,13 @@
 
 #include "actors/branches.hpp"
 #include "actors/component_mailbox.hpp"
+#include "actors/round_limit.hpp"
 #include "runtime/base/clock.hpp"
 #include "runtime/base/message.hpp"
 #include "runtime/base/roles.hpp"
 #include "runtime/interfaces.hpp"
 #include "runtime/plugin/plugin.hpp"
-#include "script/program.hpp"
+#include "script/interpreter_pool.hpp"
 
 namespace parlour::actors {
 
@@ -71,6 +72,8 @@ struct Counters {
   std::atomic<std::uint64_t> dropped = 0;
   std::atomic<std::uint64_t> unhandled = 0;
   std::atomic<std::uint64_t> failed_conditions = 0;
+  std::atomic<std::uint64_t> circled = 0; // dropped, as they went in a ring
+  RoundLimit rounds;
 
   std::uint64_t messages() const {
     const auto copied = copies.load(); // first: there are never more of them
@@ -83,6 +86,10 @@ struct Counters {
 // nothing.
 using Tap = std::function<void(const Message&, const std::string& way)>;
 
+// Told of what goes wrong with a message on its way: the condition of a filter
+// fails, or it goes in a ring. Called from any thread; may be empty.
+using Complaint = std::function<void(const Message&, const Error&)>;
+
 class RoutingTable {
 public:
   struct Parts {
@@ -93,6 +100,7 @@ public:
     const Clock* clock = nullptr; // outlives the table
     std::shared_ptr<Counters> counters;
     std::vector<Tap> taps;
+    Complaint complain;
   };
 
   explicit RoutingTable(Parts parts);
@@ -133,8 +141,10 @@ private:
   void for_targets_of(std::string_view sink, const SessionId& session,
                       Take&& take) const;
   void stamp(Message& message, Timestamp now) const;
+  bool goes_in_a_ring(const Message& message) const;
   bool matches(const script::Route& route, const Message& message) const;
-  Expected<Value> evaluate(script::CodeId code, const Message& message) const;
+  // Unknown where it fails, which is told.
+  Value evaluate(script::CodeId code, const Message& message) const;
   bool holds(const script::Route& route, const Message& message) const;
   Message copy_for(const script::Route& route, const Message& message,
                    const std::string& to) const;
@@ -146,6 +156,7 @@ private:
   void tap(const Message& message, const std::string& way) const;
 
   Parts parts_;
+  std::shared_ptr<const script::InterpreterPool> conditions_;
 };
 
 } // namespace parlour::actors

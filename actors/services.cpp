@@ -88,6 +88,24 @@ void Services::unreached(const Routed& routed) {
     unhandled(*message, "nobody is there for " + sink);
 }
 
+void Services::failed(const Message& message, const Error& error) {
+  Inspection inspection;
+  inspection.kind = InspectionKind::error;
+  inspection.session = message.session;
+  inspection.subject = name_of(error.kind);
+  inspection.detail = to_string(error);
+  if (inspect)
+    inspect(std::move(inspection));
+  else
+    log(inspection.subject + ": " + inspection.detail);
+}
+
+bool Services::is_heard(const Message& message) const {
+  const auto current = table.load();
+  return current && !message.params.empty() &&
+         current->is_source("ASR", message.source);
+}
+
 Tap inspection_tap(Services& services) {
   return [&services](const Message& message, const std::string& way) {
     Inspection inspection;

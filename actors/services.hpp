@@ -8,6 +8,7 @@
 #include <memory>
 #include <string>
 
+#include "actors/discretion.hpp"
 #include "actors/due_times.hpp"
 #include "actors/instance_directory.hpp"
 #include "actors/query_claims.hpp"
@@ -63,6 +64,8 @@ struct Services {
   bool inspect_all = true;
   // One call at a time; never empty.
   std::function<void(const std::string&)> log;
+  // Null where nothing of the program is private.
+  std::unique_ptr<Discretion> discretion;
   // The next session's id and seed; called by the session manager only.
   std::function<SessionId()> new_session_id;
   std::function<std::uint64_t()> new_seed;
@@ -93,6 +96,10 @@ struct Services {
   void unhandled(const Message& message, const std::string& why);
   // The same for the sinks of a message that nobody fills.
   void unreached(const Routed& routed);
+  // Shown, or else logged: what went wrong with a message on its way.
+  void failed(const Message& message, const Error& error);
+  // Whether it is what somebody said, as a recogniser heard it.
+  bool is_heard(const Message& message) const;
 };
 
 // Shows each message to whoever watches; `services` has an `inspect`.

@@ -76,6 +76,7 @@ std::vector<Message> SessionPort::ask_directly(const Target& target,
     event.params = std::move(answer.params);
     event.session = message.session;
     event.correlation = message.correlation;
+    event.rounds = message.rounds + 1;
     events.push_back(std::move(event));
   }
   return events;
@@ -241,6 +242,21 @@ void SessionPort::inspect(Inspection inspection) {
     services_.log(inspection.subject + ": " + inspection.detail);
 }
 
+void SessionPort::conceal(const std::vector<std::string>& texts) {
+  if (services_.discretion)
+    services_.discretion->conceal(id_, texts);
+}
+
+void SessionPort::conceal_turn() {
+  if (services_.discretion)
+    services_.discretion->conceal_turn(id_);
+}
+
+void SessionPort::settled(std::uint64_t received) {
+  if (services_.discretion)
+    services_.discretion->settled(id_, received);
+}
+
 void SessionPort::ended() {
   // The session looks at Conversation::ended() after each input.
 }
@@ -253,6 +269,8 @@ void SessionPort::close(std::vector<Message> unread) {
 
 SessionPort::~SessionPort() {
   end_all();
+  if (services_.discretion)
+    services_.discretion->ended(id_);
 }
 
 void SessionPort::end_all() {

@@ -40,6 +40,9 @@ public:
   void unhandled(const Message& message) override;
   bool inspected() const override;
   void inspect(Inspection inspection) override;
+  void conceal(const std::vector<std::string>& texts) override;
+  void conceal_turn() override;
+  void settled(std::uint64_t received) override;
   void ended() override;
 
   // What it started is over by itself.

@@ -19,15 +19,25 @@ Interpreter::Interpreter(Interpreter&&) noexcept = default;
 Interpreter& Interpreter::operator=(Interpreter&&) noexcept = default;
 
 Expected<void> Interpreter::initialise(Host& host) {
-  const auto& variables = program().variables;
-  for (std::size_t i = 0; i < variables.size(); ++i) {
-    if (variables[i].initial == no_code)
-      continue;
-    auto value = evaluate(variables[i].initial, {}, {}, host);
-    if (!value)
-      return tl::make_unexpected(std::move(value.error()));
-    set_variable(i, std::move(*value));
-  }
+  for (std::size_t i = 0; i < program().variables.size(); ++i)
+    if (auto ready = initialise(i, host); !ready)
+      return ready;
+  return {};
+}
+
+void Interpreter::initialise_what_computes(Host& host) {
+  for (std::size_t i = 0; i < program().variables.size(); ++i)
+    static_cast<void>(initialise(i, host));
+}
+
+Expected<void> Interpreter::initialise(std::size_t index, Host& host) {
+  const auto code = program().variables[index].initial;
+  if (code == no_code)
+    return {};
+  auto value = evaluate(code, {}, {}, host);
+  if (!value)
+    return tl::make_unexpected(std::move(value.error()));
+  set_variable(index, std::move(*value));
   return {};
 }
 

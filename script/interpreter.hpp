@@ -23,6 +23,7 @@ struct ActivationContext {
   SlotId slot = no_id;                    // of a slot's own action
   std::uint64_t turn = 0;                 // the user turn that led here
   bool handles_error = false;             // it handles Script.Error
+  bool writes = false; // its unnamed queries may write (language rule 11.12)
 };
 
 // A running or suspended piece of script: its frames and context.
@@ -31,6 +32,9 @@ public:
   virtual ~Activation() = default;
   const ActivationContext& context() const {
     return context_;
+  }
+  void let_write(bool writes) {
+    context_.writes = writes;
   }
 
 protected:
@@ -75,6 +79,8 @@ public:
 
   // Computes the initial values of the session variables, in file order.
   Expected<void> initialise(Host& host);
+  // The same where there is no session: those that fail stay unknown.
+  void initialise_what_computes(Host& host);
 
   std::unique_ptr<Activation> start(CodeId code,
                                     const std::vector<Value>& arguments,
@@ -119,6 +125,8 @@ public:
   void set_slice(std::uint64_t instructions);
 
 private:
+  Expected<void> initialise(std::size_t index, Host& host);
+
   struct Implementation;
   std::unique_ptr<Implementation> implementation_;
 };

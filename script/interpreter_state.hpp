@@ -31,7 +31,7 @@
 
 namespace parlour::script {
 
-inline constexpr std::uint8_t state_version = 1;
+inline constexpr std::uint8_t state_version = 2;
 
 // Beside the tags of a box (object_bytes.hpp).
 enum class RegisterTag : std::uint8_t {

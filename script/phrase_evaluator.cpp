@@ -1,13 +1,12 @@
 #include "script/phrase_evaluator.hpp"
 
-#include <mutex>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "runtime/base/random.hpp"
 #include "script/computing_host.hpp"
-#include "script/interpreter.hpp"
+#include "script/interpreter_pool.hpp"
 
 namespace parlour::script {
 
@@ -31,42 +30,26 @@ private:
 class Evaluator : public PhraseEvaluator {
 public:
   explicit Evaluator(std::shared_ptr<const Program> program)
-      : program_(std::move(program)) {}
+      : pool_(std::move(program)) {}
 
+  // One that fails leaves its turn to the next.
   Rendering render(const Value& say) const override {
-    auto interpreter = take(say);
-    auto rendering = choose(*interpreter, say);
-    const std::lock_guard lock(mutex_);
-    free_.push_back(std::move(interpreter));
+    Rendering rendering;
+    const auto turn = static_cast<std::uint64_t>(say["rotation"].integer_or(0));
+    for (int wanted = most_specific; wanted > 0; --wanted) {
+      const auto found = that_hold(say, wanted, rendering);
+      for (std::size_t i = 0; i < found.size() && !rendering.words; ++i) {
+        const auto& phrase = *found[(turn + i) % found.size()];
+        if (auto text = computed(phrase.text, say, rendering))
+          rendering.words = text->text();
+      }
+      if (rendering.words)
+        break;
+    }
     return rendering;
   }
 
 private:
-  // Interpreters are kept, with the constants that phrases may read.
-  std::unique_ptr<Interpreter> take(const Value& say) const {
-    {
-      const std::lock_guard lock(mutex_);
-      if (!free_.empty()) {
-        auto interpreter = std::move(free_.back());
-        free_.pop_back();
-        return interpreter;
-      }
-    }
-    auto interpreter = std::make_unique<Interpreter>(program_);
-    PhraseHost host(say);
-    // A variable that fails stays unknown; the session reports it.
-    static_cast<void>(interpreter->initialise(host));
-    return interpreter;
-  }
-
-  static Expected<Value> evaluate(Interpreter& interpreter, CodeId code,
-                                  const Value& say) {
-    PhraseHost host(say);
-    interpreter.new_event();
-    return interpreter.evaluate(
-        code, {say["act"], say["topic"], say["slot"], say["data"]}, {}, host);
-  }
-
   static constexpr int most_specific = 16;
 
   // 0: does not apply; higher is more specific: slot, then topic, then the
@@ -83,50 +66,31 @@ private:
            4 * (2 * !phrase.topic.empty() + !phrase.slot.empty());
   }
 
-  // One that fails leaves its turn to the next.
-  Rendering choose(Interpreter& interpreter, const Value& say) const {
-    Rendering rendering;
-    const auto turn = static_cast<std::uint64_t>(say["rotation"].integer_or(0));
-    for (int wanted = most_specific; wanted > 0; --wanted) {
-      const auto found = that_hold(interpreter, say, wanted, rendering);
-      for (std::size_t i = 0; i < found.size() && !rendering.words; ++i) {
-        const auto& phrase = *found[(turn + i) % found.size()];
-        if (auto text = computed(interpreter, phrase.text, say, rendering))
-          rendering.words = text->text();
-      }
-      if (rendering.words)
-        break;
-    }
-    return rendering;
-  }
-
-  std::vector<const Phrase*> that_hold(Interpreter& interpreter,
-                                       const Value& say, int wanted,
+  std::vector<const Phrase*> that_hold(const Value& say, int wanted,
                                        Rendering& rendering) const {
     std::vector<const Phrase*> found;
-    for (const auto& phrase : program_->phrases) {
+    for (const auto& phrase : pool_.program().phrases) {
       if (rank(phrase, say) != wanted)
         continue;
       if (phrase.condition == no_code ||
-          computed(interpreter, phrase.condition, say, rendering)
-              .value_or(false))
+          computed(phrase.condition, say, rendering).value_or(false))
         found.push_back(&phrase);
     }
     return found;
   }
 
-  static std::optional<Value> computed(Interpreter& interpreter, CodeId code,
-                                       const Value& say, Rendering& rendering) {
-    auto value = evaluate(interpreter, code, say);
+  std::optional<Value> computed(CodeId code, const Value& say,
+                                Rendering& rendering) const {
+    PhraseHost host(say);
+    auto value = pool_.evaluate(
+        code, {say["act"], say["topic"], say["slot"], say["data"]}, {}, host);
     if (value)
       return std::move(*value);
     rendering.failures.push_back(std::move(value.error()));
     return std::nullopt;
   }
 
-  std::shared_ptr<const Program> program_;
-  mutable std::mutex mutex_;
-  mutable std::vector<std::unique_ptr<Interpreter>> free_;
+  InterpreterPool pool_;
 };
 
 } // namespace

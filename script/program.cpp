@@ -1,5 +1,7 @@
 #include "script/program.hpp"
 
+#include <algorithm>
+
 namespace parlour::script {
 
 namespace {
@@ -30,6 +32,14 @@ Place Program::place(Position position) const {
   if (position.file >= files.size())
     return {"", position.line, position.column};
   return {files[position.file], position.line, position.column};
+}
+
+bool has_private(const Program& program) {
+  const auto is_private = [](const auto& one) { return one.is_private; };
+  return std::ranges::any_of(program.variables, is_private) ||
+         std::ranges::any_of(program.topics, [&](const Topic& topic) {
+           return std::ranges::any_of(topic.slots, is_private);
+         });
 }
 
 } // namespace parlour::script

@@ -231,4 +231,7 @@ struct Program {
   Place place(Position position) const;
 };
 
+// Whether a variable or slot is private="true".
+bool has_private(const Program& program);
+
 } // namespace parlour::script

@@ -135,6 +135,7 @@ ActivationContext StateReader::read_context() {
   context.slot = static_cast<SlotId>(bytes_.below(slots + 1, "slot")) - 1;
   context.turn = bytes_.number();
   context.handles_error = bytes_.below(2, "a flag");
+  context.writes = bytes_.below(2, "a flag");
   return context;
 }
 

@@ -118,6 +118,7 @@ void StateWriter::write(const ActivationContext& context) {
   bytes_.number(static_cast<std::uint32_t>(context.slot + 1));
   bytes_.number(context.turn);
   bytes_.byte(context.handles_error);
+  bytes_.byte(context.writes);
 }
 
 void StateWriter::write(Frame& frame) {

@@ -4,6 +4,7 @@
 
 #include "adapters/database/sqlite_image.hpp"
 #include "adapters/database/sqlite_open.hpp"
+#include "adapters/database/sqlite_origin.hpp"
 
 namespace parlour::adapters {
 
@@ -29,9 +30,14 @@ Expected<void> SQLiteDatabase::open_memory_copy() {
 }
 
 Expected<void> SQLiteDatabase::open() {
-  if (!std::filesystem::exists(options_.file))
+  if (!std::filesystem::exists(options_.file)) {
     if (auto created = create_missing(); !created)
       return created;
+  } else if (has_other_origin(options_)) {
+    host().log("schema or seed have changed since " + options_.file.string() +
+               " was made, which is used as it is. To have it made anew, run "
+               "with --fresh, or move it away.");
+  }
   if (auto sound = check_sound(options_.file); !sound)
     return sound;
   auto writer = connect();
@@ -54,7 +60,9 @@ Expected<void> SQLiteDatabase::create_missing() const {
   auto image = sqlite_image(options_.schema, options_.seed);
   if (!image)
     return tl::make_unexpected(image.error());
-  return write_image(*image, options_.file);
+  return write_image(*image, options_.file).and_then([this] {
+    return note_origin(options_);
+  });
 }
 
 Expected<std::unique_ptr<SQLiteConnection>> SQLiteDatabase::connect() const {

@@ -36,6 +36,17 @@ Expected<Source> read_source(const fs::path& path) {
   return Source{path, std::move(text).str()};
 }
 
+Expected<std::pair<Source, Source>> read_sources(const fs::path& schema,
+                                                 const fs::path& seed) {
+  auto first = read_source(schema);
+  if (!first)
+    return tl::make_unexpected(first.error());
+  auto second = read_source(seed);
+  if (!second)
+    return tl::make_unexpected(second.error());
+  return std::pair(std::move(*first), std::move(*second));
+}
+
 tl::unexpected<Error> failure(sqlite3* db, const Source& source,
                               const char* statement) {
   // The error's offset counts from the statement's start; -1 where unknown.
@@ -161,13 +172,18 @@ Expected<void> move_into_place(const fs::path& from, const fs::path& to) {
 Expected<SQLiteImage> sqlite_image(const fs::path& schema,
                                    const fs::path& seed) {
   static Images images;
-  auto schema_source = read_source(schema);
-  if (!schema_source)
-    return tl::make_unexpected(schema_source.error());
-  auto seed_source = read_source(seed);
-  if (!seed_source)
-    return tl::make_unexpected(seed_source.error());
-  return images.of(*schema_source, *seed_source);
+  const auto sources = read_sources(schema, seed);
+  if (!sources)
+    return tl::make_unexpected(sources.error());
+  return images.of(sources->first, sources->second);
+}
+
+Expected<std::string> sqlite_sources(const fs::path& schema,
+                                     const fs::path& seed) {
+  const auto sources = read_sources(schema, seed);
+  if (!sources)
+    return tl::make_unexpected(sources.error());
+  return sources->first.text + '\0' + sources->second.text;
 }
 
 Expected<SQLiteHandle> open_image(const SQLiteImage& image) {

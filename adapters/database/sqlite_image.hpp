@@ -20,6 +20,10 @@ using SQLiteImage = std::shared_ptr<const std::string>;
 Expected<SQLiteImage> sqlite_image(const std::filesystem::path& schema,
                                    const std::filesystem::path& seed);
 
+// The texts that it is made from, one behind the other.
+Expected<std::string> sqlite_sources(const std::filesystem::path& schema,
+                                     const std::filesystem::path& seed);
+
 // A database in memory that begins as the image.
 Expected<SQLiteHandle> open_image(const SQLiteImage& image);
 

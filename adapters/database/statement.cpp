@@ -29,7 +29,9 @@ tl::unexpected<Error> only_reads(std::string_view sql) {
   return fail(ErrorKind::refused,
               first_words(sql) +
                   " changes the database, but the connection only reads; "
-                  "<connectdb write=\"true\"/> lets it write.");
+                  "<connectdb write=\"true\"/> lets it write: with a name "
+                  "wherever a query has db=\"that name\", else in the same "
+                  "run of the script.");
 }
 
 tl::unexpected<Error> not_alone(std::string_view sql) {

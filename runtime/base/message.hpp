@@ -26,6 +26,8 @@ struct Message {
   std::vector<std::string> sinks; // role or name; empty: to the session
   SessionId session;
   Correlation correlation = 0;
+  // How many messages lie between it and what came from outside.
+  std::uint32_t rounds = 0;
 
   bool operator==(const Message&) const = default;
 };

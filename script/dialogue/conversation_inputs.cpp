@@ -147,6 +147,7 @@ std::vector<Message> Conversation::Implementation::take_unread() {
 void Conversation::Implementation::receive(
     std::shared_ptr<const Message> message) {
   const bool heard = is_heard(*message);
+  core.received = std::max(core.received, message->number);
   Input input;
   input.begins_turn = heard && message->command == "RecognitionResult"sv &&
                       core.port.is_source(recogniser, message->source);
@@ -202,6 +203,7 @@ bool Conversation::Implementation::has_work() {
 
 void Conversation::Implementation::begin_event() {
   core.internal_events = 0;
+  core.rounds = 0;
   core.interpreter.new_event();
 }
 
@@ -229,18 +231,22 @@ void Conversation::Implementation::take_input() {
 
 void Conversation::Implementation::process(Input&& input) {
   const auto& message = *input.message;
-  if (core.port.is_source(recogniser, message.source))
+  if (core.port.is_source(recogniser, message.source)) {
+    core.privacy.hear();
     user_begins();
+  }
   if (input.begins_turn)
     core.mouth.give_up_interrupted();
   if (is_heard(message) && (hear_speech(message) || hear_speaker(message) ||
                             core.machine.agent_changed(message) ||
                             core.mouth.hear_failure(message, input.turn)))
-    input.raised = true; // somebody took it
-  if (core.effects.reply(message))
+    input.raised = true;             // somebody took it
+  if (core.effects.reply(message)) { // a script's loop may have many
     core.turns.let_go(input.turn);
-  else
+  } else {
+    core.rounds = message.rounds;
     core.pipeline.take(std::move(input));
+  }
 }
 
 // Barge-in (engine rule 3).
@@ -330,6 +336,8 @@ void Conversation::Implementation::go_on() {
   if (core.mouth.was_interrupted() && !core.turns.any_open(core.now))
     core.mouth.take_up_interrupted();
   run_lane();
+  if (!core.turns.any_open(core.now))
+    core.privacy.settle(core.received);
   if (core.ending && !core.topics.awaiting_frame() &&
       !core.mouth.wants_release() && core.mouth.all_released())
     close();

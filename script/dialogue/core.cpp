@@ -13,16 +13,19 @@ Core::Core(std::shared_ptr<const script::Program> the_program,
     : program(std::move(the_program)), options(std::move(the_options)),
       port(the_port), interpreter(program), frames(*program, interpreter),
       order(*program), timers(port), mouth(*this), effects(*this),
-      runner(*this), pipeline(*this), machine(*this), topics(*this) {}
+      runner(*this), pipeline(*this), machine(*this), topics(*this),
+      privacy(*this) {}
 
 void Core::raise(const char* source, std::string command,
                  std::vector<Value> params, TurnId turn) {
+  privacy.note_variables();
   Message message;
   message.time = now;
   message.source = source;
   message.command = std::move(command);
   message.params = std::move(params);
   message.session = options.session;
+  message.rounds = rounds;
   Input input;
   input.message = make_short_lived<const Message>(std::move(message));
   input.turn = turn;
@@ -41,6 +44,7 @@ void Core::raise(const char* source, std::string command,
 
 Correlation Core::post(std::string module, std::string command,
                        std::vector<Value> params, TurnId turn) {
+  privacy.note_variables();
   const bool meaning = command == "DoNLU" && port.is_source("NLU", module);
   if (meaning && params.size() == 1)
     params.push_back(topics.understanding_context());
@@ -51,6 +55,7 @@ Correlation Core::post(std::string module, std::string command,
   message.sinks = {std::move(module)};
   message.session = options.session;
   message.correlation = next_id();
+  message.rounds = rounds + 1;
   const auto correlation = message.correlation;
   turns.asked(correlation, turn,
               now + program->settings.sessions.request_timeout.count(),
@@ -126,6 +131,7 @@ void Core::script_failed(const Error& error, TurnId turn) {
 
 void Core::inspect(InspectionKind kind, std::string subject,
                    std::string detail) {
+  privacy.note_variables();
   if (port.inspected() || kind == InspectionKind::error ||
       kind == InspectionKind::log)
     port.inspect({.kind = kind,

@@ -11,6 +11,7 @@
 #include "script/dialogue/lane.hpp"
 #include "script/dialogue/mouth.hpp"
 #include "script/dialogue/pipeline.hpp"
+#include "script/dialogue/privacy.hpp"
 #include "script/dialogue/runner.hpp"
 #include "script/dialogue/state_machine.hpp"
 #include "script/dialogue/state_stack.hpp"
@@ -43,9 +44,11 @@ struct Core {
   bool ending = false; // as soon as all is said
   bool ended = false;
 
-  Fifo<Input> inbox;       // from outside, in order of arrival
-  Fifo<Input> internal;    // before any external event (engine rule 2)
-  int internal_events = 0; // since the last external one
+  Fifo<Input> inbox;          // from outside, in order of arrival
+  Fifo<Input> internal;       // before any external event (engine rule 2)
+  int internal_events = 0;    // since the last external one
+  std::uint32_t rounds = 0;   // of the message that was taken last
+  std::uint64_t received = 0; // the number of the last message in the inbox
 
   script::Interpreter interpreter;
   Frames frames;
@@ -60,6 +63,7 @@ struct Core {
   Pipeline pipeline;
   StateMachine machine;
   TopicEngine topics;
+  Privacy privacy;
 
   std::uint64_t next_id() {
     return ++last_id;

@@ -82,13 +82,15 @@ script::Performed Effects::perform(script::Activation& activation,
                   effect.text(0));
     return Value();
   default:
-    return perform_dialogue(context, effect);
+    return perform_dialogue(activation, effect);
   }
 }
 
 // What concerns states and topics; most of it happens when the activation ends
 // or waits (engine rule 2).
-script::Performed Effects::perform_dialogue(Context context, Call effect) {
+script::Performed Effects::perform_dialogue(script::Activation& activation,
+                                            Call effect) {
+  Context context = activation.context();
   using enum script::EffectKind;
   switch (effect.kind) {
   case transit:
@@ -116,27 +118,29 @@ script::Performed Effects::perform_dialogue(Context context, Call effect) {
   case unregister_topic:
     return this->register_topic(effect);
   default:
-    return perform_repair(context, effect);
+    return perform_repair(activation, effect);
   }
 }
 
 // Databases, files, sockets, components.
-script::Performed Effects::perform_outside(Call effect) {
+script::Performed Effects::perform_outside(script::Activation& activation,
+                                           Call effect) {
+  Context context = activation.context();
   using enum script::EffectKind;
   if (auto request =
           script::file_request(effect, core_.program->settings.limits.result))
     return file(std::move(*request));
   switch (effect.kind) {
   case connectdb:
-    return connect_database(effect);
+    return connect_database(activation, effect);
   case querydb:
-    return query_database(effect);
+    return query_database(context, effect);
   case begin:
-    return transaction(effect, QueryRequest::Kind::begin);
+    return transaction(context, effect, QueryRequest::Kind::begin);
   case commit:
-    return transaction(effect, QueryRequest::Kind::commit);
+    return transaction(context, effect, QueryRequest::Kind::commit);
   case rollback:
-    return transaction(effect, QueryRequest::Kind::rollback);
+    return transaction(context, effect, QueryRequest::Kind::rollback);
   case open_socket:
     return this->open_socket(effect);
   case send_socket:
@@ -288,7 +292,11 @@ script::Performed Effects::clear(Context context, Call effect) {
 }
 
 Value Effects::slot(TopicId topic, SlotId slot) const {
-  return topic == script::no_id ? Value() : read_slot(core_.frame(topic), slot);
+  if (topic == script::no_id)
+    return {};
+  auto value = read_slot(core_.frame(topic), slot);
+  core_.privacy.note(topic, slot, value);
+  return value;
 }
 
 void Effects::set_slot(TopicId topic, SlotId slot, Value value) {

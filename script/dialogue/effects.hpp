@@ -55,19 +55,21 @@ private:
   using Context = const script::ActivationContext&;
 
   Performed post(Context context, Call effect);
+  void post_for(Message message); // another session
   Performed request(Context context, Call effect);
   Performed fire_frames(Context context, Call effect);
-  Performed perform_dialogue(Context context, Call effect);
-  Performed perform_repair(Context context, Call effect);
+  Performed perform_dialogue(script::Activation& activation, Call effect);
+  Performed perform_repair(script::Activation& activation, Call effect);
   Performed speak(Context context, Call effect);
   Performed say(Context context, Call effect);
   Performed ask_again(Context context, Call effect);
   Performed timer(Context context, Call effect);
-  Performed connect_database(Call effect);
-  Performed query_database(Call effect);
-  Performed transaction(Call effect, QueryRequest::Kind kind);
-  Performed ask_database(QueryRequest request, const Value& named);
-  Performed perform_outside(Call effect);
+  Performed connect_database(script::Activation& activation, Call effect);
+  Performed query_database(Context context, Call effect);
+  Performed transaction(Context context, Call effect, QueryRequest::Kind kind);
+  Performed ask_database(Context context, QueryRequest request,
+                         const Value& named);
+  Performed perform_outside(script::Activation& activation, Call effect);
   Performed file(FileRequest request);
   Performed open_socket(Call effect);
   Performed change_component(Call effect);
@@ -98,8 +100,8 @@ private:
   Core& core_;
   std::map<Correlation, WaitId> requests_;
   std::map<QueryId, Query> queries_;
-  std::map<std::string, Connection, std::less<>> connections_;
-  std::string last_connection_;
+  std::map<std::string, Connection, std::less<>> connections_; // with a name
+  std::string current_; // the component of those without; empty: the first
   Random random_;
 };
 

@@ -33,9 +33,14 @@ script::Performed Effects::post(Context context, Call effect) {
     core_.post(effect.text(0), effect.text(1), list_of(effect.operand(2)),
                context.turn);
   else
-    core_.port.post(message_of(other.text(), effect.operand(0),
-                               effect.operand(1), list_of(effect.operand(2))));
+    post_for(message_of(other.text(), effect.operand(0), effect.operand(1),
+                        list_of(effect.operand(2))));
   return Value();
+}
+
+void Effects::post_for(Message message) {
+  message.rounds = core_.rounds + 1;
+  core_.port.post(std::move(message));
 }
 
 script::Performed Effects::request(Context context, Call effect) {

@@ -23,51 +23,62 @@ bool Effects::answered(QueryId id, Expected<Value> outcome) {
 
 // -- databases ----------------------------------------------------------------
 
-script::Performed Effects::connect_database(Call effect) {
-  auto name = effect.operand(0).is_unknown() ? std::string() : effect.text(0);
+// One with a name is asked by it. One without is asked by all queries that name
+// none, from now on; it may be written to by the activation that says so, so
+// that no other writes unawares.
+script::Performed Effects::connect_database(script::Activation& activation,
+                                            Call effect) {
   auto component =
       effect.operand(1).is_unknown() ? std::string() : effect.text(1);
   if (!core_.port.reachable(component.empty() ? "Database" : component))
     return Error{ErrorKind::offline,
                  "no database component '" + component + "' is there",
                  {}};
-  connections_[name] = {component, static_cast<bool>(effect.operand(2))};
-  last_connection_ = name;
+  const bool write{effect.operand(2)};
+  if (effect.operand(0).is_unknown()) {
+    current_ = std::move(component);
+    activation.let_write(write);
+  } else {
+    connections_[effect.text(0)] = {std::move(component), write};
+  }
   return Value(true);
 }
 
-// `named`: the connection's name, else the last one, else the first Database.
-script::Performed Effects::ask_database(QueryRequest request,
+// `named`: a connection, or a component, which is read only.
+script::Performed Effects::ask_database(Context context, QueryRequest request,
                                         const Value& named) {
-  auto connection =
-      connections_.find(named.is_unknown() ? last_connection_ : named.text());
-  if (connection == connections_.end() && !named.is_unknown() &&
-      !core_.port.reachable(named.text()))
-    return missing("database", named);
-  request.id = core_.next_id();
-  if (connection != connections_.end()) {
+  const auto connection =
+      named.is_unknown() ? connections_.end() : connections_.find(named.text());
+  if (named.is_unknown()) {
+    request.database = current_;
+    request.write = context.writes;
+  } else if (connection != connections_.end()) {
     request.database = connection->second.component;
     request.write = connection->second.write;
-  } else if (!named.is_unknown()) {
+  } else if (core_.port.reachable(named.text())) {
     request.database = named.text();
+  } else {
+    return missing("database", named);
   }
+  request.id = core_.next_id();
   queries_[request.id] = {begin_wait(false),
                           request.kind == QueryRequest::Kind::rollback};
   core_.port.query(std::move(request));
   return script::Waits{};
 }
 
-script::Performed Effects::query_database(Call effect) {
+script::Performed Effects::query_database(Context context, Call effect) {
   QueryRequest request;
   request.sql = effect.text(0);
   request.values = list_of(effect.operand(1));
-  return ask_database(std::move(request), effect.operand(2));
+  return ask_database(context, std::move(request), effect.operand(2));
 }
 
-script::Performed Effects::transaction(Call effect, QueryRequest::Kind kind) {
+script::Performed Effects::transaction(Context context, Call effect,
+                                       QueryRequest::Kind kind) {
   QueryRequest request;
   request.kind = kind;
-  return ask_database(std::move(request), effect.operand(0));
+  return ask_database(context, std::move(request), effect.operand(0));
 }
 
 // -- files, sockets -----------------------------------------------------------

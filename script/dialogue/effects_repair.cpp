@@ -9,7 +9,9 @@
 
 namespace parlour::dialogue {
 
-script::Performed Effects::perform_repair(Context context, Call effect) {
+script::Performed Effects::perform_repair(script::Activation& activation,
+                                          Call effect) {
+  Context context = activation.context();
   using enum script::EffectKind;
   switch (effect.kind) {
   case script::EffectKind::say:
@@ -23,7 +25,7 @@ script::Performed Effects::perform_repair(Context context, Call effect) {
     core_.runner.later(topic_step(StepKind::restart, script::no_id));
     return Value();
   default:
-    return perform_outside(effect);
+    return perform_outside(activation, effect);
   }
 }
 

@@ -104,6 +104,14 @@ public:
   virtual bool inspected() const = 0; // else inspect need not be called
   virtual void inspect(Inspection inspection) = 0;
 
+  // What is private (private="true"): these texts, and what the user is just
+  // saying. Nobody who watches is shown them.
+  virtual void conceal(const std::vector<std::string>&) {}
+  virtual void conceal_turn() {}
+  // Nothing that was received, up to the message of that number, waits for
+  // being understood.
+  virtual void settled(std::uint64_t /*received*/) {}
+
   // The session is over; nothing else will be wanted.
   virtual void ended() = 0;
 };

@@ -228,6 +228,7 @@ void TopicEngine::confirm_slot(TopicId topic, SlotId slot, bool yes,
 // -- small things -------------------------------------------------------------
 
 void TopicEngine::change(TopicId topic, const FrameChange& change) {
+  core_.privacy.note(topic, {&change, 1});
   for (const auto& report : core_.frames.change(topic, change, core_.now))
     inspect_report(topic, report);
 }

@@ -53,6 +53,8 @@ public:
   bool consumed(std::uint64_t offered) const {
     return consumed_.contains(offered);
   }
+  // Whether what the user says now is private in any case.
+  bool asks_in_private() const;
   // A script's clear, ask or transit: the frame is not completed after all.
   void redirect() {
     ++redirections_;
@@ -222,6 +224,7 @@ private:
   void ask_again();
   void unmark(TopicId topic);
   void ask_slot(TopicId topic, SlotId slot, OutputAct as, TurnId turn);
+  Value with_type(Map data, TopicId topic, SlotId slot) const;
   void ask_confirmation(TopicId topic, SlotId slot, TurnId turn);
   void ask_choice(TopicId topic, SlotId slot, TurnId turn, bool aloud);
   void put(Asked&& asked, const char* act, Value data, std::string text,

@@ -93,6 +93,7 @@ void TopicEngine::fill(Step& step) {
 }
 
 void TopicEngine::request(Step&& step, std::vector<FrameChange>& changes) {
+  core_.privacy.note(step.topic, changes);
   if (!core_.port.writes_frames()) {
     tell_filled(step, core_.frames.apply(step.topic, changes, core_.now));
     return;

@@ -101,14 +101,31 @@ void TopicEngine::ask_slot(TopicId topic, SlotId slot, OutputAct as,
   put(std::move(asked), "question", {}, text_of(code, topic), as, turn);
 }
 
+// How its values are said.
+Value TopicEngine::with_type(Map data, TopicId topic, SlotId slot) const {
+  const auto& type = core_.topic(topic).slots[slot].cardinality.type;
+  if (!type.empty())
+    data.set("type", type);
+  return data;
+}
+
+bool TopicEngine::asks_in_private() const {
+  if (!asked_ || asked_->topic == script::no_id)
+    return false;
+  const auto& slots = core_.topic(asked_->topic).slots;
+  return (asked_->slot < slots.size() && slots[asked_->slot].is_private) ||
+         (asked_->about < slots.size() && slots[asked_->about].is_private);
+}
+
 void TopicEngine::ask_confirmation(TopicId topic, SlotId slot, TurnId turn) {
   Asked asked;
   asked.purpose = Asked::For::confirmation;
   asked.topic = topic;
   asked.slot = slot;
   const auto& value = core_.frame(topic).slots[slot].value;
-  put(std::move(asked), "confirm", Map{{"value", value}}, {},
-      OutputAct::question, turn);
+  put(std::move(asked), "confirm",
+      with_type(Map{{"value", value}}, topic, slot), {}, OutputAct::question,
+      turn);
 }
 
 // Several candidates: the slot's <ambiguous> asks, or "Do you mean A or B?".
@@ -121,8 +138,9 @@ void TopicEngine::ask_choice(TopicId topic, SlotId slot, TurnId turn,
   const auto& state = core_.frame(topic).slots[slot];
   if (aloud) {
     put(std::move(asked), "ambiguous",
-        Map{{"candidates", state.candidates}, {"text", state.text}}, {},
-        OutputAct::question, turn);
+        with_type(Map{{"candidates", state.candidates}, {"text", state.text}},
+                  topic, slot),
+        {}, OutputAct::question, turn);
     return;
   }
   asked.heard = true; // by the script's own words

@@ -12,6 +12,7 @@ void lint_states(const Subject& subject, Findings& findings);
 void lint_functions(const Subject& subject, Findings& findings);
 void lint_variables(const Subject& subject, Findings& findings);
 void lint_messages(const Subject& subject, Findings& findings);
+void lint_routes(const Subject& subject, Findings& findings);
 void lint_slots(const Subject& subject, Findings& findings);
 void lint_loops(const Subject& subject, Findings& findings);
 void lint_texts(const Subject& subject, Findings& findings);

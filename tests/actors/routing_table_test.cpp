@@ -17,6 +17,9 @@ protected:
         [this](const Message& message, const std::string& way) {
           taps.push_back(message.command + " " + way);
         });
+    parts.complain = [this](const Message& message, const Error& error) {
+      complaints.push_back(message.command + ": " + to_string(error));
+    };
     for (auto& [name, role] : std::vector<std::pair<std::string, std::string>>{
              {"Mic", "Microphone"}, {"Fast", "ASR"}, {"Good", "ASR"}}) {
       up.push_back(std::make_shared<std::atomic<bool>>(true));
@@ -54,6 +57,7 @@ protected:
   test::ManualClock clock;
   std::vector<std::shared_ptr<std::atomic<bool>>> up;
   std::vector<std::string> taps;
+  std::vector<std::string> complaints;
   std::unique_ptr<RoutingTable> table;
 };
 
@@ -134,6 +138,52 @@ TEST_F(RoutingTableTest, AFilterThatHoldsEndsTheWay) {
   EXPECT_THAT(delivered(high), IsEmpty());
   EXPECT_TRUE(high.rest);
   EXPECT_EQ(table->counters().filtered, 1u);
+}
+
+TEST_F(RoutingTableTest, ConditionsAndParametersSeeConstants) {
+  make(R"(<var name="broken" expr="1 / 0"/><const name="half" expr="0.5"/>
+          <const name="least" expr="half - 0.2"/>
+          <routes><filter source="ASR" command="RecognitionResult"
+          if="_LPARAM2 lt least" to="Mic" as="Reprompt" param="{least}"/>
+          </routes>)");
+  auto low = table->route(event("Fast", "RecognitionResult", {"x", 0.2}));
+  EXPECT_THAT(delivered(low),
+              ElementsAre(HasSubstr("Mic: Fast.Reprompt(0.3)")));
+  auto high = table->route(event("Fast", "RecognitionResult", {"x", 0.9}));
+  EXPECT_TRUE(high.rest);
+  EXPECT_THAT(complaints, IsEmpty());
+}
+
+TEST_F(RoutingTableTest, TellsOfAConditionThatFails) {
+  make(R"(<routes><filter source="*" command="Sound" if="_LPARAM1 lt 3"
+          drop="true"/></routes>)");
+  EXPECT_TRUE(table->route(event("Mic", "Sound", {List{}})).rest);
+  EXPECT_EQ(table->counters().failed_conditions, 1u);
+  EXPECT_THAT(complaints, ElementsAre(HasSubstr("Sound: ")));
+  EXPECT_THAT(complaints, ElementsAre(HasSubstr("test.xml:")));
+}
+
+TEST_F(RoutingTableTest, EndsARing) {
+  make(R"(<routes><relay source="Mic" command="Sound" to="Good"/></routes>)");
+  auto far = event("Mic", "Sound");
+  far.rounds = RoundLimit::honest_rounds + 1;
+  for (std::uint32_t i = 0; i < RoundLimit::each_second; ++i)
+    ASSERT_TRUE(table->route(far).rest);
+  for (int i = 0; i < 3; ++i) {
+    const auto routed = table->route(far);
+    EXPECT_FALSE(routed.rest);
+    EXPECT_THAT(routed.deliveries, IsEmpty());
+  }
+  EXPECT_EQ(table->counters().circled, 3u);
+  EXPECT_THAT(complaints, ElementsAre(HasSubstr("goes in a ring")));
+  EXPECT_TRUE(table->route(event("Mic", "Sound")).rest); // from outside
+}
+
+TEST_F(RoutingTableTest, ACopyIsARoundFurther) {
+  make(R"(<routes><relay source="Mic" command="Sound" to="Good"/></routes>)");
+  const auto routed = table->route(event("Mic", "Sound"));
+  EXPECT_EQ(routed.deliveries.at(0).message->rounds, 1u);
+  EXPECT_EQ(routed.rest->rounds, 0u);
 }
 
 TEST_F(RoutingTableTest, DropsAndTakesRoutesInFileOrder) {

@@ -11,6 +11,7 @@
 #include "script/compiler.hpp"
 #include "script/findings.hpp"
 #include "script/program.hpp"
+#include "tools/parlour/column_reader.hpp"
 #include "tools/parlour/composition.hpp"
 #include "tools/parlour/places.hpp"
 
@@ -43,12 +44,6 @@ script::Compiled compile_folder(const std::filesystem::path& folder,
                                 const std::filesystem::path& platform);
 script::Compiled load_file(const std::filesystem::path& file,
                            const Places& places);
-
-// Reads columns of the first Database component; an error where there is none.
-// With an empty data folder, of what schema and seed make.
-ColumnReader column_reader(const Composition& composition,
-                           const std::filesystem::path& application,
-                           const std::string& data_folder);
 
 // Each Database component begins as a copy of its own, in memory where it is
 // SQLite's, of what its schema and seed make (engine rule 7.5).

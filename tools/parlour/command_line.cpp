@@ -143,6 +143,9 @@ private:
               "timer");
     command->add_option("--data", run_.data,
                         "Folder of the run's database, files and records");
+    command->add_flag("--fresh", run_.fresh,
+                      "Make the database anew from schema and seed; the old "
+                      "file is kept as FILE.before");
     command->add_flag("--trace", run_.trace,
                       "Show every message, transition and slot on stderr");
     command->add_option("--seed", run_.seed, "Of all that is random");

@@ -40,6 +40,7 @@ struct RunOptions {
   bool text = false; // lines, also on a terminal
   bool trace = false;
   bool voice = false;
+  bool fresh = false;             // databases made anew
   std::optional<Timestamp> clock; // virtual time from here
   std::optional<std::uint64_t> seed;
   std::string data; // empty: the default

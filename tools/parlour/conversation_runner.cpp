@@ -34,6 +34,7 @@ public:
     const auto begin = std::chrono::steady_clock::now();
     if (start())
       hold();
+    hide_what_is_private();
     node_ = nullptr;
     const auto end = std::chrono::steady_clock::now();
     result_.seconds = std::chrono::duration<double>(end - begin).count();
@@ -53,6 +54,7 @@ private:
     auto options =
         node_options(application_, in_memory(application_.composition), wishes);
     options.on_inspection = [this](const Inspection& seen) { watch(seen); };
+    options.exact_inspections = true;
     options.log = [this](const std::string& text) {
       result_.trace.push_back("log         " + as_one_line(text));
     };
@@ -68,6 +70,20 @@ private:
          {}});
     session_ = node_->open(seat_);
     return true;
+  }
+
+  // What the file says itself may be shown.
+  void hide_what_is_private() {
+    if (!node_)
+      return;
+    for (auto* lines : {&result_.thoughts, &result_.trace})
+      for (auto& line : *lines)
+        line = node_->masked(line);
+    for (auto& line : result_.said)
+      if (line.starts_with("R: "))
+        line = node_->masked(line);
+    if (result_.failure)
+      result_.failure->found = node_->masked(result_.failure->found);
   }
 
   void watch(const Inspection& seen) {

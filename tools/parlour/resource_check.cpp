@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "adapters/database/mariadb_columns.hpp"
 #include "adapters/database/mariadb_options.hpp"
-#include "adapters/database/sqlite_columns.hpp"
 #include "adapters/database/sqlite_image.hpp"
 #include "adapters/database/sqlite_options.hpp"
 #include "adapters/nlu/keywords/keyword_nlu.hpp"
@@ -156,23 +154,6 @@ void check_resources(Application& application) {
       check_understanding(application, component);
     else if (component.factory.description.name == "KeywordNLU")
       check_keywords(application, component);
-}
-
-ColumnReader column_reader(const Composition& composition,
-                           const std::filesystem::path& application,
-                           const std::string& data_folder) {
-  const auto* database = first_of_role(composition, "Database");
-  if (database && database->factory.description.name == "SQLiteDatabase")
-    return adapters::sqlite_column_reader(database->options, data_folder,
-                                          application.string());
-  if (database && database->factory.description.name == "MySQLDatabase")
-    return adapters::mariadb_column_reader(database->options,
-                                           application.string());
-  return [](const std::string& column) -> Expected<std::vector<std::string>> {
-    return fail(ErrorKind::settings, "the application has no database to read "
-                                     "the column '" +
-                                         column + "' from");
-  };
 }
 
 } // namespace parlour::tools

@@ -7,6 +7,7 @@
 
 #include <unistd.h>
 
+#include "adapters/database/sqlite_origin.hpp"
 #include "tools/parlour/commands.hpp"
 #include "tools/parlour/data_folder.hpp"
 #include "tools/parlour/descriptor_source.hpp"
@@ -61,6 +62,22 @@ public:
 private:
   Printer& printer_;
 };
+
+// A server's database is not ours to drop.
+Expected<void> put_databases_aside(const Application& application,
+                                   const std::filesystem::path& data) {
+  for (const auto& component : application.composition.components) {
+    if (component.factory.description.name != "SQLiteDatabase")
+      continue;
+    const auto options = adapters::read_sqlite_options(
+        component.options, data.string(), application.folder.string());
+    if (!options || options->in_memory() || options->schema.empty())
+      continue; // wrong options are told when it starts
+    if (auto done = adapters::put_aside(options->file); !done)
+      return done;
+  }
+  return {};
+}
 
 bool wants_terminal(const RunOptions& options) {
   return !options.text && isatty(STDIN_FILENO) && isatty(STDOUT_FILENO);
@@ -173,7 +190,9 @@ private:
 
   void talk_on_terminal(actors::Node& node) {
     Screen screen({stdin, stdout, signals_.descriptor()}, data_ / "history",
-                  console_.colour);
+                  console_.colour, [&node](const std::string& line) {
+                    return node.is_private(line);
+                  });
     screen_ = &screen;
     const auto seat =
         node.open_seat({[&](const SessionId&, const dialogue::Output& output) {
@@ -222,6 +241,11 @@ int run_command(const Places& places, const RunOptions& options,
     say_error(console, data.error().message);
     return exit_code::wrong;
   }
+  if (options.fresh)
+    if (auto ready = put_databases_aside(application, data->path()); !ready) {
+      say_error(console, to_string(ready.error()));
+      return exit_code::wrong;
+    }
   return Run(application, options, console, data->path(), signals).run();
 }
 

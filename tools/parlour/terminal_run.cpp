@@ -1,7 +1,9 @@
 #include "tools/parlour/terminal_run.hpp"
 
 #include <algorithm>
+#include <cstring>
 #include <cwchar>
+#include <vector>
 
 #include <histedit.h>
 #include <poll.h>
@@ -31,10 +33,11 @@ int columns_of(std::FILE* terminal) {
 } // namespace
 
 struct Screen::Editor {
-  Editor(Screen* owner, const Terminal& both_ends, std::string history_file)
+  Editor(Screen* owner, const Terminal& both_ends, std::string history_file,
+         IsPrivate asks)
       : screen(owner), terminal(both_ends),
         news(eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)),
-        file(std::move(history_file)) {
+        file(std::move(history_file)), is_private(std::move(asks)) {
     line = el_init("parlour", terminal.in, terminal.out, terminal.out);
     past = history_init();
     HistEvent event;
@@ -49,11 +52,26 @@ struct Screen::Editor {
   Editor(const Editor&) = delete;
   Editor& operator=(const Editor&) = delete;
   ~Editor() {
+    forget_what_is_private();
     HistEvent event;
     history(past, &event, H_SAVE, file.c_str());
     history_end(past);
     el_end(line);
     close(news);
+  }
+
+  void forget_what_is_private() {
+    std::vector<std::string> kept;
+    HistEvent event;
+    for (int found = history(past, &event, H_LAST); found >= 0;
+         found = history(past, &event, H_PREV)) {
+      const std::string words(event.str, std::strcspn(event.str, "\r\n"));
+      if (!is_private || !is_private(words))
+        kept.emplace_back(event.str);
+    }
+    history(past, &event, H_CLEAR);
+    for (const auto& entry : kept)
+      history(past, &event, H_ENTER, entry.c_str());
   }
 
   // Waits for a key; meanwhile the robot may speak.
@@ -114,14 +132,16 @@ struct Screen::Editor {
   Terminal terminal;
   int news;
   std::string file;
+  IsPrivate is_private; // may be empty
   EditLine* line = nullptr;
   History* past = nullptr;
 };
 
 Screen::Screen(const Terminal& terminal, std::filesystem::path history,
-               bool colour)
+               bool colour, IsPrivate is_private)
     : colour_(colour),
-      editor_(std::make_unique<Editor>(this, terminal, history.string())) {}
+      editor_(std::make_unique<Editor>(this, terminal, history.string(),
+                                       std::move(is_private))) {}
 
 Screen::~Screen() = default;
 

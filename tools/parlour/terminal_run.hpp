@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <deque>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -26,8 +27,11 @@ struct Terminal {
 // from one.
 class Screen {
 public:
-  // Lines written are kept in the file `history`.
-  Screen(const Terminal& terminal, std::filesystem::path history, bool colour);
+  // Lines written are kept in the file `history`, but for those of which
+  // `is_private`, when all is over.
+  using IsPrivate = std::function<bool(const std::string& line)>;
+  Screen(const Terminal& terminal, std::filesystem::path history, bool colour,
+         IsPrivate is_private = {});
   Screen(const Screen&) = delete;
   Screen& operator=(const Screen&) = delete;
   ~Screen();

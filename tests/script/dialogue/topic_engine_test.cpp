@@ -234,7 +234,8 @@ constexpr const char* meeting = R"xml(
 TEST(TopicEngine, ExplicitConfirmationYes) {
   World world(meeting);
   world.say(inform("Meeting", {{"Host", "Ann Lee"}}));
-  EXPECT_EQ(world.said(), Texts{"[confirm Meeting.Host {value: Ann Lee}]"});
+  EXPECT_EQ(world.said(),
+            Texts{"[confirm Meeting.Host {value: Ann Lee, type: set}]"});
   world.say("confirm");
   EXPECT_EQ(world.said(), (Texts{"Host Ann Lee.", "From?"}));
 }
@@ -253,7 +254,8 @@ TEST(TopicEngine, SilenceAfterAConfirmationAsksItAgain) {
   world.say(inform("Meeting", {{"Host", "Ann Lee"}}));
   world.said();
   world.advance(8s);
-  EXPECT_EQ(world.said(), Texts{"[confirm Meeting.Host {value: Ann Lee}]"});
+  EXPECT_EQ(world.said(),
+            Texts{"[confirm Meeting.Host {value: Ann Lee, type: set}]"});
   world.say("confirm");
   EXPECT_EQ(world.said(), (Texts{"Host Ann Lee.", "From?"}));
 }
@@ -264,9 +266,10 @@ TEST(TopicEngine, SeveralCandidatesAreAChoice) {
                    {{"Host", Map{{"candidates", List{"Ann Lee", "Bob Lee"}},
                                  {"text", "Lee"}}}}));
   EXPECT_EQ(world.said(), Texts{"[ambiguous Meeting.Host {candidates: [Ann "
-                                "Lee, Bob Lee], text: Lee}]"});
+                                "Lee, Bob Lee], text: Lee, type: set}]"});
   world.say(inform({}, {{"Host", "Bob"}}));
-  EXPECT_EQ(world.said(), Texts{"[confirm Meeting.Host {value: Bob Lee}]"});
+  EXPECT_EQ(world.said(),
+            Texts{"[confirm Meeting.Host {value: Bob Lee, type: set}]"});
 }
 
 TEST(TopicEngine, ConstraintsRefuseWithTheirMessage) {
@@ -290,7 +293,8 @@ TEST(TopicEngine, ConfidenceDecidesHowSureItIs) {
   world.say(inform("Booking", {{"Place", slot_value("Hall", 0.3)}}));
   EXPECT_EQ(world.said(), (Texts{"Started.", "Where?"})); // as if not said
   world.say(inform({}, {{"Place", slot_value("Hall", 0.5)}}));
-  EXPECT_EQ(world.said(), Texts{"[confirm Booking.Place {value: Hall}]"});
+  EXPECT_EQ(world.said(),
+            Texts{"[confirm Booking.Place {value: Hall, type: set}]"});
   world.say("confirm");
   EXPECT_EQ(world.said(), (Texts{"Place Hall.", "When?"}));
 }

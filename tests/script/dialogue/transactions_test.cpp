@@ -15,7 +15,7 @@ struct Bank : World {
   explicit Bank(const std::string& statements, const std::string& more = "",
                 const WorldOptions& options = {})
       : World(R"xml(<handler name="H"><messages><component><Bell><Rings>
-          <connectdb name="bank" param="SQLite" write="true"/><try>)xml" +
+          <connectdb param="SQLite" write="true"/><try>)xml" +
                   statements + R"xml(
             <catch name="e"><speak param="{e.kind}: {e.message}"/></catch>
           </try></Rings></Bell></component></messages></handler>)xml" +

@@ -51,6 +51,30 @@ TEST_P(LintCase, finds_what_is_there_and_nothing_else) {
 }
 
 INSTANTIATE_TEST_SUITE_P(
+    routes, LintCase,
+    testing::Values(
+        Linted{"<routes><relay source='NLU' command='FrameInfo' to='NLU'/>"
+               "</routes>",
+               "3:9 endless-relay"},
+        Linted{"<routes><relay source='NLU' command='*' to='TTS'/>\n"
+               "<relay source='TTS' command='Finished' to='NLU'/></routes>",
+               "3:9 endless-relay, 4:1 endless-relay"},
+        Linted{"<routes><relay source='Record' command='BufferFull' "
+               "to='Microphone*'/></routes>",
+               "3:9 endless-relay"},
+        // A condition may end it, and another command is another matter.
+        Linted{"<routes><relay source='NLU' command='FrameInfo' to='NLU' "
+               "if='_LPARAM1'/></routes>",
+               ""},
+        Linted{"<routes><relay source='NLU' command='FrameInfo' to='NLU' "
+               "as='DoNLU'/></routes>",
+               ""},
+        Linted{"<routes><relay source='NLU' command='FrameInfo' to='TTS' "
+               "as='Say'/><relay source='TTS' command='Finished' to='NLU'/>"
+               "</routes>",
+               ""}));
+
+INSTANTIATE_TEST_SUITE_P(
     states, LintCase,
     testing::Values(
         Linted{"", ""}, // one state alone is where the topics live

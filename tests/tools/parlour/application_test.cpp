@@ -51,17 +51,6 @@ TEST_F(ApplicationTest, keeps_its_database_in_memory_where_that_is_wanted) {
   EXPECT_EQ(options(in_memory(application.composition)).count("file"), 0u);
 }
 
-TEST_F(ApplicationTest, reads_columns_of_its_database_only) {
-  const auto greeter = load("greeter");
-  const auto read =
-      column_reader(in_memory(greeter.composition), greeter.folder, "");
-  EXPECT_THAT(read("db:guest.name").value(), testing::ElementsAre("Ada"));
-  EXPECT_FALSE(read("db:guest.age"));
-  const auto none = column_reader(Composition{}, greeter.folder, "");
-  EXPECT_THAT(none("db:guest.name").error().message,
-              HasSubstr("has no database"));
-}
-
 TEST_F(ApplicationTest, may_be_one_file) {
   folder_.write("one.xml", "<dialogue><function name=\"main\"/></dialogue>");
   const auto compiled = load_file(folder_.path() / "one.xml", process_places());

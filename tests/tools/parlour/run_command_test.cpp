@@ -36,6 +36,19 @@ TEST_F(CommandTest, run_talks_by_pipe_in_virtual_time) {
   EXPECT_EQ(piped("", arguments), "Hello.\n0");
 }
 
+TEST_F(CommandTest, run_makes_the_database_anew_where_that_is_wanted) {
+  test::TemporaryFolder folder;
+  const auto arguments = application("greeter") + " --data " +
+                         folder.path().string() + " --clock '2026-11-21 09:00'";
+  piped("", arguments);
+  folder.write("greeter.db.made-from", "another");
+  EXPECT_THAT(piped("", arguments, "2>&1"), HasSubstr("schema or seed have"));
+  EXPECT_THAT(piped("", arguments + " --fresh", "2>&1"),
+              testing::Not(HasSubstr("schema or seed have")));
+  EXPECT_TRUE(folder.has("greeter.db.before"));
+  EXPECT_EQ(piped("", arguments, "2>&1"), "Hello.\n0");
+}
+
 TEST_F(CommandTest, run_tells_a_script_s_error_and_goes_on) {
   test::TemporaryFolder folder;
   folder.write("settings.xml", "<settings name=\"own\" start=\"Welcome\">"

@@ -1,0 +1,73 @@
+// Discretion: what is private="true" is masked wherever it would be shown:
+// traces, logs, reports. Stands between the house and whoever watches it.
+//
+// What a user says is shown when it is known what it means, as only then one
+// knows whether it was private; until then all that happens in its session is
+// held back.
+#pragma once
+
+#include <deque>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "runtime/base/inspection.hpp"
+#include "runtime/base/masking.hpp"
+
+namespace parlour::actors {
+
+// Safe from any thread.
+class Discretion {
+public:
+  using Show = std::function<void(const Inspection&)>;
+  // Whether a message is what somebody was heard to say.
+  using IsHeard = std::function<bool(const Message&)>;
+
+  Discretion(Show show, IsHeard is_heard);
+
+  // -- sessions --------------------------------------------------------------
+
+  void conceal(const SessionId& session, const std::vector<std::string>& texts);
+  // What is being said is private, whatever it means.
+  void conceal_turn(const SessionId& session);
+  // What it has received up to the message of that number is understood.
+  void settled(const SessionId& session, std::uint64_t received);
+  void ended(const SessionId& session);
+
+  // -- observers -------------------------------------------------------------
+
+  // Each message on its way, before it is shown.
+  void pass(const Message& message, const std::string& way);
+  void show(Inspection seen);
+  // As it may be shown, from whatever session it is.
+  std::string masked(const std::string& text) const;
+  // Whether a user's words are not to be kept.
+  bool is_private(const std::string& words) const;
+
+private:
+  struct Session {
+    Secrets secrets;
+    bool is_open = false;     // somebody was heard, and is not understood
+    std::uint64_t opened = 0; // the number of the last that was heard
+    bool hides_turn = false;  // a private slot was filled or asked for
+    std::vector<Inspection> held;
+  };
+
+  void show_held(Session& session);
+  void show_masked(Inspection seen, const Secrets& secrets) const;
+  Secrets words_of_turn(const Session& session);
+  void drop_oldest();
+
+  const Show show_;
+  const IsHeard is_heard_;
+  mutable std::mutex mutex_;
+  std::map<SessionId, Session> sessions_;
+  std::deque<SessionId> ended_; // of which the secrets are still known
+  std::set<std::string> words_; // of private turns
+};
+
+} // namespace parlour::actors

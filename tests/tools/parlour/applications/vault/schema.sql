@@ -1,0 +1,1 @@
+create table entry (pin integer not null unique);

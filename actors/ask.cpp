@@ -4,8 +4,8 @@
 
 #include <caf/typed_event_based_actor.hpp>
 
-#include "actors/component.hpp"
-#include "actors/query.hpp"
+#include "actors/hand_over.hpp"
+#include "actors/outcomes.hpp"
 
 namespace parlour::actors {
 

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "actors/call_watch.hpp"
-#include "actors/node.hpp"
+#include "actors/component_order.hpp"
 #include "actors/plugin_door.hpp"
 
 namespace parlour::actors {
@@ -38,23 +38,5 @@ struct Instance {
   // Set when it is to go as soon as it has nothing to do.
   std::atomic<bool> leaves = false;
 };
-
-// The event that answers a message whose component failed.
-Message failure_answer(const std::string& component, const Message& message,
-                       const std::string& reason);
-
-// Where even the answer for a component that failed is for one that failed,
-// nobody is answered again, however the routes lead.
-enum class Answers : bool { no, yes };
-
-// Puts it into the component's mailbox. Where that does not take it, it is
-// counted and shown as unhandled; returned is the event that answers it, if it
-// waits for one.
-std::optional<Message> hand_over(Services& services, const Target& target,
-                                 ComponentMailbox::Job job);
-
-// Sends a question by the table, as every sender may (engine rule 1); false
-// where nobody is there to take it.
-bool ask_by_table(Services& services, Message question, const Work& work);
 
 } // namespace parlour::actors

@@ -7,20 +7,25 @@
 #include <string>
 #include <vector>
 
-namespace parlour::actors {
+#include "actors/call_watch.hpp"
 
-struct Instance; // actors/component.hpp
+namespace parlour::actors {
 
 // Safe to use from any thread.
 class InstanceDirectory {
 public:
-  void add(const std::shared_ptr<const Instance>& instance);
+  // `watch` lives as long as the instance.
+  void add(std::string name, const std::shared_ptr<const CallWatch>& watch);
   // "Ear, Mouth"; those that were given up and have not returned included.
   std::string names_in_call() const;
 
 private:
+  struct Entry {
+    std::string name;
+    std::weak_ptr<const CallWatch> watch;
+  };
   mutable std::mutex mutex_;
-  std::vector<std::weak_ptr<const Instance>> instances_;
+  std::vector<Entry> entries_;
 };
 
 } // namespace parlour::actors

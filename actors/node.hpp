@@ -15,27 +15,19 @@
 #include <string>
 #include <vector>
 
+#include "actors/component_order.hpp"
 #include "runtime/base/clock.hpp"
 #include "runtime/base/files.hpp"
 #include "runtime/base/inspection.hpp"
 #include "runtime/base/phrases.hpp"
 #include "runtime/base/sockets.hpp"
 #include "runtime/base/understanding.hpp"
-#include "runtime/base/upkeep.hpp"
 #include "runtime/plugin/catalogue.hpp"
 #include "runtime/plugin/plugin.hpp"
 #include "script/dialogue/output_queue.hpp"
 #include "script/program.hpp"
 
 namespace parlour::actors {
-
-// A plug-in under the name of an instance; in order of preference.
-struct ComponentOrder {
-  std::string name;
-  PluginFactory factory;
-  Options options;
-  Upkeep upkeep = {};
-};
 
 struct NodeOptions {
   std::shared_ptr<const script::Program> program;

@@ -1,11 +1,11 @@
 #include "actors/query.hpp"
 
-#include <optional>
 #include <utility>
 
 #include <caf/typed_event_based_actor.hpp>
 
-#include "actors/component.hpp"
+#include "actors/hand_over.hpp"
+#include "actors/outcomes.hpp"
 
 namespace parlour::actors {
 
@@ -39,20 +39,6 @@ void finish(Self self, const session_actor& session, std::uint64_t id,
   self->quit();
 }
 
-// Databases name the kind of an error in front of its words; a component that
-// failed has words alone.
-std::optional<ErrorKind> kind_of(const Message& event) {
-  if (event.command != "Error" || event.params.size() < 2)
-    return std::nullopt;
-  const auto named = event.params.front().text();
-#define X(kind, text, sentence)                                                \
-  if (named == text)                                                           \
-    return ErrorKind::kind;
-  PARLOUR_ERROR_KINDS(X)
-#undef X
-  return std::nullopt;
-}
-
 // Nobody knows what became of a commit that was not answered.
 Expected<ResultSet> silence_of(dialogue::QueryRequest::Kind kind) {
   if (kind == dialogue::QueryRequest::Kind::commit)
@@ -67,22 +53,6 @@ Expected<ResultSet> silence_of(dialogue::QueryRequest::Kind kind) {
 query_state::~query_state() {
   if (services)
     services->claims.forget(correlation);
-}
-
-Expected<ResultSet> outcome_of(const Message& event) {
-  const Value first = event.params.empty() ? Value() : event.params[0];
-  if (event.command == "Result") {
-    if (auto rows = first.if_result())
-      return *rows;
-    return ResultSet{};
-  }
-  return tl::make_unexpected(error_of(event));
-}
-
-Error error_of(const Message& event) {
-  auto reason =
-      event.params.empty() ? event.command : event.params.back().text();
-  return {kind_of(event).value_or(ErrorKind::database), std::move(reason), {}};
 }
 
 query_actor::behavior_type

@@ -28,11 +28,4 @@ query_actor::behavior_type
 query(query_actor::stateful_pointer<query_state> self, Services* services,
       session_actor session, QueryOrder order);
 
-// What a database's event says, as an outcome: Result, Error (whose first
-// parameter names a kind that scripts can catch), or the failure of the
-// component.
-Expected<ResultSet> outcome_of(const Message& event);
-// What a database's event says that is no Result.
-Error error_of(const Message& event);
-
 } // namespace parlour::actors

@@ -4,7 +4,7 @@
 
 #include <caf/send.hpp>
 
-#include "actors/component.hpp"
+#include "actors/hand_over.hpp"
 
 namespace parlour::actors {
 

@@ -4,7 +4,6 @@
 
 #include <map>
 
-#include "actors/component.hpp"
 #include "actors/services.hpp"
 #include "actors/session_sockets.hpp"
 #include "script/dialogue/port.hpp"

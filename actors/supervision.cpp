@@ -88,7 +88,7 @@ void Supervision::make_instance(const BranchPointer& branch) {
   instance->door = std::make_shared<PluginDoor>(
       services_, component->name(), component->description(), instance->id,
       branch->place == house_ ? nullptr : branch->place);
-  services_.instances.add(instance);
+  services_.instances.add(component->name(), {instance, &instance->watch});
   auto host = host_for(instance);
   instance->door->belongs_to(host);
   instance->watch.expect(services_.work.begin());

@@ -102,7 +102,4 @@ Sign sign_of_word(std::string_view word);
 // Of a symbol.
 std::string_view spelling_of(Sign sign);
 
-// In UTF-8.
-void append_code_point(std::string& text, std::uint32_t code);
-
 } // namespace parlour::script

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <utility>
 
-#include "script/lexer.hpp"
+#include "runtime/base/utf8.hpp"
 #include "script/text_positions.hpp"
 
 namespace parlour::script {

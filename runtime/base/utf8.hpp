@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <cstring>
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace parlour {
@@ -12,6 +13,9 @@ namespace parlour {
 // The offset of the first byte that is not UTF-8 in its shortest form without
 // surrogates, if any.
 std::optional<std::size_t> find_invalid_utf8(std::string_view text);
+
+// Appends the code point in UTF-8.
+void append_code_point(std::string& text, std::uint32_t code);
 
 // Whether it is a further byte of a code point that began before.
 inline bool continues_code_point(char byte) {

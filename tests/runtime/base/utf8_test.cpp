@@ -37,4 +37,12 @@ TEST(Utf8, ascii_is_passed_eight_bytes_at_a_time) {
   EXPECT_EQ(ascii_up_to("0123", 0), 0u);
 }
 
+TEST(Utf8, code_points_of_every_length_are_appended) {
+  std::string text;
+  for (const std::uint32_t code : {0x41u, 0xfcu, 0x20acu, 0x1f916u})
+    append_code_point(text, code);
+  EXPECT_EQ(text, "A\xc3\xbc\xe2\x82\xac\xf0\x9f\xa4\x96");
+  EXPECT_FALSE(find_invalid_utf8(text));
+}
+
 } // namespace parlour

@@ -1,10 +1,10 @@
-#include "actors/component.hpp"
+#include "actors/hand_over.hpp"
 #include "tests/actors/bench.hpp"
 
 namespace parlour::actors {
 namespace {
 
-TEST(Component, AnswersAtOnceForAMailboxThatIsClosed) {
+TEST(HandOver, AnswersAtOnceForAMailboxThatIsClosed) {
   Bench bench;
   const auto target = bench.target("City", {"Taxi"});
   auto message = event("Script", "Book", {}, "s1");

@@ -1,6 +1,8 @@
-#include "actors/component.hpp"
+#include "actors/hand_over.hpp"
 
 #include <utility>
+
+#include "actors/services.hpp"
 
 namespace parlour::actors {
 

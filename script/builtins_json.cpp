@@ -6,7 +6,7 @@
 #include "script/builtin_call.hpp"
 #include "script/builtin_functions.hpp"
 #include "script/convert.hpp"
-#include "script/lexer.hpp"
+#include "runtime/base/utf8.hpp"
 
 namespace parlour::script::builtins {
 

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "runtime/base/utf8.hpp"
+
 namespace parlour::script {
 
 namespace {

@@ -4,6 +4,7 @@
 
 #include "actors/supervision.hpp"
 #include "tests/actors/plugin_shelf.hpp"
+#include "tests/support/paths.hpp"
 
 namespace parlour::actors {
 namespace {
@@ -210,7 +211,7 @@ TEST_F(SupervisionLoadingTest, AnUnloadedOneStillDoesWhatWaits) {
 // What docs/components.md shows: a spare voice, for as long as the voice is
 // down.
 TEST_F(SupervisionLoadingTest, TheExampleOfItsPageWorks) {
-  std::ifstream page(PARLOUR_SOURCE_DIR "/docs/components.md");
+  std::ifstream page(test::source_path("docs/components.md"));
   const std::string text(std::istreambuf_iterator<char>(page), {});
   const auto begin = text.find("<handler name=\"Voices\">");
   const auto end = text.find("```", begin);

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/script/margin.hpp"
+#include "tests/support/paths.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace parlour::script {
@@ -39,7 +40,7 @@ struct Reference {
 
 Reference read_reference() {
   Reference reference;
-  std::ifstream file(PARLOUR_SOURCE_DIR "/script/LANGUAGE.md");
+  std::ifstream file(test::source_path("script/LANGUAGE.md"));
   std::string line;
   bool inside = false;
   while (std::getline(file, line)) {

@@ -15,6 +15,7 @@
 #include "script/excerpt.hpp"
 #include "script/lint/lint.hpp"
 #include "tests/script/snippets.hpp"
+#include "tests/support/paths.hpp"
 
 namespace parlour::script {
 
@@ -22,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* folder = PARLOUR_SOURCE_DIR "/tests/script/mistakes";
+const std::string folder = test::source_path("tests/script/mistakes");
 
 std::vector<fs::path> mistakes() {
   std::vector<fs::path> files;

@@ -6,12 +6,13 @@
 
 #include "script/compiler.hpp"
 #include "script/source_reader.hpp"
+#include "tests/support/paths.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace parlour::test {
 
 inline std::string source_path(const std::string& name) {
-  return std::string(PARLOUR_SOURCE_DIR) + "/" + name;
+  return test::source_path("") + name;
 }
 
 inline script::CompileOptions platform() {

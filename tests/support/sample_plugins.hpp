@@ -3,10 +3,14 @@
 
 #include <filesystem>
 
+#include "tests/support/paths.hpp"
+
 namespace parlour::test {
 
 inline std::filesystem::path sample_plugins() {
-  return std::filesystem::path(PARLOUR_PROGRAM).parent_path().parent_path() /
+  return std::filesystem::path(test::program_path())
+             .parent_path()
+             .parent_path() /
          "plugins";
 }
 

@@ -2,6 +2,7 @@
 // port, by TLS, with a name and a password.
 #include "adapters/database/mariadb_connection.hpp"
 #include "tests/adapters/database/mariadb_fixture.hpp"
+#include "tests/support/paths.hpp"
 
 namespace parlour::adapters {
 namespace {
@@ -11,7 +12,7 @@ using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
 
-const std::string keys = PARLOUR_SOURCE_DIR "/tests/fixtures/tls/";
+const std::string keys = test::source_path("tests/fixtures/tls/");
 const std::string how_many = "select count(*) from staff";
 
 class MariaDBNetworkTest : public MariaDBTest {

@@ -3,6 +3,7 @@
 
 #include "tests/adapters/nlu/sample.hpp"
 #include "tests/support/fake_plugin_host.hpp"
+#include "tests/support/paths.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace parlour::adapters {
@@ -21,8 +22,7 @@ protected:
     return plugin_->start(host_, options);
   }
 
-  const std::string platform_ =
-      std::string(PARLOUR_SOURCE_DIR) + "/config/platform";
+  const std::string platform_ = test::source_path("config/platform");
   parlour::test::FakePluginHost host_;
   std::unique_ptr<IPlugin> plugin_ = grammar_nlu_factory().create();
 };

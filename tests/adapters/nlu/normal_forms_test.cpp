@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "adapters/nlu/normal_forms.hpp"
+#include "tests/support/paths.hpp"
 
 namespace parlour::adapters::nlu {
 namespace {
@@ -29,7 +30,7 @@ std::string trimmed(const std::string& text) {
 }
 
 std::vector<Line> table() {
-  std::ifstream file(PARLOUR_SOURCE_DIR "/tests/adapters/nlu/forms.txt");
+  std::ifstream file(test::source_path("tests/adapters/nlu/forms.txt"));
   std::vector<Line> lines;
   for (std::string line; std::getline(file, line);) {
     const auto colon = line.find(": ");

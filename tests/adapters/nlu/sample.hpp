@@ -6,6 +6,7 @@
 
 #include "adapters/nlu/grammar_nlu.hpp"
 #include "adapters/nlu/understander.hpp"
+#include "tests/support/paths.hpp"
 
 namespace parlour::adapters::nlu::test {
 
@@ -70,8 +71,7 @@ sample_column(const std::string& name) {
 }
 
 inline GrammarModel generic_grammar() {
-  return *read_grammar(std::string(PARLOUR_SOURCE_DIR) +
-                       "/config/platform/generic-acts.jsgf");
+  return *read_grammar(test::source_path("config/platform/generic-acts.jsgf"));
 }
 
 inline Understander sample() {

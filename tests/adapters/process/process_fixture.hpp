@@ -10,6 +10,7 @@
 
 #include "adapters/process/process_plugin.hpp"
 #include "tests/support/fake_plugin_host.hpp"
+#include "tests/support/paths.hpp"
 
 namespace parlour::adapters {
 
@@ -58,8 +59,8 @@ private:
 // What `trial_component` says (tests/support/component).
 inline ProcessOrder trial() {
   ProcessOrder order;
-  order.program =
-      std::filesystem::path(PARLOUR_PROGRAM).parent_path() / "trial_component";
+  order.program = std::filesystem::path(test::program_path()).parent_path() /
+                  "trial_component";
   order.start_within = order.answer_within = order.stop_within = patience;
   return order;
 }

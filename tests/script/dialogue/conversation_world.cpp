@@ -7,6 +7,7 @@
 #include "runtime/base/replies.hpp"
 #include "script/compiler.hpp"
 #include "script/dialogue/frame_evaluator.hpp"
+#include "tests/support/paths.hpp"
 
 namespace parlour::dialogue {
 
@@ -54,7 +55,7 @@ compile(const test::TemporaryFolder& folder, const std::string& script,
                                    "/>" + options.settings + "</settings>");
   folder.write("test.xml", "<dialogue>" + script + pipeline + "</dialogue>");
   script::CompileOptions compile_options;
-  compile_options.platform = PARLOUR_SOURCE_DIR "/config/platform";
+  compile_options.platform = test::source_path("config/platform");
   auto compiled = script::compile_application(folder.path(), compile_options);
   std::string problems;
   for (const auto& finding : compiled.findings.all())

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/script/dialogue/play.hpp"
+#include "tests/support/paths.hpp"
 
 namespace parlour::dialogue {
 namespace {
@@ -15,8 +16,8 @@ namespace fs = std::filesystem;
 
 std::vector<fs::path> plays() {
   std::vector<fs::path> files;
-  for (const auto& entry : fs::directory_iterator(
-           PARLOUR_SOURCE_DIR "/tests/script/dialogue/plays"))
+  for (const auto& entry :
+       fs::directory_iterator(test::source_path("tests/script/dialogue/plays")))
     if (entry.path().extension() == ".xml")
       files.push_back(entry.path());
   std::sort(files.begin(), files.end());

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "script/lint/lints.hpp"
+#include "tests/support/paths.hpp"
 
 namespace parlour::script::lint {
 
@@ -20,7 +21,7 @@ TEST(Lints, have_names_and_sentences_of_their_own) {
 
 // The page of the documentation has the table's words.
 TEST(Lints, are_documented) {
-  std::ifstream file(PARLOUR_SOURCE_DIR "/docs/check.md");
+  std::ifstream file(test::source_path("docs/check.md"));
   const std::string page{std::istreambuf_iterator<char>(file), {}};
   std::size_t at = 0;
   for (const auto& one : lints()) {

@@ -1,13 +1,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/support/paths.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tools/bench/dialogue_workload.hpp"
 
 namespace parlour::tools {
 namespace {
 
-constexpr const char* folder = PARLOUR_SOURCE_DIR "/tools/bench/workloads/";
+const std::string folder = test::source_path("tools/bench/workloads/");
 
 DialogueWorkload load(const char* name) {
   return DialogueWorkload::load(std::string(folder) + name).value();

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "adapters/database/sqlite_database.hpp"
+#include "tests/support/paths.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tools/bench/facility_table.hpp"
 #include "tools/bench/query_workload.hpp"
@@ -20,7 +21,7 @@ protected:
   }
   Expected<Measured> run(const Options& options, std::size_t sessions) {
     const auto workload = QueryWorkload::load(
-        PARLOUR_SOURCE_DIR "/tools/bench/workloads/query.xml");
+        test::source_path("tools/bench/workloads/query.xml"));
     if (!workload)
       return tl::make_unexpected(workload.error());
     const auto component = adapters::sqlite_database_factory().create();

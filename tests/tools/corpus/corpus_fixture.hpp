@@ -7,6 +7,7 @@
 #include <string>
 
 #include "script/compiler.hpp"
+#include "tests/support/paths.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace parlour::tools::corpus {
@@ -46,7 +47,7 @@ compile_table(const test::TemporaryFolder& folder) {
                "<Script>table.xml</Script></Scripts></settings>");
   folder.write("table.xml", table_application);
   script::CompileOptions options;
-  options.platform = PARLOUR_SOURCE_DIR "/config/platform";
+  options.platform = test::source_path("config/platform");
   const auto compiled = script::compile_application(folder.path(), options);
   std::string findings;
   for (const auto& finding : compiled.findings.all())

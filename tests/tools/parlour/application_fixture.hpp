@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/support/paths.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tools/parlour/application.hpp"
 
@@ -14,9 +15,9 @@ namespace parlour::tools {
 class ApplicationTest : public testing::Test {
 protected:
   Application load(const std::string& name) const {
-    return load_application(std::string(PARLOUR_SOURCE_DIR) +
-                                "/tests/tools/parlour/applications/" + name,
-                            platform());
+    return load_application(
+        test::source_path("tests/tools/parlour/applications/") + name,
+        platform());
   }
   // An application of this test's own: `settings` and `dialogue` are what
   // stands inside of <settings> and <dialogue>.
@@ -30,7 +31,7 @@ protected:
                             platform());
   }
   static std::filesystem::path platform() {
-    return std::string(PARLOUR_SOURCE_DIR) + "/config/platform";
+    return test::source_path("config/platform");
   }
   // The findings as text, without the own application's folder.
   std::string findings(const Application& application) const {

@@ -1,3 +1,4 @@
+#include "tests/support/paths.hpp"
 #include "tests/tools/parlour/command_fixture.hpp"
 
 namespace parlour::tools {
@@ -11,7 +12,7 @@ TEST_F(CommandTest, bench_nlu_knows_its_rows) {
 }
 
 TEST_F(CommandTest, bench_nlu_measures_the_receptionist) {
-  places_.working = PARLOUR_SOURCE_DIR;
+  places_.working = test::source_path("");
   EXPECT_EQ(call({"bench", "nlu", "--only", "application"}), exit_code::well)
       << err_.str();
   EXPECT_THAT(out_.str(), HasSubstr("% understood"));

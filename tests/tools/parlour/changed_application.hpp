@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "tests/support/paths.hpp"
 #include "tests/tools/parlour/application_fixture.hpp"
 #include "tools/parlour/conversation_runner.hpp"
 
@@ -17,13 +18,13 @@ class ChangedApplication : public ApplicationTest {
 protected:
   // Components of tests run out of process in the program, not in the test.
   ChangedApplication() {
-    setenv("PARLOUR_PROGRAM", PARLOUR_PROGRAM, 1);
+    setenv("PARLOUR_PROGRAM", test::program_path().c_str(), 1);
   }
 
   void copy(const std::string& application) {
-    std::filesystem::copy(
-        std::string(PARLOUR_SOURCE_DIR) + "/config/apps/" + application,
-        folder_.path(), std::filesystem::copy_options::recursive);
+    std::filesystem::copy(test::source_path("config/apps/") + application,
+                          folder_.path(),
+                          std::filesystem::copy_options::recursive);
   }
   void change(const std::string& file, const std::string& from,
               const std::string& to) {

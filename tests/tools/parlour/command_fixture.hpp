@@ -8,6 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/support/paths.hpp"
 #include "tools/parlour/command_line.hpp"
 #include "tools/parlour/exit_code.hpp"
 
@@ -16,8 +17,7 @@ namespace parlour::tools {
 class CommandTest : public testing::Test {
 protected:
   CommandTest() : places_(process_places()) {
-    places_.working =
-        std::string(PARLOUR_SOURCE_DIR) + "/tests/tools/parlour/applications";
+    places_.working = test::source_path("tests/tools/parlour/applications");
   }
 
   int call(std::vector<std::string> arguments) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "runtime/plugin/conformance.hpp"
+#include "tests/support/paths.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tools/parlour/application.hpp"
 
@@ -13,7 +14,7 @@ namespace {
 class OwnPluginsTest : public testing::TestWithParam<const char*> {};
 
 TEST_P(OwnPluginsTest, conform) {
-  const auto config = std::string(PARLOUR_SOURCE_DIR) + "/config";
+  const auto config = test::source_path("config");
   const auto folder = config + "/apps/" + GetParam();
   const auto application = load_application(folder, config + "/platform");
   EXPECT_FALSE(application.composition.components.empty());

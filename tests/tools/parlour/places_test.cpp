@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/support/paths.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tools/parlour/places.hpp"
 
@@ -110,8 +111,7 @@ TEST_F(PlacesTest, shows_files_from_the_working_folder) {
 TEST(ProcessPlaces, finds_the_source_tree_of_a_program_not_installed) {
   const auto places = process_places();
   ASSERT_FALSE(places.shares.empty());
-  EXPECT_EQ(places.shares[0],
-            std::filesystem::path(PARLOUR_SOURCE_DIR) / "config");
+  EXPECT_EQ(places.shares[0], test::source_path("config"));
 }
 
 TEST_F(PlacesTest, looks_for_plugins_where_it_is_told_and_nowhere_else) {

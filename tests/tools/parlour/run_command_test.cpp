@@ -2,6 +2,7 @@
 
 #include <sys/wait.h>
 
+#include "tests/support/paths.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/tools/parlour/command_fixture.hpp"
 #include "tools/parlour/data_folder.hpp"
@@ -14,8 +15,8 @@ using testing::HasSubstr;
 // A run by pipe is a process: its input is its own.
 std::string piped(const std::string& input, const std::string& arguments,
                   const std::string& errors = "2>/dev/null") {
-  const auto command = "printf '" + input + "' | " PARLOUR_PROGRAM " run " +
-                       arguments + " " + errors;
+  const auto command = "printf '" + input + "' | " + test::program_path() +
+                       " run " + arguments + " " + errors;
   auto* pipe = popen(command.c_str(), "r");
   std::string all;
   char buffer[4096];

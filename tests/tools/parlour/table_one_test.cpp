@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "actors/node.hpp"
+#include "tests/support/paths.hpp"
 #include "tests/tools/parlour/application_fixture.hpp"
 #include "tools/parlour/conversation_file.hpp"
 #include "tools/parlour/data_folder.hpp"
@@ -108,9 +109,9 @@ private:
 };
 
 const Application& receptionist() {
-  static const auto application = load_application(
-      std::string(PARLOUR_SOURCE_DIR) + "/config/apps/receptionist",
-      std::string(PARLOUR_SOURCE_DIR) + "/config/platform");
+  static const auto application =
+      load_application(test::source_path("config/apps/receptionist"),
+                       test::source_path("config/platform"));
   return application;
 }
 

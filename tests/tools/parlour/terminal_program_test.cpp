@@ -3,6 +3,7 @@
 
 #include <sys/wait.h>
 
+#include "tests/support/paths.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/tools/parlour/command_fixture.hpp"
 #include "tests/tools/parlour/terminal_fixture.hpp"
@@ -23,7 +24,7 @@ protected:
   }
 
   void start(std::vector<std::string> more = {}) {
-    std::vector<std::string> words{PARLOUR_PROGRAM, "run",
+    std::vector<std::string> words{test::program_path(), "run",
                                    application("parting"), "--data",
                                    folder_.path().string()};
     words.insert(words.end(), more.begin(), more.end());

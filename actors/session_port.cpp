@@ -6,7 +6,6 @@
 #include <caf/send.hpp>
 #include <caf/typed_event_based_actor.hpp>
 
-#include "actors/hand_over.hpp"
 #include "actors/query.hpp"
 #include "actors/session.hpp"
 #include "actors/thrown.hpp"

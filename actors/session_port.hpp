@@ -4,6 +4,7 @@
 
 #include <map>
 
+#include "actors/hand_over.hpp"
 #include "actors/services.hpp"
 #include "actors/session_sockets.hpp"
 #include "script/dialogue/port.hpp"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "actors/hand_over.hpp"
 #include "actors/supervision.hpp"
 
 namespace parlour::actors {

@@ -3,10 +3,10 @@
 #include <array>
 #include <cmath>
 
+#include "runtime/base/utf8.hpp"
 #include "script/builtin_call.hpp"
 #include "script/builtin_functions.hpp"
 #include "script/convert.hpp"
-#include "runtime/base/utf8.hpp"
 
 namespace parlour::script::builtins {
 

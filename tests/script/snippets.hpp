@@ -11,10 +11,6 @@
 
 namespace parlour::test {
 
-inline std::string source_path(const std::string& name) {
-  return test::source_path("") + name;
-}
-
 inline script::CompileOptions platform() {
   script::CompileOptions options;
   options.platform = source_path("config/platform");

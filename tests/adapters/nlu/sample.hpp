@@ -71,7 +71,8 @@ sample_column(const std::string& name) {
 }
 
 inline GrammarModel generic_grammar() {
-  return *read_grammar(test::source_path("config/platform/generic-acts.jsgf"));
+  return *read_grammar(
+      parlour::test::source_path("config/platform/generic-acts.jsgf"));
 }
 
 inline Understander sample() {

@@ -38,6 +38,15 @@ std::optional<DueTimes::Entry> DueTimes::next() const {
   return Entry{first->first, first->second.due};
 }
 
+std::optional<Timestamp> DueTimes::next_of_sessions() const {
+  std::lock_guard lock(mutex_);
+  std::optional<Timestamp> first;
+  for (const auto& [id, pending] : pending_)
+    if (pending.of == Of::session && (!first || pending.due < *first))
+      first = pending.due;
+  return first;
+}
+
 bool DueTimes::overdue(Timestamp now) const {
   auto first = next();
   return first && first->due <= now;

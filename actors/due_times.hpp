@@ -34,6 +34,8 @@ public:
   bool has(Id id) const;
   // The earliest; of several at one time the one that was added first.
   std::optional<Entry> next() const;
+  // Of those of sessions the earliest.
+  std::optional<Timestamp> next_of_sessions() const;
   bool overdue(Timestamp now) const;
   // A component wants to go on by itself.
   bool component_pending() const;

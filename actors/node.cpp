@@ -172,6 +172,10 @@ bool Node::step_to_next_due(Milliseconds at_most) {
   return implementation_->house.drive().step_to_next_due(at_most);
 }
 
+std::optional<Timestamp> Node::next_timer() const {
+  return implementation_->house.services().due_times.next_of_sessions();
+}
+
 void Node::advance(Milliseconds time) {
   implementation_->house.drive().advance(time);
 }

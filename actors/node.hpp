@@ -114,6 +114,8 @@ public:
   // real time is waited for. Then until quiet. False where nothing is due until
   // then (time stands still), or when interrupted.
   bool step_to_next_due(Milliseconds at_most);
+  // When the next timer of a session is due, components' delays aside.
+  std::optional<Timestamp> next_timer() const;
   // That much time passes, with all that falls due in it.
   void advance(Milliseconds time);
   // From another thread or a signal's: ends waits at once, and those to come

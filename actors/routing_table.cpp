@@ -5,6 +5,7 @@
 
 #include "actors/route_host.hpp"
 #include "runtime/base/replies.hpp"
+#include "runtime/base/roles.hpp"
 
 namespace parlour::actors {
 
@@ -104,6 +105,19 @@ Reply RoutingTable::reply_to_request(const Message& event) const {
 bool RoutingTable::begins_turn(const Message& message) const {
   return message.command == "RecognitionResult" &&
          is_source("ASR", message.source);
+}
+
+bool RoutingTable::is_routine(const Message& message) const {
+  const auto says_so = [&](std::string_view role_name) {
+    const auto* its = find_role(role_name);
+    const auto* event = its ? its->event(message.command) : nullptr;
+    return event && event->routine;
+  };
+  if (!message.sinks.empty())
+    return false;
+  const auto* target = named(message.source);
+  return target ? std::ranges::any_of(target->roles, says_so)
+                : says_so(role(message.source));
 }
 
 bool RoutingTable::subscribed(const Message& message) const {

@@ -121,6 +121,8 @@ public:
   Reply reply_to_request(const Message& event) const;
   // Whether it is a user's turn: what a recogniser heard (engine rule 3).
   bool begins_turn(const Message& message) const;
+  // An event that nobody has to take, as its role says.
+  bool is_routine(const Message& message) const;
   // Whether a handler or a state of the program takes such a message.
   bool subscribed(const Message& message) const;
   // Whether a component has an instance for each seat or session.

@@ -69,6 +69,8 @@ std::vector<Message> Services::route(std::vector<Message> messages) {
 }
 
 void Services::unhandled(const Message& message, const std::string& why) {
+  if (const auto now = table.load(); now && now->is_routine(message))
+    return;
   ++counters->unhandled;
   if (!inspect) {
     log(to_string(message) + ": " + why);

@@ -93,6 +93,7 @@ struct Services {
   // Stamped and routed, in this order; returned is what sessions get.
   std::vector<Message> route(std::vector<Message> messages);
   // Counted, and shown or else logged: a message that nobody took.
+  // Nothing where nobody has to take it.
   void unhandled(const Message& message, const std::string& why);
   // The same for the sinks of a message that nobody fills.
   void unreached(const Routed& routed);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "runtime/base/file_bytes.hpp"
 #include "runtime/base/paths.hpp"
 #include "script/source_reader.hpp"
 #include "script/validator.hpp"
@@ -36,8 +37,7 @@ Expected<fs::path> ApplicationLoader::inside(const std::string& name) const {
   if (found != folder && !is_below(found, folder))
     return fail(ErrorKind::file,
                 "'" + name + "' leaves the application's folder");
-  std::error_code ignored;
-  if (!fs::exists(full, ignored))
+  if (!is_there(full))
     return fail(ErrorKind::file, "there is no file '" + name + "'");
   return full;
 }
@@ -48,10 +48,11 @@ ApplicationLoader::read(const fs::path& path,
                         Position position) {
   auto bytes = read_bytes(path);
   if (!bytes) {
-    const auto place = position.line > 0
-                           ? position
-                           : Position{findings_.add_file(path.string()), 0, 0};
-    findings_.error(place, path.string() + ": " + bytes.error().message);
+    if (position.line > 0)
+      findings_.error(position, path.string() + ": " + bytes.error().message);
+    else
+      findings_.error({findings_.add_file(path.string()), 0, 0},
+                      bytes.error().message);
     return std::nullopt;
   }
   const auto file = findings_.add_file(path.string(), *bytes);
@@ -75,12 +76,10 @@ void ApplicationLoader::add(const fs::path& path, Element root) {
 
 std::vector<std::string> ApplicationLoader::libraries() const {
   std::vector<std::string> names;
-  std::error_code ignored;
-  for (const auto& file : fs::directory_iterator(platform_, ignored))
-    if (file.path().extension() == ".xml" && file.path().stem() != "aliases" &&
-        file.path().stem() != "settings")
-      names.push_back(file.path().stem().string());
-  std::sort(names.begin(), names.end());
+  for (const auto& file :
+       list_files(platform_, ".xml").value_or(std::vector<fs::path>()))
+    if (file.stem() != "aliases" && file.stem() != "settings")
+      names.push_back(file.stem().string());
   return names;
 }
 

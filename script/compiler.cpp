@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "runtime/base/file_bytes.hpp"
 #include "script/allowances.hpp"
 #include "script/application_loader.hpp"
 #include "script/declaration_compiler.hpp"
@@ -14,13 +15,8 @@ namespace {
 namespace fs = std::filesystem;
 
 std::vector<fs::path> scripts_in(const fs::path& folder) {
-  std::vector<fs::path> scripts;
-  std::error_code ignored;
-  for (const auto& file : fs::directory_iterator(folder, ignored))
-    if (file.path().extension() == ".xml" &&
-        file.path().filename() != "settings.xml")
-      scripts.push_back(file.path());
-  std::sort(scripts.begin(), scripts.end());
+  auto scripts = list_files(folder, ".xml").value_or(std::vector<fs::path>());
+  std::erase(scripts, folder / "settings.xml");
   return scripts;
 }
 
@@ -160,9 +156,8 @@ Compiled Compiler::file(const fs::path& path) {
 } // namespace
 
 fs::path settings_file(const fs::path& folder, const fs::path& platform) {
-  std::error_code ignored;
-  const bool brings_none = !fs::exists(folder / "settings.xml", ignored) &&
-                           !scripts_in(folder).empty();
+  const bool brings_none =
+      !is_there(folder / "settings.xml") && !scripts_in(folder).empty();
   return (brings_none ? platform : folder) / "settings.xml";
 }
 

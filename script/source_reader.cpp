@@ -1,12 +1,11 @@
 #include "script/source_reader.hpp"
 
 #include <cstring>
-#include <fstream>
-#include <iterator>
 #include <utility>
 
 #include <pugixml.hpp>
 
+#include "runtime/base/file_bytes.hpp"
 #include "runtime/base/utf8.hpp"
 #include "script/text_positions.hpp"
 #include "script/well_formed.hpp"
@@ -248,21 +247,7 @@ std::optional<Element> read_source(std::string text, std::uint16_t file,
 }
 
 Expected<std::string> read_bytes(const std::filesystem::path& path) {
-  std::error_code status;
-  if (std::filesystem::is_directory(path, status))
-    return fail(ErrorKind::file, "this is a folder, not a file");
-  std::ifstream file(path, std::ios::binary);
-  if (!file)
-    return fail(ErrorKind::file, "this file cannot be read");
-  constexpr std::size_t part = 64 << 10;
-  std::string text;
-  while (file && text.size() <= largest_source) {
-    const auto size = text.size();
-    text.resize(size + part);
-    file.read(text.data() + size, part);
-    text.resize(size + static_cast<std::size_t>(file.gcount()));
-  }
-  return text;
+  return read_file(path, largest_source);
 }
 
 } // namespace parlour::script

@@ -21,7 +21,7 @@ inline constexpr std::size_t deepest_elements = 200;
 std::optional<Element> read_source(std::string text, std::uint16_t file,
                                    Findings& findings);
 
-// The bytes of a file, at most `largest_source`.
+// The bytes of a file that is no larger than `largest_source`.
 Expected<std::string> read_bytes(const std::filesystem::path& path);
 
 } // namespace parlour::script

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cctype>
-#include <fstream>
 #include <utility>
 
 #include "adapters/database/option_values.hpp"
+#include "runtime/base/file_bytes.hpp"
 
 namespace parlour::adapters {
 
@@ -61,10 +61,14 @@ Expected<void> read_password(const OptionValues& values, const fs::path& folder,
   if (!made.password.empty())
     return wrong("password-file", "and 'password' are both there; one is "
                                   "enough");
-  std::ifstream file(folder / name);
-  if (!std::getline(file, made.password))
+  const auto text = read_file(folder / name);
+  if (!text)
     return wrong("password-file",
-                 "names '" + name.string() + "', which cannot be read");
+                 "names '" + name.string() + "': " + text.error().message);
+  made.password = text->substr(0, text->find('\n'));
+  if (made.password.empty())
+    return wrong("password-file",
+                 "names '" + name.string() + "', which has no first line");
   return {};
 }
 

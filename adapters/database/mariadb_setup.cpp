@@ -1,10 +1,9 @@
 #include "adapters/database/mariadb_setup.hpp"
 
-#include <fstream>
-#include <sstream>
 #include <utility>
 
 #include "adapters/database/sql_scan.hpp"
+#include "runtime/base/file_bytes.hpp"
 
 namespace parlour::adapters {
 
@@ -15,16 +14,6 @@ using Outcome = MariaDBConnection::Outcome;
 // A table that is there while the others are being made.
 const std::string mark_of_loading = "parlour is loading";
 constexpr Milliseconds most_time{120'000};
-
-Expected<std::string> read_file(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file || std::filesystem::is_directory(path))
-    return fail(ErrorKind::file, "The SQL file cannot be read.",
-                {path.string(), 0, 0});
-  std::ostringstream text;
-  text << file.rdbuf();
-  return std::move(text).str();
-}
 
 Outcome run_file(MariaDBConnection& connection, std::filesystem::path path) {
   if (path.empty())

@@ -2,15 +2,14 @@
 
 #include <algorithm>
 #include <cstring>
-#include <fstream>
 #include <map>
 #include <mutex>
-#include <sstream>
 #include <utility>
 
 #include <sqlite3.h>
 
 #include "adapters/database/sqlite_open.hpp"
+#include "runtime/base/file_bytes.hpp"
 
 namespace parlour::adapters {
 
@@ -26,14 +25,9 @@ struct Source {
 Expected<Source> read_source(const fs::path& path) {
   if (path.empty())
     return Source{};
-  std::ifstream file(path, std::ios::binary);
-  // A folder opens, but does not read.
-  if (!file || fs::is_directory(path))
-    return fail(ErrorKind::file, "The SQL file cannot be read.",
-                {path.string(), 0, 0});
-  std::ostringstream text;
-  text << file.rdbuf();
-  return Source{path, std::move(text).str()};
+  return read_file(path).map([&](std::string&& text) {
+    return Source{path, std::move(text)};
+  });
 }
 
 Expected<std::pair<Source, Source>> read_sources(const fs::path& schema,

@@ -1,15 +1,15 @@
 #include "adapters/nlu/example_file.hpp"
 
 #include <algorithm>
-#include <fstream>
+#include <sstream>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <utility>
 
 #include "adapters/nlu/examples.hpp"
 #include "adapters/nlu/marked_text.hpp"
 #include "adapters/nlu/similarity.hpp"
+#include "runtime/base/file_bytes.hpp"
 #include "runtime/base/names.hpp"
 #include "runtime/base/utf8.hpp"
 
@@ -111,19 +111,11 @@ private:
 
 std::vector<Error> add_example_file(const std::filesystem::path& path,
                                     UnderstandingModel& model) {
-  const auto unreadable = [&](std::string why) {
-    return std::vector<Error>{
-        {ErrorKind::file, std::move(why), {path.string(), 0, 0}}};
-  };
-  std::error_code failed;
-  if (!std::filesystem::is_regular_file(path, failed))
-    return unreadable("there is no such file of examples");
-  if (std::filesystem::file_size(path, failed) > most_example_file_bytes)
-    return unreadable("a file of examples has at most 8 MiB");
-  std::ifstream file(path, std::ios::binary);
-  if (!file)
-    return unreadable("the examples cannot be read");
-  return ExampleReader(path.string(), model).run(file);
+  auto text = read_file(path, most_example_file_bytes);
+  if (!text)
+    return {std::move(text.error())};
+  std::istringstream lines(std::move(*text));
+  return ExampleReader(path.string(), model).run(lines);
 }
 
 } // namespace parlour::adapters::nlu

@@ -1,11 +1,10 @@
 #include "adapters/nlu/grammar_nlu.hpp"
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <utility>
 
 #include "adapters/nlu/example_file.hpp"
+#include "runtime/base/file_bytes.hpp"
 #include "runtime/plugin/adaptors.hpp"
 #include "runtime/plugin/folder.hpp"
 
@@ -89,14 +88,13 @@ private:
 namespace nlu {
 
 Expected<GrammarModel> read_grammar(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::string text{std::istreambuf_iterator<char>(file), {}};
-  if (!file)
-    return fail(ErrorKind::file, "cannot read the grammar", {path, 0, 0});
+  auto text = read_file(path);
+  if (!text)
+    return tl::make_unexpected(text.error());
   const auto slash = path.find_last_of('/');
   auto name = slash == std::string::npos ? path : path.substr(slash + 1);
   return GrammarModel{
-      name.substr(0, name.find('.')), std::move(text), {path, 1, 1}};
+      name.substr(0, name.find('.')), std::move(*text), {path, 1, 1}};
 }
 
 Expected<GrammarModel> read_generic(const Options& options,

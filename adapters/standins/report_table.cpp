@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cctype>
-#include <fstream>
+#include <sstream>
+
+#include "runtime/base/file_bytes.hpp"
 
 namespace parlour::adapters {
 
@@ -52,10 +54,10 @@ std::string folded(std::string text) {
 Expected<ReportTable> ReportTable::read(const std::filesystem::path& file,
                                         const std::vector<std::string>& keys,
                                         const std::string& said) {
-  std::ifstream stream(file);
-  if (!stream || std::filesystem::is_directory(file))
-    return fail(ErrorKind::file, "The reports cannot be read.",
-                {file.string(), 0, 0});
+  auto text = read_file(file);
+  if (!text)
+    return tl::make_unexpected(text.error());
+  std::istringstream stream(std::move(*text));
   ReportTable table;
   table.keys_ = keys.size();
   table.said_ = said;

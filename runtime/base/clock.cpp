@@ -34,9 +34,11 @@ Expected<Timestamp> parse_timestamp(std::string_view text) {
     const auto* end = strptime(copy.c_str(), pattern, &parts);
     parts.tm_isdst = -1;
     const auto day = parts.tm_mday;
-    // mktime would turn the 31st of November into the first of December.
+    const auto second = parts.tm_sec;
+    // mktime would turn the 31st of November into the first of December, and a
+    // 61st second into the next minute.
     const auto time = std::mktime(&parts);
-    if (end && *end == '\0' && parts.tm_mday == day)
+    if (end && *end == '\0' && parts.tm_mday == day && parts.tm_sec == second)
       return static_cast<Timestamp>(time) * 1000;
   }
   return fail(ErrorKind::settings, "'" + copy +

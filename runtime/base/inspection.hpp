@@ -20,6 +20,7 @@ namespace parlour {
   X(slot, "a slot changed its value") \
   X(output, "an output was queued, released or withdrawn") \
   X(error, "a script ended with an error") \
+  X(cancelled, "a script that waited was ended from outside, as is usual") \
   X(log, "a script's <log>") \
   X(branch, "a branch, handler or slot action ran (coverage)")
 // clang-format on

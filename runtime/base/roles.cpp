@@ -21,6 +21,10 @@ std::vector<Role> read_table() {
   auto add_event = [&](const char* name, const char* parameters, Reply reply) {
     all.back().events.push_back({name, parameters, reply});
   };
+  auto mark_routine = [&](std::string_view name) {
+    for (auto& event : all.back().events)
+      event.routine |= event.name == name;
+  };
 #define ROLE(name, sentence) add_role(#name, sentence, false);
 #define RESERVED(name, sentence) add_role(#name, sentence, true);
 #define ALIAS(name) all.back().aliases.push_back(#name);
@@ -31,6 +35,7 @@ std::vector<Role> read_table() {
 #define EVENT(name, parameters) add_event(#name, parameters, Reply::none);
 #define REPLY(name, parameters) add_event(#name, parameters, Reply::answer);
 #define REFUSAL(name, parameters) add_event(#name, parameters, Reply::refusal);
+#define ROUTINE(name) mark_routine(#name);
 #include "runtime/base/roles.def"
 #undef ROLE
 #undef RESERVED
@@ -40,6 +45,7 @@ std::vector<Role> read_table() {
 #undef EVENT
 #undef REPLY
 #undef REFUSAL
+#undef ROUTINE
   return all;
 }
 

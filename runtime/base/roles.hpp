@@ -25,6 +25,7 @@ struct RoleEvent {
   std::string name;
   std::string parameters;
   Reply reply = Reply::none;
+  bool routine = false; // nobody has to take it
 };
 
 struct Role {

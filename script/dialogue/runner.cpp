@@ -95,7 +95,7 @@ void Runner::report(const script::ActivationContext& context,
     detail += "\n  in " + line;
   // To be cancelled is no fault of the script.
   const bool cancelled = result.error.kind == ErrorKind::cancelled;
-  core_.inspect(cancelled ? InspectionKind::log : InspectionKind::error,
+  core_.inspect(cancelled ? InspectionKind::cancelled : InspectionKind::error,
                 std::string(name_of(result.error.kind)), detail);
   if (!cancelled && !context.handles_error)
     core_.raise_error(result.error, context.turn);

@@ -21,6 +21,16 @@ TEST(DueTimes, KnowsTheEarliest) {
   EXPECT_TRUE(times.overdue(10));
 }
 
+TEST(DueTimes, KnowsTheEarliestOfSessions) {
+  DueTimes times([] {});
+  EXPECT_FALSE(times.next_of_sessions());
+  times.add(5, Of::component);
+  EXPECT_FALSE(times.next_of_sessions());
+  times.add(30, Of::session);
+  times.add(20, Of::session);
+  EXPECT_EQ(times.next_of_sessions(), 20);
+}
+
 TEST(DueTimes, TellsOfEachRemovalOnce) {
   int changes = 0;
   DueTimes times([&] { ++changes; });

@@ -89,6 +89,22 @@ TEST(Services, ShowWhatNobodyTookOrLogIt) {
   EXPECT_THAT(bench.logs, ElementsAre("Bell.Rings(3): nobody is in"));
 }
 
+// A voice says word for word how far it is.
+TEST(Services, ShowNothingOfWhatNobodyHasToTake) {
+  Bench bench;
+  bench.set_table({bench.target("Voice", {"TTS"})});
+  bench.services.unhandled(event("Voice", "Mark", {1, "hi", 0}), "nobody");
+  bench.services.unhandled(event("Speaker", "Started", {1}), "nobody");
+  EXPECT_EQ(bench.services.counters->unhandled, 0u);
+  EXPECT_THAT(bench.logs, ElementsAre());
+  auto order = event("Script", "Finished");
+  order.sinks = {"TTS"};
+  bench.services.unhandled(order, "nobody");
+  bench.services.unhandled(event("Voice", "Failed", {"hoarse"}), "nobody");
+  bench.services.unhandled(event("Bell", "Mark"), "nobody");
+  EXPECT_EQ(bench.services.counters->unhandled, 3u);
+}
+
 TEST(Services, AreTappedForWhoeverWatches) {
   Bench bench;
   std::vector<Inspection> shown;

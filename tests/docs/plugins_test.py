@@ -38,6 +38,23 @@ int main() {{
 }}
 """
 
+# Around the page's short examples, in their order.
+EXAMPLES = """#include "runtime/plugin/adaptors.hpp"
+const parlour::OptionDescription option = %s;
+parlour::Expected<void> judged(int voices) {
+%s
+  return {};
+}
+%s
+class Switchboard : public parlour::RolePlugin {
+  Switchboard() : RolePlugin("Telephone") {}
+  void dial(const std::string&) {}
+  void look_up(const std::string& name) {
+%s
+  }
+};
+"""
+
 BUILD = PROGRAM.resolve().parents[1]
 
 
@@ -86,21 +103,29 @@ class PluginsTest(PageCase):
         self.assertGreater(len(lines), 20)
         self.assertLess(len(lines), 60)
 
+    def compiles(self, text):
+        source = self.work / "examples.cpp"
+        source.write_text(text, encoding="utf-8")
+        done = subprocess.run(
+            [os.environ.get("CXX", "c++"), "-std=c++20", "-fsyntax-only",
+             "-Wall", "-Wextra", "-Werror", "-I",
+             self.prefix / "include" / "parlour", source],
+            text=True, stderr=subprocess.PIPE, check=False)
+        self.assertEqual(done.returncode, 0, done.stderr)
+
+    def test_its_short_examples_compile(self):
+        page = (ROOT / "docs" / "plugins.md").read_text(encoding="utf-8")
+        self.compiles(EXAMPLES % tuple(
+            text for info, text in blocks_of(page) if info == "cpp"))
+
     def test_the_installed_headers_need_nothing_of_ours_and_no_caf(self):
         include = self.prefix / "include" / "parlour"
         headers = sorted(file.relative_to(include)
                          for file in include.rglob("*.hpp"))
         self.assertGreater(len(headers), 20)
-        source = self.work / "all.cpp"
-        source.write_text(
+        self.compiles(
             "".join(f'#include "{header}"\n' for header in headers) +
-            "#ifdef CAF_VERSION\n#error a header includes CAF\n#endif\n",
-            encoding="utf-8")
-        done = subprocess.run(
-            [os.environ.get("CXX", "c++"), "-std=c++20", "-fsyntax-only",
-             "-Wall", "-Wextra", "-Werror", "-I", include, source],
-            text=True, stderr=subprocess.PIPE, check=False)
-        self.assertEqual(done.returncode, 0, done.stderr)
+            "#ifdef CAF_VERSION\n#error a header includes CAF\n#endif\n")
 
 
 if __name__ == "__main__":

@@ -132,7 +132,8 @@ TEST(Compiler, tells_what_cannot_be_read) {
   EXPECT_THAT(
       test::lines_of(compile_file(path + "/x.xml", test::platform()).findings,
                      path),
-      ElementsAre("x.xml: error: x.xml: this file cannot be read"));
+      ElementsAre("x.xml: error: this file cannot be read: No such "
+                  "file or directory"));
 }
 
 // A few things in settings.xml, and all else as without it.

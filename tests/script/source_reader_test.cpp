@@ -160,7 +160,7 @@ TEST(SourceReader, reads_bytes_and_says_why_not) {
   folder.write("a.xml", "abc");
   EXPECT_EQ(read_bytes(folder.path() / "a.xml").value(), "abc");
   EXPECT_EQ(read_bytes(folder.path() / "b.xml").error().message,
-            "this file cannot be read");
+            "this file cannot be read: No such file or directory");
   EXPECT_EQ(read_bytes(folder.path()).error().message,
             "this is a folder, not a file");
 }

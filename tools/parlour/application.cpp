@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <tuple>
 
+#include "runtime/base/file_bytes.hpp"
 #include "script/application_loader.hpp"
 #include "script/lint/lint.hpp"
 #include "script/settings_reader.hpp"
@@ -134,8 +135,7 @@ Application load_application(const fs::path& folder, const fs::path& platform,
 
 script::Compiled compile_folder(const fs::path& folder,
                                 const fs::path& platform) {
-  std::error_code ignored;
-  if (!fs::exists(script::settings_file(folder, platform), ignored))
+  if (!is_there(script::settings_file(folder, platform)))
     return no_application(folder);
   return script::compile_application(folder, compile_options(platform));
 }

@@ -28,9 +28,8 @@ struct Target {
 };
 
 Expected<Target> find_target(const Places& places, const std::string& app) {
-  std::error_code ignored;
   const auto path = places.working / app;
-  if (fs::is_regular_file(path, ignored))
+  if (is_file_like(path))
     return Target{path, true};
   return find_application(places, app).map([](const fs::path& folder) {
     return Target{folder, false};
@@ -84,7 +83,7 @@ int check_command(const Places& places, const CheckOptions& options,
   auto findings = findings_of(places, *target);
   if (options.fix)
     if (const auto fixed = fix(places, *target, findings, console); !fixed) {
-      say_error(console, fixed.error().message);
+      say_error(console, to_string(fixed.error()));
       return exit_code::wrong;
     }
   if (options.json)

@@ -1,10 +1,14 @@
 #include "tools/parlour/command_line.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <iostream>
+#include <limits>
+#include <utility>
 
 #include <CLI/CLI.hpp>
 
+#include "runtime/base/file_bytes.hpp"
 #include "script/findings.hpp"
 #include "script/lint/lints.hpp"
 #include "tools/bench/benches.hpp"
@@ -25,9 +29,7 @@ public:
       : places_(places), console_(console) {
     app_.require_subcommand(1);
     app_.set_version_flag("--version", "parlour " PARLOUR_VERSION);
-    app_.footer("Exit status: 0 well; 1 something is wrong inside an "
-                "application or file; 2 wrong\nusage, or there is no such "
-                "application or file; 130 after Ctrl-C.");
+    app_.footer(exit_statuses);
     add_run();
     add_check();
     add_format();
@@ -42,44 +44,43 @@ public:
   }
 
   int run(std::vector<std::string> arguments) {
-    if (!arguments.empty() && is_unknown_command(arguments.front())) {
-      say_error(console_,
-                "there is no command '" + arguments.front() + "'" +
-                    script::did_you_mean(arguments.front(), commands()) +
-                    "; see parlour --help");
+    if (const auto wrong = trouble_with_first(arguments); !wrong.empty()) {
+      say_error(console_, wrong + "; see parlour --help");
       return exit_code::usage;
     }
     std::reverse(arguments.begin(), arguments.end());
     try {
       app_.parse(std::move(arguments));
-      return written(chosen_());
+      return status_of_printing(console_, chosen_());
     } catch (const CLI::ParseError& error) {
-      return app_.exit(error, console_.out, console_.err) == 0
-                 ? exit_code::well
-                 : exit_code::usage;
+      return status_of_printing(
+          console_, app_.exit(error, console_.out, console_.err) == 0
+                        ? exit_code::well
+                        : exit_code::usage);
     }
   }
 
 private:
-  // What is printed is what a command is for; a conversation may be left.
-  int written(int status) {
-    console_.out.flush();
-    if (console_.out || status != exit_code::well || app_.got_subcommand("run"))
-      return status;
-    say_error(console_, "what is printed cannot be written");
-    return exit_code::wrong;
-  }
-
   std::vector<std::string> commands() const {
     std::vector<std::string> names;
     for (const auto* command : app_.get_subcommands(nullptr))
       names.push_back(command->get_name());
     return names;
   }
-  bool is_unknown_command(const std::string& word) const {
-    const auto known = commands();
-    return word.rfind("-", 0) != 0 &&
-           std::find(known.begin(), known.end(), word) == known.end();
+  // Empty where the first word is a command or an option of the program.
+  std::string
+  trouble_with_first(const std::vector<std::string>& arguments) const {
+    if (arguments.empty())
+      return "a command is missing";
+    const auto& word = arguments.front();
+    const bool is_option = word.starts_with('-');
+    const auto known =
+        is_option ? std::vector<std::string>{"-h", "--help", "--version"}
+                  : commands();
+    if (std::find(known.begin(), known.end(), word) != known.end())
+      return "";
+    return std::string("there is no ") + (is_option ? "option" : "command") +
+           " '" + word + "'" + script::did_you_mean(word, known);
   }
 
   // A command that runs `action` when it is chosen.
@@ -105,12 +106,15 @@ private:
                      "Folder of plug-ins that are files; else "
                      "$PARLOUR_PLUGINS, or APP/plugins and the installed")
         ->check([this](const std::string& folder) {
-          std::error_code ignored;
-          return std::filesystem::is_directory(places_.working / folder,
-                                               ignored)
-                     ? std::string()
-                     : "there is no folder '" + folder + "'";
+          const auto files = list_files(places_.working / folder, ".so");
+          return files ? is_named(folder)
+                       : "'" + folder + "': " + files.error().message;
         });
+  }
+
+  // Such as what a variable of a shell holds that is not set.
+  static std::string is_named(const std::string& text) {
+    return text.empty() ? "an empty name" : "";
   }
 
   void add_clock(CLI::App* command, std::optional<Timestamp>& clock,
@@ -131,6 +135,30 @@ private:
         ->type_name("TIME");
   }
 
+  // A whole number in its range, by digits alone.
+  template <class Number, class Take>
+  static void add_number(CLI::App* command, const std::string& name,
+                         std::pair<Number, Number> range, const char* sentence,
+                         Take take) {
+    command
+        ->add_option_function<std::string>(
+            name,
+            [=](const std::string& text) {
+              Number number{};
+              const auto* end = text.data() + text.size();
+              const auto read = std::from_chars(text.data(), end, number);
+              if (read.ec != std::errc() || read.ptr != end ||
+                  number < range.first || number > range.second)
+                throw CLI::ValidationError(
+                    name, "'" + text + "' is no whole number from " +
+                              std::to_string(range.first) + " to " +
+                              std::to_string(range.second));
+              take(number);
+            },
+            sentence)
+        ->type_name("NUMBER");
+  }
+
   void add_run() {
     auto* command = add("run", "Talk with an application", [this] {
       return run_command(places_, run_, console_);
@@ -141,14 +169,18 @@ private:
     add_clock(command, run_.clock,
               "Virtual time from here; an empty line steps it to the next due "
               "timer");
-    command->add_option("--data", run_.data,
-                        "Folder of the run's database, files and records");
+    command
+        ->add_option("--data", run_.data,
+                     "Folder of the run's database, files and records")
+        ->check(is_named);
     command->add_flag("--fresh", run_.fresh,
                       "Make the database anew from schema and seed; the old "
                       "file is kept as FILE.before");
     command->add_flag("--trace", run_.trace,
                       "Show every message, transition and slot on stderr");
-    command->add_option("--seed", run_.seed, "Of all that is random");
+    add_number<std::uint64_t>(
+        command, "--seed", {0, std::numeric_limits<std::uint64_t>::max()},
+        "Of all that is random", [this](auto seed) { run_.seed = seed; });
     command->add_flag("--voice", run_.voice,
                       "Microphone and speaker (not available yet)");
   }
@@ -201,6 +233,7 @@ private:
     command->add_option("FILE", test_.files,
                         "Conversations; all of dialogues/ if there is none");
     command->add_option("--junit", test_.junit, "Results as JUnit's XML")
+        ->check(is_named)
         ->type_name("FILE");
     command->add_flag("--trace", test_.trace,
                       "Show what happened in those that failed");
@@ -211,8 +244,9 @@ private:
         ->add_flag("--watch", test_.watch,
                    "Hold them again whenever a file changes")
         ->excludes("--junit");
-    command->add_option("--jobs,-j", test_.jobs,
-                        "Conversations at a time; as many as cores");
+    add_number<unsigned>(command, "--jobs,-j", {1, 1000},
+                         "Conversations at a time; else as many as cores",
+                         [this](auto jobs) { test_.jobs = jobs; });
   }
 
   void add_exec() {
@@ -250,8 +284,9 @@ private:
     command->add_option("NAME", bench_.name, "What is measured")
         ->required()
         ->check(CLI::IsMember(names));
-    command->add_option("--runs", bench_.runs, "Of each; the median counts")
-        ->check(CLI::Range(1, 1000));
+    add_number<int>(command, "--runs", {1, 1000},
+                    "Of each; the median counts; else 5",
+                    [this](auto runs) { bench_.runs = runs; });
     command->add_option("--only", bench_.only, "One row of the table")
         ->check(CLI::IsMember(rows));
     command->add_option("--data", bench_.data,
@@ -279,7 +314,8 @@ private:
         });
     made->add_option("NAME", new_plugin_.name, "Such as EchoTTS")->required();
     made->add_option("--role", new_plugin_.role, "Such as TTS")->required();
-    made->add_option("--folder", new_plugin_.folder, "Where; else ./NAME");
+    made->add_option("--folder", new_plugin_.folder, "Where; else ./NAME")
+        ->check(is_named);
     auto* test =
         add(*plugin, "test", "The conformance test of its roles", [this] {
           return plugin_test_command(places_, test_plugin_, console_);
@@ -314,6 +350,12 @@ private:
     command->add_option("--plugins", component_.folder, "Its file's folder");
   }
 
+  static constexpr const char* exit_statuses =
+      "Exit status: 0 well, also where SIGTERM or SIGHUP has ended a run in "
+      "order; 1\nsomething is wrong inside an application or file, or what is "
+      "printed cannot be\nwritten; 2 wrong usage, or there is no such "
+      "application or file; 130 after Ctrl-C;\n141 nobody reads what is "
+      "printed.";
   static constexpr const char* app_sentence =
       "A folder, or a name in ./config/apps or the installed share";
 

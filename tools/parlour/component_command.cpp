@@ -1,3 +1,4 @@
+#include <sys/prctl.h>
 #include <sys/stat.h>
 
 #include "adapters/process/child_process.hpp"
@@ -25,6 +26,7 @@ int component_command(const ComponentOptions& options, const Console& console) {
                        "host=\"process\"");
     return exit_code::usage;
   }
+  prctl(PR_SET_NAME, "parlour"); // else it has that of a link, as ps shows it
   std::vector<std::filesystem::path> folders;
   if (!options.folder.empty())
     folders.emplace_back(options.folder);

@@ -1,12 +1,13 @@
 #include "tools/parlour/conversation_file.hpp"
 
+#include <algorithm>
 #include <charconv>
-#include <fstream>
-#include <iterator>
 #include <map>
 
 #include <re2/re2.h>
 
+#include "runtime/base/file_bytes.hpp"
+#include "runtime/base/utf8.hpp"
 #include "tools/parlour/directive_reader.hpp"
 
 namespace parlour::tools {
@@ -34,6 +35,12 @@ public:
   }
 
   ParsedConversation parse(std::string_view text) {
+    if (const auto invalid = find_invalid_utf8(text)) {
+      line_ = 1 + static_cast<std::uint32_t>(
+                      std::count(text.begin(), text.begin() + *invalid, '\n'));
+      error("this is not UTF-8; save the file as UTF-8");
+      text = {};
+    }
     while (!text.empty()) {
       ++line_;
       const auto end = text.find('\n');
@@ -234,13 +241,12 @@ ParsedConversation parse_conversation(std::string_view text, std::string file) {
 }
 
 ParsedConversation read_conversation(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::string text(std::istreambuf_iterator<char>(stream), {});
-  auto parsed = parse_conversation(text, file.string());
-  if (!stream.is_open() || stream.bad())
-    parsed.errors.push_back({Severity::error,
-                             {file.string(), 0, 0},
-                             "the conversation cannot be read"});
+  constexpr std::size_t most = 16 << 20;
+  const auto text = read_file(file, most);
+  auto parsed = parse_conversation(text.value_or(""), file.string());
+  if (!text)
+    parsed.errors.push_back(
+        {Severity::error, text.error().place, text.error().message});
   return parsed;
 }
 

@@ -15,6 +15,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
+constexpr const char* another = "; --data names another";
+
 tl::unexpected<Error> trouble(const fs::path& path, const std::string& why) {
   return fail(ErrorKind::file, "the data folder " + path.string() + ' ' + why);
 }
@@ -41,15 +43,15 @@ Expected<DataFolder> DataFolder::open(const fs::path& path) {
   std::error_code code;
   fs::create_directories(path, code);
   if (code)
-    return trouble(path, "cannot be made: " + code.message());
+    return trouble(path, "cannot be made: " + code.message() + another);
   folder.path_ = fs::canonical(path, code);
   if (code)
     return trouble(path, "cannot be found: " + code.message());
   folder.lock_ = ::open((folder.path_ / ".lock").c_str(),
                         O_RDWR | O_CREAT | O_CLOEXEC, 0644);
   if (folder.lock_ < 0)
-    return trouble(path,
-                   std::string("cannot be written: ") + std::strerror(errno));
+    return trouble(path, std::string("cannot be written: ") +
+                             std::strerror(errno) + another);
   if (flock(folder.lock_, LOCK_EX | LOCK_NB) != 0)
     return trouble(path, "is in use by another parlour" + holder(folder.lock_) +
                              "; end that one, or choose another folder with "
@@ -61,9 +63,12 @@ Expected<DataFolder> DataFolder::open(const fs::path& path) {
 Expected<DataFolder> DataFolder::temporary() {
   std::error_code code;
   auto pattern = (fs::temp_directory_path(code) / "parlour-XXXXXX").string();
-  if (code || !mkdtemp(pattern.data()))
-    return fail(ErrorKind::file, "no temporary folder can be made: " +
-                                     std::string(std::strerror(errno)));
+  if (!code && !mkdtemp(pattern.data()))
+    code.assign(errno, std::generic_category());
+  if (code)
+    return fail(ErrorKind::file, "no temporary folder can be made (TMPDIR "
+                                 "says where): " +
+                                     code.message());
   DataFolder folder;
   folder.path_ = pattern;
   folder.temporary_ = true;

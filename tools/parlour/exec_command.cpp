@@ -2,6 +2,7 @@
 #include <thread>
 
 #include "adapters/files/data_files.hpp"
+#include "runtime/base/file_bytes.hpp"
 #include "script/exec_run.hpp"
 #include "tools/parlour/application.hpp"
 #include "tools/parlour/commands.hpp"
@@ -37,14 +38,15 @@ struct Loaded {
 };
 
 Expected<Loaded> load(const Places& places, const std::string& file) {
-  std::error_code ignored;
   const auto path = places.working / file;
-  if (std::filesystem::is_regular_file(path, ignored))
+  if (is_file_like(path))
     return Loaded{load_file(path, places), path.parent_path()};
   const auto folder = find_application(places, file);
   if (!folder)
-    return fail(ErrorKind::settings,
-                "there is no file or application '" + file + "'");
+    return is_there(path)
+               ? tl::make_unexpected(folder.error())
+               : fail(ErrorKind::settings,
+                      "there is no file or application '" + file + "'");
   return Loaded{compile_folder(*folder, find_platform(places, *folder)),
                 *folder};
 }
@@ -69,6 +71,8 @@ int exec_command(const Places& places, const std::string& file,
   if (!failure)
     return exit_code::well;
   auto error = failure->error;
+  if (error.place.file.empty()) // such as a function that is not there
+    error.place.file = file;
   error.place.file = shown_path(places, error.place.file);
   console.err << to_string(error) << '\n';
   for (const auto& caller : failure->stack)

@@ -1,6 +1,7 @@
 #include "tools/parlour/fix.hpp"
 
 #include <algorithm>
+#include <cerrno>
 #include <fstream>
 #include <map>
 #include <utility>
@@ -31,9 +32,19 @@ bool is_below(const fs::path& file, const fs::path& folder) {
   return !relative.empty() && *relative.begin() != "..";
 }
 
-tl::unexpected<Error> cannot_write(const fs::path& file) {
-  return fail(ErrorKind::file,
-              "'" + file.string() + "' cannot be written; it is as it was");
+tl::unexpected<Error> cannot_write(const fs::path& file,
+                                   const std::string& why) {
+  return fail(ErrorKind::file, "'" + file.string() + "' cannot be written (" +
+                                   why + "); it is as it was");
+}
+
+// Empty, or why it is not there now.
+std::error_code write_anew(const fs::path& file, const std::string& text) {
+  errno = 0; // a stream tells no reason
+  std::ofstream out(file, std::ios::binary | std::ios::trunc);
+  out << text;
+  out.close();
+  return {out ? 0 : errno ? errno : EIO, std::generic_category()};
 }
 
 } // namespace
@@ -64,22 +75,21 @@ Expected<void> replace_file(const fs::path& path, const std::string& text) {
   std::error_code wrong;
   const auto file = fs::canonical(path, wrong);
   if (wrong)
-    return cannot_write(path);
+    return cannot_write(path, wrong.message());
   const fs::path temporary =
       file.string() + ".parlour-" + std::to_string(getpid());
   const auto status = fs::status(file, wrong);
-  std::ofstream out(temporary, std::ios::binary | std::ios::trunc);
-  out << text;
-  out.close();
-  if (out && !wrong) {
+  if (!wrong)
+    wrong = write_anew(temporary, text);
+  if (!wrong)
     fs::permissions(temporary, status.permissions(), wrong);
-    if (!wrong)
-      fs::rename(temporary, file, wrong);
-    if (!wrong)
-      return {};
-  }
-  fs::remove(temporary, wrong);
-  return cannot_write(path);
+  if (!wrong)
+    fs::rename(temporary, file, wrong);
+  if (!wrong)
+    return {};
+  std::error_code ignored;
+  fs::remove(temporary, ignored);
+  return cannot_write(path, wrong.message());
 }
 
 Expected<std::vector<FixedFile>>

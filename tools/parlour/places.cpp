@@ -1,6 +1,12 @@
 #include "tools/parlour/places.hpp"
 
+#include <cerrno>
 #include <cstdlib>
+#include <cstring>
+
+#include <unistd.h>
+
+#include "runtime/base/file_bytes.hpp"
 
 namespace parlour::tools {
 
@@ -20,9 +26,18 @@ bool is_folder(const fs::path& path) {
   return fs::is_directory(path, ignored);
 }
 
-bool is_file(const fs::path& path) {
-  std::error_code ignored;
-  return fs::is_regular_file(path, ignored);
+// Why what lies there cannot be an application that is read; empty where it
+// can, or nothing lies there.
+std::string trouble_with(const fs::path& path) {
+  std::error_code failed;
+  const auto status = fs::status(path, failed);
+  if (status.type() == fs::file_type::not_found)
+    return "";
+  if (failed)
+    return failed.message();
+  return fs::is_directory(status) && access(path.c_str(), R_OK | X_OK) != 0
+             ? std::strerror(errno)
+             : "";
 }
 
 bool is_bare(const std::string& app) {
@@ -47,8 +62,10 @@ Places process_places() {
   places.installed_plugins = prefix / PARLOUR_PLUGIN_FOLDER;
   for (const auto& share :
        {beside, fs::path(PARLOUR_CONFIG), fs::path(PARLOUR_SHARE)})
-    if (is_folder(share))
+    if (is_folder(share / "platform")) {
       places.shares.push_back(share);
+      break;
+    }
   return places;
 }
 
@@ -67,16 +84,23 @@ Expected<fs::path> find_application(const Places& places,
   }
   std::string looked;
   for (const auto& candidate : candidates) {
+    if (const auto why = trouble_with(candidate); !why.empty())
+      return fail(ErrorKind::settings, "the application " + candidate.string() +
+                                           " cannot be read: " + why);
     if (!app.empty() && is_folder(candidate))
       return fs::path(absolute_text(candidate));
     looked += (looked.empty() ? "" : ", ") + candidate.string();
   }
-  if (const auto file = places.working / app; is_file(file))
+  if (const auto file = places.working / app; !app.empty() && is_there(file))
     return fail(ErrorKind::settings,
-                "'" + app + "' is a file, and an application is a folder: " +
+                "'" + app + "' is no folder, and an application is a folder: " +
                     shown_path(places, file.parent_path().string()));
   return fail(ErrorKind::settings,
               "there is no application '" + app + "': looked for " + looked);
+}
+
+bool is_file_like(const fs::path& path) {
+  return path.has_filename() && is_there(path) && !is_folder(path);
 }
 
 fs::path find_platform(const Places& places, const fs::path& application) {
@@ -102,14 +126,19 @@ std::vector<fs::path> plugin_folders(const Places& places,
   return folders;
 }
 
-fs::path default_data_folder(const Places& places,
-                             const fs::path& application) {
-  fs::path data;
-  if (const auto set = places.environment("XDG_DATA_HOME"))
-    data = *set;
+Expected<fs::path> default_data_folder(const Places& places,
+                                       const fs::path& application) {
+  const auto folder = [&](const char* variable) {
+    return fs::path(places.environment(variable).value_or(""));
+  };
+  auto data = folder("XDG_DATA_HOME");
   // A relative one is to be ignored (XDG base directory specification).
   if (!data.is_absolute())
-    data = fs::path(places.environment("HOME").value_or("/")) / ".local/share";
+    data = folder("HOME") / ".local/share";
+  if (!data.is_absolute())
+    return fail(ErrorKind::settings,
+                "there is no home folder for the data of a run (HOME); --data "
+                "names a folder");
   return data / "parlour" / application.filename();
 }
 

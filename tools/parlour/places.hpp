@@ -14,8 +14,8 @@ namespace parlour::tools {
 
 struct Places {
   std::filesystem::path working; // the folder that relative paths start from
-  // Folders that hold `apps` and `platform`, the first one preferred: the
-  // installed share; the source tree, for a program that is not installed.
+  // Folders that hold `apps` and `platform`, the first one preferred: what is
+  // installed with the program; the source tree, where it is not installed.
   std::vector<std::filesystem::path> shares;
   std::function<std::optional<std::string>(const char*)> environment;
   std::filesystem::path plugins;           // as --plugins says; may be empty
@@ -34,6 +34,10 @@ std::string shown_path(const Places& places, const std::string& file);
 Expected<std::filesystem::path> find_application(const Places& places,
                                                  const std::string& app);
 
+// Whether something lies there that is no folder, even if it cannot be read:
+// for commands that take one file instead of an application.
+bool is_file_like(const std::filesystem::path& path);
+
 // The platform's folder beside the application's `apps`, else a share's.
 std::filesystem::path find_platform(const Places& places,
                                     const std::filesystem::path& application);
@@ -44,8 +48,9 @@ std::filesystem::path find_platform(const Places& places,
 std::vector<std::filesystem::path>
 plugin_folders(const Places& places, const std::filesystem::path& application);
 
-// Where a run of the application keeps its data unless it is told otherwise.
-std::filesystem::path
+// Where a run of the application keeps its data unless it is told otherwise. An
+// error where there is no home folder.
+Expected<std::filesystem::path>
 default_data_folder(const Places& places,
                     const std::filesystem::path& application);
 

@@ -1,3 +1,5 @@
+#include <cerrno>
+#include <cstring>
 #include <fstream>
 #include <ostream>
 
@@ -27,8 +29,9 @@ Expected<void> write_files(const fs::path& folder,
   for (const auto& file : files)
     if (!(std::ofstream(folder / file.name, std::ios::binary)
           << file.text << std::flush))
-      return fail(ErrorKind::file,
-                  "cannot write " + (folder / file.name).string());
+      return fail(ErrorKind::file, "cannot write " +
+                                       (folder / file.name).string() + ": " +
+                                       std::strerror(errno));
   return {};
 }
 

@@ -9,7 +9,10 @@ std::string failure_text(const ConversationResult& result) {
   if (!result.failure)
     return {};
   const auto& failure = *result.failure;
-  auto text = result.file + ':' + std::to_string(failure.line) + ":\n";
+  auto text = result.file;
+  if (failure.line > 0)
+    text += ':' + std::to_string(failure.line);
+  text += ":\n";
   for (const auto& line : result.said)
     text += "    " + line + '\n';
   text += "  expected: " + failure.expected + "\n  found:    " + failure.found +

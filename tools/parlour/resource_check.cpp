@@ -7,6 +7,7 @@
 #include "adapters/database/sqlite_image.hpp"
 #include "adapters/database/sqlite_options.hpp"
 #include "adapters/nlu/keywords/keyword_nlu.hpp"
+#include "runtime/base/file_bytes.hpp"
 #include "tools/parlour/understanding.hpp"
 
 namespace parlour::tools {
@@ -59,13 +60,10 @@ void check_server_database(Application& application,
     return report(application, options.error(), component.place,
                   component.name);
   for (const auto* file : {&options->schema, &options->seed}) {
-    std::error_code ignored;
-    if (!file->empty() && !std::filesystem::is_regular_file(*file, ignored))
-      report(application,
-             {ErrorKind::file,
-              "The SQL file cannot be read.",
-              {file->string(), 0, 0}},
-             component.place, component.name);
+    if (file->empty())
+      continue;
+    if (const auto text = read_file(*file); !text)
+      report(application, text.error(), component.place, component.name);
   }
 }
 

@@ -48,15 +48,17 @@ private:
 // Talks no faster than somebody reads.
 class PacedPartner : public NodePartner {
 public:
-  PacedPartner(NodePartner partner, Printer& printer)
-      : NodePartner(std::move(partner)), printer_(printer) {}
+  PacedPartner(actors::Node& node, bool is_virtual, Printer& printer)
+      : NodePartner(node, is_virtual,
+                    [&printer](const std::string& text) { printer.out(text); }),
+        printer_(printer) {}
   void enter(const std::vector<std::string>& turns) override {
     printer_.wait_for_room();
     NodePartner::enter(turns);
   }
-  void step_to_next_due() override {
+  void let_time_pass() override {
     printer_.wait_for_room();
-    NodePartner::step_to_next_due();
+    NodePartner::let_time_pass();
   }
 
 private:
@@ -111,7 +113,7 @@ public:
     else
       talk_by_lines(**node);
     finish();
-    return interrupted_ ? exit_code::interrupted : exit_code::well;
+    return ended_;
   }
 
 private:
@@ -159,7 +161,7 @@ private:
   // sessions in order.
   void end(actors::Node& node) {
     signals_.on_interrupt(nullptr);
-    interrupted_ = signals_.interrupted();
+    ended_ = signals_.status();
     has_stopped_ = node.stop();
   }
 
@@ -170,20 +172,20 @@ private:
     const bool all_read = printer_.finish();
     signals_.on_interrupt(nullptr);
     if (!all_read || !has_stopped_)
-      std::_Exit(signals_.interrupted() ? exit_code::interrupted
-                                        : exit_code::wrong);
+      std::_Exit(status_of_cutting_short());
+  }
+
+  int status_of_cutting_short() const {
+    const auto asked_for = signals_.status();
+    const bool in_order = has_stopped_ && signals_.interrupted();
+    return asked_for == exit_code::well && !in_order ? exit_code::wrong
+                                                     : asked_for;
   }
 
   void talk_by_lines(actors::Node& node) {
-    const auto seat =
-        node.open_seat({[&](const SessionId&, const dialogue::Output& output) {
-                          printer_.out(as_one_line(output.text));
-                        },
-                        {}});
-    node.open(seat);
+    PacedPartner partner(node, options_.clock.has_value(), printer_);
     DescriptorSource source(STDIN_FILENO, signals_.descriptor());
     RowReader rows(source, [this](const std::string& text) { note(text); });
-    PacedPartner partner({node, seat, options_.clock.has_value()}, printer_);
     talk_by_rows(partner, rows);
     end(node);
   }
@@ -194,13 +196,8 @@ private:
                     return node.is_private(line);
                   });
     screen_ = &screen;
-    const auto seat =
-        node.open_seat({[&](const SessionId&, const dialogue::Output& output) {
-                          screen.say(as_one_line(output.text));
-                        },
-                        {}});
-    node.open(seat);
-    NodePartner partner(node, seat, options_.clock.has_value());
+    NodePartner partner(node, options_.clock.has_value(),
+                        [&](const std::string& text) { screen.say(text); });
     tools::talk_on_terminal(partner, screen);
     end(node);
     screen.flush();
@@ -215,8 +212,8 @@ private:
   Printer printer_;
   Notes notes_;
   std::atomic<Screen*> screen_ = nullptr; // while there is a terminal
-  bool interrupted_ = false;              // before the conversation had ended
-  bool has_stopped_ = true;               // the node, all of it
+  int ended_ = exit_code::well; // by a signal, before the conversation was over
+  bool has_stopped_ = true;     // the node, all of it
 };
 
 } // namespace
@@ -233,10 +230,10 @@ int run_command(const Places& places, const RunOptions& options,
   if (const auto* status = std::get_if<int>(&opened))
     return *status;
   const auto& application = std::get<Application>(opened);
-  const auto folder = options.data.empty()
-                          ? default_data_folder(places, application.folder)
-                          : places.working / options.data;
-  const auto data = DataFolder::open(folder);
+  const Expected<std::filesystem::path> folder =
+      options.data.empty() ? default_data_folder(places, application.folder)
+                           : places.working / options.data;
+  const auto data = folder.and_then(DataFolder::open);
   if (!data) {
     say_error(console, data.error().message);
     return exit_code::wrong;

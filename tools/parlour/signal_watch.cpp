@@ -1,12 +1,17 @@
 #include "tools/parlour/signal_watch.hpp"
 
+#include <cerrno>
 #include <cstdint>
+#include <initializer_list>
+#include <system_error>
 #include <utility>
 
 #include <poll.h>
 #include <sys/eventfd.h>
 #include <sys/signalfd.h>
 #include <unistd.h>
+
+#include "tools/parlour/exit_code.hpp"
 
 namespace parlour::tools {
 
@@ -18,25 +23,31 @@ bool is_ignored(int signal) {
          action.sa_handler == SIG_IGN;
 }
 
-sigset_t requests_to_end() {
+// Of those given the ones that are not to be ignored, as nohup has it.
+sigset_t signals(std::initializer_list<int> given) {
   sigset_t set;
   sigemptyset(&set);
-  sigaddset(&set, SIGINT);
-  sigaddset(&set, SIGTERM);
+  for (const auto signal : given)
+    if (!is_ignored(signal))
+      sigaddset(&set, signal);
   return set;
+}
+
+int made(int descriptor) {
+  if (descriptor < 0)
+    throw std::system_error(errno, std::generic_category());
+  return descriptor;
 }
 
 } // namespace
 
 SignalWatch::SignalWatch() {
-  auto set = requests_to_end();
-  if (!is_ignored(SIGHUP))   // as nohup has it
-    sigaddset(&set, SIGHUP); // the terminal was closed
+  const auto set = signals({SIGINT, SIGTERM, SIGHUP});
   pthread_sigmask(SIG_BLOCK, &set, &before_);
   signal(SIGPIPE, SIG_IGN);
-  signals_ = signalfd(-1, &set, SFD_CLOEXEC | SFD_NONBLOCK);
-  wake_ = eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK);
-  stop_ = eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK);
+  signals_ = made(signalfd(-1, &set, SFD_CLOEXEC | SFD_NONBLOCK));
+  wake_ = made(eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK));
+  stop_ = made(eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK));
   thread_ = std::thread([this] { watch(); });
 }
 
@@ -51,8 +62,12 @@ SignalWatch::~SignalWatch() {
 void SignalWatch::on_interrupt(std::function<void()> action) {
   std::lock_guard lock(mutex_);
   action_ = std::move(action);
-  if (action_ && (interrupted_ || closed_))
+  if (action_ && (interrupted() || closed_))
     action_();
+}
+
+int SignalWatch::status() const {
+  return signal_ == SIGINT ? exit_code::interrupted : exit_code::well;
 }
 
 void SignalWatch::raise_closed() {
@@ -66,7 +81,7 @@ void SignalWatch::watch() {
   auto count = nfds_t{3};
   while (poll(waiting, count, -1) >= 0 && !(waiting[1].revents & POLLIN)) {
     take_signal();
-    if (interrupted_ || closed_) {
+    if (interrupted() || closed_) {
       act();
       count = 2; // the descriptor stays readable
       waiting[2].revents = 0;
@@ -80,9 +95,9 @@ void SignalWatch::take_signal() {
   signalfd_siginfo signal;
   if (read(signals_, &signal, sizeof signal) != sizeof signal)
     return;
-  interrupted_ = true;
+  signal_ = static_cast<int>(signal.ssi_signo);
   eventfd_write(wake_, 1);
-  const auto set = requests_to_end();
+  const auto set = signals({SIGINT, SIGTERM});
   pthread_sigmask(SIG_UNBLOCK, &set, nullptr);
 }
 

@@ -1,10 +1,10 @@
 // SignalWatch: Ctrl-C and requests to terminate as a call on a thread of its
 // own, so that what happens then may be anything; and a descriptor that a
 // waiting reader can poll. Until the first of them came, the signals SIGINT,
-// SIGTERM and SIGHUP (unless it was ignored) are blocked in the thread that
-// made it and in those it starts; a second SIGINT or SIGTERM does what it would
-// do without a watch, whatever hangs then. SIGPIPE is ignored: a closed output
-// shows as a failed write.
+// SIGTERM and SIGHUP (those that are not ignored) are blocked in the thread
+// that made it and in those it starts; a second SIGINT or SIGTERM does what it
+// would do without a watch, whatever hangs then. SIGPIPE is ignored: a closed
+// output shows as a failed write.
 #pragma once
 
 #include <atomic>
@@ -18,7 +18,8 @@ namespace parlour::tools {
 
 class SignalWatch {
 public:
-  // Make it before any other thread.
+  // Make it before any other thread. Throws std::system_error where the system
+  // gives no descriptor.
   SignalWatch();
   SignalWatch(const SignalWatch&) = delete;
   SignalWatch& operator=(const SignalWatch&) = delete;
@@ -32,8 +33,10 @@ public:
   void raise_closed();
 
   bool interrupted() const {
-    return interrupted_;
+    return signal_ != 0;
   }
+  // What a program returns that has ended in order since: as exit_code says.
+  int status() const;
   bool closed() const {
     return closed_;
   }
@@ -51,7 +54,7 @@ private:
   int signals_ = -1;
   int wake_ = -1; // an eventfd that is never read
   int stop_ = -1;
-  std::atomic<bool> interrupted_ = false;
+  std::atomic<int> signal_ = 0; // the first one
   std::atomic<bool> closed_ = false;
   std::mutex mutex_;
   std::function<void()> action_;

@@ -195,7 +195,7 @@ void talk_on_terminal(Partner& partner, Screen& screen) {
       if (partner.is_virtual())
         partner.run_until_quiet();
     } else if (partner.is_virtual()) {
-      partner.step_to_next_due();
+      partner.let_time_pass();
     }
   }
 }

@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <atomic>
+#include <cerrno>
+#include <cstring>
 #include <fstream>
 #include <ostream>
 #include <thread>
@@ -16,6 +18,7 @@
 #include "tools/parlour/report.hpp"
 #include "tools/parlour/signal_watch.hpp"
 #include "tools/parlour/test_suite.hpp"
+#include "tools/parlour/witness.hpp"
 
 namespace parlour::tools {
 
@@ -29,11 +32,14 @@ Results hold_all(const Application& application, const TestSuite& suite,
   Results results(suite.conversations.size());
   std::vector<Coverage> seen(results.size(), coverage);
   const auto words = options.update ? Words::any : Words::as_written;
+  Witness witness;
   std::atomic<std::size_t> next = 0;
   const auto work = [&] {
-    for (std::size_t i = next++; i < results.size(); i = next++)
-      results[i] = hold_conversation(application, suite.conversations[i],
-                                     seen[i], words);
+    for (std::size_t i = next++; i < results.size(); i = next++) {
+      const auto& conversation = suite.conversations[i];
+      const Witness::Held held(witness, conversation.file);
+      results[i] = hold_conversation(application, conversation, seen[i], words);
+    }
   };
   const auto jobs = options.jobs
                         ? options.jobs
@@ -56,7 +62,8 @@ bool write_junit(const TestOptions& options, const std::string& name,
   print_junit(file, name, results);
   file.close();
   if (!file)
-    say_error(console, options.junit + " cannot be written");
+    say_error(console,
+              options.junit + " cannot be written: " + std::strerror(errno));
   return !!file;
 }
 
@@ -104,13 +111,14 @@ int hold_and_report(const Application& application, const TestSuite& suite,
                     const Console& console) {
   Coverage coverage(*application.program);
   const auto results = hold_all(application, suite, options, coverage);
+  // Before anything is printed, as its reader may go away.
+  const auto written = write_junit(options, application.program->settings.name,
+                                   results, console);
   print_failures(console.out, results, options.trace);
   const auto updated = update_files(suite, results, console);
   if (!options.quiet)
     print(console.out, coverage, places);
   print_summary(console.out, results);
-  const auto written = write_junit(options, application.program->settings.name,
-                                   results, console);
   return updated && written && all_passed(results) ? exit_code::well
                                                    : exit_code::wrong;
 }
@@ -123,7 +131,7 @@ int test_once(const Places& places, const TestOptions& options,
   const auto& application = std::get<Application>(opened);
   const auto suite = read_suite(application, options.files, places);
   if (!suite) {
-    say_error(console, suite.error().message);
+    say_error(console, to_string(suite.error()));
     return exit_code::usage;
   }
   if (refused(application.findings, places, console) ||
@@ -158,11 +166,12 @@ int test_again_and_again(const Places& places, const TestOptions& options,
     watch->add(places.working / name);
   do {
     test_once(places, options, console);
-    console.out << std::flush;
+    if (!console.out.flush())
+      return exit_code::well; // who called this tells of it
     console.err << coloured(console, grey, "waiting for changes; Ctrl-C ends\n")
                 << std::flush;
   } while (watch->wait(signals.descriptor()));
-  return exit_code::interrupted;
+  return signals.status();
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "runtime/base/file_bytes.hpp"
 #include "tools/parlour/conversation_check.hpp"
 
 namespace parlour::tools {
@@ -12,31 +13,28 @@ namespace {
 
 using Paths = std::vector<fs::path>;
 
-bool is_file(const fs::path& path) {
-  std::error_code ignored;
-  return fs::is_regular_file(path, ignored);
-}
-
-Paths all_files(const Application& application) {
-  Paths files;
-  std::error_code ignored;
-  for (const auto& entry :
-       fs::directory_iterator(application.folder / "dialogues", ignored))
-    if (entry.path().extension() == ".txt")
-      files.push_back(entry.path());
-  std::sort(files.begin(), files.end());
-  return files;
-}
-
-// A path, or the name of one of the application's conversations.
-fs::path find_file(const Places& places, const Application& application,
-                   const std::string& name) {
+Expected<Paths> all_files(const Application& application) {
   const auto dialogues = application.folder / "dialogues";
-  for (const auto& path :
-       {places.working / name, dialogues / name, dialogues / (name + ".txt")})
-    if (is_file(path))
+  return is_there(dialogues) ? list_files(dialogues, ".txt") : Paths();
+}
+
+// A path, from here or from the application, or the name of one of its
+// conversations.
+Expected<fs::path> find_file(const Places& places,
+                             const Application& application,
+                             const std::string& name) {
+  const auto dialogues = application.folder / "dialogues";
+  const Paths candidates{places.working / name, application.folder / name,
+                         dialogues / name, dialogues / (name + ".txt")};
+  for (const auto& path : candidates)
+    if (check_is_file(path))
       return path;
-  return {};
+  for (const auto& path : candidates)
+    if (is_there(path) && !name.empty())
+      return tl::make_unexpected(check_is_file(path).error());
+  return fail(ErrorKind::settings, "there is no conversation '" + name +
+                                       "', neither as a file nor in " +
+                                       dialogues.string());
 }
 
 Expected<Paths> chosen_files(const Places& places,
@@ -47,12 +45,10 @@ Expected<Paths> chosen_files(const Places& places,
   Paths files;
   for (const auto& name : names) {
     auto path = find_file(places, application, name);
-    if (path.empty())
-      return fail(ErrorKind::settings,
-                  "there is no conversation '" + name +
-                      "', neither as a file nor in " +
-                      (application.folder / "dialogues").string());
-    files.push_back(std::move(path));
+    if (!path)
+      return tl::make_unexpected(path.error());
+    if (std::find(files.begin(), files.end(), *path) == files.end())
+      files.push_back(std::move(*path));
   }
   return files;
 }

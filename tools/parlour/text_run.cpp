@@ -1,6 +1,34 @@
 #include "tools/parlour/text_run.hpp"
 
+#include <algorithm>
+
+#include "tools/parlour/trace.hpp"
+
 namespace parlour::tools {
+
+NodePartner::NodePartner(actors::Node& node, bool is_virtual,
+                         std::function<void(const std::string&)> say)
+    : node_(node), virtual_(is_virtual) {
+  seat_ =
+      node.open_seat({[this, say = std::move(say)](
+                          const SessionId&, const dialogue::Output& output) {
+                        ++said_;
+                        say(as_one_line(output.text));
+                      },
+                      {}});
+  node.open(seat_);
+}
+
+void NodePartner::let_time_pass() {
+  const auto said = said_.load();
+  auto end = node_.now() + longest_pause.count();
+  do {
+    if (const auto timer = node_.next_timer())
+      end = std::min(end, *timer);
+    if (!node_.step_to_next_due(longest_step))
+      return;
+  } while (said_ == said && node_.now() < end);
+}
 
 bool talk_by_rows(Partner& partner, RowReader& rows) {
   for (;;) {
@@ -16,7 +44,7 @@ bool talk_by_rows(Partner& partner, RowReader& rows) {
       partner.run_until_quiet();
       break;
     case RowEvent::Kind::step:
-      partner.step_to_next_due();
+      partner.let_time_pass();
       break;
     case RowEvent::Kind::end:
       partner.run_until_quiet();

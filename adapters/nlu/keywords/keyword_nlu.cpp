@@ -1,11 +1,10 @@
 #include "adapters/nlu/keywords/keyword_nlu.hpp"
 
-#include <fstream>
-#include <iterator>
 #include <memory>
 #include <utility>
 
 #include "adapters/nlu/keywords/keyword_matcher.hpp"
+#include "runtime/base/file_bytes.hpp"
 #include "runtime/plugin/folder.hpp"
 
 namespace parlour::adapters {
@@ -73,12 +72,10 @@ tl::expected<nlu::KeywordRules, std::vector<Error>> load_keyword_rules(
       application_folder, given == options.end() ? "" : given->second, "rules");
   if (!path)
     return tl::make_unexpected(Errors{path.error()});
-  std::ifstream file(*path, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
-  if (!file)
-    return tl::make_unexpected(Errors{
-        {ErrorKind::file, "cannot read the rules", {path->string(), 0, 0}}});
-  return nlu::read_keyword_rules(text, path->string(), model, columns);
+  const auto text = read_file(*path);
+  if (!text)
+    return tl::make_unexpected(Errors{text.error()});
+  return nlu::read_keyword_rules(*text, path->string(), model, columns);
 }
 
 PluginFactory keyword_nlu_factory() {

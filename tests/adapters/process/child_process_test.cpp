@@ -53,6 +53,11 @@ TEST(ChildProcess, IsHeardWhenItPrints) {
   EXPECT_EQ(child->read_output(), "");
 }
 
+TEST(ChildProcess, IsCalledParlour) {
+  auto child = shell("tr '\\0' ' ' < /proc/$$/cmdline | grep -q '^parlour -c'");
+  EXPECT_EQ(child->bury(patience), "ended with status 0");
+}
+
 TEST(ChildProcess, IsInAGroupOfItsOwn) {
   auto child = shell("test $(cut -d' ' -f5 /proc/$$/stat) = $$");
   EXPECT_EQ(child->bury(patience), "ended with status 0");

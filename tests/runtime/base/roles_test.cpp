@@ -26,6 +26,13 @@ TEST(Roles, know_what_ends_a_request) {
   EXPECT_FALSE(asr->event("Speak"));
 }
 
+TEST(Roles, know_what_nobody_has_to_take) {
+  EXPECT_TRUE(find_role("TTS")->event("Mark")->routine);
+  EXPECT_TRUE(find_role("Speaker")->event("Finished")->routine);
+  EXPECT_FALSE(find_role("Speaker")->event("Failed")->routine);
+  EXPECT_FALSE(find_role("Telephone")->event("Answered")->routine);
+}
+
 TEST(Roles, list_their_commands) {
   EXPECT_TRUE(find_role("NLU")->command("DoNLU"));
   EXPECT_EQ(find_role("Robot")->command("Goto")->parameters, "place");

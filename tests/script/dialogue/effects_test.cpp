@@ -313,6 +313,8 @@ TEST(Effects, AConfirmThatIsCancelledIsNoError) {
   world.say("cancel");
   EXPECT_EQ(world.said(), (Texts{"Open?", "[cancelled]"}));
   EXPECT_EQ(world.seen(InspectionKind::error), Texts{});
+  EXPECT_EQ(world.seen(InspectionKind::log), Texts{});
+  EXPECT_EQ(world.seen(InspectionKind::cancelled).size(), 1u);
 }
 
 TEST(Effects, AConfirmRepeatedInSilenceEndsSomewhere) {

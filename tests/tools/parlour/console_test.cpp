@@ -1,8 +1,10 @@
+#include <cerrno>
 #include <sstream>
 
 #include <gtest/gtest.h>
 
 #include "tools/parlour/console.hpp"
+#include "tools/parlour/exit_code.hpp"
 
 namespace parlour::tools {
 namespace {
@@ -15,6 +17,25 @@ TEST(Console, writes_errors_and_warnings_as_lines) {
   say_warning(console, "rather odd");
   EXPECT_EQ(err.str(), "error: no such thing\nwarning: rather odd\n");
   EXPECT_EQ(out.str(), "");
+}
+
+TEST(Console, tells_of_what_cannot_be_written_unless_nobody_reads) {
+  std::ostringstream out;
+  std::ostringstream err;
+  Console console{out, err};
+  EXPECT_EQ(status_of_printing(console, exit_code::well), exit_code::well);
+  EXPECT_EQ(err.str(), "");
+  out.setstate(std::ios::badbit);
+  console.trouble = [] { return ENOSPC; };
+  EXPECT_EQ(status_of_printing(console, exit_code::well), exit_code::wrong);
+  EXPECT_EQ(status_of_printing(console, exit_code::usage), exit_code::usage);
+  const std::string line = "error: what is printed cannot be written: No space "
+                           "left on device\n";
+  EXPECT_EQ(err.str(), line + line);
+  console.trouble = [] { return EPIPE; };
+  EXPECT_EQ(status_of_printing(console, exit_code::well),
+            exit_code::nobody_reads);
+  EXPECT_EQ(err.str(), line + line);
 }
 
 TEST(Console, colours_only_where_told) {

@@ -178,7 +178,16 @@ TEST(ConversationFile, reads_partials_and_turns_that_barge_in) {
 TEST(ReadConversation, reports_a_file_that_is_not_there) {
   const auto parsed = read_conversation("no/such/file.txt");
   ASSERT_EQ(parsed.errors.size(), 1u);
-  EXPECT_EQ(parsed.errors[0].message, "the conversation cannot be read");
+  EXPECT_EQ(parsed.errors[0].message,
+            "this file cannot be read: No such file or directory");
+  EXPECT_EQ(parsed.errors[0].place.file, "no/such/file.txt");
+}
+
+TEST(ParseConversation, says_once_that_a_text_is_not_utf_8) {
+  const auto parsed = parse_conversation("U: hi\nR: Caf\xe9\nX\n\xff\n", "x");
+  ASSERT_EQ(parsed.errors.size(), 1u);
+  EXPECT_EQ(parsed.errors[0].place.line, 2u);
+  EXPECT_THAT(parsed.errors[0].message, testing::HasSubstr("not UTF-8"));
 }
 
 TEST(ReadConversation, reads_a_file) {

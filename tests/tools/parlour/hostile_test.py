@@ -121,21 +121,24 @@ class Streams(Hostile):
             running.stdin.close()
         except BrokenPipeError:
             pass
-        self.assertEqual(running.wait(60), 0)
+        self.assertEqual((running.wait(60), running.stderr.read()), (141, b""))
+        self.still_usable()
+
+    def refuses(self, redirection, reason):
+        ended = self.shell(redirection)
+        self.assertEqual((ended.returncode, ended.stderr.decode()), (
+            1, f"error: what is printed cannot be written: {reason}\n"))
         self.still_usable()
 
     def test_output_that_is_full(self):
-        self.assertEqual(self.shell(">/dev/full").returncode, 0)
-        self.still_usable()
+        self.refuses(">/dev/full", "No space left on device")
 
     def test_output_that_is_closed(self):
-        self.assertEqual(self.shell(">&-").returncode, 0)
-        self.still_usable()
+        self.refuses(">&-", "Bad file descriptor")
 
     def test_input_that_is_closed(self):
         ended = self.shell("<&-")
         self.assertEqual((ended.returncode, ended.stdout), (0, GREETING))
-
 
     def test_input_without_a_pause(self):
         ended = self.run_with(b"x\n" * 1001)
@@ -156,11 +159,12 @@ class Streams(Hostile):
 class Signals(Hostile):
 
     def test_ends_sessions_first(self):
-        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+        for number, status in ((signal.SIGINT, 130), (signal.SIGTERM, 0),
+                               (signal.SIGHUP, 0)):
             with self.subTest(number):
                 running = self.start()
                 running.send_signal(number)
-                self.assertEqual(running.wait(60), 130)
+                self.assertEqual(running.wait(60), status)
                 self.still_usable()
 
     def test_ends_at_once_at_the_second(self):
@@ -170,15 +174,17 @@ class Signals(Hostile):
         self.assertIn(running.wait(60), (130, -signal.SIGTERM))
         self.still_usable()
 
-    def test_before_anything_has_begun(self):
-        application = self.data.parent / "slow"
-        application.mkdir()
-        os.mkfifo(application / "settings.xml")
-        checking = self.begin("check", str(application),
-                              stderr=subprocess.DEVNULL)
-        with open(application / "settings.xml", "wb"):  # it reads now
-            checking.send_signal(signal.SIGINT)
-            self.assertEqual(checking.wait(60), 130)
+    def test_where_there_is_nothing_to_end(self):
+        script = self.write("wait.xml", """<dialogue><function name="main">
+            <log param="begun"/><wait for="10m"/></function></dialogue>""")
+        for number, status in ((signal.SIGINT, 130),
+                               (signal.SIGTERM, -signal.SIGTERM),
+                               (signal.SIGHUP, -signal.SIGHUP)):
+            with self.subTest(number):
+                waiting = self.begin("exec", script, stderr=subprocess.PIPE)
+                self.assertEqual(waiting.stderr.readline(), b"begun\n")
+                waiting.send_signal(number)
+                self.assertEqual(waiting.wait(60), status)
 
     def test_killed_in_the_middle(self):
         running = self.start()

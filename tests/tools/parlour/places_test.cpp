@@ -101,6 +101,20 @@ TEST_F(PlacesTest, keeps_data_where_the_environment_says) {
             "/home/ada/.local/share/parlour/desk");
 }
 
+TEST_F(PlacesTest, keeps_no_data_where_there_is_no_home) {
+  EXPECT_THAT(default_data_folder(places_, "/x/apps/desk").error().message,
+              HasSubstr("--data names a folder"));
+  environment_["HOME"] = "relative";
+  EXPECT_FALSE(default_data_folder(places_, "/x/apps/desk"));
+}
+
+TEST_F(PlacesTest, says_why_an_application_cannot_be_read) {
+  std::filesystem::create_symlink("loop", root() / "work/loop");
+  EXPECT_THAT(
+      find_application(places_, "loop").error().message,
+      testing::EndsWith("cannot be read: Too many levels of symbolic links"));
+}
+
 TEST_F(PlacesTest, shows_files_from_the_working_folder) {
   places_.working = "/site";
   EXPECT_EQ(shown_path(places_, "/site/app/a.xml:3"), "app/a.xml:3");

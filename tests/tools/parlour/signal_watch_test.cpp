@@ -1,10 +1,13 @@
 #include <future>
+#include <string>
+#include <utility>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
 #include "tools/parlour/descriptor_source.hpp"
+#include "tools/parlour/exit_code.hpp"
 #include "tools/parlour/signal_watch.hpp"
 
 namespace parlour::tools {
@@ -51,23 +54,48 @@ TEST(SignalWatchDeathTest, ends_at_once_at_the_second_signal) {
       testing::KilledBySignal(SIGTERM), "");
 }
 
-TEST(SignalWatch, leaves_a_hang_up_alone_that_was_to_be_ignored) {
-  const auto before = signal(SIGHUP, SIG_IGN);
-  {
-    SignalWatch watch;
-    sigset_t blocked;
-    pthread_sigmask(SIG_SETMASK, nullptr, &blocked);
-    EXPECT_EQ(sigismember(&blocked, SIGINT), 1);
-    EXPECT_EQ(sigismember(&blocked, SIGHUP), 0);
+// Which of the three a watch takes.
+std::string taken() {
+  SignalWatch watch;
+  sigset_t blocked;
+  pthread_sigmask(SIG_SETMASK, nullptr, &blocked);
+  std::string all;
+  for (const auto& [number, name] :
+       {std::pair(SIGINT, "INT "), std::pair(SIGTERM, "TERM "),
+        std::pair(SIGHUP, "HUP ")})
+    if (sigismember(&blocked, number))
+      all += name;
+  return all;
+}
+
+TEST(SignalWatch, leaves_alone_what_was_to_be_ignored) {
+  EXPECT_EQ(taken(), "INT TERM HUP ");
+  for (const auto& [number, others] :
+       {std::pair(SIGINT, "TERM HUP "), std::pair(SIGTERM, "INT HUP "),
+        std::pair(SIGHUP, "INT TERM ")}) {
+    const auto before = signal(number, SIG_IGN);
+    EXPECT_EQ(taken(), others);
+    signal(number, before);
   }
-  signal(SIGHUP, SIG_DFL);
-  {
+}
+
+TEST(SignalWatch, says_how_an_end_in_order_counts) {
+  for (const auto& [number, status] :
+       {std::pair(SIGINT, exit_code::interrupted),
+        std::pair(SIGTERM, exit_code::well),
+        std::pair(SIGHUP, exit_code::well)}) {
     SignalWatch watch;
-    sigset_t blocked;
-    pthread_sigmask(SIG_SETMASK, nullptr, &blocked);
-    EXPECT_EQ(sigismember(&blocked, SIGHUP), 1);
+    EXPECT_EQ(watch.status(), exit_code::well);
+    std::promise<void> called;
+    std::atomic<bool> once = false;
+    watch.on_interrupt([&] {
+      if (!once.exchange(true))
+        called.set_value();
+    });
+    kill(getpid(), number);
+    called.get_future().wait();
+    EXPECT_EQ(watch.status(), status) << number;
   }
-  signal(SIGHUP, before);
 }
 
 TEST(SignalWatch, takes_a_closed_output_for_no_interruption) {

@@ -130,7 +130,7 @@ public:
   void run_until_quiet() override {
     calls.emplace_back("(quiet)");
   }
-  void step_to_next_due() override {
+  void let_time_pass() override {
     calls.emplace_back("(step)");
   }
   bool is_virtual() const override {

@@ -1,11 +1,12 @@
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
+#include "tests/tools/parlour/application_fixture.hpp"
+#include "tools/parlour/conversation_file.hpp"
+#include "tools/parlour/node_options.hpp"
 #include "tools/parlour/text_run.hpp"
 
 namespace parlour::tools {
 namespace {
 
+using namespace std::chrono_literals;
 using testing::ElementsAre;
 
 class OneRead : public ByteSource {
@@ -28,7 +29,7 @@ public:
   void run_until_quiet() override {
     calls.emplace_back("quiet");
   }
-  void step_to_next_due() override {
+  void let_time_pass() override {
     calls.emplace_back("step");
   }
   bool is_virtual() const override {
@@ -70,6 +71,92 @@ TEST(TalkByRows, reads_on_after_a_part_when_all_is_quiet) {
 TEST(TalkByRows, ends_when_interrupted) {
   EXPECT_THAT(calls_for({Read::Kind::interrupted, {}}, false, false),
               ElementsAre());
+}
+
+// Ticks a hundred times a second, and strikes after a second.
+class Metronome : public IPlugin {
+public:
+  void stop() override {}
+
+protected:
+  Expected<void> on_start(const Options&) override {
+    tick(0);
+    return {};
+  }
+  void on_message(const Message&) override {}
+
+private:
+  void tick(int count) {
+    fire_event(count == 100 ? "Strikes" : "Ticks", {});
+    host().after(10ms, [this, count] { tick(count + 1); });
+  }
+};
+
+class NodePartnerTest : public ApplicationTest {
+protected:
+  void talk(const std::string& dialogue) {
+    application_ = load("<Plugins/>", dialogue);
+    ASSERT_TRUE(application_.program) << findings(application_);
+    auto options = node_options(application_, application_.composition,
+                                {"", default_start(), 1});
+    PluginFactory metronome;
+    metronome.description.name = "Metronome";
+    metronome.create = [] { return std::make_unique<Metronome>(); };
+    options.components.push_back({"Metronome", metronome, {}, {}});
+    auto node = actors::Node::start(std::move(options));
+    ASSERT_TRUE(node) << to_string(node.error());
+    node_ = std::move(*node);
+    partner_.emplace(*node_, true, [this](const std::string& text) {
+      said_.push_back(text);
+    });
+  }
+  // How much does.
+  Milliseconds let_time_pass() {
+    const auto before = node_->now();
+    partner_->let_time_pass();
+    return Milliseconds(node_->now() - before);
+  }
+  ~NodePartnerTest() override {
+    node_->stop();
+  }
+
+  std::vector<std::string> said_;
+
+private:
+  Application application_;
+  std::unique_ptr<actors::Node> node_;
+  std::optional<NodePartner> partner_;
+};
+
+constexpr const char* timers = R"(<state name="A"><Entrance>
+  <speak param="Hello."/>
+  <timer name="one" after="3s"><speak param="Three."/></timer>
+  <timer name="two" after="5s"><print param="unheard"/></timer>
+  </Entrance></state>)";
+
+TEST_F(NodePartnerTest, goes_from_timer_to_timer_whatever_components_do) {
+  ASSERT_NO_FATAL_FAILURE(talk(timers));
+  EXPECT_THAT(said_, ElementsAre("Hello."));
+  EXPECT_EQ(let_time_pass(), 3s);
+  EXPECT_THAT(said_, ElementsAre("Hello.", "Three."));
+  EXPECT_EQ(let_time_pass(), 2s);
+}
+
+TEST_F(NodePartnerTest, stops_where_something_is_said) {
+  ASSERT_NO_FATAL_FAILURE(talk(std::string(timers) + R"(<handler name="Ear">
+      <messages><component><Metronome>
+        <Strikes><speak param="Dong."/></Strikes>
+      </Metronome></component></messages></handler>)"));
+  EXPECT_EQ(let_time_pass(), 1s);
+  EXPECT_THAT(said_, ElementsAre("Hello.", "Dong."));
+  EXPECT_EQ(let_time_pass(), 2s);
+}
+
+TEST_F(NodePartnerTest, goes_on_for_a_minute_where_only_components_do) {
+  ASSERT_NO_FATAL_FAILURE(talk(R"(<handler name="Ear"><messages><component>
+      <Metronome><Strikes><print param="unheard"/></Strikes></Metronome>
+      </component></messages></handler>)"));
+  EXPECT_EQ(let_time_pass(), longest_pause);
 }
 
 } // namespace

@@ -1,0 +1,130 @@
+#include "runtime/base/file_bytes.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <utility>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace parlour {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+tl::unexpected<Error> unusable(const fs::path& path, std::string message) {
+  return fail(ErrorKind::file, std::move(message), {path.string(), 0, 0});
+}
+
+tl::unexpected<Error> unreadable(const fs::path& path) {
+  return unusable(path, std::string("this file cannot be read: ") +
+                            std::strerror(errno));
+}
+
+const char* name_of_kind(mode_t mode) {
+  switch (mode & S_IFMT) {
+  case S_IFDIR:
+    return "folder";
+  case S_IFIFO:
+    return "named pipe";
+  case S_IFSOCK:
+    return "socket";
+  default:
+    return "device";
+  }
+}
+
+Expected<void> check_kind(const fs::path& path, const struct stat& status) {
+  if (S_ISREG(status.st_mode))
+    return {};
+  return unusable(path, std::string("this is a ") +
+                            name_of_kind(status.st_mode) + ", not a file");
+}
+
+// Closes what it opened.
+class Descriptor {
+public:
+  // Whatever may lie there by now does not hold up its reader.
+  explicit Descriptor(const fs::path& path)
+      : number_(open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {}
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  ~Descriptor() {
+    if (number_ >= 0)
+      close(number_);
+  }
+  int number() const {
+    return number_;
+  }
+
+private:
+  int number_;
+};
+
+// Appends a part to `bytes`; how much, or -1 and errno.
+ssize_t read_part(int descriptor, std::string& bytes, std::size_t most) {
+  constexpr std::size_t part = 64 << 10;
+  const auto before = bytes.size();
+  bytes.resize(before + std::min(part, most - before));
+  ssize_t size = 0;
+  do
+    size = read(descriptor, bytes.data() + before, bytes.size() - before);
+  while (size < 0 && errno == EINTR);
+  bytes.resize(before + static_cast<std::size_t>(std::max<ssize_t>(size, 0)));
+  return size;
+}
+
+} // namespace
+
+Expected<void> check_is_file(const fs::path& path) {
+  struct stat status {};
+  if (stat(path.c_str(), &status) != 0)
+    return unreadable(path);
+  return check_kind(path, status);
+}
+
+Expected<std::string> read_file(const fs::path& path, std::size_t most) {
+  if (auto file = check_is_file(path); !file)
+    return tl::make_unexpected(file.error());
+  const Descriptor descriptor(path);
+  struct stat status {};
+  if (descriptor.number() < 0 || fstat(descriptor.number(), &status) != 0)
+    return unreadable(path);
+  if (auto file = check_kind(path, status); !file)
+    return tl::make_unexpected(file.error());
+  std::string bytes;
+  while (bytes.size() <= most) {
+    const auto size = read_part(descriptor.number(), bytes, most + 1);
+    if (size < 0)
+      return unreadable(path);
+    if (size == 0)
+      return bytes;
+  }
+  return unusable(path, "this file is larger than " +
+                            std::to_string(most >> 20) + " MB");
+}
+
+Expected<std::vector<fs::path>> list_files(const fs::path& folder,
+                                           const std::string& extension) {
+  std::vector<fs::path> paths;
+  std::error_code failed;
+  for (fs::directory_iterator entry(folder, failed), end;
+       !failed && entry != end; entry.increment(failed))
+    if (const auto name = entry->path().filename();
+        name.extension() == extension && !name.string().starts_with('.'))
+      paths.push_back(entry->path());
+  if (failed)
+    return unusable(folder, "this folder cannot be read: " + failed.message());
+  std::sort(paths.begin(), paths.end());
+  return paths;
+}
+
+bool is_there(const fs::path& path) {
+  std::error_code ignored;
+  return fs::exists(fs::symlink_status(path, ignored));
+}
+
+} // namespace parlour

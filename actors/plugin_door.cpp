@@ -1,6 +1,5 @@
 #include "actors/plugin_door.hpp"
 
-#include <algorithm>
 #include <utility>
 
 #include <caf/actor_system.hpp>
@@ -8,18 +7,16 @@
 #include <caf/typed_event_based_actor.hpp>
 
 #include "actors/ask.hpp"
+#include "runtime/base/roles.hpp"
 
 namespace parlour::actors {
 
 namespace {
 
-// Only the platform speaks under these names (roles table; session.md, "Who may
+// Nobody speaks as the platform or as a role (roles table; session.md, "Who may
 // do what").
-bool is_reserved(const std::string& source) {
-  constexpr const char* names[] = {"Session", "Timer", "System", "Script",
-                                   "Dialogue"};
-  return std::find(std::begin(names), std::end(names), source) !=
-         std::end(names);
+bool may_speak_as(const std::string& source) {
+  return !source.empty() && !find_role(source);
 }
 
 } // namespace
@@ -130,7 +127,7 @@ void PluginDoor::publish_as_itself(Message&& message) {
   Work work;
   if (!may_say(message, now, work))
     return;
-  if (message.source.empty() || is_reserved(message.source))
+  if (!may_speak_as(message.source))
     message.source = name_;
   fill_session(message);
   services_.publish(std::move(message), now, std::move(work));

@@ -120,7 +120,7 @@ bool RoutingTable::is_routine(const Message& message) const {
                 : says_so(role(message.source));
 }
 
-bool RoutingTable::subscribed(const Message& message) const {
+bool RoutingTable::is_listened_to(const Message& message) const {
   const auto& program = *parts_.program;
   for (const auto& handler : program.handlers)
     if (any_of(handler.reactions, *this, message))

@@ -124,7 +124,7 @@ public:
   // An event that nobody has to take, as its role says.
   bool is_routine(const Message& message) const;
   // Whether a handler or a state of the program takes such a message.
-  bool subscribed(const Message& message) const;
+  bool is_listened_to(const Message& message) const;
   // Whether a component has an instance for each seat or session.
   bool has_branches() const;
 

@@ -6,6 +6,7 @@
 #include <caf/typed_event_based_actor.hpp>
 
 #include "actors/session.hpp"
+#include "runtime/base/roles.hpp"
 
 namespace parlour::actors {
 
@@ -96,7 +97,7 @@ void forget(Self self, Services& services, const session_gone& what) {
   services.sessions.remove(what.session);
   if (entry.empty())
     return;
-  auto& [session, seat] = entry.mapped();
+  auto& [session, seat, subscriptions] = entry.mapped();
   self->send(services.supervisor, session_ended{what.session, seat, what.work});
   state.departed.emplace_back(what.session, seat);
   if (state.departed.size() > most_departed)
@@ -119,13 +120,40 @@ void notice_loss(Self self, Services& services, const caf::down_msg& down) {
 
 // -- messages -----------------------------------------------------------------
 
-void pass_to_all(Self self, Services& services, const Message& message,
+bool is_subscribed(const std::vector<Subscription>& all,
+                   const RoutingTable& table, const Message& message) {
+  return std::ranges::any_of(all, [&](const Subscription& one) {
+    return (one.command == "*" || one.command == message.command) &&
+           table.is_source(one.source, message.source);
+  });
+}
+
+// What the platform says goes to all, if anybody listens; what a component says
+// to those who have subscribed, unless it answers somebody. From then on it
+// belongs to the session.
+void pass_to_all(Self self, Services& services, Message message,
                  const Work& work) {
-  if (services.table.load()->subscribed(message))
-    for (const auto& [id, entry] : self->state.sessions)
+  const auto table = services.table.load();
+  const auto* role = find_role(message.source);
+  const bool raised = role && role->reserved;
+  const bool listens =
+      raised ? table->is_listened_to(message) : message.correlation == 0;
+  bool taken = raised;
+  for (const auto& [id, entry] : self->state.sessions)
+    if (listens &&
+        (raised || is_subscribed(entry.subscriptions, *table, message))) {
+      message.session = id;
       self->send(entry.session, deliver{{message}, work});
-  else if (message.source != "System") // raised for those who listen
-    services.unhandled(message, "no session listens to it");
+      taken = true;
+    }
+  if (!taken)
+    services.unhandled(message, "no session has subscribed to it");
+}
+
+void note_subscriptions(Self self, const subscribe& what) {
+  const auto found = self->state.sessions.find(what.session);
+  if (found != self->state.sessions.end())
+    found->second.subscriptions = what.to;
 }
 
 void pass_on(Self self, Services& services, const forward& what) {
@@ -161,6 +189,7 @@ session_manager_actor::behavior_type session_manager(
         return session_opened{open(self, *services, what)};
       },
       [=](const forward& what) { pass_on(self, *services, what); },
+      [=](const subscribe& what) { note_subscriptions(self, what); },
       [=](const close_session& what) { close(self, what); },
       [=](const session_gone& what) { forget(self, *services, what); },
       [=](const seat_opened& what) {

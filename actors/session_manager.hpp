@@ -6,6 +6,7 @@
 #include <deque>
 #include <map>
 #include <utility>
+#include <vector>
 
 #include "actors/services.hpp"
 
@@ -16,6 +17,7 @@ struct session_manager_state {
   struct Entry {
     session_actor session;
     seat_actor seat;
+    std::vector<Subscription> subscriptions = {};
   };
   std::map<SessionId, Entry> sessions;     // a seat has one at a time
   std::map<std::string, seat_actor> seats; // by name

@@ -81,6 +81,11 @@ std::vector<Message> SessionPort::ask_directly(const Target& target,
   return events;
 }
 
+void SessionPort::subscribe(const std::vector<Subscription>& all) {
+  self_->send(services_.manager,
+              actors::subscribe{id_, all, services_.work.begin()});
+}
+
 bool SessionPort::reachable(const std::string& module) const {
   return services_.table.load()->find(module, id_) != nullptr;
 }

@@ -21,6 +21,7 @@ public:
   ~SessionPort() override; // ends whatever still works for the session
 
   std::vector<Message> post(Message message) override;
+  void subscribe(const std::vector<Subscription>& all) override;
   bool reachable(const std::string& module) const override;
   bool is_source(const std::string& module,
                  const std::string& source) const override;

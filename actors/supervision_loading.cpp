@@ -7,6 +7,7 @@
 #include "actors/supervision.hpp"
 #include "actors/supervisor.hpp"
 #include "runtime/base/call_deadline.hpp"
+#include "runtime/plugin/component_check.hpp"
 #include "runtime/plugin/scope_check.hpp"
 #include "script/findings.hpp"
 
@@ -100,6 +101,13 @@ Expected<void> Supervision::may_come(const ComponentOrder& order) const {
     return fail(ErrorKind::cancelled, "the application stops");
   if (coming_.count(order.name) != 0)
     return wrong("is being loaded already");
+  if (auto right = check_component(order.name, plugin); !right)
+    return right;
+  if (const auto before = kept_.find(order.name); before != kept_.end())
+    if (auto may = check_replacement(
+            order.name, before->second->order.factory.description, plugin);
+        !may)
+      return may;
   if (auto fits = check_scope(order.upkeep.scope, plugin); !fits)
     return wrong(fits.error().message);
   for (const auto& option : plugin.options)

@@ -45,7 +45,7 @@ void Supervision::tell(const char* event, std::vector<Value> params,
   message.params = std::move(params);
   message.session = session;
   if (session.empty() || (services_.sessions.find(session) &&
-                          services_.table.load()->subscribed(message)))
+                          services_.table.load()->is_listened_to(message)))
     services_.publish({std::move(message)});
 }
 

@@ -17,6 +17,7 @@
 #include "runtime/base/files.hpp"
 #include "runtime/base/message.hpp"
 #include "runtime/base/sockets.hpp"
+#include "runtime/base/subscription.hpp"
 #include "runtime/work.hpp"
 
 namespace parlour::dialogue {
@@ -343,9 +344,15 @@ struct session_opened {
   SessionId session;
 };
 // Messages for one session that the sender found no handle of, or that has
-// ended; without a session: for every session.
+// ended; without a session: for all that want them.
 struct forward {
   std::vector<Message> messages;
+  Work work;
+};
+// What a session hears of messages without one: these, and no others.
+struct subscribe {
+  SessionId session;
+  std::vector<Subscription> to;
   Work work;
 };
 // End one session, or for an empty id every session: none opens afterwards.
@@ -363,7 +370,8 @@ struct session_gone {
 
 using session_manager_actor =
     caf::typed_actor<caf::replies_to<open_session>::with<session_opened>,
-                     caf::reacts_to<forward>, caf::reacts_to<close_session>,
+                     caf::reacts_to<forward>, caf::reacts_to<subscribe>,
+                     caf::reacts_to<close_session>,
                      caf::reacts_to<session_gone>, caf::reacts_to<seat_opened>>;
 
 } // namespace parlour::actors
@@ -381,7 +389,7 @@ using session_manager_actor =
   X(instance_rests) X(try_again) X(drain_over) X(seat_opened) \
   X(session_begins) X(session_settled) X(session_ended) X(say) \
   X(session_over) X(next_session) X(open_session) X(session_opened) \
-  X(forward) X(close_session) X(session_gone)
+  X(forward) X(subscribe) X(close_session) X(session_gone)
 // clang-format on
 
 #define X(name) CAF_ALLOW_UNSAFE_MESSAGE_TYPE(parlour::actors::name)

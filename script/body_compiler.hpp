@@ -40,7 +40,6 @@ using ElementNames = std::initializer_list<std::string_view>;
 struct BodyContext {
   const Topic* topic = nullptr;             // `this` is its frame
   const FunctionNames* functions = nullptr; // of the state or topic
-  bool in_exit = false;                     // no transit (engine rule 2)
   bool in_timer = false;
   bool handles_message = false; // _LPARAM1 may hold something
   std::string name;             // for the script stack

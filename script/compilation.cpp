@@ -36,19 +36,12 @@ std::vector<CodeId> compile_values(const Element* parent,
 
 CodeId compile_child(const Element& parent, const char* name,
                      const BodyContext& context, Compilation& compilation) {
-  auto code = no_code;
-  for (const auto& child : parent.children) {
-    if (!child.is(name))
-      continue;
-    if (code != no_code)
-      compilation.findings.error(child.position,
-                                 "a second <" + std::string(name) + "> in <" +
-                                     parent.name + ">; put both into one");
-    auto inside = context;
-    inside.name += " <" + child.name + ">";
-    code = compilation.bodies.body(child, inside);
-  }
-  return code;
+  const auto* child = parent.child(name);
+  if (!child)
+    return no_code;
+  auto inside = context;
+  inside.name += " <" + child->name + ">";
+  return compilation.bodies.body(*child, inside);
 }
 
 void compile_functions(const Element& holder, const FunctionNames& functions,

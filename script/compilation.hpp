@@ -40,8 +40,7 @@ std::vector<CodeId> compile_values(const Element* parent,
                                    const BodyContext& context,
                                    Compilation& compilation);
 
-// The body of a child element; no_code where there is none, the second one of
-// that name an error.
+// The body of a child element; no_code where there is none.
 CodeId compile_child(const Element& parent, const char* name,
                      const BodyContext& context, Compilation& compilation);
 

@@ -47,6 +47,7 @@ private:
   void compile_document(std::size_t document);
   void compile_declaration(const Element& element,
                            const FunctionNames* functions);
+  void compile_all_facts(const Element& holder, TopicId topic);
   void compile_variable(const Element& element);
   void compile_all_phrases();
   void compile_all_repairs();
@@ -78,11 +79,18 @@ void DeclarationCompiler::prepare(SettingsSource settings) {
                      compilation_.findings);
   }
   for (const auto& document : documents_)
-    for (const auto& child : document.root.children)
-      if (child.is("facts"))
-        compile_facts(child, compilation_);
+    compile_all_facts(document.root, no_id);
   for (const auto& [name, function] : collected_.names.functions)
     program_.functions.emplace(name, function.code);
+}
+
+void DeclarationCompiler::compile_all_facts(const Element& holder,
+                                            TopicId topic) {
+  for (const auto& child : holder.children)
+    if (child.is("facts"))
+      compile_facts(child, topic, compilation_);
+    else if (child.is("topic") && declared(program_.topics, child))
+      compile_all_facts(child, program_.topic(child.value("name")));
 }
 
 void DeclarationCompiler::compile_variable(const Element& element) {
@@ -175,6 +183,7 @@ void DeclarationCompiler::compile(SettingsSource settings) {
   compile_all_phrases();
   compile_all_repairs();
   check_needs(compilation_);
+  check_ways_out(compilation_);
   if (!settings.root)
     return;
   check_start(*settings.root);

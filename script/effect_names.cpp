@@ -36,4 +36,9 @@ std::string element_of(EffectKind kind) {
   return name;
 }
 
+bool leads_elsewhere(EffectKind kind) {
+  using enum EffectKind;
+  return kind == transit || kind == push || kind == pop || kind == restart;
+}
+
 } // namespace parlour::script

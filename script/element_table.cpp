@@ -17,6 +17,28 @@ std::vector<std::string> words_of(const char* text) {
   return words;
 }
 
+// "name?" or "name=word|word".
+FormWord form_word(std::string text) {
+  FormWord word;
+  if (text.ends_with('?')) {
+    word.required = false;
+    text.pop_back();
+  }
+  const auto values = std::min(text.find('='), text.size());
+  word.attribute = text.substr(0, values);
+  std::replace(text.begin(), text.end(), '|', ' ');
+  if (values < text.size())
+    word.values = words_of(text.c_str() + values + 1);
+  return word;
+}
+
+AttributeForm form_of(const char* text) {
+  AttributeForm form;
+  for (auto& word : words_of(text))
+    form.push_back(form_word(std::move(word)));
+  return form;
+}
+
 std::vector<ElementRule> read_table() {
   std::vector<ElementRule> all;
   enum { later, ready };
@@ -27,15 +49,27 @@ std::vector<ElementRule> read_table() {
                  words_of(holds),                                              \
                  availability == ready,                                        \
                  sentence,                                                     \
-                 {},                                                           \
                  {}});
 #define ATTRIBUTE(name, kind, need, words, sentence)                           \
   all.back().attributes.push_back({name, AttributeKind::kind,                  \
                                    need == required, words_of(words),          \
                                    sentence});
+#define FORM(words) all.back().forms.push_back(form_of(words));
+#define EITHER(attribute, child)                                               \
+  all.back().either.push_back({attribute, child});
+#define ONCE(names) all.back().once = words_of(names);
+#define LAST(names) all.back().last = words_of(names);
+#define PARTS(names)                                                           \
+  all.back().last = words_of(names);                                           \
+  all.back().in_parts = true;
 #include "script/elements.def"
 #undef ELEMENT
 #undef ATTRIBUTE
+#undef FORM
+#undef EITHER
+#undef ONCE
+#undef LAST
+#undef PARTS
   return all;
 }
 
@@ -73,6 +107,40 @@ ElementRule::attribute(std::string_view attribute_name) const {
 
 bool ElementRule::holds_text() const {
   return std::find(holds.begin(), holds.end(), "text") != holds.end();
+}
+
+namespace {
+
+auto find_name(const std::vector<std::string>& names, std::string_view name) {
+  return std::find_if(names.begin(), names.end(),
+                      [&](const auto& one) { return same_name(one, name); });
+}
+
+} // namespace
+
+const FormWord* find_word(const AttributeForm& form,
+                          std::string_view attribute) {
+  for (const auto& word : form)
+    if (word.attribute == attribute)
+      return &word;
+  return nullptr;
+}
+
+bool ElementRule::is_in_a_form(std::string_view attribute_name) const {
+  return std::any_of(forms.begin(), forms.end(), [&](const auto& form) {
+    return find_word(form, attribute_name);
+  });
+}
+
+bool ElementRule::holds_once(std::string_view child_name) const {
+  return find_name(once, child_name) != once.end();
+}
+
+std::size_t ElementRule::last_place(std::string_view child_name) const {
+  const auto found = find_name(last, child_name);
+  return found == last.end()
+             ? 0
+             : static_cast<std::size_t>(found - last.begin()) + 1;
 }
 
 std::vector<std::string> ElementRule::attribute_names() const {

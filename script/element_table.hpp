@@ -49,6 +49,28 @@ struct AttributeRule {
   std::string sentence;
 };
 
+// One attribute of a form: what it may say where only some words of it belong
+// to the form, and whether it may be missing.
+struct FormWord {
+  std::string attribute;
+  std::vector<std::string> values; // empty: any
+  bool required = true;
+};
+
+// Attributes that make one way of writing an element.
+using AttributeForm = std::vector<FormWord>;
+
+// Null where the form has no such attribute.
+const FormWord* find_word(const AttributeForm& form,
+                          std::string_view attribute);
+
+// An attribute and children of that name ("text": character data) that say the
+// same.
+struct Either {
+  std::string attribute;
+  std::string child;
+};
+
 struct ElementRule {
   std::string name; // "*": every name without a rule of its own
   std::vector<std::string> in;
@@ -56,6 +78,11 @@ struct ElementRule {
   bool available = true;
   std::string sentence;
   std::vector<AttributeRule> attributes;
+  std::vector<AttributeForm> forms = {}; // empty: any of its attributes
+  std::vector<std::string> once = {};    // children
+  std::vector<std::string> last = {};    // children, behind all others
+  bool in_parts = false;                 // which those begin
+  std::vector<Either> either = {};
   // The rules of what may stand inside; known in element_table() only.
   ByName<const ElementRule*> inside = {};
 
@@ -64,6 +91,12 @@ struct ElementRule {
   // Null where there is none; "*" rules stand for all names.
   const AttributeRule* attribute(std::string_view attribute_name) const;
   bool holds_text() const;
+  // Whether its forms are about that attribute.
+  bool is_in_a_form(std::string_view attribute_name) const;
+  // Whether such a child may stand in it once only.
+  bool holds_once(std::string_view child_name) const;
+  // Its place among those that stand behind all others, from 1 on; 0: none.
+  std::size_t last_place(std::string_view child_name) const;
   std::vector<std::string> attribute_names() const;
 };
 

@@ -24,6 +24,7 @@ struct ActivationContext {
   std::uint64_t turn = 0;                 // the user turn that led here
   bool handles_error = false;             // it handles Script.Error
   bool writes = false; // its unnamed queries may write (language rule 11.12)
+  bool leaves_state = false; // an Exit, or what stands in a <transit>
 };
 
 // A running or suspended piece of script: its frames and context.

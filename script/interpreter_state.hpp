@@ -13,7 +13,8 @@
 //                 sinks, session, correlation
 //   activations   count, each
 //     context     message (0: none, else its place from 1), topic and slot
-//                 (number plus one, 0: none), turn, a byte: handles an error
+//                 (number plus one, 0: none), turn; a byte each: handles an
+//                 error, leaves a state
 //     waiting     a byte
 //     frames      count, outermost first: code, instruction, room for so many
 //                 more registers, registers

@@ -25,6 +25,10 @@ private:
   void read_source();
   void check_statement();
   void check_facts();
+  void find_facts();
+  std::uint32_t table_of(TopicId topic) const;
+  void report_no_facts(TopicId own);
+  void check_column(const std::string& name, Position position);
   void check_order();
   void add_by(const Element& by);
   std::string column_of(const Element& by);
@@ -68,16 +72,64 @@ void QueryCompiler::check_statement() {
     error(statement->value_position, std::move(wrong));
 }
 
-void QueryCompiler::check_facts() {
+// The table of that name that stands in the topic, or in none; without a name
+// the only one that does.
+std::uint32_t QueryCompiler::table_of(TopicId topic) const {
   const auto& tables = compilation_.program.facts;
-  const auto names = names_of(tables);
-  if (source_.name.empty() && tables.size() == 1)
-    source_.name = tables.front().name;
-  if (std::find(names.begin(), names.end(), source_.name) == names.end())
-    error(element_.attribute("source")->value_position,
-          source_.name.empty() ? "which <facts>? expected facts:name"
-                               : "there are no <facts> named '" + source_.name +
-                                     "'" + did_you_mean(source_.name, names));
+  std::vector<std::uint32_t> all;
+  for (std::uint32_t i = 0; i < tables.size(); ++i)
+    if (tables[i].topic == topic)
+      all.push_back(i);
+  for (const auto i : all)
+    if (tables[i].name == source_.name)
+      return i;
+  return source_.name.empty() && all.size() == 1 ? all.front() : no_id;
+}
+
+// The topic's own hide the others.
+void QueryCompiler::find_facts() {
+  const auto& tables = compilation_.program.facts;
+  const auto own = compilation_.program.topic(topic_.name);
+  const bool has_own = std::ranges::count(tables, own, &FactTable::topic) != 0;
+  source_.facts = table_of(own);
+  if (source_.facts == no_id && !(has_own && source_.name.empty()))
+    source_.facts = table_of(no_id);
+  if (source_.facts == no_id)
+    return report_no_facts(own);
+  source_.name = tables[source_.facts].name;
+}
+
+void QueryCompiler::report_no_facts(TopicId own) {
+  std::vector<std::string> names;
+  for (const auto& table : compilation_.program.facts)
+    if (table.topic == own || table.topic == no_id)
+      names.push_back(table.name);
+  error(element_.attribute("source")->value_position,
+        source_.name.empty() ? "which <facts>? expected facts:name"
+                             : "there are no <facts> named '" + source_.name +
+                                   "'" + did_you_mean(source_.name, names));
+}
+
+void QueryCompiler::check_facts() {
+  if (const auto* statement = element_.attribute("param"))
+    error(statement->position, "'param' is of <query source=\"db\">; <facts> "
+                               "are narrowed by <by>");
+  find_facts();
+}
+
+// A column that facts do not have; what a database has, it says itself.
+void QueryCompiler::check_column(const std::string& name, Position position) {
+  if (source_.facts == no_id)
+    return;
+  const auto& rows = compilation_.program.facts[source_.facts].rows;
+  if (rows.row_count() == 0 || rows.cell(0, name))
+    return;
+  const std::vector<std::string> known(rows.columns.begin(),
+                                       rows.columns.end());
+  error(position, "no <fact> of these has '" + name + "'" +
+                      (did_you_mean(name, known).empty()
+                           ? "; they have " + alternatives(known)
+                           : did_you_mean(name, known)));
 }
 
 void QueryCompiler::check_order() {
@@ -85,10 +137,13 @@ void QueryCompiler::check_order() {
   if (!order || order->value.empty())
     return;
   source_.order = order->value;
-  if (!is_sql_order(order->value))
+  const auto columns = sort_columns(order->value);
+  if (columns.empty())
     error(order->value_position, "'" + order->value +
                                      "' is no order; expected "
                                      "columns such as \"level desc, name\"");
+  for (const auto& column : columns)
+    check_column(column.name, order->value_position);
 }
 
 std::string QueryCompiler::column_of(const Element& by) {
@@ -96,6 +151,8 @@ std::string QueryCompiler::column_of(const Element& by) {
   const auto& name = column ? *column : *by.attribute("slot");
   if (!is_sql_name(name.value))
     error(name.value_position, "'" + name.value + "' is not a column's name");
+  else
+    check_column(name.value, name.value_position);
   return name.value;
 }
 
@@ -136,13 +193,16 @@ void compile_query(const Element& element, Topic& topic,
   topic.queries.push_back(QueryCompiler(element, topic, compilation).compile());
 }
 
-void compile_facts(const Element& element, Compilation& compilation) {
+void compile_facts(const Element& element, TopicId topic,
+                   Compilation& compilation) {
   FactTable table;
   table.name = element.value("name");
-  const auto names = names_of(compilation.program.facts);
-  if (std::find(names.begin(), names.end(), table.name) != names.end())
-    compilation.findings.error(element.position, "there are <facts> named '" +
-                                                     table.name + "' already");
+  table.topic = topic;
+  for (const auto& other : compilation.program.facts)
+    if (other.name == table.name && other.topic == topic)
+      compilation.findings.error(element.position, "there are <facts> named '" +
+                                                       table.name +
+                                                       "' already");
   std::vector<std::string> columns;
   for (const auto& fact : element.children)
     for (const auto& attribute : fact.attributes)

@@ -5,10 +5,12 @@
 
 namespace parlour::script {
 
-// `fact_tables` of the program are complete before queries are compiled.
+// The program's facts are complete before queries are compiled.
 void compile_query(const Element& element, Topic& topic,
                    Compilation& compilation);
 
-void compile_facts(const Element& element, Compilation& compilation);
+// `topic`: the one that they stand in; no_id: none.
+void compile_facts(const Element& element, TopicId topic,
+                   Compilation& compilation);
 
 } // namespace parlour::script

@@ -32,11 +32,28 @@ void check_topic(const Element& phrase, const Compilation& compilation) {
                                    did_you_mean(name->value, keys_of(topics)));
 }
 
+// A slot of whichever topic; one that is wrong was told of.
+void check_slot_of_any(const Attribute& name, const Element& phrase,
+                       const Compilation& compilation) {
+  std::vector<std::string> known;
+  for (const auto& topic : compilation.program.topics)
+    for (const auto& slot : topic.slots)
+      known.push_back(slot.name);
+  if (phrase.attribute("topic") || known.empty() ||
+      std::find(known.begin(), known.end(), name.value) != known.end())
+    return;
+  compilation.findings.error(name.value_position,
+                             "no topic has a slot '" + name.value + "'" +
+                                 did_you_mean(name.value, known));
+}
+
 void check_slot(const Element& phrase, const Compilation& compilation) {
   const auto* name = phrase.attribute("slot");
   const auto topic = compilation.program.topic(phrase.value("topic"));
-  if (!name || topic == no_id)
+  if (!name)
     return;
+  if (topic == no_id)
+    return check_slot_of_any(*name, phrase, compilation);
   const auto known = names_of(compilation.program.topics[topic].slots);
   if (std::find(known.begin(), known.end(), name->value) == known.end())
     compilation.findings.error(name->value_position,

@@ -84,6 +84,7 @@ struct KnowledgeSource {
   std::string kind; // db, facts, aiml, ontology
   std::string name; // after the colon; may be empty
   std::string statement;
+  std::uint32_t facts = no_id; // which table, of the kind facts
   std::string order;
   std::vector<QueryBy> by;
   Position position;
@@ -174,6 +175,7 @@ struct Route {
 struct FactTable {
   std::string name;
   ResultSet rows;
+  TopicId topic = no_id; // the only one that sees it; no_id: all do
 };
 
 // The code takes (act, topic, slot, data) as its arguments.

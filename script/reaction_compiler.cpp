@@ -69,9 +69,22 @@ private:
         compile_on(source);
       else
         for (const auto& event : source.children)
-          add({source.name, event.name}, source.position, event.position,
-              event);
+          if (is_first(event, source))
+            add({source.name, event.name}, source.position, event.position,
+                event);
     }
+  }
+  // Each event of a source has one element.
+  bool is_first(const Element& event, const Element& source) {
+    const auto& first = *source.child(event.name);
+    if (&first == &event)
+      return true;
+    compilation_.findings.error(event.position,
+                                "a second <" + event.name + "> in <" +
+                                    source.name + ">, after the one in line " +
+                                    std::to_string(first.position.line) +
+                                    "; put both into one");
+    return false;
   }
   void compile_on(const Element& on) {
     const auto& source = *on.attribute("source");

@@ -18,6 +18,11 @@ std::vector<std::string> known_acts() {
   return acts;
 }
 
+// The ones that come again and again.
+bool is_counted(const std::string& act) {
+  return act == "no_match" || act == "no_input";
+}
+
 class RepairCompiler {
 public:
   RepairCompiler(const Element& element, Compilation& compilation)
@@ -29,9 +34,11 @@ public:
     find_topic();
     find_slot();
     compile_bodies(functions);
-    for (auto& act : checked_acts()) {
+    auto acts = checked_acts();
+    check_count(acts);
+    for (auto& act : acts) {
       repair_.count = 0;
-      if (act == "no_match" || act == "no_input")
+      if (is_counted(act))
         repair_.count = static_cast<std::uint32_t>(
             parse_count(element_.value("count")).value_or(1));
       repair_.act = std::move(act);
@@ -58,6 +65,15 @@ private:
                                     "there is no act '" + act + "'" +
                                         did_you_mean(act, known));
     return acts;
+  }
+
+  void check_count(const std::vector<std::string>& acts) {
+    const auto* count = element_.attribute("count");
+    const auto other = std::find_if_not(acts.begin(), acts.end(), is_counted);
+    if (count && other != acts.end())
+      compilation_.findings.error(count->position,
+                                  "'count' is of no_match and no_input; '" +
+                                      *other + "' is not counted");
   }
 
   void find_topic() {

@@ -29,7 +29,6 @@ public:
 
 private:
   void compile_params(const Element& element, Route& route);
-  void check_end(const Element& element, const Route& route);
 
   Compilation& compilation_;
   Names names_;
@@ -52,15 +51,6 @@ void RouteCompiler::compile_params(const Element& element, Route& route) {
   }
 }
 
-void RouteCompiler::check_end(const Element& element, const Route& route) {
-  if (route.is_filter && !route.drop && route.to.empty())
-    compilation_.findings.error(element.position,
-                                "<filter> needs 'to' or drop=\"true\"");
-  if (route.drop && !route.to.empty())
-    compilation_.findings.error(element.position,
-                                "<filter> has both 'to' and drop=\"true\"");
-}
-
 void RouteCompiler::compile(const Element& element) {
   Route route;
   route.is_filter = element.is("filter");
@@ -77,7 +67,6 @@ void RouteCompiler::compile(const Element& element) {
   route.to = split_names(element.value("to"));
   route.as = element.value("as");
   compile_params(element, route);
-  check_end(element, route);
   route.position = element.position;
   compilation_.program.routes.push_back(std::move(route));
 }

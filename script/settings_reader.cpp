@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "runtime/base/roles.hpp"
 #include "script/attribute_check.hpp"
 
 namespace parlour::script {
@@ -64,6 +65,7 @@ private:
   void read_component(const Element& element);
   void read_upkeep(const Element& element, Upkeep& upkeep);
   void read_scripts(const Element& element);
+  void check_agents(const Element& element);
   std::string replaced(const Attribute& attribute);
   std::string variable(const std::string& name, Position position);
   std::string own_name(const std::string& name) const;
@@ -76,6 +78,7 @@ private:
   Environment environment_;
   Findings& findings_;
   Settings settings_;
+  std::map<std::string, std::uint32_t> described_; // components: their lines
 };
 
 std::string SettingsReader::own_name(const std::string& name) const {
@@ -93,9 +96,12 @@ ComponentSettings* SettingsReader::find(const std::string& name) {
 void SettingsReader::read_plugins(const Element& element) {
   for (const auto& plugin : element.children) {
     const auto name = own_name(collapsed(plugin.text));
+    const auto fault = wrong_source_name(name);
     if (name.empty())
       findings_.error(plugin.position, "<Plugin> is empty; expected the name "
                                        "of a plug-in");
+    else if (!fault.empty())
+      findings_.error(plugin.position, fault);
     else if (find(name))
       findings_.error(plugin.position,
                       "the plug-in '" + name + "' is listed twice");
@@ -140,6 +146,8 @@ void SettingsReader::read_component(const Element& element) {
   const auto* plugin = element.attribute("plugin");
   const auto name =
       plugin ? element.value("name") : own_name(element.value("name"));
+  if (const auto fault = wrong_source_name(name); plugin && !fault.empty())
+    return findings_.error(element.attribute("name")->value_position, fault);
   auto* component = find(name);
   if (component && plugin)
     return findings_.error(element.position,
@@ -161,6 +169,13 @@ void SettingsReader::read_component(const Element& element) {
         {name, own_name(plugin->value), {}, place(element)});
     component = &settings_.components.back();
   }
+  const auto [first, is_first] =
+      described_.emplace(name, element.position.line);
+  if (!is_first)
+    findings_.error(element.position, "a second <component name=\"" + name +
+                                          "\">, after the one in line " +
+                                          std::to_string(first->second) +
+                                          "; put both into one");
   read_upkeep(element, component->upkeep);
   for (const auto& option : element.children)
     if (!component->options
@@ -194,6 +209,14 @@ void SettingsReader::read_scripts(const Element& element) {
     settings_.scripts.push_back(collapsed(script.text));
 }
 
+// They speak under their own names, too.
+void SettingsReader::check_agents(const Element& element) {
+  for (const auto& agent : element.children)
+    if (const auto* name = agent.attribute("name"))
+      if (const auto fault = wrong_source_name(name->value); !fault.empty())
+        findings_.error(name->value_position, fault);
+}
+
 Settings SettingsReader::read(const Element& root) {
   settings_.name = root.value("name");
   settings_.start = root.value("start");
@@ -206,6 +229,8 @@ Settings SettingsReader::read(const Element& root) {
       read_component(child);
     else if (child.is("Scripts"))
       read_scripts(child);
+    else if (child.is("agents"))
+      check_agents(child);
     else if (child.is("sessions")) {
       read_sessions(child, settings_.sessions);
       warn_of_later(child, findings_);

@@ -1,5 +1,7 @@
 #include "script/slot_compiler.hpp"
 
+#include <map>
+
 #include <re2/re2.h>
 
 #include "script/attribute_check.hpp"
@@ -29,18 +31,11 @@ private:
   void compile_texts();
   void compile_bodies();
   void compile_cardinality(const Element& cardinality);
-  void check_set(const Element& cardinality);
-  void check_range(const Element& cardinality);
-  void check_pattern(const Element& cardinality);
-  void check_query(const Element& cardinality);
+  void check_values(const Element& cardinality);
+  void check_pattern(const Attribute& pattern);
+  void check_source(const Attribute& source);
   CodeId optional(const Element& element, const char* name);
   std::vector<CountedBody> counted(const char* name);
-  void needs(const Element& cardinality, const char* what) {
-    compilation_.findings.error(cardinality.position,
-                                "<cardinality type=\"" +
-                                    cardinality.value("type") + "\"> needs " +
-                                    what);
-  }
 
   const Element& element_;
   Slot& slot_;
@@ -76,12 +71,20 @@ void SlotCompiler::compile_texts() {
 
 std::vector<CountedBody> SlotCompiler::counted(const char* name) {
   std::vector<CountedBody> bodies;
+  std::map<std::uint64_t, std::uint32_t> lines;
   for (const auto& child : element_.children) {
     if (!child.is(name))
       continue;
     auto inside = context_;
     inside.name += " <" + child.name + ">";
     const auto count = parse_count(child.value("count")).value_or(1);
+    const auto [first, is_first] = lines.emplace(count, child.position.line);
+    if (!is_first)
+      compilation_.findings.error(
+          child.position,
+          "a second <" + child.name + " count=\"" + std::to_string(count) +
+              "\">, after the one in line " + std::to_string(first->second) +
+              "; put both into one");
     bodies.push_back({static_cast<std::uint32_t>(count),
                       compilation_.bodies.body(child, inside)});
   }
@@ -99,34 +102,35 @@ void SlotCompiler::compile_bodies() {
   slot_.no_match = counted("nomatch");
 }
 
-void SlotCompiler::check_set(const Element& cardinality) {
-  if (cardinality.children.empty())
-    needs(cardinality, "at least one <value>");
+// Only a set is made of values.
+void SlotCompiler::check_values(const Element& cardinality) {
+  const auto& values = cardinality.children;
+  if (cardinality.value("type") == "set") {
+    if (values.empty())
+      compilation_.findings.error(
+          cardinality.position,
+          "<cardinality type=\"set\"> needs at least one <value>");
+  } else if (!values.empty()) {
+    compilation_.findings.error(values.front().position,
+                                "<cardinality type=\"" +
+                                    cardinality.value("type") +
+                                    "\"> has no <value>; that belongs to "
+                                    "type=\"set\"");
+  }
 }
 
-void SlotCompiler::check_range(const Element& cardinality) {
-  if (!cardinality.attribute("from") && !cardinality.attribute("to"))
-    needs(cardinality, "'from' or 'to'");
-}
-
-void SlotCompiler::check_pattern(const Element& cardinality) {
-  const auto* pattern = cardinality.attribute("pattern");
-  if (!pattern)
-    return needs(cardinality, "'pattern'");
-  const re2::RE2 compiled(pattern->value, re2::RE2::Quiet);
+void SlotCompiler::check_pattern(const Attribute& pattern) {
+  const re2::RE2 compiled(pattern.value, re2::RE2::Quiet);
   if (!compiled.ok())
-    compilation_.findings.error(pattern->value_position,
+    compilation_.findings.error(pattern.value_position,
                                 "this is no regular expression: " +
                                     compiled.error());
 }
 
-void SlotCompiler::check_query(const Element& cardinality) {
-  const auto* source = cardinality.attribute("source");
-  if (!source)
-    return needs(cardinality, "source=\"db:table.column\"");
-  if (!is_column_source(source->value))
-    compilation_.findings.error(source->value_position,
-                                "'" + source->value +
+void SlotCompiler::check_source(const Attribute& source) {
+  if (!is_column_source(source.value))
+    compilation_.findings.error(source.value_position,
+                                "'" + source.value +
                                     "' is not a column; "
                                     "expected db:table.column");
 }
@@ -135,14 +139,11 @@ void SlotCompiler::compile_cardinality(const Element& cardinality) {
   auto& target = slot_.cardinality;
   target.type = cardinality.value("type");
   target.position = cardinality.position;
-  if (target.type == "set")
-    check_set(cardinality);
-  else if (target.type == "range")
-    check_range(cardinality);
-  else if (target.type == "pattern")
-    check_pattern(cardinality);
-  else if (target.type == "query")
-    check_query(cardinality);
+  check_values(cardinality);
+  if (const auto* pattern = cardinality.attribute("pattern"))
+    check_pattern(*pattern);
+  if (const auto* source = cardinality.attribute("source"))
+    check_source(*source);
   target.values = compile_values(&cardinality, context_, compilation_);
   target.minimum = optional(cardinality, "from");
   target.maximum = optional(cardinality, "to");

@@ -81,15 +81,18 @@ bool is_column_source(std::string_view text) {
   return text.find('.') != npos && is_sql_name(text);
 }
 
-bool is_sql_order(std::string_view text) {
-  const auto parts = split_names(std::string(text));
-  return !parts.empty() &&
-         std::all_of(parts.begin(), parts.end(), [](std::string_view part) {
-           for (std::string_view direction : {" asc", " desc"})
-             if (part.ends_with(direction))
-               part.remove_suffix(direction.size());
-           return is_sql_name(part);
-         });
+std::vector<SortColumn> sort_columns(std::string_view order) {
+  std::vector<SortColumn> columns;
+  for (const auto& part : split_names(std::string(order))) {
+    std::string_view name = part;
+    const bool falling = name.ends_with(" desc");
+    if (falling || name.ends_with(" asc"))
+      name = name.substr(0, name.rfind(' '));
+    if (!is_sql_name(name))
+      return {};
+    columns.push_back({std::string(name), falling});
+  }
+  return columns;
 }
 
 } // namespace parlour::script

@@ -4,6 +4,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace parlour::script {
 
@@ -17,7 +18,13 @@ bool is_sql_name(std::string_view text);
 // "db:table.column".
 bool is_column_source(std::string_view text);
 
-// "name", "level desc, name".
-bool is_sql_order(std::string_view text);
+// One of the columns to sort by.
+struct SortColumn {
+  std::string name;
+  bool falling = false;
+};
+
+// Of "name", "level desc, name"; none where it is no such order.
+std::vector<SortColumn> sort_columns(std::string_view order);
 
 } // namespace parlour::script

@@ -2,6 +2,8 @@
 
 #include <iterator>
 
+#include "script/effect_names.hpp"
+#include "script/effect_search.hpp"
 #include "script/name_collector.hpp"
 #include "script/reaction_compiler.hpp"
 
@@ -16,12 +18,29 @@ Capture capture_of(const Element& element) {
                           : Capture::none;
 }
 
+// Each agent has one.
+void check_first(const Element& agent, const Element& holder,
+                 Compilation& compilation) {
+  for (const auto& other : holder.children) {
+    if (&other == &agent)
+      return;
+    if (agent.is("agent") && other.is("agent") &&
+        other.value("name") == agent.value("name"))
+      return compilation.findings.error(
+          agent.position,
+          "a second <agent name=\"" + agent.value("name") + "\"> in <" +
+              holder.name + ">, after the one in line " +
+              std::to_string(other.position.line) + "; put both into one");
+  }
+}
+
 // <Online> and <Offline>: statements for any agent, or <agent> children.
 void compile_agents(const Element& element, const BodyContext& context,
                     std::vector<Reaction>& reactions,
                     Compilation& compilation) {
   bool for_any = false;
   for (const auto& child : element.children) {
+    check_first(child, element, compilation);
     if (child.is("agent"))
       reactions.push_back({child.value("name"), element.name,
                            compilation.bodies.body(child, context),
@@ -73,9 +92,7 @@ void compile_state(const Element& element, State& state,
   state.grammar = element.value("grammar");
   check_grammar(element, compilation);
   state.entrance = compile_child(element, "Entrance", context, compilation);
-  auto leaving = context;
-  leaving.in_exit = true;
-  state.exit = compile_child(element, "Exit", leaving, compilation);
+  state.exit = compile_child(element, "Exit", context, compilation);
   for (const auto& child : element.children) {
     if (child.is("Messages"))
       append(state.messages, compile_messages(child, context, compilation));
@@ -84,6 +101,46 @@ void compile_state(const Element& element, State& state,
     else if (child.is("Offline"))
       compile_agents(child, context, state.offline, compilation);
   }
+}
+
+namespace {
+
+std::string place_text(Position there, Position here,
+                       const Findings& findings) {
+  const auto place = findings.place(there);
+  const auto slash = place.file.rfind('/') + 1; // npos + 1 is 0
+  return "line " + std::to_string(place.line) +
+         (there.file == here.file ? "" : " of " + place.file.substr(slash));
+}
+
+// `what` the code is: "an Exit".
+void check_way_out(CodeId code, const char* what, Compilation& compilation) {
+  auto& findings = compilation.findings;
+  const auto found = find_effect(compilation.program, code, leads_elsewhere);
+  if (!found)
+    return;
+  const auto element = "<" + element_of(found->kind) + ">";
+  const std::string reason = ": the state is being left already";
+  if (found->is_called)
+    findings.error(found->call,
+                   "this leads to the " + element + " in " +
+                       place_text(found->position, found->call, findings) +
+                       ", and " + what + " cannot have one" + reason);
+  else
+    findings.error(found->position,
+                   "a " + element + " cannot stand in " + what + reason);
+}
+
+} // namespace
+
+void check_ways_out(Compilation& compilation) {
+  const auto& program = compilation.program;
+  for (const auto& state : program.states)
+    check_way_out(state.exit, "an Exit", compilation);
+  for (const auto& code : program.code)
+    for (const auto& effect : code.effects)
+      if (static_cast<EffectKind>(effect.kind) == EffectKind::transit)
+        check_way_out(effect.body, "a <transit>", compilation);
 }
 
 } // namespace parlour::script

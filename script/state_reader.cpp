@@ -136,6 +136,7 @@ ActivationContext StateReader::read_context() {
   context.turn = bytes_.number();
   context.handles_error = bytes_.below(2, "a flag");
   context.writes = bytes_.below(2, "a flag");
+  context.leaves_state = bytes_.below(2, "a flag");
   return context;
 }
 

@@ -119,6 +119,7 @@ void StateWriter::write(const ActivationContext& context) {
   bytes_.number(context.turn);
   bytes_.byte(context.handles_error);
   bytes_.byte(context.writes);
+  bytes_.byte(context.leaves_state);
 }
 
 void StateWriter::write(Frame& frame) {

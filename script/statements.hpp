@@ -24,6 +24,8 @@ enum class OperandForm : std::uint8_t {
   topic,
   handler,
   slot,
+  source,     // a component's, not one of the platform's own
+  new_source, // a name that messages will come from
 };
 
 class StatementCompiler {
@@ -112,6 +114,8 @@ private:
                Register target);
   void checked_name(const Attribute& attribute, OperandForm form,
                     Register target);
+  void check_source(const Attribute& attribute);
+  void check_new_source(const Attribute& attribute);
   void duration(const Attribute& attribute, Register target);
   std::uint32_t meaning(const Attribute* name, OperandForm form) const;
   void perform(EffectKind kind, Register result, Register base,

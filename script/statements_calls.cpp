@@ -184,14 +184,7 @@ void StatementCompiler::catch_errors(std::uint32_t from,
 void StatementCompiler::try_(const Element& element) {
   const auto from = b_.here();
   block(element, {"catch"});
-  const Element* handler = nullptr;
-  for (const auto& child : element.children)
-    if (child.is("catch")) {
-      if (handler)
-        error(child.position, "a second <catch>; one takes all errors");
-      handler = &child;
-    }
-  if (handler)
+  if (const auto* handler = element.child("catch"))
     return catch_errors(from, handler);
   b_.findings.add({Severity::warning,
                    {element.position},

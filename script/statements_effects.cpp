@@ -3,6 +3,7 @@
 #include <array>
 
 #include "runtime/base/clock.hpp"
+#include "runtime/base/roles.hpp"
 #include "script/statements.hpp"
 
 namespace parlour::script {
@@ -29,11 +30,13 @@ const ByName<PlainEffect>& plain_effects() {
       {"send",
        {K::send,
         {{{"agent", F::text}, {"command", F::text}, {"param", F::params}}}}},
-      {"load", {K::load, {{{"plugin", F::text}, {"name", F::text}}}}},
+      {"load", {K::load, {{{"plugin", F::text}, {"name", F::new_source}}}}},
       {"unload", {K::unload, {{{"name", F::text}}}}},
       {"reload", {K::reload, {{{"sessions", F::text}}}}},
       {"subscribe",
-       {K::subscribe, {{{"source", F::text}, {"command", F::text}}}}},
+       {K::subscribe, {{{"source", F::source}, {"command", F::text}}}}},
+      {"unsubscribe",
+       {K::unsubscribe, {{{"source", F::text}, {"command", F::text}}}}},
       {"say",
        {K::say,
         {{{"act", F::text},
@@ -65,7 +68,9 @@ const ByName<PlainEffect>& plain_effects() {
       {"listfiles", {K::list_files, {{{"name", F::text}}}}},
       {"socket",
        {K::open_socket,
-        {{{"name", F::text}, {"connect", F::text}, {"lines", F::value}}}}},
+        {{{"name", F::new_source},
+          {"connect", F::text},
+          {"lines", F::value}}}}},
       {"sendsocket",
        {K::send_socket, {{{"name", F::text}, {"param", F::either}}}}},
       {"closesocket", {K::close_socket, {{{"name", F::text}}}}},
@@ -197,6 +202,10 @@ void StatementCompiler::checked_name(const Attribute& attribute,
   const auto& name = attribute.value;
   if (is_computed(name))
     return;
+  if (form == OperandForm::source)
+    return check_source(attribute);
+  if (form == OperandForm::new_source)
+    return check_new_source(attribute);
   std::vector<std::string> known;
   const char* what = "slot";
   if (form == OperandForm::slot) {
@@ -219,6 +228,20 @@ void StatementCompiler::checked_name(const Attribute& attribute,
       return;
   error(attribute.value_position, std::string("there is no ") + what + " '" +
                                       name + "'" + did_you_mean(name, known));
+}
+
+// The platform's own events need no <subscribe>.
+void StatementCompiler::check_source(const Attribute& attribute) {
+  const auto* role = find_role(attribute.value);
+  if (role && role->reserved)
+    error(attribute.value_position,
+          "events of '" + role->name +
+              "' come without <subscribe> to whoever takes them in <messages>");
+}
+
+void StatementCompiler::check_new_source(const Attribute& attribute) {
+  if (auto fault = wrong_source_name(attribute.value); !fault.empty())
+    error(attribute.value_position, std::move(fault));
 }
 
 // What a name that stands in the script is found by when it comes to that.
@@ -289,9 +312,6 @@ void StatementCompiler::request(const Element& element) {
 }
 
 void StatementCompiler::fire(const Element& element) {
-  if (!element.attribute("event") && !element.attribute("param") &&
-      !element.child("param"))
-    error(element.position, "<fire> needs a 'param' with frames or an 'event'");
   const auto base = b_.allocate(2);
   if (element.attribute("event")) {
     operand(element, "event", F::text, base);
@@ -357,8 +377,6 @@ void StatementCompiler::timer(const Element& element) {
 }
 
 void StatementCompiler::transit(const Element& element) {
-  if (b_.context.in_exit)
-    error(element.position, "a <transit> cannot stand in an Exit");
   const auto base = b_.allocate();
   operand(element, "state", F::state, base);
   std::vector<const Local*> captured;

@@ -90,6 +90,13 @@ void TopicCompiler::add_rule(const Element& element) {
 void TopicCompiler::check_marks(const Element& example) {
   const auto& text = example.text;
   const auto known = names_of(topic_.slots);
+  if (const auto brace = text.find('{'); brace != std::string::npos)
+    compilation_.findings.add({Severity::error,
+                               {example.text_position, brace, 1, true},
+                               "an example is what people say, and nothing is "
+                               "embedded in it; the words of a slot are marked "
+                               "as [words](Slot)",
+                               "expression"});
   for (auto at = text.find("]("); at != std::string::npos;
        at = text.find("](", at + 2)) {
     const auto end = std::min(text.find(')', at), text.size());

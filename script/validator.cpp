@@ -4,7 +4,9 @@
 #include <utility>
 
 #include "script/attribute_check.hpp"
+#include "script/content_check.hpp"
 #include "script/expression_slips.hpp"
+#include "script/form_check.hpp"
 #include "script/slips.hpp"
 #include "script/tag_rename.hpp"
 
@@ -44,6 +46,13 @@ bool holds(const ElementRule& rule, const char* what) {
          rule.holds.end();
 }
 
+// A statement that holds no statements itself, such as <switch>.
+bool holds_its_own(const ElementRule& rule) {
+  return std::find(rule.in.begin(), rule.in.end(), "statements") !=
+             rule.in.end() &&
+         !holds(rule, "statements");
+}
+
 // The attribute that a text was meant for; null: there is none.
 const char* attribute_of_text(const ElementRule& rule) {
   for (const auto* name : {"param", "expr"})
@@ -78,8 +87,7 @@ private:
   void validate_inside(Element& element, const ElementRule& rule);
   void add(const Element& element, std::string message, const char* name);
   void rename(const Element& element, const std::string& name);
-  void report_misplaced(const Element& element,
-                        const std::vector<std::string>& parents,
+  void report_misplaced(const Element& element, const ElementRule& parent,
                         const std::string& inside);
   std::string report_unknown(const Element& element, const ElementRule& parent,
                              const std::string& inside);
@@ -90,8 +98,14 @@ private:
   // The names of those that were taken out for their values.
   std::vector<std::string> check_attributes(Element& element,
                                             const ElementRule& rule);
+  // `missing`: one of them is needed.
+  void report_missing(const Element& element, const ElementRule& rule,
+                      const std::vector<const AttributeRule*>& missing,
+                      const std::vector<std::string>& told);
   bool fill_missing(Element& element, const ElementRule& rule,
                     const std::vector<std::string>& told);
+  bool fill_form(Element& element, const ElementRule& rule,
+                 const std::vector<std::string>& told);
 
   Findings& findings_;
 };
@@ -114,13 +128,18 @@ void Validator::rename(const Element& element, const std::string& name) {
 }
 
 void Validator::report_misplaced(const Element& element,
-                                 const std::vector<std::string>& parents,
+                                 const ElementRule& parent,
                                  const std::string& inside) {
   auto text = tag(element.name) + " may not stand in " + tag(inside) + "; ";
-  text += parents.size() > 6
-              ? "it is a statement: put it into a <function>, a state's "
-                "<Entrance>, an event or the like"
-              : "it belongs in " + tags(parents);
+  const auto parents = parents_of(element.name);
+  const auto allowed = names_within(parent.holds);
+  if (holds_its_own(parent) && !allowed.empty())
+    text += "expected " + tags(allowed);
+  else if (parents.size() > 6)
+    text += "it is a statement: put it into a <function>, a state's "
+            "<Entrance>, an event or the like";
+  else
+    text += "it belongs in " + tags(parents);
   add(element, text, "element");
 }
 
@@ -233,33 +252,66 @@ std::vector<std::string> Validator::check_attributes(Element& element,
   return told;
 }
 
+namespace {
+
+// False where nothing can stand for it.
+bool fill(Element& element, const AttributeRule& attribute) {
+  using enum AttributeKind;
+  if (attribute.kind != expression && attribute.kind != text_or_expression)
+    return false;
+  element.attributes.push_back(
+      {attribute.name, "unknown", element.position, element.position});
+  return true;
+}
+
+} // namespace
+
+void Validator::report_missing(const Element& element, const ElementRule& rule,
+                               const std::vector<const AttributeRule*>& missing,
+                               const std::vector<std::string>& told) {
+  std::vector<std::string> names;
+  for (const auto* attribute : missing) {
+    if (std::find(told.begin(), told.end(), attribute->name) != told.end())
+      return;
+    names.push_back("'" + attribute->name + "'");
+  }
+  add(element,
+      tag(rule.name) + " needs the attribute " + alternatives(names) +
+          (missing.size() == 1 ? ": " + missing.front()->sentence : ""),
+      "attribute");
+}
+
 bool Validator::fill_missing(Element& element, const ElementRule& rule,
                              const std::vector<std::string>& told) {
-  using enum AttributeKind;
   bool usable = true;
   for (const auto& attribute : rule.attributes) {
     if (!attribute.required || element.attribute(attribute.name))
       continue;
-    if (std::find(told.begin(), told.end(), attribute.name) == told.end())
-      add(element,
-          tag(rule.name) + " needs the attribute '" + attribute.name +
-              "': " + attribute.sentence,
-          "attribute");
-    const bool mendable =
-        attribute.kind == expression || attribute.kind == text_or_expression;
-    usable = usable && mendable;
-    if (mendable)
-      element.attributes.push_back(
-          {attribute.name, "unknown", element.position, element.position});
+    report_missing(element, rule, {&attribute}, told);
+    usable &= fill(element, attribute);
   }
-  return usable;
+  return usable && fill_form(element, rule, told);
+}
+
+// What it lacks to have one of its forms.
+bool Validator::fill_form(Element& element, const ElementRule& rule,
+                          const std::vector<std::string>& told) {
+  for (auto missing = missing_of_form(element, rule); !missing.empty();
+       missing = missing_of_form(element, rule)) {
+    report_missing(element, rule, missing, told);
+    if (missing.size() > 1 || !fill(element, *missing.front()))
+      return false;
+  }
+  return true;
 }
 
 void Validator::validate_inside(Element& element, const ElementRule& rule) {
   check_text(element, rule);
+  gather_parts(element, rule, findings_);
   const auto& inside = name_of(element, rule);
   std::erase_if(element.children,
                 [&](Element& child) { return !validate(child, rule, inside); });
+  check_children(element, rule, findings_);
 }
 
 bool Validator::validate(Element& element, const ElementRule& parent,
@@ -268,11 +320,11 @@ bool Validator::validate(Element& element, const ElementRule& parent,
                          ? find_rule(element.name, parent.holds)
                          : parent.child(element.name);
   if (!rule) {
-    const auto parents = parents_of(element.name);
-    const auto meant = parents.empty() ? report_unknown(element, parent, inside)
-                                       : std::string();
-    if (!parents.empty())
-      report_misplaced(element, parents, inside);
+    const bool is_known = !parents_of(element.name).empty();
+    if (is_known)
+      report_misplaced(element, parent, inside);
+    const auto meant =
+        is_known ? std::string() : report_unknown(element, parent, inside);
     rule = meant.empty() ? nullptr : find_rule(meant, parent.holds);
     if (!rule)
       return false;
@@ -287,6 +339,9 @@ bool Validator::validate(Element& element, const ElementRule& parent,
   if (!element.text.empty())
     if (const auto* meant = attribute_of_text(*rule))
       told.push_back(meant); // as text
+  if (!check_forms(element, *rule, findings_))
+    for (const auto& attribute : rule->attributes)
+      told.push_back(attribute.name);
   const bool usable = fill_missing(element, *rule, told);
   validate_inside(element, *rule);
   return usable;

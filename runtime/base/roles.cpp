@@ -77,6 +77,22 @@ const Role* find_role(std::string_view name) {
   return nullptr;
 }
 
+std::string wrong_source_name(std::string_view name) {
+  const auto quoted = "'" + std::string(name) + "'";
+  if (name.empty())
+    return "a name is missing";
+  if (name.find_first_of("*,") != std::string_view::npos)
+    return quoted + " is no name: it has a '*' or a comma";
+  const auto* role = find_role(name);
+  if (!role)
+    return {};
+  return quoted +
+         (role->reserved ? " is a source of the platform's own"
+                         : " is the name of a role, and stands for whoever "
+                           "fills it") +
+         "; choose another name";
+}
+
 std::string_view canonical_role(std::string_view name) {
   const auto* role = find_role(name);
   return role ? std::string_view(role->name) : name;

@@ -47,6 +47,10 @@ const std::vector<Role>& roles();
 // By name or alias; null where there is none.
 const Role* find_role(std::string_view name);
 
+// Why a component, an agent or a socket cannot be called that, so that its
+// messages pass for nobody else's; empty where it can. A sentence's end.
+std::string wrong_source_name(std::string_view name);
+
 // The role's own name for one of its aliases; other names as they are.
 std::string_view canonical_role(std::string_view name);
 

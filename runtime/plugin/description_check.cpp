@@ -41,6 +41,8 @@ std::vector<std::string> check_description(const PluginDescription& plugin) {
   std::vector<std::string> findings;
   if (plugin.name.empty())
     findings.push_back("it is described without a name");
+  else if (auto fault = wrong_source_name(plugin.name); !fault.empty())
+    findings.push_back(std::move(fault));
   if (plugin.sentence.empty())
     findings.push_back("it is described without a sentence");
   if (plugin.is_inline && plugin.blocks)

@@ -83,6 +83,7 @@ void Conversation::Implementation::close() {
   if (leaving_ != Leaving::no)
     return;
   core.ending = true;
+  core.leaving = true;
   core.mouth.withdraw_questions();
   core.topics.forget_frame();
   core.lane.clear();

@@ -24,6 +24,7 @@ void Conversation::Implementation::take(Step&& step) {
       run_body(std::move(step));
     break;
   case run:
+  case run_leaving:
     run_body(std::move(step));
     break;
   case resume_wait:
@@ -74,6 +75,7 @@ void Conversation::Implementation::run_body(Step&& step) {
   context.topic = step.topic;
   context.slot = step.slot;
   context.turn = step.turn;
+  context.leaves_state = step.kind == StepKind::run_leaving;
   started(core.runner.start(step.code, step.more ? step.more->arguments : none,
                             std::move(context)));
 }

@@ -21,6 +21,10 @@ Error not_yet(const script::Effect& effect) {
           {}};
 }
 
+Error nobody_answers() {
+  return {ErrorKind::cancelled, "the session ends: nobody answers", {}};
+}
+
 // Those that name no topic and mean the one that they stand in.
 bool means_own_topic(StepKind kind) {
   return kind == StepKind::complete || kind == StepKind::reset;
@@ -37,7 +41,8 @@ Value error_of(const Message& message) {
 } // namespace
 
 Effects::Effects(Core& core)
-    : sockets(core), core_(core), random_(core.options.seed) {}
+    : sockets(core), core_(core), subscriptions_(core.port),
+      random_(core.options.seed) {}
 
 script::Performed Effects::perform(script::Activation& activation,
                                    const script::Effect& effect) {
@@ -57,11 +62,7 @@ script::Performed Effects::perform(script::Activation& activation,
   case speak:
     return this->speak(context, effect);
   case consume:
-    if (context.message && context.message->source == "Dialogue")
-      core_.topics.consume(context.message->number);
-    else
-      core_.pipeline.consume();
-    return Value();
+    return this->consume(context);
   case register_handler:
   case unregister_handler:
     core_.pipeline.register_handler(effect.text(0),
@@ -86,19 +87,36 @@ script::Performed Effects::perform(script::Activation& activation,
   }
 }
 
+script::Performed Effects::consume(Context context) {
+  if (context.message && context.message->source == "Dialogue")
+    core_.topics.consume(context.message->number);
+  else if (!core_.pipeline.consume())
+    return Error{
+        ErrorKind::refused, "<consume>: no message is being handled here", {}};
+  return Value();
+}
+
 // What concerns states and topics; most of it happens when the activation ends
 // or waits (engine rule 2).
 script::Performed Effects::perform_dialogue(script::Activation& activation,
                                             Call effect) {
   Context context = activation.context();
   using enum script::EffectKind;
+  if (context.leaves_state && script::leads_elsewhere(effect.kind))
+    return Error{ErrorKind::refused,
+                 "<" + script::element_of(effect.kind) +
+                     "> cannot lead elsewhere while a state is being left, in "
+                     "its Exit or in a <transit>",
+                 {}};
   switch (effect.kind) {
   case transit:
     return this->transit(context, effect);
   case push:
     return this->push(context, effect);
   case pop:
-    return later(StepKind::pop, context, effect);
+    return core_.machine.is_pushed()
+               ? later(StepKind::pop, context, effect)
+               : Error{ErrorKind::refused, "<pop>: no state was pushed", {}};
   case end:
     return later(StepKind::end, context, effect);
   case activate:
@@ -147,6 +165,10 @@ script::Performed Effects::perform_outside(script::Activation& activation,
     return sockets.send(effect);
   case close_socket:
     return sockets.close(effect);
+  case script::EffectKind::subscribe:
+    return subscriptions_.add(effect);
+  case unsubscribe:
+    return subscriptions_.remove(effect);
   case load:
   case unload:
     return change_component(effect);
@@ -189,6 +211,8 @@ script::Performed Effects::timer(Context context, Call effect) {
 }
 
 script::Performed Effects::confirm(Context context, Call effect) {
+  if (core_.leaving)
+    return nobody_answers();
   auto slot = script::no_id;
   if (effect.has(1) && context.topic != script::no_id)
     slot = core_.topic(context.topic).slot(effect.text(1));
@@ -198,6 +222,8 @@ script::Performed Effects::confirm(Context context, Call effect) {
 }
 
 script::Performed Effects::push(Context context, Call effect) {
+  if (core_.leaving)
+    return nobody_answers();
   const auto state = state_of(effect);
   if (state == script::no_id)
     return missing("state", effect.operand(0));

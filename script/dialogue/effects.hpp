@@ -10,6 +10,7 @@
 #include "script/dialogue/port.hpp"
 #include "script/dialogue/sockets.hpp"
 #include "script/dialogue/step.hpp"
+#include "script/dialogue/subscriptions.hpp"
 #include "script/host.hpp"
 #include "script/interpreter.hpp"
 
@@ -58,6 +59,7 @@ private:
   void post_for(Message message); // another session
   Performed request(Context context, Call effect);
   Performed fire_frames(Context context, Call effect);
+  Performed consume(Context context);
   Performed perform_dialogue(script::Activation& activation, Call effect);
   Performed perform_repair(script::Activation& activation, Call effect);
   Performed speak(Context context, Call effect);
@@ -98,6 +100,7 @@ private:
   };
 
   Core& core_;
+  Subscriptions subscriptions_;
   std::map<Correlation, WaitId> requests_;
   std::map<QueryId, Query> queries_;
   std::map<std::string, Connection, std::less<>> connections_; // with a name

@@ -44,8 +44,7 @@ private:
 
 // Runs a statement of kind "facts" against the program's tables: equal
 // (spelling case aside), prefix, contains.
-Expected<ResultSet> query_facts(const script::Program& program,
-                                const script::Topic& topic, const Frame& frame,
-                                const Statement& statement);
+ResultSet query_facts(const script::Program& program,
+                      const script::Topic& topic, const Statement& statement);
 
 } // namespace parlour::dialogue

@@ -233,9 +233,10 @@ void Pipeline::not_understood(const Item& item, bool taken) {
   core_.lane.queue({std::move(step)});
 }
 
-void Pipeline::consume() {
+bool Pipeline::consume() {
   if (running_)
     running_->consumed = true;
+  return running_ != nullptr;
 }
 
 void Pipeline::register_handler(const std::string& name, bool registered) {

@@ -28,8 +28,8 @@ public:
   void take(Input&& input);
   // An activation of this lane goes on; false where it is none of ours.
   bool resume(WaitId wait, Expected<Value> outcome);
-  // <consume/> in the reaction that is running.
-  void consume();
+  // <consume/> in the reaction that is running; false where none is.
+  bool consume();
 
   void register_handler(const std::string& name, bool registered);
   std::vector<WaitId> waits() const;

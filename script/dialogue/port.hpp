@@ -14,6 +14,7 @@
 #include "runtime/base/message.hpp"
 #include "runtime/base/roles.hpp"
 #include "runtime/base/sockets.hpp"
+#include "runtime/base/subscription.hpp"
 #include "script/dialogue/frame.hpp"
 #include "script/dialogue/output_queue.hpp"
 
@@ -55,6 +56,9 @@ public:
   // routed, counted. What components that are called inline answer comes back
   // at once.
   virtual std::vector<Message> post(Message message) = 0;
+
+  // From now on the session hears these of the events that belong to none.
+  virtual void subscribe(const std::vector<Subscription>& all) = 0;
 
   // Whether some component fills this role or has this name.
   virtual bool reachable(const std::string& module) const = 0;

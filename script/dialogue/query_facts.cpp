@@ -1,11 +1,13 @@
 // Queries of <facts>: a table in the program, read as a database's would be
 // (engine rule 6).
 #include <algorithm>
+#include <compare>
 #include <numeric>
 #include <utility>
 
 #include "script/dialogue/knowledge_query.hpp"
 #include "script/dialogue/spelling.hpp"
+#include "script/sql_check.hpp"
 
 namespace parlour::dialogue {
 
@@ -35,17 +37,6 @@ bool holds(const Condition& condition, const Value& cell) {
   return condition.match == Match::prefix ? at == 0 : at != std::string::npos;
 }
 
-const script::FactTable* table_of(const script::Program& program,
-                                  const std::string& name) {
-  auto found =
-      std::find_if(program.facts.begin(), program.facts.end(),
-                   [&](const auto& table) { return table.name == name; });
-  if (found != program.facts.end())
-    return &*found;
-  return name.empty() && program.facts.size() == 1 ? &program.facts.front()
-                                                   : nullptr;
-}
-
 std::vector<Condition> conditions_of(const script::Topic& topic,
                                      const script::KnowledgeSource& source,
                                      const Statement& statement) {
@@ -62,52 +53,46 @@ std::vector<Condition> conditions_of(const script::Topic& topic,
   return conditions;
 }
 
-bool has_column(const ResultSet& rows, const std::string& column) {
-  return rows.row_count() == 0 || rows.cell(0, column);
+// Numbers, also those that are written as text, come in their order, and
+// before what is none.
+std::weak_ordering order_of(const Value& a, const Value& b) {
+  const auto left = parse_number(a.text());
+  const auto right = parse_number(b.text());
+  if (left.is_unknown() != right.is_unknown())
+    return left.is_unknown() <=> right.is_unknown();
+  if (!left.is_unknown())
+    return std::weak_order(left.number_or(0), right.number_or(0));
+  return folded(a.text()) <=> folded(b.text());
 }
 
-bool less(const Value& a, const Value& b) {
-  if (a.if_string() && b.if_string())
-    return folded(*a.if_string()) < folded(*b.if_string());
-  return a.number_or(0) < b.number_or(0);
-}
-
-// "name" or "level desc".
 void sort_rows(const ResultSet& rows, const std::string& order,
                std::vector<std::size_t>& chosen) {
-  const auto words = words_of(order);
-  if (words.empty() || !has_column(rows, order.substr(0, order.find(' '))))
+  const auto columns = script::sort_columns(order);
+  if (chosen.empty())
     return;
-  const auto column = order.substr(0, order.find(' '));
-  const bool falling = words.back() == "desc";
-  std::stable_sort(chosen.begin(), chosen.end(), [&](auto a, auto b) {
-    const auto& left = *rows.cell(falling ? b : a, column);
-    return less(left, *rows.cell(falling ? a : b, column));
+  std::ranges::stable_sort(chosen, [&](auto a, auto b) {
+    for (const auto& [column, falling] : columns) {
+      const auto compared =
+          order_of(*rows.cell(a, column), *rows.cell(b, column));
+      if (compared != 0)
+        return falling ? compared > 0 : compared < 0;
+    }
+    return false;
   });
 }
 
 } // namespace
 
-Expected<ResultSet> query_facts(const script::Program& program,
-                                const script::Topic& topic, const Frame&,
-                                const Statement& statement) {
+ResultSet query_facts(const script::Program& program,
+                      const script::Topic& topic, const Statement& statement) {
   const auto& source = topic.queries[statement.source];
-  const auto* table = table_of(program, statement.name);
-  if (!table)
-    return fail(ErrorKind::database,
-                "there are no <facts> named '" + statement.name + "'");
-  const auto& rows = table->rows;
+  const auto& rows = program.facts[source.facts].rows;
   std::vector<std::size_t> chosen(rows.row_count());
   std::iota(chosen.begin(), chosen.end(), 0);
-  for (const auto& condition : conditions_of(topic, source, statement)) {
-    if (!has_column(rows, condition.column))
-      return fail(ErrorKind::database, "the <facts> '" + statement.name +
-                                           "' have no attribute '" +
-                                           condition.column + "'");
+  for (const auto& condition : conditions_of(topic, source, statement))
     std::erase_if(chosen, [&](std::size_t row) {
       return !holds(condition, *rows.cell(row, condition.column));
     });
-  }
   sort_rows(rows, source.order, chosen);
   ResultSet result{rows.columns, {}};
   for (auto row : chosen)

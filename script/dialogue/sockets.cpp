@@ -21,8 +21,7 @@ Error network(std::string message) {
 
 Expected<void> ScriptSockets::may_open(const std::string& name) const {
   // Its messages must not pass for those of somebody else.
-  if (name.empty() || name == "*" || find_role(name) ||
-      core_.port.reachable(name))
+  if (!wrong_source_name(name).empty() || core_.port.reachable(name))
     return fail(ErrorKind::refused,
                 "a socket cannot be called '" + name +
                     "': it needs a name that no role and no component has");

@@ -36,7 +36,7 @@ void StateMachine::transit(Step&& step) {
   // In between, what stands in <transit>: with the topic, message and turn of
   // the script that it is a part of.
   if (step.code != script::no_code)
-    core_.lane.at_once(make_step(StepKind::run, std::move(step)));
+    core_.lane.at_once(make_step(StepKind::run_leaving, std::move(step)));
   core_.lane.at_once(std::move(leave));
 }
 
@@ -45,7 +45,7 @@ void StateMachine::leave(const Step& step) {
     return;
   if (auto code = core_.program->states[step.state].exit;
       code != script::no_code)
-    core_.lane.at_once(body_step(code, 0));
+    core_.lane.at_once(make_step(StepKind::run_leaving, body_step(code, 0)));
 }
 
 void StateMachine::enter(const Step& step) {

@@ -17,6 +17,9 @@ public:
   void enter(const Step& step);
   void push(const Step& step);
   void pop(const Step& step);
+  bool is_pushed() const {
+    return !pushes_.empty();
+  }
   // Online or Offline of the active state, for this agent or for any; false
   // where it has none.
   bool agent_changed(const Message& event);

@@ -46,6 +46,7 @@ using script::StateId;
   X(restart, "everything begins again") \
   X(end, "the session ends") \
   X(run, "a body of script") \
+  X(run_leaving, "the same of an Exit or a <transit>: a state is being left") \
   X(react, "a reaction's body, unless one before has kept the act for itself") \
   X(resume_wait, "a waiting activation goes on with `data`") \
   X(transit, "leave the state for another") \

@@ -47,9 +47,8 @@ void TopicEngine::look_up(Step& step) {
 }
 
 void TopicEngine::look_up_facts(Step& step) {
-  auto rows = query_facts(*core_.program, core_.topic(step.topic),
-                          core_.frame(step.topic), *step.more->statement);
-  tell(step, std::move(rows).map([](ResultSet set) { return Value(set); }));
+  tell(step, Value(query_facts(*core_.program, core_.topic(step.topic),
+                               *step.more->statement)));
   core_.lane.at_once(std::move(step));
 }
 

@@ -1,21 +1,15 @@
 // querying-text: what may only compute, and calls a function that wants
 // something from outside: such a phrase is dropped when it would be said.
-#include <map>
-#include <optional>
-
-#include "script/code.hpp"
 #include "script/effect_names.hpp"
-#include "script/instruction.hpp"
+#include "script/effect_search.hpp"
 #include "script/lint/passes.hpp"
 
 namespace parlour::script::lint {
 
 namespace {
 
-// A name that is computed may be anything.
-CodeId called_by(const Instruction& instruction) {
-  const auto operation = static_cast<Operation>(instruction.operation);
-  return operation == Operation::call ? instruction.wide() : no_code;
+bool any_effect(EffectKind) {
+  return true;
 }
 
 class ComputingLint {
@@ -26,10 +20,6 @@ public:
   void run();
 
 private:
-  // The first effect that the code has or calls; nothing where it computes.
-  std::optional<EffectKind> effect_of(CodeId code);
-  std::optional<EffectKind> effect_in(const Code& code);
-
   void check(CodeId code, Position position, const std::string& what);
   void check(const std::vector<CodeId>& codes, Position position,
              const std::string& what);
@@ -38,35 +28,14 @@ private:
 
   const Program& program_;
   Findings& findings_;
-  std::map<CodeId, std::optional<EffectKind>> known_;
 };
-
-std::optional<EffectKind> ComputingLint::effect_in(const Code& code) {
-  for (const auto& instruction : code.instructions) {
-    if (static_cast<Operation>(instruction.operation) == Operation::effect)
-      return static_cast<EffectKind>(code.effects[instruction.c].kind);
-    if (const auto called = called_by(instruction); called != no_code)
-      if (auto effect = effect_of(called))
-        return effect;
-  }
-  return {};
-}
-
-std::optional<EffectKind> ComputingLint::effect_of(CodeId code) {
-  if (code >= program_.code.size())
-    return {};
-  const auto [known, fresh] = known_.try_emplace(code); // a ring ends here
-  if (fresh)
-    known->second = effect_in(program_.code[code]);
-  return known->second;
-}
 
 void ComputingLint::check(CodeId code, Position position,
                           const std::string& what) {
-  if (const auto effect = effect_of(code))
+  if (const auto effect = find_effect(program_, code, any_effect))
     warn(findings_, "querying-text", position,
          what + " can only compute, and calls a function with <" +
-             element_of(*effect) +
+             element_of(effect->kind) +
              ">: it fails when it is wanted; compute the value before, in "
              "<filled> or <completed>");
 }
@@ -108,6 +77,10 @@ void ComputingLint::run() {
     check(topic);
   for (const auto& repair : program_.repairs)
     check(repair.condition, repair.position, "the condition of a <repair>");
+  for (const auto& route : program_.routes) {
+    check(route.condition, route.position, "the condition of a route");
+    check(route.params, route.position, "a parameter of a route");
+  }
 }
 
 } // namespace

@@ -1,4 +1,5 @@
-// unknown-module and unknown-command, from the table of roles.
+// unknown-module, unknown-command and unknown-event, from the table of roles;
+// unknown-act of what is said.
 #include <algorithm>
 
 #include "runtime/base/roles.hpp"
@@ -28,6 +29,8 @@ public:
   }
 
   void message(const Element& element);
+  void subscription(const Element& element);
+  void phrase(const Element& element);
   void route(const Element& element);
 
 private:
@@ -112,6 +115,38 @@ void MessageLint::message(const Element& element) {
     check_command(module->value, *command);
 }
 
+void MessageLint::subscription(const Element& element) {
+  const auto* source = element.attribute("source");
+  const auto* event = element.attribute("command");
+  if (!source || source->value == "*" ||
+      !check_module(source->value, source->value_position))
+    return;
+  const auto* role = find_role(source->value);
+  if (!role || !event || event->value == "*" || is_computed(event->value) ||
+      role->event(event->value))
+    return;
+  warn(findings_, "unknown-event", event->value_position,
+       source->value + " has no event '" + event->value + "'" +
+           did_you_mean(event->value, names_of(role->events)));
+}
+
+// What <say> says, somebody has to have words for.
+void MessageLint::phrase(const Element& element) {
+  const auto& act = *element.attribute("act");
+  std::vector<std::string> known;
+  for (const auto& phrase : subject_.program.phrases)
+    known.push_back(phrase.act);
+  if (!subject_.settings || is_computed(act.value) ||
+      std::ranges::count(known, act.value) != 0)
+    return;
+  const auto hint = did_you_mean(act.value, known);
+  warn(findings_, "unknown-act", act.value_position,
+       "no <phrase> has the act '" + act.value + "'" +
+           (hint.empty() ? "; to say words by themselves write <speak "
+                           "param=\"…\"/>"
+                         : hint));
+}
+
 void MessageLint::route(const Element& element) {
   if (const auto* to = element.attribute("to"))
     for (const auto& name : split_names(to->value))
@@ -125,6 +160,12 @@ void lint_messages(const Subject& subject, Findings& findings) {
   walk(subject, false, [&](const Element& element, const ElementRule& rule) {
     if (is_statement(rule) && (element.is("post") || element.is("request")))
       lint.message(element);
+    else if (is_statement(rule) &&
+             (element.is("subscribe") || element.is("unsubscribe")))
+      lint.subscription(element);
+    else if (is_statement(rule) && element.is("say") &&
+             element.attribute("act"))
+      lint.phrase(element);
     else if (element.is("relay") || element.is("filter"))
       lint.route(element);
   });

@@ -19,6 +19,7 @@ void lint_texts(const Subject& subject, Findings& findings);
 void lint_examples(const Subject& subject, Findings& findings);
 void lint_computing(const Subject& subject, Findings& findings);
 void lint_joined_sql(const Subject& subject, Findings& findings);
+void lint_habits(const Subject& subject, Findings& findings);
 void lint_allowances(const Subject& subject, Findings& findings);
 
 } // namespace parlour::script::lint

@@ -1,4 +1,4 @@
-// unfillable-slot.
+// unfillable-slot, joined-values, unasked-question.
 #include <algorithm>
 #include <optional>
 
@@ -36,6 +36,14 @@ bool is_set(const Element& topic, const ElementRule& rule,
     const auto name = element.value(
         element.is("set") || element.is("append") ? "name" : "return");
     found |= name.starts_with("this." + slot);
+  });
+  return found;
+}
+
+bool is_asked(const Element& topic, const ElementRule& rule,
+              const std::string& slot) {
+  bool found = false;
+  walk(topic, rule, [&](const Element& element, const ElementRule&) {
     found |= element.is("ask") && (element.value("slot") == slot ||
                                    is_computed(element.value("slot")));
   });
@@ -74,16 +82,42 @@ void lint_range(const Element& slot, Findings& findings) {
              " and ends at " + cardinality->value("to"));
 }
 
+// "<value>a, b, c</value>".
+void lint_values(const Element& slot, Findings& findings) {
+  const auto* cardinality = slot.child("cardinality");
+  if (!cardinality || cardinality->children.size() != 1)
+    return;
+  const auto& value = cardinality->children.front();
+  if (value.text.find(',') != std::string::npos)
+    warn(findings, "joined-values", value.position,
+         "this is one value, with its commas; write a <value> for each");
+}
+
+void lint_question(const Element& topic, const ElementRule& rule,
+                   const Element& slot, Findings& findings) {
+  const auto name = slot.value("name");
+  if (slot.attribute("question") && slot.value("type") != "Functional" &&
+      !is_asked(topic, rule, name))
+    warn(findings, "unasked-question", slot.attribute("question")->position,
+         "nothing asks this question: the slot '" + name +
+             "' is taken when it is said; to have it asked for say "
+             "type=\"Functional\", or <ask slot=\"" +
+             name + "\"/>");
+}
+
 void lint_slot(const Subject& subject, const Element& topic,
                const ElementRule& rule, const Element& slot,
                Findings& findings) {
   lint_range(slot, findings);
+  lint_values(slot, findings);
+  lint_question(topic, rule, slot, findings);
   const auto name = slot.value("name");
   const bool can_be_filled =
       slot.attribute("question") || slot.attribute("expr") ||
       slot.attribute("grammar") || slot.child("cardinality") ||
       slot.child("help") || is_marked(topic, name) ||
-      is_in_grammar(subject, name) || is_set(topic, rule, name);
+      is_in_grammar(subject, name) || is_set(topic, rule, name) ||
+      is_asked(topic, rule, name);
   if (!can_be_filled)
     warn(findings, "unfillable-slot", slot.position,
          "nothing fills the slot '" + name +

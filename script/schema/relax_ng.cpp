@@ -1,6 +1,7 @@
 #include "script/schema/relax_ng.hpp"
 
 #include "script/schema/schema_names.hpp"
+#include "script/schema/ways.hpp"
 #include "script/schema/xml_writer.hpp"
 
 namespace parlour::script {
@@ -14,10 +15,14 @@ public:
 private:
   void define(const ElementRule& rule);
   void name_class(const ElementRule& rule);
-  void attribute(const AttributeRule& attribute, const ElementRule& rule);
+  void attribute(const WayAttribute& attribute, const ElementRule& rule);
   void attribute_name(const AttributeRule& attribute, const ElementRule& rule);
   void value(const AttributeRule& attribute);
-  void content(const ElementRule& rule);
+  void content(const ElementRule& rule, const Way& way);
+  void write(const ElementRule& rule, const Way& way);
+  void refer(const ElementRule& rule) {
+    xml_.empty("ref", {{"name", schema_name(rule)}});
+  }
   void document(const std::string& text) {
     if (!text.empty())
       xml_.text("a:documentation", text);
@@ -77,8 +82,8 @@ void RelaxNg::value(const AttributeRule& attribute) {
   });
 }
 
-void RelaxNg::attribute(const AttributeRule& attribute,
-                        const ElementRule& rule) {
+void RelaxNg::attribute(const WayAttribute& one, const ElementRule& rule) {
+  const auto& attribute = one.rule;
   const auto write = [&] {
     xml_.element("attribute", {}, [&] {
       attribute_name(attribute, rule);
@@ -88,24 +93,79 @@ void RelaxNg::attribute(const AttributeRule& attribute,
   };
   if (attribute.name == "*")
     xml_.element("zeroOrMore", {}, write);
-  else if (attribute.required)
+  else if (one.required)
     write();
   else
     xml_.element("optional", {}, write);
 }
 
-void RelaxNg::content(const ElementRule& rule) {
-  const auto rows = rows_within(rule.holds);
-  if (rows.empty() && !rule.holds_text())
+namespace {
+
+// What an element holds in one of its ways.
+struct Content {
+  std::vector<const ElementRule*> often;
+  std::vector<const ElementRule*> once;
+  std::vector<const ElementRule*> last;
+  bool text = false;
+
+  bool empty() const {
+    return often.empty() && once.empty() && last.empty() && !text;
+  }
+};
+
+Content content_of(const ElementRule& rule, const Way& way) {
+  Content content;
+  content.text = rule.holds_text() && !way.leaves_out("text");
+  content.last.resize(rule.last.size());
+  for (const auto* row : rows_within(rule.holds)) {
+    if (const auto place = rule.last_place(row->name); place != 0)
+      content.last[place - 1] = row;
+    else if (!way.leaves_out(row->name))
+      (rule.holds_once(row->name) ? content.once : content.often)
+          .push_back(row);
+  }
+  return content;
+}
+
+} // namespace
+
+void RelaxNg::content(const ElementRule& rule, const Way& way) {
+  const auto holds = content_of(rule, way);
+  if (holds.empty())
     return xml_.empty("empty");
-  xml_.element("zeroOrMore", {}, [&] {
-    xml_.element("choice", {}, [&] {
-      if (rule.holds_text())
-        xml_.empty("text");
-      for (const auto* row : rows)
-        xml_.empty("ref", {{"name", schema_name(*row)}});
+  const auto often = [&] {
+    if (holds.often.empty() && !holds.text)
+      return xml_.empty("empty");
+    xml_.element("zeroOrMore", {}, [&] {
+      xml_.element("choice", {}, [&] {
+        if (holds.text)
+          xml_.empty("text");
+        for (const auto* row : holds.often)
+          refer(*row);
+      });
     });
-  });
+  };
+  if (holds.once.empty())
+    often();
+  else
+    xml_.element("interleave", {}, [&] {
+      often();
+      for (const auto* row : holds.once)
+        xml_.element("optional", {}, [&] { refer(*row); });
+    });
+  for (const auto* row : holds.last)
+    xml_.element(rule.holds_once(row->name) ? "optional" : "zeroOrMore", {},
+                 [&] {
+                   refer(*row);
+                   if (rule.in_parts)
+                     often();
+                 });
+}
+
+void RelaxNg::write(const ElementRule& rule, const Way& way) {
+  for (const auto& one : way.attributes)
+    attribute(one, rule);
+  content(rule, way);
 }
 
 void RelaxNg::define(const ElementRule& rule) {
@@ -113,9 +173,13 @@ void RelaxNg::define(const ElementRule& rule) {
     xml_.element("element", {}, [&] {
       name_class(rule);
       document(documentation(rule));
-      for (const auto& one : rule.attributes)
-        attribute(one, rule);
-      content(rule);
+      const auto ways = ways_of(rule);
+      if (ways.size() == 1)
+        return write(rule, ways.front());
+      xml_.element("choice", {}, [&] {
+        for (const auto& way : ways)
+          xml_.element("group", {}, [&] { write(rule, way); });
+      });
     });
   });
 }

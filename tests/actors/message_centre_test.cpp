@@ -25,13 +25,14 @@ TEST_F(MessageCentreTest, CountsAndShowsWhatNobodyTakes) {
   EXPECT_EQ(node->counters().unhandled, 3u);
   EXPECT_THAT(unhandled, ElementsAre(HasSubstr("nobody is there for Nobody"),
                                      HasSubstr("its session is over"),
-                                     HasSubstr("no session listens to it")));
+                                     HasSubstr("no session has subscribed")));
 }
 
-TEST_F(MessageCentreTest, GivesWhatHasNoSessionToThoseWhoListen) {
-  start(R"(<handler name="H"><messages><component><Kiosk><Touch>
-           <speak param="touched"/>
-           </Touch></Kiosk></component></messages></handler>)");
+TEST_F(MessageCentreTest, GivesWhatHasNoSessionToThoseWhoSubscribed) {
+  start(R"(<handler name="H"><messages><component>
+           <Session><Started><subscribe source="Kiosk"/></Started></Session>
+           <Kiosk><Touch><speak param="touched"/></Touch></Kiosk>
+           </component></messages></handler>)");
   node->open(seat);
   node->inject("", from("Kiosk", "Touch"));
   node->run_until_quiet();

@@ -200,6 +200,41 @@ TEST_F(NodeTest, TakesInjectedMessages) {
   EXPECT_THAT(said(), ElementsAre("at 7"));
 }
 
+// Says by itself that something moved, whoever told it to look.
+ComponentOrder radar() {
+  return component("Radar", "Robot", [](auto& self, const Message&) {
+    Message event;
+    event.command = "Sensor";
+    self.host().fire_event(std::move(event));
+  });
+}
+
+TEST_F(NodeTest, TakesWhatBelongsToNobodyToThoseWhoSubscribed) {
+  options.components = {radar()};
+  start(R"(<handler name="H"><messages><component>
+      <ASR><RecognitionResult>
+        <switch expr="_LPARAM1">
+          <case value="hark"><subscribe source="Robot" command="Sensor"/></case>
+          <case value="rest"><unsubscribe source="Robot"/></case>
+          <default><post module="Radar" command="Sense" param=""/></default>
+        </switch>
+      </RecognitionResult></ASR>
+      <Radar><Sensor><speak param="{_SESSION}"/></Sensor></Radar>
+    </component></messages></handler>)");
+  EXPECT_THAT(say({"look"}), IsEmpty());
+  EXPECT_THAT(unhandled, ElementsAre(HasSubstr("no session has subscribed")));
+  EXPECT_THAT(say({"hark", "look"}), ElementsAre(node->session_at(seat)));
+  const auto first = node->session_at(seat);
+  open_seat();
+  EXPECT_THAT(say({"look"}), ElementsAre(first));
+  EXPECT_THAT(say({"hark", "look"}),
+              testing::UnorderedElementsAre(first, node->session_at(seat)));
+  EXPECT_THAT(say({"rest", "look"}), ElementsAre(first));
+  node->end(first);
+  EXPECT_THAT(say({"look"}), IsEmpty());
+  EXPECT_EQ(unhandled.size(), 2u);
+}
+
 TEST_F(NodeTest, WorksInRealTime) {
   options.virtual_start.reset();
   start(echo);

@@ -212,8 +212,8 @@ TEST_F(RoutingTableTest, KnowsRolesNamesAndAliases) {
 
 TEST_F(RoutingTableTest, KnowsWhoListens) {
   make("");
-  EXPECT_TRUE(table->subscribed(event("Fast", "RecognitionResult")));
-  EXPECT_FALSE(table->subscribed(event("Fast", "Partial")));
+  EXPECT_TRUE(table->is_listened_to(event("Fast", "RecognitionResult")));
+  EXPECT_FALSE(table->is_listened_to(event("Fast", "Partial")));
 }
 
 // Of two of a role, each session has the first where it has one that is up.

@@ -24,6 +24,9 @@ protected:
       message.session = session;
     forward_all(std::move(messages));
   }
+  void wish(const std::string& session, std::vector<Subscription> to) {
+    bench.send(manager, subscribe{session, std::move(to), bench.work()});
+  }
   void forward_all(std::vector<Message> messages) {
     bench.send(manager, forward{std::move(messages), bench.work()});
   }
@@ -62,9 +65,36 @@ TEST_F(SessionManagerTest, PassesMessagesOn) {
   open();
   open();
   forward_all({event("Bell", "Rings", {1}, "s2")});
+  EXPECT_THAT(bench.seen, ElementsAre("says Ding 1"));
+}
+
+TEST_F(SessionManagerTest, PassesToThoseWhoSubscribed) {
+  open();
+  open();
+  open();
+  wish("s1", {{"Bell", "*"}});
+  wish("s2", {{"*", "Rings"}, {"Bell", "Rings"}});
+  wish("s3", {{"Bell", "Falls"}});
+  forward_all({event("Bell", "Rings", {1})});
+  EXPECT_THAT(bench.seen, ElementsAre("says Ding 1", "says Ding 1"));
+  wish("s1", {});
+  wish("nobody", {{"*", "*"}});
+  bench.send(manager, close_session{"s2", bench.work()});
+  bench.seen.clear();
   forward_all({event("Bell", "Rings", {2})});
-  EXPECT_THAT(bench.seen, testing::UnorderedElementsAre(
-                              "says Ding 1", "says Ding 2", "says Ding 2"));
+  EXPECT_THAT(bench.seen, IsEmpty());
+  EXPECT_THAT(bench.logs, ElementsAre(HasSubstr("no session has subscribed")));
+}
+
+// What answers somebody is nobody else's.
+TEST_F(SessionManagerTest, PassesNoLateAnswerToThoseWhoSubscribed) {
+  open();
+  wish("s1", {{"*", "*"}});
+  auto late = event("Bell", "Rings", {1});
+  late.correlation = 7;
+  forward_all({late});
+  EXPECT_THAT(bench.seen, IsEmpty());
+  EXPECT_THAT(bench.logs, ElementsAre(HasSubstr("no session has subscribed")));
 }
 
 TEST_F(SessionManagerTest, SaysWhatNobodyTakes) {
@@ -73,7 +103,7 @@ TEST_F(SessionManagerTest, SaysWhatNobodyTakes) {
   forward_all({event("Bell", "Falls"),
                event("System", "Falls")}); // for those who listen, if any
   EXPECT_THAT(bench.logs, ElementsAre(HasSubstr("its session is over"),
-                                      HasSubstr("no session listens to it")));
+                                      HasSubstr("no session has subscribed")));
 }
 
 TEST_F(SessionManagerTest, HasOneSessionAtASeat) {

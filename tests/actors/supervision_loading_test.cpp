@@ -99,6 +99,25 @@ TEST_F(SupervisionLoadingTest, OneTakesThePlaceOfAnother) {
   EXPECT_THAT(heard(), ElementsAre("up City Taxi"));
 }
 
+TEST_F(SupervisionLoadingTest, NobodyTakesThePlaceOfAnotherRole) {
+  options.components = {taxi("City")};
+  shelf->put(component("Desk", "Telephone", [](auto&, auto&) {}));
+  auto spy = taxi("Spy");
+  spy.factory.description.roles.push_back("System");
+  shelf->put(spy);
+  start(load_and_ask);
+  EXPECT_THAT(say({"load Desk as City"}),
+              ElementsAre("Settings: City: it is the Taxi here, which Desk is "
+                          "not; load Desk under another name"));
+  EXPECT_THAT(say({"home"}), ElementsAre("City for home"));
+  for (const auto* name : {"System", "ASR", "Record"})
+    EXPECT_THAT(say({std::string("load Desk as ") + name}),
+                ElementsAre(HasSubstr("choose another name")));
+  EXPECT_THAT(say({"load Spy as Spy"}),
+              ElementsAre(HasSubstr("a source of the platform's own")));
+  EXPECT_THAT(heard(), IsEmpty());
+}
+
 TEST_F(SupervisionLoadingTest, WhatIsLoadedAgainHasItsOptions) {
   auto city = named_city();
   shelf->put(city);

@@ -87,8 +87,8 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         WrongDeclaration{
             "<topic name='t'><filled/><filled/></topic>",
-            "36: error: a second <filled> in <topic>; put both into "
-            "one"},
+            "36: error: a second <filled> in <topic>, after the one in line 1; "
+            "put both into one, or take one out"},
         WrongDeclaration{
             "<topic name='t'><slot name='s'><cardinality type='set'/>"
             "</slot></topic>",
@@ -97,8 +97,7 @@ INSTANTIATE_TEST_SUITE_P(
         WrongDeclaration{
             "<topic name='t'><slot name='s'><cardinality type='range'/>"
             "</slot></topic>",
-            "42: error: <cardinality type=\"range\"> needs 'from' or "
-            "'to'"},
+            "42: error: <cardinality> needs the attribute 'from' or 'to'"},
         WrongDeclaration{
             "<topic name='t'><slot name='s'><cardinality "
             "type='pattern' pattern='('/></slot></topic>",
@@ -166,11 +165,13 @@ INSTANTIATE_TEST_SUITE_P(
             "event='*'/></messages></handler>",
             "51: warning: no component, role, agent or socket is called "
             "'Robbot', did you mean 'Robot'?"},
-        WrongDeclaration{"<routes><filter source='ASR' command='*'/></routes>",
-                         "19: error: <filter> needs 'to' or drop=\"true\""},
+        WrongDeclaration{
+            "<routes><filter source='ASR' command='*'/></routes>",
+            "19: error: <filter> needs the attribute 'to' or 'drop'"},
         WrongDeclaration{
             "<routes><filter source='*' command='*' to='NLG' "
             "drop='true'/></routes>",
-            "19: error: <filter> has both 'to' and drop=\"true\""}));
+            "59: error: <filter> has both 'to' and drop=\"true\"; write "
+            "either to, as, param, or drop"}));
 
 } // namespace parlour::script

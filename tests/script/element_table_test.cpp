@@ -53,6 +53,46 @@ TEST(ElementTable, holds_together) {
   }
 }
 
+// What is said of children and attributes is of some that there are.
+TEST(ElementTable, names_what_it_has_in_its_rules_of_company) {
+  for (const auto& rule : element_table()) {
+    auto children = rule.once;
+    children.insert(children.end(), rule.last.begin(), rule.last.end());
+    std::vector<std::string> attributes;
+    for (const auto& form : rule.forms)
+      for (const auto& word : form)
+        attributes.push_back(word.attribute);
+    for (const auto& either : rule.either) {
+      attributes.push_back(either.attribute);
+      if (either.child != "text")
+        children.push_back(either.child);
+    }
+    for (const auto& child : children)
+      EXPECT_TRUE(find_rule(child, rule.holds)) << rule.name << ' ' << child;
+    for (const auto& attribute : attributes)
+      EXPECT_TRUE(rule.attribute(attribute)) << rule.name << ' ' << attribute;
+  }
+}
+
+// Where forms differ by the words of a choice, each word has one.
+TEST(ElementTable, has_a_form_for_every_word) {
+  for (const auto& rule : element_table())
+    for (const auto& attribute : rule.attributes) {
+      std::set<std::string> words;
+      bool chooses = false;
+      for (const auto& form : rule.forms)
+        if (const auto* word = find_word(form, attribute.name)) {
+          chooses |= !word->values.empty();
+          words.insert(word->values.begin(), word->values.end());
+        }
+      if (chooses) {
+        EXPECT_EQ(words, std::set<std::string>(attribute.words.begin(),
+                                               attribute.words.end()))
+            << rule.name;
+      }
+    }
+}
+
 TEST(ElementTable, has_words_for_every_choice_and_no_attribute_twice) {
   for (const auto& rule : element_table()) {
     std::set<std::string> names;

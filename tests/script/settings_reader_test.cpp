@@ -47,6 +47,23 @@ TEST(SettingsReader, reads_components_in_order_of_preference) {
   EXPECT_EQ(settings.components[2].plugin, "B");
 }
 
+TEST(SettingsReader, gives_nobody_the_name_of_somebody_else) {
+  EXPECT_THAT(
+      read("<Plugins><Plugin>System</Plugin><Plugin>A</Plugin></Plugins>"
+           "<component name='ASR' plugin='A'/>"
+           "<component name='A'/><component name='A'/>"
+           "<agents><agent name='Timer'/><agent name='Arm'/></agents>")
+          .lines,
+      ElementsAre("s.xml:1:20: error: 'System' is a source of the platform's "
+                  "own; choose another name",
+                  "s.xml:1:95: error: 'ASR' is the name of a role, and stands "
+                  "for whoever fills it; choose another name",
+                  "s.xml:1:133: error: a second <component name=\"A\">, after "
+                  "the one in line 1; put both into one",
+                  "s.xml:1:173: error: 'Timer' is a source of the platform's "
+                  "own; choose another name"));
+}
+
 TEST(SettingsReader, reads_how_a_component_is_kept) {
   const auto [settings, lines] =
       read("<Plugins><Plugin>A</Plugin><Plugin>B</Plugin></Plugins>"

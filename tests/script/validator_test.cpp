@@ -67,8 +67,8 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"hello <var name='x'/>",
                 "11: error: text 'hello' may not stand in "
                 "<dialogue>; expected elements only"},
-        Mistake{"<function name='f'><subscribe source='ASR'/></function>",
-                "30: error: <subscribe> is not available yet"},
+        Mistake{"<function name='f'><reload/></function>",
+                "30: error: <reload> is not available yet"},
         Mistake{"<function name='f'><send agent='A' "
                 "command='b'><x/></send></function>",
                 "30: error: <send> is not available yet"}));
@@ -160,7 +160,7 @@ TEST(Validator, wants_the_right_root) {
 TEST(Validator, mends_the_tree_for_those_who_come_after) {
   auto root =
       test::tree_of("<dialogue><x/><function name='f'><if><break/></if><post/>"
-                    "<subscribe source='a'/></function></dialogue>");
+                    "<reload/></function></dialogue>");
   EXPECT_EQ(judge(root).size(), 5u);
   ASSERT_EQ(root.children.size(), 1u);
   const auto& body = root.children[0].children;

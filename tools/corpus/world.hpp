@@ -39,6 +39,7 @@ public:
   std::vector<std::string> errors;    // of scripts
 
   std::vector<Message> post(Message message) override;
+  void subscribe(const std::vector<Subscription>&) override {}
   bool reachable(const std::string& module) const override;
   bool is_source(const std::string& module,
                  const std::string& source) const override;

@@ -8,6 +8,7 @@
 #include "script/application_loader.hpp"
 #include "script/lint/lint.hpp"
 #include "script/settings_reader.hpp"
+#include "tools/parlour/load_check.hpp"
 #include "tools/parlour/resource_check.hpp"
 #include "tools/parlour/sql_lint.hpp"
 
@@ -126,6 +127,8 @@ Application load_application(const fs::path& folder, const fs::path& platform,
   findings = compiled.findings.all();
   const auto& chosen = application.composition.findings;
   findings.insert(findings.end(), chosen.begin(), chosen.end());
+  const auto loads = check_loads(compiled, application.composition, *plugins);
+  findings.insert(findings.end(), loads.begin(), loads.end());
   check_resources(application);
   sort(findings);
   if (application.has_errors())

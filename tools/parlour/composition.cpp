@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "runtime/base/call_deadline.hpp"
+#include "runtime/plugin/component_check.hpp"
 #include "runtime/plugin/scope_check.hpp"
 #include "tools/parlour/hosting.hpp"
 #include "tools/parlour/option_check.hpp"
@@ -103,6 +104,10 @@ Composition compose(const Settings& settings, Catalogue& plugins,
     auto upkeep = component.upkeep;
     upkeep.deadline = call_deadline(upkeep, settings.sessions.request_timeout);
     *factory = hosted(std::move(*factory), upkeep, plugins.file_of(name));
+    if (auto right = check_component(component.name, factory->description);
+        !right)
+      composition.findings.push_back(
+          {Severity::error, component.place, right.error().message});
     check_options(component, factory->description, places, composition);
     check_scope(component, factory->description, composition);
     check_deadline(component, factory->description, settings.sessions,

@@ -133,6 +133,16 @@ void World::event(std::string source, std::string command,
   run();
 }
 
+void World::broadcast(std::string source, std::string command,
+                      std::vector<Value> params) {
+  const auto fits = [&](const Subscription& one) {
+    return (one.command == "*" || one.command == command) &&
+           (one.source == "*" || is_source(one.source, source));
+  };
+  if (std::ranges::any_of(subscriptions, fits))
+    event(std::move(source), std::move(command), std::move(params));
+}
+
 // In the order in which the session's actor would hear of it.
 bool World::move() {
   if (conversation->ended())

@@ -49,6 +49,9 @@ public:
   void queue(Value acts);
   void event(std::string source, std::string command,
              std::vector<Value> params = {}, Correlation correlation = 0);
+  // One that belongs to no session: heard by who has subscribed to it.
+  void broadcast(std::string source, std::string command,
+                 std::vector<Value> params = {});
   void open();
   void run();
   void advance(Milliseconds time);
@@ -86,6 +89,7 @@ public:
   std::deque<SocketRequest> opening;
   std::map<std::string, SocketId> sockets;
   Texts sent;
+  std::vector<Subscription> subscriptions;
   std::deque<ComponentRequest> changes; // of components, to be answered
   bool hold_queries = false;
   bool hold_outputs = false; // they are played until the test says otherwise
@@ -97,6 +101,9 @@ public:
 
   // Port
   std::vector<Message> post(Message message) override;
+  void subscribe(const std::vector<Subscription>& all) override {
+    subscriptions = all;
+  }
   bool reachable(const std::string& module) const override;
   bool is_source(const std::string& module,
                  const std::string& source) const override;

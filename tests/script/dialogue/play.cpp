@@ -129,6 +129,8 @@ private:
       say(words);
     else if (line.verb == "event")
       event(words, 0);
+    else if (line.verb == "broadcast")
+      broadcast(words);
     else if (line.verb == "reply")
       event(words, world_.messages.back().correlation);
     else if (line.verb == "wait")
@@ -175,6 +177,12 @@ private:
     const auto dot = words.at(0).find('.');
     world_.event(words[0].substr(0, dot), words[0].substr(dot + 1),
                  values_of(words, 1), correlation);
+  }
+
+  void broadcast(const std::vector<std::string>& words) {
+    const auto dot = words.at(0).find('.');
+    world_.broadcast(words[0].substr(0, dot), words[0].substr(dot + 1),
+                     values_of(words, 1));
   }
 
   void set_rows(const std::vector<std::string>& words) {

@@ -8,6 +8,7 @@
 //   it does not say), its slots; Time=3pm~0.5 is not sure, _ stands for a
 //   blank, Person=Ann|Ben may be either, the word `elliptical` says that it is
 //   <!-- event: Bell.Rings a b -->    an event; parameters are texts
+//   <!-- broadcast: Bell.Rings a --> one that belongs to no session
 //   <!-- reply: Exchange.Busy a -->   one that answers the last message
 //   <!-- rows: name; Ann; Ben -->     what the database gives from now on
 //   <!-- fails: Timeout it is gone --> with what kind and words it fails

@@ -10,7 +10,7 @@ protected:
   Facts() {
     auto& source = topic().queries[0];
     source.kind = "facts";
-    source.name = "places";
+    source.facts = 0;
     app.program.facts.push_back(
         {"places",
          {{"name", "category", "level"},
@@ -20,19 +20,18 @@ protected:
   script::Topic& topic() {
     return app.program.topics[app.facility];
   }
-  Expected<ResultSet> rows(std::vector<FrameChange> changes,
-                           bool relax = false) {
+  ResultSet rows(std::vector<FrameChange> changes, bool relax = false) {
     auto frame = app.change(app.frame(app.facility), std::move(changes)).frame;
     KnowledgeQuery query(topic(), frame);
     auto statement = query.first();
     if (relax)
       statement = query.next();
-    return query_facts(app.program, topic(), *frame, *statement);
+    return query_facts(app.program, topic(), *statement);
   }
-  static List names(const Expected<ResultSet>& rows) {
+  static List names(const ResultSet& rows) {
     List names;
-    for (std::size_t row = 0; rows && row < rows->row_count(); ++row)
-      names.push_back(*rows->cell(row, "name"));
+    for (std::size_t row = 0; row < rows.row_count(); ++row)
+      names.push_back(*rows.cell(row, "name"));
     return names;
   }
 
@@ -45,7 +44,7 @@ TEST_F(Facts, AreFoundByEqualValuesWhateverTheCase) {
   EXPECT_EQ(names(rows({fill(category, "COFFEE shop")})),
             (List{"Starbucks", "Ya Kun"}));
   EXPECT_EQ(names(rows({fill(location, -1)})), (List{"Food Chain"}));
-  EXPECT_EQ(rows({})->row_count(), 4u);
+  EXPECT_EQ(rows({}).row_count(), 4u);
 }
 
 TEST_F(Facts, AreFoundWithLess) {
@@ -71,13 +70,15 @@ TEST_F(Facts, ComeInOrder) {
   EXPECT_EQ(names(rows({}))[0], Value("Bank of Sand"));
 }
 
-TEST_F(Facts, ThatDoNotExistAreAnError) {
-  topic().queries[0].by[0].column = "colour";
-  EXPECT_EQ(rows({fill(category, "bank")}).error().kind, ErrorKind::database);
-  topic().queries[0].name = "planets";
-  EXPECT_EQ(rows({}).error().kind, ErrorKind::database);
-  topic().queries[0].name = ""; // the only table there is
-  EXPECT_TRUE(rows({}));
+TEST_F(Facts, ComeInTheOrderOfSeveralColumnsAndOfNumbers) {
+  auto& rows_there = app.program.facts[0].rows;
+  rows_there.cells = {"A", "x", "10", "B", "y", "9", "C", "y", "-1"};
+  topic().queries[0].order = "level";
+  EXPECT_EQ(names(rows({})), (List{"C", "B", "A"}));
+  topic().queries[0].order = "category desc, level";
+  EXPECT_EQ(names(rows({})), (List{"C", "B", "A"}));
+  topic().queries[0].order = "category desc, level desc";
+  EXPECT_EQ(names(rows({})), (List{"B", "C", "A"}));
 }
 
 } // namespace

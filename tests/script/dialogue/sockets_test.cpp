@@ -114,8 +114,8 @@ TEST(ScriptSockets, OneOfANameAtATime) {
 // Or its messages would pass for a recogniser's, or the engine's.
 TEST(ScriptSockets, NoNameOfSomebodyElse) {
   for (const std::string name :
-       {"ASR", "Record", "System", "Bell", "*", "{''}"}) {
-    Feed world("<socket name=\"" + name + "\" connect='h:1'/>");
+       {"ASR", "Record", "System", "Bell", "*", "a, b", ""}) {
+    Feed world("<socket name=\"{'" + name + "'}\" connect='h:1'/>");
     world.ring();
     EXPECT_EQ(world.opening.size(), 0u) << name;
     EXPECT_EQ(world.said().at(0).rfind("Refused: a socket cannot be called", 0),

@@ -20,6 +20,7 @@ public:
   std::vector<Message> post(Message) override {
     return {};
   }
+  void subscribe(const std::vector<Subscription>&) override {}
   bool reachable(const std::string&) const override {
     return false;
   }

@@ -98,6 +98,95 @@ INSTANTIATE_TEST_SUITE_P(
                ""}));
 
 INSTANTIATE_TEST_SUITE_P(
+    conditions, LintCase,
+    testing::Values(
+        Linted{"<function name='main'><if cond=\"'n == 2'\"/></function>",
+               "3:33 always-true"},
+        Linted{"<function name='main'><var name='x' expr='1'/><if cond=\"x == "
+               "'a' or 'b'\"/></function>",
+               "3:57 always-true"},
+        Linted{
+            "<function name='main'><var name='x' expr='1'/><if cond=\"not (x "
+            "== 1 or 2)\"/></function>",
+            "3:57 always-true"},
+        Linted{"<function name='main'><if cond=\"find('abc', 'a')\"/>"
+               "<if cond=\"not indexof([1], 1)\"/></function>",
+               "3:33 always-true, 3:62 always-true"},
+        Linted{"<function name='main'><if cond=\"find('abc', 'a') ge 0\"/>"
+               "<if cond='1'/><if cond='true or false'/></function>",
+               ""},
+        Linted{"<function name='main'><var name='x' expr=\"date() or 'b'\"/>"
+               "<print param='{x}'/></function>",
+               ""}));
+
+INSTANTIATE_TEST_SUITE_P(
+    blocks, LintCase,
+    testing::Values(
+        Linted{"<function name='main'><return/><print param='x'/></function>",
+               "3:32 unreachable-statement"},
+        Linted{"<function name='main'><for name='i' from='1' to='2'><if "
+               "cond='i == 1'><continue/><else/><break/></if><print "
+               "param='x'/></for></function>",
+               ""},
+        Linted{"<function name='main'><try><throw expr='1'/><catch/></try>"
+               "<print param='x'/></function>",
+               ""},
+        Linted{"<function name='main'><transit state='Welcome'/><print "
+               "param='x'/><transit state='Welcome'/></function>",
+               "3:23 lost-transit"},
+        Linted{"<function name='main'><if cond='1 == 1'><transit "
+               "state='Welcome'/><else/><transit state='Welcome'/></if>"
+               "</function>",
+               ""}));
+
+INSTANTIATE_TEST_SUITE_P(
+    cases, LintCase,
+    testing::Values(
+        Linted{"<function name='main'><switch expr='1'><case value='1'/><case "
+               "value='2'><print param='x'/></case></switch></function>",
+               "3:40 case-without-effect"},
+        Linted{"<function name='main'><switch expr='1'><case value='1, 2'>"
+               "<print param='x'/></case></switch></function>",
+               "3:53 case-without-effect"},
+        Linted{"<function name='main'><switch expr='1'><case value=\"'a' or "
+               "'b'\"><print param='x'/></case></switch></function>",
+               "3:53 case-without-effect"},
+        Linted{"<function name='main'><switch expr='1'><case value='yes, "
+               "please'><print param='x'/></case><case value='1'/><default>"
+               "<print param='x'/></default></switch></function>",
+               ""}));
+
+INSTANTIATE_TEST_SUITE_P(
+    slots_of_habit, LintCase,
+    testing::Values(
+        Linted{"<topic name='T'><slot name='A' question='?'/></topic>",
+               "3:32 unasked-question"},
+        Linted{"<topic name='T'><slot name='A' question='?'/><filled><ask "
+               "slot='A'/></filled></topic>",
+               ""},
+        Linted{"<topic name='T'><slot name='A' type='Functional' question='?'>"
+               "<cardinality type='set'><value>a, b</value></cardinality>"
+               "</slot></topic>",
+               "3:87 joined-values"},
+        Linted{"<topic name='T'><slot name='A' type='Functional' question='?'>"
+               "<cardinality type='set'><value>a, b</value><value>c</value>"
+               "</cardinality></slot></topic>",
+               ""}));
+
+INSTANTIATE_TEST_SUITE_P(
+    said_and_subscribed, LintCase,
+    testing::Values(
+        Linted{"<function name='main'><say act='greeet'/></function>",
+               "3:33 unknown-act"},
+        Linted{"<function name='main'><say act='greet'/><say act='own'/>"
+               "</function><phrases><phrase act='own'>x</phrase></phrases>",
+               ""},
+        Linted{"<function name='main'><subscribe source='ASRR'/><subscribe "
+               "source='ASR' command='Partal'/><unsubscribe source='*'/>"
+               "</function>",
+               "3:42 unknown-module, 3:82 unknown-event"}));
+
+INSTANTIATE_TEST_SUITE_P(
     functions, LintCase,
     testing::Values(Linted{"<function name='f'/>", "3:1 unused-function"},
                     Linted{"<function name='f'><call function='f'/></function>",
@@ -166,7 +255,8 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Linted{"<topic name='T'><slot name='S'/></topic>",
                "3:17 unfillable-slot"},
-        Linted{"<topic name='T'><slot name='S' question='Which?'/></topic>",
+        Linted{"<topic name='T'><slot name='S' type='Functional' "
+               "question='Which?'/></topic>",
                ""},
         Linted{"<topic name='T'><slot name='S'/><examples><value>a "
                "[b](S)</value></examples></topic>",
@@ -174,9 +264,9 @@ INSTANTIATE_TEST_SUITE_P(
         Linted{"<topic name='T'><slot name='S'/><started><set "
                "name='this.S' expr='1'/></started></topic>",
                ""},
-        Linted{"<topic name='T'><slot name='S' question='Which?'><cardinality "
-               "type='range' from='3' to='1'/></slot></topic>",
-               "3:50 unfillable-slot"}));
+        Linted{"<topic name='T'><slot name='S'><cardinality type='range' "
+               "from='3' to='1'/></slot></topic>",
+               "3:32 unfillable-slot"}));
 
 INSTANTIATE_TEST_SUITE_P(
     loops, LintCase,
@@ -213,12 +303,13 @@ INSTANTIATE_TEST_SUITE_P(
         Linted{"<function name='main'><param name='who'/><print param='Hello "
                "{who} {so on} {{it}}'/></function>",
                ""},
-        Linted{"<topic name='T'><slot name='S' question='So {on'><explain>"
-               "<value>Because {of it.</value><value>{1 + 1} {{ok}}</value>"
+        Linted{"<topic name='T'><slot question='So {on' name='S' "
+               "type='Functional'><explain><value>Because {of "
+               "it.</value><value>{1 + 1} {{ok}}</value>"
                "</explain></slot><completed><speak param='so {{on}} }'/>"
                "</completed></topic>",
-               "3:45 text-like-expression, 3:74 text-like-expression, "
-               "3:170 text-like-expression"}));
+               "3:36 text-like-expression, 3:92 text-like-expression, "
+               "3:188 text-like-expression"}));
 
 INSTANTIATE_TEST_SUITE_P(
     examples, LintCase,
@@ -244,7 +335,8 @@ INSTANTIATE_TEST_SUITE_P(
                "4:10 querying-text"},
         Linted{"<function name='shops'><querydb param='select 1' return='r'/>"
                "<return expr='r'/></function>\n<topic name='T'>"
-               "<slot name='S' question='Which?'><explain><value>{shops()}"
+               "<slot name='S' type='Functional' question='Which?'>"
+               "<explain><value>{shops()}"
                "</value></explain></slot>"
                "<filled><speak param='{shops()}'/></filled></topic>",
                "4:17 querying-text"},

@@ -38,6 +38,32 @@ WRONG = {
                                "</function></dialogue>",
     "wrong root": "<script/>",
 }
+# What XSD cannot say.
+WRONG_COMPANY = {
+    "attributes that exclude each other":
+        "<dialogue><function name='f'><for each='x' in='l' from='1' to='2'/>"
+        "</function></dialogue>",
+    "half of a form": "<dialogue><function name='f'><for name='i' from='1'/>"
+                      "</function></dialogue>",
+    "an attribute of another word": "<dialogue><topic name='t'><slot name='s'>"
+                                    "<cardinality type='date' from='1'/>"
+                                    "</slot></topic></dialogue>",
+    "said by an attribute and a child":
+        "<dialogue><function name='f'><post module='A' command='b' param='1'>"
+        "<param expr='2'/></post></function></dialogue>",
+    "a value computed and written": "<dialogue><topic name='t'><slot name='s'>"
+                                    "<help><value expr='1'>one</value></help>"
+                                    "</slot></topic></dialogue>",
+    "a second entrance": "<dialogue><state name='s'><Entrance/><Exit/>"
+                         "<entrance/></state></dialogue>",
+    "a second default": "<dialogue><function name='f'><switch expr='1'>"
+                        "<default/><case value='1'/><default/></switch>"
+                        "</function></dialogue>",
+    "elseif behind else": "<dialogue><function name='f'><if cond='a'><else/>"
+                          "<elseif cond='b'/></if></function></dialogue>",
+    "a statement behind catch": "<dialogue><function name='f'><try><catch/>"
+                                "<end/></try></function></dialogue>",
+}
 ODD = {
     "first letters": "<Dialogue><function name='f'><Print param='a'/>"
                      "<wait for='{x}'/></function></Dialogue>",
@@ -45,6 +71,15 @@ ODD = {
     "any source": "<dialogue><handler name='h'><messages><component><MyOwn>"
                   "<Event><speak param='a'/></Event></MyOwn></component>"
                   "<on source='*' event='*'/></messages></handler></dialogue>",
+    "parts in front of their statements":
+        "<dialogue><function name='f'><if cond='a'><end/><elseif cond='b'/>"
+        "<end/><end/><else/><if cond='c'><end/><Else/></if></if></function>"
+        "</dialogue>",
+    "all of a state": "<dialogue><state name='s'><Online/><functions/><Exit/>"
+                      "<functions/><Entrance/><messages/></state></dialogue>",
+    "forms": "<dialogue><function name='f'><for in='l' each='x'/><cancel/>"
+             "<cancel all='true'/><fire event='e' param='1'/><fire event='e'>"
+             "<param expr='1'/></fire></function></dialogue>",
     "free columns": "<dialogue><facts><fact a='1' b='2'/></facts></dialogue>",
 }
 
@@ -89,6 +124,12 @@ class Schema(unittest.TestCase):
                 with self.subTest(option=option, case=name):
                     said = self.judge(option, "-", input=text)
                     self.assertIn(said.returncode, (3, 4), said.stderr)
+
+    def test_refuses_wrong_company(self):
+        for name, text in WRONG_COMPANY.items():
+            with self.subTest(case=name):
+                said = self.judge("--relaxng", "-", input=text)
+                self.assertIn(said.returncode, (3, 4), said.stderr)
 
 
 if __name__ == "__main__":

@@ -1,0 +1,16 @@
+// Subscription: what a session hears of what belongs to no session (language
+// rule 12).
+#pragma once
+
+#include <string>
+
+namespace parlour {
+
+struct Subscription {
+  std::string source;  // a component, a role or "*"
+  std::string command; // "*": any
+
+  bool operator==(const Subscription&) const = default;
+};
+
+} // namespace parlour

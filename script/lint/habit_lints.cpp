@@ -1,0 +1,143 @@
+// always-true, unreachable-statement, lost-transit, case-without-effect: what
+// those write who know other languages, and what is taken here as something
+// else.
+#include <algorithm>
+#include <array>
+
+#include "script/lint/passes.hpp"
+
+namespace parlour::script::lint {
+
+namespace {
+
+// -- conditions ---------------------------------------------------------------
+
+// What is wrong with a part of a condition that counts by its truth alone;
+// `joined`: by 'and' or 'or' with others.
+std::string always_true(const Node& node, bool joined) {
+  if (node.kind == NodeKind::string && !node.text.empty())
+    return joined ? "the text '" + node.text +
+                        "' by itself always counts as true; compare it, too: "
+                        "x == 'a' or x == '" +
+                        node.text + "'"
+                  : "a text always counts as true; leave out the quotes around "
+                    "the condition";
+  if (node.kind == NodeKind::integer && node.integer != 0 && joined)
+    return "the number " + std::to_string(node.integer) +
+           " by itself always counts as true; compare it, too: x == 1 or x "
+           "== " +
+           std::to_string(node.integer);
+  if (node.kind == NodeKind::call &&
+      (node.text == "find" || node.text == "indexof"))
+    return "'" + node.text +
+           "' gives the place, from 0 on, and -1 where there is none, which "
+           "counts as true; write contains(…), or compare: " +
+           node.text + "(…) ge 0";
+  return {};
+}
+
+std::string always_true_in(const Node& node, bool joined) {
+  const bool joins =
+      node.kind == NodeKind::both || node.kind == NodeKind::either;
+  if (!joins && node.kind != NodeKind::invert)
+    return always_true(node, joined);
+  for (const auto& child : node.children)
+    if (auto fault = always_true_in(*child, joined || joins); !fault.empty())
+      return fault;
+  return {};
+}
+
+void lint_condition(const Attribute& attribute, Findings& findings) {
+  const auto parsed = parse_expression(attribute.value);
+  if (!parsed.node)
+    return;
+  if (auto fault = always_true_in(*parsed.node, false); !fault.empty())
+    warn(findings, "always-true", attribute.value_position, std::move(fault));
+}
+
+// -- what comes behind --------------------------------------------------------
+
+bool leaves_its_block(const Element& element) {
+  static constexpr std::array<const char*, 4> names{"return", "break",
+                                                    "continue", "throw"};
+  return std::ranges::any_of(
+      names, [&](const char* name) { return element.is(name); });
+}
+
+// The statements of one block; its <else>, <catch> and such are none.
+void lint_block(const Element& block, const ElementRule& rule,
+                Findings& findings) {
+  const Element* left = nullptr;
+  const Element* transit = nullptr;
+  for (const auto& child : block.children) {
+    const auto* inside = find_rule(child.name, rule.holds);
+    if (!inside || !is_statement(*inside))
+      continue;
+    if (left)
+      return warn(findings, "unreachable-statement", child.position,
+                  "nothing leads here: <" + left->name + "> in line " +
+                      std::to_string(left->position.line) +
+                      " leaves before; put <" + child.name +
+                      "> in front of it, or take it out");
+    if (transit && child.is("transit"))
+      warn(findings, "lost-transit", transit->position,
+           "of several <transit> the last counts, that of line " +
+               std::to_string(child.position.line) + "; take this one out");
+    if (leaves_its_block(child))
+      left = &child;
+    if (child.is("transit"))
+      transit = &child;
+  }
+}
+
+// -- <case> -------------------------------------------------------------------
+
+bool is_literal(const Node& node) {
+  return node.kind == NodeKind::string || node.kind == NodeKind::integer ||
+         node.kind == NodeKind::number;
+}
+
+// "'a' or 'b'", "1, 2": meant as several values.
+bool is_several(const std::string& value) {
+  const auto whole = parse_expression(value);
+  if (whole.node)
+    return whole.node->kind == NodeKind::either &&
+           std::ranges::all_of(whole.node->children, [](const auto& child) {
+             return is_literal(*child);
+           });
+  const auto list = parse_arguments(value);
+  return list.node && list.node->children.size() > 1 &&
+         std::ranges::all_of(list.node->children, [](const auto& child) {
+           return is_literal(*child);
+         });
+}
+
+void lint_switch(const Element& element, Findings& findings) {
+  const auto& arms = element.children;
+  for (std::size_t i = 0; i < arms.size(); ++i) {
+    const auto* value = arms[i].attribute("value");
+    if (value && is_several(value->value))
+      warn(findings, "case-without-effect", value->value_position,
+           "a <case> is for one value; write one for each");
+    if (value && arms[i].children.empty() && i + 1 < arms.size() &&
+        arms[i + 1].is("case"))
+      warn(findings, "case-without-effect", arms[i].position,
+           "for this value nothing happens: an empty <case> does not run on "
+           "into the next; put the same statements into both, or a function");
+  }
+}
+
+} // namespace
+
+void lint_habits(const Subject& subject, Findings& findings) {
+  walk(subject, false, [&](const Element& element, const ElementRule& rule) {
+    for (const auto* name : {"cond", "if"})
+      if (const auto* condition = element.attribute(name))
+        lint_condition(*condition, findings);
+    lint_block(element, rule, findings);
+    if (is_statement(rule) && element.is("switch"))
+      lint_switch(element, findings);
+  });
+}
+
+} // namespace parlour::script::lint

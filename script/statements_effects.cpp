@@ -362,16 +362,18 @@ Register StatementCompiler::capture(const std::vector<const Local*>& captured) {
 }
 
 void StatementCompiler::timer(const Element& element) {
-  const auto base = b_.allocate(3);
+  const auto base = b_.allocate(5);
   operand(element, "name", F::text, base);
   operand(element, "after", F::duration, static_cast<Register>(base + 1));
   operand(element, "repeat", F::value, static_cast<Register>(base + 2));
+  operand(element, "keeps-open", F::value, static_cast<Register>(base + 3));
+  operand(element, "ends-with", F::text, static_cast<Register>(base + 4));
   std::vector<const Local*> captured;
   const auto body = detached(element, true, captured);
   capture(captured);
   b_.at(element.position);
   perform(
-      K::timer, base, base, 3,
+      K::timer, base, base, 5,
       {.body = body, .captured = static_cast<std::uint16_t>(captured.size())});
   b_.release(base);
 }

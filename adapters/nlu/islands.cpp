@@ -121,10 +121,9 @@ private:
     });
   }
 
-  // A question's own grammar narrows what is tried.
+  // A value is no generic act, also where their grammar takes one.
   bool allowed(const RuleInfo& rule) const {
-    return context_.grammar.empty() || rule.generic ||
-           rule.grammar == context_.grammar;
+    return context_.grammar.empty() || !rule.generic || island_.fills.empty();
   }
 
   const std::vector<Trace>& traces_;

@@ -1,6 +1,7 @@
 #include "adapters/nlu/matcher.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace parlour::adapters::nlu {
 
@@ -29,9 +30,9 @@ float break_cost(Break found) {
 } // namespace
 
 Matcher::Matcher(const Automaton& automaton, const Utterance& utterance,
-                 Spans& spans, EntityId asked)
+                 Spans& spans, EntityId asked, std::string grammar)
     : automaton_(automaton), utterance_(utterance), spans_(spans),
-      asked_(asked), items_(utterance.size() + 1),
+      asked_(asked), grammar_(std::move(grammar)), items_(utterance.size() + 1),
       found_(utterance.size() + 1) {
   for (auto& items : items_)
     items.reserve(usual_items);
@@ -179,7 +180,7 @@ void Matcher::reach(Item item, std::size_t position) {
 
 void Matcher::accept(const Item& item, const Accept& accepted) {
   const auto& rule = automaton_.rules[accepted.rule];
-  if (item.weak && !rule.bare)
+  if ((item.weak && !rule.bare) || !is_tried(rule))
     return;
   Match match{accepted.rule, item.begin,
               item.last,     item.score + accepted.weight + rule.bias,
@@ -200,6 +201,11 @@ void Matcher::accept(const Item& item, const Accept& accepted) {
   }
   match.trace = follow(item.trace, accepted.actions, item.last, item.last);
   ending.push_back(match);
+}
+
+// Examples and values that stand alone are of no grammar.
+bool Matcher::is_tried(const RuleInfo& rule) const {
+  return grammar_.empty() || rule.generic || rule.grammar == grammar_;
 }
 
 std::uint32_t Matcher::follow(std::uint32_t trace, std::uint32_t actions,

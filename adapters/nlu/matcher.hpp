@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "adapters/nlu/automaton.hpp"
@@ -35,9 +36,10 @@ struct Match {
 
 class Matcher {
 public:
-  // `asked` is the entity that the context asks for, or asked_entity.
+  // `asked` is the entity that the context asks for, or asked_entity; `grammar`
+  // the only one besides generic acts that is tried, "" for all rules.
   Matcher(const Automaton& automaton, const Utterance& utterance, Spans& spans,
-          EntityId asked);
+          EntityId asked, std::string grammar = {});
 
   std::vector<Match> run();
 
@@ -72,6 +74,7 @@ private:
                  bool expected);
   void reach(Item item, std::size_t position);
   void accept(const Item& item, const Accept& accept);
+  bool is_tried(const RuleInfo& rule) const;
   std::uint32_t follow(std::uint32_t trace, std::uint32_t actions,
                        std::uint32_t open_at, std::uint32_t close_at);
   std::uint32_t push(Trace trace);
@@ -80,6 +83,7 @@ private:
   const Utterance& utterance_;
   Spans& spans_;
   EntityId asked_;
+  std::string grammar_;
   std::vector<std::vector<Item>> items_;  // by position
   std::vector<std::vector<Match>> found_; // by end
   std::vector<Trace> traces_;

@@ -175,8 +175,11 @@ struct Understander::Implementation {
     return build_acts(chain, utterance, schema, context, threshold);
   }
 
+  // None beside the one grammar that a context may name.
   std::vector<BuiltAct> guesses(const Utterance& utterance, Spans& spans,
                                 const Context& context) const {
+    if (!context.grammar.empty())
+      return {};
     return guessed_acts(learned, utterance, spans, schema, context, threshold);
   }
 
@@ -243,7 +246,8 @@ Understanding Understander::understand(std::string_view text,
   const auto context = read_context(context_value, schema);
   const auto utterance = make_utterance(text, self.automaton);
   Spans spans(schema, utterance, self.entities(context), context.now);
-  Matcher matcher(self.automaton, utterance, spans, context.asked_entity_id);
+  Matcher matcher(self.automaton, utterance, spans, context.asked_entity_id,
+                  context.grammar);
   const auto islands = read_islands(matcher.run(), matcher.traces(), spans,
                                     self.automaton, schema, context);
   const auto chains = best_chains(islands, utterance.size(), context);

@@ -47,6 +47,7 @@ private:
   bool hear_speech(const Message& message);
   bool hear_speaker(const Message& message);
   void act_on(Timer timer);
+  void ring(Timer timer);
   void run_lane();
   void take(Step&& step);
   void run_body(Step&& step);
@@ -58,9 +59,11 @@ private:
   void take_internal();
   bool at_rest() const;
   void finish();
+  void tell_lost_timers();
   void give_up_turns();
 
   void watch_silence();
+  void watch_nobody();
   void watch_for(Milliseconds length, Timer::Purpose purpose);
   void stop_silence();
 

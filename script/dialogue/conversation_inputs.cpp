@@ -48,101 +48,6 @@ bool is_speech(const Port& port, const Message& message) {
 
 } // namespace
 
-// -- the beginning and the end ------------------------------------------------
-
-void Conversation::Implementation::open() {
-  if (auto ready = core.interpreter.initialise(core.effects); !ready) {
-    core.inspect(InspectionKind::error, "variables", to_string(ready.error()));
-    core.ending = true;
-  } else {
-    core.raise("Session", "Started", {});
-    core.lane.queue(beginning());
-  }
-  go_on();
-}
-
-// The start state or topic, else the first topic of system initiative
-// (engine rule 4.6).
-StepList Conversation::Implementation::beginning() const {
-  const auto& start = core.program->settings.start;
-  Step step;
-  if (auto state = core.program->state(start); state != script::no_id) {
-    step.kind = StepKind::enter;
-    step.state = state;
-  } else if (auto topic = core.program->topic(start); topic != script::no_id) {
-    step = topic_step(StepKind::activate, topic);
-  } else if (auto next = core.order.next(); next) {
-    step = topic_step(StepKind::resume_topic, next->topic);
-  } else {
-    return {};
-  }
-  return {step, make_step(StepKind::greet_agents, {}), conclude_step(0)};
-}
-
-void Conversation::Implementation::close() {
-  if (leaving_ != Leaving::no)
-    return;
-  core.ending = true;
-  core.leaving = true;
-  core.mouth.withdraw_questions();
-  core.topics.forget_frame();
-  core.lane.clear();
-  auto steps = core.cancel_waits();
-  for (auto wait : core.pipeline.waits())
-    core.pipeline.resume(wait, fail(ErrorKind::cancelled, "the session ended"));
-  steps.append(core.machine.exits());
-  core.lane.clear();
-  core.lane.now(std::move(steps));
-  core.timers.start(core.program->settings.sessions.request_timeout,
-                    Timer::Purpose::leaving);
-  leaving_ = Leaving::exits;
-  leave();
-}
-
-// Exit runs, then Session.Ended is told; each may wait for a component.
-void Conversation::Implementation::leave() {
-  run_lane();
-  take_internal();
-  if (!at_rest())
-    return;
-  if (leaving_ == Leaving::exits) {
-    leaving_ = Leaving::told;
-    core.raise("Session", "Ended", {});
-    take_internal();
-  }
-  if (at_rest())
-    finish();
-}
-
-void Conversation::Implementation::take_internal() {
-  while (!core.internal.empty() && core.one_more_internal_event()) {
-    process(core.internal.take());
-    run_lane();
-  }
-}
-
-// Nothing that was begun waits for anybody but the user, who is gone.
-bool Conversation::Implementation::at_rest() const {
-  return core.lane.idle() && core.internal.empty() &&
-         core.pipeline.waits().empty() && !core.runner.has_slices() &&
-         !core.topics.awaiting_frame();
-}
-
-void Conversation::Implementation::finish() {
-  core.mouth.withdraw_questions();
-  core.mouth.release();
-  core.timers.cancel_all();
-  core.ended = true;
-  core.port.ended();
-}
-
-std::vector<Message> Conversation::Implementation::take_unread() {
-  std::vector<Message> messages;
-  for (auto& input : std::exchange(core.inbox, {}))
-    messages.push_back(*input.message);
-  return messages;
-}
-
 // -- inputs -------------------------------------------------------------------
 
 void Conversation::Implementation::receive(
@@ -152,6 +57,8 @@ void Conversation::Implementation::receive(
   Input input;
   input.begins_turn = heard && message->command == "RecognitionResult"sv &&
                       core.port.is_source(recogniser, message->source);
+  if (input.begins_turn && !core.turns.any_said(core.now))
+    core.apologies.user_speaks();
   input.turn = input.begins_turn ? core.turns.begin()
                                  : core.turns.of(message->correlation);
   core.turns.hold(input.turn);
@@ -168,6 +75,7 @@ void Conversation::Implementation::receive(
 void Conversation::Implementation::take_acts(std::span<const ActPointer> acts) {
   begin_event();
   user_begins();
+  core.apologies.user_speaks();
   const auto turn = core.turns.begin();
   StepList item;
   for (const auto& act : acts) {
@@ -205,6 +113,7 @@ bool Conversation::Implementation::has_work() {
 void Conversation::Implementation::begin_event() {
   core.internal_events = 0;
   core.rounds = 0;
+  core.chased = false;
   core.interpreter.new_event();
 }
 
@@ -295,14 +204,9 @@ void Conversation::Implementation::timer_fired(TimerId id) {
 
 void Conversation::Implementation::act_on(Timer timer) {
   switch (timer.purpose) {
-  case Timer::Purpose::script: {
-    core.raise("Timer", "Fired", {timer.name});
-    auto step = body_step(timer.code, 0);
-    step.matter().arguments = std::move(timer.arguments);
-    step.topic = timer.topic;
-    core.lane.queue({std::move(step), conclude_step(0)});
+  case Timer::Purpose::script:
+    ring(std::move(timer));
     break;
-  }
   case Timer::Purpose::wait:
     if (timer.correlation == 0)
       core.resume(timer.wait, Value());
@@ -325,6 +229,22 @@ void Conversation::Implementation::act_on(Timer timer) {
     finish();
     break;
   }
+}
+
+void Conversation::Implementation::ring(Timer timer) {
+  core.raise("Timer", "Fired", {timer.name});
+  const auto ring = core.timers.ring(timer);
+  if (!ring)
+    return;
+  auto step = body_step(timer.code, 0);
+  step.kind = StepKind::ring;
+  step.origin = {.visit = timer.visit, .timer = timer.code};
+  step.topic = timer.topic;
+  step.matter().arguments = std::move(timer.arguments);
+  step.matter().ring = ring;
+  auto end = conclude_step(0);
+  end.matter().ring = ring;
+  core.lane.queue({std::move(step), std::move(end)});
 }
 
 void Conversation::Implementation::go_on() {
@@ -351,6 +271,7 @@ void Conversation::Implementation::give_up_turns() {
   if (!core.turns.asked_anything())
     return;
   for (auto turn : core.turns.expire(core.now)) {
+    core.answers.forget(turn);
     Step step;
     step.kind = StepKind::no_match;
     step.turn = turn;
@@ -372,10 +293,19 @@ void Conversation::Implementation::watch_silence() {
     else
       stop_silence();
   } else if (core.internal.empty() && core.inbox.empty()) {
-    auto wanted = core.topics.silence_wanted();
-    watch_for(wanted.value_or(core.program->settings.sessions.closes_after),
-              wanted ? Timer::Purpose::silence : Timer::Purpose::closing);
+    watch_nobody();
   }
+}
+
+// Nothing closes while something is due.
+void Conversation::Implementation::watch_nobody() {
+  if (auto wanted = core.topics.silence_wanted())
+    watch_for(*wanted, Timer::Purpose::silence);
+  else if (core.timers.keep_open() || core.effects.waits_for_answer())
+    stop_silence();
+  else
+    watch_for(core.program->settings.sessions.closes_after,
+              Timer::Purpose::closing);
 }
 
 // A timer that watches already goes on, so that silence lasts from where it

@@ -23,6 +23,10 @@ void Conversation::Implementation::take(Step&& step) {
     if (!core.topics.consumed(step.offered))
       run_body(std::move(step));
     break;
+  case ring:
+    if (!step.more->ring->stopped)
+      run_body(std::move(step));
+    break;
   case run:
   case run_leaving:
     run_body(std::move(step));
@@ -40,10 +44,13 @@ void Conversation::Implementation::take(Step&& step) {
     core.machine.enter(step);
     break;
   case push:
-    core.machine.push(step);
+    core.machine.push(std::move(step));
     break;
   case pop:
-    core.machine.pop(step);
+    core.machine.pop(std::move(step));
+    break;
+  case give_up:
+    core.machine.give_up(std::move(step));
     break;
   case greet_agents:
     core.machine.greet_agents();
@@ -77,21 +84,33 @@ void Conversation::Implementation::run_body(Step&& step) {
   context.turn = step.turn;
   context.leaves_state = step.kind == StepKind::run_leaving;
   started(core.runner.start(step.code, step.more ? step.more->arguments : none,
-                            std::move(context)));
+                            std::move(context), step.origin));
 }
 
 // An activation goes on in the lane where it was started.
 void Conversation::Implementation::resume(Step&& step) {
   if (core.pipeline.waits(step.wait))
     core.pipeline.resume(step.wait, *step.more->data);
+  else if (core.lane.waits(step.wait))
+    core.lane.wake(step.wait, std::move(step));
   else if (core.runner.waiting(step.wait))
     started(core.runner.resume(step.wait, *step.more->data));
 }
 
+// What it asked for so far does not wait, and neither does the question that
+// this leads to where the script waits for time. Who asks again has dropped
+// what he asked before.
 void Conversation::Implementation::started(WaitId wait) {
+  using enum Runner::WaitFor;
   auto steps = core.runner.hand_over();
-  if (wait != 0)
-    core.lane.wait(wait, core.runner.for_user(wait));
+  if (wait != 0) {
+    const auto what = core.runner.waits_for(wait);
+    core.lane.wait(wait, what == answer ? Lane::Others::are_held
+                                        : Lane::Others::go_on);
+    if (!steps.empty() && what == time)
+      steps.push_back(conclude_step(core.runner.turn_of(wait)));
+    steps.prepend(core.machine.dropped_by(wait));
+  }
   core.lane.now(std::move(steps));
 }
 

@@ -8,13 +8,24 @@
 
 namespace parlour::dialogue {
 
+namespace {
+
+bool wants_out(const Step& step) {
+  return step.kind == StepKind::take_act &&
+         (step.act->kind == ActKind::cancel ||
+          step.act->kind == ActKind::abandon ||
+          step.act->kind == ActKind::restart);
+}
+
+} // namespace
+
 Core::Core(std::shared_ptr<const script::Program> the_program,
            Conversation::Options the_options, Port& the_port)
     : program(std::move(the_program)), options(std::move(the_options)),
       port(the_port), interpreter(program), frames(*program, interpreter),
       order(*program), timers(port), mouth(*this), effects(*this),
-      runner(*this), pipeline(*this), machine(*this), topics(*this),
-      privacy(*this) {}
+      runner(*this), pipeline(*this), answers(*this), machine(*this),
+      topics(*this), privacy(*this) {}
 
 void Core::raise(const char* source, std::string command,
                  std::vector<Value> params, TurnId turn) {
@@ -76,6 +87,18 @@ bool Core::answered_inline(Correlation correlation) const {
   });
 }
 
+void Core::take_from_pipeline(StepList steps, TurnId turn) {
+  if (steps.empty())
+    return;
+  // Cancel and start over pass every wait (engine rule 2).
+  if (std::any_of(steps.begin(), steps.end(), wants_out) && lane.held()) {
+    lane.now(cancel_waits());
+    machine.clear_pushed();
+  }
+  steps.push_back(conclude_step(turn));
+  lane.queue(std::move(steps));
+}
+
 void Core::resume(WaitId wait, Expected<Value> outcome) {
   effects.forget(wait);
   if (!lane.waits(wait)) {
@@ -88,7 +111,7 @@ void Core::resume(WaitId wait, Expected<Value> outcome) {
 StepList Core::cancel_waits() {
   auto waits = lane.abandon();
   for (auto wait : pipeline.waits())
-    if (runner.for_user(wait))
+    if (runner.waits_for(wait) == Runner::WaitFor::user)
       waits.push_back(wait);
   topics.forget_waits();
   StepList steps;
@@ -103,18 +126,29 @@ StepList Core::cancel_waits() {
 bool Core::one_more_internal_event() {
   if (++internal_events <= defaults::internal_events)
     return true;
-  if (internal_events == defaults::internal_events + 1)
-    inspect(InspectionKind::error, "Limit",
-            "more than 100 internal events without an external one; the rest "
-            "is dropped");
   for (const auto& input : std::exchange(internal, {}))
     drop(input);
+  if (!std::exchange(chased, true)) {
+    internal_events = 0; // those who hear of it may do something about it
+    script_failed({ErrorKind::limit,
+                   "more than " + std::to_string(defaults::internal_events) +
+                       " internal events without an external one; the rest is "
+                       "dropped",
+                   {}},
+                  0);
+  }
   return false;
 }
 
 void Core::drop(const Input& input) {
   turns.let_go(input.turn);
   mouth.handled(*input.message, false);
+}
+
+void Core::drop(const Step& step) {
+  if (step.kind == StepKind::push) // who pushed does not wait for ever
+    lane.queue({outcome_step(
+        step.wait, fail(ErrorKind::cancelled, "the state was not entered"))});
 }
 
 void Core::raise_error(const Error& error, TurnId turn) {

@@ -4,6 +4,8 @@
 
 #include <memory>
 
+#include "script/dialogue/answers.hpp"
+#include "script/dialogue/apologies.hpp"
 #include "script/dialogue/conversation.hpp"
 #include "script/dialogue/effects.hpp"
 #include "script/dialogue/fifo.hpp"
@@ -22,14 +24,6 @@
 #include "script/interpreter.hpp"
 
 namespace parlour::dialogue {
-
-// A message on its way to the pipeline, and the user turn it belongs to.
-struct Input {
-  std::shared_ptr<const Message> message;
-  TurnId turn = 0;
-  bool begins_turn = false; // the user spoke
-  bool raised = false;      // by the engine itself, for those who listen
-};
 
 struct Core {
   Core(std::shared_ptr<const script::Program> the_program,
@@ -50,18 +44,21 @@ struct Core {
   int internal_events = 0;    // since the last external one
   std::uint32_t rounds = 0;   // of the message that was taken last
   std::uint64_t received = 0; // the number of the last message in the inbox
+  bool chased = false;        // these internal events were too many
 
   script::Interpreter interpreter;
   Frames frames;
   TopicOrder order;
   Turns turns;
   StateStack states;
+  Apologies apologies;
   Timers timers;
   Lane lane;
   Mouth mouth;
   Effects effects;
   Runner runner;
   Pipeline pipeline;
+  Answers answers;
   StateMachine machine;
   TopicEngine topics;
   Privacy privacy;
@@ -84,6 +81,9 @@ struct Core {
   Correlation post(std::string module, std::string command,
                    std::vector<Value> params, TurnId turn);
   bool answered_inline(Correlation correlation) const;
+  // What the pipeline hands over becomes an item of the dialogue lane, which
+  // ends with the question that is then due.
+  void take_from_pipeline(StepList steps, TurnId turn);
   // A waiting activation or step goes on, in whichever lane it waits.
   void resume(WaitId wait, Expected<Value> outcome);
   // The user wants out, or the session ends: what waits in the dialogue lane,
@@ -92,10 +92,13 @@ struct Core {
   // states are left to the caller.
   [[nodiscard]] StepList cancel_waits();
   // False where there were too many of them without an external one: scripts
-  // chase each other (engine rule 2). What is queued is dropped then.
+  // chase each other (engine rule 2). What is queued is dropped then, and
+  // Script.Error raised, once.
   bool one_more_internal_event();
   // An event that nobody is to handle any more; what hangs on it goes on.
   void drop(const Input& input);
+  // The same for a step.
+  void drop(const Step& step);
   // Script.Error (language rule 5).
   void raise_error(const Error& error, TurnId turn);
   // Shown, and raised.

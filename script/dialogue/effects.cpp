@@ -179,35 +179,57 @@ script::Performed Effects::perform_outside(script::Activation& activation,
 
 // -- waits --------------------------------------------------------------------
 
-WaitId Effects::begin_wait(bool for_user) {
+WaitId Effects::begin_wait(Runner::WaitFor what) {
   auto id = core_.next_id();
-  core_.runner.expect({id, for_user});
+  core_.runner.expect({id, what});
   return id;
 }
 
 script::Performed Effects::wait_for(Milliseconds time) {
-  auto wait = begin_wait(false);
-  core_.timers.start(time, {.purpose = Timer::Purpose::wait, .wait = wait});
+  Timer timer{.purpose = Timer::Purpose::wait};
+  if (auto full =
+          core_.timers.refuse(timer, core_.program->settings.limits.bytes))
+    return std::move(*full);
+  timer.wait = begin_wait(Runner::WaitFor::time);
+  core_.timers.start(time, std::move(timer));
   return script::Waits{};
 }
 
 script::Performed Effects::timer(Context context, Call effect) {
   auto name = effect.text(0);
   core_.timers.cancel_named(name); // a timer replaces one of its name
+  const auto& origin = core_.runner.origin();
   Timer timer;
   timer.name = std::move(name);
   timer.code = effect.body;
   timer.arguments = effect.captured();
   timer.bytes = script::remembered(timer.arguments);
   timer.topic = context.topic;
-  const auto after = milliseconds(effect.operand(1));
+  timer.visit = ends_with(effect.operand(4));
+  // What timers start takes time, or it would never be quiet.
+  auto after = milliseconds(effect.operand(1));
+  if (effect.operand(2) || origin.timer != script::no_code)
+    after = std::max(after, Milliseconds(1));
   if (effect.operand(2))
-    timer.every = std::max(after, Milliseconds(1));
+    timer.every = after;
+  timer.due = core_.now + after.count();
+  const bool repeats = effect.operand(2) || origin.timer == timer.code;
+  timer.keeps_open = effect.has(3) ? bool(effect.operand(3)) : !repeats;
   if (auto full =
           core_.timers.refuse(timer, core_.program->settings.limits.bytes))
     return std::move(*full);
-  core_.timers.start(after, std::move(timer));
+  if (timer.visit == 0 || core_.states.lasts(timer.visit))
+    core_.timers.start(after, std::move(timer));
   return Value();
+}
+
+// One of a state's script with its state, unless it says otherwise.
+VisitId Effects::ends_with(const Value& said) const {
+  const auto with = text_or(said, "");
+  if (with == "session")
+    return 0;
+  const auto own = core_.runner.origin().visit;
+  return own == 0 && with == "state" ? core_.states.visit() : own;
 }
 
 script::Performed Effects::confirm(Context context, Call effect) {
@@ -216,7 +238,7 @@ script::Performed Effects::confirm(Context context, Call effect) {
   auto slot = script::no_id;
   if (effect.has(1) && context.topic != script::no_id)
     slot = core_.topic(context.topic).slot(effect.text(1));
-  auto wait = begin_wait(true);
+  auto wait = begin_wait(Runner::WaitFor::user);
   core_.topics.confirm(effect.text(0), context.topic, slot, wait, context.turn);
   return script::Waits{};
 }
@@ -233,7 +255,7 @@ script::Performed Effects::push(Context context, Call effect) {
   step.state = state;
   step.topic = context.topic;
   step.turn = context.turn;
-  step.wait = begin_wait(true);
+  step.wait = begin_wait(Runner::WaitFor::user);
   core_.runner.later(std::move(step));
   return script::Waits{};
 }

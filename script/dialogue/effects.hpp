@@ -8,6 +8,7 @@
 
 #include "runtime/base/random.hpp"
 #include "script/dialogue/port.hpp"
+#include "script/dialogue/runner.hpp"
 #include "script/dialogue/sockets.hpp"
 #include "script/dialogue/step.hpp"
 #include "script/dialogue/subscriptions.hpp"
@@ -66,6 +67,7 @@ private:
   Performed say(Context context, Call effect);
   Performed ask_again(Context context, Call effect);
   Performed timer(Context context, Call effect);
+  VisitId ends_with(const Value& said) const;
   Performed connect_database(script::Activation& activation, Call effect);
   Performed query_database(Context context, Call effect);
   Performed transaction(Context context, Call effect, QueryRequest::Kind kind);
@@ -86,8 +88,8 @@ private:
   Performed wait_for(Milliseconds time);
   void tell_reached(script::Position position);
 
-  // The running activation waits; `for_user`: other items may be taken.
-  WaitId begin_wait(bool for_user);
+  // The running activation waits.
+  WaitId begin_wait(Runner::WaitFor what);
 
   struct Connection {
     std::string component;

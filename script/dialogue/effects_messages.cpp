@@ -51,15 +51,15 @@ script::Performed Effects::request(Context context, Call effect) {
                  {}};
   auto correlation = core_.post(module, effect.text(1),
                                 list_of(effect.operand(2)), context.turn);
-  const auto wait = begin_wait(false);
+  const auto usual = core_.program->settings.sessions.request_timeout;
+  const auto timeout = effect.has(3) ? milliseconds(effect.operand(3)) : usual;
+  // For longer than usual nobody else has to wait.
+  const auto wait = begin_wait(timeout > usual ? Runner::WaitFor::time
+                                               : Runner::WaitFor::answer);
   requests_[correlation] = wait;
-  const auto& timeout = effect.operand(3);
-  core_.timers.start(timeout.is_unknown()
-                         ? core_.program->settings.sessions.request_timeout
-                         : milliseconds(timeout),
-                     {.purpose = Timer::Purpose::wait,
-                      .wait = wait,
-                      .correlation = correlation});
+  core_.timers.start(timeout, {.purpose = Timer::Purpose::wait,
+                               .wait = wait,
+                               .correlation = correlation});
   return script::Waits{};
 }
 
@@ -119,6 +119,8 @@ script::Performed Effects::speak(Context context, Call effect) {
 
 void Effects::unhandled(const Message& message, TurnId turn, bool raised) {
   if (message.source == "Script" && message.command == "Error") {
+    if (!core_.apologies.due(core_.now))
+      return;
     Say what;
     what.act = "unavailable";
     what.data =

@@ -61,7 +61,7 @@ script::Performed Effects::ask_database(Context context, QueryRequest request,
     return missing("database", named);
   }
   request.id = core_.next_id();
-  queries_[request.id] = {begin_wait(false),
+  queries_[request.id] = {begin_wait(Runner::WaitFor::answer),
                           request.kind == QueryRequest::Kind::rollback};
   core_.port.query(std::move(request));
   return script::Waits{};
@@ -85,7 +85,7 @@ script::Performed Effects::transaction(Context context, Call effect,
 
 script::Performed Effects::file(FileRequest request) {
   const auto id = core_.next_id();
-  const auto wait = begin_wait(false);
+  const auto wait = begin_wait(Runner::WaitFor::answer);
   queries_[id] = {wait, false};
   // A disk may hang: a share of the network, for one.
   core_.timers.start(
@@ -104,7 +104,7 @@ script::Performed Effects::change_component(Call effect) {
   if (request.load)
     request.plugin = effect.text(0);
   request.name = text_or(effect.operand(request.load ? 1 : 0), "");
-  queries_[request.id] = {begin_wait(false), false};
+  queries_[request.id] = {begin_wait(Runner::WaitFor::answer), false};
   core_.port.component(std::move(request));
   return script::Waits{};
 }
@@ -112,7 +112,7 @@ script::Performed Effects::change_component(Call effect) {
 script::Performed Effects::open_socket(Call effect) {
   if (auto may = sockets.may_open(effect.text(0)); !may)
     return may.error();
-  sockets.open(effect, begin_wait(false));
+  sockets.open(effect, begin_wait(Runner::WaitFor::answer));
   return script::Waits{};
 }
 

@@ -39,25 +39,40 @@ Lane::Context& Lane::running() {
 Step* Lane::next() {
   running_ = true;
   taken_.reset();
-  for (;;) {
-    auto& top = contexts_.back();
-    if (top.waiting != 0) {
-      if (!top.for_user || queue_.empty())
-        break;
-      contexts_.emplace_back().agenda = queue_.take();
-    } else if (!top.agenda.empty()) {
-      taken_ = top.agenda.take();
-      return taken_.get();
-    } else if (contexts_.size() > 1) {
-      contexts_.pop_back(); // the one below goes on, or still waits
-    } else if (!queue_.empty()) {
-      top.agenda = queue_.take();
-    } else {
-      break;
+  while (!contexts_.back().can_run())
+    if (!bring_up_next()) {
+      running_ = false;
+      return nullptr;
     }
+  taken_ = contexts_.back().agenda.take();
+  return taken_.get();
+}
+
+// Something that can run, or at least one context less, on top.
+bool Lane::bring_up_next() {
+  if (contexts_.size() > 1 && contexts_.back().waiting == 0) {
+    contexts_.pop_back(); // it is done
+    return true;
   }
-  running_ = false;
-  return nullptr;
+  if (held())
+    return false;
+  if (bring_up_woken())
+    return true;
+  if (queue_.empty())
+    return false;
+  running().agenda = queue_.take();
+  return true;
+}
+
+// The latest that no longer waits.
+bool Lane::bring_up_woken() {
+  const auto woken =
+      std::find_if(contexts_.rbegin(), contexts_.rend(),
+                   [](const Context& context) { return context.can_run(); });
+  if (woken == contexts_.rend())
+    return false;
+  std::rotate(woken.base() - 1, woken.base(), contexts_.end());
+  return true;
 }
 
 // What else the user said does not wait for the answer: it is an item of its
@@ -73,12 +88,12 @@ void Lane::part_with_acts(Context& context) {
   queue_.push_front(std::move(item));
 }
 
-void Lane::wait(WaitId wait, bool for_user) {
+void Lane::wait(WaitId wait, Others others) {
   auto& top = contexts_.back();
-  if (for_user)
+  if (others == Others::go_on)
     part_with_acts(top);
   top.waiting = wait;
-  top.for_user = for_user;
+  top.others = others;
 }
 
 bool Lane::wake(WaitId wait, Step step) {
@@ -111,24 +126,22 @@ void Lane::clear() {
 }
 
 bool Lane::idle() const {
-  const auto& top = contexts_.back();
-  if (top.waiting != 0)
-    return queue_.empty() && !held();
-  return contexts_.size() == 1 && top.agenda.empty() && queue_.empty();
+  return queue_.empty() && !held() &&
+         std::none_of(contexts_.begin(), contexts_.end(),
+                      [](const Context& context) { return context.can_run(); });
 }
 
 bool Lane::held() const {
-  return std::any_of(contexts_.begin(), contexts_.end(),
-                     [](const Context& context) {
-                       return context.waiting != 0 && !context.for_user;
-                     });
+  return std::any_of(
+      contexts_.begin(), contexts_.end(), [](const Context& context) {
+        return context.waiting != 0 && context.others == Others::are_held;
+      });
 }
 
-bool Lane::waits_for_user() const {
-  return std::any_of(contexts_.begin(), contexts_.end(),
-                     [](const Context& context) {
-                       return context.waiting != 0 && context.for_user;
-                     });
+bool Lane::waits() const {
+  return std::any_of(
+      contexts_.begin(), contexts_.end(),
+      [](const Context& context) { return context.waiting != 0; });
 }
 
 bool Lane::waits(WaitId wait) const {
@@ -138,7 +151,8 @@ bool Lane::waits(WaitId wait) const {
 }
 
 bool Lane::returning() const {
-  return contexts_.size() > 1 && contexts_[contexts_.size() - 2].waiting == 0;
+  return std::any_of(contexts_.begin(), contexts_.end() - 1,
+                     [](const Context& context) { return context.can_run(); });
 }
 
 } // namespace parlour::dialogue

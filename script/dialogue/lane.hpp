@@ -1,9 +1,12 @@
 // Lane: the dialogue lane (engine rule 2). Items run one at a time, each as an
 // agenda of steps. An agenda that waits gets a context above it: for the steps
 // that its script handed over, and, where it waits for the user (confirm, a
-// pushed state), for the next items too. Any other wait holds the lane.
+// pushed state) or for time, for the next items too. Any other wait holds the
+// lane, also for what has waited; else that goes on as soon as the running one
+// ends or waits.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "script/dialogue/fifo.hpp"
@@ -23,10 +26,12 @@ public:
   // while the lane waits or is idle.
   Step* next();
 
-  // The running context waits; `for_user` lets further items be taken, and
-  // what else its utterance said before them.
-  void wait(WaitId wait, bool for_user);
-  // Ends that wait: `step` is taken when the contexts above it are done.
+  // Whether further items are taken meanwhile, and before them what else the
+  // utterance said.
+  enum class Others : std::uint8_t { are_held, go_on };
+  // The running context waits.
+  void wait(WaitId wait, Others others);
+  // Ends that wait: `step` is taken when the running context ends or waits.
   // False where nothing waits so.
   bool wake(WaitId wait, Step step);
   // Ends all waits; the agendas of all contexts are dropped, the queued items
@@ -35,22 +40,28 @@ public:
   // Drops the queued items.
   void clear();
 
-  bool idle() const; // nothing to take, except for waits for the user
-  bool held() const; // something waits that is not for the user
-  bool waits_for_user() const;
+  bool idle() const; // nothing to take, and nothing holds it
+  bool held() const; // something waits that holds the others
+  bool waits() const;
   bool waits(WaitId wait) const;
-  // The context below goes on when the running one is done.
+  // Another context goes on when the running one is done.
   bool returning() const;
 
 private:
   struct Context {
     StepList agenda;
     WaitId waiting = 0;
-    bool for_user = false;
+    Others others = Others::are_held;
+
+    bool can_run() const {
+      return waiting == 0 && !agenda.empty();
+    }
   };
 
   bool at_rest() const; // what is queued would be taken at once
-  Context& running();   // above one that waits
+  bool bring_up_next();
+  bool bring_up_woken();
+  Context& running(); // above one that waits
   void part_with_acts(Context& context);
 
   std::vector<Context> contexts_{1};

@@ -112,6 +112,7 @@ OutputId Mouth::push(OutputAct as, std::string text, const Say& what,
   output.slot = what.slot;
   output.turn = what.turn;
   output.state = state;
+  output.awaited = what.awaited;
   ++made_;
   changed_ = true;
   return queue_.push(std::move(output));
@@ -165,7 +166,11 @@ void Mouth::give_up_wording(Correlation correlation) {
 
 bool Mouth::release() {
   changed_ = false;
-  auto result = queue_.release(core_.turns.any_open(core_.now));
+  const bool begun = core_.turns.any_open(core_.now);
+  auto result = queue_.release([&](const Output& output) {
+    return begun &&
+           (!output.awaited || core_.turns.any_open(core_.now, output.turn));
+  });
   for (const auto& output : result.withdrawn) {
     inspect(output, "withdrawn");
     core_.topics.withdrawn(output);

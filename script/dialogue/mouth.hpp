@@ -32,6 +32,7 @@ struct Say {
   Value data;
   std::string text;
   TurnId turn = 0;
+  bool awaited = false; // a script waits for the answer
 };
 
 class Mouth {

@@ -41,16 +41,35 @@ bool OutputQueue::has(OutputId id) const {
                      [&](const Output& o) { return o.id == id; });
 }
 
-OutputQueue::Released OutputQueue::release(bool user_turn_begun) {
-  Released result;
-  if (user_turn_begun)
-    result.withdrawn = withdraw_questions();
+OutputQueue::Released OutputQueue::release(const Which& begun) {
+  auto withdrawn = withdraw(begun);
+  return {release_pending(), std::move(withdrawn)};
+}
+
+std::vector<Output> OutputQueue::withdraw_questions() {
+  return withdraw([](const Output&) { return true; });
+}
+
+std::vector<Output> OutputQueue::withdraw(const Which& which) {
+  const auto first = std::stable_partition(
+      entries_.begin(), entries_.end(), [&](const Output& output) {
+        return !may_be_withdrawn(output) || !which(output);
+      });
+  std::vector<Output> withdrawn(std::make_move_iterator(first),
+                                std::make_move_iterator(entries_.end()));
+  entries_.erase(first, entries_.end());
+  for (auto& output : withdrawn)
+    output.state = OutputState::withdrawn;
+  return withdrawn;
+}
+
+std::span<const Output> OutputQueue::release_pending() {
   const auto waits =
       std::find_if(entries_.begin(), entries_.end(), [](const Output& output) {
         return output.state != OutputState::pending;
       });
   if (waits == entries_.begin())
-    return result;
+    return {};
   if (std::exchange(fresh_turn_, false)) {
     last_turn_.clear();
     cut_.clear();
@@ -61,20 +80,7 @@ OutputQueue::Released OutputQueue::release(bool user_turn_begun) {
     last_turn_.push_back(std::move(*entry));
   }
   entries_.erase(entries_.begin(), waits);
-  result.released = std::span(last_turn_).subspan(before);
-  return result;
-}
-
-std::vector<Output> OutputQueue::withdraw_questions() {
-  const auto first = std::stable_partition(
-      entries_.begin(), entries_.end(),
-      [](const Output& output) { return !may_be_withdrawn(output); });
-  std::vector<Output> withdrawn(std::make_move_iterator(first),
-                                std::make_move_iterator(entries_.end()));
-  entries_.erase(first, entries_.end());
-  for (auto& output : withdrawn)
-    output.state = OutputState::withdrawn;
-  return withdrawn;
+  return std::span(last_turn_).subspan(before);
 }
 
 bool OutputQueue::empty() const {

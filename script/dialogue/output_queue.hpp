@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -42,6 +43,7 @@ struct Output {
   script::SlotId slot = script::no_id;
   std::uint64_t turn = 0; // the user turn that it answers; 0: none
   bool interruptible = true;
+  bool awaited = false; // by a script, which waits for the answer
 };
 
 class OutputQueue {
@@ -52,14 +54,18 @@ public:
   void word(OutputId id, std::string text);
   bool has(OutputId id) const;
 
+  using Which = std::function<bool(const Output&)>;
   struct Released {
     std::span<const Output> released; // in order; until the next call
     std::vector<Output> withdrawn;    // questions, reprompts, resumes only
   };
-  // Releases what can be released now. With a user turn begun that is newer
-  // than the entry's own, questions, reprompts and resumes are withdrawn;
+  // Releases what can be released now. Questions, reprompts and resumes are
+  // withdrawn where a user turn has begun, as `begun` tells of an entry;
   // answers never are.
-  Released release(bool user_turn_begun);
+  Released release(const Which& begun);
+  Released release(bool begun) { // for all alike
+    return release([=](const Output&) { return begun; });
+  }
 
   // Withdraws pending questions (a transit, a cancel, another topic).
   std::vector<Output> withdraw_questions();
@@ -73,6 +79,9 @@ public:
   void turn_begins(); // the next release starts a new robot turn
 
 private:
+  std::vector<Output> withdraw(const Which& which); // of the questions
+  std::span<const Output> release_pending();
+
   ShortLivedList<Output> entries_;
   ShortLivedList<Output> last_turn_; // of the robot, as they were released
   std::vector<std::pair<OutputId, std::string>>

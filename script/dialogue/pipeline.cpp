@@ -19,24 +19,19 @@ inline bool fits(const std::string& wanted, const std::string& name) {
   return wanted == name || wanted == any;
 }
 
-bool wants_out(const Step& step) {
-  return step.kind == StepKind::take_act &&
-         (step.act->kind == ActKind::cancel ||
-          step.act->kind == ActKind::abandon ||
-          step.act->kind == ActKind::restart);
-}
-
 } // namespace
 
 Pipeline::Pipeline(Core& core) : core_(core) {}
 
 void Pipeline::take(Input&& input) {
-  if (auto* before =
-          waiting_.empty() ? nullptr : waits_before(*input.message)) {
+  if (core_.answers.take_meaning(input))
+    return;
+  if (auto* before = waits_before(input)) {
     hold(*before, std::move(input));
     return;
   }
   Item item;
+  item.is_said = input.begins_turn;
   item.turn = input.turn;
   item.raised = input.raised;
   item.reactions = std::exchange(spare_, {});
@@ -45,16 +40,35 @@ void Pipeline::take(Input&& input) {
                   item.reactions.push_back(match);
                   return true;
                 });
+  if (asks_again(item) && core_.answers.take(input))
+    return;
   item.message = std::move(input.message);
   go_on(item);
 }
 
-Pipeline::Item* Pipeline::waits_before(const Message& message) const {
+Pipeline::Item* Pipeline::waits_before(const Input& input) const {
   for (const auto& item : waiting_)
-    if (item->message->source == message.source &&
-        item->message->command == message.command)
+    if (holds(*item, input))
       return item.get();
   return nullptr;
+}
+
+bool Pipeline::holds(const Item& item, const Input& input) {
+  using enum Runner::WaitFor;
+  return item.message->source == input.message->source &&
+         item.message->command == input.message->command &&
+         (item.what == answer || (item.what == time && input.turn == 0));
+}
+
+bool Pipeline::asks_again(const Item& item) const {
+  return std::any_of(waiting_.begin(), waiting_.end(), [&](const auto& other) {
+    return other->what == Runner::WaitFor::user &&
+           std::any_of(item.reactions.begin(), item.reactions.end(),
+                       [&](const Match& match) {
+                         return match.reaction == other->running().reaction &&
+                                match.visit == other->running().visit;
+                       });
+  });
 }
 
 void Pipeline::hold(Item& item, Input input) {
@@ -62,10 +76,19 @@ void Pipeline::hold(Item& item, Input input) {
     item.behind.push_back(std::move(input));
     return;
   }
-  core_.inspect(InspectionKind::error, "Limit",
-                "more than " + std::to_string(most_held) + " messages " +
-                    item.message->source + "." + item.message->command +
-                    " wait behind a handler that waits; this one is dropped");
+  const Error error{ErrorKind::limit,
+                    "more than " + std::to_string(most_held) + " messages " +
+                        item.message->source + "." + item.message->command +
+                        " wait behind a handler that waits; this one is "
+                        "dropped",
+                    {}};
+  // Whoever handles errors is told of the first, unless he is the one.
+  if (std::exchange(item.overflows, true) ||
+      input.message->source == "Script"sv)
+    core_.inspect(InspectionKind::error, std::string(name_of(error.kind)),
+                  to_string(error));
+  else
+    core_.script_failed(error, input.turn);
   core_.drop(input);
 }
 
@@ -75,11 +98,12 @@ bool Pipeline::Match::named() const {
 
 template <class Visit>
 bool Pipeline::visit_each(const std::vector<script::Reaction>& reactions,
-                          bool captures, const std::string& source,
-                          const std::string& event, Visit& visit) const {
+                          VisitId of_state, bool captures,
+                          const std::string& source, const std::string& event,
+                          Visit& visit) const {
   for (const auto& reaction : reactions)
     if (fits(reaction.event, event) && is_source(reaction.source, source) &&
-        !visit(Match{&reaction, captures}))
+        !visit(Match{&reaction, of_state, captures}))
       return false;
   return true;
 }
@@ -90,13 +114,14 @@ void Pipeline::visit_matches(const std::string& source,
   if (auto state = core_.states.active(); state != script::no_id) {
     const auto& active = core_.program->states[state];
     const bool captures = active.capture != script::Capture::none;
-    if (!visit_each(active.messages, captures, source, event, visit) ||
+    if (!visit_each(active.messages, core_.states.visit(), captures, source,
+                    event, visit) ||
         active.capture == script::Capture::all)
       return;
   }
   for (const auto& handler : core_.program->handlers)
     if ((unregistered_.empty() || !unregistered_.contains(handler.name)) &&
-        !visit_each(handler.reactions, false, source, event, visit))
+        !visit_each(handler.reactions, 0, false, source, event, visit))
       return;
 }
 
@@ -126,6 +151,21 @@ bool Pipeline::listens(const std::string& source,
   return found;
 }
 
+bool Pipeline::state_listens(const std::string& source,
+                             std::string_view event) const {
+  const auto state = core_.states.active();
+  if (state == script::no_id)
+    return false;
+  const auto& active = core_.program->states[state];
+  bool found = active.capture != script::Capture::none;
+  auto visit = [&](const Match&) {
+    found = true;
+    return false;
+  };
+  visit_each(active.messages, 0, false, source, std::string(event), visit);
+  return found;
+}
+
 void Pipeline::go_on(Item& item) {
   while (item.next < item.reactions.size() && !item.consumed) {
     const auto& match = item.reactions[item.next++];
@@ -137,10 +177,9 @@ void Pipeline::go_on(Item& item) {
     item.consumed = match.captures;
     core_.effects.reached(match.reaction->position);
     running_ = &item;
-    item.waiting =
-        core_.runner.start(match.reaction->body, {}, std::move(context));
-    running_ = nullptr;
-    hand_over(item);
+    const auto wait = core_.runner.start(
+        match.reaction->body, {}, std::move(context), {.visit = match.visit});
+    started(item, wait);
     if (item.waiting != 0) {
       keep(std::move(item));
       return;
@@ -149,23 +188,37 @@ void Pipeline::go_on(Item& item) {
   finish(item);
 }
 
+// It ended, or waits.
+void Pipeline::started(Item& item, WaitId wait) {
+  running_ = nullptr;
+  item.waiting = wait;
+  item.what = core_.runner.waits_for(wait);
+  auto steps = core_.runner.hand_over();
+  if (wait != 0)
+    steps.prepend(core_.machine.dropped_by(wait));
+  core_.take_from_pipeline(std::move(steps), item.turn);
+}
+
+// Only what a component works for holds back the questions to the user.
 void Pipeline::keep(Item&& item) {
+  if (item.what != Runner::WaitFor::answer) {
+    if (std::exchange(item.holds_turn, false))
+      core_.turns.let_go(item.turn);
+    let_go_of_held(item);
+  }
   waiting_.push_back(std::make_unique<Item>(std::move(item)));
 }
 
-// What the script asked for becomes an item of the dialogue lane, which ends
-// with the question that is then due.
-void Pipeline::hand_over(const Item& item) {
-  auto steps = core_.runner.hand_over();
-  if (steps.empty())
-    return;
-  // Cancel and start over pass every wait (engine rule 2).
-  if (std::any_of(steps.begin(), steps.end(), wants_out) && core_.lane.held()) {
-    core_.lane.now(core_.cancel_waits());
-    core_.machine.clear_pushed();
-  }
-  steps.add(StepKind::conclude).turn = item.turn;
-  core_.lane.queue(std::move(steps));
+// Those that need not wait go first, before what came after them.
+void Pipeline::let_go_of_held(Item& item) {
+  auto& held = item.behind;
+  const auto free =
+      std::stable_partition(held.begin(), held.end(), [&](const Input& input) {
+        return item.waiting != 0 && holds(item, input);
+      });
+  for (auto input = held.end(); input != free;)
+    core_.inbox.push_front(std::move(*--input));
+  held.erase(free, held.end());
 }
 
 bool Pipeline::resume(WaitId wait, Expected<Value> outcome) {
@@ -176,10 +229,11 @@ bool Pipeline::resume(WaitId wait, Expected<Value> outcome) {
     return false;
   auto item = std::move(**found);
   waiting_.erase(found);
+  // Who wants out has no use for what would come of it.
+  if (!outcome && outcome.error().kind == ErrorKind::cancelled)
+    item.consumed = true;
   running_ = &item;
-  item.waiting = core_.runner.resume(wait, std::move(outcome));
-  running_ = nullptr;
-  hand_over(item);
+  started(item, core_.runner.resume(wait, std::move(outcome)));
   if (item.waiting != 0)
     keep(std::move(item));
   else
@@ -192,16 +246,14 @@ void Pipeline::finish(Item& item) {
   if (core_.mouth.waits_for_words())
     core_.mouth.handled(*item.message, was_worded(item));
   core_.effects.sockets.handled(*item.message);
-  if (means_nothing(item))
-    not_understood(item, taken);
-  else if (!taken)
+  const bool nothing = means_nothing(item);
+  if (!taken && !nothing)
     core_.effects.unhandled(*item.message, item.turn, item.raised);
-  core_.turns.let_go(item.turn);
-  // The held messages go first, before what came after them.
-  while (!item.behind.empty()) {
-    core_.inbox.push_front(std::move(item.behind.back()));
-    item.behind.pop_back();
-  }
+  if (nothing || (!taken && item.is_said))
+    not_understood(item, taken);
+  if (item.holds_turn)
+    core_.turns.let_go(item.turn);
+  let_go_of_held(item);
   item.reactions.clear();
   spare_ = std::move(item.reactions);
 }
@@ -214,7 +266,8 @@ bool Pipeline::was_worded(const Item& item) {
                      [](const Match& match) { return match.named(); });
 }
 
-// The understanding gave up, or broke.
+// The understanding gave up, or broke. Words that nobody takes are not
+// understood either.
 bool Pipeline::means_nothing(const Item& item) const {
   const auto& event = *item.message;
   const bool broke = event.command == "Failed"sv && item.turn != 0;

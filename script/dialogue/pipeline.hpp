@@ -1,20 +1,24 @@
 // Pipeline: the pipeline lane (engine rules 1d and 2). Gives a message to the
 // active state's <Messages>, then to every matching handler in file order. A
-// handler that waits holds only later messages of the same source and command.
+// handler that waits holds only later messages of the same source and command;
+// none where it waits for the user, and what the user says not where it waits
+// for time (language rule 10.5).
 #pragma once
 
 #include <memory>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "script/dialogue/input.hpp"
+#include "script/dialogue/runner.hpp"
 #include "script/dialogue/step.hpp"
 #include "script/program.hpp"
 
 namespace parlour::dialogue {
 
 struct Core;
-struct Input;
 
 // Messages of one source and command that wait behind a handler that waits.
 inline constexpr std::size_t most_held = 100;
@@ -24,7 +28,8 @@ public:
   explicit Pipeline(Core& core);
 
   // Behind an activation that waits at most most_held wait; a further one
-  // is an error and is dropped.
+  // is an error and is dropped. What is an answer to one that waits for the
+  // user goes straight to it (answers.hpp).
   void take(Input&& input);
   // An activation of this lane goes on; false where it is none of ours.
   bool resume(WaitId wait, Expected<Value> outcome);
@@ -39,6 +44,7 @@ public:
   // state's, then the handlers'.
   struct Match {
     const script::Reaction* reaction = nullptr;
+    VisitId visit = 0;     // of the state that it is of
     bool captures = false; // ends the search by itself
     bool named() const;    // it names the source and the event, no '*'
   };
@@ -46,6 +52,8 @@ public:
                              const std::string& event) const;
   // Whether there is any.
   bool listens(const std::string& source, const std::string& event) const;
+  // Whether the active state has any, or keeps every event for itself.
+  bool state_listens(const std::string& source, std::string_view event) const;
 
 private:
   struct Item {
@@ -55,25 +63,37 @@ private:
     std::vector<Match> reactions;
     std::size_t next = 0;
     bool consumed = false;
+    bool is_said = false;   // by the user
+    bool overflows = false; // too much is behind it
+    bool holds_turn = true;
     WaitId waiting = 0;
+    Runner::WaitFor what = Runner::WaitFor::answer;
     std::vector<Input> behind; // same source and command
+
+    const Match& running() const {
+      return reactions[next - 1];
+    }
   };
 
   // Tells them to `visit` in that order, until it wants no more (false).
   template <class Visit>
-  bool visit_each(const std::vector<script::Reaction>& reactions, bool captures,
-                  const std::string& source, const std::string& event,
-                  Visit& visit) const;
+  bool visit_each(const std::vector<script::Reaction>& reactions,
+                  VisitId of_state, bool captures, const std::string& source,
+                  const std::string& event, Visit& visit) const;
   template <class Visit>
   void visit_matches(const std::string& source, const std::string& event,
                      Visit visit) const;
   void hold(Item& item, Input input);
+  static bool holds(const Item& item, const Input& input);
   // The one that waits and that this message must wait for; null: none.
-  Item* waits_before(const Message& message) const;
+  Item* waits_before(const Input& input) const;
+  // Whether a reaction that waits for the user would get the message, too.
+  bool asks_again(const Item& item) const;
   void go_on(Item& item);
+  void started(Item& item, WaitId wait);
   void finish(Item& item);
   void keep(Item&& item); // until what it waits for comes
-  void hand_over(const Item& item);
+  void let_go_of_held(Item& item);
   static bool was_worded(const Item& item);
   bool means_nothing(const Item& item) const;
   void not_understood(const Item& item, bool taken);

@@ -25,7 +25,9 @@ void keep_last_transit(StepList& steps) {
 Runner::Runner(Core& core) : core_(core) {}
 
 WaitId Runner::start(CodeId code, const std::vector<Value>& arguments,
-                     script::ActivationContext context) {
+                     script::ActivationContext context, Origin origin) {
+  code_ = code;
+  origin_ = origin;
   auto stopped = core_.interpreter.run_body(code, arguments, std::move(context),
                                             core_.effects);
   return stopped ? dispose(std::move(stopped->activation), stopped->result) : 0;
@@ -38,6 +40,8 @@ WaitId Runner::resume(WaitId wait, Expected<Value> outcome) {
   auto waiting = std::move(found->second);
   waiting_.erase(found);
   later_ = std::move(waiting.later);
+  code_ = waiting.code;
+  origin_ = waiting.origin;
   core_.timers.cancel_wait(wait);
   // A yielded activation goes on by itself, unless it is being ended.
   auto result =
@@ -48,9 +52,47 @@ WaitId Runner::resume(WaitId wait, Expected<Value> outcome) {
   return dispose(std::move(waiting.activation), result);
 }
 
-bool Runner::for_user(WaitId wait) const {
-  auto found = waiting_.find(wait);
-  return found != waiting_.end() && found->second.for_user;
+Runner::WaitFor Runner::waits_for(WaitId wait) const {
+  const auto found = waiting_.find(wait);
+  return found == waiting_.end() ? WaitFor::answer : found->second.what;
+}
+
+TurnId Runner::turn_of(WaitId wait) const {
+  const auto found = waiting_.find(wait);
+  return found == waiting_.end() ? 0 : found->second.activation->context().turn;
+}
+
+std::vector<WaitId> Runner::asked_before(WaitId wait) const {
+  std::vector<WaitId> waits;
+  const auto asking = waiting_.find(wait);
+  if (asking == waiting_.end() || asking->second.what != WaitFor::user ||
+      asking->second.activation->context().topic != script::no_id)
+    return waits;
+  for (const auto& [id, other] : waiting_)
+    if (id != wait && other.what == WaitFor::user &&
+        other.code == asking->second.code &&
+        other.origin.visit == asking->second.origin.visit)
+      waits.push_back(id);
+  return waits;
+}
+
+std::vector<WaitId> Runner::take_those_of_left_states() {
+  std::vector<WaitId> waits;
+  for (auto& [id, waiting] : waiting_)
+    if (waiting.what != WaitFor::answer && waiting.origin.visit != 0 &&
+        !core_.states.lasts(waiting.origin.visit)) {
+      waiting.origin.visit = 0;
+      waits.push_back(id);
+    }
+  return waits;
+}
+
+bool Runner::topic_waits() const {
+  return std::any_of(waiting_.begin(), waiting_.end(), [](const auto& entry) {
+    const auto& [id, waiting] = entry;
+    return waiting.what == WaitFor::time &&
+           waiting.activation->context().topic != script::no_id;
+  });
 }
 
 WaitId Runner::take_slice() {
@@ -76,16 +118,33 @@ WaitId Runner::dispose(std::unique_ptr<script::Activation> activation,
     report(activation->context(), result);
   if (result.status == waiting) {
     id = expected_.id;
-    waiting_[id] = {std::move(activation), expected_.for_user, false, {}};
+    if (leaves_its_state())
+      origin_.visit = 0;
+    waiting_[id] = {
+        std::move(activation), code_, expected_.what, origin_, false, {}};
   }
   if (result.status == yielded) {
     id = core_.next_id();
-    waiting_[id] = {std::move(activation), false, true,
-                    std::exchange(later_, {})};
+    waiting_[id] = {
+        std::move(activation),    code_, WaitFor::answer, origin_, true,
+        std::exchange(later_, {})};
     slices_.push_back(id);
   }
   expected_ = {};
   return id;
+}
+
+bool Runner::waits_for_others() const {
+  return std::any_of(waiting_.begin(), waiting_.end(), [](const auto& entry) {
+    return entry.second.what != WaitFor::user;
+  });
+}
+
+// What goes on behind its own <transit> or <pop> does not end with the state.
+bool Runner::leaves_its_state() const {
+  return std::any_of(later_.begin(), later_.end(), [](const Step& step) {
+    return step.kind == StepKind::transit || step.kind == StepKind::pop;
+  });
 }
 
 void Runner::report(const script::ActivationContext& context,
@@ -111,7 +170,8 @@ StepList Runner::hand_over() {
     if (step.kind == StepKind::take_act || step.kind == StepKind::no_match)
       core_.turns.hold(step.turn);
   }
-  later_.clear(); // what is too much
+  while (!later_.empty()) // what is too much
+    core_.drop(*later_.take());
   return steps;
 }
 

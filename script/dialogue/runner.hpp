@@ -3,8 +3,10 @@
 // (language rule 9.3).
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <memory>
+#include <vector>
 
 #include "script/dialogue/fifo.hpp"
 #include "script/dialogue/step_list.hpp"
@@ -19,9 +21,14 @@ public:
   explicit Runner(Core& core);
 
   // What the effect that suspends the running activation waits for.
+  enum class WaitFor : std::uint8_t {
+    answer, // of a component or a database; its slice, too
+    time,   // <wait>
+    user,   // <confirm>, <push>
+  };
   struct Wait {
     WaitId id = 0;
-    bool for_user = false; // confirm, push
+    WaitFor what = WaitFor::answer;
   };
   void expect(Wait wait) {
     expected_ = wait;
@@ -30,7 +37,7 @@ public:
   // Runs until it ends or waits; returns the wait's id, 0 where it ended. The
   // steps that it asked for are then taken with hand_over().
   WaitId start(CodeId code, const std::vector<Value>& arguments,
-               script::ActivationContext context);
+               script::ActivationContext context, Origin origin = {});
   WaitId resume(WaitId wait, Expected<Value> outcome);
 
   // A step that the running activation's statements asked for; taken when it
@@ -45,8 +52,22 @@ public:
   bool waiting(WaitId wait) const {
     return waiting_.count(wait) > 0;
   }
-  // Whether a wait is one for the user.
-  bool for_user(WaitId wait) const;
+  WaitFor waits_for(WaitId wait) const;
+  // The user turn that the activation which waits works for.
+  TurnId turn_of(WaitId wait) const;
+  // Where the running activation stands.
+  const Origin& origin() const {
+    return origin_;
+  }
+  // Others that wait for the user in the same statements, outside of topics.
+  std::vector<WaitId> asked_before(WaitId wait) const;
+  // Waits for the user, or for time, of scripts whose state was left; each is
+  // told once.
+  std::vector<WaitId> take_those_of_left_states();
+  // Whether a <wait> of a topic's script goes on.
+  bool topic_waits() const;
+  // Whether anything waits that is not for the user.
+  bool waits_for_others() const;
 
   // A wait whose activation only used up its slice; 0: there is none.
   WaitId take_slice();
@@ -65,18 +86,23 @@ public:
 private:
   struct Waiting {
     std::unique_ptr<script::Activation> activation;
-    bool for_user = false;
+    CodeId code = script::no_code;
+    WaitFor what = WaitFor::answer;
+    Origin origin;
     bool yielded = false; // its slice was used up; it waits for nothing
     StepList later;       // what it asked for so far, where it yielded
   };
 
   WaitId dispose(std::unique_ptr<script::Activation> activation,
                  const script::RunResult& result);
+  bool leaves_its_state() const;
   void report(const script::ActivationContext& context,
               const script::RunResult& result);
 
   Core& core_;
   Wait expected_;
+  CodeId code_ = script::no_code; // that runs
+  Origin origin_;
   StepList later_;
   std::map<WaitId, Waiting> waiting_;
   Fifo<WaitId> slices_;

@@ -1,6 +1,11 @@
 // StateMachine: transitions (engine rule 4): Exit, the transit's children,
-// Entrance; push and pop.
+// Entrance; push and pop. One after the other: what is asked for while a state
+// is being left comes when that is done.
 #pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
 
 #include "script/dialogue/step_list.hpp"
 
@@ -15,8 +20,16 @@ public:
   void transit(Step&& step);
   void leave(const Step& step);
   void enter(const Step& step);
-  void push(const Step& step);
-  void pop(const Step& step);
+  void push(Step&& step);
+  void pop(Step&& step);
+  // Ends this wait for the user as cancelled: a pushed state, and those that
+  // were pushed from it, are left.
+  void give_up(Step&& step);
+  // The steps by which what was asked before in the same statements is given
+  // up.
+  StepList dropped_by(WaitId wait) const;
+  // Whether a script of this topic waits for a pushed state.
+  bool was_pushed_by(TopicId topic) const;
   bool is_pushed() const {
     return !pushes_.empty();
   }
@@ -35,7 +48,14 @@ public:
 private:
   void react(const script::Reaction& reaction,
              std::shared_ptr<const Message> event);
-  StepList way_out(StateId state) const;
+  StepList way_out(StateId state, std::uint64_t mark) const;
+  void begin_way_out(std::uint64_t mark);
+  // A state is being left: the step comes later.
+  bool comes_later(Step& step);
+  void end_passage();
+  // What their scripts have started ends with the states that were left.
+  void forget_what_was_left();
+  void end_wait(WaitId wait, Expected<Value> outcome);
 
   Core& core_;
   struct Push { // an activation that pushed
@@ -43,6 +63,9 @@ private:
     TopicId topic = script::no_id; // that it is of
   };
   std::vector<Push> pushes_; // innermost last
+  // While a state is being left: what will end that, and what comes then.
+  std::optional<Step> passage_;
+  std::vector<Step> later_;
 };
 
 } // namespace parlour::dialogue

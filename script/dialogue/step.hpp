@@ -4,12 +4,14 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "script/dialogue/acts.hpp"
 #include "script/dialogue/frame.hpp"
 #include "script/dialogue/knowledge_query.hpp"
 #include "script/dialogue/output_queue.hpp"
+#include "script/dialogue/state_stack.hpp"
 #include "script/dialogue/turns.hpp"
 #include "script/program.hpp"
 
@@ -47,6 +49,7 @@ using script::StateId;
   X(end, "the session ends") \
   X(run, "a body of script") \
   X(run_leaving, "the same of an Exit or a <transit>: a state is being left") \
+  X(ring, "a timer's statements, unless it was stopped since it rang") \
   X(react, "a reaction's body, unless one before has kept the act for itself") \
   X(resume_wait, "a waiting activation goes on with `data`") \
   X(transit, "leave the state for another") \
@@ -54,6 +57,7 @@ using script::StateId;
   X(enter, "the state's Entrance") \
   X(push, "enter a state as a subtask") \
   X(pop, "come back from it") \
+  X(give_up, "what a handler that asks again had asked before") \
   X(greet_agents, "Online of the agents that are there from the start")
 // clang-format on
 
@@ -65,6 +69,19 @@ enum class StepKind : std::uint8_t {
 
 using WaitId = std::uint64_t; // 0: none
 
+// Where a piece of script stands: what it starts may end with that.
+struct Origin {
+  VisitId visit = 0;              // of the state that it is of; 0: of none
+  CodeId timer = script::no_code; // of the timer that it is of
+};
+
+// A timer that rang, as long as anything of its statements is still to come.
+struct Ring {
+  std::string name;
+  VisitId visit = 0;
+  bool stopped = false;
+};
+
 // What only some kinds of steps carry.
 struct StepMatter {
   std::vector<Value> arguments; // of the code
@@ -72,6 +89,7 @@ struct StepMatter {
   std::optional<KnowledgeQuery> query;
   std::optional<Statement> statement;
   std::optional<Expected<Value>> data; // of resume_wait, looked_up
+  std::shared_ptr<Ring> ring;          // of a timer; its own until all is done
 };
 
 // Small, as it is moved often: what is large is shared. Null where the kind
@@ -88,6 +106,7 @@ struct Step {
   std::uint64_t mark = 0;    // how many outputs there were before
   std::uint64_t offered = 0; // of the message that reactions may consume
   WaitId wait = 0;
+  Origin origin; // of the code
   ActPointer act;
   std::shared_ptr<const FrameResult> result;
   std::shared_ptr<StepMatter> more;

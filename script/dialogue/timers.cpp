@@ -37,20 +37,8 @@ void Timers::cancel(TimerId id) {
   port_->cancel_timer(id);
 }
 
-template <class Predicate>
-void Timers::cancel_where(Predicate predicate) {
-  std::erase_if(timers_, [&](const auto& entry) {
-    if (!predicate(entry.second))
-      return false;
-    port_->cancel_timer(entry.first);
-    return true;
-  });
-}
-
 void Timers::cancel_named(const std::string& name) {
-  cancel_where([&](const Timer& timer) {
-    return timer.purpose == Timer::Purpose::script && timer.name == name;
-  });
+  stop_scripts([&](const auto& timer) { return timer.name == name; });
 }
 
 void Timers::cancel_wait(WaitId wait) {
@@ -65,9 +53,30 @@ std::optional<Timer> Timers::fired(TimerId id) {
     return std::nullopt;
   auto timer = std::move(found->second);
   timers_.erase(found);
-  if (timer.every.count() > 0)
-    start(timer.every, timer);
+  if (timer.every.count() > 0) {
+    auto again = timer;
+    again.due += timer.every.count();
+    start(timer.every, std::move(again));
+  }
   return timer;
+}
+
+// One that repeats is told by its name: another of that name takes its place.
+std::shared_ptr<Ring> Timers::ring(const Timer& timer) {
+  std::erase_if(rings_, [](const auto& ring) { return ring.expired(); });
+  const bool goes_on =
+      timer.every > Milliseconds::zero() &&
+      std::any_of(rings_.begin(), rings_.end(), [&](const auto& known) {
+        const auto ring = known.lock();
+        return ring->name == timer.name && !ring->stopped;
+      });
+  if (goes_on)
+    return nullptr;
+  auto ring = std::make_shared<Ring>();
+  ring->name = timer.name;
+  ring->visit = timer.visit;
+  rings_.push_back(ring);
+  return ring;
 }
 
 void Timers::cancel_all() {
@@ -80,12 +89,28 @@ bool Timers::any(Timer::Purpose purpose) const {
   });
 }
 
+bool Timers::keep_open() const {
+  return std::any_of(timers_.begin(), timers_.end(), [](const auto& entry) {
+    const auto& timer = entry.second;
+    return timer.keeps_open || timer.purpose == Timer::Purpose::wait;
+  });
+}
+
+std::vector<const Timer*> Timers::pending() const {
+  std::vector<const Timer*> scripts;
+  for (const auto& [id, timer] : timers_)
+    if (timer.purpose == Timer::Purpose::script)
+      scripts.push_back(&timer);
+  return scripts;
+}
+
 std::optional<Error> Timers::refuse(const Timer& timer,
                                     std::size_t limit) const {
   std::size_t count = 1;
   auto bytes = timer.bytes;
   for (const auto& [id, other] : timers_) {
-    if (other.purpose != Timer::Purpose::script)
+    if (other.purpose != Timer::Purpose::script &&
+        other.purpose != Timer::Purpose::wait)
       continue;
     ++count;
     bytes += other.bytes;

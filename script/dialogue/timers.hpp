@@ -2,6 +2,7 @@
 // knows an id; what it means is kept here, as plain data.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -26,12 +27,17 @@ struct Timer {
   };
   // clang-format on
   Purpose purpose = Purpose::script;
+  // Of a <timer>.
   std::string name{};
-  Milliseconds every{0}; // of a repeating <timer>; 0: once
+  Timestamp due = 0;
+  Milliseconds every{0};   // 0: it rings once
+  bool keeps_open = false; // no session closes while it is due
+  VisitId visit = 0;       // of the state that it ends with; 0: none
   CodeId code = script::no_code;
   std::vector<Value> arguments{};
-  std::size_t bytes = 0; // that the arguments of a <timer> take
+  std::size_t bytes = 0; // that the arguments take
   TopicId topic = script::no_id;
+  // Of the others.
   WaitId wait = 0;
   Correlation correlation = 0;
 };
@@ -45,25 +51,57 @@ public:
   void cancel(TimerId id);
   void cancel_named(const std::string& name); // scripts' ones
   void cancel_wait(WaitId wait);
+  // Scripts' ones that end with a visit of a state that is over.
+  template <class IsOver>
+  void end_with(IsOver is_over) {
+    stop_scripts([&](const auto& timer) {
+      return timer.visit != 0 && is_over(timer.visit);
+    });
+  }
   // Takes a fired timer out; a repeating one starts again. Nothing where it
   // was cancelled meanwhile.
   std::optional<Timer> fired(TimerId id);
   void cancel_all();
   bool any(Timer::Purpose purpose) const;
-  // Why one more of a script, after those there are, is too much (language
-  // rule 9.6).
+  // Whether a session must not close yet.
+  bool keep_open() const;
+
+  // One of a script has rung: its statements are to run, unless it is stopped
+  // before. Null where the last time's are not done yet.
+  std::shared_ptr<Ring> ring(const Timer& timer);
+
+  std::vector<const Timer*> pending() const; // scripts' ones
+  // Why one more of a script, a <timer> or <wait>, after those there are, is
+  // too much (language rule 9.6).
   std::optional<Error> refuse(const Timer& timer, std::size_t limit) const;
 
 private:
   template <class Predicate>
-  void cancel_where(Predicate predicate);
+  void cancel_where(Predicate predicate) {
+    std::erase_if(timers_, [&](const auto& entry) {
+      if (!predicate(entry.second))
+        return false;
+      port_->cancel_timer(entry.first);
+      return true;
+    });
+  }
+  template <class Predicate>
+  void stop_scripts(Predicate predicate) {
+    cancel_where([&](const Timer& timer) {
+      return timer.purpose == Timer::Purpose::script && predicate(timer);
+    });
+    for (const auto& known : rings_)
+      if (const auto ring = known.lock())
+        ring->stopped |= predicate(*ring);
+  }
 
   using Entry = std::pair<TimerId, Timer>;
   using Entries = ShortLivedList<Entry>;
 
   Entries::iterator find(TimerId id);
 
-  Entries timers_; // by id
+  Entries timers_;                         // by id
+  std::vector<std::weak_ptr<Ring>> rings_; // of scripts' ones
   Port* port_;
   TimerId last_ = 0;
 };

@@ -189,6 +189,15 @@ void TopicEngine::cancel_topic(Step& step) {
   core_.lane.now(std::move(steps));
 }
 
+void TopicEngine::forget_confirm(WaitId wait) {
+  const auto waits_so = [&](const Asked& confirm) {
+    return confirm.purpose == Asked::For::yes_or_no && confirm.wait == wait;
+  };
+  if (asked_ && waits_so(*asked_))
+    asked_.reset();
+  std::erase_if(confirms_, waits_so);
+}
+
 void TopicEngine::forget_waits() {
   if (asked_ && asked_->purpose == Asked::For::yes_or_no)
     asked_.reset();

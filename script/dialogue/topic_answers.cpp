@@ -41,7 +41,7 @@ void TopicEngine::look_up(Step& step) {
   request.database = statement.name;
   request.sql = statement.sql;
   request.values = statement.values;
-  core_.lane.wait(request.id, false);
+  core_.lane.wait(request.id, Lane::Others::are_held);
   query_ = {request.id, std::move(step)};
   core_.port.query(std::move(request));
 }
@@ -79,8 +79,9 @@ void TopicEngine::looked_up(Step& step) {
   if (!rows) {
     core_.inspect(InspectionKind::error, core_.topic(step.topic).name,
                   to_string(rows.error()));
-    say("unavailable", step.topic, script::no_id,
-        Map{{"reason", rows.error().message}}, step.turn);
+    if (core_.apologies.due(core_.now))
+      say("unavailable", step.topic, script::no_id,
+          Map{{"reason", rows.error().message}}, step.turn);
     rest(step.topic);
     return;
   }

@@ -36,6 +36,20 @@ List TopicEngine::names_said_before(SlotId asked) const {
   return names;
 }
 
+// The question's own goes before the state's: without it, the question could
+// not be answered.
+const std::string&
+TopicEngine::narrowing_grammar(const ClassifierContext& context) const {
+  static const std::string none;
+  if (context.asked != script::no_id && context.asked_slot != script::no_id)
+    if (const auto& own =
+            core_.topic(context.asked).slots[context.asked_slot].grammar;
+        !own.empty())
+      return own;
+  const auto state = core_.states.active();
+  return state == script::no_id ? none : core_.program->states[state].grammar;
+}
+
 Value TopicEngine::understanding_context() const {
   const auto context = classifier_context();
   auto name = [&](TopicId topic) {
@@ -48,8 +62,6 @@ Value TopicEngine::understanding_context() const {
                Map{{"topic", name(context.asked)}, {"slot", slot.name}});
     if (said_.topic == context.asked)
       result.set("said", names_said_before(context.asked_slot));
-    if (!slot.grammar.empty())
-      result.set("grammar", slot.grammar);
   }
   result.set("current", name(context.current));
   result.set("resting", name(context.resting));
@@ -57,9 +69,8 @@ Value TopicEngine::understanding_context() const {
   for (auto topic : context.unfinished)
     unfinished.push_back(name(topic));
   result.set("unfinished", unfinished);
-  auto state = core_.states.active();
-  if (state != script::no_id && !core_.program->states[state].grammar.empty())
-    result.set("grammar", core_.program->states[state].grammar);
+  if (const auto& grammar = narrowing_grammar(context); !grammar.empty())
+    result.set("grammar", grammar);
   result.set("now", core_.now);
   return result;
 }

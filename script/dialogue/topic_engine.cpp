@@ -21,6 +21,9 @@ bool listens_to_silence(const script::State& state) {
                      });
 }
 
+// Remembered while a script that was offered something before waits.
+constexpr std::size_t most_consumed = 1000;
+
 bool wants_out(const Act& act) {
   return act.kind == ActKind::cancel || act.kind == ActKind::abandon;
 }
@@ -79,8 +82,10 @@ void TopicEngine::offer_act(Step& step) {
 }
 
 void TopicEngine::offer(std::string command, Value parameter, Step otherwise) {
-  if (!core_.lane.waits_for_user()) // nothing offered before is still at work
+  if (!core_.lane.waits()) // nothing offered before is still at work
     consumed_.clear();
+  else if (consumed_.size() > most_consumed)
+    consumed_.erase(consumed_.begin());
   Message message;
   message.source = dialogue_source;
   message.command = std::move(command);
@@ -95,6 +100,7 @@ void TopicEngine::offer(std::string command, Value parameter, Step otherwise) {
        core_.pipeline.matches(dialogue_source, shared->command)) {
     auto reaction = body_step(match.reaction->body, otherwise.turn);
     reaction.kind = StepKind::react;
+    reaction.origin.visit = match.visit;
     reaction.matter().message = shared;
     reaction.offered = otherwise.offered;
     steps.push_back(std::move(reaction));
@@ -188,6 +194,16 @@ bool TopicEngine::answer_to_question(const Step& step) {
   default:
     return false;
   }
+}
+
+bool TopicEngine::is_waited_for(const Act& act) const {
+  if (wants_out(act) || act.kind == ActKind::restart)
+    return true;
+  if (core_.states.pushed() &&
+      core_.pipeline.state_listens(dialogue_source, name_of(act.kind)))
+    return true;
+  return !confirms_.empty() && act.slots.empty() &&
+         (act.kind == ActKind::confirm || act.kind == ActKind::deny);
 }
 
 void TopicEngine::answer_confirm(const Asked& asked, bool yes) {

@@ -37,6 +37,8 @@ public:
   // or no_id.
   void confirm(std::string question, TopicId topic, SlotId slot, WaitId wait,
                TurnId turn);
+  // The <confirm> that waits so is being ended.
+  void forget_confirm(WaitId wait);
   // All waits in the dialogue lane, and all <confirm>s, are being ended.
   void forget_waits();
   // What a phrase of that act sees where a script's <say> gives no data.
@@ -59,6 +61,10 @@ public:
   void redirect() {
     ++redirections_;
   }
+
+  // Whether a script waits for this act: by a <confirm>, or in a pushed state
+  // that listens to it. Who wants out is always waited for.
+  bool is_waited_for(const Act& act) const;
 
   bool awaiting_frame() const {
     return awaiting_.has_value();
@@ -249,6 +255,7 @@ private:
 
   ClassifierContext classifier_context() const;
   List names_said_before(SlotId asked) const;
+  const std::string& narrowing_grammar(const ClassifierContext& context) const;
   void note_what_was_said(const Step& step);
   void run_body(CodeId code, TopicId topic, SlotId slot, TurnId turn,
                 StepList& steps) const;
@@ -261,6 +268,10 @@ private:
     TopicId topic = script::no_id;
     std::vector<SlotId> slots;
   } said_; // what the user gave values for last, fitting or not
+  struct TurnOf {
+    TopicId topic = script::no_id;
+    TurnId turn = 0;
+  } spoken_of_;                      // what the latest utterance was about
   std::vector<FrameChange> changes_; // empty between two steps: its memory
   std::optional<Step> awaiting_;     // for the frame's actor
   std::optional<Query> query_;

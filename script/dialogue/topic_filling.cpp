@@ -87,6 +87,7 @@ void TopicEngine::keep_what_is_asked(Step& step) {
 }
 
 void TopicEngine::fill(Step& step) {
+  spoken_of_ = {step.topic, step.turn};
   note_changes(step, changes_);
   request(std::move(step), changes_);
   changes_.clear();

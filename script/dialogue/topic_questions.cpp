@@ -33,9 +33,12 @@ void TopicEngine::ask_what_misses(OutputAct as, TurnId turn) {
     ask_slot(*current, slot, as, turn);
 }
 
-// Whether the topic must not ask: in a subtask, or while it waits for a yes.
+// Whether the topic must not ask: while it waits for a yes, or in a subtask,
+// unless that is where the user has begun it.
 bool TopicEngine::waits_for_user(TopicId topic) const {
-  return core_.states.pushed() ||
+  const bool begun = spoken_of_.topic == topic && spoken_of_.turn == turn_ &&
+                     !core_.machine.was_pushed_by(topic);
+  return (core_.states.pushed() && !begun) ||
          std::any_of(
              confirms_.begin(), confirms_.end(),
              [&](const Asked& confirm) { return confirm.topic == topic; });
@@ -173,6 +176,7 @@ void TopicEngine::put(Asked&& asked, const char* act, Value data,
   what.data = with_marks(asked.topic, std::move(data));
   what.text = std::move(text);
   what.turn = turn;
+  what.awaited = asked.wait != 0;
   asked.heard = false;
   asked.pending = true;
   asked_ = std::move(asked);

@@ -25,7 +25,10 @@ void TopicEngine::no_match(Step& step) {
   misunderstood(std::move(step));
 }
 
+// Of what is said in one breath the last counts: that is what is dealt with.
 void TopicEngine::misunderstood(Step step) {
+  if (core_.turns.said_since(step.turn, core_.now))
+    return;
   auto heard = step.act ? step.act->text : std::string();
   offer("no_match", std::move(heard),
         make_step(StepKind::not_understood, std::move(step)));
@@ -42,7 +45,8 @@ void TopicEngine::not_understood(TurnId turn, bool apologise) {
     return;
   }
   ++misses_;
-  if (apologise && !repair({.act = "no_match", .turn = turn}))
+  if (apologise && core_.apologies.due(core_.now) &&
+      !repair({.act = "no_match", .turn = turn}))
     say("no_match", script::no_id, script::no_id, {}, turn);
 }
 

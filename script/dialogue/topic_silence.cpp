@@ -23,6 +23,8 @@ TopicEngine::Due TopicEngine::due() const {
     return Due::confirmation;
   if (core_.states.pushed())
     return state_listens() ? Due::state : Due::nothing;
+  if (core_.runner.topic_waits()) // its script says when to go on
+    return Due::nothing;
   auto current = core_.order.current();
   if (current && to_ask(*current) != script::no_id)
     return Due::question;

@@ -74,10 +74,21 @@ std::vector<TurnId> Turns::expire(Timestamp now) {
   return without_meaning;
 }
 
-bool Turns::any_waits(Timestamp now) const {
+bool Turns::any_waits(Timestamp now, TurnId besides) const {
   return std::any_of(turns_.begin(), turns_.end(), [&](const Turn& turn) {
-    return !turn.taken && (turn.holders > 0 || asked_until(turn.id, now) > now);
+    return turn.id != besides && waits(turn, now);
   });
+}
+
+bool Turns::said_since(TurnId turn, Timestamp now) const {
+  return turn != 0 &&
+         std::any_of(turns_.begin(), turns_.end(), [&](const Turn& other) {
+           return other.id > turn && waits(other, now);
+         });
+}
+
+bool Turns::waits(const Turn& turn, Timestamp now) const {
+  return !turn.taken && (turn.holders > 0 || asked_until(turn.id, now) > now);
 }
 
 std::optional<Timestamp> Turns::open_until(Timestamp now) const {

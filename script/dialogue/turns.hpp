@@ -60,10 +60,17 @@ public:
   bool asked_anything() const {
     return !questions_.empty();
   }
-  // Whether some turn is open.
-  bool any_open(Timestamp now) const {
-    return speaking(now) || (!turns_.empty() && any_waits(now));
+  // Whether some turn is open, another than this one.
+  bool any_open(Timestamp now, TurnId besides = 0) const {
+    return speaking(now) || any_said(now, besides);
   }
+  // The same, of those whose words have come.
+  bool any_said(Timestamp now, TurnId besides = 0) const {
+    return !turns_.empty() && any_waits(now, besides);
+  }
+  // Whether somebody has said more since that turn, which is still to be taken
+  // up.
+  bool said_since(TurnId turn, Timestamp now) const;
   // When the last of the open turns is given up if no component answers;
   // nothing where none is open, or something still works for one.
   std::optional<Timestamp> open_until(Timestamp now) const;
@@ -84,7 +91,8 @@ private:
     bool meaning = false;
   };
 
-  bool any_waits(Timestamp now) const;
+  bool any_waits(Timestamp now, TurnId besides) const;
+  bool waits(const Turn& turn, Timestamp now) const;
   // The latest time until which a component is waited for; 0: none.
   Timestamp asked_until(TurnId turn, Timestamp now) const;
   Turn* find(TurnId turn) { // null where it is over

@@ -8,10 +8,10 @@ namespace parlour::script::lint {
 namespace {
 
 constexpr Pass passes[] = {
-    lint_states,     lint_functions, lint_variables, lint_messages,
-    lint_routes,     lint_slots,     lint_loops,     lint_texts,
-    lint_examples,   lint_computing, lint_joined_sql, lint_habits,
-    lint_allowances,
+    lint_states,     lint_functions, lint_variables,  lint_messages,
+    lint_routes,     lint_slots,     lint_loops,      lint_time,
+    lint_texts,      lint_examples,  lint_computing,  lint_joined_sql,
+    lint_habits,     lint_allowances,
 };
 
 } // namespace

@@ -15,6 +15,7 @@ void lint_messages(const Subject& subject, Findings& findings);
 void lint_routes(const Subject& subject, Findings& findings);
 void lint_slots(const Subject& subject, Findings& findings);
 void lint_loops(const Subject& subject, Findings& findings);
+void lint_time(const Subject& subject, Findings& findings);
 void lint_texts(const Subject& subject, Findings& findings);
 void lint_examples(const Subject& subject, Findings& findings);
 void lint_computing(const Subject& subject, Findings& findings);

@@ -22,7 +22,8 @@ public:
         automaton(build(grammar)), context(read_context(where, schema)),
         utterance(make_utterance(text, automaton)),
         spans(schema, utterance, entities(), context.now),
-        matcher(automaton, utterance, spans, context.asked_entity_id),
+        matcher(automaton, utterance, spans, context.asked_entity_id,
+                context.grammar),
         matches(matcher.run()),
         islands(read_islands(matches, matcher.traces(), spans, automaton,
                              schema, context)) {}

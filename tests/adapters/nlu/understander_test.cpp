@@ -251,18 +251,6 @@ TEST(Understander, WorksWithoutAnyGrammarOrValue) {
       "~inform Order Dish=nasi lemak");
 }
 
-TEST(Understander, NarrowsToAQuestionsGrammar) {
-  auto model = sample_model();
-  model.grammars.push_back(
-      {"size", "public <size> = (small | large) {Taxi.Destination};", {}});
-  const auto built = Understander::build(model, sample_column, {});
-  ASSERT_TRUE(built);
-  const Value context(Map{{"grammar", "size"}});
-  EXPECT_EQ(summary(built->understand("small", context).acts),
-            "inform Taxi Destination=small");
-  EXPECT_EQ(summary(built->understand("is there a bank", context).acts), "");
-}
-
 TEST(Understander, ReportsAllErrors) {
   auto model = sample_model();
   model.grammars = {{"g",
@@ -314,6 +302,15 @@ TEST(LearntTopics, AreUnderstoodInOtherWords) {
   EXPECT_EQ(summary(understander.understand("order the cab for noon").acts),
             "inform Taxi Time=12:00");
   EXPECT_TRUE(understander.understand("who won the match").acts.empty());
+}
+
+TEST(LearntTopics, AreNotTriedBesideAQuestionsGrammar) {
+  const auto understander = learnt();
+  for (const auto* text : {"is the weather any good", "order the cab for noon",
+                           "I need a cab to Sentosa at 9:00", "noon"})
+    EXPECT_TRUE(understander.understand(text, Value(Map{{"grammar", "size"}}))
+                    .acts.empty())
+        << text;
 }
 
 TEST(LearntTopics, SayWhatTheyWereLearntAs) {

@@ -53,7 +53,9 @@ compile(const test::TemporaryFolder& folder, const std::string& script,
                                    "<Scripts><Script>test.xml</Script>" +
                                    "</Scripts><sessions " + options.sessions +
                                    "/>" + options.settings + "</settings>");
-  folder.write("test.xml", "<dialogue>" + script + pipeline + "</dialogue>");
+  folder.write("test.xml", "<dialogue>" + script +
+                               (options.pipeline ? pipeline : "") +
+                               "</dialogue>");
   script::CompileOptions compile_options;
   compile_options.platform = test::source_path("config/platform");
   auto compiled = script::compile_application(folder.path(), compile_options);

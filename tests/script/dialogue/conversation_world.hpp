@@ -33,12 +33,13 @@ struct WorldOptions {
   std::string settings;
   std::uint64_t seed = 1;
   bool open = true;
+  bool pipeline = true; // what ASR hears is fired
 };
 
 class World : public Port {
 public:
   // `script` holds the children of <dialogue>; a handler that fires what ASR
-  // hears is added to it.
+  // hears is added to it, unless the options say otherwise.
   explicit World(const std::string& script, const WorldOptions& options = {});
   ~World() override;
 

@@ -43,8 +43,22 @@ TEST_F(Parts, RaisedEventsHoldTheirTurnUntilTheyAreDropped) {
   for (int i = 0; i < defaults::internal_events; ++i)
     EXPECT_TRUE(core.one_more_internal_event());
   EXPECT_FALSE(core.one_more_internal_event());
-  EXPECT_TRUE(core.internal.empty());
   EXPECT_FALSE(core.turns.any_open(0));
+}
+
+// Who handles the error may raise events, too, but is not told again.
+TEST_F(Parts, EventsThatChaseEachOtherAreOneError) {
+  for (int i = 0; i < defaults::internal_events; ++i)
+    EXPECT_TRUE(core.one_more_internal_event());
+  EXPECT_FALSE(core.one_more_internal_event());
+  ASSERT_EQ(core.internal.size(), 1u);
+  EXPECT_EQ(core.internal.front().message->source, "Script");
+  EXPECT_EQ(core.internal.front().message->command, "Error");
+  for (int i = 0; i < defaults::internal_events; ++i)
+    EXPECT_TRUE(core.one_more_internal_event());
+  EXPECT_FALSE(core.one_more_internal_event());
+  EXPECT_TRUE(core.internal.empty());
+  EXPECT_FALSE(core.one_more_internal_event());
 }
 
 TEST_F(Parts, CancellingWhereNothingWaits) {

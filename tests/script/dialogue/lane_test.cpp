@@ -47,7 +47,7 @@ TEST(Lane, WhatComesWhileAStepIsTakenWaitsBehindIt) {
   lane.queue({numbered(1)});
   lane.next();
   lane.queue({numbered(3)});
-  lane.wait(9, true); // the item is not its own
+  lane.wait(9, Lane::Others::go_on); // the item is not its own
   EXPECT_EQ(lane.next()->turn, 3u);
   lane.wake(9, numbered(2));
   EXPECT_EQ(taken(lane), (Numbers{2}));
@@ -66,12 +66,12 @@ TEST(Lane, AWaitHoldsItButForWhatItsScriptHandedOver) {
   lane.queue({numbered(1), numbered(5)});
   lane.queue({numbered(6)});
   lane.next();
-  lane.wait(9, false);
+  lane.wait(9, Lane::Others::are_held);
   lane.now({numbered(2), numbered(3)});
   EXPECT_EQ(taken(lane), (Numbers{2, 3}));
   EXPECT_TRUE(lane.held());
   EXPECT_FALSE(lane.idle());
-  EXPECT_FALSE(lane.waits_for_user());
+  EXPECT_TRUE(lane.waits());
   EXPECT_TRUE(lane.wake(9, numbered(4)));
   EXPECT_EQ(taken(lane), (Numbers{4, 5, 6}));
   EXPECT_TRUE(lane.idle());
@@ -81,9 +81,10 @@ TEST(Lane, AWaitForTheUserLetsItemsBeTaken) {
   Lane lane;
   lane.queue({numbered(1), numbered(4)});
   lane.next();
-  lane.wait(9, true);
+  lane.wait(9, Lane::Others::go_on);
   EXPECT_TRUE(lane.idle());
-  EXPECT_TRUE(lane.waits_for_user());
+  EXPECT_TRUE(lane.waits());
+  EXPECT_FALSE(lane.held());
   lane.queue({numbered(2), numbered(3)});
   EXPECT_FALSE(lane.idle());
   EXPECT_EQ(lane.next()->turn, 2u);
@@ -103,10 +104,57 @@ TEST(Lane, OtherActsDoNotWaitForTheUser) {
   lane.queue({numbered(1), act, numbered(3), conclude});
   lane.queue({numbered(5)});
   lane.next();
-  lane.wait(9, true);
+  lane.wait(9, Lane::Others::go_on);
   EXPECT_EQ(taken(lane), (Numbers{2, 4, 5}));
   lane.wake(9, numbered(6));
   EXPECT_EQ(taken(lane), (Numbers{6, 3, 4}));
+}
+
+// What has waited does not wait for others that wait.
+TEST(Lane, WhatHasWaitedGoesOnBesideOthersThatWait) {
+  Lane lane;
+  lane.queue({numbered(1), numbered(5)});
+  lane.next();
+  lane.wait(8, Lane::Others::go_on);
+  lane.queue({numbered(2), numbered(6)});
+  EXPECT_EQ(lane.next()->turn, 2u);
+  lane.wait(9, Lane::Others::go_on);
+  lane.wake(8, numbered(4));
+  EXPECT_FALSE(lane.idle());
+  EXPECT_EQ(taken(lane), (Numbers{4, 5}));
+  EXPECT_TRUE(lane.waits(9));
+  lane.wake(9, numbered(7));
+  EXPECT_EQ(taken(lane), (Numbers{7, 6}));
+  EXPECT_TRUE(lane.idle());
+  EXPECT_FALSE(lane.waits());
+}
+
+TEST(Lane, OneThatHoldsItHoldsAllThatIsQueued) {
+  Lane lane;
+  lane.queue({numbered(1)});
+  lane.next();
+  lane.wait(8, Lane::Others::are_held);
+  lane.now({numbered(2)});
+  lane.next();
+  lane.wait(9, Lane::Others::go_on);
+  lane.queue({numbered(3)});
+  EXPECT_EQ(taken(lane), Numbers{});
+  lane.wake(8, numbered(4));
+  EXPECT_EQ(taken(lane), (Numbers{4, 3}));
+}
+
+TEST(Lane, OneThatHoldsItHoldsWhatHasWaited) {
+  Lane lane;
+  lane.queue({numbered(1), numbered(5)});
+  lane.next();
+  lane.wait(8, Lane::Others::go_on);
+  lane.queue({numbered(2), numbered(6)});
+  lane.next();
+  lane.wait(9, Lane::Others::are_held);
+  lane.wake(8, numbered(4));
+  EXPECT_EQ(taken(lane), Numbers{});
+  lane.wake(9, numbered(7));
+  EXPECT_EQ(taken(lane), (Numbers{7, 6, 4, 5}));
 }
 
 TEST(Lane, WakingWhatDoesNotWait) {
@@ -119,10 +167,10 @@ TEST(Lane, AbandonGivesTheWaitsInnermostFirst) {
   Lane lane;
   lane.queue({numbered(1), numbered(2)});
   lane.next();
-  lane.wait(8, true);
+  lane.wait(8, Lane::Others::go_on);
   lane.queue({numbered(3), numbered(4)});
   lane.next();
-  lane.wait(9, false);
+  lane.wait(9, Lane::Others::are_held);
   lane.queue({numbered(5)});
   EXPECT_EQ(lane.abandon(), (std::vector<WaitId>{9, 8}));
   EXPECT_EQ(taken(lane), Numbers{5});

@@ -80,8 +80,21 @@ TEST(Pipeline, HoldsNoMoreThanItsLimit) {
   ASSERT_EQ(errors.size(), 2u);
   EXPECT_EQ(errors[0], "Limit: more than 100 messages Bell.Rings wait behind a "
                        "handler that waits; this one is dropped");
+  EXPECT_EQ(world.said().size(), 1u); // the apology
   world.advance(5s);
   EXPECT_EQ(world.said().size(), 101u);
+}
+
+// Who handles errors hears of the first.
+TEST(Pipeline, TooManyHeldAreOneError) {
+  Bells world(handler("A", "<Rings><wait for='5s'/></Rings>") + R"xml(
+    <handler name="E"><messages><component><Script><Error>
+      <speak param="{_LPARAM1}"/></Error></Script></component></messages>
+    </handler>)xml");
+  for (int i = 0; i < 200; ++i)
+    world.event("Bell", "Rings", {i});
+  EXPECT_EQ(world.said(), Texts{"more than 100 messages Bell.Rings wait behind "
+                                "a handler that waits; this one is dropped"});
 }
 
 TEST(Pipeline, WhatTheEngineRaisesNeedNotBeTaken) {

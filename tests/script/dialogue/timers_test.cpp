@@ -112,6 +112,63 @@ TEST(Timers, ASessionHasSoManyOfScripts) {
   EXPECT_TRUE(timers.refuse(timer, 19)); // too much
 }
 
+TEST(Timers, ThoseOfAVisitEndWithIt) {
+  Ports port;
+  Timers timers(port);
+  auto of_state = script_timer("a");
+  of_state.visit = 3;
+  timers.start(5ms, of_state);
+  const auto other = timers.start(5ms, script_timer("b"));
+  const auto ring = timers.ring(of_state);
+  timers.end_with([](VisitId visit) { return visit == 4; });
+  EXPECT_EQ(port.running.size(), 2u);
+  EXPECT_FALSE(ring->stopped);
+  timers.end_with([](VisitId visit) { return visit == 3; });
+  ASSERT_EQ(port.running.size(), 1u);
+  EXPECT_TRUE(port.running.contains(other));
+  EXPECT_TRUE(ring->stopped);
+}
+
+TEST(Timers, OneThatRepeatsRingsAgainWhenItsStatementsAreDone) {
+  Ports port;
+  Timers timers(port);
+  const auto tick = script_timer("tick", 7ms);
+  auto ring = timers.ring(tick);
+  ASSERT_TRUE(ring);
+  EXPECT_FALSE(timers.ring(tick));
+  EXPECT_TRUE(timers.ring(script_timer("tock", 7ms)));
+  EXPECT_TRUE(timers.ring(script_timer("tick"))); // rings once
+  ring.reset();
+  EXPECT_TRUE(timers.ring(tick));
+}
+
+TEST(Timers, ARingIsStoppedWithItsTimer) {
+  Ports port;
+  Timers timers(port);
+  const auto ring = timers.ring(script_timer("egg"));
+  timers.cancel_named("tea");
+  EXPECT_FALSE(ring->stopped);
+  timers.cancel_named("egg");
+  EXPECT_TRUE(ring->stopped);
+}
+
+TEST(Timers, KeepASessionOpen) {
+  Ports port;
+  Timers timers(port);
+  timers.start(1s, script_timer("may be lost"));
+  timers.start(1s, Timer::Purpose::silence);
+  EXPECT_FALSE(timers.keep_open());
+  EXPECT_EQ(timers.pending().size(), 1u);
+  auto egg = script_timer("egg");
+  egg.keeps_open = true;
+  const auto id = timers.start(1s, egg);
+  EXPECT_TRUE(timers.keep_open());
+  timers.cancel(id);
+  EXPECT_FALSE(timers.keep_open());
+  timers.start(1s, Timer::Purpose::wait);
+  EXPECT_TRUE(timers.keep_open());
+}
+
 TEST(Timers, CancelAll) {
   Ports port;
   Timers timers(port);

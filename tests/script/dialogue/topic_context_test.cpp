@@ -61,5 +61,42 @@ TEST_F(UnderstandingContext, ForgetsItWhenItBeginsAnew) {
   EXPECT_TRUE(context()["said"].is_unknown());
 }
 
+// What narrows: the question's own grammar, else the state's.
+TEST(UnderstandingGrammar, IsTheQuestionsOrTheStates) {
+  WorldOptions options;
+  options.start = "Shop";
+  World world(R"xml(
+    <grammar name="wares">public &lt;w> = tea | coffee;</grammar>
+    <grammar name="size">public &lt;s> = small | large;</grammar>
+    <state name="Shop" grammar="wares"><Messages><component><Bell>
+      <Stops><transit state="Street"/></Stops>
+    </Bell></component></Messages></state>
+    <state name="Street"/>
+    <topic name="Order">
+      <slot name="What" type="Functional" question="What?"/>
+      <slot name="Size" type="Functional" question="Large?" grammar="size"/>
+    </topic>
+    <handler name="Probe"><messages><component><Bell>
+      <Rings><post module="NLU" command="DoNLU" param="{'hello'}"/></Rings>
+    </Bell></component></messages></handler>)xml",
+              options);
+  world.components["Grammar"] = {"NLU"};
+  const auto grammar = [&] {
+    world.event("Bell", "Rings");
+    return world.messages.back().params.at(1)["grammar"];
+  };
+  EXPECT_EQ(grammar(), "wares");
+  world.say(inform("Order", {}));
+  EXPECT_EQ(world.said(), Texts{"What?"});
+  EXPECT_EQ(grammar(), "wares");
+  world.say(inform("Order", {{"What", slot_value("tea", 1)}}));
+  EXPECT_EQ(world.said(), Texts{"Large?"});
+  EXPECT_EQ(grammar(), "size");
+  world.event("Bell", "Stops");
+  EXPECT_EQ(grammar(), "size");
+  world.say("cancel");
+  EXPECT_TRUE(grammar().is_unknown());
+}
+
 } // namespace
 } // namespace parlour::dialogue

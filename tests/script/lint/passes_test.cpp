@@ -269,6 +269,30 @@ INSTANTIATE_TEST_SUITE_P(
                "3:32 unfillable-slot"}));
 
 INSTANTIATE_TEST_SUITE_P(
+    time, LintCase,
+    testing::Values(
+        Linted{"<function name='main'><timer name='t' after='2m' "
+               "keeps-open='false'/></function>",
+               ""},
+        Linted{"<function name='main'><timer name='t' after='2m' "
+               "repeat='true'/></function>",
+               "3:23 lost-timer"},
+        Linted{"<function name='main'><timer name='t' after='2m' "
+               "repeat='true' keeps-open='true'/><timer name='u' after='2m'/>"
+               "<timer name='v' after='59s' repeat='true'/></function>",
+               ""},
+        Linted{"<handler name='h'><messages><on source='*' event='*'><transit "
+               "state='B'/></on></messages></handler><state name='B'>"
+               "<Entrance><if cond='1 lt 2'><timer name='t' after='1s'/>"
+               "<transit state='Welcome'/></if></Entrance></state>",
+               "3:144 lost-timer"},
+        Linted{"<handler name='h'><messages><on source='*' event='*'><transit "
+               "state='B'/><timer name='t' after='1s'/></on></messages>"
+               "</handler><state name='B'><Entrance><timer name='t' "
+               "after='1s' ends-with='session'/><pop/></Entrance></state>",
+               ""}));
+
+INSTANTIATE_TEST_SUITE_P(
     loops, LintCase,
     testing::Values(
         Linted{"<function name='main'><while cond='true'/></function>",

@@ -1,0 +1,78 @@
+// Somebody who speaks in words, to an application with an understanding that
+// knows a few of them.
+#pragma once
+
+#include "tests/script/dialogue/conversation_world.hpp"
+
+namespace parlour::dialogue {
+
+// What the words mean; the others mean nothing.
+inline Value meaning_of(const std::string& words) {
+  if (words == "yes")
+    return act("confirm");
+  if (words == "no")
+    return act("deny");
+  if (words == "cancel" || words == "help" || words == "restart")
+    return act(words.c_str());
+  if (words == "tea" || words == "cocoa")
+    return inform("Order", {{"What", slot_value(words, 1)}});
+  if (words == "delete")
+    return act("request", "Delete");
+  if (words == "ping")
+    return act("request", "Ping");
+  return {};
+}
+
+// The understanding answers at once or, if it is `late`, when the test says so.
+class Speaker : public World {
+public:
+  explicit Speaker(const std::string& script, WorldOptions options = {})
+      : World(script, without_pipeline(std::move(options))) {
+    components["Grammar"] = {"NLU"};
+    answers = [this](const Message& message) {
+      if (message.command != "DoNLU" || late)
+        return std::vector<Message>{};
+      return std::vector<Message>{understood(message)};
+    };
+    open();
+  }
+
+  void hear(const std::string& words) {
+    queue(words);
+    run();
+  }
+  void queue(const std::string& words) {
+    Message message;
+    message.source = "Keyboard";
+    message.command = "RecognitionResult";
+    message.params = {words, 1};
+    message.session = "s1";
+    conversation->receive(std::move(message));
+  }
+  void answer_late() {
+    conversation->receive(understood(messages.back()));
+    run();
+  }
+
+  bool late = false;
+
+private:
+  static WorldOptions without_pipeline(WorldOptions options) {
+    options.open = false;
+    options.pipeline = false;
+    return options;
+  }
+
+  static Message understood(const Message& question) {
+    Message event;
+    event.source = "Grammar";
+    event.session = "s1";
+    event.correlation = question.correlation;
+    const auto act = meaning_of(question.params[0].text());
+    event.command = act.is_unknown() ? "NoResult" : "FrameInfo";
+    event.params = {act.is_unknown() ? question.params[0] : act};
+    return event;
+  }
+};
+
+} // namespace parlour::dialogue

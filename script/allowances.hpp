@@ -4,6 +4,9 @@
 //   <!-- check: allow unread-variable -->
 //   <!-- check: allow unread-variable, endless-loop -->
 //   <!-- check: allow unread-variable in this file -->
+//
+// A tag of several lines counts as one of them, and so do comments that stand
+// one below the other: where lines break does not matter.
 #pragma once
 
 #include <cstdint>
@@ -16,9 +19,10 @@
 namespace parlour::script {
 
 struct Allowance {
-  std::uint32_t line = 0; // where its comment ends
-  std::size_t begin = 0;  // of the names, in the text
-  bool alone = false;     // nothing else stands on its line
+  // The lines that it is for; of a whole file, those of its comment.
+  std::uint32_t first = 0;
+  std::uint32_t last = 0;
+  std::size_t begin = 0; // of the names, in the text
   bool whole_file = false;
   std::vector<std::string> names;
 };

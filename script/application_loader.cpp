@@ -19,9 +19,17 @@ constexpr std::string_view library_prefix = "parlour:";
 } // namespace
 
 ApplicationLoader::ApplicationLoader(fs::path folder, fs::path platform,
-                                     Findings& findings)
+                                     Findings& findings,
+                                     const SourceTexts* texts)
     : folder_(std::move(folder)), platform_(std::move(platform)),
-      findings_(findings) {}
+      findings_(findings), texts_(texts) {}
+
+Expected<std::string> ApplicationLoader::text_of(const fs::path& path) const {
+  if (texts_)
+    if (const auto found = texts_->find(path.string()); found != texts_->end())
+      return found->second;
+  return read_bytes(path);
+}
 
 Expected<fs::path> ApplicationLoader::inside(const std::string& name) const {
   const fs::path path(name);
@@ -46,7 +54,7 @@ std::optional<Element>
 ApplicationLoader::read(const fs::path& path,
                         const std::vector<std::string>& roots,
                         Position position) {
-  auto bytes = read_bytes(path);
+  auto bytes = text_of(path);
   if (!bytes) {
     if (position.line > 0)
       findings_.error(position, path.string() + ": " + bytes.error().message);

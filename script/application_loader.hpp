@@ -5,6 +5,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -16,6 +17,9 @@
 
 namespace parlour::script {
 
+// Texts that are read in the place of files, by the paths of these.
+using SourceTexts = std::map<std::string, std::string>;
+
 struct Document {
   Element root;
   bool platform = false; // one of the platform's libraries
@@ -23,8 +27,10 @@ struct Document {
 
 class ApplicationLoader {
 public:
+  // `texts`, which may be null, must outlive it.
   ApplicationLoader(std::filesystem::path folder,
-                    std::filesystem::path platform, Findings& findings);
+                    std::filesystem::path platform, Findings& findings,
+                    const SourceTexts* texts = nullptr);
 
   // A script and what it includes, which comes before it; `position` is where
   // it was asked for.
@@ -57,10 +63,12 @@ private:
   void add(const std::filesystem::path& real_path, Element root, bool platform);
   void include(const Element& element);
   std::vector<std::string> libraries() const;
+  Expected<std::string> text_of(const std::filesystem::path& path) const;
 
   std::filesystem::path folder_;
   std::filesystem::path platform_;
   Findings& findings_;
+  const SourceTexts* texts_;
   std::set<std::filesystem::path> read_;
   std::vector<std::filesystem::path> open_; // being read, outermost first
   std::vector<Document> documents_;

@@ -7,6 +7,7 @@
 #include "runtime/base/clock.hpp"
 #include "script/expression.hpp"
 #include "script/findings.hpp"
+#include "script/source.hpp"
 
 namespace parlour::script {
 
@@ -46,6 +47,23 @@ std::string shown(const ElementRule& element, const AttributeRule& rule,
   return rule.name + "=\"" + value + "\" of <" + element.name + ">: expected ";
 }
 
+// "; write name="a" expr="1"" or a name that would do; empty: nobody knows.
+std::string name_meant(const ElementRule& element, const AttributeRule& rule,
+                       const std::string& value) {
+  const auto write = "; write " + rule.name + "=\"";
+  if (const auto equals = value.find('=');
+      equals != std::string::npos && element.attribute("expr"))
+    return write + collapsed(value.substr(0, equals)) + "\" expr=\"" +
+           collapsed(value.substr(equals + 1)) + "\"";
+  std::string meant;
+  for (const char letter : collapsed(value))
+    if (is_name_part(letter))
+      meant += letter;
+    else if (letter == ' ' || letter == '-' || letter == '.')
+      meant += '_';
+  return is_identifier(meant) ? write + meant + "\"" : std::string();
+}
+
 } // namespace
 
 std::string wrong_value(const ElementRule& element, const AttributeRule& rule,
@@ -59,7 +77,9 @@ std::string wrong_value(const ElementRule& element, const AttributeRule& rule,
   }
   if (is_right(rule.kind, value))
     return {};
-  return shown(element, rule, value) + std::string(sentence_of(rule.kind));
+  return shown(element, rule, value) + std::string(sentence_of(rule.kind)) +
+         (rule.kind == AttributeKind::name ? name_meant(element, rule, value)
+                                           : std::string());
 }
 
 bool is_identifier(std::string_view text) {

@@ -74,8 +74,7 @@ CodeId BodyCompiler::expression(const Attribute& attribute,
                                 const std::vector<std::string>& parameters) {
   return value(program_, names_, findings_, context, attribute.value_position,
                parameters, [&](ExpressionCompiler& compiler, Register target) {
-                 compiler.expression(
-                     {attribute.value, attribute.value_position}, target);
+                 compiler.expression(source_of(attribute), target);
                });
 }
 
@@ -83,8 +82,7 @@ CodeId BodyCompiler::text_or_expression(const Attribute& attribute,
                                         const BodyContext& context) {
   return value(program_, names_, findings_, context, attribute.value_position,
                {}, [&](ExpressionCompiler& compiler, Register target) {
-                 compiler.text_or_expression(
-                     {attribute.value, attribute.value_position}, target);
+                 compiler.text_or_expression(source_of(attribute), target);
                });
 }
 

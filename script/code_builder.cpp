@@ -15,6 +15,16 @@ constexpr std::size_t dearest_call = 32;
 
 } // namespace
 
+Source source_of(const Attribute& attribute) {
+  const bool is_condition = attribute.name == "cond" || attribute.name == "if";
+  return {attribute.value,
+          attribute.value_position,
+          false,
+          {},
+          0,
+          is_condition ? Wanted::condition : Wanted::value};
+}
+
 Position Source::at(std::size_t offset) const {
   auto position = start;
   for (char byte : text.substr(0, offset)) {

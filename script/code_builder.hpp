@@ -9,6 +9,7 @@
 
 #include "script/body_compiler.hpp"
 #include "script/expression.hpp"
+#include "script/expression_slips.hpp"
 #include "script/host.hpp"
 #include "script/instruction.hpp"
 #include "script/objects.hpp"
@@ -46,17 +47,21 @@ struct Source {
   bool collapsed = false; // the text went through script::collapsed
   Position value{};       // where the whole value begins; line 0: at `start`
   std::size_t skip = 0;   // bytes of the value before the text
+  Wanted wanted = Wanted::value;
 
   Position at(std::size_t offset) const;
   Source part(std::size_t offset, std::size_t length) const {
-    return {text.substr(offset, length), at(offset), collapsed,
-            value.line > 0 ? value : start, skip + offset};
+    return {text.substr(offset, length),    at(offset),    collapsed,
+            value.line > 0 ? value : start, skip + offset, Wanted::value};
   }
   // For findings: exact.
   Spot spot(std::size_t offset = 0, std::size_t length = 0) const {
     return {value.line > 0 ? value : start, skip + offset, length, collapsed};
   }
 };
+
+// The value of an attribute.
+Source source_of(const Attribute& attribute);
 
 class CodeBuilder {
 public:

@@ -21,6 +21,7 @@ struct Compilation {
   // agents.
   std::vector<std::string> sources;
   std::vector<std::string> grammars;
+  std::vector<std::string> raised{}; // events, by <fire>
 };
 
 // "a, b" without the blanks.

@@ -24,7 +24,8 @@ std::vector<fs::path> scripts_in(const fs::path& folder) {
 class Compiler {
 public:
   Compiler(const fs::path& folder, const CompileOptions& options)
-      : options_(options), loader_(folder, options.platform, findings_) {}
+      : options_(options),
+        loader_(folder, options.platform, findings_, options.texts) {}
 
   Compiled application(const fs::path& folder);
   Compiled file(const fs::path& path);

@@ -18,6 +18,7 @@ struct CompileOptions {
   std::filesystem::path platform; // the folder of config/platform
   // Replaced in ${NAME} of options; null: none is set.
   std::string (*environment)(const std::string& name) = nullptr;
+  const SourceTexts* texts = nullptr; // read in the place of files
 };
 
 struct Compiled {

@@ -75,6 +75,7 @@ void DeclarationCompiler::prepare(SettingsSource settings) {
   compilation_.sources = known_sources(program_, agents_of(settings));
   for (const auto& document : documents_) {
     add_names_made(document.root, compilation_.sources);
+    add_events_raised(document.root, compilation_.raised);
     collect_grammars(document.root, compilation_.grammars,
                      compilation_.findings);
   }

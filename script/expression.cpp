@@ -341,6 +341,7 @@ private:
           key.kind != TokenKind::integer)
         fail("a key is missing", key.offset);
       node->keys.emplace_back(key.text);
+      node->flag |= key.kind == TokenKind::string;
       expect(Sign::colon);
       add(node, choice());
       if (!is(Sign::close_curly))

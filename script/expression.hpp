@@ -19,7 +19,7 @@ enum class NodeKind : std::uint8_t {
   string, // text
   name,   // text
   list,
-  map,   // keys, children
+  map,   // keys, children; flag
   index, // children: container, key
   field, // text; child: container
   call,  // text; children: arguments
@@ -60,7 +60,7 @@ struct Node {
 
   NodeKind kind = NodeKind::unknown;
   Operator operation = Operator::equal;
-  bool flag = false;
+  bool flag = false;        // of a map: a key stands in quotes
   std::uint32_t offset = 0; // bytes from the text's beginning; a field's name
   std::int64_t integer = 0;
   double number = 0;

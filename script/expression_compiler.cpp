@@ -167,6 +167,7 @@ SlotId ExpressionCompiler::slot_id(const Node& node, const Source& source) {
   std::vector<std::string> slots;
   for (const auto& each : b_.context.topic->slots)
     slots.push_back(each.name);
+  slots.insert(slots.end(), {"rows", "asked", "relaxed"});
   error(node, source,
         "the topic '" + b_.context.topic->name + "' has no slot '" + node.text +
             "'" + did_you_mean(node.text, slots));

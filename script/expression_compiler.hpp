@@ -66,6 +66,7 @@ private:
   void unknown_name(const Node& node, const Source& source);
   void unknown_target(const Node& node, const Source& source); // of a <set>
   bool is_declared(const std::string& name) const;
+  bool is_text(const Source& source) const;
   void warn_of_text(const Source& source);
   struct Mentions {
     bool quoted = false;

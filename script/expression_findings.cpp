@@ -8,7 +8,10 @@
 namespace parlour::script {
 
 void ExpressionCompiler::report(const Source& source, const Parsed& parsed) {
-  for (auto& slip : find_slips(source.text, parsed))
+  const auto known = [this](const std::string& name) {
+    return is_declared(name) || name == "this";
+  };
+  for (auto& slip : find_slips(source.text, parsed, source.wanted, known))
     b_.findings.add({Severity::error, source.spot(slip.offset, slip.length),
                      std::move(slip.message), "expression",
                      std::move(slip.replacement)});
@@ -46,10 +49,29 @@ void ExpressionCompiler::unknown_name(const Node& node, const Source& source) {
                  quoted + " is not declared; it is written '" +
                      std::string(slip->meant) + "'",
                  std::string(slip->meant));
-  auto near = did_you_mean(name, known);
-  if (near.empty())
-    near = "; declare it with <var>, or put a text into quotes: " + quoted;
-  error(node, source, quoted + " is not declared" + near);
+  const auto near = did_you_mean(name, known);
+  if (!near.empty())
+    return error(node, source, quoted + " is not declared" + near);
+  if (source.wanted == Wanted::value && is_text(source))
+    return b_.findings.add(
+        {Severity::error, source.spot(0, source.text.size()),
+         "this reads like text, and an expression is expected; a text stands "
+         "in quotes: " +
+             quoted_text(source.text) + ", and a variable is declared by <var>",
+         "expression"});
+  error(
+      node, source,
+      quoted + " is not declared; a text stands in quotes: " +
+          (source.wanted == Wanted::text ? quoted_text(source.text) : quoted) +
+          ", and a variable is declared by <var name=\"" + name +
+          "\" expr=\"…\"/>");
+}
+
+// Whether the whole of it is words of which none is known.
+bool ExpressionCompiler::is_text(const Source& source) const {
+  return reads_like_text(source.text, [this](const std::string& word) {
+    return is_declared(word) || word == "this";
+  });
 }
 
 void ExpressionCompiler::unknown_target(const Node& node,

@@ -29,6 +29,12 @@ std::size_t word_begin(std::string_view text, std::size_t end) {
   return end;
 }
 
+std::size_t path_begin(std::string_view text, std::size_t end) {
+  while (end > 0 && (is_word_byte(text[end - 1]) || text[end - 1] == '.'))
+    --end;
+  return end;
+}
+
 std::string_view trimmed(std::string_view text) {
   const auto first = text.find_first_not_of(blanks);
   if (first == npos)
@@ -50,11 +56,15 @@ constexpr int most_slips = 8; // told of one expression
 
 // The first that knows is right: the particular before the general.
 constexpr Found (*rules[])(const Scene&) = {
-    whole_text,      smart_quotes,           apostrophe,       assignment,
-    semicolon,       foreign_sign,           equals,           decorated_name,
-    method,          word_of_other_language, word_before,      decimal_comma,
-    leading_point,   number_with_letters,    unclosed_bracket, early_end,
-    closing_bracket, missing_operator};
+    whole_text,       smart_quotes,  apostrophe,
+    in_braces,        assignment,    semicolon,
+    escape,           filter,        not_in,
+    foreign_sign,     equals,        decorated_name,
+    method,           word_before,   word_of_other_language,
+    round_list,       decimal_comma, leading_point,
+    slice_of_list,    half_a_choice, number_with_letters,
+    unclosed_bracket, early_end,     closing_bracket,
+    missing_operator};
 
 ExpressionSlip explain(const Scene& scene) {
   for (const auto rule : rules)
@@ -76,14 +86,15 @@ std::string quoted_text(std::string_view text) {
 }
 
 std::vector<ExpressionSlip> find_slips(std::string_view text,
-                                       const Parsed& parsed) {
+                                       const Parsed& parsed, Wanted wanted,
+                                       const IsDeclared& is_declared) {
   std::vector<ExpressionSlip> slips;
   std::string mended(text);
   std::ptrdiff_t longer = 0; // than the text, before the place
   std::string error = parsed.error;
   std::size_t at = parsed.error_offset;
   while (!error.empty() && slips.size() < most_slips) {
-    auto slip = explain({mended, at, error});
+    auto slip = explain({mended, at, error, wanted, is_declared});
     const auto place = static_cast<std::ptrdiff_t>(slip.offset) - longer;
     if (place < 0 || (!slips.empty() && place <= static_cast<std::ptrdiff_t>(
                                                      slips.back().offset)))
@@ -102,7 +113,25 @@ std::vector<ExpressionSlip> find_slips(std::string_view text,
     if (mended.substr(at, 1) == ",")
       break; // a list of arguments, which parses as no expression
   }
+  // Where not all is mended, nobody knows what was meant.
+  if (!error.empty() && !parse_arguments(mended).node)
+    for (auto& slip : slips)
+      slip.replacement.reset();
   return slips;
+}
+
+std::optional<std::string> mended(std::string_view text, Wanted wanted) {
+  const auto parsed = parse_expression(text);
+  std::string result(text);
+  if (parsed.node)
+    return result;
+  const auto slips = find_slips(text, parsed, wanted);
+  for (auto slip = slips.rbegin(); slip != slips.rend(); ++slip) {
+    if (!slip->replacement)
+      return {};
+    result.replace(slip->offset, slip->length, *slip->replacement);
+  }
+  return parse_expression(result).node ? std::optional(result) : std::nullopt;
 }
 
 } // namespace parlour::script

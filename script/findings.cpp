@@ -57,11 +57,13 @@ std::size_t tolerance(std::string_view name) {
 constexpr std::size_t most_findings = 1000;
 
 // How a piece of a value is written in the file, where `delimiter` stands
-// before the value. Strings in it get the other quotes where these end it.
+// before the value. Strings in it get the other quotes where these end it and
+// nothing in them is escaped.
 std::string as_in_file(std::string text, char delimiter) {
   const char other = delimiter == '"' ? '\'' : '"';
   if ((delimiter == '"' || delimiter == '\'') &&
-      text.find(other) == std::string::npos)
+      text.find(other) == std::string::npos &&
+      text.find('\\') == std::string::npos)
     std::replace(text.begin(), text.end(), delimiter, other);
   std::string written;
   for (const char letter : text)

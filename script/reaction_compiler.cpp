@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "runtime/base/roles.hpp"
+#include "script/element_table.hpp"
 
 namespace parlour::script {
 
@@ -41,6 +42,38 @@ std::string checked_source(const std::string& name, Position position,
     return found;
   warn_of_source(name, position, compilation);
   return name;
+}
+
+// Those of the role, and what the scripts raise themselves.
+std::vector<std::string> events_of(const Role& role,
+                                   const Compilation& compilation) {
+  auto events = names_of(role.events);
+  if (role.name == "Script")
+    events.insert(events.end(), compilation.raised.begin(),
+                  compilation.raised.end());
+  return events;
+}
+
+void warn_of_event(const EventName& name, Position position,
+                   const std::vector<std::string>& events,
+                   Compilation& compilation) {
+  const auto hint = did_you_mean(name.event, events);
+  const bool is_raised = canonical_role(name.source) == "Script";
+  const bool may_be_raised =
+      compilation.program.single_file ||
+      std::find(events.begin(), events.end(), "*") != events.end();
+  if (is_raised && may_be_raised && hint.empty())
+    return;
+  compilation.findings.add(
+      {Severity::warning,
+       {position},
+       is_raised
+           ? "nothing raises the event '" + name.event + "'" +
+                 (hint.empty() ? "; <fire event=\"" + name.event + "\"/> does"
+                               : hint)
+           : name.source + " has no event '" + name.event + "'" +
+                 (hint.empty() ? "; it has " + alternatives(events) : hint),
+       "unknown-event"});
 }
 
 class MessagesCompiler {
@@ -141,20 +174,26 @@ void add_names_made(const Element& root, std::vector<std::string>& names) {
   }
 }
 
+void add_events_raised(const Element& root, std::vector<std::string>& events) {
+  for (const auto& child : root.children) {
+    if (child.is("fire") && child.attribute("event"))
+      events.push_back(child.value("event").find('{') == std::string::npos
+                           ? child.value("event")
+                           : "*");
+    add_events_raised(child, events);
+  }
+}
+
 EventName checked_event(EventName name, Position source, Position event,
                         Compilation& compilation) {
   name.source = checked_source(name.source, source, compilation);
   const auto* role = find_role(name.source);
   if (!role || name.event == "*")
     return name;
-  const auto events = names_of(role->events);
+  const auto events = events_of(*role, compilation);
   const auto found = spelt_as(name.event, events);
   if (found.empty())
-    compilation.findings.add({Severity::warning,
-                              {event},
-                              name.source + " has no event '" + name.event +
-                                  "'" + did_you_mean(name.event, events),
-                              "unknown-event"});
+    warn_of_event(name, event, events, compilation);
   else
     name.event = found;
   return name;

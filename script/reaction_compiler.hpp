@@ -20,6 +20,9 @@ std::vector<std::string> known_sources(const Program& program,
 // a computed name helps nobody.
 void add_names_made(const Element& root, std::vector<std::string>& names);
 
+// The events that scripts below `root` raise; "*" for computed ones.
+void add_events_raised(const Element& root, std::vector<std::string>& events);
+
 // A source and an event as the roles table spells them; what it does not know
 // is a warning.
 struct EventName {

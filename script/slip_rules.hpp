@@ -23,12 +23,20 @@ std::size_t word_end(std::string_view text, std::size_t at);
 std::size_t word_begin(std::string_view text, std::size_t end);
 std::string_view trimmed(std::string_view text);
 std::string string_of(std::string_view text);
+// The beginning of what `x.y` ends at `end`.
+std::size_t path_begin(std::string_view text, std::size_t end);
+// The bracket that is still open at `end`; npos where none is. What closes the
+// one that stands at `open`; npos where nothing does.
+std::size_t open_bracket(std::string_view text, std::size_t end);
+std::size_t closing_of(std::string_view text, std::size_t open);
 
 // The expression and the place where the parser gave up.
 struct Scene {
   std::string_view text;
   std::size_t at = 0;
   std::string_view error;
+  Wanted wanted = Wanted::value;
+  IsDeclared is_declared{};
 
   std::string_view rest() const {
     return text.substr(at);
@@ -45,18 +53,25 @@ struct Scene {
 Found whole_text(const Scene& scene);
 Found smart_quotes(const Scene& scene);
 Found apostrophe(const Scene& scene);
+Found in_braces(const Scene& scene);
 Found decorated_name(const Scene& scene);
 
-// -- of signs (slip_rules_signs.cpp)
+// -- of signs (slip_rules_signs.cpp, slip_rules_lists.cpp)
 Found assignment(const Scene& scene);
+Found escape(const Scene& scene);
 Found foreign_sign(const Scene& scene);
 Found equals(const Scene& scene);
 Found semicolon(const Scene& scene);
 Found decimal_comma(const Scene& scene);
 Found leading_point(const Scene& scene);
+Found round_list(const Scene& scene);
+Found half_a_choice(const Scene& scene);
+Found slice_of_list(const Scene& scene);
 
 // -- of words and brackets (slip_rules_words.cpp)
 Found method(const Scene& scene);
+Found filter(const Scene& scene);
+Found not_in(const Scene& scene);
 Found word_of_other_language(const Scene& scene);
 Found word_before(const Scene& scene);
 Found number_with_letters(const Scene& scene);

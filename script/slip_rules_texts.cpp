@@ -11,22 +11,38 @@ bool is_operator_word(std::string_view word) {
   return is_reserved(word) || find_slip(SlipPlace::operation, word);
 }
 
-// Words with blanks between and nothing that computes.
-bool reads_like_text(std::string_view text) {
-  constexpr std::string_view punctuation = " .,!?-:'";
+// Calls `visit` for each word; false where anything else than words computes.
+template <class Visit>
+bool is_made_of_words(std::string_view text, Visit visit) {
+  constexpr std::string_view anywhere = " -'", behind_words = ".,!?:";
   std::size_t words = 0;
   for (std::size_t at = 0; at < text.size();) {
     const auto end = word_end(text, at);
     if (end > at) {
       words += std::isalpha(static_cast<unsigned char>(text[at])) != 0;
-      if (is_operator_word(text.substr(at, end - at)))
-        return false;
+      visit(text.substr(at, end - at));
       at = end;
-    } else if (punctuation.find(text[at++]) == npos) {
+    } else if (anywhere.find(text[at]) == npos &&
+               (behind_words.find(text[at]) == npos || at == 0 ||
+                anywhere.find(text[at - 1]) != npos)) {
       return false;
+    } else {
+      ++at;
     }
   }
   return words > 1 && text.front() != '\'' && text.find(' ') != npos;
+}
+
+// Where nobody knows what is declared, a word that might compare or join does.
+bool reads_like_text(const Scene& scene, std::string_view text) {
+  if (scene.is_declared)
+    return parlour::script::reads_like_text(text, scene.is_declared);
+  bool computes = false;
+  return is_made_of_words(text,
+                          [&](std::string_view word) {
+                            computes |= is_operator_word(word);
+                          }) &&
+         !computes;
 }
 
 // The bytes of a typographic quotation mark that begins there; 0: none does.
@@ -42,12 +58,20 @@ std::size_t typographic_quote(std::string_view text) {
 
 Found whole_text(const Scene& scene) {
   const auto text = trimmed(scene.text);
+  const bool is_condition = scene.wanted == Wanted::condition;
   if (text.empty())
-    return ExpressionSlip{0, 0,
-                          "an expression is expected and the value is empty; "
-                          "an empty text is written ''"};
-  if (!reads_like_text(text))
+    return ExpressionSlip{
+        0, 0,
+        is_condition ? "a condition is expected, such as count gt 2, and the "
+                       "value is empty"
+                     : "an expression is expected and the value is empty; an "
+                       "empty text is written ''"};
+  if (!reads_like_text(scene, text))
     return {};
+  if (is_condition)
+    return ExpressionSlip{scene.text.find(text), text.size(),
+                          "this reads like text, and a condition is expected, "
+                          "such as door == 'open'"};
   auto quoted = quoted_text(text);
   return ExpressionSlip{scene.text.find(text), text.size(),
                         "this reads like text, and an expression is expected; "
@@ -74,24 +98,61 @@ Found smart_quotes(const Scene& scene) {
   return slip;
 }
 
+namespace {
+
+bool is_letter(char c) {
+  return std::isalpha(static_cast<unsigned char>(c)) != 0;
+}
+
+bool is_apostrophe(std::string_view text, std::size_t at) {
+  return text[at] == '\'' && at > 0 && at + 1 < text.size() &&
+         is_letter(text[at - 1]) && is_letter(text[at + 1]);
+}
+
+// All apostrophes between letters escaped.
+std::string without_apostrophes(std::string_view text) {
+  std::string escaped;
+  for (std::size_t i = 0; i < text.size(); ++i)
+    escaped += is_apostrophe(text, i) ? "\\'" : string_of(text.substr(i, 1));
+  return escaped;
+}
+
+} // namespace
+
 // An apostrophe between letters ended the text too early.
 Found apostrophe(const Scene& scene) {
   const auto text = scene.text;
-  if (scene.error.find("closing quote") == npos)
+  const bool open = scene.error.find("closing quote") != npos;
+  const bool adjacent = scene.at > 0 && is_apostrophe(text, scene.at - 1);
+  if (!open && !adjacent)
     return {};
-  const auto quote = text[scene.at];
-  for (std::size_t i = 1; i + 1 < text.size(); ++i)
-    if (text[i] == '\'' && quote == '\'' &&
-        std::isalpha(static_cast<unsigned char>(text[i - 1])) &&
-        std::isalpha(static_cast<unsigned char>(text[i + 1])))
-      return ExpressionSlip{i, 1,
-                            "this apostrophe ends the text; inside of quotes "
-                            "it is written \\'",
-                            "\\'"};
+  if (parse_expression(without_apostrophes(text)).node)
+    for (std::size_t i = 0; i < text.size(); ++i)
+      if (is_apostrophe(text, i))
+        return ExpressionSlip{i, 1,
+                              "this apostrophe ends the text; inside of quotes "
+                              "it is written \\'",
+                              "\\'"};
+  if (!open)
+    return {};
   return ExpressionSlip{scene.at, 1,
                         "the text that begins here has no closing quote; "
                         "expected another " +
-                            std::string(1, quote)};
+                            std::string(1, text[scene.at])};
+}
+
+// {count gt 2}, whole.
+Found in_braces(const Scene& scene) {
+  const auto text = trimmed(scene.text);
+  if (!text.starts_with('{') || closing_of(text, 0) != text.size() - 1)
+    return {};
+  const auto inner = trimmed(text.substr(1, text.size() - 2));
+  const auto meant = mended(inner, scene.wanted);
+  if (!meant || path_begin(inner, inner.size()) == 0)
+    return {};
+  return ExpressionSlip{scene.text.find(text), text.size(),
+                        "an expression stands here without braces: " + *meant,
+                        meant};
 }
 
 // $name, ${name}, {name}, %name%: a variable is its name.
@@ -119,3 +180,18 @@ Found decorated_name(const Scene& scene) {
 }
 
 } // namespace parlour::script::slip_rules
+
+namespace parlour::script {
+
+bool reads_like_text(std::string_view text, const IsDeclared& is_declared) {
+  bool knows = false;
+  int words = 0;
+  const auto look = [&](std::string_view word) {
+    knows |= is_declared(std::string(word));
+    words += !slip_rules::is_operator_word(word) &&
+             !slip_rules::is_digit(word.front());
+  };
+  return slip_rules::is_made_of_words(text, look) && words > 1 && !knows;
+}
+
+} // namespace parlour::script

@@ -1,6 +1,7 @@
 #include <algorithm>
-#include <vector>
+#include <iterator>
 
+#include "script/builtins.hpp"
 #include "script/slip_rules.hpp"
 #include "script/slips.hpp"
 
@@ -8,54 +9,112 @@ namespace parlour::script::slip_rules {
 
 namespace {
 
-// The bracket that is still open at the place; npos where none is.
-std::size_t open_bracket(std::string_view text, std::size_t end) {
-  std::vector<std::size_t> open;
-  char quote = 0;
-  for (std::size_t i = 0; i < std::min(end, text.size()); ++i) {
-    const char c = text[i];
-    if (quote)
-      quote = c == quote && text[i - 1] != '\\' ? '\0' : quote;
-    else if (c == '\'' || c == '"')
-      quote = c;
-    else if (std::string_view("([{").find(c) != npos)
-      open.push_back(i);
-    else if (std::string_view(")]}").find(c) != npos && !open.empty())
-      open.pop_back();
-  }
-  return open.empty() ? npos : open.back();
+// What other languages call by way of an object of their own.
+struct Method {
+  std::string_view object;
+  std::string_view name;
+  std::string_view meant;
+};
+constexpr Method methods[] = {
+    {"JSON", "parse", "fromjson"}, {"JSON", "stringify", "tojson"},
+    {"json", "loads", "fromjson"}, {"json", "dumps", "tojson"},
+    {"Date", "now", "now"},        {"date", "today", "date"},
+    {"datetime", "now", "now"},
+};
+constexpr std::string_view libraries[] = {"Math",   "math",  "Object", "Number",
+                                          "String", "Array", "random"};
+
+// "" where the object is what the function works on.
+std::string of_library(std::string_view object, std::string_view name) {
+  for (const auto& [whose, written, meant] : methods)
+    if (whose == object && written == name)
+      return string_of(meant);
+  const bool is_library = std::find(std::begin(libraries), std::end(libraries),
+                                    object) != std::end(libraries);
+  return is_library && is_builtin(name) ? string_of(name) : std::string();
+}
+
+std::string function_called(std::string_view name) {
+  const auto* slip = find_slip(SlipPlace::function, name);
+  return string_of(slip && !slip->meant.empty() ? slip->meant : name);
 }
 
 } // namespace
 
-// x.length() and list.add(y).
+// x.length(), list.add(y) and Math.max(x, y).
 Found method(const Scene& scene) {
   if (!scene.rest().starts_with('(') || scene.at == 0)
     return {};
   const auto name_at = word_begin(scene.text, scene.at);
   if (name_at == 0 || scene.text[name_at - 1] != '.')
     return {};
-  auto begin = name_at - 1;
-  while (begin > 0 &&
-         (is_word_byte(scene.text[begin - 1]) || scene.text[begin - 1] == '.'))
-    --begin;
-  const auto object = string_of(scene.text.substr(begin, name_at - 1 - begin));
-  auto name = string_of(scene.text.substr(name_at, scene.at - name_at));
-  if (const auto* slip = find_slip(SlipPlace::function, name);
-      slip && !slip->meant.empty())
-    name = slip->meant;
-  if (object.empty())
+  const auto begin = path_begin(scene.text, scene.at);
+  if (begin == name_at - 1)
     return {};
-  const auto close = scene.text.find_first_not_of(blanks, scene.at + 1);
-  const bool empty = close != npos && scene.text[close] == ')';
+  const auto object = scene.text.substr(begin, name_at - 1 - begin);
+  const auto written = scene.text.substr(name_at, scene.at - name_at);
+  if (const auto meant = of_library(object, written); !meant.empty())
+    return ExpressionSlip{begin, scene.at - begin,
+                          "a function stands by itself here: " + meant + "(…)",
+                          meant};
+  const auto name = function_called(written);
+  const auto close = closing_of(scene.text, scene.at);
   ExpressionSlip slip{begin, scene.at - begin,
                       "a function stands before what it works on: " + name +
-                          "(" + object + (empty ? ")" : ", …)")};
-  if (empty) {
-    slip.length = close + 1 - begin;
-    slip.replacement = name + "(" + object + ")";
-  }
+                          "(" + string_of(object) + ", …)"};
+  if (close == npos)
+    return slip;
+  const auto arguments =
+      trimmed(scene.text.substr(scene.at + 1, close - scene.at - 1));
+  const auto call = name + "(" + string_of(object) +
+                    (arguments.empty() ? "" : ", ") + string_of(arguments) +
+                    ")";
+  slip.length = close + 1 - begin;
+  slip.message = "a function stands before what it works on: " + call;
+  if (is_builtin(name))
+    slip.replacement = call;
   return slip;
+}
+
+// name | upper, as templates have it.
+Found filter(const Scene& scene) {
+  if (!scene.rest().starts_with('|') || scene.rest().starts_with("||"))
+    return {};
+  const auto begin = scene.text.find_first_not_of(blanks, scene.at + 1);
+  if (begin == npos)
+    return {};
+  const auto end = word_end(scene.text, begin);
+  const auto name = function_called(scene.text.substr(begin, end - begin));
+  const auto before = scene.before();
+  const auto object = before.substr(path_begin(before, before.size()));
+  if (!is_builtin(name) || object.empty())
+    return {};
+  const auto from = static_cast<std::size_t>(object.data() - scene.text.data());
+  ExpressionSlip slip{from, end - from,
+                      "a function stands before what it works on: " + name +
+                          "(" + string_of(object) + ")"};
+  if (end == scene.text.size() || scene.text[end] != '(')
+    slip.replacement = name + "(" + string_of(object) + ")";
+  return slip;
+}
+
+// x not in list.
+Found not_in(const Scene& scene) {
+  const auto end = word_end(scene.text, scene.at);
+  if (scene.text.substr(scene.at, end - scene.at) != "not")
+    return {};
+  const auto next = scene.text.find_first_not_of(blanks, end);
+  if (next == npos ||
+      scene.text.substr(next, word_end(scene.text, next) - next) != "in")
+    return {};
+  const auto before = scene.before();
+  const auto object = before.substr(path_begin(before, before.size()));
+  if (object.empty())
+    return ExpressionSlip{scene.at, 3, "'not' stands first: not x in list"};
+  const auto from = static_cast<std::size_t>(object.data() - scene.text.data());
+  const auto meant = "not " + string_of(object) + " in";
+  return ExpressionSlip{from, next + 2 - from,
+                        "'not' stands first: " + meant + " …", meant};
 }
 
 Found word_of_other_language(const Scene& scene) {
@@ -82,15 +141,21 @@ Found word_of_other_language(const Scene& scene) {
   return {};
 }
 
-// NOT a: what stands before the place was taken for a name.
+// NOT a, typeof a: what stands before the place was taken for a name.
 Found word_before(const Scene& scene) {
   const auto before = scene.before();
   const auto begin = word_begin(before, before.size());
   const auto word = before.substr(begin);
   const auto* slip = find_slip(SlipPlace::operation, word);
+  const auto at = static_cast<std::size_t>(word.data() - scene.text.data());
+  if (slip && slip->meant.empty() &&
+      scene.error.find("is not expected") != npos)
+    return ExpressionSlip{at, word.size(),
+                          "there is no '" + string_of(word) + "' here; " +
+                              string_of(slip->sentence)};
   if (!slip || slip->meant != "not")
     return {};
-  return ExpressionSlip{scene.text.find(before) + begin, word.size(),
+  return ExpressionSlip{at, word.size(),
                         "'" + string_of(word) + "' is written 'not'", "not"};
 }
 

@@ -97,7 +97,11 @@ void Reader::check_text() {
   if (const auto invalid = find_invalid_utf8(text_))
     return error(*invalid, "this is not UTF-8; save the file as UTF-8");
   if (const auto control = find_control_character(text_))
-    error(*control, "a control character may not stand in XML");
+    return error(*control, "a control character may not stand in XML; take it "
+                           "out");
+  for (const auto* none : {"\xef\xbf\xbe", "\xef\xbf\xbf"}) // U+FFFE, U+FFFF
+    if (const auto found = text_.find(none); found != npos)
+      return error(found, "what stands here is no character; take it out");
 }
 
 // The terminating null is given too: the parser overwrites the last character,
@@ -142,7 +146,6 @@ void Reader::check_name(const char* name, std::size_t offset) {
 }
 
 void Reader::read_attributes(pugi::xml_node node, Element& element) {
-  auto report = [this](const XmlSlip& slip) { tell(slip); };
   std::size_t count = 0;
   for (auto attribute = node.first_attribute(); attribute;
        attribute = attribute.next_attribute())
@@ -153,9 +156,10 @@ void Reader::read_attributes(pugi::xml_node node, Element& element) {
     const auto at = offset_of(attribute.name());
     const auto value_at = offset_of(attribute.value());
     check_name(attribute.name(), at);
-    check_characters(text_, value_at, true, report);
     if (element.attribute(attribute.name()))
-      tell({at, 0, "'" + std::string(attribute.name()) + "' is given twice"});
+      tell({at, 0,
+            "'" + std::string(attribute.name()) +
+                "' is given twice; leave one of them out"});
     element.attributes.push_back({attribute.name(), attribute.value(),
                                   positions_.at(at), positions_.at(value_at)});
   }
@@ -163,9 +167,6 @@ void Reader::read_attributes(pugi::xml_node node, Element& element) {
 
 void Reader::read_text(pugi::xml_node node, Element& element) {
   const auto offset = offset_of(node.value());
-  if (node.type() == pugi::node_pcdata)
-    check_characters(text_, offset, false,
-                     [this](const XmlSlip& slip) { tell(slip); });
   if (element.text.empty()) {
     const auto first = text_.find_first_not_of(" \t\r\n", offset);
     element.text_position = positions_.at(first);
@@ -226,6 +227,8 @@ std::optional<Element> Reader::read() {
     return std::nullopt;
   }
   check_document();
+  for (const auto& fault : find_faults(text_))
+    tell(fault);
   Element root;
   build(document_.document_element(), root, 1);
   if (failed_)

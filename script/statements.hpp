@@ -145,13 +145,11 @@ private:
   void error(Position position, std::string message) {
     b_.findings.error(position, std::move(message));
   }
-  static Source source_of(const Attribute& attribute) {
-    return {attribute.value, attribute.value_position};
-  }
 
   CodeBuilder& b_;
   ExpressionCompiler expressions_;
   std::vector<Loop> loops_;
+  bool in_case_ = false;
   std::vector<Register> transactions_; // the database's name, of open ones
 };
 

@@ -1,4 +1,6 @@
 // Branches and loops (language rule 5).
+#include <utility>
+
 #include "script/statements.hpp"
 
 namespace parlour::script {
@@ -136,7 +138,9 @@ void StatementCompiler::switch_(const Element& element) {
     if (arms.table && arm.constant)
       arms.table->arm(*arm.constant, b_.here());
     reached(*arm.element);
+    const auto outer = std::exchange(in_case_, true);
     block(*arm.element);
+    in_case_ = outer;
     done.push_back(b_.emit(Operation::jump));
   }
   b_.land(done);
@@ -210,7 +214,10 @@ void StatementCompiler::while_(const Element& element) {
 
 void StatementCompiler::break_(const Element& element) {
   if (loops_.empty())
-    return error(element.position, "<break> stands outside of a loop");
+    return error(element.position,
+                 in_case_ ? "<break> stands outside of a loop; a <case> ends "
+                            "by itself: leave it out"
+                          : "<break> stands outside of a loop");
   end_transactions(loops_.back().transactions);
   loops_.back().breaks.push_back(b_.emit(Operation::jump));
 }

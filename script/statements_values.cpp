@@ -42,7 +42,8 @@ void StatementCompiler::set(const Element& element) {
   const auto* name = required(element, "name");
   if (!name)
     return;
-  const auto source = source_of(*name);
+  auto source = source_of(*name);
+  source.wanted = Wanted::target;
   const auto target = expressions_.parse(source);
   if (!target)
     return;

@@ -69,6 +69,9 @@ private:
   void typographic();
   void without_value(std::string_view name, std::size_t begin);
   void stray();
+  bool lost_quote(std::string_view name, std::size_t begin);
+  bool is_less_than() const;
+  bool ends_value(std::size_t behind) const;
   bool mixed_quotes(std::string_view name, std::size_t begin, std::size_t end);
 
   char here() const {
@@ -124,8 +127,18 @@ ScannedTag TagScanner::special() {
   }
   slip(at_, at_ + 1,
        "a '<' that begins no tag is written &lt; (in an expression: lt)",
-       "&lt;");
+       is_less_than() ? std::optional<std::string>("&lt;") : std::nullopt);
   return {TagKind::other, {}, at_ + 1};
+}
+
+// Of a '<': whether it compares, or stands in a text: words before it, no tag
+// behind it.
+bool TagScanner::is_less_than() const {
+  const auto before = text_.find_last_not_of(blanks, at_ - 1);
+  const auto behind = text_.find_first_not_of(blanks, at_ + 1);
+  constexpr std::string_view followed = " =0123456789";
+  return at_ > 0 && before != npos && text_[before] != '>' && behind != npos &&
+         text_[behind] != '<' && followed.find(text_[at_ + 1]) != npos;
 }
 
 ScannedTag TagScanner::end_tag() {
@@ -170,8 +183,40 @@ void TagScanner::typographic() {
        closed ? std::optional(in_quotes(inner)) : std::nullopt);
 }
 
+// Whether what stands there may follow a value: the tag's end or another
+// attribute.
+bool TagScanner::ends_value(std::size_t behind) const {
+  const auto next = text_.find_first_not_of(blanks, behind);
+  if (next == npos || text_[next] == '>' ||
+      text_.substr(next).starts_with("/>"))
+    return next != npos;
+  auto end = next;
+  while (end < text_.size() && is_name_part(text_[end]))
+    ++end;
+  return next > behind && end > next && text_.substr(end).starts_with("=");
+}
+
+// A value of several words whose closing quote stands on the same line.
+bool TagScanner::lost_quote(std::string_view name, std::size_t begin) {
+  const auto line = std::min(text_.find_first_of("\n<", begin), text_.size());
+  const auto end = text_.find('"', begin);
+  if (end >= line || !ends_value(end + 1))
+    return false;
+  const auto value = text_.substr(begin, end - begin);
+  if (value.empty() || value.find('>') != npos)
+    return false;
+  at_ = end + 1;
+  slip(begin, at_,
+       "the value of '" + std::string(name) +
+           "' has no opening quote; expected " + std::string(name) + "=\"…\"",
+       in_quotes(value));
+  return true;
+}
+
 void TagScanner::unquoted(std::string_view name) {
   const auto begin = at_;
+  if (lost_quote(name, begin))
+    return;
   while (at_ < text_.size() && blanks.find(text_[at_]) == npos &&
          text_[at_] != '>' && !starts("/>") && text_[at_] != '<')
     ++at_;
@@ -179,8 +224,9 @@ void TagScanner::unquoted(std::string_view name) {
   slip(begin, std::max(at_, begin + 1),
        "a value stands in quotes: " + std::string(name) + "=" +
            in_quotes(value),
-       value.find_first_of("\"'`") == npos ? std::optional(in_quotes(value))
-                                           : std::nullopt);
+       value.empty() || value.find_first_of("\"'`") != npos
+           ? std::nullopt
+           : std::optional(in_quotes(value)));
 }
 
 // What stands behind a value's closing quote is no part of a tag: the value
@@ -195,7 +241,8 @@ bool TagScanner::mixed_quotes(std::string_view name, std::size_t begin,
     auto behind = end + 1;
     while (behind < text_.size() && is_name_part(text_[behind]))
       ++behind;
-    if (behind < text_.size() && text_[behind] == '=') {
+    if (text_.substr(behind).starts_with("=\"") ||
+        text_.substr(behind).starts_with("='")) {
       slip(end, end + 1, "a blank is missing behind this quote",
            std::string(1, text_[end]) + " ");
       return false;
@@ -315,10 +362,18 @@ ScannedTag TagScanner::start_tag() {
 }
 
 ScannedTag TagScanner::scan() {
+  const auto told = static_cast<std::ptrdiff_t>(slips_.size());
   const char next = at_ + 1 < text_.size() ? text_[at_ + 1] : '\0';
-  if (next == '/')
-    return end_tag();
-  return is_name_start(next) ? start_tag() : special();
+  auto tag = next == '/'           ? end_tag()
+             : is_name_start(next) ? start_tag()
+                                   : special();
+  tag.is_certain =
+      std::all_of(slips_.begin() + told, slips_.end(),
+                  [](const XmlSlip& slip) { return slip.replacement; });
+  if (!tag.is_certain)
+    std::for_each(slips_.begin() + told, slips_.end(),
+                  [](XmlSlip& slip) { slip.replacement.reset(); });
+  return tag;
 }
 
 } // namespace
@@ -334,6 +389,12 @@ bool holds_nothing(std::string_view name) {
     known = true;
   }
   return known;
+}
+
+bool is_element_name(std::string_view name) {
+  return std::any_of(
+      element_table().begin(), element_table().end(),
+      [name](const auto& rule) { return same_name(rule.name, name); });
 }
 
 ScannedTag scan_tag(std::string_view text, std::size_t offset,

@@ -16,6 +16,9 @@ struct ScannedTag {
   TagKind kind = TagKind::other; // comments, instructions, a lone '<'
   std::string_view name;
   std::size_t end = 0; // behind it
+  // Where one of its slips has no correction, nobody knows what was meant:
+  // then none of them has, and its end may be elsewhere.
+  bool is_certain = true;
 };
 
 // The tag that begins with the '<' at `offset`.
@@ -24,5 +27,8 @@ ScannedTag scan_tag(std::string_view text, std::size_t offset,
 
 // Whether elements of that name hold nothing, wherever they stand.
 bool holds_nothing(std::string_view name);
+
+// Whether there are elements of that name, the first letter's case aside.
+bool is_element_name(std::string_view name);
 
 } // namespace parlour::script

@@ -66,7 +66,8 @@ void ExpressionCompiler::mentions(const Node& node, Mentions& found) const {
     found.declared = true;
     return;
   }
-  found.quoted |= node.kind == NodeKind::string;
+  found.quoted |= node.kind == NodeKind::string ||
+                  (node.kind == NodeKind::map && node.flag);
   if (node.kind == NodeKind::call)
     found.called |= b_.function(node.text) || is_builtin(node.text);
   if (node.kind == NodeKind::name)
@@ -114,9 +115,8 @@ void ExpressionCompiler::warn_of_text(const Source& source) {
         return letter == '+' || letter == '[' || letter == '(';
       }))
     return;
-  for (const auto& part : split_text(source))
-    if (part.node)
-      return; // it embeds what it means to
+  if (source.text.find('{') != std::string_view::npos)
+    return; // what it embeds, or does not, is looked at by itself
   for (std::size_t at = 0; at < source.text.size();) {
     auto end = at;
     while (end < source.text.size() && is_word_byte(source.text[end]))
@@ -135,7 +135,8 @@ void ExpressionCompiler::warn_of_text(const Source& source) {
       b_.findings.add({Severity::warning, source.spot(at, word.size()),
                        "this is taken as text, although '" + word +
                            "' is declared; it is not well-formed as an "
-                           "expression",
+                           "expression, and a text embeds {" +
+                           word + "}",
                        "text-like-expression"});
       return;
     }
@@ -145,8 +146,10 @@ void ExpressionCompiler::warn_of_text(const Source& source) {
 
 void ExpressionCompiler::text_or_expression(const Source& source,
                                             Register target) {
-  if (const auto node = decide(source))
-    into(*node, source, target);
+  auto either = source;
+  either.wanted = Wanted::text;
+  if (const auto node = decide(either))
+    into(*node, either, target);
   else
     text(source, target);
 }

@@ -91,9 +91,8 @@ private:
                         const std::string& inside);
   std::string report_unknown(const Element& element, const ElementRule& parent,
                              const std::string& inside);
-  std::string report_unknown(const Attribute& attribute,
-                             const std::string& element,
-                             const std::vector<std::string>& names);
+  std::string report_unknown(const Attribute& attribute, const Element& element,
+                             const ElementRule& rule);
   void check_text(const Element& element, const ElementRule& rule);
   // The names of those that were taken out for their values.
   std::vector<std::string> check_attributes(Element& element,
@@ -195,9 +194,11 @@ void Validator::check_text(const Element& element, const ElementRule& rule) {
 }
 
 std::string Validator::report_unknown(const Attribute& attribute,
-                                      const std::string& element,
-                                      const std::vector<std::string>& names) {
-  auto text = tag(element) + " has no attribute '" + attribute.name + "'";
+                                      const Element& element,
+                                      const ElementRule& rule) {
+  const auto names = rule.attribute_names();
+  auto text = tag(name_of(element, rule)) + " has no attribute '" +
+              attribute.name + "'";
   auto right = same_but_case(attribute.name, names);
   bool sure = !right.empty();
   if (sure) {
@@ -218,7 +219,8 @@ std::string Validator::report_unknown(const Attribute& attribute,
                   .raw = true},
                  text,
                  "attribute",
-                 sure ? std::optional(right) : std::nullopt});
+                 sure && !element.attribute(right) ? std::optional(right)
+                                                   : std::nullopt});
   return right;
 }
 
@@ -229,8 +231,7 @@ std::vector<std::string> Validator::check_attributes(Element& element,
     const auto* found = rule.attribute(attribute.name);
     if (!found) {
       // What it was meant to be is how it goes on.
-      auto right = report_unknown(attribute, name_of(element, rule),
-                                  rule.attribute_names());
+      auto right = report_unknown(attribute, element, rule);
       found = right.empty() || element.attribute(right) ? nullptr
                                                         : rule.attribute(right);
       if (!found)

@@ -23,6 +23,7 @@ struct OpenTag {
   std::string name;
   std::size_t begin = 0;
   std::size_t end = 0; // of its '>'
+  bool is_certain = true;
 };
 
 // Follows start and end tags through a text.
@@ -31,8 +32,9 @@ public:
   Nesting(std::string_view text, std::vector<XmlSlip>& slips)
       : text_(text), slips_(slips) {}
 
-  void open(std::string_view name, std::size_t begin, std::size_t end) {
-    open_.push_back({std::string(name), begin, end});
+  void open(const ScannedTag& tag, std::size_t begin) {
+    open_.push_back(
+        {std::string(tag.name), begin, tag.end - 1, tag.is_certain});
   }
   void close(std::string_view name, std::size_t begin, std::size_t end);
   void finish();
@@ -41,6 +43,10 @@ private:
   void never_closed(const OpenTag& tag, const std::string& where,
                     std::size_t offset, std::size_t length);
   void unknown_end(std::string_view name, std::size_t begin, std::size_t end);
+  void misspelt(std::string_view name, std::size_t begin, std::size_t end);
+  bool ends_later(const OpenTag& open) const {
+    return text_.find("</" + open.name, open.end) != npos;
+  }
   std::string place_of(const OpenTag& open) const {
     const auto line = std::count(
         text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(open.begin),
@@ -57,18 +63,43 @@ private:
 
 void Nesting::never_closed(const OpenTag& open, const std::string& where,
                            std::size_t offset, std::size_t length) {
-  if (slips_.size() >= most_slips)
+  const bool is_empty = holds_nothing(open.name);
+  if (slips_.size() >= most_slips || (is_empty && !open.is_certain))
     return;
-  if (holds_nothing(open.name) && text_[open.end] == '>') {
-    slips_.push_back({open.end, 1,
-                      tag(open.name) + " is not closed; it holds nothing and "
-                                       "ends with '/>'",
-                      "/>"});
+  if (is_empty && text_[open.end] == '>') {
+    slips_.push_back(
+        {open.end, 1,
+         tag(open.name) + " is not closed; it holds nothing and "
+                          "ends with '/>'",
+         ends_later(open) ? std::nullopt : std::optional<std::string>("/>")});
     return;
   }
   slips_.push_back(
       {offset, length,
        where + place_of(open) + " is open; expected </" + open.name + ">"});
+}
+
+// An end tag that is nearly the open one's: of both, the name of an element is
+// right, if one is.
+void Nesting::misspelt(std::string_view name, std::size_t begin,
+                       std::size_t end) {
+  const auto top = std::move(open_.back());
+  open_.pop_back();
+  const bool knows_begin = is_element_name(top.name),
+             knows_end = is_element_name(name);
+  if (!knows_begin && knows_end) {
+    slips_.push_back({top.begin + 1, top.name.size(),
+                      tag(top.name) + " does not fit its end tag </" +
+                          std::string(name) + ">; expected " + tag(name),
+                      std::string(name)});
+    return;
+  }
+  slips_.push_back(
+      {begin, end - begin,
+       "</" + std::string(name) + "> does not fit: " + place_of(top) +
+           " is open; expected </" + top.name + ">",
+       knows_begin && !knows_end ? std::optional("</" + top.name + ">")
+                                 : std::nullopt});
 }
 
 // An end tag of what is not open: misspelt, or one too many.
@@ -83,14 +114,11 @@ void Nesting::unknown_end(std::string_view name, std::size_t begin,
     return;
   }
   const auto& top = open_.back();
-  XmlSlip slip{begin, end - begin,
-               shown + " does not fit: " + place_of(top) +
-                   " is open; expected </" + top.name + ">"};
-  if (!nearest(name, {top.name}).empty()) {
-    slip.replacement = "</" + top.name + ">";
-    open_.pop_back();
-  }
-  slips_.push_back(std::move(slip));
+  if (top.is_certain && !nearest(name, {top.name}).empty())
+    return misspelt(name, begin, end);
+  slips_.push_back({begin, end - begin,
+                    shown + " does not fit: " + place_of(top) +
+                        " is open; expected </" + top.name + ">"});
 }
 
 void Nesting::close(std::string_view name, std::size_t begin, std::size_t end) {
@@ -140,7 +168,7 @@ std::vector<XmlSlip> find_xml_slips(std::string_view text) {
         slips.size() > told)
       return slips; // all that follows is inside of what does not end
     if (tag.kind == TagKind::start)
-      nesting.open(tag.name, at, tag.end - 1);
+      nesting.open(tag, at);
     else if (tag.kind == TagKind::end)
       nesting.close(tag.name, at, tag.end);
     at = std::max(tag.end, at + 1);

@@ -124,7 +124,7 @@ void Layout::element(const LayoutNode& node, std::size_t indent) {
   const bool as_it_is = node.has_text() || node.children.empty();
   if (!as_it_is && node.is_one_line()) {
     const auto line = in_one_line(node);
-    if (column() + columns(line) <= width) {
+    if (node.keeps_line || column() + columns(line) <= width) {
       out_ += line;
       return;
     }
@@ -134,7 +134,8 @@ void Layout::element(const LayoutNode& node, std::size_t indent) {
     out_ += node.inside;
   } else {
     children(node.children, indent + 2);
-    new_line(indent);
+    if (!node.end_keeps_line)
+      new_line(indent);
   }
   out_.append("</").append(node.name).append(">");
 }
@@ -146,23 +147,40 @@ void Layout::node(const LayoutNode& node, std::size_t indent) {
     out_ += node.raw;
 }
 
-// Comments stay behind what they stood behind, and elements behind a comment.
+// Comments stay behind what they stood behind, and elements behind a comment;
+// so does all on a line where a warning is allowed.
 void Layout::children(const std::vector<LayoutNode>& nodes,
                       std::size_t indent) {
   const LayoutNode* previous = nullptr;
   for (const auto& one : nodes) {
-    const bool beside =
-        one.on_same_line && !out_.empty() &&
-        (is_comment(one) || (previous && is_comment(*previous)));
+    const bool beside = one.on_same_line && !out_.empty() &&
+                        (one.keeps_line || is_comment(one) ||
+                         (previous && is_comment(*previous)));
     if (one.after_empty_line)
       out_ += line_end_;
-    if (beside)
-      out_ += ' ';
+    if (beside) // comments may stand below each other
+      out_ += is_comment(one) && !one.gap.empty() ? one.gap : " ";
     else
       new_line(indent);
     node(one, indent);
     previous = &one;
   }
+}
+
+} // namespace
+
+namespace {
+
+std::vector<std::string_view>
+comments_of(const std::vector<LayoutNode>& nodes) {
+  std::vector<std::string_view> comments;
+  for (const auto& node : nodes) {
+    if (node.kind == LayoutNode::Kind::comment)
+      comments.push_back(node.raw);
+    const auto inside = comments_of(node.children);
+    comments.insert(comments.end(), inside.begin(), inside.end());
+  }
+  return comments;
 }
 
 } // namespace
@@ -187,12 +205,13 @@ format_source(const std::string& text, std::uint16_t file, Findings& findings) {
   const auto body =
       std::string_view(text).substr(marked ? byte_order_mark.size() : 0);
   const auto* line_end = text.find("\r\n") == std::string::npos ? "\n" : "\r\n";
-  auto formatted = (marked ? std::string(byte_order_mark) : std::string()) +
-                   Layout(line_end).document(layout_tree(body));
+  const auto tree = layout_tree(body);
+  const auto formatted = Layout(line_end).document(tree);
   Findings none;
   const auto after = read_source(formatted, none.add_file(""), none);
-  if (after && means_the_same(*before, *after))
-    return formatted;
+  if (after && means_the_same(*before, *after) &&
+      comments_of(tree) == comments_of(layout_tree(formatted)))
+    return (marked ? std::string(byte_order_mark) : std::string()) + formatted;
   findings.error({file, 0, 0}, "this file cannot be formatted without changing "
                                "what it means; please report it");
   return std::nullopt;

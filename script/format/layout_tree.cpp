@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <utility>
 
+#include "script/allowances.hpp"
+
 namespace parlour::script {
 
 namespace {
@@ -26,7 +28,8 @@ constexpr Special specials[] = {
 // The text is well-formed: what is looked for is there.
 class Reader {
 public:
-  explicit Reader(std::string_view text) : text_(text) {}
+  explicit Reader(std::string_view text)
+      : text_(text), allowances_(read_allowances(text)) {}
 
   std::vector<LayoutNode> nodes() {
     std::vector<LayoutNode> nodes;
@@ -35,17 +38,34 @@ public:
       at_ = std::min(text_.find_first_not_of(blanks, at_), text_.size());
       if (at_ == text_.size() || text_.substr(at_).starts_with("</"))
         return nodes;
-      const auto lines =
-          std::count(text_.begin() + static_cast<std::ptrdiff_t>(from),
-                     text_.begin() + static_cast<std::ptrdiff_t>(at_), '\n');
+      const auto lines = line_ends(from, at_);
+      const auto begin = at_;
+      const bool kept = is_kept();
       auto node = read();
       node.on_same_line = lines == 0 && from > 0;
+      if (node.on_same_line)
+        node.gap = text_.substr(from, begin - from);
       node.after_empty_line = lines > 1 && !nodes.empty();
+      node.keeps_line = kept;
       nodes.push_back(std::move(node));
     }
   }
 
 private:
+  std::ptrdiff_t line_ends(std::size_t from, std::size_t to) const {
+    return std::count(text_.begin() + static_cast<std::ptrdiff_t>(from),
+                      text_.begin() + static_cast<std::ptrdiff_t>(to), '\n');
+  }
+  // Whether a comment allows a warning on the line of this place.
+  bool is_kept() {
+    line_ += static_cast<std::uint32_t>(line_ends(counted_, at_));
+    counted_ = at_;
+    return std::any_of(
+        allowances_.begin(), allowances_.end(), [this](const Allowance& one) {
+          return !one.whole_file && one.first <= line_ && line_ <= one.last;
+        });
+  }
+
   LayoutNode read() {
     const auto rest = text_.substr(at_);
     for (const auto& special : specials)
@@ -96,6 +116,9 @@ private:
       const auto from = ++at_;
       node.children = nodes();
       node.inside = text_.substr(from, at_ - from);
+      node.end_keeps_line =
+          is_kept() && !node.children.empty() &&
+          line_ends(text_.find_last_not_of(blanks, at_ - 1), at_) == 0;
       at_ = std::min(text_.find('>', at_), text_.size() - 1) + 1;
     }
     node.raw = text_.substr(begin, at_ - begin);
@@ -103,7 +126,10 @@ private:
   }
 
   std::string_view text_;
+  std::vector<Allowance> allowances_;
   std::size_t at_ = 0;
+  std::uint32_t line_ = 1; // of the place counted_
+  std::size_t counted_ = 0;
 };
 
 } // namespace

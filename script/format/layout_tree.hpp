@@ -19,7 +19,11 @@ struct LayoutNode {
   std::string_view inside;              // between its tags; of <a/>: empty
   // How it stood behind what was before it:
   bool on_same_line = false;
+  std::string_view gap; // the blanks between, on the same line
   bool after_empty_line = false;
+  // A warning is allowed on that line: what stands on it stays together.
+  bool keeps_line = false;
+  bool end_keeps_line = false; // its end tag, behind what is inside
 
   bool is_one_line() const {
     return raw.find('\n') == std::string_view::npos;

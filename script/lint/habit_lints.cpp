@@ -12,38 +12,20 @@ namespace {
 
 // -- conditions ---------------------------------------------------------------
 
-// What is wrong with a part of a condition that counts by its truth alone;
-// `joined`: by 'and' or 'or' with others.
-std::string always_true(const Node& node, bool joined) {
-  if (node.kind == NodeKind::string && !node.text.empty())
-    return joined ? "the text '" + node.text +
-                        "' by itself always counts as true; compare it, too: "
-                        "x == 'a' or x == '" +
-                        node.text + "'"
-                  : "a text always counts as true; leave out the quotes around "
-                    "the condition";
-  if (node.kind == NodeKind::integer && node.integer != 0 && joined)
-    return "the number " + std::to_string(node.integer) +
-           " by itself always counts as true; compare it, too: x == 1 or x "
-           "== " +
-           std::to_string(node.integer);
+// A place counts as true wherever it is, and where there is none.
+std::string always_true_in(const Node& node) {
   if (node.kind == NodeKind::call &&
       (node.text == "find" || node.text == "indexof"))
     return "'" + node.text +
            "' gives the place, from 0 on, and -1 where there is none, which "
            "counts as true; write contains(…), or compare: " +
            node.text + "(…) ge 0";
-  return {};
-}
-
-std::string always_true_in(const Node& node, bool joined) {
   const bool joins =
       node.kind == NodeKind::both || node.kind == NodeKind::either;
-  if (!joins && node.kind != NodeKind::invert)
-    return always_true(node, joined);
-  for (const auto& child : node.children)
-    if (auto fault = always_true_in(*child, joined || joins); !fault.empty())
-      return fault;
+  if (joins || node.kind == NodeKind::invert)
+    for (const auto& child : node.children)
+      if (auto fault = always_true_in(*child); !fault.empty())
+        return fault;
   return {};
 }
 
@@ -51,7 +33,7 @@ void lint_condition(const Attribute& attribute, Findings& findings) {
   const auto parsed = parse_expression(attribute.value);
   if (!parsed.node)
     return;
-  if (auto fault = always_true_in(*parsed.node, false); !fault.empty())
+  if (auto fault = always_true_in(*parsed.node); !fault.empty())
     warn(findings, "always-true", attribute.value_position, std::move(fault));
 }
 

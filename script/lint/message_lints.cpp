@@ -1,5 +1,5 @@
-// unknown-module, unknown-command and unknown-event, from the table of roles;
-// unknown-act of what is said.
+// unknown-module, unknown-command, unknown-event and unfilled-role, from the
+// table of roles; unknown-act of what is said.
 #include <algorithm>
 
 #include "runtime/base/roles.hpp"
@@ -24,17 +24,27 @@ public:
   MessageLint(const Subject& subject, Findings& findings)
       : subject_(subject), findings_(findings),
         modules_(known_sources(subject.program, agents_of(subject.settings))) {
+    const auto agents = agents_of(subject.settings);
+    const auto known = modules_.size();
     for (const auto& document : subject.documents)
       add_names_made(document.root, modules_);
+    comes_later_ = !agents.empty() || modules_.size() > known;
   }
 
+  // The element and all inside of it.
+  void look_at(const Element& element, const ElementRule& rule);
+
+private:
   void message(const Element& element);
   void subscription(const Element& element);
   void phrase(const Element& element);
   void route(const Element& element);
-
-private:
+  void statement(const Element& element);
+  bool is_missing(const std::string& name) const;
+  bool never_comes(const Element& source) const;
   bool check_module(std::string name, Position position);
+  void check_role(const std::string& name, Position position);
+  bool is_filled(std::string_view role) const;
   void check_command(const std::string& module, const Attribute& command);
   std::vector<std::string> roles_of(const std::string& module) const;
   std::vector<std::string> own_commands(const std::string& module) const;
@@ -42,6 +52,7 @@ private:
   const Subject& subject_;
   Findings& findings_;
   std::vector<std::string> modules_;
+  bool comes_later_ = false; // what nobody knows before
 };
 
 // A file by itself does not know which components there will be: only what
@@ -69,6 +80,41 @@ MessageLint::roles_of(const std::string& module) const {
   const auto& known = subject_.options.component_roles;
   const auto found = known.find(module);
   return found == known.end() ? std::vector<std::string>() : found->second;
+}
+
+bool MessageLint::is_filled(std::string_view role) const {
+  const auto& known = subject_.options.component_roles;
+  return std::any_of(known.begin(), known.end(), [role](const auto& component) {
+    const auto& roles = component.second;
+    return std::any_of(roles.begin(), roles.end(), [role](const auto& one) {
+      return canonical_role(one) == role;
+    });
+  });
+}
+
+// Where nothing comes later: a plug-in that a script loads, a remote agent.
+bool MessageLint::is_missing(const std::string& name) const {
+  const auto* role = find_role(name);
+  return role && !role->reserved && !comes_later_ &&
+         !subject_.options.component_roles.empty() && !is_filled(role->name);
+}
+
+// What happens on an event of such a role does not happen; but what is typed is
+// an event of the recogniser.
+bool MessageLint::never_comes(const Element& source) const {
+  const auto name = source.is("on") ? source.value("source") : source.name;
+  return canonical_role(name) != "ASR" && is_missing(name);
+}
+
+void MessageLint::check_role(const std::string& name, Position position) {
+  if (!is_missing(name))
+    return;
+  const auto* role = find_role(name);
+  warn(findings_, "unfilled-role", position,
+       "no component fills the role '" + role->name + "', which " +
+           role->sentence +
+           ": the message is lost; name a plug-in for it in <Plugins> of the "
+           "settings (parlour plugin list)");
 }
 
 // Those that components so called, or that fill the role so called, add.
@@ -111,7 +157,10 @@ void MessageLint::check_command(const std::string& module,
 void MessageLint::message(const Element& element) {
   const auto* module = element.attribute("module");
   const auto* command = element.attribute("command");
-  if (module && check_module(module->value, module->value_position) && command)
+  if (!module || !check_module(module->value, module->value_position))
+    return;
+  check_role(module->value, module->value_position);
+  if (command)
     check_command(module->value, *command);
 }
 
@@ -150,25 +199,41 @@ void MessageLint::phrase(const Element& element) {
 void MessageLint::route(const Element& element) {
   if (const auto* to = element.attribute("to"))
     for (const auto& name : split_names(to->value))
-      check_module(name, to->value_position);
+      if (check_module(name, to->value_position))
+        check_role(name, to->value_position);
+}
+
+void MessageLint::statement(const Element& element) {
+  if (element.is("post") || element.is("request"))
+    message(element);
+  else if (element.is("subscribe") || element.is("unsubscribe"))
+    subscription(element);
+  else if (element.is("say") && element.attribute("act"))
+    phrase(element);
+}
+
+void MessageLint::look_at(const Element& element, const ElementRule& rule) {
+  if (is_statement(rule))
+    statement(element);
+  else if (element.is("relay") || element.is("filter"))
+    route(element);
+  const bool holds_sources = std::find(rule.holds.begin(), rule.holds.end(),
+                                       "sources") != rule.holds.end();
+  for (const auto& child : element.children)
+    if (const auto* inside = find_rule(child.name, rule.holds);
+        inside && !(holds_sources && never_comes(child)))
+      look_at(child, *inside);
 }
 
 } // namespace
 
 void lint_messages(const Subject& subject, Findings& findings) {
   MessageLint lint(subject, findings);
-  walk(subject, false, [&](const Element& element, const ElementRule& rule) {
-    if (is_statement(rule) && (element.is("post") || element.is("request")))
-      lint.message(element);
-    else if (is_statement(rule) &&
-             (element.is("subscribe") || element.is("unsubscribe")))
-      lint.subscription(element);
-    else if (is_statement(rule) && element.is("say") &&
-             element.attribute("act"))
-      lint.phrase(element);
-    else if (element.is("relay") || element.is("filter"))
-      lint.route(element);
-  });
+  for (const auto& document : subject.documents)
+    if (!document.platform)
+      lint.look_at(document.root, rule_of(document.root));
+  if (subject.settings)
+    lint.look_at(*subject.settings, rule_of(*subject.settings));
 }
 
 } // namespace parlour::script::lint

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "script/attribute_check.hpp"
 #include "script/expression_compiler.hpp"
 
 namespace parlour::script::lint {
@@ -12,47 +13,43 @@ bool contains(const std::vector<std::string>& words, const char* word) {
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
-void visit_whole(std::string_view text,
-                 const std::function<void(const Node&)>& visit) {
-  if (const auto parsed = parse_expression(text); parsed.node)
-    visit(*parsed.node);
+void visit_whole(const Source& source, const VisitNode& visit) {
+  if (const auto parsed = parse_expression(source.text); parsed.node)
+    visit(*parsed.node, source);
 }
 
-void visit_embedded(std::string_view text,
-                    const std::function<void(const Node&)>& visit) {
-  if (text.find('{') == std::string_view::npos)
+void visit_embedded(const Source& source, const VisitNode& visit) {
+  if (source.text.find('{') == std::string_view::npos)
     return;
-  for (const auto& part : ExpressionCompiler::split_text({text, {}}))
+  for (const auto& part : ExpressionCompiler::split_text(source))
     if (part.node)
-      visit(*part.node);
+      visit(*part.node, part.source);
 }
 
 // What `<set name="list[i].key">` reads: all but a plain name.
-void visit_target(std::string_view text,
-                  const std::function<void(const Node&)>& visit) {
-  const auto parsed = parse_expression(text);
+void visit_target(const Source& source, const VisitNode& visit) {
+  const auto parsed = parse_expression(source.text);
   if (parsed.node && parsed.node->kind != NodeKind::name)
-    visit(*parsed.node);
+    visit(*parsed.node, source);
 }
 
 void visit_attribute(const Attribute& attribute, const ElementRule& element,
-                     const AttributeRule& rule,
-                     const std::function<void(const Node&)>& visit) {
+                     const AttributeRule& rule, const VisitNode& visit) {
   using enum AttributeKind;
-  const std::string_view value = attribute.value;
+  const auto source = source_of(attribute);
   if (rule.name == "args") {
-    if (const auto parsed = parse_arguments(value); parsed.node)
-      visit(*parsed.node);
+    if (const auto parsed = parse_arguments(source.text); parsed.node)
+      visit(*parsed.node, source);
   } else if (rule.kind == expression) {
-    visit_whole(value, visit);
+    visit_whole(source, visit);
   } else if (rule.kind == text_or_expression) {
-    visit_whole(value, visit);
-    visit_embedded(value, visit);
+    visit_whole(source, visit);
+    visit_embedded(source, visit);
   } else if ((rule.name == "name" || rule.name == "return") &&
              is_statement(element) && rule.kind == literal) {
-    visit_target(value, visit);
+    visit_target(source, visit);
   } else {
-    visit_embedded(value, visit);
+    visit_embedded(source, visit);
   }
 }
 
@@ -87,13 +84,28 @@ void walk(const Subject& subject, bool platform, const Visit& visit) {
     walk(*subject.settings, rule_of(*subject.settings), visit);
 }
 
-void visit_expressions(const Element& element, const ElementRule& rule,
-                       const std::function<void(const Node&)>& visit) {
+void visit_nodes(const Element& element, const ElementRule& rule,
+                 const VisitNode& visit) {
   for (const auto& attribute : element.attributes)
     if (const auto* known = rule.attribute(attribute.name))
       visit_attribute(attribute, rule, *known, visit);
-  if (rule.holds_text())
-    visit_embedded(element.text, visit);
+  if (!rule.holds_text())
+    return;
+  const auto text = collapsed(element.text);
+  visit_embedded({text, element.text_position, true}, visit);
+}
+
+void visit_expressions(const Element& element, const ElementRule& rule,
+                       const std::function<void(const Node&)>& visit) {
+  visit_nodes(element, rule,
+              [&](const Node& node, const Source&) { visit(node); });
+}
+
+void visit_below(const Node& node,
+                 const std::function<void(const Node&)>& visit) {
+  visit(node);
+  for (const auto& child : node.children)
+    visit_below(*child, visit);
 }
 
 void mentions_of(const Node& node, Mentions& mentions) {
@@ -123,9 +135,28 @@ Mentions all_mentions(const Element& element, const ElementRule& rule) {
   return mentions;
 }
 
+std::set<std::string> declared_names(const Subject& subject) {
+  std::set<std::string> names{"this"};
+  walk(subject, true, [&](const Element& element, const ElementRule&) {
+    for (const auto* attribute : {"name", "return", "each", "index"})
+      if (const auto value = element.value(attribute); is_identifier(value))
+        if (element.is("var") || element.is("const") || element.is("param") ||
+            element.is("object") || element.is("getlist") ||
+            element.is("for") || element.is("catch") ||
+            std::string_view(attribute) == "return")
+          names.insert(value);
+  });
+  return names;
+}
+
 void warn(Findings& findings, const char* lint, Position position,
           std::string message) {
-  findings.add({Severity::warning, {position}, std::move(message), lint});
+  warn(findings, lint, Spot{position}, std::move(message));
+}
+
+void warn(Findings& findings, const char* lint, const Spot& spot,
+          std::string message) {
+  findings.add({Severity::warning, spot, std::move(message), lint});
 }
 
 } // namespace parlour::script::lint

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "script/code_builder.hpp"
 #include "script/element_table.hpp"
 #include "script/expression.hpp"
 #include "script/lint/lint.hpp"
@@ -35,9 +36,16 @@ void walk(const Element& element, const ElementRule& rule, const Visit& visit);
 void walk(const Subject& subject, bool platform, const Visit& visit);
 
 // The trees of all expressions in an element's own attributes and text: of
-// those that are one, and of those embedded in text.
+// those that are one, and of those embedded in text; with where each stands.
+using VisitNode = std::function<void(const Node&, const Source&)>;
+void visit_nodes(const Element& element, const ElementRule& rule,
+                 const VisitNode& visit);
 void visit_expressions(const Element& element, const ElementRule& rule,
                        const std::function<void(const Node&)>& visit);
+
+// Calls `visit` for the node and all below it.
+void visit_below(const Node& node,
+                 const std::function<void(const Node&)>& visit);
 
 // Names of variables that an element's own attributes read, and functions that
 // they call. What may be a text or an expression counts as both.
@@ -55,10 +63,15 @@ Mentions all_mentions(const Element& element, const ElementRule& rule);
 // The rule of a document's or the settings' outermost element.
 const ElementRule& rule_of(const Element& root);
 
+// Every name that anything in the application gives to a variable; and "this".
+std::set<std::string> declared_names(const Subject& subject);
+
 bool is_statement(const ElementRule& rule);
 bool is_computed(std::string_view text); // has a brace
 
 void warn(Findings& findings, const char* lint, Position position,
+          std::string message);
+void warn(Findings& findings, const char* lint, const Spot& spot,
           std::string message);
 
 } // namespace parlour::script::lint

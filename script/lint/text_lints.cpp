@@ -1,29 +1,16 @@
 // text-like-expression: braces that embed nothing although a variable stands
 // in them. (What no braces are needed for, the compiler tells.)
+#include <algorithm>
 #include <cctype>
+#include <map>
 
-#include "script/attribute_check.hpp"
+#include "script/builtins.hpp"
 #include "script/lint/passes.hpp"
 #include "script/plain_brace.hpp"
 
 namespace parlour::script::lint {
 
 namespace {
-
-// Every name that anything in the application gives to a variable.
-std::set<std::string> declared_names(const Subject& subject) {
-  std::set<std::string> names{"this"};
-  walk(subject, true, [&](const Element& element, const ElementRule&) {
-    for (const auto* attribute : {"name", "return", "each", "index"})
-      if (const auto value = element.value(attribute); is_identifier(value))
-        if (element.is("var") || element.is("const") || element.is("param") ||
-            element.is("object") || element.is("getlist") ||
-            element.is("for") || element.is("catch") ||
-            std::string_view(attribute) == "return")
-          names.insert(value);
-  });
-  return names;
-}
 
 std::string first_word(std::string_view text) {
   std::string word;
@@ -41,21 +28,29 @@ struct Text {
   std::string_view text;
   Position position;
   bool collapsed = false;
-  bool is_spoken = false; // a brace in it is hardly meant
+  bool is_spoken = false;    // a brace in it is hardly meant
+  bool may_be_heard = false; // or read; not SQL, names of files and the like
 };
 
 class TextLint {
 public:
-  TextLint(const std::set<std::string>& names, Findings& findings)
-      : names_(names), findings_(findings) {}
+  TextLint(const Subject& subject, Findings& findings)
+      : names_(declared_names(subject)), functions_(subject.program.functions),
+        findings_(findings) {}
 
   void look_at(const Text& text) {
     if (!look_for_variables(text) && text.is_spoken)
       look_for_braces(text);
+    if (text.may_be_heard)
+      look_for_foreign(text);
   }
 
 private:
+  bool is_known(std::string_view inner, const std::string& word) const;
   bool look_for_variables(const Text& text);
+  void look_at_brace(const Text& text, std::size_t at);
+  void look_for_foreign(const Text& text);
+  std::string meant_by(std::string_view inner, const std::string& word) const;
   void look_for_braces(const Text& text);
   void warn_at(const Text& text, std::size_t at, std::size_t length,
                std::string message) {
@@ -65,7 +60,8 @@ private:
                    "text-like-expression"});
   }
 
-  const std::set<std::string>& names_;
+  std::set<std::string> names_;
+  const std::map<std::string, CodeId, std::less<>>& functions_;
   Findings& findings_;
 };
 
@@ -77,35 +73,98 @@ void TextLint::look_for_braces(const Text& text) {
             "brace that is meant write '{{' or '}}'");
 }
 
+// What the author may have meant by it, in one sentence.
+std::string TextLint::meant_by(std::string_view inner,
+                               const std::string& word) const {
+  const auto parsed = parse_expression(inner);
+  const auto known = [this](const std::string& name) {
+    return names_.count(name) > 0;
+  };
+  const auto slips = parsed.node
+                         ? std::vector<ExpressionSlip>()
+                         : find_slips(inner, parsed, Wanted::value, known);
+  // Words behind a name tell no more.
+  const bool only_words =
+      std::all_of(inner.begin(), inner.end(), [](char letter) {
+        return letter == ' ' ||
+               std::isalnum(static_cast<unsigned char>(letter)) != 0;
+      });
+  return slips.empty() || only_words ? "for the variable write {" + word + "}"
+                                     : slips.front().message;
+}
+
+// A variable, or a function that is called.
+bool TextLint::is_known(std::string_view inner, const std::string& word) const {
+  const auto behind = inner.substr(inner.find(word) + word.size());
+  return names_.count(word) > 0 ||
+         (behind.starts_with('(') &&
+          (is_builtin(word) || functions_.count(word) > 0));
+}
+
+void TextLint::look_at_brace(const Text& text, std::size_t at) {
+  const auto all = text.text;
+  const bool doubled = at + 1 < all.size() && all[at + 1] == '{';
+  const auto inner = all.substr(at + (doubled ? 2 : 1));
+  const auto close = inner.find('}');
+  const auto word = first_word(inner);
+  if (word.empty() || !is_known(inner, word) ||
+      (!doubled && plain_brace(all.substr(at)) != 0))
+    return;
+  if (close == std::string_view::npos)
+    return warn_at(text, at, 1,
+                   "this brace embeds nothing, as it is not closed; for the "
+                   "variable write {" +
+                       word + "}");
+  const auto inside = inner.substr(0, close);
+  if (doubled)
+    return warn_at(text, at, close + 4,
+                   "doubled braces are said as they are; for the variable "
+                   "write {" +
+                       mended(inside).value_or(word) + "}");
+  if (!parse_expression(inside).node)
+    warn_at(text, at, close + 2,
+            "these braces are said as they are, as what is inside is no "
+            "expression: " +
+                meant_by(inside, word));
+}
+
 // Whether there was anything to warn of.
 bool TextLint::look_for_variables(const Text& text) {
   constexpr auto npos = std::string_view::npos;
   const auto all = text.text;
   const auto before = findings_.all().size();
   for (auto at = all.find('{'); at != npos; at = all.find('{', at + 1)) {
-    const bool doubled = at + 1 < all.size() && all[at + 1] == '{';
-    const auto inner = all.substr(at + (doubled ? 2 : 1));
-    const auto close = inner.find('}');
-    const auto word = first_word(inner);
-    at += doubled ? 1 : 0;
-    if (!names_.count(word))
-      continue;
-    if (close == npos)
-      warn_at(text, at, 1,
-              "this brace embeds nothing, as it is not closed; for the "
-              "variable write {" +
-                  word + "}");
-    else if (doubled)
-      warn_at(text, at - 1, close + 4,
-              "doubled braces are said as they are; for the variable write {" +
-                  word + "}");
-    else if (!parse_expression(inner.substr(0, close)).node)
-      warn_at(text, at, close + 2,
-              "these braces are said as they are, as what is inside is no "
-              "expression; for the variable write {" +
-                  word + "}");
+    look_at_brace(text, at);
+    if (at + 1 < all.size() && all[at + 1] == '{')
+      ++at;
   }
   return findings_.all().size() > before;
+}
+
+// $name, ${name}, #{name}, %name% and {% … %}, as other languages embed.
+void TextLint::look_for_foreign(const Text& text) {
+  const auto all = text.text;
+  for (std::size_t at = 0; at + 1 < all.size(); ++at) {
+    const char sign = all[at];
+    if (sign == '{' && all[at + 1] == '%')
+      return warn_at(text, at, 2,
+                     "'{%' is said as it is; conditions and loops are "
+                     "elements here: <if>, <for>");
+    const bool braced = all[at + 1] == '{';
+    if ((sign != '$' && sign != '%' && !(sign == '#' && braced)) ||
+        (at > 0 && std::isalnum(static_cast<unsigned char>(all[at - 1]))))
+      continue;
+    const auto inner = all.substr(at + (braced ? 2 : 1));
+    const auto word = first_word(inner);
+    if (!names_.count(word) || !inner.starts_with(word) ||
+        (sign == '%' &&
+         (braced || !inner.substr(word.size()).starts_with('%'))))
+      continue;
+    warn_at(text, at, 1,
+            "this '" + std::string(1, sign) +
+                "' is said as it is; for the variable write {" + word + "}");
+    at += word.size();
+  }
 }
 
 // What is said as it stands there.
@@ -116,11 +175,15 @@ bool is_spoken(const Element& element, const std::string& attribute) {
          (element.is("constraint") && attribute == "message");
 }
 
+bool may_be_heard(const Element& element, const std::string& attribute) {
+  return is_spoken(element, attribute) ||
+         ((element.is("print") || element.is("log")) && attribute == "param");
+}
+
 } // namespace
 
 void lint_texts(const Subject& subject, Findings& findings) {
-  const auto names = declared_names(subject);
-  TextLint lint(names, findings);
+  TextLint lint(subject, findings);
   std::set<const Element*> wordings; // of questions and explanations
   walk(subject, false, [&](const Element& element, const ElementRule& rule) {
     using enum AttributeKind;
@@ -130,16 +193,17 @@ void lint_texts(const Subject& subject, Findings& findings) {
           (known->kind == text || (known->kind == text_or_expression &&
                                    !parse_expression(attribute.value).node)))
         lint.look_at({attribute.value, attribute.value_position, false,
-                      is_spoken(element, attribute.name)});
+                      is_spoken(element, attribute.name),
+                      may_be_heard(element, attribute.name)});
     }
     if (element.is("help") || element.is("explain"))
       for (const auto& wording : element.children)
         wordings.insert(&wording);
     const bool is_said = element.is("phrase") || element.is("value");
-    if (is_said && element.text.find('{') != std::string::npos) {
+    if (is_said && element.text.find_first_of("{$%") != std::string::npos) {
       const auto said = collapsed(element.text);
-      lint.look_at(
-          {said, element.text_position, true, wordings.count(&element) > 0});
+      lint.look_at({said, element.text_position, true,
+                    wordings.count(&element) > 0, true});
     }
   });
 }

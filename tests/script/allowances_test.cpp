@@ -11,13 +11,34 @@ TEST(Allowances, are_read_from_comments) {
                                    "<b/> <!--check: allow three-->\n"
                                    "<!-- check: allow four in this file -->");
   ASSERT_EQ(all.size(), 3u);
-  EXPECT_EQ(all[0].line, 2u);
-  EXPECT_TRUE(all[0].alone);
+  EXPECT_EQ(all[0].first, 2u);
+  EXPECT_EQ(all[0].last, 3u);
   EXPECT_THAT(all[0].names, ElementsAre("one", "two"));
-  EXPECT_EQ(all[1].line, 3u);
-  EXPECT_FALSE(all[1].alone);
+  EXPECT_EQ(all[1].first, 3u);
+  EXPECT_EQ(all[1].last, 3u);
   EXPECT_TRUE(all[2].whole_file);
   EXPECT_THAT(all[2].names, ElementsAre("four"));
+}
+
+TEST(Allowances, are_for_all_lines_of_a_tag) {
+  const auto above = read_allowances("<a>\n<!-- check: allow one -->\n"
+                                     "<b\n x='1'\n y='2'/>\n<c/></a>");
+  ASSERT_EQ(above.size(), 1u);
+  EXPECT_EQ(above[0].first, 2u);
+  EXPECT_EQ(above[0].last, 5u);
+  const auto behind =
+      read_allowances("<a>\n<b\n x='1'/> <!-- check: allow one -->\n<c/></a>");
+  ASSERT_EQ(behind.size(), 1u);
+  EXPECT_EQ(behind[0].first, 2u);
+  EXPECT_EQ(behind[0].last, 3u);
+}
+
+TEST(Allowances, may_stand_one_below_the_other) {
+  const auto all = read_allowances("<!-- check: allow one -->\n"
+                                   "<!-- check: allow two -->\n<a/>\n<b/>");
+  ASSERT_EQ(all.size(), 2u);
+  EXPECT_EQ(all[0].last, 3u);
+  EXPECT_EQ(all[1].last, 3u);
 }
 
 TEST(Allowances, stand_in_comments_only) {

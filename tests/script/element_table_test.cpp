@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -103,6 +104,20 @@ TEST(ElementTable, has_words_for_every_choice_and_no_attribute_twice) {
           << rule.name << " " << attribute.name;
     }
   }
+}
+
+TEST(ElementTable, has_forms_of_attributes_that_are_there) {
+  for (const auto& rule : element_table())
+    for (const auto& form : rule.forms)
+      for (const auto& part : form.parts) {
+        const auto* attribute = rule.attribute(part.attribute);
+        ASSERT_TRUE(attribute) << rule.name << " " << part.attribute;
+        for (const auto& value : part.values)
+          EXPECT_NE(std::find(attribute->words.begin(), attribute->words.end(),
+                              value),
+                    attribute->words.end())
+              << value;
+      }
 }
 
 TEST(ElementTable, names_alternatives) {

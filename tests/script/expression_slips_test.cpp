@@ -12,6 +12,7 @@ struct Wrong {
   const char* text;
   const char* said; // "offset: message" of each, a line each
   const char* mended = nullptr;
+  Wanted wanted = Wanted::value;
 };
 
 void PrintTo(const Wrong& wrong, std::ostream* stream) {
@@ -26,7 +27,7 @@ TEST_P(ExpressionSlips, say_what_to_write_instead) {
   const std::string text = GetParam().text;
   const auto parsed = parse_expression(text);
   ASSERT_FALSE(parsed.node);
-  const auto slips = find_slips(text, parsed);
+  const auto slips = find_slips(text, parsed, GetParam().wanted);
   std::string said;
   for (const auto& slip : slips)
     said += std::to_string(slip.offset) + ": " + slip.message + '\n';
@@ -44,7 +45,17 @@ TEST_P(ExpressionSlips, say_what_to_write_instead) {
 INSTANTIATE_TEST_SUITE_P(
     signs, ExpressionSlips,
     testing::Values(
-        Wrong{"a = 1", "2: '=' does not compare; write '=='\n", "a == 1"},
+        Wrong{"a = 1", "2: '=' does not compare; write '=='\n", "a == 1",
+              Wanted::condition},
+        Wrong{"a = 1", "2: '=' assigns nothing here; write the value alone, 1, "
+                       "or '==' to compare\n"},
+        Wrong{"a = 1",
+              "2: the value stands in expr: <set name=\"a\" expr=\"1\"/>\n",
+              nullptr, Wanted::target},
+        Wrong{"++n", "0: an expression changes nothing; write <set name=\"n\" "
+                     "expr=\"n + 1\"/>\n"},
+        Wrong{"n++ + 1", "1: an expression changes nothing; write <set "
+                         "name=\"n\" expr=\"n + 1\"/>\n"},
         Wrong{"a === 1", "2: '===' is written '=='\n", "a == 1"},
         Wrong{"a !== 1", "2: '!==' is written '!='\n", "a != 1"},
         Wrong{"a <> 1", "2: '<>' is written '!='\n", "a != 1"},
@@ -60,10 +71,16 @@ INSTANTIATE_TEST_SUITE_P(
                         "name=\"n\" expr=\"n + 2\"/>\n"},
         Wrong{"n++", "1: an expression changes nothing; write <set "
                      "name=\"n\" expr=\"n + 1\"/>\n"},
-        Wrong{"a & b",
-              "2: a single '&' has no meaning here; write 'and', or "
-              "+ to join texts\n",
+        Wrong{"a & b", "2: a single '&' has no meaning here; write 'and'\n",
               "a and b"},
+        Wrong{"a & 'b'", "2: texts are joined by '+'\n", "a + 'b'"},
+        Wrong{"a | upper",
+              "0: a function stands before what it works on: upper(a)\n",
+              "upper(a)"},
+        Wrong{"f(l, x => x)",
+              "7: '=>' has no meaning in brackets: a function is declared by "
+              "<function>, a map is {'key': value}\n"},
+        Wrong{"a ?: b", "2: '?:' is written: isknown(a) ? a : b\n"},
         Wrong{"1,5", "0: a fraction is written with a point: 1.5\n", "1.5"},
         Wrong{"2 * .5", "4: a fraction has a digit before its point: 0.5\n",
               "2 * 0.5"},
@@ -90,6 +107,29 @@ INSTANTIATE_TEST_SUITE_P(
               "3: this apostrophe ends the text; inside of quotes "
               "it is written \\'\n",
               "'it\\'s'"},
+        Wrong{"'Don't' + a + 'isn't'",
+              "4: this apostrophe ends the text; inside of quotes it is "
+              "written \\'\n"
+              "18: this apostrophe ends the text; inside of quotes it is "
+              "written \\'\n",
+              "'Don\\'t' + a + 'isn\\'t'"},
+        Wrong{"'yes'or'no", "7: the text that begins here has no closing "
+                            "quote; expected another '\n"},
+        Wrong{"'\\d+'", "1: a backslash in a text is written twice: \\\\d\n",
+              "'\\\\d+'"},
+        Wrong{"'\\u00e9'",
+              "1: a character's number stands in braces: \\u{00e9}\n",
+              "'\\u{00e9}'"},
+        Wrong{"the door stands open",
+              "0: this reads like text, and a condition is expected, such as "
+              "door == 'open'\n",
+              nullptr, Wanted::condition},
+        Wrong{"{a gt 1}",
+              "0: an expression stands here without braces: a gt 1\n",
+              "a gt 1"},
+        Wrong{"{a = 1}",
+              "0: an expression stands here without braces: a == 1\n", "a == 1",
+              Wanted::condition},
         Wrong{"'Hello", "0: the text that begins here has no closing quote; "
                         "expected another '\n"},
         Wrong{"'a' 'b'", "4: an operator is missing before this; + joins "
@@ -119,7 +159,17 @@ INSTANTIATE_TEST_SUITE_P(
               "length(name) > 3"},
         Wrong{"list.push(3)",
               "0: a function stands before what it works on: append(list, "
-              "…)\n"},
+              "3)\n",
+              "append(list, 3)"},
+        Wrong{"a.mine(3)",
+              "0: a function stands before what it works on: mine(a, 3)\n"},
+        Wrong{"Math.max(a, 3)", "0: a function stands by itself here: max(…)\n",
+              "max(a, 3)"},
+        Wrong{"JSON.stringify(a)",
+              "0: a function stands by itself here: tojson(…)\n", "tojson(a)"},
+        Wrong{"a not in b", "0: 'not' stands first: not a in …\n",
+              "not a in b"},
+        Wrong{"typeof a", "0: there is no 'typeof' here; write type(x)\n"},
         Wrong{"10min", "0: '10min' is neither a number nor a name, which "
                        "begins with a letter; a text stands in quotes: "
                        "'10min'\n"},
@@ -131,12 +181,46 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Wrong{"length(a", "6: this '(' is not closed; ')' is missing\n"},
         Wrong{"(a + 1", "0: this '(' is not closed; ')' is missing\n"},
+        Wrong{"a in (1, 2)", "5: a list stands in square brackets: [1, 2]\n",
+              "a in [1, 2]"},
+        Wrong{"l[1:2]", "0: a part of a list is given by: slice(l, 1, 2)\n",
+              "slice(l, 1, 2)"},
+        Wrong{"l[:2]", "0: a part of a list is given by: slice(l, 0, 2)\n",
+              "slice(l, 0, 2)"},
+        Wrong{"a ? 1", "2: a choice has two values: condition ? value : "
+                       "otherwise\n"},
         Wrong{"f(a b)", "4: ',' or ')' is missing before 'b'\n"},
         Wrong{"a + 1)", "5: this ')' closes nothing\n"},
         Wrong{"a +", "2: a value is missing behind '+'\n"},
         Wrong{"(a +)", "4: a value is missing before this ')'\n"},
         Wrong{"1 lt 2 lt 3",
               "7: comparisons do not chain; join them with 'and'\n"}));
+
+// One that is not mended leaves no other sure.
+TEST(FindSlips, correct_all_or_nothing) {
+  const std::string text = "a AND b + ";
+  for (const auto& slip : find_slips(text, parse_expression(text)))
+    EXPECT_FALSE(slip.replacement) << slip.message;
+}
+
+TEST(FindSlips, know_what_is_declared) {
+  const auto said = [](const std::string& text) {
+    const auto slips =
+        find_slips(text, parse_expression(text), Wanted::value,
+                   [](const std::string& name) { return name == "door"; });
+    return slips.empty() ? "" : slips.front().message;
+  };
+  EXPECT_EQ(said("door is open"), "'is' is written '=='");
+  EXPECT_EQ(said("this is open"),
+            "this reads like text, and an expression is expected; a text "
+            "stands in quotes: 'this is open'");
+}
+
+TEST(Mended, is_an_expression_or_nothing) {
+  EXPECT_EQ(mended("a AND b"), "a and b");
+  EXPECT_EQ(mended("a + b"), "a + b");
+  EXPECT_FALSE(mended("a +"));
+}
 
 TEST(QuotedText, escapes_quotes_and_backslashes) {
   EXPECT_EQ(quoted_text("it's \\"), "'it\\'s \\\\'");

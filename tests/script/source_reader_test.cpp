@@ -94,7 +94,7 @@ INSTANTIATE_TEST_SUITE_P(
                                "element"},
         NotWellFormed{"x<a>y</a>", "a.xml:1:1: error: text outside of the root "
                                    "element"},
-        NotWellFormed{"<?xml?><!-- y --> <a/>\n <!-- z --> x y",
+        NotWellFormed{"<?x?><!-- y --> <a/>\n <!-- z --> x y",
                       "a.xml:2:13: error: text outside of the root element"},
         NotWellFormed{"x", "a.xml:1:1: error: there is no element in this "
                            "file"},
@@ -104,7 +104,8 @@ INSTANTIATE_TEST_SUITE_P(
                       "a.xml:1:1: error: 'x:a' has a prefix; names here "
                       "have none"},
         NotWellFormed{"<a x='1' x='2'/>",
-                      "a.xml:1:10: error: 'x' is given twice"},
+                      "a.xml:1:10: error: 'x' is given twice; leave "
+                      "one of them out"},
         NotWellFormed{"<a x='1 < 2'/>",
                       "a.xml:1:9: error: '<' in a value must be "
                       "written &lt; (in an expression: lt)"},
@@ -119,7 +120,13 @@ INSTANTIATE_TEST_SUITE_P(
                       "the file as UTF-8"},
         NotWellFormed{"<a>\x01</a>",
                       "a.xml:1:4: error: a control character may "
-                      "not stand in XML"},
+                      "not stand in XML; take it out"},
+        NotWellFormed{"<a>\xef\xbf\xbf</a>",
+                      "a.xml:1:4: error: what stands here is no character; "
+                      "take it out"},
+        NotWellFormed{"<a>&#0;</a>",
+                      "a.xml:1:4: error: &#0; is a character that XML does "
+                      "not allow; take it out"},
         NotWellFormed{"<a><!-- </a>", "a.xml:1:4: error: this comment does not "
                                       "end; expected -->"}));
 

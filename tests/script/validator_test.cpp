@@ -122,6 +122,25 @@ INSTANTIATE_TEST_SUITE_P(
             "11: error: <include> needs the attribute 'href': a file of the "
             "application, or parlour:name"}));
 
+INSTANTIATE_TEST_SUITE_P(
+    forms, Mistakes,
+    testing::Values(
+        Mistake{"<function name='f'><for name='i' in='[1]'/></function>",
+                "30: error: <for> is written <for name=\"i\" from=\"1\" "
+                "to=\"3\"> or <for each=\"x\" in=\"list\">"},
+        Mistake{"<function name='f'><object name='a' class='array'/>"
+                "</function>",
+                "30: error: <object> is written <object name=\"x\" "
+                "class=\"array\" size=\"3\"/>"},
+        Mistake{"<function name='f'><fire/></function>",
+                "30: error: <fire> is written <fire event=\"Name\" "
+                "param=\"value\"/> or <fire param=\"frames\"/>"},
+        Mistake{"<topic name='t'><slot name='s'><cardinality type='number' "
+                "from='1'/></slot></topic>",
+                "42: error: <cardinality> is written <cardinality "
+                "type=\"number\"/> or <cardinality type=\"range\" "
+                "from=\"1\" to=\"9\"/>"}));
+
 TEST(Validator,
      accepts_the_paper_s_spellings_and_either_case_of_first_letters) {
   EXPECT_THAT(judge("<Dialogue><State name='s'><entrance><Print param='x'/>"

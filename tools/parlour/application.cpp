@@ -23,8 +23,9 @@ std::string environment_value(const std::string& name) {
   return value ? value : "";
 }
 
-script::CompileOptions compile_options(const fs::path& platform) {
-  return {platform, environment_value};
+script::CompileOptions compile_options(const fs::path& platform,
+                                       const script::SourceTexts* texts) {
+  return {platform, environment_value, texts};
 }
 
 // A plug-in that reads the platform's files is told where they are.
@@ -38,9 +39,10 @@ void tell_platform(Composition& composition, const fs::path& platform) {
 // The settings of an application whose scripts have errors: its components can
 // be looked at all the same. What is wrong with the settings themselves the
 // compiler has said.
-Settings settings_alone(const fs::path& folder, const fs::path& platform) {
+Settings settings_alone(const fs::path& folder, const fs::path& platform,
+                        const script::SourceTexts* texts) {
   script::Findings said;
-  script::ApplicationLoader loader(folder, platform, said);
+  script::ApplicationLoader loader(folder, platform, said, texts);
   const auto settings =
       loader.read(script::settings_file(folder, platform), {"settings"}, {});
   const auto aliases = loader.read(platform / "aliases.xml", {"aliases"}, {});
@@ -55,10 +57,11 @@ Settings settings_alone(const fs::path& folder, const fs::path& platform) {
 // has a mistake to tell of.
 std::optional<Place> place_of_option(const fs::path& folder,
                                      const fs::path& platform,
+                                     const script::SourceTexts* texts,
                                      const std::string& component,
                                      const std::string& option) {
   script::Findings said;
-  script::ApplicationLoader loader(folder, platform, said);
+  script::ApplicationLoader loader(folder, platform, said, texts);
   const auto settings =
       loader.read(script::settings_file(folder, platform), {"settings"}, {});
   if (!settings)
@@ -110,16 +113,17 @@ bool Application::has_errors() const {
 
 Application load_application(const fs::path& folder, const fs::path& platform,
                              Scrutiny scrutiny,
-                             std::shared_ptr<Catalogue> plugins) {
+                             std::shared_ptr<Catalogue> plugins,
+                             const script::SourceTexts* texts) {
   Application application{folder, platform, nullptr, {}, {}, plugins};
-  auto compiled = compile_folder(folder, platform);
+  auto compiled = compile_folder(folder, platform, texts);
   application.program = compiled.program;
-  application.composition =
-      compose(application.program ? application.program->settings
-                                  : settings_alone(folder, platform),
-              *plugins, [&](const auto& component, const auto& option) {
-                return place_of_option(folder, platform, component, option);
-              });
+  application.composition = compose(
+      application.program ? application.program->settings
+                          : settings_alone(folder, platform, texts),
+      *plugins, [&](const auto& component, const auto& option) {
+        return place_of_option(folder, platform, texts, component, option);
+      });
   tell_platform(application.composition, platform);
   if (scrutiny == Scrutiny::lint)
     lint(compiled, application);
@@ -137,15 +141,17 @@ Application load_application(const fs::path& folder, const fs::path& platform,
 }
 
 script::Compiled compile_folder(const fs::path& folder,
-                                const fs::path& platform) {
+                                const fs::path& platform,
+                                const script::SourceTexts* texts) {
   if (!is_there(script::settings_file(folder, platform)))
     return no_application(folder);
-  return script::compile_application(folder, compile_options(platform));
+  return script::compile_application(folder, compile_options(platform, texts));
 }
 
-script::Compiled load_file(const fs::path& file, const Places& places) {
+script::Compiled load_file(const fs::path& file, const Places& places,
+                           const script::SourceTexts* texts) {
   return script::compile_file(
-      file, compile_options(find_platform(places, file.parent_path())));
+      file, compile_options(find_platform(places, file.parent_path()), texts));
 }
 
 Composition in_memory(Composition composition) {

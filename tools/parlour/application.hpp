@@ -33,17 +33,20 @@ enum class Scrutiny { compile, lint };
 
 // Compiles, checks plug-ins and options, loads the database's SQL in memory,
 // reads the columns that grammars and slots name, builds the understanding.
-// Creates nothing on the disk.
+// Creates nothing on the disk. `texts` stand for files, where it is not null.
 Application load_application(
     const std::filesystem::path& folder, const std::filesystem::path& platform,
     Scrutiny scrutiny = Scrutiny::compile,
-    std::shared_ptr<Catalogue> plugins = std::make_shared<Catalogue>());
+    std::shared_ptr<Catalogue> plugins = std::make_shared<Catalogue>(),
+    const script::SourceTexts* texts = nullptr);
 
 // What the compiler alone says of an application, and of one script file.
 script::Compiled compile_folder(const std::filesystem::path& folder,
-                                const std::filesystem::path& platform);
+                                const std::filesystem::path& platform,
+                                const script::SourceTexts* texts = nullptr);
 script::Compiled load_file(const std::filesystem::path& file,
-                           const Places& places);
+                           const Places& places,
+                           const script::SourceTexts* texts = nullptr);
 
 // Each Database component begins as a copy of its own, in memory where it is
 // SQLite's, of what its schema and seed make (engine rule 7.5).

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <ostream>
 
 #include "script/lint/lint.hpp"
@@ -13,9 +14,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Findings = std::vector<script::Finding>;
-
-// A correction may show what stood behind the mistake; never without end.
-constexpr int most_rounds = 10;
 
 // What is checked: one file, or an application's folder.
 struct Target {
@@ -36,38 +34,42 @@ Expected<Target> find_target(const Places& places, const std::string& app) {
   });
 }
 
-Findings findings_of(const Places& places, const Target& target) {
+Findings findings_of(const Places& places, const Target& target,
+                     const script::SourceTexts& texts) {
   if (!target.is_file)
     return load_application(
                target.path, find_platform(places, target.path), Scrutiny::lint,
-               std::make_shared<Catalogue>(plugin_folders(places, target.path)))
+               std::make_shared<Catalogue>(plugin_folders(places, target.path)),
+               &texts)
         .findings;
-  auto compiled = load_file(target.path, places);
+  auto compiled = load_file(target.path, places, &texts);
   script::lint::lint(compiled, {});
   return compiled.findings.all();
 }
 
-void say_fixed(const Places& places, const std::vector<FixedFile>& files,
+void say_fixed(const Places& places, const Corrected& corrected,
                const Console& console) {
-  for (const auto& file : files)
-    for (const auto& finding : file.fixed)
-      console.err << shown_path(places, file.file) << ':' << finding.place.line
-                  << ':' << finding.place.column
-                  << ": fixed: " << finding.message << '\n';
+  for (const auto& finding : corrected.made)
+    console.err << shown_path(places, finding.place.file) << ':'
+                << finding.place.line << ':' << finding.place.column
+                << ": fixed: " << finding.message << '\n';
+  if (std::any_of(corrected.findings.begin(), corrected.findings.end(),
+                  [](const auto& finding) { return !finding.fix.empty(); }))
+    console.err << "what can be corrected besides would leave more to do than "
+                   "there is now; it is left to you\n";
 }
 
-// Corrects until nothing more can be; leaves the findings that remain.
+// Leaves the findings that remain.
 Expected<void> fix(const Places& places, const Target& target,
                    Findings& findings, const Console& console) {
-  for (int round = 0; round < most_rounds; ++round) {
-    const auto files = fix_files(findings, target.folder());
-    if (!files)
-      return tl::make_unexpected(files.error());
-    if (files->empty())
-      break;
-    say_fixed(places, *files, console);
-    findings = findings_of(places, target);
-  }
+  const auto check = [&](const script::SourceTexts& texts) {
+    return findings_of(places, target, texts);
+  };
+  auto corrected = correct(std::move(findings), check, target.folder());
+  findings = corrected.findings;
+  if (auto written = write_texts(corrected.texts); !written)
+    return written;
+  say_fixed(places, corrected, console);
   return {};
 }
 
@@ -80,7 +82,7 @@ int check_command(const Places& places, const CheckOptions& options,
     say_error(console, target.error().message);
     return exit_code::usage;
   }
-  auto findings = findings_of(places, *target);
+  auto findings = findings_of(places, *target, {});
   if (options.fix)
     if (const auto fixed = fix(places, *target, findings, console); !fixed) {
       say_error(console, to_string(fixed.error()));

@@ -100,15 +100,6 @@ INSTANTIATE_TEST_SUITE_P(
 INSTANTIATE_TEST_SUITE_P(
     conditions, LintCase,
     testing::Values(
-        Linted{"<function name='main'><if cond=\"'n == 2'\"/></function>",
-               "3:33 always-true"},
-        Linted{"<function name='main'><var name='x' expr='1'/><if cond=\"x == "
-               "'a' or 'b'\"/></function>",
-               "3:57 always-true"},
-        Linted{
-            "<function name='main'><var name='x' expr='1'/><if cond=\"not (x "
-            "== 1 or 2)\"/></function>",
-            "3:57 always-true"},
         Linted{"<function name='main'><if cond=\"find('abc', 'a')\"/>"
                "<if cond=\"not indexof([1], 1)\"/></function>",
                "3:33 always-true, 3:62 always-true"},
@@ -380,6 +371,120 @@ INSTANTIATE_TEST_SUITE_P(
                "* from t where a={x}' return='r'/><print "
                "param='r'/></function>",
                ""}));
+
+INSTANTIATE_TEST_SUITE_P(
+    conditions, LintCase,
+    testing::Values(
+        Linted{"<function name='main'><var name='x' expr='1'/>\n"
+               "<if cond='x == 1 or 2'/><if cond='x == 1 or x == 2'/>\n"
+               "<if cond='x and not 2'/><if cond='not x or true'/>\n"
+               "<print param=\"{x or 'none'} {x == 1 or 'none'}\"/>\n"
+               "<print param=\"{'a' ? x : 2}\"/></function>",
+               "4:21 constant-condition, 5:21 constant-condition, "
+               "6:40 constant-condition, 7:16 constant-condition"},
+        Linted{"<function name='main'><while cond='1'/></function>",
+               "3:36 endless-loop"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    fields, LintCase,
+    testing::Values(
+        Linted{"<function name='main'><querydb param='select 1' return='r'/>\n"
+               "<print param='{r.rows[0].a} {r.count} {r.columns}'/>\n"
+               "<print param='{r.row} {r.length}'/></function>",
+               "5:18 unknown-field, 5:26 unknown-field"},
+        Linted{"<function name='main'><var name='l' expr='[1]'/>\n"
+               "<print param='{l.length} {length(l)}'/></function>",
+               "4:18 unknown-field"},
+        // What is also written otherwise may be anything.
+        Linted{"<function name='main'><var name='l' expr='[1]'/>\n"
+               "<set name='l' expr=\"{'length': 1}\"/>\n"
+               "<print param='{l.length}'/></function>",
+               ""},
+        Linted{"<function name='main'><try><throw expr='1'/>\n"
+               "<catch name='e'><print param='{e.message} {e.text}'/></catch>"
+               "</try></function>",
+               "4:46 unknown-field"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    arguments, LintCase,
+    testing::Values(Linted{
+        "<function name='main'>\n"
+        "<print param=\"{format('{0}', 1)} {format('{} {{0}}', 1)}\"/>\n"
+        "<print param=\"{date('yyyy')} {date('%Y')} {time()}\"/>\n"
+        "<print param=\"{spoken(1, 'tme')} {spoken(1, 'time')}\"/>\n"
+        "<print param=\"{sort([1], 'down')} {matches('a', '(')}\"/>\n"
+        "<print param=\"{type(1) == 'int'} {type(1) == 'integer'}\"/>\n"
+        "<object name='a' class='array' size='-1'/><print param='{a}'/>"
+        "</function>",
+        "4:16 odd-argument, 5:16 odd-argument, 6:16 odd-argument, "
+        "7:16 odd-argument, 7:36 odd-argument, 8:24 odd-argument, "
+        "9:38 odd-argument"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    lists, LintCase,
+    testing::Values(Linted{
+        "<function name='main'><var name='x' expr='[1]'/>\n"
+        "<print param='[x]'/><print param='[x, 1]'/>\n"
+        "<speak param='[x, 1]'/><speak param='[laughs]'/>\n"
+        "<for each='y' in='[x]'><print param='{y}'/></for>\n"
+        "<post module='Taxi' command='Book' param='[1, 2]'/>\n"
+        "<post module='Taxi' command='Book' param='[x, 2]'/></function>",
+        "4:15 list-as-text, 5:15 list-as-text, 6:19 list-as-text, "
+        "7:43 text-like-expression"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    events, LintCase,
+    testing::Values(
+        Linted{"<handler name='H'><messages><component><Script>\n"
+               "<raised/>\n<Error/>\n<Nobody/></Script></component></messages>"
+               "</handler>"
+               "<handler name='G'><messages><component><Session><Started>"
+               "<fire event='Raised'/></Started></Session></component>"
+               "</messages></handler>",
+               "6:1 unknown-event"},
+        Linted{"<handler name='G'><messages><component><Session><Started>\n"
+               "<fire event='Raised'/><fire event='{_STATE}'/></Started>"
+               "</Session></component></messages></handler>",
+               "4:14 unhandled-event"},
+        Linted{"<handler name='H'><messages><on source='*' event='Raised'/>"
+               "</messages></handler>"
+               "<handler name='G'><messages><component><Session><Started>"
+               "<fire event='Raised'/></Started></Session></component>"
+               "</messages></handler>",
+               ""}));
+
+INSTANTIATE_TEST_SUITE_P(
+    foreign_texts, LintCase,
+    testing::Values(Linted{
+        "<function name='main'><var name='x' expr='1'/>\n"
+        "<print param='${x} $x %x% #{x}'/>\n"
+        "<print param='5$ 7% #x a$x $y {x}% {% if %}'/>\n"
+        "<print param='{x|upper} {length(x}'/>\n"
+        "<print param='{{x}}'/></function>",
+        "4:15 text-like-expression, 4:20 text-like-expression, "
+        "4:23 text-like-expression, 4:27 text-like-expression, "
+        "5:36 text-like-expression, 6:15 text-like-expression, "
+        "6:25 text-like-expression, 7:15 text-like-expression"}));
+
+// Only an application's components are known.
+TEST(LintRoles, that_nothing_fills_are_told) {
+  test::TemporaryFolder folder;
+  folder.write("settings.xml", "<settings><Scripts><Script>a.xml</Script>"
+                               "</Scripts></settings>");
+  folder.write("a.xml",
+               "<dialogue><handler name='h'><messages><component>\n"
+               "<Record><BufferFull><post module='ASR' "
+               "command='Finish'/></BufferFull></Record>\n"
+               "<Session><Started><post module='Taxi' command='Book'/>\n"
+               "<post module='NLU' command='DoNLU'/></Started></Session>"
+               "</component></messages></handler></dialogue>");
+  auto compiled = compile_application(folder.path(), test::platform());
+  lint(compiled, {{{"Understanding", {"NLU"}}}, {}});
+  ASSERT_EQ(compiled.findings.all().size(), 1u);
+  const auto& finding = compiled.findings.all()[0];
+  EXPECT_EQ(finding.name, "unfilled-role");
+  EXPECT_EQ(finding.place.line, 3u);
+}
 
 TEST(LintAllowances, take_warnings_out) {
   const auto loop = in_main("\n<while cond='true'/>");

@@ -1,0 +1,57 @@
+// unhandled-event: events that a script raises and nothing takes.
+#include <algorithm>
+
+#include "script/lint/passes.hpp"
+
+namespace parlour::script::lint {
+
+namespace {
+
+bool takes(const std::string& source, const std::string& event,
+           const std::string& raised) {
+  return (source == "Script" || source == "*") &&
+         (event == "*" || same_name(event, raised));
+}
+
+bool takes(const std::vector<Reaction>& reactions, const std::string& raised) {
+  return std::any_of(reactions.begin(), reactions.end(),
+                     [&](const Reaction& one) {
+                       return takes(one.source, one.event, raised);
+                     });
+}
+
+bool is_taken(const Program& program, const std::string& raised) {
+  const auto in = [&](const auto& all, auto reactions) {
+    return std::any_of(all.begin(), all.end(), [&](const auto& one) {
+      return takes(one.*reactions, raised);
+    });
+  };
+  return in(program.handlers, &Handler::reactions) ||
+         in(program.states, &State::messages) ||
+         std::any_of(program.routes.begin(), program.routes.end(),
+                     [&](const Route& one) {
+                       return takes(one.source, one.command, raised);
+                     });
+}
+
+} // namespace
+
+// A part of an application does not know who takes what it raises.
+void lint_events(const Subject& subject, Findings& findings) {
+  if (!subject.settings)
+    return;
+  walk(subject, false, [&](const Element& element, const ElementRule& rule) {
+    const auto* event = is_statement(rule) && element.is("fire")
+                            ? element.attribute("event")
+                            : nullptr;
+    if (!event || is_computed(event->value) ||
+        is_taken(subject.program, event->value))
+      return;
+    warn(findings, "unhandled-event", event->value_position,
+         "nothing takes the event '" + event->value +
+             "'; a handler or state does by <Script><" + event->value + ">…</" +
+             event->value + "></Script> in its <messages>");
+  });
+}
+
+} // namespace parlour::script::lint

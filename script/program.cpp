@@ -20,6 +20,11 @@ SlotId Topic::slot(std::string_view slot_name) const {
   return index_of(slots, slot_name);
 }
 
+bool Topic::has_rule(CodeId body) const {
+  return std::any_of(rules.begin(), rules.end(),
+                     [&](const Rule& rule) { return rule.body == body; });
+}
+
 TopicId Program::topic(std::string_view name) const {
   return index_of(topics, name);
 }

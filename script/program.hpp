@@ -126,6 +126,7 @@ struct Topic {
 
   // no_id where there is none.
   SlotId slot(std::string_view slot_name) const;
+  bool has_rule(CodeId body) const;
 };
 
 // One event that a handler or a state takes. `source` may be a role, a name or

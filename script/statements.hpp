@@ -68,6 +68,7 @@ private:
   void while_(const Element& element);
   void break_(const Element& element);
   void continue_(const Element& element);
+  void confirm(const Element& element);
   void end_loop();
   void reached(const Element& element);
   struct Case {
@@ -108,7 +109,6 @@ private:
   void request(const Element& element);
   void timer(const Element& element);
   void transit(const Element& element);
-  void confirm(const Element& element);
   void params(const Element& element, Register target, bool forwards);
   void operand(const Element& element, const char* attribute, OperandForm form,
                Register target);

@@ -1,4 +1,4 @@
-// Branches and loops (language rule 5).
+// Branches and loops (language rule 6); <confirm>, which is both.
 #include <utility>
 
 #include "script/statements.hpp"
@@ -227,6 +227,33 @@ void StatementCompiler::continue_(const Element& element) {
     return error(element.position, "<continue> stands outside of a loop");
   end_transactions(loops_.back().transactions);
   loops_.back().continues.push_back(b_.emit(Operation::jump));
+}
+
+// Without an answer (unknown) the question is computed and asked anew.
+void StatementCompiler::confirm(const Element& element) {
+  const auto base = b_.allocate(2);
+  const auto start = b_.here();
+  operand(element, "question", OperandForm::either, base);
+  operand(element, "slot", OperandForm::slot, static_cast<Register>(base + 1));
+  b_.at(element.position);
+  perform(EffectKind::confirm, base, base, 2);
+  const auto answered = b_.emit(Operation::jump_if_equal_constant, base,
+                                b_.constant(Box()), 0, false);
+  b_.back(Operation::loop, 0, start);
+  b_.land(answered);
+  const auto refused = b_.emit(Operation::jump_if, base, 0, 0, false);
+  b_.release(base);
+  if (const auto* yes = element.child("yes")) {
+    reached(*yes);
+    block(*yes);
+  }
+  const auto done = b_.emit(Operation::jump);
+  b_.land(refused);
+  if (const auto* no = element.child("no")) {
+    reached(*no);
+    block(*no);
+  }
+  b_.land(done);
 }
 
 } // namespace parlour::script

@@ -393,25 +393,4 @@ void StatementCompiler::transit(const Element& element) {
   b_.release(base);
 }
 
-void StatementCompiler::confirm(const Element& element) {
-  const auto base = b_.allocate(2);
-  operand(element, "question", F::either, base);
-  operand(element, "slot", F::slot, static_cast<Register>(base + 1));
-  b_.at(element.position);
-  perform(K::confirm, base, base, 2);
-  const auto refused = b_.emit(Operation::jump_if, base, 0, 0, false);
-  b_.release(base);
-  if (const auto* yes = element.child("yes")) {
-    reached(*yes);
-    block(*yes);
-  }
-  const auto done = b_.emit(Operation::jump);
-  b_.land(refused);
-  if (const auto* no = element.child("no")) {
-    reached(*no);
-    block(*no);
-  }
-  b_.land(done);
-}
-
 } // namespace parlour::script

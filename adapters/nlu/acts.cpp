@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "adapters/nlu/doubt.hpp"
+
 namespace parlour::adapters::nlu {
 
 namespace {
@@ -32,8 +34,9 @@ struct Group {
 
 class ActBuilder {
 public:
-  ActBuilder(const Schema& schema, const Context& context)
-      : schema_(schema), context_(context) {}
+  ActBuilder(const Schema& schema, const Utterance& utterance,
+             const Context& context)
+      : schema_(schema), utterance_(utterance), context_(context) {}
 
   std::vector<BuiltAct> run(const Chain& chain) {
     for (const auto& link : chain.links)
@@ -41,6 +44,7 @@ public:
     close();
     if (marker_)
       add_generic(*marker_);
+    drop_doubtful(acts_, chain, utterance_, context_);
     drop_courtesies();
     return std::move(acts_);
   }
@@ -201,6 +205,7 @@ private:
   }
 
   const Schema& schema_;
+  const Utterance& utterance_;
   const Context& context_;
   std::vector<BuiltAct> acts_;
   Group group_;
@@ -295,7 +300,7 @@ Value fill_value(const Fill& fill, const Utterance& utterance,
 std::vector<BuiltAct> build_acts(const Chain& chain, const Utterance& utterance,
                                  const Schema& schema, const Context& context,
                                  double threshold) {
-  auto acts = ActBuilder(schema, context).run(chain);
+  auto acts = ActBuilder(schema, utterance, context).run(chain);
   set_scores(acts, chain, utterance, context);
   std::vector<BuiltAct> kept;
   for (const auto& act : acts)

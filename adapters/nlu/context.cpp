@@ -1,6 +1,9 @@
 #include "adapters/nlu/context.hpp"
 
 #include <algorithm>
+#include <utility>
+
+#include "adapters/nlu/tokens.hpp"
 
 namespace parlour::adapters::nlu {
 
@@ -28,6 +31,13 @@ void read_said(const Value& said, const Schema& schema, Context& context) {
       context.said.push_back(*slot);
 }
 
+void read_confirms(const Value& question, Context& context) {
+  if (!question.if_string())
+    return;
+  for (auto& token : tokenize(*question.if_string()).list)
+    context.confirms.push_back(std::move(token.word));
+}
+
 } // namespace
 
 double Context::bonus(TopicNumber topic) const {
@@ -52,6 +62,7 @@ Context read_context(const Value& context, const Schema& schema) {
         read.unfinished.push_back(topic);
   if (const auto* grammar = context["grammar"].if_string())
     read.grammar = *grammar;
+  read_confirms(context["confirms"], read);
   if (const auto* now = context["now"].if_integer())
     read.now = *now;
   return read;

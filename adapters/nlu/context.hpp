@@ -18,6 +18,8 @@ struct Context {
   TopicNumber resting = no_topic;
   std::vector<TopicNumber> unfinished;
   std::string grammar; // "" for all
+  // Words of the question of yes or no that is asked; empty for none.
+  std::vector<std::string> confirms;
   Now now;
 
   // What a topic gets for being expected (understanding, "Score"): 0.2 the

@@ -6,6 +6,7 @@
 #include "adapters/nlu/acts.hpp"
 #include "adapters/nlu/automaton_builder.hpp"
 #include "adapters/nlu/correction.hpp"
+#include "adapters/nlu/doubt.hpp"
 #include "adapters/nlu/examples.hpp"
 #include "adapters/nlu/explanation.hpp"
 #include "adapters/nlu/guesses.hpp"
@@ -248,8 +249,10 @@ Understanding Understander::understand(std::string_view text,
   Spans spans(schema, utterance, self.entities(context), context.now);
   Matcher matcher(self.automaton, utterance, spans, context.asked_entity_id,
                   context.grammar);
-  const auto islands = read_islands(matcher.run(), matcher.traces(), spans,
+  auto islands = read_islands(matcher.run(), matcher.traces(), spans,
                                     self.automaton, schema, context);
+  if (!context.confirms.empty())
+    prefer_answers(islands);
   const auto chains = best_chains(islands, utterance.size(), context);
   auto acts = self.acts_of(chains[0], utterance, context);
   const auto guesses = leaves_open(acts)

@@ -117,6 +117,14 @@ bool is_function_word(std::string_view word) {
   return function_words().contains(word) || is_determiner(word);
 }
 
+bool is_turning_word(std::string_view word) {
+  static const Words words{"not",    "no",      "never",   "nor",    "nothing",
+                           "none",   "without", "but",     "if",     "unless",
+                           "except", "only",    "instead", "until",  "before",
+                           "maybe",  "perhaps", "or",      "hardly", "neither"};
+  return words.contains(word);
+}
+
 std::vector<std::string_view> all_function_words() {
   std::vector<std::string_view> all(function_words().begin(),
                                     function_words().end());

@@ -29,6 +29,9 @@ bool is_function_word(std::string_view word);
 // All of them, sorted.
 std::vector<std::string_view> all_function_words();
 
+// "but", "if", "maybe", "not": a yes with one of them beside it is none.
+bool is_turning_word(std::string_view word);
+
 // Phrases that mean nothing for the task, words separated by one blank.
 std::span<const std::string_view> filler_phrases();
 

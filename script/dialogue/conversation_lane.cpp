@@ -76,6 +76,11 @@ void Conversation::Implementation::start_over() {
 
 void Conversation::Implementation::run_body(Step&& step) {
   static const std::vector<Value> none;
+  if (auto before = core.topics.overtaken_by(step); !before.empty()) {
+    before.push_back(std::move(step));
+    core.lane.now(std::move(before));
+    return;
+  }
   script::ActivationContext context;
   if (step.more)
     context.message = step.more->message;

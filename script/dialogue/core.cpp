@@ -92,7 +92,7 @@ void Core::take_from_pipeline(StepList steps, TurnId turn) {
     return;
   // Cancel and start over pass every wait (engine rule 2).
   if (std::any_of(steps.begin(), steps.end(), wants_out) && lane.held()) {
-    lane.now(cancel_waits());
+    lane.now(cancel_waits(topics.confirms_but_of({})));
     machine.clear_pushed();
   }
   steps.push_back(conclude_step(turn));
@@ -108,12 +108,12 @@ void Core::resume(WaitId wait, Expected<Value> outcome) {
   lane.wake(wait, outcome_step(wait, std::move(outcome)));
 }
 
-StepList Core::cancel_waits() {
-  auto waits = lane.abandon();
+StepList Core::cancel_waits(const std::vector<WaitId>& but) {
+  auto waits = lane.abandon(but);
   for (auto wait : pipeline.waits())
     if (runner.waits_for(wait) == Runner::WaitFor::user)
       waits.push_back(wait);
-  topics.forget_waits();
+  topics.forget_waits(but);
   StepList steps;
   for (auto wait : waits) {
     effects.forget(wait);

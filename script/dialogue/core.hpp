@@ -88,9 +88,9 @@ struct Core {
   void resume(WaitId wait, Expected<Value> outcome);
   // The user wants out, or the session ends: what waits in the dialogue lane,
   // and what waits for the user anywhere, is to end with kind Cancelled
-  // (engine rule 2). The steps that tell them so, innermost first; pushed
-  // states are left to the caller.
-  [[nodiscard]] StepList cancel_waits();
+  // (engine rule 2), but these. The steps that tell them so, innermost first;
+  // pushed states are left to the caller.
+  [[nodiscard]] StepList cancel_waits(const std::vector<WaitId>& but = {});
   // False where there were too many of them without an external one: scripts
   // chase each other (engine rule 2). What is queued is dropped then, and
   // Script.Error raised, once.

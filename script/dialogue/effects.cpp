@@ -126,7 +126,7 @@ script::Performed Effects::perform_dialogue(script::Activation& activation,
   case complete:
     return later(StepKind::complete, context, effect);
   case ask:
-    core_.topics.redirect();
+    core_.runner.redirect();
     return effect.operand(0).is_unknown()
                ? ask_again(context, effect)
                : later(StepKind::ask, context, effect);
@@ -274,7 +274,7 @@ TopicId Effects::topic_of(Call effect) const {
 }
 
 script::Performed Effects::transit(Context context, Call effect) {
-  core_.topics.redirect();
+  core_.runner.redirect();
   reached(effect.position);
   const auto state = state_of(effect);
   if (state == script::no_id)
@@ -334,8 +334,9 @@ script::Performed Effects::clear(Context context, Call effect) {
                                      : core_.topic(topic).slot(effect.text(0));
   if (slot == script::no_id)
     return missing("slot", effect.operand(0));
-  core_.topics.redirect();
+  core_.runner.redirect();
   core_.topics.change(topic, {.kind = FrameChange::Kind::clear, .slot = slot});
+  core_.topics.slot_changed(topic);
   return Value();
 }
 
@@ -348,10 +349,12 @@ Value Effects::slot(TopicId topic, SlotId slot) const {
 }
 
 void Effects::set_slot(TopicId topic, SlotId slot, Value value) {
-  if (topic != script::no_id)
-    core_.topics.change(topic, {.kind = FrameChange::Kind::set,
-                                .slot = slot,
-                                .value = std::move(value)});
+  if (topic == script::no_id)
+    return;
+  core_.topics.change(topic, {.kind = FrameChange::Kind::set,
+                              .slot = slot,
+                              .value = std::move(value)});
+  core_.topics.slot_changed(topic);
 }
 
 // -- what scripts can look at -------------------------------------------------

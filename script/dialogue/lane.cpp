@@ -96,25 +96,63 @@ void Lane::wait(WaitId wait, Others others) {
   top.others = others;
 }
 
-bool Lane::wake(WaitId wait, Step step) {
-  for (auto& context : contexts_)
-    if (context.waiting == wait) {
-      context.waiting = 0;
-      StepList steps;
-      steps.push_back(std::move(step));
-      context.agenda.prepend(std::move(steps));
-      return true;
-    }
-  return false;
+Lane::Contexts::iterator Lane::waiting_so(WaitId wait) {
+  return std::find_if(
+      contexts_.begin(), contexts_.end(),
+      [&](const Context& context) { return context.waiting == wait; });
 }
 
-std::vector<WaitId> Lane::abandon() {
+bool Lane::wake(WaitId wait, Step step) {
+  const auto woken = waiting_so(wait);
+  if (woken == contexts_.end())
+    return false;
+  woken->waiting = 0;
+  StepList steps;
+  steps.push_back(std::move(step));
+  woken->agenda.prepend(std::move(steps));
+  const auto holds =
+      std::find_if(woken + 1, contexts_.end(), [](const Context& context) {
+        return context.waiting == 0 || context.others == Others::are_held;
+      });
+  std::rotate(woken, woken + 1, holds);
+  return true;
+}
+
+void Lane::follow(WaitId wait, Step&& step) {
+  const auto context = waiting_so(wait);
+  if (context == contexts_.end() ||
+      std::ranges::any_of(context->agenda, [&](const Step& known) {
+        return known.kind == step.kind && known.topic == step.topic;
+      }))
+    return;
+  StepList steps;
+  steps.push_back(std::move(step));
+  context->agenda.prepend(std::move(steps));
+}
+
+StepList Lane::take_out(WaitId wait) {
+  const auto context = waiting_so(wait);
+  if (context == contexts_.end())
+    return {};
+  auto agenda = std::move(context->agenda);
+  contexts_.erase(context);
+  if (contexts_.empty())
+    contexts_.emplace_back();
+  return agenda;
+}
+
+std::vector<WaitId> Lane::abandon(const std::vector<WaitId>& but) {
+  const auto stays = [&](const Context& context) {
+    return context.waiting != 0 &&
+           std::ranges::find(but, context.waiting) != but.end();
+  };
   std::vector<WaitId> waits;
   for (auto context = contexts_.rbegin(); context != contexts_.rend();
        ++context)
-    if (context->waiting != 0)
+    if (context->waiting != 0 && !stays(*context))
       waits.push_back(context->waiting);
-  contexts_.clear();
+  std::erase_if(contexts_,
+                [&](const Context& context) { return !stays(context); });
   contexts_.emplace_back();
   return waits;
 }

@@ -31,12 +31,17 @@ public:
   enum class Others : std::uint8_t { are_held, go_on };
   // The running context waits.
   void wait(WaitId wait, Others others);
-  // Ends that wait: `step` is taken when the running context ends or waits.
-  // False where nothing waits so.
+  // Ends that wait: `step` is taken when the running context ends or waits;
+  // others that wait for the user do not hold it. False where nothing waits so.
   bool wake(WaitId wait, Step step);
-  // Ends all waits; the agendas of all contexts are dropped, the queued items
-  // stay. Returns the waits, innermost first.
-  std::vector<WaitId> abandon();
+  // What comes when that wait is over and its activation has ended, unless its
+  // agenda has such a step already.
+  void follow(WaitId wait, Step&& step);
+  // Ends that wait; what its agenda still had to do is for the caller.
+  StepList take_out(WaitId wait);
+  // Ends all waits but these; the agendas of all other contexts are dropped,
+  // the queued items stay. Returns the waits, innermost first.
+  std::vector<WaitId> abandon(const std::vector<WaitId>& but = {});
   // Drops the queued items.
   void clear();
 
@@ -46,6 +51,25 @@ public:
   bool waits(WaitId wait) const;
   // Another context goes on when the running one is done.
   bool returning() const;
+
+  // What the running item has still to do.
+  const StepList& ahead() const {
+    return contexts_.back().agenda;
+  }
+  // Takes out of it what `wanted` says.
+  template <class Predicate>
+  StepList take_ahead(Predicate wanted) {
+    return contexts_.back().agenda.take_if(wanted);
+  }
+  // The same, of all that comes when waits are over.
+  template <class Predicate>
+  StepList take_waiting(Predicate wanted) {
+    StepList taken;
+    for (auto& context : contexts_)
+      if (context.waiting != 0)
+        taken.append(context.agenda.take_if(wanted));
+    return taken;
+  }
 
 private:
   struct Context {
@@ -58,13 +82,16 @@ private:
     }
   };
 
+  using Contexts = std::vector<Context>;
+
+  Contexts::iterator waiting_so(WaitId wait); // the end: none
   bool at_rest() const; // what is queued would be taken at once
   bool bring_up_next();
   bool bring_up_woken();
   Context& running(); // above one that waits
   void part_with_acts(Context& context);
 
-  std::vector<Context> contexts_{1};
+  Contexts contexts_{1};
   Fifo<StepList> queue_;
   StepList::Taken taken_;
   bool running_ = false; // a step was given out, and there may be others

@@ -114,6 +114,7 @@ OutputId Mouth::push(OutputAct as, std::string text, const Say& what,
   output.state = state;
   output.awaited = what.awaited;
   ++made_;
+  told_ += as == OutputAct::answer ? 1 : 0;
   changed_ = true;
   return queue_.push(std::move(output));
 }
@@ -132,6 +133,7 @@ OutputId Mouth::speak(std::string text, Correlation handled, TurnId turn,
   output.turn = turn;
   output.interruptible = interruptible;
   ++made_;
+  ++told_;
   changed_ = true;
   return queue_.push(std::move(output));
 }
@@ -221,12 +223,13 @@ void Mouth::no_longer_playing(OutputId id) {
                 [&](const Playing& output) { return output.id == id; });
 }
 
-void Mouth::interrupted(OutputId id, std::string heard) {
+void Mouth::interrupted(OutputId id, const std::string& heard) {
   no_longer_playing(id);
   auto cut = queue_.cut(id, heard);
   if (!cut)
     return;
   inspect(*cut, "broken off");
+  core_.topics.broken_off(*cut, heard);
   if (!interrupted_) // what came after it was not heard either
     interrupted_ = std::move(cut);
 }
@@ -240,7 +243,8 @@ void Mouth::take_up_interrupted() {
   what.as = again->act;
   what.turn = again->turn;
   turn_begins();
-  push(what.as, std::move(again->text), what, OutputState::pending);
+  core_.topics.said_again(again->id, push(what.as, std::move(again->text), what,
+                                          OutputState::pending));
 }
 
 bool Mouth::can_be_interrupted() const {

@@ -72,7 +72,7 @@ public:
   }
   void finished(OutputId id);
   // The user broke in: of this output only these words were heard.
-  void interrupted(OutputId id, std::string heard);
+  void interrupted(OutputId id, const std::string& heard);
   // The user has said something after all: what was broken off stays so.
   void give_up_interrupted() {
     interrupted_.reset();
@@ -100,6 +100,9 @@ public:
   std::uint64_t spoken() const { // how many outputs were made so far
     return made_;
   }
+  std::uint64_t told() const { // of these, how many were answers
+    return told_;
+  }
 
 private:
   // An entry whose words an NLG component was asked for.
@@ -124,6 +127,7 @@ private:
   std::map<Correlation, Wording> wording_;
   std::map<std::string, std::int64_t> uses_; // of each phrase, for rotation
   std::uint64_t made_ = 0;
+  std::uint64_t told_ = 0;
   // Told of in this robot turn: who listens may have said them himself.
   std::vector<Place> failed_phrases_;
   struct Playing {

@@ -1,6 +1,7 @@
 #include "script/dialogue/runner.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "script/dialogue/core.hpp"
@@ -8,6 +9,9 @@
 namespace parlour::dialogue {
 
 namespace {
+
+// What failed needs no further words.
+constexpr auto has_been_told = std::numeric_limits<std::uint64_t>::max();
 
 // Of several transits in one activation the last counts (engine rule 2).
 void keep_last_transit(StepList& steps) {
@@ -28,6 +32,7 @@ WaitId Runner::start(CodeId code, const std::vector<Value>& arguments,
                      script::ActivationContext context, Origin origin) {
   code_ = code;
   origin_ = origin;
+  redirected_.erase(code);
   auto stopped = core_.interpreter.run_body(code, arguments, std::move(context),
                                             core_.effects);
   return stopped ? dispose(std::move(stopped->activation), stopped->result) : 0;
@@ -49,6 +54,7 @@ WaitId Runner::resume(WaitId wait, Expected<Value> outcome) {
           ? core_.interpreter.run(*waiting.activation, core_.effects)
           : core_.interpreter.resume(*waiting.activation, std::move(outcome),
                                      core_.effects);
+  core_.topics.confirm_is_over(wait);
   return dispose(std::move(waiting.activation), result);
 }
 
@@ -156,6 +162,8 @@ void Runner::report(const script::ActivationContext& context,
   const bool cancelled = result.error.kind == ErrorKind::cancelled;
   core_.inspect(cancelled ? InspectionKind::cancelled : InspectionKind::error,
                 std::string(name_of(result.error.kind)), detail);
+  if (!cancelled)
+    core_.topics.note_refusal(context.topic, code_, has_been_told);
   if (!cancelled && !context.handles_error)
     core_.raise_error(result.error, context.turn);
 }

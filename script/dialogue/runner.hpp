@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <set>
 #include <vector>
 
 #include "script/dialogue/fifo.hpp"
@@ -69,6 +70,22 @@ public:
   // Whether anything waits that is not for the user.
   bool waits_for_others() const;
 
+  // What was started: the body of which the running statement is a part.
+  CodeId body() const {
+    return code_;
+  }
+  // Its clear, ask or transit: the body leads elsewhere than to its end.
+  void redirect() {
+    redirect(code_);
+  }
+  void redirect(CodeId body) {
+    redirected_.insert(body);
+  }
+  // Whether it did, when it ran last.
+  bool redirected(CodeId body) const {
+    return redirected_.contains(body);
+  }
+
   // A wait whose activation only used up its slice; 0: there is none.
   WaitId take_slice();
   bool has_slices() const {
@@ -91,7 +108,7 @@ private:
     Origin origin;
     bool yielded = false; // its slice was used up; it waits for nothing
     StepList later;       // what it asked for so far, where it yielded
-  };
+    };
 
   WaitId dispose(std::unique_ptr<script::Activation> activation,
                  const script::RunResult& result);
@@ -104,6 +121,7 @@ private:
   CodeId code_ = script::no_code; // that runs
   Origin origin_;
   StepList later_;
+  std::set<CodeId> redirected_;
   std::map<WaitId, Waiting> waiting_;
   Fifo<WaitId> slices_;
 };

@@ -139,8 +139,9 @@ bool TopicEngine::corrects_what_is_done(const Step& step) {
 
 // -- ending topics ------------------------------------------------------------
 
+// A <confirm> that is no topic's is all that is cancelled then.
 TopicId TopicEngine::to_cancel() const {
-  if (asked_ && asked_->topic != script::no_id)
+  if (asked_ && (asked_->topic != script::no_id || asked_->wait != 0))
     return asked_->topic;
   if (auto current = core_.order.current())
     return *current;
@@ -158,9 +159,11 @@ void TopicEngine::cancel(Step& step) {
   std::erase_if(topics, [&](TopicId topic) {
     return topic == script::no_id || !is_open(core_.frame(topic).status);
   });
-  auto steps = core_.cancel_waits();
-  core_.machine.clear_pushed();
+  core_.mouth.withdraw_questions();
   asked_.reset();
+  auto steps = core_.cancel_waits(step.mark != 0 ? std::vector<WaitId>()
+                                                 : confirms_but_of(topics));
+  core_.machine.clear_pushed();
   for (auto topic : topics) {
     auto ending = topic_step(StepKind::cancel_topic, topic);
     ending.turn = step.turn;
@@ -176,33 +179,19 @@ void TopicEngine::cancel(Step& step) {
 
 // `mark`: it is one of several, of which one word is enough.
 void TopicEngine::cancel_topic(Step& step) {
-  core_.mouth.withdraw_questions();
+  auto steps = end_confirms_of(step.topic);
+  if (asked_ && asked_->topic == step.topic) {
+    core_.mouth.withdraw_questions();
+    asked_.reset();
+  }
   change(step.topic, {.kind = FrameChange::Kind::reset});
   set_status(step.topic, TopicStatus::cancelled);
   core_.order.completed(step.topic);
-  asked_.reset();
   if (step.mark == 0)
     say("cancelled", step.topic, script::no_id, {}, step.turn);
-  StepList steps;
   run_body(core_.topic(step.topic).cancelled, step.topic, script::no_id,
            step.turn, steps);
   core_.lane.now(std::move(steps));
-}
-
-void TopicEngine::forget_confirm(WaitId wait) {
-  const auto waits_so = [&](const Asked& confirm) {
-    return confirm.purpose == Asked::For::yes_or_no && confirm.wait == wait;
-  };
-  if (asked_ && waits_so(*asked_))
-    asked_.reset();
-  std::erase_if(confirms_, waits_so);
-}
-
-void TopicEngine::forget_waits() {
-  if (asked_ && asked_->purpose == Asked::For::yes_or_no)
-    asked_.reset();
-  confirms_.clear();
-  query_.reset();
 }
 
 std::vector<TopicId> TopicEngine::unfinished() const {

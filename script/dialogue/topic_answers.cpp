@@ -110,7 +110,11 @@ void TopicEngine::looked_up(Step& step) {
 // the enquiry rests (engine rule 5).
 void TopicEngine::answer(Step& step) {
   const auto& frame = core_.frame(step.topic);
-  if (core_.mouth.spoken() == step.mark)
+  const bool refused = !take_refusals(step.topic).empty();
+  const bool silent = core_.mouth.told() == step.mark;
+  if (silent && refused)
+    say("acknowledge", step.topic, script::no_id, {}, step.turn);
+  else if (silent)
     say("answer", step.topic, script::no_id,
         Map{{"rows", frame.rows},
             {"asked", frame.asked},

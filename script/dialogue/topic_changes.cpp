@@ -28,8 +28,11 @@ void TopicEngine::begin_topic(TopicId topic, StepList& steps, bool keep) {
       (asked_->purpose != Asked::For::yes_or_no || asked_->topic != topic))
     asked_.reset();
   const bool again = keep && status == TopicStatus::completed;
-  if (!again &&
-      (status == TopicStatus::completed || status == TopicStatus::cancelled))
+  const bool ended =
+      status == TopicStatus::completed || status == TopicStatus::cancelled;
+  if (ended)
+    steps.append(end_confirms_of(topic));
+  if (ended && !again)
     change(topic, {.kind = FrameChange::Kind::reset});
   if (status == TopicStatus::suspended || again)
     run_body(core_.topic(topic).resumed, topic, script::no_id, 0, steps);

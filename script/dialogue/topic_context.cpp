@@ -50,6 +50,14 @@ TopicEngine::narrowing_grammar(const ClassifierContext& context) const {
   return state == script::no_id ? none : core_.program->states[state].grammar;
 }
 
+// The words of the question that a yes or no would be for; null: none.
+const std::string* TopicEngine::yes_or_no_asked() const {
+  if (asked_)
+    return asked_->wants_yes_or_no() ? &asked_->words : nullptr;
+  const auto* confirm = latest_confirm();
+  return confirm ? &confirm->question : nullptr;
+}
+
 Value TopicEngine::understanding_context() const {
   const auto context = classifier_context();
   auto name = [&](TopicId topic) {
@@ -71,6 +79,8 @@ Value TopicEngine::understanding_context() const {
   result.set("unfinished", unfinished);
   if (const auto& grammar = narrowing_grammar(context); !grammar.empty())
     result.set("grammar", grammar);
+  if (const auto* question = yes_or_no_asked())
+    result.set("confirms", *question);
   result.set("now", core_.now);
   return result;
 }

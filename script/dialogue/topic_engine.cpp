@@ -74,8 +74,10 @@ void TopicEngine::offer_act(Step& step) {
           make_step(StepKind::topic_act, std::move(step)));
   } else if (state != script::no_id &&
              core_.program->states[state].capture != script::Capture::none) {
-    // The state keeps every act for itself, but has no use for this one.
-    misunderstood(std::move(step));
+    // The state keeps every act for itself; this one it has no use for, unless
+    // it is to a question of its own.
+    if (!asked_here() || !answer_to_question(step))
+      misunderstood(std::move(step));
   } else {
     topic_act(step);
   }
@@ -158,44 +160,6 @@ void TopicEngine::topic_act(Step& step) {
   core_.lane.now(std::move(steps));
 }
 
-// Whether the act answers the question that waits for one: a <confirm> of the
-// topic that it names, else the last that was heard, else a <confirm> that
-// other topics came in between of.
-bool TopicEngine::answer_to_question(const Step& step) {
-  const auto kind = step.act->kind;
-  if (!step.act->slots.empty() ||
-      (kind != ActKind::confirm && kind != ActKind::deny))
-    return false;
-  const auto topic = core_.program->topic(step.act->topic);
-  const auto named = std::find_if(
-      confirms_.rbegin(), confirms_.rend(), [&](const Asked& confirm) {
-        return topic != script::no_id && confirm.topic == topic;
-      });
-  if (named != confirms_.rend() && !(asked_ && asked_->topic == topic))
-    asked_ = *named;
-  else if (!asked_ && !confirms_.empty())
-    asked_ = confirms_.back();
-  if (!asked_ || !asked_->heard)
-    return false;
-  const bool yes = kind == ActKind::confirm;
-  const auto asked = *asked_;
-  switch (asked.purpose) {
-  case Asked::For::yes_or_no:
-    answer_confirm(asked, yes);
-    return true;
-  case Asked::For::confirmation:
-    asked_.reset();
-    confirm_slot(asked.topic, asked.slot, yes, step.turn);
-    return true;
-  case Asked::For::resume:
-    asked_.reset();
-    answer_resume(asked.topic, yes, step.turn);
-    return true;
-  default:
-    return false;
-  }
-}
-
 bool TopicEngine::is_waited_for(const Act& act) const {
   if (wants_out(act) || act.kind == ActKind::restart)
     return true;
@@ -204,41 +168,6 @@ bool TopicEngine::is_waited_for(const Act& act) const {
     return true;
   return !confirms_.empty() && act.slots.empty() &&
          (act.kind == ActKind::confirm || act.kind == ActKind::deny);
-}
-
-void TopicEngine::answer_confirm(const Asked& asked, bool yes) {
-  asked_.reset();
-  settle_confirmed(asked, yes);
-  std::erase_if(confirms_, [&](const Asked& confirm) {
-    return confirm.wait == asked.wait;
-  });
-  core_.lane.now(back_to(asked.topic));
-  core_.resume(asked.wait, Value(yes));
-}
-
-// A <confirm slot>: yes accepts the slot's value, no empties the slot, before
-// <yes> or <no> runs.
-void TopicEngine::settle_confirmed(const Asked& asked, bool yes) {
-  if (asked.about == script::no_id)
-    return;
-  if (!yes)
-    redirect();
-  change(asked.topic,
-         {.kind = yes ? FrameChange::Kind::confirmed : FrameChange::Kind::clear,
-          .slot = asked.about});
-}
-
-void TopicEngine::confirm_slot(TopicId topic, SlotId slot, bool yes,
-                               TurnId turn) {
-  FrameChange change;
-  change.kind =
-      yes ? FrameChange::Kind::confirmed : FrameChange::Kind::disconfirmed;
-  change.slot = slot;
-  Step step;
-  step.topic = topic;
-  step.turn = turn;
-  std::vector<FrameChange> changes{std::move(change)};
-  request(std::move(step), changes);
 }
 
 // -- small things -------------------------------------------------------------
@@ -250,7 +179,9 @@ void TopicEngine::change(TopicId topic, const FrameChange& change) {
 }
 
 void TopicEngine::reset(Step& step) {
+  auto steps = end_confirms_of(step.topic);
   change(step.topic, {.kind = FrameChange::Kind::reset});
+  core_.lane.now(std::move(steps));
 }
 
 void TopicEngine::set_status(TopicId topic, TopicStatus status) {

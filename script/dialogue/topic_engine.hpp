@@ -3,12 +3,14 @@
 // to, which question comes next, and what happens when nobody says anything.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
+#include "script/dialogue/asked.hpp"
 #include "script/dialogue/classifier.hpp"
 #include "script/dialogue/port.hpp"
 #include "script/dialogue/step_list.hpp"
@@ -33,14 +35,31 @@ public:
   void released(const Output& output);
   void withdrawn(const Output& output);
   void unspoken(OutputId output); // no words were found for it
+  // The user broke in on it, and heard these words.
+  void broken_off(const Output& output, const std::string& heard);
+  // What was broken off is said again, as another output.
+  void said_again(OutputId before, OutputId now);
   // A <confirm>'s question, for the wait of its activation; about that slot,
   // or no_id.
   void confirm(std::string question, TopicId topic, SlotId slot, WaitId wait,
                TurnId turn);
   // The <confirm> that waits so is being ended.
   void forget_confirm(WaitId wait);
-  // All waits in the dialogue lane, and all <confirm>s, are being ended.
-  void forget_waits();
+  // The activation that waited so has got its answer.
+  void confirm_is_over(WaitId wait);
+  // A script has set or cleared a slot: what is asked about the topic is asked
+  // anew.
+  void slot_changed(TopicId topic);
+  // All waits in the dialogue lane, and all <confirm>s, are being ended, but
+  // these.
+  void forget_waits(const std::vector<WaitId>& but);
+  // The <confirm>s of all other topics.
+  std::vector<WaitId> confirms_but_of(const std::vector<TopicId>& topics) const;
+  // What the body that begins puts an end to, before it runs.
+  StepList overtaken_by(const Step& step);
+  // A script of the topic ended with an error, or with a no: the topic is not
+  // completed after all, where the script leads there.
+  void note_refusal(TopicId topic, CodeId body, std::uint64_t told);
   // What a phrase of that act sees where a script's <say> gives no data.
   Value data_of(const std::string& act, TopicId topic, SlotId slot);
   void repeat(TurnId turn); // what was heard last
@@ -57,11 +76,6 @@ public:
   }
   // Whether what the user says now is private in any case.
   bool asks_in_private() const;
-  // A script's clear, ask or transit: the frame is not completed after all.
-  void redirect() {
-    ++redirections_;
-  }
-
   // Whether a script waits for this act: by a <confirm>, or in a pushed state
   // that listens to it. Who wants out is always waited for.
   bool is_waited_for(const Act& act) const;
@@ -84,30 +98,6 @@ public:
   void change(TopicId topic, const FrameChange& change);
 
 private:
-  // The question that waits for the user's answer.
-  struct Asked {
-    enum class For : std::uint8_t {
-      value,        // of a slot
-      confirmation, // of a slot's value
-      choice,       // between candidates
-      yes_or_no,    // a script's <confirm>
-      resume,       // whether to go on with a topic
-      which_topic,  // that an act is about
-    };
-    For purpose = For::value;
-    TopicId topic = script::no_id;
-    SlotId slot = script::no_id;
-    WaitId wait = 0;                // yes_or_no: the <confirm>'s activation
-    std::string question;           // yes_or_no: to ask it again
-    SlotId about = script::no_id;   // yes_or_no: the slot
-    std::shared_ptr<const Act> act; // which_topic: what was said
-    OutputId output = 0;
-    bool pending = true;      // still in the output queue
-    bool heard = false;       // released; with neither, it was withdrawn
-    bool repeats = false;     // the same words again: not another question
-    bool interrupted = false; // something else was said since
-    std::uint32_t missed = 0; // times in a row, where there is no slot to count
-  };
   struct Query {
     QueryId id = 0;
     Step step;
@@ -169,10 +159,6 @@ private:
   bool repair(const Trouble& trouble);
   Value situation(const Trouble& trouble);
   bool corrects_what_is_done(const Step& step);
-  bool answer_to_question(const Step& step);
-  void answer_confirm(const Asked& asked, bool yes);
-  void settle_confirmed(const Asked& asked, bool yes);
-  void confirm_slot(TopicId topic, SlotId slot, bool yes, TurnId turn);
   SlotId slot_asked_for(TopicId topic) const;
   void keep_what_is_asked(Step& step);
   // Whether the act might be about several topics: they are asked for.
@@ -182,6 +168,38 @@ private:
   void complete_by_answer(Step& step);
   TopicId to_cancel() const;
   std::vector<TopicId> unfinished() const;
+
+  // Questions of yes or no.
+  using ConfirmPredicate = std::function<bool(const Asked&)>;
+  struct Beside {             // what the same utterance says besides
+    bool contradicts = false; // a no beside a yes
+    bool wishes = false;      // something that comes before the answer
+  };
+  bool answer_to_question(const Step& step);
+  void prefer_named_confirm(TopicId topic);
+  bool ask_confirm_again();
+  void read_answer(const Step& step);
+  Beside said_beside(const Step& step) const;
+  void drop_beside(const std::function<bool(const Act&)>& wanted);
+  bool echoes(const Act& act) const;
+  bool is_about_it(const Act& act) const;
+  void take_answer(bool yes, TurnId turn);
+  void answer_confirm(const Asked& asked, bool yes);
+  void settle_confirmed(const Asked& asked, bool yes);
+  void confirm_slot(TopicId topic, SlotId slot, bool yes, TurnId turn);
+  const Asked* latest_confirm() const;   // null: none
+  bool wants_a_yes(TopicId topic) const; // a <confirm> of its waits
+  bool asked_here() const;               // not below a pushed state
+  bool confirms_first(const Step& step);
+  void forget_question(const Asked& confirm);
+  // The steps that end them, with kind Cancelled.
+  StepList end_confirms(const ConfirmPredicate& wanted);
+  StepList end_confirms_of(TopicId topic);
+  StepList overtaken_by_filling(TopicId topic);
+  void doubt_earlier_value(TopicId topic, SlotId slot);
+  std::vector<Refusal> take_refusals(TopicId topic);
+  bool is_dealt_with(const Refusal& refusal) const;
+  bool heeds_refusals(const Step& step);
 
   // Topics.
   void begin_topic(TopicId topic, StepList& steps, bool keep = false);
@@ -254,6 +272,7 @@ private:
   void say_text(std::string text, TurnId turn);
 
   ClassifierContext classifier_context() const;
+  const std::string* yes_or_no_asked() const;
   List names_said_before(SlotId asked) const;
   const std::string& narrowing_grammar(const ClassifierContext& context) const;
   void note_what_was_said(const Step& step);
@@ -275,10 +294,10 @@ private:
   std::vector<FrameChange> changes_; // empty between two steps: its memory
   std::optional<Step> awaiting_;     // for the frame's actor
   std::optional<Query> query_;
-  std::uint64_t redirections_ = 0;
   TurnId turn_ = 0;               // the latest
   std::uint64_t said_before_ = 0; // outputs that were made before that
   std::vector<Asked> confirms_;   // <confirm>s that wait, innermost last
+  std::vector<Refusal> refusals_; // that a topic has not settled with yet
   std::optional<Act> late_;       // a correction of a completed topic
   Timestamp completed_at_ = 0;    // the latest one
   int no_input_ = 0;              // unanswered questions in a row

@@ -73,8 +73,9 @@ void TopicEngine::keep_what_is_asked(Step& step) {
     return;
   const auto asked = slot_asked_for(step.topic);
   const auto& slots = core_.frame(step.topic).slots;
-  const bool mends =
-      step.act->kind == ActKind::correct || step.act->kind == ActKind::deny;
+  const bool mends = step.act->kind == ActKind::correct ||
+                     step.act->kind == ActKind::deny ||
+                     wants_a_yes(step.topic); // "yes, but at three"
   auto act = *step.act;
   const auto dropped = std::erase_if(act.slots, [&](const SlotValue& value) {
     const auto slot = topic.slot(value.slot);
@@ -87,6 +88,11 @@ void TopicEngine::keep_what_is_asked(Step& step) {
 }
 
 void TopicEngine::fill(Step& step) {
+  if (auto before = overtaken_by_filling(step.topic); !before.empty()) {
+    before.push_back(make_step(StepKind::fill, std::move(step)));
+    core_.lane.now(std::move(before));
+    return;
+  }
   spoken_of_ = {step.topic, step.turn};
   note_changes(step, changes_);
   request(std::move(step), changes_);

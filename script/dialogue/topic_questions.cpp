@@ -38,10 +38,7 @@ void TopicEngine::ask_what_misses(OutputAct as, TurnId turn) {
 bool TopicEngine::waits_for_user(TopicId topic) const {
   const bool begun = spoken_of_.topic == topic && spoken_of_.turn == turn_ &&
                      !core_.machine.was_pushed_by(topic);
-  return (core_.states.pushed() && !begun) ||
-         std::any_of(
-             confirms_.begin(), confirms_.end(),
-             [&](const Asked& confirm) { return confirm.topic == topic; });
+  return (core_.states.pushed() && !begun) || wants_a_yes(topic);
 }
 
 // What is in doubt must be settled in any case; what is missing is asked for
@@ -78,8 +75,8 @@ void TopicEngine::acknowledge_unasked(TurnId turn) {
 void TopicEngine::ask(Step& step) {
   if (step.slot != script::no_id)
     ask_slot(step.topic, step.slot, step.output, step.turn);
-  else if (!confirms_.empty()) {
-    asked_ = confirms_.back();
+  else if (const auto* confirm = latest_confirm()) {
+    asked_ = *confirm;
     repeat_question(step.turn);
   }
 }
@@ -151,21 +148,6 @@ void TopicEngine::ask_choice(TopicId topic, SlotId slot, TurnId turn,
   asked_ = std::move(asked);
 }
 
-void TopicEngine::confirm(std::string question, TopicId topic, SlotId slot,
-                          WaitId wait, TurnId turn) {
-  Asked asked;
-  asked.purpose = Asked::For::yes_or_no;
-  asked.topic = topic;
-  asked.about = slot;
-  asked.wait = wait;
-  asked.question = question;
-  asked.pending = false;
-  asked.heard = true; // as soon as it comes to that
-  confirms_.push_back(asked);
-  put(std::move(asked), "confirm", {}, std::move(question), OutputAct::question,
-      turn);
-}
-
 void TopicEngine::put(Asked&& asked, const char* act, Value data,
                       std::string text, OutputAct as, TurnId turn) {
   Say what;
@@ -175,7 +157,8 @@ void TopicEngine::put(Asked&& asked, const char* act, Value data,
   what.slot = asked.slot;
   what.data = with_marks(asked.topic, std::move(data));
   what.text = std::move(text);
-  what.turn = turn;
+  what.turn = asked.turn = turn;
+  asked.level = core_.states.levels().size();
   what.awaited = asked.wait != 0;
   asked.heard = false;
   asked.pending = true;
@@ -207,6 +190,7 @@ void TopicEngine::released(const Output& output) {
     return;
   asked_->pending = false;
   asked_->heard = true;
+  asked_->words = output.text;
   if (asked_->slot == script::no_id || asked_->repeats ||
       asked_->purpose != Asked::For::value)
     return;

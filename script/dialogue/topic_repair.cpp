@@ -137,19 +137,19 @@ void TopicEngine::climb_own(const Trouble& trouble) {
   const auto& ladder = core_.program->ladder;
   const auto last = ladder.size() - 1;
   const auto rung = trouble.count == 0 ? 0 : trouble.count - 1;
+  const auto body = ladder[std::min<std::size_t>(rung, last)];
   StepList steps;
-  run_body(ladder[std::min<std::size_t>(rung, last)], trouble.topic,
-           trouble.slot, trouble.turn, steps);
+  run_body(body, trouble.topic, trouble.slot, trouble.turn, steps);
   auto ask = topic_step(StepKind::ask_still, trouble.topic);
   ask.slot = trouble.slot;
   ask.turn = trouble.turn;
-  ask.mark = redirections_;
+  ask.code = body;
   steps.push_back(std::move(ask));
   core_.lane.now(std::move(steps));
 }
 
 void TopicEngine::ask_still(Step& step) {
-  if (step.mark == redirections_ && !core_.ending &&
+  if (!core_.runner.redirected(step.code) && !core_.ending &&
       core_.frame(step.topic).status == TopicStatus::active &&
       core_.order.current() == step.topic)
     ask_slot(step.topic, step.slot, OutputAct::reprompt, step.turn);

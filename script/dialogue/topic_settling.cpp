@@ -41,6 +41,8 @@ bool refused_condition(const Step& step, const script::Topic& topic) {
 } // namespace
 
 void TopicEngine::settle(Step& step) {
+  if (confirms_first(step) || heeds_refusals(step))
+    return;
   const auto& topic = core_.topic(step.topic);
   const auto& frame = core_.frame(step.topic);
   if (topic.kind == script::TopicKind::enquiry) {
@@ -55,11 +57,9 @@ void TopicEngine::settle(Step& step) {
     complete(step);
     return;
   }
-  auto finish = light_step(StepKind::finish, step);
-  finish.mark = redirections_;
   StepList steps;
   run_body(topic.filled, step.topic, script::no_id, step.turn, steps);
-  steps.push_back(std::move(finish));
+  steps.push_back(light_step(StepKind::finish, step));
   core_.lane.now(std::move(steps));
 }
 
@@ -90,26 +90,33 @@ void TopicEngine::answer_enquiry(const Step& step) {
   run_body(core_.topic(step.topic).filled, step.topic, script::no_id, step.turn,
            steps);
   auto answer = light_step(StepKind::answer, step);
-  answer.mark = core_.mouth.spoken();
+  answer.mark = core_.mouth.told();
   steps.push_back(std::move(answer));
   core_.lane.now(std::move(steps));
 }
 
-// The frame is completed unless its <filled> asked, cleared or left.
+// The frame is completed unless its <filled> asked, cleared or left, or heard
+// a no.
 void TopicEngine::finish(Step& step) {
   const auto& frame = core_.frame(step.topic);
-  if (step.mark == redirections_ && frame.done &&
-      frame.status == TopicStatus::active)
+  if (!heeds_refusals(step) && frame.done &&
+      frame.status == TopicStatus::active &&
+      !core_.runner.redirected(core_.topic(step.topic).filled))
     complete(step);
 }
 
+// Once for each time that it was begun.
 void TopicEngine::complete(Step& step) {
+  const auto status = core_.frame(step.topic).status;
+  if (status != TopicStatus::active && status != TopicStatus::suspended &&
+      status != TopicStatus::resting)
+    return;
+  auto steps = end_confirms_of(step.topic);
   set_status(step.topic, TopicStatus::completed);
   completed_at_ = core_.now;
   core_.order.completed(step.topic);
   if (asked_ && asked_->topic == step.topic)
     asked_.reset();
-  StepList steps;
   run_body(core_.topic(step.topic).completed, step.topic, script::no_id,
            step.turn, steps);
   if (auto next = needed_by(step.topic); next != script::no_id)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <string_view>
 #include <utility>
 
 namespace parlour::adapters::nlu {
@@ -41,10 +42,12 @@ public:
       if (said.rule->topic != no_topic)
         acts.push_back(
             act(said.rule->topic, said.rule->act, slots(*said.rule), false));
-    if (acts.empty())
+    const bool answers =
+        is_answer(plain_act()) && !context_.confirms.empty() && !leaves_words();
+    if (acts.empty() && !answers)
       go_on(acts);
-    if (acts.empty() && !said_.empty())
-      acts.push_back(act(no_topic, said_.front().rule->act, {}, false));
+    if (acts.empty() && !plain_act().empty())
+      acts.push_back(act(no_topic, plain_act(), {}, false));
     return acts;
   }
 
@@ -87,6 +90,45 @@ private:
       return {};
     return Range{static_cast<std::size_t>(found.begin() - list.begin()),
                  static_cast<std::size_t>(found.end() - list.begin())};
+  }
+
+  // -- yes and no -------------------------------------------------------------
+
+  static bool is_answer(std::string_view act) {
+    return act == "confirm" || act == "deny";
+  }
+
+  bool says(std::string_view act) const {
+    return std::ranges::any_of(
+        said_, [&](const Said& one) { return one.rule->act == act; });
+  }
+
+  // The act that is no topic's; "" for none. A yes counts where nothing else
+  // is said (adapters/nlu/doubt.hpp): what else is wished goes before it.
+  std::string plain_act() const {
+    const auto wish = std::ranges::find_if(said_, [](const Said& one) {
+      return !is_answer(one.rule->act) && one.rule->act != "greet" &&
+             one.rule->act != "thank";
+    });
+    if (wish != said_.end())
+      return wish->rule->act;
+    if (says("confirm"))
+      return says("deny") || leaves_words() ? "" : "confirm";
+    return said_.empty() ? "" : said_.front().rule->act;
+  }
+
+  // Besides the keywords, and the words of the question.
+  bool leaves_words() const {
+    for (std::size_t at = 0; at < tokens_.list.size(); ++at) {
+      const auto& word = tokens_.list[at].word;
+      const bool means_nothing =
+          is_function_word(word) ||
+          std::ranges::find(filler_phrases(), word) != filler_phrases().end() ||
+          std::ranges::find(context_.confirms, word) != context_.confirms.end();
+      if (!plain_[at] && (is_turning_word(word) || !means_nothing))
+        return true;
+    }
+    return false;
   }
 
   // -- slots ------------------------------------------------------------------

@@ -131,5 +131,54 @@ TEST_F(BargeIn, WhoBreaksInIsAnswered) {
   EXPECT_EQ(world_->said(), Texts{});
 }
 
+constexpr const char* booking = R"xml(
+  <topic name="Room"><slot name="Nights" type="Functional" question="How many?"
+    confirm="never"/>
+    <filled><confirm question="Shall I really book it now?"/></filled>
+    <completed><speak param="Booked."/></completed></topic>)xml";
+
+class BargeInOnAConfirm : public testing::Test {
+protected:
+  BargeInOnAConfirm() : world(booking) {
+    world.components["Loudspeaker"] = {"Speaker"};
+    world.components["Ears"] = {"VAD"};
+    world.hold_outputs = true;
+    world.say(inform("Room", {{"Nights", 2}}));
+    EXPECT_EQ(world.said(), Texts{question});
+    world.event("Ears", "SpeechStarted");
+  }
+  void heard(const char* words) {
+    const auto id = static_cast<std::int64_t>(world.playing.front());
+    world.playing.clear();
+    world.event("Loudspeaker", "Finished", {id, 0, true, words});
+    world.hold_outputs = false;
+  }
+
+  const char* question = "Shall I really book it now?";
+  World world;
+};
+
+TEST_F(BargeInOnAConfirm, CountsWhereHalfOfItWasHeard) {
+  heard("Shall I really");
+  world.say("confirm");
+  EXPECT_EQ(world.said(), Texts{"Booked."});
+}
+
+TEST_F(BargeInOnAConfirm, IsAskedAgainWhereLessWasHeard) {
+  heard("Shall I");
+  world.say("confirm");
+  EXPECT_EQ(world.said(), Texts{question});
+  world.say("confirm");
+  EXPECT_EQ(world.said(), Texts{"Booked."});
+}
+
+TEST_F(BargeInOnAConfirm, ANoiseHasItSaidAgainOnce) {
+  heard("Shall");
+  world.advance(7s);
+  EXPECT_EQ(world.said(), Texts{question});
+  world.say("confirm");
+  EXPECT_EQ(world.said(), Texts{"Booked."});
+}
+
 } // namespace
 } // namespace parlour::dialogue

@@ -263,12 +263,14 @@ TEST(Effects, AConfirmIsAskedAgainAfterAnotherTopic) {
   EXPECT_EQ(world.said(), (Texts{"Calling.", "Why?"}));
 }
 
-TEST(Effects, AConfirmIsAnsweredAfterAnotherTopic) {
+TEST(Effects, AYesAfterAnotherTopicIsAskedForAgain) {
   Bell world("", transfer);
   world.say(inform("Transfer", {{"Host", "Ann"}}));
   world.say(inform("Hours", {{"Day", slot_value("Monday", 1)}}));
   world.say("confirm");
   world.said();
+  world.say("confirm");
+  EXPECT_EQ(world.said(), Texts{"Call Ann?"});
   world.say("confirm");
   EXPECT_EQ(world.said(), (Texts{"Calling.", "Why?"}));
 }

@@ -184,5 +184,74 @@ TEST(Lane, ClearDropsWhatIsQueued) {
   EXPECT_TRUE(lane.idle());
 }
 
+TEST(Lane, WhoWaitsForTheUserDoesNotHoldWhatIsAnswered) {
+  Lane lane;
+  lane.queue({numbered(1), numbered(5)});
+  lane.next();
+  lane.wait(8, true);
+  lane.queue({numbered(2), numbered(6)});
+  lane.next();
+  lane.wait(9, true);
+  lane.queue({numbered(3), numbered(7)});
+  lane.next();
+  lane.wake(8, numbered(4)); // the outer one; what runs now ends first
+  EXPECT_EQ(taken(lane), (Numbers{7, 4, 5}));
+  lane.wake(9, numbered(8));
+  EXPECT_EQ(taken(lane), (Numbers{8, 6}));
+}
+
+TEST(Lane, WhatFollowsAWaitComesOnce) {
+  Lane lane;
+  lane.queue({numbered(1), numbered(4)});
+  lane.next();
+  lane.wait(9, true);
+  lane.follow(9, topic_step(StepKind::settle, 0));
+  lane.follow(9, topic_step(StepKind::settle, 0));
+  lane.follow(9, topic_step(StepKind::settle, 1));
+  lane.follow(7, topic_step(StepKind::settle, 2)); // nothing waits so
+  lane.wake(9, numbered(2));
+  EXPECT_EQ(taken(lane), (Numbers{2, 0, 0, 4}));
+}
+
+TEST(Lane, WhatIsTakenOutIsOver) {
+  Lane lane;
+  lane.queue({numbered(1), numbered(3)});
+  lane.next();
+  lane.wait(9, true);
+  const auto rest = lane.take_out(9);
+  EXPECT_EQ(rest.begin()->turn, 3u);
+  EXPECT_TRUE(lane.take_out(9).empty());
+  EXPECT_FALSE(lane.waits(9));
+  EXPECT_EQ(taken(lane), Numbers{});
+  lane.queue({numbered(4)});
+  EXPECT_EQ(taken(lane), Numbers{4});
+}
+
+TEST(Lane, AbandonsAllButWhatStays) {
+  Lane lane;
+  for (const WaitId wait : {7u, 8u, 9u}) {
+    lane.queue({numbered(wait), numbered(wait * 10)});
+    lane.next();
+    lane.wait(wait, true);
+  }
+  EXPECT_EQ(lane.abandon({8}), (std::vector<WaitId>{9, 7}));
+  EXPECT_EQ(taken(lane), Numbers{});
+  lane.wake(8, numbered(1));
+  EXPECT_EQ(taken(lane), (Numbers{1, 80}));
+}
+
+TEST(Lane, WhatItHasAheadCanBeTaken) {
+  Lane lane;
+  lane.queue({numbered(1), numbered(2), numbered(3)});
+  lane.next();
+  const auto odd =
+      lane.take_ahead([](const Step& step) { return step.turn % 2 == 1; });
+  EXPECT_EQ(odd.begin()->turn, 3u);
+  EXPECT_EQ(lane.ahead().begin()->turn, 2u);
+  lane.wait(9, true);
+  const auto waiting = lane.take_waiting([](const Step&) { return true; });
+  EXPECT_EQ(waiting.begin()->turn, 2u);
+}
+
 } // namespace
 } // namespace parlour::dialogue

@@ -126,7 +126,7 @@ private:
   bool act(const Line& line) {
     const auto words = words_of(line.rest, ' ');
     if (line.verb == "say")
-      say(words);
+      say(line.rest);
     else if (line.verb == "event")
       event(words, 0);
     else if (line.verb == "broadcast")
@@ -145,7 +145,14 @@ private:
     return true;
   }
 
-  void say(const std::vector<std::string>& words) {
+  void say(const std::string& line) {
+    List acts;
+    for (const auto& act : words_of(line, '+'))
+      acts.push_back(act_of(words_of(act, ' ')));
+    world_.say(std::move(acts));
+  }
+
+  static Value act_of(const std::vector<std::string>& words) {
     Map act{{"act", words.at(0)}};
     if (words.size() > 1 && words[1] != "-")
       act.set("topic", words[1]);
@@ -156,7 +163,7 @@ private:
       else
         add_slot(slots, words[i]);
     act.set("slots", std::move(slots));
-    world_.say(std::move(act));
+    return act;
   }
 
   // Time=3pm~0.5

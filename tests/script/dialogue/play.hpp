@@ -6,7 +6,8 @@
 //   <!-- component: Exchange Telephone --> a component and its roles
 //   <!-- say: inform Taxi Time=3pm --> an act of the user, its topic (- where
 //   it does not say), its slots; Time=3pm~0.5 is not sure, _ stands for a
-//   blank, Person=Ann|Ben may be either, the word `elliptical` says that it is
+//   blank, Person=Ann|Ben may be either, the word `elliptical` says that it is;
+//   further acts of the same utterance after a + each
 //   <!-- event: Bell.Rings a b -->    an event; parameters are texts
 //   <!-- broadcast: Bell.Rings a --> one that belongs to no session
 //   <!-- reply: Exchange.Busy a -->   one that answers the last message

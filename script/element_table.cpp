@@ -203,6 +203,12 @@ std::vector<std::string> parents_of(std::string_view name) {
   return parents;
 }
 
+bool is_element_name(std::string_view name) {
+  return std::any_of(
+      element_table().begin(), element_table().end(),
+      [name](const auto& rule) { return same_name(rule.name, name); });
+}
+
 std::string alternatives(const std::vector<std::string>& words) {
   std::string text;
   for (std::size_t i = 0; i < words.size(); ++i) {

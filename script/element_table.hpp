@@ -114,6 +114,9 @@ std::vector<std::string> names_within(const std::vector<std::string>& within);
 // the name is in no row.
 std::vector<std::string> parents_of(std::string_view name);
 
+// Whether there are elements of that name, the first letter's case aside.
+bool is_element_name(std::string_view name);
+
 // "a", "a or b", "a, b or c".
 std::string alternatives(const std::vector<std::string>& words);
 

@@ -391,12 +391,6 @@ bool holds_nothing(std::string_view name) {
   return known;
 }
 
-bool is_element_name(std::string_view name) {
-  return std::any_of(
-      element_table().begin(), element_table().end(),
-      [name](const auto& rule) { return same_name(rule.name, name); });
-}
-
 ScannedTag scan_tag(std::string_view text, std::size_t offset,
                     std::vector<XmlSlip>& slips) {
   return TagScanner(text, offset, slips).scan();

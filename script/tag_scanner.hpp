@@ -28,7 +28,4 @@ ScannedTag scan_tag(std::string_view text, std::size_t offset,
 // Whether elements of that name hold nothing, wherever they stand.
 bool holds_nothing(std::string_view name);
 
-// Whether there are elements of that name, the first letter's case aside.
-bool is_element_name(std::string_view name);
-
 } // namespace parlour::script

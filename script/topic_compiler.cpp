@@ -11,6 +11,13 @@ namespace parlour::script {
 
 namespace {
 
+bool holds(const Element& element, std::string_view name) {
+  return std::any_of(element.children.begin(), element.children.end(),
+                     [&](const Element& child) {
+                       return child.is(name) || holds(child, name);
+                     });
+}
+
 class TopicCompiler {
 public:
   TopicCompiler(const Element& element, Topic& topic, Compilation& compilation)
@@ -31,6 +38,8 @@ private:
   void compile_bodies();
   void check_examples(const Element& examples);
   void check_marks(const Element& example);
+  void warn_of_enquiry();
+  void warn(Position position, const char* lint, std::string message);
 
   const Element& element_;
   Topic& topic_;
@@ -150,14 +159,29 @@ void TopicCompiler::compile(const FunctionNames* functions) {
   for (const auto& child : element_.children)
     compile_child_of(child);
   compile_bodies();
-  if (topic_.kind == TopicKind::enquiry && topic_.queries.empty() &&
-      topic_.filled == no_code)
-    compilation_.findings.add({Severity::warning,
-                               {topic_.position},
-                               "the enquiry '" + topic_.name +
-                                   "' has no <query> and no <filled>: nothing "
-                                   "answers it",
-                               "unanswered-enquiry"});
+  warn_of_enquiry();
+}
+
+// What an enquiry lacks, and what it has no use for (engine rule 5).
+void TopicCompiler::warn_of_enquiry() {
+  if (topic_.kind != TopicKind::enquiry)
+    return;
+  if (topic_.queries.empty() && topic_.filled == no_code)
+    warn(topic_.position, "unanswered-enquiry",
+         "the enquiry '" + topic_.name +
+             "' has no <query> and no <filled>: nothing answers it");
+  const auto* completed = element_.child("completed");
+  if (completed && !holds(element_, "complete"))
+    warn(completed->position, "uncompleted-enquiry",
+         "an enquiry is answered and never completed: this never runs; write "
+         "<filled>, which runs with each answer, or leave out "
+         "kind=\"enquiry\"");
+}
+
+void TopicCompiler::warn(Position position, const char* lint,
+                         std::string message) {
+  compilation_.findings.add(
+      {Severity::warning, {position}, std::move(message), lint});
 }
 
 } // namespace

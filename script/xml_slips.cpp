@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "script/element_table.hpp"
 #include "script/findings.hpp"
 #include "script/tag_scanner.hpp"
 

@@ -48,12 +48,10 @@ public:
   void run() {
     if (std::erase_if(acts_, [&](auto& act) { return is_denied(act); }) > 0)
       std::erase_if(acts_, [](auto& act) { return is_plain(act, "deny"); });
-    const bool contradicts =
-        any("confirm") && (any("deny") || any("correct"));
-    const bool asks = std::ranges::any_of(
-        acts_, [](auto& act) {
-          return act.topic == no_topic && has(questions, act.act);
-        });
+    const bool contradicts = any("confirm") && (any("deny") || any("correct"));
+    const bool asks = std::ranges::any_of(acts_, [](auto& act) {
+      return act.topic == no_topic && has(questions, act.act);
+    });
     if (contradicts || asks)
       std::erase_if(acts_, [](auto& act) { return is_answer(act); });
     std::erase_if(acts_, [&](auto& act) { return is_unsure(act); });
@@ -86,8 +84,8 @@ private:
   }
 
   bool any(std::string_view name) const {
-    return std::ranges::any_of(
-        acts_, [&](auto& act) { return is_plain(act, name); });
+    return std::ranges::any_of(acts_,
+                               [&](auto& act) { return is_plain(act, name); });
   }
 
   // "do not cancel it"
@@ -132,7 +130,7 @@ private:
   std::vector<BuiltAct>& acts_;
   const Utterance& utterance_;
   const Context& context_;
-  std::vector<bool> understood_;        // each token
+  std::vector<bool> understood_;       // each token
   std::vector<std::uint32_t> denials_; // tokens where a "not" begins
 };
 

@@ -250,7 +250,7 @@ Understanding Understander::understand(std::string_view text,
   Matcher matcher(self.automaton, utterance, spans, context.asked_entity_id,
                   context.grammar);
   auto islands = read_islands(matcher.run(), matcher.traces(), spans,
-                                    self.automaton, schema, context);
+                              self.automaton, schema, context);
   if (!context.confirms.empty())
     prefer_answers(islands);
   const auto chains = best_chains(islands, utterance.size(), context);

@@ -35,7 +35,7 @@ struct Core {
 
   Timestamp now = 0; // constant within one event
   std::uint64_t last_id = 0;
-  bool ending = false; // as soon as all is said
+  bool ending = false;  // as soon as all is said
   bool leaving = false; // the user is not there any more
   bool ended = false;
 

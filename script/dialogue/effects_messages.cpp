@@ -1,10 +1,12 @@
 // What scripts want of components: messages, requests, frames, speech.
+#include <optional>
 #include <utility>
 
 #include "script/dialogue/core.hpp"
 #include "script/dialogue/effect_operands.hpp"
 #include "script/dialogue/effects.hpp"
 #include "script/dialogue/steps.hpp"
+#include "script/findings.hpp"
 
 namespace parlour::dialogue {
 
@@ -21,6 +23,37 @@ Message message_of(SessionId session, const Value& module, const Value& command,
   message.sinks = {module.text()};
   message.session = std::move(session);
   return message;
+}
+
+template <class Named>
+std::string did_you_mean(const std::string& name,
+                         const std::vector<Named>& all) {
+  std::vector<std::string> names;
+  for (const auto& one : all)
+    names.push_back(one.name);
+  return script::did_you_mean(name, names);
+}
+
+// What a frame may leave open it must not get wrong: another topic would take
+// it.
+std::optional<Error> misnamed(const script::Program& program, const Act& act) {
+  if (act.topic.empty())
+    return {};
+  const auto id = program.topic(act.topic);
+  if (id == script::no_id)
+    return Error{ErrorKind::range,
+                 "there is no topic '" + act.topic + "' for this frame" +
+                     did_you_mean(act.topic, program.topics),
+                 {}};
+  const auto& topic = program.topics[id];
+  for (const auto& value : act.slots)
+    if (topic.slot(value.slot) == script::no_id)
+      return Error{ErrorKind::range,
+                   "the topic '" + topic.name + "' has no slot '" + value.slot +
+                       "' for this frame" +
+                       did_you_mean(value.slot, topic.slots),
+                   {}};
+  return {};
 }
 
 } // namespace
@@ -98,6 +131,9 @@ script::Performed Effects::fire_frames(Context context, Call effect) {
   auto parsed = parse_acts(effect.operand(0));
   for (const auto& problem : parsed.problems)
     core_.inspect(InspectionKind::error, "fire", problem);
+  for (const auto& act : parsed.acts)
+    if (auto error = misnamed(*core_.program, act))
+      return std::move(*error);
   if (parsed.acts.empty()) {
     Step nothing;
     nothing.kind = StepKind::no_match;

@@ -108,7 +108,7 @@ private:
     Origin origin;
     bool yielded = false; // its slice was used up; it waits for nothing
     StepList later;       // what it asked for so far, where it yielded
-    };
+  };
 
   WaitId dispose(std::unique_ptr<script::Activation> activation,
                  const script::RunResult& result);

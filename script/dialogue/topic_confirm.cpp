@@ -33,11 +33,6 @@ void TopicEngine::confirm(std::string question, TopicId topic, SlotId slot,
   asked.level = core_.states.levels().size();
   asked.pending = false;
   asked.heard = true; // as soon as it comes to that
-  for (auto& step : end_confirms([&](const Asked& other) {
-         return topic == script::no_id && other.topic == topic &&
-                other.body == asked.body && other.question == question;
-       }))
-    core_.runner.later(std::move(step));
   confirms_.push_back(asked);
   put(std::move(asked), "confirm", {}, std::move(question), OutputAct::question,
       turn);

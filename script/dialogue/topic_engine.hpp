@@ -183,6 +183,7 @@ private:
   void drop_beside(const std::function<bool(const Act&)>& wanted);
   bool echoes(const Act& act) const;
   bool is_about_it(const Act& act) const;
+  bool says_the_same(const Act& act) const;
   void take_answer(bool yes, TurnId turn);
   void answer_confirm(const Asked& asked, bool yes);
   void settle_confirmed(const Asked& asked, bool yes);

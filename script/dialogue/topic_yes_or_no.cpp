@@ -129,7 +129,7 @@ TopicEngine::Beside TopicEngine::said_beside(const Step& step) const {
     else if (is_generic(act))
       beside.wishes |= !is_courtesy(act) && !echoes(act);
     else
-      beside.wishes |= is_about_it(act) && !(yes && act.slots.empty());
+      beside.wishes |= is_about_it(act) && !(yes && says_the_same(act));
   }
   return beside;
 }
@@ -154,6 +154,17 @@ bool TopicEngine::echoes(const Act& act) const {
 bool TopicEngine::is_about_it(const Act& act) const {
   return asked_->topic != script::no_id && !is_generic(act) &&
          classify(*core_.program, act, classifier_context()) == asked_->topic;
+}
+
+// "Two nights?" "Yes, two nights."
+bool TopicEngine::says_the_same(const Act& act) const {
+  const auto& topic = core_.topic(asked_->topic);
+  const auto& slots = core_.frame(asked_->topic).slots;
+  return std::ranges::all_of(act.slots, [&](const SlotValue& said) {
+    const auto slot = topic.slot(said.slot);
+    return act.kind != ActKind::deny && slot != script::no_id &&
+           !said.value.is_unknown() && slots[slot].value == said.value;
+  });
 }
 
 void TopicEngine::take_answer(bool yes, TurnId turn) {

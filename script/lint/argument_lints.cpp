@@ -27,8 +27,9 @@ std::size_t placeholders(std::string_view pattern) {
   std::size_t count = 0;
   for (std::size_t at = 0; at + 1 < pattern.size(); ++at) {
     const auto two = pattern.substr(at, 2);
-    count += two == "{}";
-    at += two == "{}" || two == "{{" || two == "}}";
+    const bool begins = two == "{}" || two == "{:";
+    count += begins;
+    at += begins || two == "{{" || two == "}}";
   }
   return count;
 }
@@ -136,8 +137,6 @@ std::string odd_argument(const Node& call) {
     return odd_format(call);
   if (call.text == "date" || call.text == "time")
     return odd_time(call);
-  if (call.text == "spoken")
-    return odd_word(call, 1, {"time", "date", "number", "level"});
   if (call.text == "sort")
     return odd_word(call, 1, {"ascending", "descending"});
   if (call.text == "matches" || call.text == "capture")

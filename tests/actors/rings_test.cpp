@@ -77,8 +77,9 @@ TEST_F(RingsTest, ALongChainInTimeGoesOn) {
   options.components = {component(
       "Drum", "Device", [&](FunctionPlugin& self, const Message& given) {
         ++heard;
-        self.host().after(
-            50ms, [&self, given] { self.fire_event("Sound", given.params); });
+        self.host().after(50ms, [&self, given] {
+          self.answer(given, "Sound", given.params);
+        });
       })};
   start(begin + R"(<handler name="Again"><messages><component>
       <Drum><Sound><post module="Drum" command="Sound"/></Sound></Drum>

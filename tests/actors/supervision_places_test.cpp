@@ -306,7 +306,7 @@ TEST_F(SupervisionPlacesTest, ASeatsComponentOpensItsSession) {
     node->run_until_quiet();
     return std::exchange(one.said, {});
   };
-  EXPECT_THAT(hears("Partial"), IsEmpty());
+  EXPECT_THAT(hears("Hiccup"), IsEmpty());
   EXPECT_THAT(unhandled, ElementsAre("its session is over"));
   EXPECT_THAT(hears("RecognitionResult"), ElementsAre("1 home"));
   EXPECT_THAT(hears("RecognitionResult"), ElementsAre("2 home"));

@@ -125,10 +125,11 @@ TEST(Compiler, brings_the_platform_s_phrases_behind_the_application_s) {
 TEST(Compiler, tells_what_cannot_be_read) {
   test::TemporaryFolder folder;
   const auto path = folder.path().string();
-  EXPECT_THAT(test::lines_of(
-                  compile_application(path, test::platform()).findings, path),
-              ElementsAre("settings.xml: error: settings.xml: this file "
-                          "cannot be read"));
+  EXPECT_THAT(
+      test::lines_of(compile_application(path, test::platform()).findings,
+                     path),
+      ElementsAre("settings.xml: error: this file cannot be read: No such "
+                  "file or directory"));
   EXPECT_THAT(
       test::lines_of(compile_file(path + "/x.xml", test::platform()).findings,
                      path),

@@ -109,7 +109,7 @@ TEST(ElementTable, has_words_for_every_choice_and_no_attribute_twice) {
 TEST(ElementTable, has_forms_of_attributes_that_are_there) {
   for (const auto& rule : element_table())
     for (const auto& form : rule.forms)
-      for (const auto& part : form.parts) {
+      for (const auto& part : form) {
         const auto* attribute = rule.attribute(part.attribute);
         ASSERT_TRUE(attribute) << rule.name << " " << part.attribute;
         for (const auto& value : part.values)

@@ -56,11 +56,11 @@ TEST(SettingsReader, gives_nobody_the_name_of_somebody_else) {
           .lines,
       ElementsAre("s.xml:1:20: error: 'System' is a source of the platform's "
                   "own; choose another name",
-                  "s.xml:1:95: error: 'ASR' is the name of a role, and stands "
+                  "s.xml:1:88: error: 'ASR' is the name of a role, and stands "
                   "for whoever fills it; choose another name",
-                  "s.xml:1:133: error: a second <component name=\"A\">, after "
+                  "s.xml:1:126: error: a second <component name=\"A\">, after "
                   "the one in line 1; put both into one",
-                  "s.xml:1:173: error: 'Timer' is a source of the platform's "
+                  "s.xml:1:168: error: 'Timer' is a source of the platform's "
                   "own; choose another name"));
 }
 

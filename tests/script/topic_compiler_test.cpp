@@ -17,8 +17,8 @@ TEST(TopicCompiler, fills_every_field) {
       "<rule if='this.A'><clear slot='B'/></rule>"
       "<query source='db' param='select 1'/>"
       "<started><print param='a'/></started><suspended><print param='a'/>"
-      "</suspended><resumed><print param='a'/></resumed><filled><print "
-      "param='a'/></filled><completed><print param='a'/></completed><cancelled>"
+      "</suspended><resumed><print param='a'/></resumed><filled>"
+      "<complete/></filled><completed><print param='a'/></completed><cancelled>"
       "<print param='a'/></cancelled></topic>");
   ASSERT_TRUE(outcome.program) << outcome.lines.at(0);
   EXPECT_THAT(outcome.lines, IsEmpty());

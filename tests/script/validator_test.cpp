@@ -126,20 +126,19 @@ INSTANTIATE_TEST_SUITE_P(
     forms, Mistakes,
     testing::Values(
         Mistake{"<function name='f'><for name='i' in='[1]'/></function>",
-                "30: error: <for> is written <for name=\"i\" from=\"1\" "
-                "to=\"3\"> or <for each=\"x\" in=\"list\">"},
-        Mistake{"<function name='f'><object name='a' class='array'/>"
-                "</function>",
-                "30: error: <object> is written <object name=\"x\" "
-                "class=\"array\" size=\"3\"/>"},
+                "44: error: <for> has both 'name' and 'in'; write either name, "
+                "from, to, step, or each, in, index"},
+        Mistake{
+            "<function name='f'><object name='a' class='array'/>"
+            "</function>",
+            "30: error: <object> needs the attribute 'size': elements of an "
+            "array"},
         Mistake{"<function name='f'><fire/></function>",
-                "30: error: <fire> is written <fire event=\"Name\" "
-                "param=\"value\"/> or <fire param=\"frames\"/>"},
+                "30: error: <fire> needs the attribute 'param' or 'event'"},
         Mistake{"<topic name='t'><slot name='s'><cardinality type='number' "
                 "from='1'/></slot></topic>",
-                "42: error: <cardinality> is written <cardinality "
-                "type=\"number\"/> or <cardinality type=\"range\" "
-                "from=\"1\" to=\"9\"/>"}));
+                "69: error: <cardinality type=\"number\"> has no 'from'; that "
+                "belongs to type=\"range\""}));
 
 TEST(Validator,
      accepts_the_paper_s_spellings_and_either_case_of_first_letters) {

@@ -5,6 +5,8 @@
 #include <string_view>
 #include <utility>
 
+#include "adapters/nlu/words.hpp"
+
 namespace parlour::adapters::nlu {
 
 namespace {

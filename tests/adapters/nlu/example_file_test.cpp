@@ -73,14 +73,14 @@ TEST_F(ExampleFile, HasBounds) {
     many += "nothing\n";
   EXPECT_EQ(add(many).size(), 100U);
   EXPECT_THAT(add(std::string(most_example_file_bytes + 1, '\n')),
-              ElementsAre("0:0: a file of examples has at most 8 MiB"));
+              ElementsAre("0:0: this file is larger than 8 MB"));
 }
 
 TEST_F(ExampleFile, MissesTheFile) {
   const auto wrong = add_example_file(folder_.path(), model_);
   ASSERT_EQ(wrong.size(), 1U);
   EXPECT_EQ(wrong[0].kind, ErrorKind::file);
-  EXPECT_THAT(wrong[0].message, HasSubstr("no such file"));
+  EXPECT_THAT(wrong[0].message, HasSubstr("this is a folder, not a file"));
 }
 
 } // namespace

@@ -142,9 +142,6 @@ const Hostile scripts[] = {
                                                      "</RecognitionResult></"
                                                      "ASR></component></"
                                                      "messages></handler>"},
-    {"push_and_pop_in_each_other",
-     STATE("S", "<Entrance><pop/></Entrance><Exit><push state='S'/></Exit>")
-         ON_RING("<push state='S'/>")},
     {"pop_of_nothing", ON_RING("<pop/><pop/>")},
     {"states_that_lead_to_each_other",
      STATE("S", "<Entrance><transit state='T'/></Entrance>")
@@ -155,10 +152,6 @@ const Hostile scripts[] = {
          ON_RING("<transit state='T'/><push state='S'/>"),
      "S"},
     {"restart_in_the_entrance", STATE("S", "<Entrance><restart/></Entrance>"),
-     "S"},
-    {"restart_while_a_state_is_left",
-     STATE("S", "<Exit><restart/><wait for='5s'/></Exit>") STATE("T", "")
-         ON_RING("<transit state='T'/>"),
      "S"},
     // timers
     {"timer_of_no_time",

@@ -188,10 +188,10 @@ TEST(Lane, WhoWaitsForTheUserDoesNotHoldWhatIsAnswered) {
   Lane lane;
   lane.queue({numbered(1), numbered(5)});
   lane.next();
-  lane.wait(8, true);
+  lane.wait(8, Lane::Others::go_on);
   lane.queue({numbered(2), numbered(6)});
   lane.next();
-  lane.wait(9, true);
+  lane.wait(9, Lane::Others::go_on);
   lane.queue({numbered(3), numbered(7)});
   lane.next();
   lane.wake(8, numbered(4)); // the outer one; what runs now ends first
@@ -204,7 +204,7 @@ TEST(Lane, WhatFollowsAWaitComesOnce) {
   Lane lane;
   lane.queue({numbered(1), numbered(4)});
   lane.next();
-  lane.wait(9, true);
+  lane.wait(9, Lane::Others::go_on);
   lane.follow(9, topic_step(StepKind::settle, 0));
   lane.follow(9, topic_step(StepKind::settle, 0));
   lane.follow(9, topic_step(StepKind::settle, 1));
@@ -217,7 +217,7 @@ TEST(Lane, WhatIsTakenOutIsOver) {
   Lane lane;
   lane.queue({numbered(1), numbered(3)});
   lane.next();
-  lane.wait(9, true);
+  lane.wait(9, Lane::Others::go_on);
   const auto rest = lane.take_out(9);
   EXPECT_EQ(rest.begin()->turn, 3u);
   EXPECT_TRUE(lane.take_out(9).empty());
@@ -232,7 +232,7 @@ TEST(Lane, AbandonsAllButWhatStays) {
   for (const WaitId wait : {7u, 8u, 9u}) {
     lane.queue({numbered(wait), numbered(wait * 10)});
     lane.next();
-    lane.wait(wait, true);
+    lane.wait(wait, Lane::Others::go_on);
   }
   EXPECT_EQ(lane.abandon({8}), (std::vector<WaitId>{9, 7}));
   EXPECT_EQ(taken(lane), Numbers{});
@@ -248,7 +248,7 @@ TEST(Lane, WhatItHasAheadCanBeTaken) {
       lane.take_ahead([](const Step& step) { return step.turn % 2 == 1; });
   EXPECT_EQ(odd.begin()->turn, 3u);
   EXPECT_EQ(lane.ahead().begin()->turn, 2u);
-  lane.wait(9, true);
+  lane.wait(9, Lane::Others::go_on);
   const auto waiting = lane.take_waiting([](const Step&) { return true; });
   EXPECT_EQ(waiting.begin()->turn, 2u);
 }

@@ -10,6 +10,7 @@
 
 #include "script/lint/lint.hpp"
 #include "script/source_reader.hpp"
+#include "tests/support/paths.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tools/parlour/application.hpp"
 #include "tools/parlour/fix.hpp"
@@ -23,7 +24,7 @@ using Findings = std::vector<script::Finding>;
 std::vector<fs::path> scripts_below(const std::string& folder) {
   std::vector<fs::path> files;
   for (const auto& entry :
-       fs::recursive_directory_iterator(fs::path(PARLOUR_SOURCE_DIR) / folder))
+       fs::recursive_directory_iterator(test::source_path(folder)))
     if (entry.path().extension() == ".xml")
       files.push_back(entry.path());
   std::sort(files.begin(), files.end());

@@ -19,14 +19,14 @@ protected:
 
 TEST_F(LoadCheck, refuses_a_name_that_is_not_free) {
   EXPECT_THAT(said_of("<load plugin='LogTelephone' name='ASR'/>"),
-              HasSubstr("own.xml:1:68: error: 'ASR' is the name of a role"));
+              HasSubstr("own.xml:1:64: error: 'ASR' is the name of a role"));
   EXPECT_THAT(said_of("<load plugin='LogTelephone' name='System'/>"),
               HasSubstr("error: 'System' is a source of the platform's own"));
 }
 
 TEST_F(LoadCheck, refuses_another_role_s_place) {
   EXPECT_THAT(said_of("<load plugin='LogTelephone' name='GrammarNLU'/>"),
-              HasSubstr("own.xml:1:68: error: GrammarNLU: it is the NLU here, "
+              HasSubstr("own.xml:1:64: error: GrammarNLU: it is the NLU here, "
                         "which LogTelephone is not"));
 }
 

@@ -23,8 +23,9 @@ void expect_no_secret(const std::string& seen) {
 std::string errors_of(const std::string& arguments) {
   const auto command =
       "printf 'open it and call 91234567\\n\\n4711\\n\\nyes\\n\\n' "
-      "| " PARLOUR_PROGRAM " run " +
-      arguments + " --clock '2026-11-21 09:00' 2>&1 >/dev/null";
+      "| " +
+      test::program_path() + " run " + arguments +
+      " --clock '2026-11-21 09:00' 2>&1 >/dev/null";
   auto* pipe = popen(command.c_str(), "r");
   std::string all;
   char buffer[4096];

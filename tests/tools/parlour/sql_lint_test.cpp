@@ -42,7 +42,8 @@ TEST_F(SqlLintTest, names_columns_and_tables_with_their_places) {
 TEST_F(SqlLintTest, looks_at_topics_and_their_columns) {
   const std::string topic =
       "<topic name=\"Q\" kind=\"enquiry\"><slot name=\"Name\" "
-      "question=\"Who?\"/><query source=\"db\" param=\"select * from guest\">";
+      "type=\"Functional\" question=\"Who?\"/><query source=\"db\" "
+      "param=\"select * from guest\">";
   EXPECT_EQ(said(topic + "<by slot=\"Name\" column=\"name\"/></query></topic>"),
             "");
   EXPECT_THAT(

@@ -128,11 +128,12 @@ private:
   std::optional<NodePartner> partner_;
 };
 
-constexpr const char* timers = R"(<state name="A"><Entrance>
+constexpr const char* timers = R"(<handler name="Begin"><messages><component>
+  <Session><Started>
   <speak param="Hello."/>
   <timer name="one" after="3s"><speak param="Three."/></timer>
   <timer name="two" after="5s"><print param="unheard"/></timer>
-  </Entrance></state>)";
+  </Started></Session></component></messages></handler>)";
 
 TEST_F(NodePartnerTest, goes_from_timer_to_timer_whatever_components_do) {
   ASSERT_NO_FATAL_FAILURE(talk(timers));
@@ -144,7 +145,9 @@ TEST_F(NodePartnerTest, goes_from_timer_to_timer_whatever_components_do) {
 
 TEST_F(NodePartnerTest, stops_where_something_is_said) {
   ASSERT_NO_FATAL_FAILURE(talk(std::string(timers) + R"(<handler name="Ear">
-      <messages><component><Metronome>
+      <messages><component>
+      <Session><Started><subscribe source="Metronome"/></Started></Session>
+      <Metronome>
         <Strikes><speak param="Dong."/></Strikes>
       </Metronome></component></messages></handler>)"));
   EXPECT_EQ(let_time_pass(), 1s);

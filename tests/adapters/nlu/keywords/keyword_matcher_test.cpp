@@ -86,5 +86,42 @@ TEST_F(KeywordMatcherTest, GoesOnWithWhatWasAskedOrTheCurrentTopic) {
   EXPECT_THAT(of("how about singing?", {{"current", "Where"}}), IsEmpty());
 }
 
+constexpr const char* yes_or_no_xml = R"(<keywords>
+  <rule act="confirm"><keyword>yes</keyword><keyword>absolutely</keyword></rule>
+  <rule act="deny"><keyword>no</keyword><keyword>not</keyword></rule>
+  <rule act="help"><keyword>help</keyword></rule>
+  <rule act="thank"><keyword>thanks</keyword></rule>
+</keywords>)";
+
+std::string answer(const std::string& text, const Value& context = Map()) {
+  auto model = desk_model();
+  model.topics.push_back(
+      {"Fee", false, {{"Pays", "set", {"yes", "no"}, "", false, false}}, {}});
+  auto rules =
+      read_keyword_rules(yes_or_no_xml, "keywords.xml", model, desk_columns());
+  const KeywordMatcher matcher(std::move(*rules));
+  const auto acts = matcher.understand(text, context);
+  return acts.empty() ? "" : shown(acts.front());
+}
+
+TEST(KeywordAnswers, AYesIsOneWhereNothingElseIsSaid) {
+  EXPECT_EQ(answer("yes please"), "confirm");
+  EXPECT_EQ(answer("thanks, yes"), "confirm");
+  EXPECT_EQ(answer("no"), "deny");
+  EXPECT_EQ(answer("absolutely not"), "");
+  EXPECT_EQ(answer("yes and no"), "");
+  EXPECT_EQ(answer("yes if it is cheap"), "");
+  EXPECT_EQ(answer("yes help"), "help");
+}
+
+TEST(KeywordAnswers, AYesIsForTheQuestionThatWantsIt) {
+  const auto context = [](const char* question) {
+    return Value(Map{{"current", "Fee"}, {"confirms", question}});
+  };
+  EXPECT_EQ(answer("yes", Map{{"current", "Fee"}}), "~inform Fee Pays=yes");
+  EXPECT_EQ(answer("yes", context("Shall I book it?")), "confirm");
+  EXPECT_EQ(answer("yes book it", context("Shall I book it?")), "confirm");
+}
+
 } // namespace
 } // namespace parlour::adapters::nlu

@@ -1,0 +1,144 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/adapters/nlu/sample.hpp"
+
+namespace parlour::adapters::nlu::test {
+namespace {
+
+struct Turn {
+  const char* asked;
+  const char* text;
+  const char* expected;
+};
+
+std::string understood(const Turn& turn) {
+  static const auto understander = sample();
+  return summary(
+      understander.understand(turn.text, sample_context(turn.asked)).acts);
+}
+
+// A refusal, in whatever words, is never read as a yes.
+TEST(Doubt, TakesNoRefusalForAYes) {
+  for (const auto* text : {"absolutely not",
+                           "no way",
+                           "not at all",
+                           "of course not",
+                           "I'd rather not",
+                           "certainly not",
+                           "definitely not",
+                           "not now",
+                           "not really",
+                           "never",
+                           "no chance",
+                           "please don't",
+                           "don't do it",
+                           "I don't think so",
+                           "I do not",
+                           "I'm afraid not",
+                           "probably not",
+                           "that's not ok",
+                           "that is not right",
+                           "not quite",
+                           "no, sorry",
+                           "absolutely no way",
+                           "I will not",
+                           "rather not",
+                           "nope",
+                           "no no no"})
+    EXPECT_EQ(understood({"", text, ""}), "deny") << text;
+}
+
+// Nor is what could be either, or has more to it than is understood.
+TEST(Doubt, TakesNoDoubtForAYes) {
+  for (const auto* text : {"yes no wait",
+                           "yes and no",
+                           "no wait, yes",
+                           "yes, hold on",
+                           "I'm not sure",
+                           "not sure",
+                           "are you sure?",
+                           "is that right?",
+                           "right?",
+                           "yes but",
+                           "yes, maybe",
+                           "perhaps yes",
+                           "yes if it is cheap",
+                           "yes, unless it rains",
+                           "ok never mind that purple thing",
+                           "no problem",
+                           "sure, as if",
+                           "that is certainly not at all right",
+                           "not bad",
+                           "yes, only tomorrowish",
+                           "ok so who pays",
+                           "right, who are you",
+                           "yeah right, zork"})
+    EXPECT_THAT(understood({"", text, ""}),
+                testing::Not(testing::HasSubstr("confirm")))
+        << text;
+}
+
+TEST(Doubt, TakesAYesInManyWords) {
+  for (const auto* text : {"yes",
+                           "yes please",
+                           "yeah sure",
+                           "ok",
+                           "of course",
+                           "yes I do",
+                           "yes, I am sure",
+                           "yes that would be nice",
+                           "yes, that is fine with me",
+                           "er, yes, please",
+                           "why not",
+                           "go ahead",
+                           "please do",
+                           "absolutely",
+                           "yes, of course, thank you",
+                           "that's right",
+                           "yes you can",
+                           "ok great",
+                           "sounds good",
+                           "yes, I would like that"})
+    EXPECT_EQ(understood({"", text, ""}), "confirm") << text;
+}
+
+TEST(Doubt, LetsAQuestionGoBeforeAYes) {
+  EXPECT_EQ(understood({"", "ok, what do you mean?", ""}), "rephrase");
+  EXPECT_EQ(understood({"", "right, help me please", ""}), "help");
+  EXPECT_EQ(understood({"", "no, why do you ask", ""}), "explain");
+  EXPECT_EQ(understood({"", "sure, is there a bank", ""}),
+            "confirm + request Facility Category=bank");
+  EXPECT_EQ(understood({"", "yes, but is there a bank", ""}),
+            "request Facility Category=bank");
+}
+
+TEST(Doubt, CancelsNothingThatIsNotToBeCancelled) {
+  for (const auto* text : {"do not cancel it", "please don't start over",
+                           "don't cancel everything", "never stop"})
+    EXPECT_EQ(understood({"", text, ""}), "") << text;
+  EXPECT_EQ(understood({"", "no, cancel it", ""}), "deny + cancel");
+}
+
+// A topic that takes yes and no as values.
+std::string insured(const std::string& text, const Value& context) {
+  UnderstandingModel model;
+  model.topics = {{"Insurance",
+                   false,
+                   {{"Wants", "set", {"yes", "no"}, "", true, false}},
+                   {"I want to be insured", "[yes](Wants)"}}};
+  static const auto built =
+      Understander::build(model, {}, {0.4, {generic_grammar()}});
+  return summary(built->understand(text, context).acts);
+}
+
+TEST(Doubt, TakesAYesAsAValueOnlyWhereNoQuestionWantsIt) {
+  const Value confirms(Map{{"confirms", "Shall I book the blue room?"}});
+  EXPECT_THAT(insured("yes", sample_context("")),
+              testing::HasSubstr("inform Insurance Wants=yes"));
+  EXPECT_EQ(insured("yes", confirms), "confirm");
+  EXPECT_EQ(insured("no thanks", confirms), "deny");
+}
+
+} // namespace
+} // namespace parlour::adapters::nlu::test

@@ -132,7 +132,7 @@ void Scanner::markup() {
 void Scanner::text() {
   const auto end = find("<", at_);
   while (at_ < end) {
-    at_ = std::min(text_.find_first_of("&]", at_), end);
+    at_ = std::min(text_.substr(0, end).find_first_of("&]", at_), end);
     if (at_ == end)
       return;
     if (text_[at_] == '&') {
@@ -245,7 +245,7 @@ void Scanner::attribute() {
   const auto end = at_ == text_.size() ? at_ : text_.find(text_[at_], at_ + 1);
   const auto close = std::min(end, text_.size());
   while (at_ < close) {
-    at_ = std::min(text_.find_first_of("&<", at_), close);
+    at_ = std::min(text_.substr(0, close).find_first_of("&<", at_), close);
     if (at_ == close)
       break;
     if (text_[at_] == '&') {

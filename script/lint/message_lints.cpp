@@ -95,7 +95,7 @@ bool MessageLint::is_filled(std::string_view role) const {
 // Where nothing comes later: a plug-in that a script loads, a remote agent.
 bool MessageLint::is_missing(const std::string& name) const {
   const auto* role = find_role(name);
-  return role && !role->reserved && !comes_later_ &&
+  return role && !role->reserved && !comes_later_ && subject_.settings &&
          !subject_.options.component_roles.empty() && !is_filled(role->name);
 }
 

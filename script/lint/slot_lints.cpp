@@ -1,4 +1,4 @@
-// unfillable-slot, joined-values, unasked-question.
+// unfillable-slot, joined-values.
 #include <algorithm>
 #include <optional>
 
@@ -93,24 +93,11 @@ void lint_values(const Element& slot, Findings& findings) {
          "this is one value, with its commas; write a <value> for each");
 }
 
-void lint_question(const Element& topic, const ElementRule& rule,
-                   const Element& slot, Findings& findings) {
-  const auto name = slot.value("name");
-  if (slot.attribute("question") && slot.value("type") != "Functional" &&
-      !is_asked(topic, rule, name))
-    warn(findings, "unasked-question", slot.attribute("question")->position,
-         "nothing asks this question: the slot '" + name +
-             "' is taken when it is said; to have it asked for say "
-             "type=\"Functional\", or <ask slot=\"" +
-             name + "\"/>");
-}
-
 void lint_slot(const Subject& subject, const Element& topic,
                const ElementRule& rule, const Element& slot,
                Findings& findings) {
   lint_range(slot, findings);
   lint_values(slot, findings);
-  lint_question(topic, rule, slot, findings);
   const auto name = slot.value("name");
   const bool can_be_filled =
       slot.attribute("question") || slot.attribute("expr") ||

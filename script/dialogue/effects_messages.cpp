@@ -131,9 +131,11 @@ script::Performed Effects::fire_frames(Context context, Call effect) {
   auto parsed = parse_acts(effect.operand(0));
   for (const auto& problem : parsed.problems)
     core_.inspect(InspectionKind::error, "fire", problem);
+  // Who listens to Dialogue may know names that no topic has.
   for (const auto& act : parsed.acts)
-    if (auto error = misnamed(*core_.program, act))
-      return std::move(*error);
+    if (!core_.pipeline.listens("Dialogue", std::string(name_of(act.kind))))
+      if (auto error = misnamed(*core_.program, act))
+        return std::move(*error);
   if (parsed.acts.empty()) {
     Step nothing;
     nothing.kind = StepKind::no_match;

@@ -102,8 +102,7 @@ Expected<void> bring_up(Instance& instance) {
 
 void start(Self self) {
   auto& [services, instance] = self->state;
-  auto work = services->work.begin();
-  Work expected;
+  Work expected; // of who waits for the start
   Expected<void> outcome;
   const auto called = call(self, services->clock->now(), expected,
                            [&, &one = *instance] { outcome = bring_up(one); });
@@ -112,7 +111,8 @@ void start(Self self) {
   if (called.thrown)
     outcome = fail(ErrorKind::settings, *called.thrown);
   self->send(services->supervisor,
-             instance_started{instance->id, std::move(outcome), work});
+             instance_started{instance->id, std::move(outcome),
+                              services->work.begin()});
 }
 
 void stop(Self self) {

@@ -55,6 +55,7 @@ void House::set_up_services() {
   services_.data_folder = options_.data_folder;
   services_.application_folder = options_.application_folder;
   services_.clock = &drive_->clock();
+  services_.start_time = options_.start_time;
   services_.detaches = drive_->detaches();
   services_.plugins = options_.plugins;
   services_.complete = options_.complete;

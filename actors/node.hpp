@@ -52,6 +52,9 @@ struct NodeOptions {
   unsigned threads = 0;           // of the scheduler; 0: as many as cores
   // How long sessions, then components, then the rest get to end in real time.
   Milliseconds drain_time{2'000};
+  // How long a component may take to start, in real time: libraries and models
+  // are loaded.
+  Milliseconds start_time{30'000};
   // The files of the data folder and the network; without, scripts are refused
   // what wants them.
   FileAccess files = {};

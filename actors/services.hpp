@@ -66,6 +66,8 @@ struct Services {
   std::function<void(const std::string&)> log;
   // Null where nothing of the program is private.
   std::unique_ptr<Discretion> discretion;
+  // How long a component may take to start, in real time.
+  Milliseconds start_time{30'000};
   // The next session's id and seed; called by the session manager only.
   std::function<SessionId()> new_session_id;
   std::function<std::uint64_t()> new_seed;

@@ -14,9 +14,6 @@ namespace parlour::actors {
 
 namespace {
 
-// What libraries and models take to load.
-constexpr Milliseconds start_deadline{30'000};
-
 bool is_called_inline(const Component& component) {
   using enum Scope::Kind;
   const auto scope = component.order.upkeep.scope.kind;
@@ -258,14 +255,18 @@ void Supervision::try_again(const actors::try_again& what) {
 
 // -- calls that do not return -------------------------------------------------
 
+Milliseconds Supervision::deadline_of(const Entry& entry) const {
+  const auto deadline = entry.branch->component->order.upkeep.deadline;
+  return entry.stage == Stage::starts ? std::max(deadline, services_.start_time)
+                                      : deadline;
+}
+
 void Supervision::watch(const watch_instance& what) {
   const auto found = entries_.find(what.instance);
   if (found == entries_.end())
     return;
-  const auto& [instance, host, branch, stage] = found->second;
-  auto deadline = branch->component->order.upkeep.deadline;
-  if (stage == Stage::starts)
-    deadline = std::max(deadline, start_deadline);
+  const auto& instance = found->second.instance;
+  const auto deadline = deadline_of(found->second);
   std::optional left = deadline;
   if (!what.begins)
     left = instance->watch.look(services_.clock->now(), deadline);
@@ -280,9 +281,8 @@ void Supervision::hangs(InstanceId id) {
   auto node = entries_.extract(id);
   auto& entry = node.mapped();
   const auto branch = entry.branch;
-  const auto reason =
-      "a call did not return within " +
-      std::to_string(branch->component->order.upkeep.deadline.count()) + " ms";
+  const auto reason = "a call did not return within " +
+                      std::to_string(deadline_of(entry).count()) + " ms";
   entry.instance->watch.give_up();
   branch->component->mailbox->leave(entry.host);
   close(entry, reason);

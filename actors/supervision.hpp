@@ -144,6 +144,8 @@ private:
   static bool has(const Kept& kept, const BranchPointer& branch);
   void works(Entry& entry);
   void joins(const Entry& entry);
+  // Of a call that it is in now.
+  Milliseconds deadline_of(const Entry& entry) const;
   void hangs(InstanceId id);
 
   // -- failures: supervision.cpp

@@ -3,6 +3,8 @@
 #include <ostream>
 #include <string>
 
+#include "runtime/base/file_bytes.hpp"
+
 namespace parlour::adapters {
 
 namespace {
@@ -37,6 +39,8 @@ std::string csv(const Value& value) {
 } // namespace
 
 Expected<void> Record::open(const std::filesystem::path& file) {
+  if (auto may = check_may_be_file(file); !may)
+    return may;
   std::error_code ignored; // opening the file says it
   std::filesystem::create_directories(file.parent_path(), ignored);
   stream_.open(file, std::ios::app | std::ios::binary);

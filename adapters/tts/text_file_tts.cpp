@@ -5,6 +5,7 @@
 #include <sstream>
 #include <utility>
 
+#include "runtime/base/file_bytes.hpp"
 #include "runtime/plugin/folder.hpp"
 
 namespace parlour::adapters {
@@ -58,6 +59,8 @@ Expected<void> TextFileTTS::on_start(const Options& options) {
                            option_or(options, "file", "speech.txt"), "file");
   if (!path)
     return tl::make_unexpected(path.error());
+  if (auto file = check_may_be_file(*path); !file)
+    return file;
   std::error_code ignored;
   std::filesystem::create_directories(path->parent_path(), ignored);
   file_.open(*path, std::ios::app);

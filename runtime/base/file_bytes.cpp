@@ -86,6 +86,10 @@ Expected<void> check_is_file(const fs::path& path) {
   return check_kind(path, status);
 }
 
+Expected<void> check_may_be_file(const fs::path& path) {
+  return is_there(path) ? check_is_file(path) : Expected<void>();
+}
+
 Expected<std::string> read_file(const fs::path& path, std::size_t most) {
   if (auto file = check_is_file(path); !file)
     return tl::make_unexpected(file.error());

@@ -17,6 +17,8 @@ inline constexpr std::size_t largest_file = 256 << 20; // bytes
 // to one: "this is a named pipe, not a file"; "this file cannot be read:
 // Permission denied". Opens nothing.
 Expected<void> check_is_file(const std::filesystem::path& path);
+// The same before a file is written, which need not be there.
+Expected<void> check_may_be_file(const std::filesystem::path& path);
 
 // Its bytes, all of them: what has more than `most` is an error. Errors are of
 // kind File, as above, and have the file for their place.

@@ -1,4 +1,5 @@
 #include <condition_variable>
+#include <future>
 #include <mutex>
 #include <stdexcept>
 #include <thread>
@@ -231,6 +232,26 @@ TEST_F(SupervisionTest, GivesUpAThreadThatDoesNotReturn) {
   }
   changed.notify_all();
   EXPECT_TRUE(node->stop());
+}
+
+// The application does not start, and nobody waits for the thread.
+TEST_F(SupervisionTest, GivesUpAStartThatDoesNotReturn) {
+  std::promise<void> released;
+  options.virtual_start.reset();
+  options.start_time = 100ms;
+  options.drain_time = 100ms;
+  options.program = compile("<handler name='Nothing'/>", "", "");
+  options.components = {component("City", "Taxi", {})};
+  options.components[0].upkeep.deadline = 50ms;
+  options.components[0].factory.create =
+      [until = released.get_future().share()]() -> std::unique_ptr<IPlugin> {
+    until.wait();
+    return nullptr;
+  };
+  const auto started = Node::start(options);
+  EXPECT_EQ(started.error().message,
+            "City: a call did not return within 100 ms");
+  released.set_value();
 }
 
 } // namespace

@@ -106,6 +106,8 @@ private:
                      "Folder of plug-ins that are files; else "
                      "$PARLOUR_PLUGINS, or APP/plugins and the installed")
         ->check([this](const std::string& folder) {
+          if (!is_there(places_.working / folder))
+            return "there is no folder '" + folder + "'";
           const auto files = list_files(places_.working / folder, ".so");
           return files ? is_named(folder)
                        : "'" + folder + "': " + files.error().message;

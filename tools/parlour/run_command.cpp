@@ -226,6 +226,8 @@ int run_command(const Places& places, const RunOptions& options,
     return exit_code::usage;
   }
   SignalWatch signals;
+  // Until there is a conversation nothing has to be ended in order.
+  signals.on_interrupt([&] { std::_Exit(signals.status()); });
   auto opened = open_application(places, options.app, console);
   if (const auto* status = std::get_if<int>(&opened))
     return *status;

@@ -47,8 +47,7 @@ Expected<Paths> chosen_files(const Places& places,
     auto path = find_file(places, application, name);
     if (!path)
       return tl::make_unexpected(path.error());
-    if (std::find(files.begin(), files.end(), *path) == files.end())
-      files.push_back(std::move(*path));
+    files.push_back(std::move(*path));
   }
   return files;
 }

@@ -61,6 +61,14 @@ TEST_F(FileBytesTest, are_of_regular_files_only) {
             "this is a device, not a file");
 }
 
+TEST_F(FileBytesTest, may_be_written_where_nothing_or_a_file_is) {
+  folder_.write("file", "x");
+  std::filesystem::create_directory(folder_.path() / "folder");
+  EXPECT_TRUE(check_may_be_file(folder_.path() / "file"));
+  EXPECT_TRUE(check_may_be_file(folder_.path() / "new"));
+  EXPECT_FALSE(check_may_be_file(folder_.path() / "folder"));
+}
+
 TEST_F(FileBytesTest, name_the_systems_reason) {
   std::filesystem::create_symlink("loop", folder_.path() / "loop");
   EXPECT_EQ(error_of("nothing"),

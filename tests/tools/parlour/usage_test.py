@@ -60,8 +60,7 @@ MISTAKES = (
     (("run", "app", "--data", "file"), 1, "cannot be made: Not a directory"),
     (("run", "app", "--data", "loop"), 1, "cannot be made: " + LOOP),
     (("run", "app", "--plugins", ""), 2, "--plugins: an empty name"),
-    (("run", "app", "--plugins", "none"), 2, "folder cannot be read: " +
-     NOWHERE),
+    (("run", "app", "--plugins", "none"), 2, "there is no folder 'none'"),
     (("run", "app", "--plugins", "file"), 2, "cannot be read: Not a dir"),
     (("check", "file"), 1, "file:1:1: error: there is no element"),
     (("check", "pipe"), 1, "pipe: error: " + PIPE),
@@ -200,6 +199,20 @@ class Mistakes(UsageCase):
         made = {path for path in self.folder.rglob("*")} - before
         self.assertLessEqual({path.relative_to(self.folder).parts[0]
                               for path in made}, {"home"})
+
+    def test_what_components_write_into_is_no_pipe(self):
+        for plugin, name in (("TextFileTTS", "speech.txt"),
+                             ("LogTaxi", "records/taxi.log")):
+            self.write("voice/settings.xml", f"""<settings name="voice">
+                <Plugins><Plugin>{plugin}</Plugin></Plugins>
+                <Scripts><Script>main.xml</Script></Scripts></settings>""")
+            self.write("voice/main.xml", SCRIPT)
+            pipe = self.folder / "data" / name
+            pipe.parent.mkdir(parents=True, exist_ok=True)
+            os.mkfifo(pipe)
+            ended = self.tried("run", "voice", "--data", "data")
+            self.assertEqual(ended.returncode, 1, ended)
+            self.assertIn(f"{name}: {plugin}: {PIPE}", ended.stderr)
 
     def test_what_an_editor_keeps_beside_a_file_counts_for_nothing(self):
         app = self.make_application("edited")

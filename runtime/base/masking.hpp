@@ -1,5 +1,5 @@
-// Masking: what is private="true" as observers are shown it (session.md): in
-// its place stands ***.
+// Masking: what is private="true" as observers are shown it (engine rule 7.6):
+// in its place stands ***.
 #pragma once
 
 #include <string>

@@ -31,9 +31,9 @@ TEST_F(TestSuiteTest, holds_those_that_are_named) {
   folder_.write("x.txt", "R: Hello.\n");
   const auto suite = read_suite(greeter_, {"x.txt", "all", "all.txt"}, places_);
   ASSERT_TRUE(suite);
-  ASSERT_EQ(suite->conversations.size(), 2u); // each once
+  ASSERT_EQ(suite->conversations.size(), 3u);
   EXPECT_EQ(suite->conversations[0].file, "x.txt");
-  EXPECT_EQ(suite->conversations[1].name, "all");
+  EXPECT_EQ(suite->conversations[2].name, "all");
 }
 
 TEST_F(TestSuiteTest, tells_what_is_wrong_with_them) {

@@ -1,5 +1,5 @@
 // The part of the topic engine for a script's <confirm>: it is asked, asked
-// anew, and ended without an answer (language rule 12.12).
+// anew, and ended without an answer (language rule 12.20).
 #include <algorithm>
 #include <utility>
 

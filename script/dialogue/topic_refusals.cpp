@@ -1,5 +1,5 @@
 // The part of the topic engine for a no on the way to a topic's completion,
-// which never leads there (language rule 12.13).
+// which never leads there (language rule 12.21).
 #include <algorithm>
 #include <utility>
 

@@ -1,6 +1,6 @@
 // The part of the topic engine for answers to questions of yes or no: a
 // script's <confirm>, a value in doubt, whether to go on with a topic (engine
-// rule 5, language rule 12.12). What cannot be taken back is never done on an
+// rule 5, language rule 12.20). What cannot be taken back is never done on an
 // unsure reading: where a yes could be for something else, or could be a no, it
 // is asked again.
 #include <algorithm>

@@ -13,8 +13,7 @@ namespace parlour::actors {
 
 namespace {
 
-// Nobody speaks as the platform or as a role (roles table; session.md, "Who may
-// do what").
+// Nobody speaks as the platform or as a role (engine rule 1.5).
 bool may_speak_as(const std::string& source) {
   return !source.empty() && !find_role(source);
 }

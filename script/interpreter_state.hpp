@@ -14,7 +14,7 @@
 //   activations   count, each
 //     context     message (0: none, else its place from 1), topic and slot
 //                 (number plus one, 0: none), turn; a byte each: handles an
-//                 error, leaves a state
+//                 error, writes, leaves a state
 //     waiting     a byte
 //     frames      count, outermost first: code, instruction, room for so many
 //                 more registers, registers
@@ -32,7 +32,7 @@
 
 namespace parlour::script {
 
-inline constexpr std::uint8_t state_version = 2;
+inline constexpr std::uint8_t state_version = 3;
 
 // Beside the tags of a box (object_bytes.hpp).
 enum class RegisterTag : std::uint8_t {

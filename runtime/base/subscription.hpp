@@ -1,5 +1,5 @@
 // Subscription: what a session hears of what belongs to no session (language
-// rule 12).
+// rule 12.15).
 #pragma once
 
 #include <string>

@@ -5,6 +5,8 @@
 #include <string>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "actors/node.hpp"
 
 namespace parlour::tools {
@@ -23,6 +25,7 @@ protected:
     if (left_->fetch_sub(1) <= 1)
       return;
     Message ball;
+    ball.session = message.session;
     ball.command = message.command;
     ball.params = message.params;
     ball.sinks = {other_};
@@ -61,7 +64,7 @@ Expected<Measured> components_play(const BallGame& game) {
     message.command = "Ball";
     message.params = {"a ball"};
     message.sinks = {"Ann"};
-    (*node)->inject({}, std::move(message));
+    (*node)->inject(fmt::format("ball {}", ball + 1), std::move(message));
   }
   (*node)->run_until_quiet();
   const auto time = cpu_nanoseconds() - before;

@@ -12,7 +12,9 @@ namespace parlour::tools {
 // component has its own.
 struct BallGame {
   int throws = 0; // altogether
-  int balls = 64; // in the air at a time
+  // In the air at a time, each one session's: no session throws its ball so
+  // often in a second that it is taken for a ring without end.
+  int balls = 256;
 };
 
 // A throw is a message from one plug-in to the other: stamped, routed, counted.

@@ -4,9 +4,9 @@
 #include <utility>
 
 #include "runtime/base/utf8.hpp"
-#include "script/element_table.hpp"
 #include "script/format/layout_tree.hpp"
-#include "script/source_reader.hpp"
+#include "script/xml/element_table.hpp"
+#include "script/xml/source_reader.hpp"
 
 namespace parlour::script {
 

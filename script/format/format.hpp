@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "script/findings.hpp"
+#include "script/source/findings.hpp"
 
 namespace parlour::script {
 

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "script/allowances.hpp"
+#include "script/xml/allowances.hpp"
 
 namespace parlour::script {
 

@@ -1,7 +1,7 @@
 // unknown-lint: comments that allow what nobody warns of.
-#include "script/allowances.hpp"
 #include "script/lint/lints.hpp"
 #include "script/lint/passes.hpp"
+#include "script/xml/allowances.hpp"
 
 namespace parlour::script::lint {
 

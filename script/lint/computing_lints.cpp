@@ -1,8 +1,8 @@
 // querying-text: what may only compute, and calls a function that wants
 // something from outside: such a phrase is dropped when it would be said.
-#include "script/effect_names.hpp"
-#include "script/effect_search.hpp"
 #include "script/lint/passes.hpp"
+#include "script/program/effect_names.hpp"
+#include "script/program/effect_search.hpp"
 
 namespace parlour::script::lint {
 

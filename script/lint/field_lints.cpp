@@ -3,8 +3,8 @@
 #include <map>
 #include <optional>
 
-#include "script/attribute_check.hpp"
 #include "script/lint/passes.hpp"
+#include "script/xml/attribute_check.hpp"
 
 namespace parlour::script::lint {
 

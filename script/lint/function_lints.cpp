@@ -1,6 +1,6 @@
 // unused-function.
+#include "script/compiler/name_collector.hpp"
 #include "script/lint/passes.hpp"
-#include "script/name_collector.hpp"
 
 namespace parlour::script::lint {
 

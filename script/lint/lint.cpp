@@ -1,7 +1,7 @@
 #include "script/lint/lint.hpp"
 
-#include "script/allowances.hpp"
 #include "script/lint/passes.hpp"
+#include "script/xml/allowances.hpp"
 
 namespace parlour::script::lint {
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "runtime/base/roles.hpp"
-#include "script/compilation.hpp"
+#include "script/compiler/compilation.hpp"
+#include "script/compiler/reaction_compiler.hpp"
 #include "script/lint/passes.hpp"
-#include "script/reaction_compiler.hpp"
 
 namespace parlour::script::lint {
 

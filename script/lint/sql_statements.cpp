@@ -1,6 +1,6 @@
 #include "script/lint/sql_statements.hpp"
 
-#include "script/expression_compiler.hpp"
+#include "script/compiler/code/expression_compiler.hpp"
 #include "script/lint/subject.hpp"
 
 namespace parlour::script::lint {

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "script/compiler.hpp"
+#include "script/compiler/compiler.hpp"
 
 namespace parlour::script::lint {
 

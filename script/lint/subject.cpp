@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "script/attribute_check.hpp"
-#include "script/expression_compiler.hpp"
+#include "script/compiler/code/expression_compiler.hpp"
+#include "script/xml/attribute_check.hpp"
 
 namespace parlour::script::lint {
 

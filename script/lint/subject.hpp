@@ -7,10 +7,10 @@
 #include <string_view>
 #include <vector>
 
-#include "script/code_builder.hpp"
-#include "script/element_table.hpp"
-#include "script/expression.hpp"
+#include "script/compiler/code/code_builder.hpp"
+#include "script/expression/expression.hpp"
 #include "script/lint/lint.hpp"
+#include "script/xml/element_table.hpp"
 
 namespace parlour::script::lint {
 

@@ -4,9 +4,9 @@
 #include <cctype>
 #include <map>
 
-#include "script/builtins.hpp"
+#include "script/expression/builtins.hpp"
+#include "script/expression/plain_brace.hpp"
 #include "script/lint/passes.hpp"
-#include "script/plain_brace.hpp"
 
 namespace parlour::script::lint {
 

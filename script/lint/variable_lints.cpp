@@ -1,6 +1,6 @@
 // unread-variable.
-#include "script/attribute_check.hpp"
 #include "script/lint/passes.hpp"
+#include "script/xml/attribute_check.hpp"
 
 namespace parlour::script::lint {
 

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "script/element_table.hpp"
+#include "script/xml/element_table.hpp"
 
 namespace parlour::script {
 

@@ -9,7 +9,7 @@
 
 #include <caf/send.hpp>
 
-#include "actors/drive.hpp"
+#include "actors/node/drive.hpp"
 #include "tests/actors/house_fixture.hpp"
 
 namespace parlour::actors {

@@ -12,8 +12,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "actors/node.hpp"
-#include "script/compiler.hpp"
+#include "actors/node/node.hpp"
+#include "script/compiler/compiler.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace parlour::actors {

@@ -2,7 +2,7 @@
 // one that may wait, waits.
 #pragma once
 
-#include "script/interpreter.hpp"
+#include "script/vm/interpreter.hpp"
 
 namespace parlour::fuzz {
 
@@ -50,7 +50,7 @@ private:
   static bool waits(script::EffectKind kind) {
     constexpr bool table[] = {
 #define EFFECT(name, waiting, operands, sentence) waiting,
-#include "script/effects.def"
+#include "script/program/effects.def"
 #undef EFFECT
     };
     return table[static_cast<std::size_t>(kind)];

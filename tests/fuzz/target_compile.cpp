@@ -1,7 +1,7 @@
 // Any text is a script, or has findings; a script ends within its limits.
 #include <fstream>
 
-#include "script/compiler.hpp"
+#include "script/compiler/compiler.hpp"
 #include "tests/fuzz/quiet_host.hpp"
 #include "tests/support/temporary_folder.hpp"
 

@@ -1,7 +1,7 @@
 // Any text is an expression, or has findings; what is one has a value or an
 // error. The first byte says how it stands: as an expression, as text with
 // {expr}, or as either.
-#include "script/body_compiler.hpp"
+#include "script/compiler/code/body_compiler.hpp"
 #include "tests/fuzz/quiet_host.hpp"
 
 namespace parlour::fuzz {

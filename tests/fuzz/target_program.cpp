@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "script/compiler.hpp"
+#include "script/compiler/compiler.hpp"
 #include "tests/fuzz/program_maker.hpp"
 #include "tests/script/script_run.hpp"
 #include "tests/support/temporary_folder.hpp"

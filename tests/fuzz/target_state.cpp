@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "script/compiler.hpp"
+#include "script/compiler/compiler.hpp"
 #include "tests/fuzz/quiet_host.hpp"
 
 namespace parlour::fuzz {

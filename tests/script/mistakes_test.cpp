@@ -12,8 +12,8 @@
 
 #include <gtest/gtest.h>
 
-#include "script/excerpt.hpp"
 #include "script/lint/lint.hpp"
+#include "script/source/excerpt.hpp"
 #include "tests/script/snippets.hpp"
 #include "tests/support/paths.hpp"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "script/interpreter.hpp"
+#include "script/vm/interpreter.hpp"
 
 namespace parlour::test {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "script/exec_run.hpp"
+#include "script/run/exec_run.hpp"
 
 namespace parlour::test {
 

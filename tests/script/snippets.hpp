@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "script/compiler.hpp"
-#include "script/source_reader.hpp"
+#include "script/compiler/compiler.hpp"
+#include "script/xml/source_reader.hpp"
 #include "tests/support/paths.hpp"
 #include "tests/support/temporary_folder.hpp"
 

@@ -1,9 +1,9 @@
 #include "tools/bench/benches.hpp"
 
-#include "tools/bench/component_bench.hpp"
-#include "tools/bench/db_bench.hpp"
-#include "tools/bench/dialogue_bench.hpp"
-#include "tools/bench/script_bench.hpp"
+#include "tools/bench/components/component_bench.hpp"
+#include "tools/bench/database/db_bench.hpp"
+#include "tools/bench/dialogue/dialogue_bench.hpp"
+#include "tools/bench/script/script_bench.hpp"
 
 namespace parlour::tools {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/bench/measure.hpp"
+#include "tools/bench/support/measure.hpp"
 
 namespace parlour::tools {
 

@@ -42,16 +42,15 @@ function(parlour_library name)
   endif()
 endfunction()
 
-# parlour_test(<folder> LINK ... HEADERS <target> [TOGETHER <pattern>]):
-# tests/<folder>/*.cpp become one GoogleTest program test_<folder>, with that
-# target's precompiled headers. Each test runs in a process of its own; those
-# that the pattern names, in one.
+# parlour_test(<folder> SOURCES ... LINK ... HEADERS <target>
+#   [TOGETHER <pattern>]):
+# the sources become one GoogleTest program test_<folder>, with that target's
+# precompiled headers. Each test runs in a process of its own; those that the
+# pattern names, in one.
 function(parlour_test folder)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "HEADERS;TOGETHER" "LINK")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "HEADERS;TOGETHER" "SOURCES;LINK")
   parlour_folder_name(name "${folder}")
-  file(GLOB sources CONFIGURE_DEPENDS
-    "${PROJECT_SOURCE_DIR}/tests/${folder}/*.cpp")
-  add_executable(test_${name} ${sources})
+  add_executable(test_${name} ${arg_SOURCES})
   target_link_libraries(test_${name} PRIVATE ${arg_LINK} parlour_testing)
   target_precompile_headers(test_${name} REUSE_FROM ${arg_HEADERS})
   if(PARLOUR_SANITIZE)

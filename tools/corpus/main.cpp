@@ -4,7 +4,7 @@
 // at the end `total` with the counts. Exit 0 unless it could not be done.
 #include <iostream>
 
-#include "script/compiler.hpp"
+#include "script/compiler/compiler.hpp"
 #include "tools/corpus/player.hpp"
 
 namespace {

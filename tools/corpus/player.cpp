@@ -5,7 +5,7 @@
 #include <string_view>
 #include <utility>
 
-#include "script/phrase_evaluator.hpp"
+#include "script/run/phrase_evaluator.hpp"
 
 namespace parlour::tools::corpus {
 

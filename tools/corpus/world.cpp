@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "runtime/base/replies.hpp"
-#include "script/dialogue/frame_evaluator.hpp"
+#include "script/dialogue/frame/frame_evaluator.hpp"
 
 namespace parlour::tools::corpus {
 

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "script/dialogue/conversation.hpp"
+#include "script/dialogue/engine/conversation.hpp"
 
 namespace parlour::tools::corpus {
 

@@ -12,9 +12,9 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include "tools/parlour/command_line.hpp"
-#include "tools/parlour/exit_code.hpp"
-#include "tools/parlour/output_stream.hpp"
+#include "tools/parlour/cli/command_line.hpp"
+#include "tools/parlour/console/exit_code.hpp"
+#include "tools/parlour/console/output_stream.hpp"
 
 namespace {
 

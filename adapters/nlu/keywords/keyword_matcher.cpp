@@ -5,7 +5,7 @@
 #include <string_view>
 #include <utility>
 
-#include "adapters/nlu/words.hpp"
+#include "adapters/nlu/text/words.hpp"
 
 namespace parlour::adapters::nlu {
 
@@ -106,7 +106,7 @@ private:
   }
 
   // The act that is no topic's; "" for none. A yes counts where nothing else
-  // is said (adapters/nlu/doubt.hpp): what else is wished goes before it.
+  // is said (adapters/nlu/parse/doubt.hpp): what else is wished goes before it.
   std::string plain_act() const {
     const auto wish = std::ranges::find_if(said_, [](const Said& one) {
       return !is_answer(one.rule->act) && one.rule->act != "greet" &&

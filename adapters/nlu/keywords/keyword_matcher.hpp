@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "adapters/nlu/context.hpp"
 #include "adapters/nlu/keywords/keyword_rules.hpp"
+#include "adapters/nlu/parse/context.hpp"
 
 namespace parlour::adapters::nlu {
 

@@ -18,7 +18,7 @@
 
 #include <tl/expected.hpp>
 
-#include "adapters/nlu/schema.hpp"
+#include "adapters/nlu/values/schema.hpp"
 
 namespace parlour::adapters::nlu {
 

@@ -1,5 +1,5 @@
 // One behaviour: what a script asks is answered alike by SQLite and MariaDB.
-#include "adapters/database/sqlite_database.hpp"
+#include "adapters/database/sqlite/sqlite_database.hpp"
 #include "tests/adapters/database/mariadb_fixture.hpp"
 
 namespace parlour::adapters {

@@ -1,9 +1,9 @@
 // The plug-in MySQLDatabase on the test program's server as a session sees it.
 #pragma once
 
-#include "adapters/database/mariadb_database.hpp"
+#include "adapters/database/mariadb/mariadb_database.hpp"
 #include "tests/adapters/database/database_fixture.hpp"
-#include "tools/bench/mariadb_server.hpp"
+#include "tools/bench/database/mariadb_server.hpp"
 
 namespace parlour::adapters {
 

@@ -1,7 +1,7 @@
 // The plug-in SQLiteDatabase as a session sees it.
 #pragma once
 
-#include "adapters/database/sqlite_database.hpp"
+#include "adapters/database/sqlite/sqlite_database.hpp"
 #include "tests/adapters/database/database_fixture.hpp"
 
 namespace parlour::adapters {

@@ -3,8 +3,8 @@
 
 #include <sys/resource.h>
 
-#include "adapters/database/sqlite_connection.hpp"
-#include "adapters/database/sqlite_open.hpp"
+#include "adapters/database/sqlite/sqlite_connection.hpp"
+#include "adapters/database/sqlite/sqlite_open.hpp"
 #include "tests/adapters/database/sqlite_fixture.hpp"
 
 namespace parlour::adapters {

@@ -1,7 +1,7 @@
 // One grammar that a state or a question names narrows all that is tried.
 #include <gtest/gtest.h>
 
-#include "adapters/nlu/understander.hpp"
+#include "adapters/nlu/understand/understander.hpp"
 #include "tests/adapters/nlu/sample.hpp"
 
 namespace parlour::adapters::nlu::test {

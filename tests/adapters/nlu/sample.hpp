@@ -4,8 +4,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "adapters/nlu/grammar_nlu.hpp"
-#include "adapters/nlu/understander.hpp"
+#include "adapters/nlu/understand/grammar_nlu.hpp"
+#include "adapters/nlu/understand/understander.hpp"
 #include "tests/support/paths.hpp"
 
 namespace parlour::adapters::nlu::test {

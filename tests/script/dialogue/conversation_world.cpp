@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "runtime/base/replies.hpp"
-#include "script/compiler.hpp"
-#include "script/dialogue/frame_evaluator.hpp"
+#include "script/compiler/compiler.hpp"
+#include "script/dialogue/frame/frame_evaluator.hpp"
 #include "tests/support/paths.hpp"
 
 namespace parlour::dialogue {

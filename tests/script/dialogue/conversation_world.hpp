@@ -14,7 +14,7 @@
 
 #include <gtest/gtest.h>
 
-#include "script/dialogue/conversation.hpp"
+#include "script/dialogue/engine/conversation.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace parlour::dialogue {

@@ -12,8 +12,8 @@
 
 #include <gtest/gtest.h>
 
-#include "script/dialogue/frame.hpp"
-#include "script/dialogue/frame_view.hpp"
+#include "script/dialogue/frame/frame.hpp"
+#include "script/dialogue/frame/frame_view.hpp"
 
 namespace parlour::dialogue {
 

@@ -1,10 +1,10 @@
 // Table I of the paper at the level of these parts: frames, order, queries and
 // output queue, row by row.
-#include "script/dialogue/classifier.hpp"
-#include "script/dialogue/knowledge_query.hpp"
-#include "script/dialogue/output_queue.hpp"
-#include "script/dialogue/questions.hpp"
-#include "script/dialogue/topic_order.hpp"
+#include "script/dialogue/agenda/output_queue.hpp"
+#include "script/dialogue/knowledge/knowledge_query.hpp"
+#include "script/dialogue/topics/classifier.hpp"
+#include "script/dialogue/topics/questions.hpp"
+#include "script/dialogue/topics/topic_order.hpp"
 #include "tests/script/dialogue/dialogue_fixture.hpp"
 
 namespace parlour::dialogue {

@@ -2,7 +2,7 @@
 // inside.
 #include <gtest/gtest.h>
 
-#include "script/dialogue/effects.hpp"
+#include "script/dialogue/engine/effects.hpp"
 #include "tests/script/dialogue/conversation_world.hpp"
 
 namespace parlour::dialogue {

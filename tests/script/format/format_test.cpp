@@ -9,11 +9,11 @@
 
 #include <gtest/gtest.h>
 
-#include "script/compiler.hpp"
+#include "script/compiler/compiler.hpp"
 #include "script/format/format.hpp"
 #include "script/lint/lint.hpp"
-#include "script/objects.hpp"
-#include "script/program_identity.hpp"
+#include "script/values/objects.hpp"
+#include "script/vm/program_identity.hpp"
 #include "tests/script/snippets.hpp"
 
 namespace parlour::script {

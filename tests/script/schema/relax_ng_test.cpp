@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 
 #include "script/schema/relax_ng.hpp"
-#include "script/xml_slips.hpp"
+#include "script/xml/xml_slips.hpp"
 
 namespace parlour::script {
 

@@ -32,43 +32,61 @@ class Checks(unittest.TestCase):
 
     # layers
     def test_arrows_down_are_allowed(self):
-        self.includes("actors/a.hpp", '"script/s.hpp"', "<caf/all.hpp>")
-        self.includes("script/s.hpp", '"runtime/base/b.hpp"', "<string>")
-        self.includes("script/s.cpp", "<pugixml.hpp>")
-        self.includes("runtime/interfaces.hpp", "<caf/all.hpp>")
-        self.includes("build/release/x.hpp", '"actors/a.hpp"', '"nothing"')
+        self.includes("actors/node/a.hpp", '"script/program/s.hpp"',
+                      "<caf/all.hpp>")
+        self.includes("script/program/s.hpp", '"runtime/base/b.hpp"',
+                      "<string>")
+        self.includes("script/program/s.cpp", "<pugixml.hpp>")
+        self.includes("build/release/x.hpp", '"actors/node/a.hpp"',
+                      '"nothing"')
+        self.includes("tools/parlour/application/t.cpp",
+                      '"adapters/network/n.hpp"')
         self.assertEqual("", self.said("layers"))
 
     def test_an_arrow_up_is_found(self):
-        self.includes("script/s.hpp", "<string>", '"actors/a.hpp"')
-        self.assertIn("script/s.hpp:2: script must not include actors",
-                      self.said("layers"))
+        self.includes("script/program/s.hpp", "<string>", '"script/vm/a.hpp"')
+        self.assertIn("script/program/s.hpp:2: script/program must not include "
+                      "script/vm", self.said("layers"))
 
     def test_script_sees_of_the_runtime_only_its_base(self):
-        self.includes("script/s.hpp", '"runtime/interfaces.hpp"')
-        self.assertIn("script must not include runtime", self.said("layers"))
-
-    def test_adapters_and_actors_do_not_know_each_other(self):
-        self.includes("adapters/nlu/n.cpp", '"actors/a.hpp"')
-        self.includes("actors/a.cpp", '"adapters/nlu/n.hpp"')
-        said = self.said("layers")
-        self.assertIn("adapters must not include actors", said)
-        self.assertIn("actors must not include adapters", said)
-
-    def test_a_ring_is_found(self):
-        self.includes("script/s.hpp", '"script/dialogue/d.hpp"')
-        self.includes("script/dialogue/d.hpp", '"script/s.hpp"')
-        self.assertIn("script -> script/dialogue -> script",
+        self.includes("script/vm/s.hpp", '"runtime/plugin/plugin.hpp"')
+        self.assertIn("script/vm must not include runtime/plugin",
                       self.said("layers"))
 
+    def test_adapters_and_actors_do_not_know_each_other(self):
+        self.includes("adapters/network/n.cpp", '"actors/node/a.hpp"')
+        self.includes("actors/node/a.cpp", '"adapters/network/n.hpp"')
+        said = self.said("layers")
+        self.assertIn("adapters/network must not include actors/node", said)
+        self.assertIn("actors/node must not include adapters/network", said)
+
+    def test_a_ring_of_folders_is_found(self):
+        self.includes("script/vm/s.hpp", '"script/program/d.hpp"')
+        self.includes("script/program/d.hpp", '"script/vm/t.hpp"')
+        self.assertIn("a ring of folders: script/program, script/vm",
+                      self.said("layers"))
+
+    def test_a_ring_of_units_is_found(self):
+        self.includes("script/vm/a.cpp", '"script/vm/b.hpp"')
+        self.includes("script/vm/b.cpp", '"script/vm/a.hpp"')
+        self.assertEqual("a ring of units: script/vm/a, script/vm/b\n",
+                         self.said("layers"))
+
+    def test_code_in_no_room_is_found(self):
+        self.includes("script/s.hpp", "<string>")
+        self.includes("elsewhere/s.hpp", "<string>")
+        self.assertEqual(
+            "script/s.hpp: stands in no room of tools/check/layers\n",
+            self.said("layers"))
+
     def test_libraries_stay_where_they_belong(self):
-        self.includes("script/s.cpp", "<caf/all.hpp>")
+        self.includes("script/vm/s.cpp", "<caf/all.hpp>")
         self.includes("runtime/base/b.cpp", "<caf/all.hpp>")
-        self.includes("script/x.hpp", "<pugixml.hpp>", "<unicode/uchar.h>")
+        self.includes("script/vm/x.hpp", "<pugixml.hpp>", "<unicode/uchar.h>")
         self.assertEqual(4, len(self.said("layers").splitlines()))
 
     def test_includes_are_named_from_the_root(self):
-        self.includes("script/s.cpp", '"s.hpp"')
+        self.includes("script/vm/s.cpp", '"s.hpp"')
         self.assertIn("not named from the root", self.said("layers"))
 
     # sizes

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "script/compiler.hpp"
+#include "script/compiler/compiler.hpp"
 #include "tests/support/paths.hpp"
 #include "tests/support/temporary_folder.hpp"
 

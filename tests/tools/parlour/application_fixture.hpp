@@ -8,7 +8,7 @@
 
 #include "tests/support/paths.hpp"
 #include "tests/support/temporary_folder.hpp"
-#include "tools/parlour/application.hpp"
+#include "tools/parlour/application/application.hpp"
 
 namespace parlour::tools {
 

@@ -10,7 +10,7 @@
 
 #include "tests/support/paths.hpp"
 #include "tests/tools/parlour/application_fixture.hpp"
-#include "tools/parlour/conversation_runner.hpp"
+#include "tools/parlour/conversation_test/conversation_runner.hpp"
 
 namespace parlour::tools {
 

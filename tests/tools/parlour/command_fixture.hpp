@@ -9,8 +9,8 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/paths.hpp"
-#include "tools/parlour/command_line.hpp"
-#include "tools/parlour/exit_code.hpp"
+#include "tools/parlour/cli/command_line.hpp"
+#include "tools/parlour/console/exit_code.hpp"
 
 namespace parlour::tools {
 

@@ -9,11 +9,11 @@
 #include <gtest/gtest.h>
 
 #include "script/lint/lint.hpp"
-#include "script/source_reader.hpp"
+#include "script/xml/source_reader.hpp"
 #include "tests/support/paths.hpp"
 #include "tests/support/temporary_folder.hpp"
-#include "tools/parlour/application.hpp"
-#include "tools/parlour/fix.hpp"
+#include "tools/parlour/application/application.hpp"
+#include "tools/parlour/application/fix.hpp"
 
 namespace parlour::tools {
 namespace {

@@ -1,6 +1,6 @@
 // Exchange (paper III.D): another component of a role by two changed lines.
 #include "tests/tools/parlour/changed_application.hpp"
-#include "tools/parlour/node_options.hpp"
+#include "tools/parlour/application/node_options.hpp"
 
 namespace parlour::tools {
 namespace {

@@ -6,7 +6,7 @@
 #include "runtime/plugin/conformance.hpp"
 #include "tests/support/paths.hpp"
 #include "tests/support/temporary_folder.hpp"
-#include "tools/parlour/application.hpp"
+#include "tools/parlour/application/application.hpp"
 
 namespace parlour::tools {
 namespace {

@@ -3,12 +3,12 @@
 #include <map>
 #include <stdexcept>
 
-#include "actors/node.hpp"
+#include "actors/node/node.hpp"
 #include "tests/support/paths.hpp"
 #include "tests/tools/parlour/application_fixture.hpp"
-#include "tools/parlour/conversation_file.hpp"
-#include "tools/parlour/data_folder.hpp"
-#include "tools/parlour/node_options.hpp"
+#include "tools/parlour/application/data_folder.hpp"
+#include "tools/parlour/application/node_options.hpp"
+#include "tools/parlour/conversation_test/conversation_file.hpp"
 
 namespace parlour::tools {
 namespace {

@@ -1,0 +1,89 @@
+#include "actors/components/ask.hpp"
+
+#include <utility>
+
+#include <caf/typed_event_based_actor.hpp>
+
+#include "actors/routing/hand_over.hpp"
+#include "actors/routing/outcomes.hpp"
+
+namespace parlour::actors {
+
+namespace {
+
+using Self = query_actor::stateful_pointer<ask_state>;
+
+Error refusal(const RoutingTable& table, const Message& event) {
+  auto error = error_of(event);
+  if (!table.is_source("Database", event.source))
+    error.kind = ErrorKind::refused;
+  error.message = event.source + ": " + error.message;
+  return error;
+}
+
+// True where somebody took the question.
+bool send(Self self, const AskOrder& order) {
+  auto& state = self->state;
+  auto request = order.request;
+  request.correlation = state.correlation;
+  return ask_by_table(*state.services, std::move(request), order.work);
+}
+
+std::string asked(const AskOrder& order) {
+  const auto& sinks = order.request.sinks;
+  return sinks.empty() ? std::string() : sinks.front();
+}
+
+Error nobody_there(const AskOrder& order) {
+  return {ErrorKind::offline,
+          "nobody fills the role or has the name '" + asked(order) + "'",
+          {}};
+}
+
+Error silence(const AskOrder& order) {
+  return {ErrorKind::timeout,
+          asked(order) + " did not answer " + order.request.command +
+              " in time",
+          {}};
+}
+
+} // namespace
+
+ask_state::~ask_state() {
+  if (services)
+    services->claims.forget(correlation);
+}
+
+query_actor::behavior_type ask(Self self, Services* services,
+                               component_host_actor host, AskOrder order) {
+  self->state.services = services;
+  self->state.correlation =
+      services->claims.claim(query_actor(self), QueryClaims::Wants::all);
+  self->monitor(host);
+  self->set_down_handler([self](const caf::down_msg&) { self->quit(); });
+  auto finish = [self, door = order.door,
+                 reaction = order.reaction](Expected<Message> outcome) {
+    if (auto open = door.lock())
+      open->after(Milliseconds::zero(),
+                  [reaction, outcome] { reaction(outcome); });
+    self->quit();
+  };
+  if (send(self, order))
+    self->delayed_send(self, order.patience, give_up{});
+  else
+    finish(tl::make_unexpected(nobody_there(order)));
+  order.work.reset();
+  return {
+      [=](const component_event& what) {
+        const auto table = services->table.load();
+        const auto reply = table->reply_to_request(what.event);
+        if (reply == Reply::refusal)
+          finish(tl::make_unexpected(refusal(*table, what.event)));
+        else if (reply == Reply::answer)
+          finish(what.event);
+      },
+      [=](const give_up&) { finish(tl::make_unexpected(silence(order))); },
+  };
+}
+
+} // namespace parlour::actors

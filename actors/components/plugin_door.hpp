@@ -1,0 +1,96 @@
+// PluginDoor: the platform as one instance of a plug-in sees it.
+#pragma once
+
+#include <memory>
+#include <mutex>
+#include <set>
+
+#include <caf/actor_control_block.hpp>
+
+#include "actors/routing/services.hpp"
+#include "actors/support/event_credit.hpp"
+#include "actors/support/place.hpp"
+#include "actors/support/unanswered.hpp"
+#include "runtime/plugin/plugin.hpp"
+
+namespace parlour::actors {
+
+// Safe to use from any thread, as its contract says. Outlives its plug-in.
+// Once it is closed, nothing that the instance still says or wants goes any
+// further.
+class PluginDoor : public PluginHost,
+                   public std::enable_shared_from_this<PluginDoor> {
+public:
+  // The component's name, what it says of itself, and which place the instance
+  // is for: what it says by itself belongs to the session there.
+  PluginDoor(Services& services, std::string name,
+             const PluginDescription& description, InstanceId instance = 0,
+             std::shared_ptr<const Place> place = nullptr);
+
+  // The actor that calls the plug-in; set before the plug-in starts.
+  void belongs_to(const component_host_actor& host);
+
+  // -- who keeps the instance ------------------------------------------------
+
+  // Its plug-in is about to be given this; false where it is closed. `spare` is
+  // kept for what it will say, if that is not there already.
+  bool gives(const Message& message, Timestamp now, Work& spare);
+  // It is given nothing for now.
+  void drop_spare();
+  // It has called back for a delay: false where that was cancelled.
+  bool calls_back(DelayId delay);
+  // It is to go when it owes no answer any more: then the supervisor is told.
+  void leaves();
+  bool owes_nothing();
+  // To those whose messages it has not answered.
+  std::vector<Message> close();
+
+  // -- the plug-in -----------------------------------------------------------
+
+  void fire_event(Message event) override;
+  void send_message(Message message) override;
+  void ask(Message request, Milliseconds patience, Reaction reaction) override;
+  DelayId after(Milliseconds delay, std::function<void()> action) override;
+  void cancel(DelayId delay) override;
+  void failed(const std::string& reason) override;
+  const Clock& clock() const override;
+  void log(const std::string& text) override;
+  std::shared_ptr<const UnderstandingModel> understanding() const override;
+  std::shared_ptr<const PhraseEvaluator> phrases() const override;
+  Expected<std::vector<std::string>>
+  column(const std::string& name) const override;
+  std::string data_folder() const override;
+  std::string application_folder() const override;
+
+private:
+  void publish_as_itself(Message&& message);
+  void fill_session(Message& message) const;
+  bool may_say(Message& message, Timestamp now, Work& work);
+  std::uint32_t rounds_of_event(Timestamp now) const;
+  std::uint32_t rounds_now() const;
+  bool is_closed() const;
+  void tell_supervisor_of_rest();
+
+  Services& services_;
+  const std::string name_;
+  const InstanceId instance_;
+  const std::shared_ptr<const Place> place_; // null: the house
+  caf::weak_actor_ptr host_; // weak: the actor holds the plug-in
+  mutable std::mutex mutex_; // of what follows
+  bool closed_ = false;
+  bool leaves_ = false;
+  bool flooded_ = false;
+  EventCredit credit_;
+  std::uint32_t rounds_ = 0; // of what it was given last, at that time
+  Timestamp given_ = 0;
+  Unanswered unanswered_;
+  // Work of a message that it is done with. What it says next takes it: to give
+  // back one piece and begin another costs more than anything else here, as all
+  // threads count in one place.
+  Work spare_;
+  // What it has not been called back for yet: CAF's clock holds their messages
+  // until they are due, whether there still is a host or not.
+  std::set<DelayId> delays_;
+};
+
+} // namespace parlour::actors

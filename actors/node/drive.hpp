@@ -1,0 +1,43 @@
+// Drive: how a node's time passes. In virtual time the driving thread runs the
+// actors and jumps from due time to due time; in real time it waits.
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include <caf/actor_system.hpp>
+#include <caf/actor_system_config.hpp>
+
+#include "actors/routing/services.hpp"
+
+namespace parlour::actors {
+
+class Drive {
+public:
+  virtual ~Drive() = default;
+
+  virtual const Clock& clock() const = 0;
+  virtual ThreadGate::Kind gate() const = 0;
+  // Whether plug-ins that block get a thread of their own.
+  virtual bool detaches() const = 0;
+  virtual void configure(caf::actor_system_config& config) const = 0;
+  // Before any other call below.
+  virtual void attach(caf::actor_system& system, Services& services) = 0;
+
+  // As Node says.
+  virtual bool run_until_quiet() = 0;
+  virtual bool step_to_next_due(Milliseconds at_most) = 0;
+  virtual void advance(Milliseconds time) = 0;
+  // Until `done`, or at most so long in real time. False if it did not come.
+  virtual bool run_until(const std::function<bool()>& done,
+                         Milliseconds at_most) = 0;
+  // Carries `action` out. False where that takes longer in real time: it then
+  // goes on by itself, and whatever it uses has to stay for good.
+  virtual bool finish(std::function<void()> action, Milliseconds at_most) = 0;
+};
+
+// 0 threads: as many as cores.
+std::unique_ptr<Drive> make_real_drive(unsigned threads);
+std::unique_ptr<Drive> make_virtual_drive(Timestamp start);
+
+} // namespace parlour::actors

@@ -1,0 +1,127 @@
+#include "actors/routing/component_mailbox.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include <caf/send.hpp>
+
+namespace parlour::actors {
+
+const char* ComponentMailbox::put(Job& job) {
+  std::unique_lock lock(back_.mutex);
+  if (back_.closed)
+    return back_.closed;
+  if (back_.waiting.size() >= capacity)
+    return "has more messages waiting than it may";
+  back_.waiting.push_back(std::move(job));
+  auto host = one_to_wake();
+  lock.unlock();
+  wake(host);
+  return nullptr;
+}
+
+void ComponentMailbox::put_back(Job job) {
+  std::unique_lock lock(front_.mutex);
+  front_.waiting.push_front(std::move(job));
+  wake_for_what_waits(std::move(lock));
+}
+
+// -- who is told --------------------------------------------------------------
+
+// One that rests, to be told outside of the locks; null: none.
+component_host_actor ComponentMailbox::one_to_wake() {
+  if (back_.resting.empty())
+    return {};
+  auto host = std::move(back_.resting.back());
+  back_.resting.pop_back();
+  return host;
+}
+
+void ComponentMailbox::wake_for_what_waits(Lock front) {
+  std::unique_lock lock(back_.mutex);
+  const bool waits = !front_.waiting.empty() || !back_.waiting.empty();
+  auto host = waits ? one_to_wake() : component_host_actor();
+  lock.unlock();
+  front.unlock();
+  wake(host);
+}
+
+void ComponentMailbox::wake(const component_host_actor& host) {
+  if (host)
+    caf::anon_send(host, work_waits{});
+}
+
+void ComponentMailbox::join(const component_host_actor& host) {
+  std::unique_lock lock(front_.mutex);
+  front_.members.push_back(host);
+  {
+    std::lock_guard back(back_.mutex);
+    back_.resting.push_back(host);
+  }
+  wake_for_what_waits(std::move(lock));
+}
+
+// It may have been told of what it will not take: then another is.
+void ComponentMailbox::leave(const component_host_actor& host) {
+  std::unique_lock lock(front_.mutex);
+  std::erase(front_.members, host);
+  {
+    std::lock_guard back(back_.mutex);
+    std::erase(back_.resting, host);
+  }
+  wake_for_what_waits(std::move(lock));
+}
+
+// -- taking -------------------------------------------------------------------
+
+std::optional<ComponentMailbox::Job>
+ComponentMailbox::take(const component_host_actor& host, IfEmpty then) {
+  std::lock_guard lock(front_.mutex);
+  const auto& members = front_.members;
+  if (std::find(members.begin(), members.end(), host) == members.end())
+    return std::nullopt;
+  if (front_.waiting.empty())
+    bring_forward(host, then);
+  if (front_.waiting.empty())
+    return std::nullopt;
+  auto job = std::move(front_.waiting.front());
+  front_.waiting.pop_front();
+  return job;
+}
+
+// What has arrived; where nothing has, the host may rest.
+void ComponentMailbox::bring_forward(const component_host_actor& host,
+                                     IfEmpty then) {
+  std::lock_guard lock(back_.mutex);
+  front_.waiting.swap(back_.waiting);
+  if (front_.waiting.empty() && then == IfEmpty::rest)
+    back_.resting.push_back(host);
+}
+
+bool ComponentMailbox::empty() const {
+  std::scoped_lock lock(front_.mutex, back_.mutex);
+  return front_.waiting.empty() && back_.waiting.empty();
+}
+
+void ComponentMailbox::close(const char* why) {
+  std::lock_guard lock(back_.mutex);
+  back_.closed = why;
+}
+
+void ComponentMailbox::open() {
+  std::lock_guard lock(back_.mutex);
+  back_.closed = nullptr;
+}
+
+std::vector<ComponentMailbox::Job> ComponentMailbox::take_all() {
+  std::scoped_lock lock(front_.mutex, back_.mutex);
+  std::vector<Job> all;
+  for (auto* waiting : {&front_.waiting, &back_.waiting}) {
+    std::move(waiting->begin(), waiting->end(), std::back_inserter(all));
+    waiting->clear();
+  }
+  return all;
+}
+
+} // namespace parlour::actors

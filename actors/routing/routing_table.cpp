@@ -1,0 +1,279 @@
+#include "actors/routing/routing_table.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "actors/routing/route_host.hpp"
+#include "runtime/base/replies.hpp"
+#include "runtime/base/roles.hpp"
+
+namespace parlour::actors {
+
+namespace {
+
+bool any_of(const std::vector<script::Reaction>& reactions,
+            const RoutingTable& table, const Message& message) {
+  return std::any_of(
+      reactions.begin(), reactions.end(), [&](const auto& reaction) {
+        return (reaction.event == "*" || reaction.event == message.command) &&
+               table.is_source(reaction.source, message.source);
+      });
+}
+
+} // namespace
+
+bool Target::is_up(const SessionId& session) const {
+  if (!branches)
+    return *up;
+  const auto branch = branches->find(session);
+  return branch && *branch->up;
+}
+
+std::shared_ptr<ComponentMailbox>
+Target::mailbox_of(const SessionId& session) const {
+  if (!branches)
+    return mailbox;
+  const auto branch = branches->find(session);
+  return branch ? branch->mailbox : nullptr;
+}
+
+RoutingTable::RoutingTable(Parts parts)
+    : parts_(std::move(parts)),
+      conditions_(
+          std::make_shared<const script::InterpreterPool>(parts_.program)) {}
+
+// -- names --------------------------------------------------------------------
+
+std::string_view RoutingTable::role(std::string_view name) const {
+  auto found = parts_.aliases.find(name);
+  return found == parts_.aliases.end() ? name : std::string_view(found->second);
+}
+
+const Target* RoutingTable::named(std::string_view name) const {
+  for (const auto& target : parts_.targets)
+    if (target.name == name)
+      return &target;
+  return nullptr;
+}
+
+template <class Take>
+void RoutingTable::for_targets_of(std::string_view sink,
+                                  const SessionId& session, Take&& take) const {
+  if (auto target = named(sink)) {
+    if (target->is_up(session))
+      take(*target);
+    return;
+  }
+  const bool all = sink.ends_with('*');
+  const auto wanted = role(sink.substr(0, sink.size() - all));
+  for (const auto& target : parts_.targets)
+    if (std::count(target.roles.begin(), target.roles.end(), wanted) &&
+        target.is_up(session)) {
+      take(target);
+      if (!all)
+        return;
+    }
+}
+
+const Target* RoutingTable::find(std::string_view module,
+                                 const SessionId& session) const {
+  const Target* first = nullptr;
+  for_targets_of(module, session, [&](const Target& target) {
+    if (!first)
+      first = &target;
+  });
+  return first;
+}
+
+bool RoutingTable::is_source(std::string_view module,
+                             std::string_view source) const {
+  if (module == "*" || module == source || role(module) == role(source))
+    return true;
+  auto target = named(source);
+  return target &&
+         std::count(target->roles.begin(), target->roles.end(), role(module));
+}
+
+Reply RoutingTable::reply_to_request(const Message& event) const {
+  const auto* target = named(event.source);
+  const auto known =
+      target ? find_reply(event.command, target->roles, target->events)
+             : find_reply(event.command, {std::string(role(event.source))});
+  return known.value_or(Reply::answer);
+}
+
+bool RoutingTable::begins_turn(const Message& message) const {
+  return message.command == "RecognitionResult" &&
+         is_source("ASR", message.source);
+}
+
+bool RoutingTable::is_routine(const Message& message) const {
+  const auto says_so = [&](std::string_view role_name) {
+    const auto* its = find_role(role_name);
+    const auto* event = its ? its->event(message.command) : nullptr;
+    return event && event->routine;
+  };
+  if (!message.sinks.empty())
+    return false;
+  const auto* target = named(message.source);
+  return target ? std::ranges::any_of(target->roles, says_so)
+                : says_so(role(message.source));
+}
+
+bool RoutingTable::is_listened_to(const Message& message) const {
+  const auto& program = *parts_.program;
+  for (const auto& handler : program.handlers)
+    if (any_of(handler.reactions, *this, message))
+      return true;
+  for (const auto& state : program.states)
+    if (any_of(state.messages, *this, message))
+      return true;
+  return false;
+}
+
+bool RoutingTable::has_branches() const {
+  return std::any_of(
+      parts_.targets.begin(), parts_.targets.end(),
+      [](const Target& target) { return target.branches != nullptr; });
+}
+
+// -- a message's way (engine rule 1) ------------------------------------------
+
+Routed RoutingTable::route(Message message) const {
+  return route(std::move(message), parts_.clock->now());
+}
+
+Routed RoutingTable::route(Message&& message, Timestamp now) const {
+  Routed routed;
+  stamp(message, now);
+  if (goes_in_a_ring(message) || apply_routes(message, routed))
+    return routed;
+  if (message.sinks.empty()) {
+    tap(message, message.session.empty() ? "every session" : "session");
+    routed.rest = std::move(message);
+    return routed;
+  }
+  const auto shared = std::make_shared<const Message>(std::move(message));
+  for (const auto& sink : shared->sinks) {
+    if (!parts_.taps.empty())
+      tap(*shared, "-> " + sink);
+    deliver(shared, sink, routed);
+  }
+  return routed;
+}
+
+void RoutingTable::stamp(Message& message, Timestamp now) const {
+  message.time = now;
+  message.number = ++parts_.counters->numbers;
+}
+
+// Dropped then, and told once in a second.
+bool RoutingTable::goes_in_a_ring(const Message& message) const {
+  const auto verdict = parts_.counters->rounds.judge(message);
+  if (verdict == RoundLimit::Verdict::passes)
+    return false;
+  ++parts_.counters->circled;
+  tap(message, "dropped");
+  if (verdict == RoundLimit::Verdict::first_too_many && parts_.complain)
+    parts_.complain(message,
+                    {ErrorKind::limit,
+                     message.source + "." + message.command +
+                         " goes in a ring: components, relays or handlers "
+                         "answer each other more than " +
+                         std::to_string(RoundLimit::each_second) +
+                         " times in a second; the rest is dropped",
+                     {}});
+  return true;
+}
+
+// True where a filter ended the message's way.
+bool RoutingTable::apply_routes(const Message& message, Routed& routed) const {
+  for (const auto& route : parts_.program->routes) {
+    if (!matches(route, message))
+      continue;
+    auto& counter = route.drop        ? parts_.counters->dropped
+                    : route.is_filter ? parts_.counters->filtered
+                                      : parts_.counters->relayed;
+    ++counter;
+    if (route.drop)
+      tap(message, "dropped");
+    else
+      send_copies(route, message, routed);
+    if (route.is_filter)
+      return true;
+  }
+  return false;
+}
+
+bool RoutingTable::matches(const script::Route& route,
+                           const Message& message) const {
+  return (route.command == "*" || route.command == message.command) &&
+         is_source(route.source, message.source) && holds(route, message);
+}
+
+bool RoutingTable::holds(const script::Route& route,
+                         const Message& message) const {
+  return route.condition == script::no_code ||
+         bool(evaluate(route.condition, message));
+}
+
+// Conditions see the message's own fields and constants, nothing of a session.
+Value RoutingTable::evaluate(script::CodeId code,
+                             const Message& message) const {
+  RouteHost host(message, message.time);
+  script::ActivationContext context;
+  context.message = std::make_shared<const Message>(message);
+  auto value = conditions_->evaluate(code, {}, std::move(context), host);
+  if (value)
+    return std::move(*value);
+  ++parts_.counters->failed_conditions;
+  if (parts_.complain)
+    parts_.complain(message, value.error());
+  return {};
+}
+
+void RoutingTable::send_copies(const script::Route& route,
+                               const Message& message, Routed& routed) const {
+  for (const auto& to : route.to) {
+    const auto copy =
+        std::make_shared<const Message>(copy_for(route, message, to));
+    tap(*copy, (route.is_filter ? "filter -> " : "relay -> ") + to);
+    deliver(copy, to, routed);
+  }
+}
+
+Message RoutingTable::copy_for(const script::Route& route,
+                               const Message& message,
+                               const std::string& to) const {
+  auto copy = message;
+  copy.number = ++parts_.counters->numbers;
+  ++parts_.counters->copies;
+  ++copy.rounds;
+  copy.sinks = {to};
+  if (!route.as.empty())
+    copy.command = route.as;
+  if (route.has_params) {
+    copy.params.clear();
+    for (auto code : route.params)
+      copy.params.push_back(evaluate(code, message));
+  }
+  return copy;
+}
+
+void RoutingTable::deliver(const SharedMessage& message, const std::string& to,
+                           Routed& routed) const {
+  bool nobody = true;
+  for_targets_of(to, message->session, [&](const Target& target) {
+    routed.deliveries.push_back({&target, message});
+    nobody = false;
+  });
+  if (nobody)
+    routed.unreached.push_back({to, message});
+}
+
+void RoutingTable::tap(const Message& message, const std::string& way) const {
+  for (const auto& tap : parts_.taps)
+    tap(message, way);
+}
+
+} // namespace parlour::actors

@@ -1,0 +1,164 @@
+// RoutingTable: who fills which role, and the application's <routes>, as an
+// immutable snapshot that any sender may apply itself (engine rule 1: "through
+// the message centre" means stamped, routed by its table, counted and tapped,
+// not one more mailbox).
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "actors/protocol/interfaces.hpp"
+#include "actors/routing/branches.hpp"
+#include "actors/routing/component_mailbox.hpp"
+#include "actors/routing/round_limit.hpp"
+#include "runtime/base/clock.hpp"
+#include "runtime/base/message.hpp"
+#include "runtime/base/roles.hpp"
+#include "runtime/plugin/plugin.hpp"
+#include "script/run/interpreter_pool.hpp"
+
+namespace parlour::actors {
+
+// One component as the table knows it.
+struct Target {
+  std::string name;
+  std::vector<std::string> roles;
+  std::shared_ptr<ComponentMailbox> mailbox;
+  // Callable in a session's own turn; null: only by its mailbox.
+  std::shared_ptr<const InlinePlugin> direct;
+  // False before it has started and after it has gone down; shared.
+  std::shared_ptr<const std::atomic<bool>> up;
+  // Where each seat or session has its own: those of the sessions, and the
+  // three above are null.
+  std::shared_ptr<const Branches> branches = nullptr;
+  std::vector<RoleEvent> events = {}; // of its own
+
+  // For messages of that session.
+  bool is_up(const SessionId& session) const;
+  // Null where the session has none.
+  std::shared_ptr<ComponentMailbox> mailbox_of(const SessionId& session) const;
+};
+
+struct Delivery {
+  const Target* target; // lives as long as the table
+  SharedMessage message;
+};
+
+// A sink that nobody fills, and what was for it.
+struct Unreached {
+  std::string sink;
+  SharedMessage message;
+};
+
+// Where a message goes.
+struct Routed {
+  std::vector<Delivery> deliveries;
+  std::optional<Message> rest; // what its session gets
+  std::vector<Unreached> unreached;
+};
+
+// What went through, of all tables of a node.
+struct Counters {
+  std::atomic<std::uint64_t> numbers = 0; // of stamps
+  std::atomic<std::uint64_t> copies = 0;  // which have numbers of their own
+  std::atomic<std::uint64_t> relayed = 0;
+  std::atomic<std::uint64_t> filtered = 0;
+  std::atomic<std::uint64_t> dropped = 0;
+  std::atomic<std::uint64_t> unhandled = 0;
+  std::atomic<std::uint64_t> failed_conditions = 0;
+  std::atomic<std::uint64_t> circled = 0; // dropped, as they went in a ring
+  RoundLimit rounds;
+
+  std::uint64_t messages() const {
+    const auto copied = copies.load(); // first: there are never more of them
+    return numbers - copied;
+  }
+};
+
+// Sees each message once, with the way it took: "relay -> ASR", "-> NLU",
+// "filter -> NLG", "dropped", "session". Called from any thread; influences
+// nothing.
+using Tap = std::function<void(const Message&, const std::string& way)>;
+
+// Told of what goes wrong with a message on its way: the condition of a filter
+// fails, or it goes in a ring. Called from any thread; may be empty.
+using Complaint = std::function<void(const Message&, const Error&)>;
+
+class RoutingTable {
+public:
+  struct Parts {
+    std::shared_ptr<const script::Program> program;
+    std::vector<Target> targets; // in order of preference
+    // Another name of a role: "Record" is "Microphone".
+    std::map<std::string, std::string, std::less<>> aliases;
+    const Clock* clock = nullptr; // outlives the table
+    std::shared_ptr<Counters> counters;
+    std::vector<Tap> taps;
+    Complaint complain;
+  };
+
+  explicit RoutingTable(Parts parts);
+
+  // Stamps, relays, filters, finds the sinks. Safe from any thread.
+  Routed route(Message message) const;
+  // The same for who knows the time.
+  Routed route(Message&& message, Timestamp now) const;
+
+  // By instance name, else the first component that is up for the session and
+  // fills the role or alias; null where there is none. "Role*" is found like
+  // "Role".
+  const Target* find(std::string_view module, const SessionId& session) const;
+  // Whether a message's source is meant by `module`: "*", the same name, or a
+  // role or alias that it fills.
+  bool is_source(std::string_view module, std::string_view source) const;
+  // What an event means to the request that it answers.
+  Reply reply_to_request(const Message& event) const;
+  // Whether it is a user's turn: what a recogniser heard (engine rule 3).
+  bool begins_turn(const Message& message) const;
+  // An event that nobody has to take, as its role says.
+  bool is_routine(const Message& message) const;
+  // Whether a handler or a state of the program takes such a message.
+  bool is_listened_to(const Message& message) const;
+  // Whether a component has an instance for each seat or session.
+  bool has_branches() const;
+
+  Counters& counters() const {
+    return *parts_.counters;
+  }
+  const std::vector<Target>& targets() const {
+    return parts_.targets;
+  }
+
+private:
+  std::string_view role(std::string_view name) const;
+  const Target* named(std::string_view name) const;
+  // All that a sink means: for "Role*" each that is up (engine rule 1c).
+  template <class Take>
+  void for_targets_of(std::string_view sink, const SessionId& session,
+                      Take&& take) const;
+  void stamp(Message& message, Timestamp now) const;
+  bool goes_in_a_ring(const Message& message) const;
+  bool matches(const script::Route& route, const Message& message) const;
+  // Unknown where it fails, which is told.
+  Value evaluate(script::CodeId code, const Message& message) const;
+  bool holds(const script::Route& route, const Message& message) const;
+  Message copy_for(const script::Route& route, const Message& message,
+                   const std::string& to) const;
+  void send_copies(const script::Route& route, const Message& message,
+                   Routed& routed) const;
+  void deliver(const SharedMessage& message, const std::string& to,
+               Routed& routed) const;
+  bool apply_routes(const Message& message, Routed& routed) const;
+  void tap(const Message& message, const std::string& way) const;
+
+  Parts parts_;
+  std::shared_ptr<const script::InterpreterPool> conditions_;
+};
+
+} // namespace parlour::actors

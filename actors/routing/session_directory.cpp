@@ -1,0 +1,52 @@
+#include "actors/routing/session_directory.hpp"
+
+#include <mutex>
+#include <utility>
+
+namespace parlour::actors {
+
+void SessionDirectory::add(const SessionId& id, session_actor session,
+                           seat_actor seat) {
+  std::unique_lock lock(mutex_);
+  sessions_[id] = {std::move(session), std::move(seat)};
+}
+
+void SessionDirectory::remove(const SessionId& id) {
+  std::unique_lock lock(mutex_);
+  sessions_.erase(id);
+}
+
+void SessionDirectory::clear() {
+  std::unique_lock lock(mutex_);
+  sessions_.clear();
+}
+
+session_actor SessionDirectory::find(const SessionId& id) const {
+  std::shared_lock lock(mutex_);
+  auto found = sessions_.find(id);
+  return found == sessions_.end() ? session_actor() : found->second.session;
+}
+
+std::vector<session_actor> SessionDirectory::all() const {
+  std::shared_lock lock(mutex_);
+  std::vector<session_actor> result;
+  for (const auto& [id, entry] : sessions_)
+    result.push_back(entry.session);
+  return result;
+}
+
+std::vector<std::pair<SessionId, seat_actor>> SessionDirectory::seats() const {
+  std::shared_lock lock(mutex_);
+  std::vector<std::pair<SessionId, seat_actor>> result;
+  for (const auto& [id, entry] : sessions_)
+    result.emplace_back(id, entry.seat);
+  return result;
+}
+
+seat_actor SessionDirectory::seat_of(const SessionId& id) const {
+  std::shared_lock lock(mutex_);
+  auto found = sessions_.find(id);
+  return found == sessions_.end() ? seat_actor() : found->second.seat;
+}
+
+} // namespace parlour::actors

@@ -1,0 +1,19 @@
+// The keeper of the data folder's files: carries out what sessions' scripts
+// want of them, one after the other. Blocks while the disk does, hence on a
+// thread of its own. One for all and not one for each: their number would be
+// that of the waiting scripts, each with a thread.
+#pragma once
+
+#include "actors/routing/services.hpp"
+
+namespace parlour::actors {
+
+struct file_keeper_state {
+  static inline const char* name = "file_keeper";
+};
+
+file_keeper_actor::behavior_type
+file_keeper(file_keeper_actor::stateful_pointer<file_keeper_state> self,
+            Services* services);
+
+} // namespace parlour::actors

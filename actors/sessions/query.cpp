@@ -1,0 +1,81 @@
+#include "actors/sessions/query.hpp"
+
+#include <utility>
+
+#include <caf/typed_event_based_actor.hpp>
+
+#include "actors/routing/hand_over.hpp"
+#include "actors/routing/outcomes.hpp"
+
+namespace parlour::actors {
+
+namespace {
+
+using Self = query_actor::stateful_pointer<query_state>;
+
+const char* command_of(dialogue::QueryRequest::Kind kind) {
+  constexpr const char* commands[] = {"Query", "Begin", "Commit", "Rollback"};
+  return commands[static_cast<std::size_t>(kind)];
+}
+
+Message as_message(const QueryOrder& order, Correlation correlation) {
+  const auto& request = order.request;
+  Message message;
+  message.source = "Session";
+  message.command = command_of(request.kind);
+  if (request.kind == dialogue::QueryRequest::Kind::query)
+    message.params = {request.sql, request.values, request.write};
+  message.sinks = {request.database.empty() ? std::string("Database")
+                                            : request.database};
+  message.session = order.session_id;
+  message.correlation = correlation;
+  return message;
+}
+
+void finish(Self self, const session_actor& session, std::uint64_t id,
+            Expected<ResultSet> outcome) {
+  auto work = self->state.services->work.begin();
+  self->send(session, query_outcome{id, std::move(outcome), std::move(work)});
+  self->quit();
+}
+
+// Nobody knows what became of a commit that was not answered.
+Expected<ResultSet> silence_of(dialogue::QueryRequest::Kind kind) {
+  if (kind == dialogue::QueryRequest::Kind::commit)
+    return fail(ErrorKind::in_doubt, "the database did not answer in time; "
+                                     "whether the transaction is kept is not "
+                                     "known");
+  return fail(ErrorKind::timeout, "the database did not answer in time");
+}
+
+} // namespace
+
+query_state::~query_state() {
+  if (services)
+    services->claims.forget(correlation);
+}
+
+query_actor::behavior_type
+query(query_actor::stateful_pointer<query_state> self, Services* services,
+      session_actor session, QueryOrder order) {
+  auto& state = self->state;
+  state.services = services;
+  state.ticket = DueTicket(services->due_times, order.due);
+  state.correlation = services->claims.claim(query_actor(self));
+  self->delayed_send(self, order.timeout, give_up{});
+  const auto id = order.request.id;
+  if (!ask_by_table(*services, as_message(order, state.correlation),
+                    order.work))
+    finish(self, session, id,
+           fail(ErrorKind::offline, "no database component is there"));
+  return {
+      [=](const component_event& what) {
+        finish(self, session, id, outcome_of(what.event));
+      },
+      [=](const give_up&) {
+        finish(self, session, id, silence_of(order.request.kind));
+      },
+  };
+}
+
+} // namespace parlour::actors

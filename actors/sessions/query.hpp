@@ -1,0 +1,31 @@
+// A query: asks the database component, waits for its answer, no longer than
+// the time it is given, and tells the session. Never holds a thread.
+#pragma once
+
+#include "actors/routing/services.hpp"
+#include "script/dialogue/agenda/port.hpp"
+
+namespace parlour::actors {
+
+struct query_state {
+  static inline const char* name = "query";
+  DueTicket ticket;
+  Correlation correlation = 0;
+  Services* services = nullptr;
+  // What it claimed is claimed no more.
+  ~query_state();
+};
+
+struct QueryOrder {
+  SessionId session_id;
+  dialogue::QueryRequest request;
+  Milliseconds timeout{0};
+  DueTimes::Id due = 0;
+  Work work; // until the component has been asked
+};
+
+query_actor::behavior_type
+query(query_actor::stateful_pointer<query_state> self, Services* services,
+      session_actor session, QueryOrder order);
+
+} // namespace parlour::actors

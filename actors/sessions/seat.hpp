@@ -1,0 +1,26 @@
+// A seat: a place where one conversation at a time happens (engine rule 7.1).
+// This one shows what is said by calling back; text is heard at once.
+#pragma once
+
+#include "actors/routing/services.hpp"
+#include "script/dialogue/agenda/output_queue.hpp"
+
+namespace parlour::actors {
+
+struct seat_state {
+  static inline const char* name = "seat";
+};
+
+// Called on the seat's own actor thread, one at a time. What they throw is
+// logged.
+struct SeatCalls {
+  std::function<void(const SessionId&, const dialogue::Output&)> on_say;
+  std::function<void(const SessionId&)> on_over;
+  // A session that opened by itself, for turns that the last one left unread.
+  std::function<void(const SessionId&)> on_next = {};
+};
+
+seat_actor::behavior_type seat(seat_actor::stateful_pointer<seat_state> self,
+                               Services* services, SeatCalls calls);
+
+} // namespace parlour::actors

@@ -1,0 +1,201 @@
+#include "actors/sessions/session_manager.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <caf/typed_event_based_actor.hpp>
+
+#include "actors/sessions/session.hpp"
+#include "runtime/base/roles.hpp"
+
+namespace parlour::actors {
+
+namespace {
+
+using Self = session_manager_actor::stateful_pointer<session_manager_state>;
+
+// -- opening ------------------------------------------------------------------
+
+// Where sessions end faster than late turns come.
+constexpr std::size_t most_departed = 1'000;
+
+SessionId session_at(const session_manager_state& state,
+                     const seat_actor& seat) {
+  for (const auto& [id, entry] : state.sessions)
+    if (entry.seat == seat)
+      return id;
+  return {};
+}
+
+SessionId open(Self self, Services& services, const open_session& what) {
+  if (auto id = session_at(self->state, what.seat); !id.empty())
+    return id;
+  if (self->state.closing)
+    return {};
+  auto id = services.new_session_id();
+  auto session = self->spawn<caf::monitored>(
+      actors::session, &services,
+      SessionOrder{id, services.new_seed(), what.seat});
+  services.sessions.add(id, session, what.seat);
+  self->send(session, begin_session{what.work});
+  self->state.sessions[id] = {std::move(session), what.seat};
+  return id;
+}
+
+// -- turns without a session --------------------------------------------------
+
+seat_actor last_seat_of(const session_manager_state& state,
+                        const SessionId& session) {
+  for (const auto& [id, seat] : state.departed)
+    if (id == session)
+      return seat;
+  // Who speaks for a seat without a session names the seat.
+  const auto named = state.seats.find(session);
+  return named == state.seats.end() ? seat_actor() : named->second;
+}
+
+void leave_unhandled(Services& services, const std::vector<Message>& messages) {
+  for (const auto& message : messages)
+    services.unhandled(message, "its session is over");
+}
+
+void bring(Self self, Services& services, const seat_actor& seat,
+           std::vector<Message> turns, const Work& work) {
+  auto& state = self->state;
+  const bool opens = session_at(state, seat).empty();
+  const auto id = open(self, services, {seat, work});
+  if (id.empty())
+    return leave_unhandled(services, turns);
+  if (opens)
+    self->send(seat, next_session{id, work});
+  for (auto& turn : turns)
+    turn.session = id;
+  self->send(state.sessions[id].session, deliver{std::move(turns), work});
+}
+
+// What a session that is over will not read: user turns are the next one's at
+// its seat, answers and events meant the old one.
+void take_further(Self self, Services& services, const SessionId& session,
+                  std::vector<Message> messages, const Work& work) {
+  const auto seat = last_seat_of(self->state, session);
+  const auto table = services.table.load();
+  auto others = std::stable_partition(
+      messages.begin(), messages.end(), [&](const Message& message) {
+        return seat && table->begins_turn(message);
+      });
+  leave_unhandled(services, {others, messages.end()});
+  messages.erase(others, messages.end());
+  if (!messages.empty())
+    bring(self, services, seat, std::move(messages), work);
+}
+
+// -- the end ------------------------------------------------------------------
+
+void forget(Self self, Services& services, const session_gone& what) {
+  auto& state = self->state;
+  auto entry = state.sessions.extract(what.session);
+  services.sessions.remove(what.session);
+  if (entry.empty())
+    return;
+  auto& [session, seat, subscriptions] = entry.mapped();
+  self->send(services.supervisor, session_ended{what.session, seat, what.work});
+  state.departed.emplace_back(what.session, seat);
+  if (state.departed.size() > most_departed)
+    state.departed.pop_front();
+  self->send(services.centre, retire{std::move(session), what.work});
+  self->send(seat, session_over{what.session, what.work});
+  take_further(self, services, what.session, what.unread, what.work);
+}
+
+// A session that ended without a word: its actor was lost to an exception.
+void notice_loss(Self self, Services& services, const caf::down_msg& down) {
+  for (const auto& [id, entry] : self->state.sessions)
+    if (entry.session.address() == down.source) {
+      services.log("session " + id +
+                   " was lost: " + self->system().render(down.reason));
+      forget(self, services, {SessionId(id), services.work.begin()});
+      return;
+    }
+}
+
+// -- messages -----------------------------------------------------------------
+
+bool is_subscribed(const std::vector<Subscription>& all,
+                   const RoutingTable& table, const Message& message) {
+  return std::ranges::any_of(all, [&](const Subscription& one) {
+    return (one.command == "*" || one.command == message.command) &&
+           table.is_source(one.source, message.source);
+  });
+}
+
+// What the platform says goes to all, if anybody listens; what a component says
+// to those who have subscribed, unless it answers somebody. From then on it
+// belongs to the session.
+void pass_to_all(Self self, Services& services, Message message,
+                 const Work& work) {
+  const auto table = services.table.load();
+  const auto* role = find_role(message.source);
+  const bool raised = role && role->reserved;
+  const bool listens =
+      raised ? table->is_listened_to(message) : message.correlation == 0;
+  bool taken = raised;
+  for (const auto& [id, entry] : self->state.sessions)
+    if (listens &&
+        (raised || is_subscribed(entry.subscriptions, *table, message))) {
+      message.session = id;
+      self->send(entry.session, deliver{{message}, work});
+      taken = true;
+    }
+  if (!taken)
+    services.unhandled(message, "no session has subscribed to it");
+}
+
+void note_subscriptions(Self self, const subscribe& what) {
+  const auto found = self->state.sessions.find(what.session);
+  if (found != self->state.sessions.end())
+    found->second.subscriptions = what.to;
+}
+
+void pass_on(Self self, Services& services, const forward& what) {
+  if (what.messages.empty())
+    return;
+  const auto& id = what.messages.front().session;
+  auto found = self->state.sessions.find(id);
+  if (found != self->state.sessions.end())
+    self->send(found->second.session, deliver{what.messages, what.work});
+  else if (!id.empty())
+    take_further(self, services, id, what.messages, what.work);
+  else
+    for (const auto& message : what.messages)
+      pass_to_all(self, services, message, what.work);
+}
+
+void close(Self self, const close_session& what) {
+  self->state.closing |= what.session.empty();
+  for (const auto& [id, entry] : self->state.sessions)
+    if (what.session.empty() || what.session == id)
+      self->send(entry.session, end_session{what.work});
+}
+
+} // namespace
+
+session_manager_actor::behavior_type session_manager(
+    session_manager_actor::stateful_pointer<session_manager_state> self,
+    Services* services) {
+  self->set_down_handler(
+      [=](const caf::down_msg& down) { notice_loss(self, *services, down); });
+  return {
+      [=](const open_session& what) {
+        return session_opened{open(self, *services, what)};
+      },
+      [=](const forward& what) { pass_on(self, *services, what); },
+      [=](const subscribe& what) { note_subscriptions(self, what); },
+      [=](const close_session& what) { close(self, what); },
+      [=](const session_gone& what) { forget(self, *services, what); },
+      [=](const seat_opened& what) {
+        self->state.seats[what.name] = what.seat;
+      },
+  };
+}
+
+} // namespace parlour::actors

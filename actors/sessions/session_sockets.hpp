@@ -1,0 +1,51 @@
+// SessionSockets: the TCP clients of one session, between its conversation and
+// the adapter that knows the network. What the adapter's thread tells becomes a
+// message of the session's mailbox. Lives in the session's actor; all sockets
+// are closed when it goes.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+
+#include "actors/routing/services.hpp"
+#include "script/dialogue/agenda/port.hpp"
+
+namespace parlour::actors {
+
+class SessionSockets {
+public:
+  SessionSockets(Services& services, SessionId session)
+      : services_(services), session_(std::move(session)) {}
+  SessionSockets(const SessionSockets&) = delete;
+  SessionSockets& operator=(const SessionSockets&) = delete;
+  ~SessionSockets() {
+    close_all();
+  }
+
+  // False where this run has no network.
+  bool open(dialogue::SocketRequest request);
+  Expected<void> send(dialogue::SocketId id, const std::string& text);
+  void taken(dialogue::SocketId id);
+  void close(dialogue::SocketId id);
+  void close_all();
+
+  // What was told as a message from the socket; nothing where it was closed
+  // meanwhile.
+  std::optional<Message> message(dialogue::SocketId id,
+                                 const SocketEvent& event) const;
+  // It is over by itself.
+  void forget(dialogue::SocketId id);
+
+private:
+  struct Socket {
+    Sockets::Id id = 0; // as the adapter knows it
+    std::string name;
+  };
+
+  Services& services_;
+  const SessionId session_;
+  std::map<dialogue::SocketId, Socket> sockets_;
+};
+
+} // namespace parlour::actors

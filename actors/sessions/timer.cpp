@@ -1,0 +1,25 @@
+#include "actors/sessions/timer.hpp"
+
+#include <caf/typed_event_based_actor.hpp>
+
+namespace parlour::actors {
+
+timer_actor::behavior_type
+timer(timer_actor::stateful_pointer<timer_state> self, Services* services,
+      session_actor session, TimerOrder order) {
+  self->state.ticket = DueTicket(services->due_times, order.due);
+  if (order.after > Milliseconds::zero())
+    self->delayed_send(self, order.after, ring{});
+  else
+    self->send(self, ring{});
+  return {
+      [=](const ring&) {
+        // The session's work begins before the due time goes with this actor.
+        self->send(session, timer_due{order.id, services->work.begin()});
+        self->quit();
+      },
+      [=](const cancel_timer&) { self->quit(); },
+  };
+}
+
+} // namespace parlour::actors

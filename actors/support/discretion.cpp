@@ -1,0 +1,159 @@
+#include "actors/support/discretion.hpp"
+
+#include <utility>
+
+namespace parlour::actors {
+
+namespace {
+
+// More is shown, with all that was heard masked.
+constexpr std::size_t most_held = 10'000;
+constexpr std::size_t most_ended = 100;
+constexpr std::size_t most_words = 1'000;
+
+constexpr const char* to_session = "session";
+
+void collect_texts(const Value& value, std::vector<std::string>& texts) {
+  if (const auto* text = value.if_string())
+    texts.push_back(*text);
+  if (const auto* list = value.if_list())
+    for (const auto& element : *list)
+      collect_texts(element, texts);
+  if (const auto* map = value.if_map())
+    for (const auto& entry : map->entries())
+      collect_texts(entry.second, texts);
+}
+
+} // namespace
+
+Discretion::Discretion(Show show, IsHeard is_heard)
+    : show_(std::move(show)), is_heard_(std::move(is_heard)) {}
+
+// -- sessions -----------------------------------------------------------------
+
+void Discretion::conceal(const SessionId& session,
+                         const std::vector<std::string>& texts) {
+  const std::lock_guard lock(mutex_);
+  auto& known = sessions_[session];
+  for (const auto& text : texts)
+    known.hides_turn |= known.secrets.add(text) && known.is_open;
+}
+
+void Discretion::conceal_turn(const SessionId& session) {
+  const std::lock_guard lock(mutex_);
+  auto& known = sessions_[session];
+  known.hides_turn = known.is_open;
+}
+
+void Discretion::settled(const SessionId& session, std::uint64_t received) {
+  const std::lock_guard lock(mutex_);
+  const auto found = sessions_.find(session);
+  if (found != sessions_.end() && received >= found->second.opened)
+    show_held(found->second);
+}
+
+void Discretion::ended(const SessionId& session) {
+  const std::lock_guard lock(mutex_);
+  const auto found = sessions_.find(session);
+  if (found == sessions_.end())
+    return;
+  show_held(found->second);
+  ended_.push_back(session);
+  drop_oldest();
+}
+
+void Discretion::drop_oldest() {
+  for (; ended_.size() > most_ended; ended_.pop_front())
+    sessions_.erase(ended_.front());
+}
+
+// -- observers ----------------------------------------------------------------
+
+void Discretion::pass(const Message& message, const std::string& way) {
+  if (message.session.empty() || way != to_session || !is_heard_(message))
+    return;
+  const std::lock_guard lock(mutex_);
+  auto& session = sessions_[message.session];
+  session.is_open = true;
+  session.opened = message.number;
+}
+
+// What was heard and goes elsewhere than to its session is understood by
+// nobody that we know.
+void Discretion::show(Inspection seen) {
+  const std::lock_guard lock(mutex_);
+  if (seen.message && seen.way != to_session && is_heard_(*seen.message)) {
+    auto message = *seen.message;
+    for (auto& param : message.params)
+      param = all_masked(param);
+    seen.detail = to_string(message);
+    seen.message = std::make_shared<const Message>(std::move(message));
+    return show_(seen);
+  }
+  const auto found = sessions_.find(seen.session);
+  if (found == sessions_.end())
+    return show_(seen);
+  auto& session = found->second;
+  if (!session.is_open)
+    return show_masked(std::move(seen), session.secrets);
+  session.held.push_back(std::move(seen));
+  if (session.held.size() > most_held) {
+    session.hides_turn = true;
+    show_held(session);
+  }
+}
+
+void Discretion::show_held(Session& session) {
+  auto secrets = session.secrets;
+  if (session.hides_turn)
+    secrets.add(words_of_turn(session));
+  for (auto& seen : std::exchange(session.held, {}))
+    show_masked(std::move(seen), secrets);
+  session.is_open = session.hides_turn = false;
+}
+
+// All that was heard, and other ways to hear it.
+Secrets Discretion::words_of_turn(const Session& session) {
+  std::vector<std::string> texts;
+  for (const auto& seen : session.held)
+    if (seen.message && is_heard_(*seen.message))
+      for (const auto& param : seen.message->params)
+        collect_texts(param, texts);
+  Secrets secrets;
+  for (auto& text : texts) {
+    secrets.add(text);
+    words_.insert(std::move(text));
+  }
+  if (words_.size() > most_words)
+    words_.erase(words_.begin());
+  return secrets;
+}
+
+void Discretion::show_masked(Inspection seen, const Secrets& secrets) const {
+  if (!secrets.empty()) {
+    seen.subject = secrets.masked(seen.subject);
+    seen.detail = secrets.masked(seen.detail);
+    if (seen.message)
+      seen.message = std::make_shared<const Message>(
+          secrets.masked_message(*seen.message));
+  }
+  show_(seen);
+}
+
+std::string Discretion::masked(const std::string& text) const {
+  const std::lock_guard lock(mutex_);
+  auto shown = text;
+  for (const auto& [id, session] : sessions_)
+    if (!session.secrets.empty())
+      shown = session.secrets.masked(shown);
+  return shown;
+}
+
+bool Discretion::is_private(const std::string& words) const {
+  if (masked(words) != words)
+    return true;
+  const std::lock_guard lock(mutex_);
+  return words_.contains(words);
+}
+
+} // namespace parlour::actors

@@ -1,0 +1,86 @@
+#include "adapters/database/mariadb/mariadb_columns.hpp"
+
+#include <memory>
+#include <utility>
+
+#include "adapters/database/mariadb/mariadb_connection.hpp"
+#include "adapters/database/mariadb/mariadb_errors.hpp"
+#include "adapters/database/sqlite/sqlite_columns.hpp"
+
+namespace parlour::adapters {
+
+namespace {
+
+using Texts = Expected<std::vector<std::string>>;
+
+// As many as names of everybody in a large house.
+constexpr std::size_t most_rows = 1'000'000;
+constexpr std::size_t most_bytes = 256 << 20;
+
+Texts of_schema_and_seed(const MariaDBOptions& options,
+                         const std::string& reference) {
+  SQLiteOptions made;
+  made.schema = options.schema;
+  made.seed = options.seed;
+  return read_column(made, reference);
+}
+
+Texts ask(MariaDBConnection& connection, const MariaDBOptions& options,
+          const ColumnReference& place) {
+  auto opened =
+      carry_out(connection, connection.open(MariaDBConnection::To::database));
+  if (!opened)
+    return tl::make_unexpected(opened.error());
+  connection.give_time(options.query_timeout);
+  const auto column = "\"" + place.column + "\"";
+  auto answer = carry_out(
+      connection,
+      connection.run("select distinct " + column + " from \"" + place.table +
+                         "\" where " + column + " is not null order by 1",
+                     {}, Access::read));
+  if (!answer)
+    return tl::make_unexpected(answer.error());
+  std::vector<std::string> values;
+  for (const auto& cell : answer->rows.cells)
+    values.push_back(cell.text());
+  return values;
+}
+
+Texts read_column(const MariaDBOptions& options, const std::string& reference) {
+  if (options.copy)
+    return of_schema_and_seed(options, reference);
+  const auto place = parse_column(reference);
+  if (!place)
+    return tl::make_unexpected(place.error());
+  MariaDBConnection connection(std::make_shared<const MariaDBOptions>(options));
+  auto values = ask(connection, options, *place);
+  const bool is_not_made = connection.code() == mariadb_unknown_database ||
+                           connection.code() == mariadb_no_such_table;
+  if (!values && is_not_made && !options.schema.empty())
+    return of_schema_and_seed(options, reference);
+  if (!values)
+    return fail(values.error().kind, "The column '" + reference +
+                                         "' cannot be read from the database "
+                                         "'" +
+                                         options.database +
+                                         "': " + values.error().message);
+  return values;
+}
+
+} // namespace
+
+ColumnReader mariadb_column_reader(const Options& options,
+                                   const std::string& application_folder) {
+  auto read = read_mariadb_options(options, application_folder);
+  if (read) {
+    read->rows = most_rows;
+    read->bytes = most_bytes;
+  }
+  return [read = std::move(read)](const std::string& reference) {
+    return read.and_then([&](const MariaDBOptions& known) {
+      return read_column(known, reference);
+    });
+  };
+}
+
+} // namespace parlour::adapters

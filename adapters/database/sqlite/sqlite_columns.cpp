@@ -1,0 +1,108 @@
+#include "adapters/database/sqlite/sqlite_columns.hpp"
+
+#include <algorithm>
+#include <string_view>
+
+#include "adapters/database/sqlite/sqlite_image.hpp"
+#include "adapters/database/sqlite/sqlite_open.hpp"
+
+namespace parlour::adapters {
+
+namespace {
+
+// Names of everybody in a large house fit; a mistaken reference to a table of
+// measurements does not fill the memory.
+constexpr SQLiteLimits column_limits{.rows = 1'000'000,
+                                     .bytes = 256 << 20,
+                                     .steps = 1'000'000'000,
+                                     .statements = 1};
+
+bool is_letter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+}
+
+bool is_name(std::string_view text) {
+  return !text.empty() && is_letter(text.front()) &&
+         std::all_of(text.begin(), text.end(), [](char c) {
+           return is_letter(c) || (c >= '0' && c <= '9');
+         });
+}
+
+bool is_there(const SQLiteOptions& options) {
+  return !options.in_memory() && std::filesystem::exists(options.file);
+}
+
+std::string source(const SQLiteOptions& options) {
+  return is_there(options) ? " from " + options.file.string() : "";
+}
+
+std::string way_out(const SQLiteOptions& options) {
+  return is_there(options) ? ". Put a database of this application in its "
+                             "place, or move it away to have it made anew from "
+                             "schema and seed."
+                           : "";
+}
+
+Expected<SQLiteHandle> open_to_read(const SQLiteOptions& options) {
+  if (is_there(options))
+    return open_file(options.file, Missing::refuse);
+  auto image = sqlite_image(options.schema, options.seed);
+  if (!image)
+    return tl::make_unexpected(image.error());
+  return open_image(*image);
+}
+
+} // namespace
+
+Expected<ColumnReference> parse_column(const std::string& reference) {
+  std::string_view rest = reference;
+  if (rest.starts_with("db:"))
+    rest.remove_prefix(3);
+  const auto point = std::min(rest.find('.'), rest.size());
+  const auto table = rest.substr(0, point);
+  const auto column = rest.substr(std::min(point + 1, rest.size()));
+  if (!is_name(table) || !is_name(column))
+    return fail(ErrorKind::settings,
+                "'" + reference +
+                    "' is not a column; write it as 'db:table.column'.");
+  return ColumnReference{std::string(table), std::string(column)};
+}
+
+Expected<std::vector<std::string>> read_column(const SQLiteOptions& options,
+                                               const std::string& reference) {
+  const auto place = parse_column(reference);
+  if (!place)
+    return tl::make_unexpected(place.error());
+  auto handle = open_to_read(options);
+  if (!handle)
+    return tl::make_unexpected(handle.error());
+  SQLiteConnection connection(std::move(*handle), column_limits,
+                              options.busy_timeout);
+  const auto column = "\"" + place->column + "\"";
+  auto answer =
+      connection.run("select distinct " + column + " from \"" + place->table +
+                         "\" where " + column + " is not null order by 1",
+                     {}, Access::read);
+  if (!answer)
+    return fail(answer.error().kind, "The column '" + reference +
+                                         "' cannot be read" + source(options) +
+                                         ": " + answer.error().message +
+                                         way_out(options));
+  std::vector<std::string> values;
+  for (const auto& cell : answer->rows.cells)
+    values.push_back(cell.text());
+  return values;
+}
+
+ColumnReader sqlite_column_reader(const Options& options,
+                                  const std::string& data_folder,
+                                  const std::string& application_folder) {
+  return [read = read_sqlite_options(options, data_folder, application_folder)](
+             const std::string& reference) {
+    return read.and_then([&](const SQLiteOptions& known) {
+      return read_column(known, reference);
+    });
+  };
+}
+
+} // namespace parlour::adapters

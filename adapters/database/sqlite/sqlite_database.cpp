@@ -1,0 +1,257 @@
+#include "adapters/database/sqlite/sqlite_database.hpp"
+
+#include <utility>
+
+#include "adapters/database/sqlite/sqlite_image.hpp"
+#include "adapters/database/sqlite/sqlite_open.hpp"
+#include "adapters/database/sqlite/sqlite_origin.hpp"
+
+namespace parlour::adapters {
+
+Expected<void> SQLiteDatabase::on_start(const Options& options) {
+  auto read = read_sqlite_options(options, host().data_folder(),
+                                  host().application_folder());
+  if (!read)
+    return tl::make_unexpected(read.error());
+  options_ = std::move(*read);
+  return options_.in_memory() ? open_memory_copy() : open();
+}
+
+Expected<void> SQLiteDatabase::open_memory_copy() {
+  auto image = sqlite_image(options_.schema, options_.seed);
+  if (!image)
+    return tl::make_unexpected(image.error());
+  auto handle = open_image(*image);
+  if (!handle)
+    return tl::make_unexpected(handle.error());
+  writer_ = std::make_unique<SQLiteConnection>(
+      std::move(*handle), options_.limits(), options_.busy_timeout);
+  return {};
+}
+
+Expected<void> SQLiteDatabase::open() {
+  if (!std::filesystem::exists(options_.file)) {
+    if (auto created = create_missing(); !created)
+      return created;
+  } else if (has_other_origin(options_)) {
+    host().log("schema or seed have changed since " + options_.file.string() +
+               " was made, which is used as it is. To have it made anew, run "
+               "with --fresh, or move it away.");
+  }
+  if (auto sound = check_sound(options_.file); !sound)
+    return sound;
+  auto writer = connect();
+  if (!writer)
+    return tl::make_unexpected(writer.error());
+  auto reader = connect();
+  if (!reader)
+    return tl::make_unexpected(reader.error());
+  writer_ = std::move(*writer);
+  reader_ = std::move(*reader);
+  return {};
+}
+
+Expected<void> SQLiteDatabase::create_missing() const {
+  if (options_.schema.empty())
+    return fail(ErrorKind::settings,
+                "There is no such database, and no option 'schema' says how "
+                "to make it.",
+                {options_.file.string(), 0, 0});
+  auto image = sqlite_image(options_.schema, options_.seed);
+  if (!image)
+    return tl::make_unexpected(image.error());
+  return write_image(*image, options_.file).and_then([this] {
+    return note_origin(options_);
+  });
+}
+
+Expected<std::unique_ptr<SQLiteConnection>> SQLiteDatabase::connect() const {
+  auto handle = open_file(options_.file, Missing::refuse);
+  if (!handle)
+    return tl::make_unexpected(handle.error());
+  if (auto allowed = allow_writing(handle->get(), options_.file); !allowed)
+    return tl::make_unexpected(allowed.error());
+  return std::make_unique<SQLiteConnection>(
+      std::move(*handle), options_.limits(), options_.busy_timeout);
+}
+
+void SQLiteDatabase::stop() {
+  if (transactions_.held() && writer_)
+    (void)writer_->rollback();
+  for (const auto& [ticket, delay] : std::exchange(delays_, {}))
+    host().cancel(delay);
+  while (auto waiting = transactions_.next())
+    fail_with(waiting->message, database_closed());
+  transactions_ = {};
+  reader_.reset();
+  writer_.reset();
+}
+
+void SQLiteDatabase::on_message(const Message& message) {
+  const auto command = command_of(message);
+  if (!writer_)
+    fail_with(message, database_closed());
+  else if (!command)
+    fail_with(message, command.error());
+  else if (must_wait(*command, message))
+    wait(message);
+  else
+    handle(*command, message);
+}
+
+void SQLiteDatabase::handle(DatabaseCommand command, const Message& message) {
+  switch (command) {
+  case DatabaseCommand::connect:
+    return check_connection(message);
+  case DatabaseCommand::query:
+    return query(message);
+  case DatabaseCommand::begin:
+    return begin(message);
+  case DatabaseCommand::commit:
+  case DatabaseCommand::rollback:
+    return end(command, message);
+  }
+}
+
+bool SQLiteDatabase::must_wait(DatabaseCommand command,
+                               const Message& message) const {
+  if (!transactions_.held() || transactions_.held_by(message.session))
+    return false;
+  return command == DatabaseCommand::begin ||
+         (command == DatabaseCommand::query && (is_write(message) || !reader_));
+}
+
+void SQLiteDatabase::wait(const Message& message) {
+  const auto ticket = transactions_.wait(message);
+  if (!ticket)
+    return fail_with(message,
+                     {ErrorKind::limit, "Too many wait for the database.", {}});
+  give_time(*ticket, options_.busy_timeout, &SQLiteDatabase::give_up_waiting);
+}
+
+void SQLiteDatabase::give_up_waiting(Ticket ticket) {
+  if (auto waiting = transactions_.leave(ticket))
+    fail_with(*waiting, {ErrorKind::timeout,
+                         "Another conversation's transaction holds the "
+                         "database.",
+                         {}});
+}
+
+void SQLiteDatabase::give_time(Ticket ticket, Milliseconds time,
+                               TimeIsUp time_is_up) {
+  delays_[ticket] = host().after(time, [this, ticket, time_is_up] {
+    delays_.erase(ticket);
+    (this->*time_is_up)(ticket);
+  });
+}
+
+void SQLiteDatabase::no_longer_timed(Ticket ticket) {
+  if (auto delay = delays_.extract(ticket))
+    host().cancel(delay.mapped());
+}
+
+void SQLiteDatabase::let_others_on() {
+  while (!transactions_.held()) {
+    const auto waiting = transactions_.next();
+    if (!waiting)
+      return;
+    no_longer_timed(waiting->ticket);
+    handle(*command_of(waiting->message), waiting->message);
+  }
+}
+
+// One component is one database: its settings, not a script, say which file.
+void SQLiteDatabase::check_connection(const Message& message) {
+  const auto& wanted = param(message, 0);
+  const auto name = (wanted.if_map() ? wanted["file"] : wanted).text();
+  const auto file = options_.file.filename().string();
+  if (!wanted || name == "unknown" || name == file ||
+      (options_.in_memory() && name == ":memory:"))
+    return answer(message, "Result", {ResultSet{}});
+  fail_with(message, {ErrorKind::refused,
+                      "This component's database is '" +
+                          (file.empty() ? ":memory:" : file) + "'; for '" +
+                          name + "' the settings need a component of its own.",
+                      {}});
+}
+
+void SQLiteDatabase::query(const Message& message) {
+  if (transactions_.lost_by(message.session))
+    return fail_with(message, rolled_back(message));
+  const auto access = is_write(message) ? Access::write : Access::read;
+  auto& connection = reader_ && access == Access::read &&
+                             !transactions_.held_by(message.session)
+                         ? *reader_
+                         : *writer_;
+  auto result =
+      connection.run(*param(message, 0).if_string(), param(message, 1), access);
+  if (result)
+    return answer(message, "Result",
+                  result_params(message, std::move(*result)));
+  fail_with(message, result.error());
+  notice_lost_transaction(message.session);
+}
+
+// SQLite itself rolls back after some failures, such as a full disk.
+void SQLiteDatabase::notice_lost_transaction(const SessionId& session) {
+  if (!transactions_.held_by(session) || writer_->in_transaction())
+    return;
+  no_longer_timed(transactions_.ticket());
+  transactions_.take_away();
+  let_others_on();
+}
+
+void SQLiteDatabase::begin(const Message& message) {
+  if (transactions_.held_by(message.session))
+    return fail_with(message, already_begun());
+  if (auto begun = writer_->begin(); !begun)
+    return fail_with(message, begun.error());
+  transactions_.forget_loss(message.session);
+  const auto ticket = transactions_.hold(message.session);
+  give_time(ticket, options_.transaction_timeout, &SQLiteDatabase::take_away);
+  answer(message, "Result", {ResultSet{}});
+}
+
+void SQLiteDatabase::end(DatabaseCommand how, const Message& message) {
+  if (!transactions_.held_by(message.session)) {
+    const bool lost = transactions_.lost_by(message.session);
+    transactions_.forget_loss(message.session);
+    return fail_with(message, lost ? rolled_back(message) : not_begun(message));
+  }
+  const bool commits = how == DatabaseCommand::commit;
+  auto ended = commits ? writer_->commit() : writer_->rollback();
+  if (!ended && commits)
+    (void)writer_->rollback();
+  no_longer_timed(transactions_.ticket());
+  transactions_.release();
+  if (ended)
+    answer(message, "Result", {ResultSet{}});
+  else
+    fail_with(message, ended.error());
+  let_others_on();
+}
+
+void SQLiteDatabase::take_away(Ticket ticket) {
+  if (!writer_ || !transactions_.holds(ticket))
+    return;
+  (void)writer_->rollback();
+  transactions_.take_away();
+  host().log("A transaction was open for too long and was rolled back.");
+  let_others_on();
+}
+
+void SQLiteDatabase::fail_with(const Message& message, const Error& error) {
+  answer(message, "Error", error_params(error));
+}
+
+PluginFactory sqlite_database_factory() {
+  PluginDescription description;
+  description.name = "SQLiteDatabase";
+  description.roles = {"Database"};
+  description.sentence = "an SQLite database, in a file or in memory";
+  description.options = sqlite_option_descriptions();
+  description.blocks = true;
+  return {description, [] { return std::make_unique<SQLiteDatabase>(); }};
+}
+
+} // namespace parlour::adapters

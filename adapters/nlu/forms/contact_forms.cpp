@@ -1,0 +1,106 @@
+// Telephone numbers and e-mail addresses, written and spelt out.
+#include "adapters/nlu/forms/form_reader.hpp"
+#include "adapters/nlu/forms/normal_forms.hpp"
+
+namespace parlour::adapters::nlu {
+
+namespace {
+
+constexpr std::size_t fewest_digits = 3;
+constexpr std::size_t whole_number = 7; // fewer are taken only where expected
+constexpr std::size_t most_digits = 15;
+
+// The digits of "9123-4567", "+65", "91234567"; empty for none.
+std::string written_digits(std::string_view word) {
+  std::string digits;
+  for (const char letter : word) {
+    if (letter >= '0' && letter <= '9')
+      digits += letter;
+    else if (letter == '+' && digits.empty())
+      digits += letter;
+    else if (letter != '-')
+      return {};
+  }
+  return digits;
+}
+
+std::size_t repeats(FormReader& reader) {
+  if (reader.skip("double"))
+    return 2;
+  return reader.skip("triple") ? 3 : 1;
+}
+
+// "double five", "nine", "9123"; empty where no digit comes.
+std::string next_digits(FormReader& reader) {
+  const auto start = reader.position();
+  if (reader.skip("plus"))
+    return "+";
+  const auto count = repeats(reader);
+  if (const auto digit = digit_of(reader.word())) {
+    reader.advance();
+    return std::string(count, static_cast<char>('0' + *digit));
+  }
+  if (auto digits = written_digits(reader.word());
+      !digits.empty() && count == 1) {
+    reader.advance();
+    return digits;
+  }
+  reader.go_back(start);
+  return {};
+}
+
+// "comptec dot com": at least one dot; empty where there is none.
+std::string dotted(FormReader& reader, bool need_dot) {
+  std::string text(reader.word());
+  if (text.empty())
+    return {};
+  reader.advance();
+  bool dots = false;
+  while (reader.word() == "dot" && !reader.word(1).empty()) {
+    reader.advance();
+    text += '.' + std::string(reader.word());
+    reader.advance();
+    dots = true;
+  }
+  return dots || !need_dot ? text : std::string();
+}
+
+} // namespace
+
+std::optional<FormAt> phone_form(FormReader reader, Now) {
+  std::string number;
+  const auto count_of = [](const std::string& text) {
+    return text.size() - (text.starts_with('+') ? 1 : 0);
+  };
+  while (true) {
+    const auto start = reader.position();
+    const auto digits = next_digits(reader);
+    if (digits.empty() || count_of(number + digits) > most_digits ||
+        (digits[0] == '+' && !number.empty())) {
+      reader.go_back(start);
+      break;
+    }
+    number += digits;
+  }
+  const auto count = count_of(number);
+  if (number.empty() || count < fewest_digits)
+    return {};
+  return reader.form(number, count < whole_number);
+}
+
+std::optional<FormAt> email_form(FormReader reader, Now) {
+  const auto word = reader.word();
+  if (word.find('@') != std::string_view::npos) {
+    reader.advance();
+    return reader.form(std::string(word));
+  }
+  auto name = dotted(reader, false);
+  if (name.empty() || !reader.skip("at"))
+    return {};
+  const auto host = dotted(reader, true);
+  if (host.empty())
+    return {};
+  return reader.form(name + '@' + host);
+}
+
+} // namespace parlour::adapters::nlu

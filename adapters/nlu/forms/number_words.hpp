@@ -1,0 +1,33 @@
+// Numbers as people say and write them: "twenty three", "23rd", "1,000",
+// "two hundred and five", "second".
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "adapters/nlu/text/tokens.hpp"
+
+namespace parlour::adapters::nlu {
+
+struct NumberAt {
+  std::int64_t value = 0;
+  std::size_t length = 0; // tokens
+  bool ordinal = false;
+  bool digits = false; // written in digits
+};
+
+// The longest whole number that begins at this token.
+std::optional<NumberAt> number_at(const Tokens& tokens, std::size_t position);
+
+// "a couple of", "a pair of", "half a dozen", "two dozen".
+std::optional<NumberAt> collective_at(const Tokens& tokens,
+                                      std::size_t position);
+
+// 0 to 9 for "nine", "9", "oh" …
+std::optional<int> digit_of(std::string_view word);
+
+// A word that is digits and nothing else, up to 15 of them.
+std::optional<std::int64_t> digits_of(std::string_view word);
+
+} // namespace parlour::adapters::nlu

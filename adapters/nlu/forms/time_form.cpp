@@ -1,0 +1,308 @@
+// Times of the day: "10:30am", "half past ten", "three thirty in the
+// afternoon", "noon", "in ten minutes".
+#include <charconv>
+
+#include "adapters/nlu/forms/form_reader.hpp"
+#include "adapters/nlu/forms/normal_forms.hpp"
+
+namespace parlour::adapters::nlu {
+
+namespace {
+
+struct Time {
+  std::int64_t hour = 0;
+  std::int64_t minute = 0;
+  bool exact = false; // written so that no half of the day need be guessed
+  bool weak = true;
+};
+
+enum class Half { unknown, am, pm, night };
+
+constexpr std::int64_t first_office_hour = 8;
+
+std::string clock_text(std::int64_t minutes) {
+  const auto day = (minutes % 1440 + 1440) % 1440;
+  std::string text = "00:00";
+  text[0] = static_cast<char>('0' + day / 600);
+  text[1] = static_cast<char>('0' + day / 60 % 10);
+  text[3] = static_cast<char>('0' + day % 60 / 10);
+  text[4] = static_cast<char>('0' + day % 10);
+  return text;
+}
+
+Half skip_half(FormReader& reader) {
+  if (reader.skip("am") || reader.skip_all({"a", "m"}))
+    return Half::am;
+  if (reader.skip("pm") || reader.skip_all({"p", "m"}))
+    return Half::pm;
+  const auto start = reader.position();
+  if (reader.skip_all({"in", "the"}) || reader.skip_any({"in", "this"})) {
+    if (reader.skip("morning"))
+      return Half::am;
+    if (reader.skip_any({"afternoon", "evening"}))
+      return Half::pm;
+  } else if (reader.skip_all({"at", "night"}) || reader.skip("tonight")) {
+    return Half::night;
+  }
+  reader.go_back(start);
+  return Half::unknown;
+}
+
+std::int64_t hour_of(const Time& time, Half half) {
+  const auto hour = time.hour;
+  if (hour > 12)
+    return hour;
+  switch (half) {
+  case Half::am:
+    return hour % 12;
+  case Half::pm:
+    return hour % 12 + 12;
+  case Half::night:
+    return hour >= 6 && hour < 12 ? hour + 12 : hour % 12;
+  case Half::unknown:
+    break;
+  }
+  const bool guess = !time.exact && hour > 0 && hour < first_office_hour;
+  return guess ? hour + 12 : hour;
+}
+
+std::optional<FormAt> finish(FormReader& reader, Time time) {
+  if (reader.skip("oclock") || reader.skip_all({"o", "clock"}))
+    time.weak = false;
+  reader.skip("ish");
+  const auto half = skip_half(reader);
+  const bool sharp = reader.skip("sharp");
+  time.weak = time.weak && half == Half::unknown && !sharp;
+  if (time.hour > 24 || time.minute > 59 || time.minute < 0)
+    return {};
+  const auto hour = hour_of(time, half);
+  return reader.form(clock_text(hour * 60 + time.minute), time.weak);
+}
+
+// Splits "10:30", "10.30", "1030" (where `compact`), "10"; what follows the
+// digits is left in `rest`.
+std::optional<Time> split_digits(std::string_view word,
+                                 std::string_view& rest) {
+  const auto end = word.find_first_not_of("0123456789");
+  const auto first = word.substr(0, end);
+  const auto hour = digits_of(first);
+  if (!hour)
+    return {};
+  rest = end == std::string_view::npos ? "" : word.substr(end);
+  Time time{*hour, 0, first.size() == 2 && first[0] == '0', true};
+  if (rest.size() >= 3 && (rest[0] == ':' || rest[0] == '.')) {
+    const auto minute = digits_of(rest.substr(1, 2));
+    if (!minute)
+      return {};
+    time.minute = *minute;
+    time.weak = rest[0] == '.';
+    rest.remove_prefix(3);
+    if (!rest.empty() && rest[0] >= '0' && rest[0] <= '9')
+      return {};
+  } else if (first.size() == 4 || (first.size() == 3 && !rest.empty())) {
+    time = {*hour / 100, *hour % 100, first[0] == '0', true};
+  } else if (first.size() > 2) {
+    return {};
+  }
+  return time;
+}
+
+// "10 30", as recognisers write it.
+void add_written_minutes(FormReader& reader, Time& time) {
+  const auto word = reader.word();
+  const auto minute = digits_of(word);
+  if (word.size() != 2 || !minute || *minute > 59)
+    return;
+  time.minute = *minute;
+  reader.advance();
+}
+
+// "10:30am", "3pm", "1530 hours", "10.30".
+std::optional<FormAt> digital_time(FormReader reader) {
+  std::string_view rest;
+  const auto word = reader.word();
+  auto time = split_digits(word, rest);
+  if (!time || time->hour > 24)
+    return {};
+  reader.advance();
+  if (rest == "am" || rest == "pm") {
+    const auto hour = hour_of(*time, rest == "am" ? Half::am : Half::pm);
+    if (time->minute > 59)
+      return {};
+    reader.skip("sharp");
+    return reader.form(clock_text(hour * 60 + time->minute));
+  }
+  if (rest == "h" || rest == "hrs" || reader.skip_any({"hours", "hrs"}))
+    *time = {time->hour, time->minute, true,
+             word.size() < 3 && time->hour < 13 && time->minute == 0};
+  else if (!rest.empty())
+    return {};
+  else if (word.size() <= 2)
+    add_written_minutes(reader, *time);
+  return finish(reader, *time);
+}
+
+// The minutes after an hour: "thirty", "oh five", "15".
+std::optional<std::int64_t> minutes(FormReader& reader) {
+  const auto start = reader.position();
+  if (reader.skip_any({"oh", "o", "zero"})) {
+    const auto digit = digit_of(reader.word());
+    if (digit) {
+      reader.advance();
+      return *digit;
+    }
+  } else if (const auto number = reader.number(); number && !number->ordinal &&
+                                                  number->value >= 10 &&
+                                                  number->value <= 59) {
+    return number->value;
+  }
+  reader.go_back(start);
+  return {};
+}
+
+// "sixteen hundred hours", "oh eight hundred hours".
+std::optional<FormAt> hundred_hours(FormReader reader) {
+  reader.skip_any({"oh", "o", "zero"});
+  const auto number = reader.number();
+  if (!number || number->ordinal || number->digits ||
+      number->value % 100 != 0 || number->value < 100 || number->value > 2400)
+    return {};
+  const bool whole = reader.skip("hours");
+  return reader.form(clock_text(number->value / 100 * 60), !whole);
+}
+
+// "three", "ten thirty", "nine oh five", "three o'clock".
+std::optional<FormAt> spoken_time(FormReader reader) {
+  const auto hour = reader.number();
+  if (!hour || hour->ordinal || hour->digits || hour->value > 24)
+    return {};
+  Time time{hour->value, 0, hour->value == 0, true};
+  if (const auto minute = minutes(reader)) {
+    time.minute = *minute;
+    time.weak = false;
+  }
+  return finish(reader, time);
+}
+
+std::optional<std::int64_t> hour_by_name(FormReader& reader) {
+  if (reader.skip_any({"noon", "midday", "lunchtime"}))
+    return 12;
+  if (reader.skip("midnight"))
+    return 0;
+  return {};
+}
+
+std::optional<std::int64_t> fraction(FormReader& reader) {
+  if (reader.skip("half"))
+    return 30;
+  const auto start = reader.position();
+  reader.skip("a");
+  if (reader.skip("quarter"))
+    return 15;
+  const auto number = reader.number();
+  if (number && !number->ordinal && number->value > 0 && number->value < 60) {
+    reader.skip_any({"minutes", "minute"});
+    return number->value;
+  }
+  reader.go_back(start);
+  return {};
+}
+
+// Whether minutes, of which `first` was the first word, are after the hour
+// that follows; nothing where neither is said. "Half ten" is half past ten.
+std::optional<bool> is_past(FormReader& reader, std::string_view first) {
+  if (reader.skip_any({"past", "after"}))
+    return true;
+  if (reader.skip_any({"to", "before", "till", "til"}))
+    return false;
+  if (first == "half")
+    return true;
+  if (first == "quarter" && reader.skip("of"))
+    return false;
+  return {};
+}
+
+// "half past ten", "a quarter to three", "ten minutes past nine", "half past
+// noon".
+std::optional<FormAt> relative_time(FormReader reader) {
+  const auto first = reader.word() == "a" ? reader.word(1) : reader.word();
+  const auto count = fraction(reader);
+  const auto after = count ? is_past(reader, first) : std::nullopt;
+  if (!after)
+    return {};
+  const bool past = *after;
+  if (const auto named = hour_by_name(reader))
+    return reader.form(clock_text(*named * 60 + (past ? *count : -*count)));
+  const auto hour = reader.number();
+  if (!hour || hour->ordinal || hour->value < 1 || hour->value > 12)
+    return {};
+  reader.skip("oclock");
+  const auto half = skip_half(reader);
+  const auto start = hour_of({hour->value, 0, false, false}, half) * 60;
+  // A quarter to eight is in the morning, as eight is.
+  return reader.form(clock_text(past ? start + *count : start - *count));
+}
+
+std::optional<FormAt> named_time(FormReader reader) {
+  reader.skip_any({"12", "twelve"});
+  const auto hour = hour_by_name(reader);
+  if (!hour)
+    return {};
+  reader.skip("sharp");
+  return reader.form(clock_text(*hour * 60));
+}
+
+std::int64_t minute_of_day(Timestamp now) {
+  const auto text = format_timestamp(now, "%H%M");
+  const auto number = digits_of(text).value_or(0);
+  return number / 100 * 60 + number % 100;
+}
+
+bool skip_at_once(FormReader& reader) {
+  return reader.skip_any({"immediately", "asap"}) ||
+         reader.skip_all({"right", "now"}) || reader.skip_all({"at", "once"}) ||
+         reader.skip_all({"right", "away"}) ||
+         reader.skip_all({"straight", "away"}) ||
+         reader.skip_all({"as", "soon", "as", "possible"});
+}
+
+// "now", "right away", "in ten minutes", "half an hour from now".
+std::optional<FormAt> time_from_now(FormReader reader, Now now) {
+  if (!now)
+    return {};
+  const auto current = minute_of_day(*now);
+  if (reader.skip("now") || skip_at_once(reader))
+    return reader.form(clock_text(current), true);
+  const bool in = reader.skip("in");
+  const auto span = duration_form(reader, now);
+  if (!span)
+    return {};
+  reader.advance(span->length - reader.length());
+  if (in)
+    reader.skip("time");
+  else if (!reader.skip_all({"from", "now"}))
+    return {};
+  const auto seconds = span->value.integer_or(0);
+  if (seconds >= 86'400)
+    return {};
+  return reader.form(clock_text(current + seconds / 60));
+}
+
+} // namespace
+
+std::optional<FormAt> time_form(FormReader reader, Now now) {
+  std::optional<FormAt> best;
+  const auto keep = [&](std::optional<FormAt> found) {
+    if (found && (!best || found->length > best->length))
+      best = std::move(found);
+  };
+  keep(digital_time(reader));
+  keep(spoken_time(reader));
+  keep(hundred_hours(reader));
+  keep(relative_time(reader));
+  keep(named_time(reader));
+  keep(time_from_now(reader, now));
+  return best;
+}
+
+} // namespace parlour::adapters::nlu

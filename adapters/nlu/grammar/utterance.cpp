@@ -1,0 +1,77 @@
+#include "adapters/nlu/grammar/utterance.hpp"
+
+#include "adapters/nlu/text/words.hpp"
+
+namespace parlour::adapters::nlu {
+
+namespace {
+
+using Phrase = std::vector<std::string>;
+
+// Filler phrases by their first word.
+const TextMap<std::vector<Phrase>>& phrases() {
+  static const auto table = [] {
+    TextMap<std::vector<Phrase>> made;
+    for (const auto phrase : filler_phrases()) {
+      Phrase words;
+      for (auto& token : tokenize(phrase).list)
+        words.push_back(std::move(token.word));
+      made[words[0]].push_back(std::move(words));
+    }
+    return made;
+  }();
+  return table;
+}
+
+bool stands_at(const Phrase& phrase, const Tokens& tokens,
+               std::size_t position) {
+  if (position + phrase.size() > tokens.list.size())
+    return false;
+  for (std::size_t at = 0; at < phrase.size(); ++at)
+    if (tokens.list[position + at].word != phrase[at])
+      return false;
+  return true;
+}
+
+void mark_fillers(Utterance& utterance) {
+  for (std::size_t at = 0; at < utterance.size(); ++at) {
+    const auto found = phrases().find(utterance.tokens.list[at].word);
+    if (found == phrases().end())
+      continue;
+    for (const auto& phrase : found->second)
+      if (stands_at(phrase, utterance.tokens, at))
+        for (std::size_t word = 0; word < phrase.size(); ++word)
+          utterance.filler[at + word] = true;
+  }
+}
+
+} // namespace
+
+double Utterance::weight_of(std::size_t first, std::size_t last) const {
+  double sum = 0;
+  for (auto at = first; at < last && at < weight.size(); ++at)
+    sum += weight[at];
+  return sum;
+}
+
+Utterance make_utterance(std::string_view text, const Automaton& automaton) {
+  Utterance made;
+  made.text = text;
+  made.tokens = tokenize(text);
+  const auto size = made.size();
+  made.filler.resize(size);
+  mark_fillers(made);
+  for (std::size_t at = 0; at < size; ++at) {
+    const auto& word = made.tokens.list[at].word;
+    made.words.push_back(automaton.word(word));
+    made.function.push_back(is_function_word(word));
+    made.plain.push_back(made.filler[at] || made.function[at] ||
+                         is_title(word) || made.words[at] != unknown_word);
+    made.weight.push_back(made.filler[at]     ? 0.0F
+                          : made.function[at] ? 0.5F
+                                              : 1.0F);
+  }
+  return made;
+}
+
+} // namespace parlour::adapters::nlu

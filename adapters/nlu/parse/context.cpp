@@ -1,0 +1,71 @@
+#include "adapters/nlu/parse/context.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "adapters/nlu/text/tokens.hpp"
+
+namespace parlour::adapters::nlu {
+
+namespace {
+
+void read_asked(const Value& asked, const Schema& schema, Context& context) {
+  if (!asked.if_map())
+    return;
+  const auto topic = schema.topic(asked["topic"].text());
+  if (topic == no_topic)
+    return;
+  const auto* slot = schema.at(topic).find(asked["slot"].text());
+  if (!slot)
+    return;
+  context.asked_topic = topic;
+  context.asked_slot = slot->name;
+  context.asked_entity_id = slot->entity;
+}
+
+void read_said(const Value& said, const Schema& schema, Context& context) {
+  if (context.asked_topic == no_topic || !said.if_list())
+    return;
+  for (const auto& name : *said.if_list())
+    if (const auto* slot = schema.at(context.asked_topic).find(name.text()))
+      context.said.push_back(*slot);
+}
+
+void read_confirms(const Value& question, Context& context) {
+  if (!question.if_string())
+    return;
+  for (auto& token : tokenize(*question.if_string()).list)
+    context.confirms.push_back(std::move(token.word));
+}
+
+} // namespace
+
+double Context::bonus(TopicNumber topic) const {
+  if (topic == no_topic)
+    return 0;
+  if (topic == current)
+    return 0.2;
+  const bool waits = topic == resting ||
+                     std::ranges::find(unfinished, topic) != unfinished.end();
+  return waits ? 0.1 : 0;
+}
+
+Context read_context(const Value& context, const Schema& schema) {
+  Context read;
+  read_asked(context["asked"], schema, read);
+  read_said(context["said"], schema, read);
+  read.current = schema.topic(context["current"].text());
+  read.resting = schema.topic(context["resting"].text());
+  if (const auto* unfinished = context["unfinished"].if_list())
+    for (const auto& name : *unfinished)
+      if (const auto topic = schema.topic(name.text()); topic != no_topic)
+        read.unfinished.push_back(topic);
+  if (const auto* grammar = context["grammar"].if_string())
+    read.grammar = *grammar;
+  read_confirms(context["confirms"], read);
+  if (const auto* now = context["now"].if_integer())
+    read.now = *now;
+  return read;
+}
+
+} // namespace parlour::adapters::nlu

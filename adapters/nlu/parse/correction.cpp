@@ -1,0 +1,51 @@
+#include "adapters/nlu/parse/correction.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <ranges>
+
+namespace parlour::adapters::nlu {
+
+namespace {
+
+bool only_answers(const BuiltAct& act, const Context& context) {
+  return act.act == "correct" && act.topic != no_topic &&
+         act.topic == context.asked_topic && act.fills.size() == 1 &&
+         act.fills[0].slot == context.asked_slot && !act.fills[0].literal;
+}
+
+bool is_value(const Fill& fill, const Spans& spans) {
+  return fill.span && !spans[*fill.span].unmatched &&
+         spans[*fill.span].entity != words_entity;
+}
+
+// The same words as a value of this kind; nothing where they are none.
+std::optional<Fill> as_value(const Fill& fill, EntityId entity,
+                             const Spans& spans) {
+  auto made = fill;
+  made.span.reset();
+  if (entity == words_entity)
+    return is_value(fill, spans) ? std::nullopt : std::optional(made);
+  for (const auto index : spans.at(entity, fill.begin))
+    if (spans[index].end == fill.end) {
+      made.span = index;
+      return made;
+    }
+  return {};
+}
+
+} // namespace
+
+void correct_what_was_said(BuiltAct& act, const Spans& spans,
+                           const Context& context) {
+  if (!only_answers(act, context))
+    return;
+  for (const auto& slot : std::views::reverse(context.said))
+    if (auto made = as_value(act.fills[0], slot.entity, spans)) {
+      made->slot = slot.name;
+      act.fills = {std::move(*made)};
+      return;
+    }
+}
+
+} // namespace parlour::adapters::nlu

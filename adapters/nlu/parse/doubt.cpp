@@ -1,0 +1,157 @@
+#include "adapters/nlu/parse/doubt.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "adapters/nlu/text/words.hpp"
+
+namespace parlour::adapters::nlu {
+
+namespace {
+
+// Who asks such a thing has not answered yet.
+constexpr std::array<std::string_view, 5> questions{"help", "repeat", "explain",
+                                                    "options", "rephrase"};
+
+// Less is nothing that a word could weigh.
+constexpr double least_weight = 0.05;
+
+template <class All, class One>
+bool has(const All& all, const One& one) {
+  return std::ranges::find(all, one) != all.end();
+}
+
+bool is_plain(const BuiltAct& act, std::string_view name) {
+  return act.topic == no_topic && act.act == name;
+}
+
+bool is_answer(const BuiltAct& act) {
+  return is_plain(act, "confirm") || is_plain(act, "deny");
+}
+
+bool is_answer(const Island& island) {
+  return !island.is_content() &&
+         (island.act == "confirm" || island.act == "deny");
+}
+
+class Doubts {
+public:
+  Doubts(std::vector<BuiltAct>& acts, const Chain& chain,
+         const Utterance& utterance, const Context& context)
+      : acts_(acts), utterance_(utterance), context_(context),
+        understood_(utterance.size(), false) {
+    for (std::size_t at = 0; at < chain.links.size(); ++at)
+      note(chain, at);
+  }
+
+  void run() {
+    if (std::erase_if(acts_, [&](auto& act) { return is_denied(act); }) > 0)
+      std::erase_if(acts_, [](auto& act) { return is_plain(act, "deny"); });
+    const bool contradicts = any("confirm") && (any("deny") || any("correct"));
+    const bool asks = std::ranges::any_of(acts_, [](auto& act) {
+      return act.topic == no_topic && has(questions, act.act);
+    });
+    if (contradicts || asks)
+      std::erase_if(acts_, [](auto& act) { return is_answer(act); });
+    std::erase_if(acts_, [&](auto& act) { return is_unsure(act); });
+  }
+
+private:
+  // Words that an island passes over are not understood; those that lead in
+  // are if something follows.
+  void note(const Chain& chain, std::size_t at) {
+    const auto& island = *chain.links[at].island;
+    const bool leads_in = !island.is_content() && island.act.empty();
+    const bool leads_nowhere =
+        leads_in && (at + 1 == chain.links.size() ||
+                     !chain.links[at + 1].island->is_content());
+    if (leads_nowhere || (is_answer(island) && passes_over(island)))
+      return;
+    for (auto token = island.begin; token < island.end; ++token)
+      understood_[token] = !leads_in || !is_turning_word(word(token));
+    if (island.denies)
+      denials_.push_back(island.begin);
+  }
+
+  bool passes_over(const Island& island) const {
+    return island.covered + least_weight <
+           utterance_.weight_of(island.begin, island.end);
+  }
+
+  const std::string& word(std::size_t token) const {
+    return utterance_.tokens.list[token].word;
+  }
+
+  bool any(std::string_view name) const {
+    return std::ranges::any_of(acts_,
+                               [&](auto& act) { return is_plain(act, name); });
+  }
+
+  // "do not cancel it"
+  bool is_denied(const BuiltAct& act) const {
+    if (act.topic != no_topic || is_answer(act) || act.act == "correct")
+      return false;
+    auto at = act.begin;
+    while (at > 0 && utterance_.filler[at - 1])
+      --at;
+    return at > 0 && (word(at - 1) == "not" || word(at - 1) == "never");
+  }
+
+  bool is_unsure(const BuiltAct& act) const {
+    if (is_plain(act, "confirm"))
+      return leaves_words() || is_asked(act);
+    // "not bad" is no refusal.
+    return is_plain(act, "deny") && has(denials_, act.begin) && leaves_words();
+  }
+
+  // Words that nothing has understood, but those of the question.
+  bool leaves_words() const {
+    for (std::size_t token = 0; token < utterance_.size(); ++token) {
+      const bool turns = is_turning_word(word(token));
+      const bool means_nothing = utterance_.weight[token] < least_weight ||
+                                 has(context_.confirms, word(token));
+      if (!understood_[token] && (turns || !means_nothing))
+        return true;
+    }
+    return false;
+  }
+
+  // "Right?"
+  bool is_asked(const BuiltAct& act) const {
+    const auto& tokens = utterance_.tokens.list;
+    const auto from = tokens[act.end - 1].end;
+    const auto to = act.end < tokens.size() ? tokens[act.end].begin
+                                            : utterance_.text.size();
+    return utterance_.text.substr(from, to - from).find('?') !=
+           std::string_view::npos;
+  }
+
+  std::vector<BuiltAct>& acts_;
+  const Utterance& utterance_;
+  const Context& context_;
+  std::vector<bool> understood_;       // each token
+  std::vector<std::uint32_t> denials_; // tokens where a "not" begins
+};
+
+} // namespace
+
+void prefer_answers(std::vector<Island>& islands) {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> answers;
+  for (const auto& island : islands)
+    if (is_answer(island))
+      answers.emplace_back(island.begin, island.end);
+  std::erase_if(islands, [&](const Island& island) {
+    return island.is_content() &&
+           std::ranges::any_of(answers, [&](const auto& answer) {
+             return answer.first <= island.begin && island.end <= answer.second;
+           });
+  });
+}
+
+void drop_doubtful(std::vector<BuiltAct>& acts, const Chain& chain,
+                   const Utterance& utterance, const Context& context) {
+  Doubts(acts, chain, utterance, context).run();
+}
+
+} // namespace parlour::adapters::nlu

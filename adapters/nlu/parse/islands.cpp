@@ -1,0 +1,160 @@
+#include "adapters/nlu/parse/islands.hpp"
+
+#include <algorithm>
+
+namespace parlour::adapters::nlu {
+
+namespace {
+
+class IslandReader {
+public:
+  IslandReader(const std::vector<Trace>& traces, const Spans& spans,
+               const Automaton& automaton, const Schema& schema,
+               const Context& context)
+      : traces_(traces), spans_(spans), automaton_(automaton), schema_(schema),
+        context_(context) {}
+
+  std::optional<Island> read(const Match& match) {
+    const auto& rule = automaton_.rules[match.rule];
+    island_ = {&rule,      match.begin, match.end, match.score, match.covered,
+               match.weak, false,       false,     "",          {},
+               {}};
+    opened_.clear();
+    seen_.clear();
+    topic_ = rule.topic;
+    walk(match.trace);
+    for (const auto& trace : way_)
+      follow(trace);
+    if (!find_topics() || !allowed(rule))
+      return {};
+    return std::move(island_);
+  }
+
+private:
+  struct Opened {
+    std::uint32_t tag;
+    std::uint32_t position;
+    std::size_t spans; // seen before
+  };
+
+  // The trace in the order in which things happened.
+  void walk(std::uint32_t last) {
+    way_.clear();
+    for (auto at = last; at != 0; at = traces_[at].before)
+      way_.push_back(traces_[at]);
+    std::ranges::reverse(way_);
+  }
+
+  void follow(const Trace& trace) {
+    switch (trace.kind) {
+    case Trace::Kind::open:
+      opened_.push_back({trace.what, trace.position, seen_.size()});
+      return;
+    case Trace::Kind::span:
+      seen_.push_back(trace.what);
+      return;
+    case Trace::Kind::close:
+      if (!opened_.empty()) {
+        const auto opened = opened_.back();
+        opened_.pop_back();
+        apply(automaton_.tags[opened.tag], opened, trace.position);
+      }
+    }
+  }
+
+  void apply(const TagInfo& tag, const Opened& opened, std::uint32_t end) {
+    switch (tag.kind) {
+    case TagKind::act:
+      island_.act = tag.name;
+      return;
+    case TagKind::topic:
+      topic_ = tag.topic;
+      return;
+    case TagKind::denies:
+      island_.denies = true;
+      return;
+    case TagKind::asked:
+      island_.asked = true;
+      fill(context_.asked_slot, context_.asked_topic, tag, opened, end);
+      return;
+    case TagKind::slot:
+      fill(tag.name, tag.topic, tag, opened, end);
+    }
+  }
+
+  void fill(const std::string& slot, TopicNumber topic, const TagInfo& tag,
+            const Opened& opened, std::uint32_t end) {
+    Fill made{slot, topic, {}, {}, opened.position, end};
+    if (tag.has_value)
+      made.literal = tag.value;
+    else if (seen_.size() > opened.spans)
+      made.span = seen_.back();
+    if (made.span) {
+      made.begin = spans_[*made.span].core;
+      made.end = spans_[*made.span].end;
+    }
+    island_.fills.push_back(std::move(made));
+  }
+
+  // The topics that have all the slots that were filled. False where slots of
+  // different topics are mixed.
+  bool find_topics() {
+    for (const auto& fill : island_.fills)
+      if (fill.topic != no_topic && topic_ == no_topic)
+        topic_ = fill.topic;
+    if (topic_ != no_topic) {
+      island_.topics = {topic_};
+      return has_all(topic_);
+    }
+    if (island_.fills.empty())
+      return true;
+    for (TopicNumber topic = 0; topic < schema_.topics().size(); ++topic)
+      if (has_all(topic))
+        island_.topics.push_back(topic);
+    return !island_.topics.empty();
+  }
+
+  bool has_all(TopicNumber topic) const {
+    return std::ranges::all_of(island_.fills, [&](const Fill& fill) {
+      return (fill.topic == no_topic || fill.topic == topic) &&
+             schema_.at(topic).find(fill.slot);
+    });
+  }
+
+  // A value is no generic act, also where their grammar takes one.
+  bool allowed(const RuleInfo& rule) const {
+    return context_.grammar.empty() || !rule.generic || island_.fills.empty();
+  }
+
+  const std::vector<Trace>& traces_;
+  const Spans& spans_;
+  const Automaton& automaton_;
+  const Schema& schema_;
+  const Context& context_;
+  Island island_;
+  TopicNumber topic_ = no_topic;
+  std::vector<Trace> way_;
+  std::vector<Opened> opened_;
+  std::vector<std::uint32_t> seen_; // spans
+};
+
+} // namespace
+
+const Fill* Island::find(std::string_view slot) const {
+  const auto found = std::ranges::find(fills, slot, &Fill::slot);
+  return found == fills.end() ? nullptr : &*found;
+}
+
+std::vector<Island> read_islands(const std::vector<Match>& matches,
+                                 const std::vector<Trace>& traces,
+                                 const Spans& spans, const Automaton& automaton,
+                                 const Schema& schema, const Context& context) {
+  IslandReader reader(traces, spans, automaton, schema, context);
+  std::vector<Island> islands;
+  for (const auto& match : matches)
+    if (auto island = reader.read(match))
+      islands.push_back(std::move(*island));
+  return islands;
+}
+
+} // namespace parlour::adapters::nlu

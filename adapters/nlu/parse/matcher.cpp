@@ -1,0 +1,224 @@
+#include "adapters/nlu/parse/matcher.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace parlour::adapters::nlu {
+
+namespace {
+
+constexpr std::size_t most_items = 400;  // kept at one position
+constexpr std::size_t usual_items = 64;  // room is made for at once
+constexpr std::size_t most_matches = 32; // that end at one position
+constexpr std::uint8_t most_skipped = 3;
+constexpr std::size_t most_open_words = 5;
+constexpr std::size_t most_asked_words = 10;
+constexpr float filler_gain = 0.1F;
+
+float break_cost(Break found) {
+  switch (found) {
+  case Break::none:
+    return 0;
+  case Break::comma:
+    return 0.1F;
+  case Break::sentence:
+    return 1;
+  }
+  return 0;
+}
+
+} // namespace
+
+Matcher::Matcher(const Automaton& automaton, const Utterance& utterance,
+                 Spans& spans, EntityId asked, std::string grammar)
+    : automaton_(automaton), utterance_(utterance), spans_(spans),
+      asked_(asked), grammar_(std::move(grammar)), items_(utterance.size() + 1),
+      found_(utterance.size() + 1) {
+  for (auto& items : items_)
+    items.reserve(usual_items);
+  traces_.reserve(usual_items * utterance.size());
+  traces_.emplace_back();
+}
+
+std::vector<Match> Matcher::run() {
+  if (automaton_.states.empty())
+    return {};
+  for (std::uint32_t at = 0; at < utterance_.size(); ++at) {
+    auto items = std::exchange(items_[at], {});
+    tidy(items);
+    for (const auto& item : items)
+      step(at, item);
+    Item start;
+    start.begin = start.last = at;
+    take_word(at, start);
+    take_entities(at, start);
+  }
+  std::vector<Match> matches;
+  for (auto& ending : found_) {
+    std::ranges::stable_sort(ending, std::greater(), &Match::score);
+    if (ending.size() > most_matches)
+      ending.resize(most_matches);
+    matches.insert(matches.end(), ending.begin(), ending.end());
+  }
+  return matches;
+}
+
+// The best item of each state, beginning and strength; not more than are
+// bearable.
+void Matcher::tidy(std::vector<Item>& items) const {
+  std::ranges::stable_sort(items, [](const Item& left, const Item& right) {
+    if (left.state != right.state)
+      return left.state < right.state;
+    if (left.begin != right.begin)
+      return left.begin < right.begin;
+    if (left.weak != right.weak)
+      return right.weak;
+    return left.score > right.score;
+  });
+  const auto same = [](const Item& left, const Item& right) {
+    return left.state == right.state && left.begin == right.begin &&
+           left.weak == right.weak;
+  };
+  items.erase(std::unique(items.begin(), items.end(), same), items.end());
+  if (items.size() <= most_items)
+    return;
+  std::ranges::stable_sort(items, std::greater(), &Item::score);
+  items.resize(most_items);
+}
+
+void Matcher::step(std::size_t position, const Item& item) {
+  take_word(position, item);
+  take_entities(position, item);
+  skip(position, item);
+}
+
+// A token that the rule does not have is passed over at a cost.
+void Matcher::skip(std::size_t position, const Item& item) {
+  auto next = item;
+  if (utterance_.filler[position])
+    next.score -= 0.02F;
+  else if (++next.skipped > most_skipped)
+    return;
+  else
+    next.score -= utterance_.function[position] ? 0.25F : 0.6F;
+  next.score -= break_cost(utterance_.tokens.list[position].before);
+  items_[position + 1].push_back(next);
+}
+
+void Matcher::take_word(std::size_t position, const Item& item) {
+  const auto word = utterance_.words[position];
+  if (word == unknown_word)
+    return;
+  const auto here = static_cast<std::uint32_t>(position);
+  for (const auto& arc : arcs_of(automaton_.states[item.state].words, word)) {
+    ++work_;
+    auto next = item;
+    next.trace = follow(item.trace, arc.actions, here, item.last);
+    next.state = arc.target;
+    next.last = here + 1;
+    next.skipped = 0;
+    next.weak = false;
+    next.words = static_cast<std::uint8_t>(std::min(item.words + 1, 250));
+    const auto weight = utterance_.weight[position];
+    next.score += std::max(weight, filler_gain) + arc.weight;
+    next.covered += weight;
+    if (position > item.begin)
+      next.score -= break_cost(utterance_.tokens.list[position].before);
+    reach(next, position + 1);
+  }
+}
+
+void Matcher::take_entities(std::size_t position, const Item& item) {
+  for (const auto& arc : automaton_.states[item.state].entities)
+    take_entity(position, item, arc);
+}
+
+void Matcher::take_entity(std::size_t position, const Item& item,
+                          const Arc& arc) {
+  ++work_;
+  const bool asked = arc.symbol == asked_entity;
+  const auto entity = asked ? asked_ : arc.symbol;
+  if (entity == asked_entity)
+    return;
+  const bool expected = asked || item.words > 0;
+  if (entity != words_entity) {
+    const auto known = spans_.at(entity, position);
+    for (const auto index : known)
+      take_span(item, arc, index, expected);
+    if (!known.empty() || (is_form(entity) && !asked))
+      return;
+  }
+  if (expected)
+    for (const auto index : spans_.open(
+             entity, position, asked ? most_asked_words : most_open_words))
+      take_span(item, arc, index, expected);
+}
+
+void Matcher::take_span(const Item& item, const Arc& arc, std::uint32_t index,
+                        bool expected) {
+  const auto& span = spans_[index];
+  auto next = item;
+  next.trace = follow(item.trace, arc.actions, span.begin, item.last);
+  next.trace = push({next.trace, index, span.begin, Trace::Kind::span});
+  next.state = arc.target;
+  next.last = span.end;
+  next.skipped = 0;
+  next.weak = item.weak || (span.weak && !expected);
+  next.score += span.gain + arc.weight;
+  next.covered += span.covered;
+  if (span.begin > item.begin)
+    next.score -= break_cost(utterance_.tokens.list[span.begin].before);
+  reach(next, span.end);
+}
+
+void Matcher::reach(Item item, std::size_t position) {
+  for (const auto& accepted : automaton_.states[item.state].accepts)
+    accept(item, accepted);
+  if (position < utterance_.size())
+    items_[position].push_back(item);
+}
+
+void Matcher::accept(const Item& item, const Accept& accepted) {
+  const auto& rule = automaton_.rules[accepted.rule];
+  if ((item.weak && !rule.bare) || !is_tried(rule))
+    return;
+  Match match{accepted.rule, item.begin,
+              item.last,     item.score + accepted.weight + rule.bias,
+              item.covered,  0,
+              item.weak};
+  if (rule.bare)
+    match.covered *= 0.9F;
+  auto& ending = found_[item.last];
+  for (auto& other : ending) {
+    if (other.rule != match.rule || other.begin != match.begin ||
+        other.weak != match.weak)
+      continue;
+    if (other.score < match.score) {
+      match.trace = follow(item.trace, accepted.actions, item.last, item.last);
+      other = match;
+    }
+    return;
+  }
+  match.trace = follow(item.trace, accepted.actions, item.last, item.last);
+  ending.push_back(match);
+}
+
+// Examples and values that stand alone are of no grammar.
+bool Matcher::is_tried(const RuleInfo& rule) const {
+  return grammar_.empty() || rule.generic || rule.grammar == grammar_;
+}
+
+std::uint32_t Matcher::follow(std::uint32_t trace, std::uint32_t actions,
+                              std::uint32_t open_at, std::uint32_t close_at) {
+  for (const auto& action : automaton_.actions[actions])
+    trace = push({trace, action.tag, action.opens ? open_at : close_at,
+                  action.opens ? Trace::Kind::open : Trace::Kind::close});
+  return trace;
+}
+
+std::uint32_t Matcher::push(Trace trace) {
+  traces_.push_back(trace);
+  return static_cast<std::uint32_t>(traces_.size() - 1);
+}
+
+} // namespace parlour::adapters::nlu

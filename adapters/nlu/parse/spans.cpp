@@ -1,0 +1,229 @@
+#include "adapters/nlu/parse/spans.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "adapters/nlu/forms/number_words.hpp"
+#include "adapters/nlu/text/words.hpp"
+
+namespace parlour::adapters::nlu {
+
+namespace {
+
+// For a number that is no value of what was asked: anything else that makes
+// sense of it is likelier.
+constexpr float wrong_number_gain = 0.15F;
+// For a verb of what is to be done: less than for a name, more than nothing.
+constexpr float deed_gain = 0.2F;
+
+// What is to be done may begin with a verb that says little by itself: "remind
+// me to take out the bin".
+bool is_deed(const Tokens& tokens, std::size_t position) {
+  static constexpr std::array<std::string_view, 12> verbs{
+      "take", "make", "find", "get",  "go",   "come",
+      "give", "say",  "tell", "look", "show", "help"};
+  return position > 0 && tokens.list[position - 1].word == "to" &&
+         std::ranges::find(verbs, tokens.list[position].word) != verbs.end();
+}
+
+bool is_number_like(const Tokens& tokens, std::size_t position) {
+  const auto& word = tokens.list[position].word;
+  return word.find_first_of("0123456789@") != std::string::npos ||
+         number_at(tokens, position).has_value();
+}
+
+} // namespace
+
+Spans::Spans(const Schema& schema, const Utterance& utterance,
+             const std::vector<EntityId>& entities, Now now)
+    : schema_(schema), utterance_(utterance), plain_(utterance.plain),
+      by_begin_(utterance.size()) {
+  add_forms(entities, now);
+  add_values(entities);
+}
+
+void Spans::add_forms(const std::vector<EntityId>& entities, Now now) {
+  for (const auto entity : entities) {
+    if (!is_form(entity))
+      continue;
+    for (std::uint32_t at = 0; at < utterance_.size(); ++at) {
+      auto found =
+          form_at(static_cast<Form>(entity), utterance_.tokens, at, now);
+      if (!found || found->length == 0)
+        continue;
+      Span span{entity, at,    at, at, std::move(found->value), {}, 1,
+                false,  false, 0,  0};
+      span.end += static_cast<std::uint32_t>(found->length);
+      span.weak = found->weak;
+      mark_plain(span);
+      add(std::move(span));
+    }
+  }
+}
+
+// "Dr. Ho tomorrow": a date is no part of a name.
+void Spans::mark_plain(const Span& span) {
+  if (!span.weak)
+    for (auto at = span.begin; at < span.end; ++at)
+      plain_[at] = true;
+}
+
+void Spans::add_values(const std::vector<EntityId>& entities) {
+  if (entities.empty() || !is_set(entities.back()))
+    return;
+  for (auto& match : schema_.values().find(utterance_.tokens, plain_)) {
+    const auto entity = first_set_entity + match.set;
+    if (!std::ranges::binary_search(entities, entity))
+      continue;
+    Span span{entity, match.begin, match.end, match.begin, {}, {},
+              1,      false,       false,     0,           0};
+    span.values = std::move(match.values);
+    span.confidence = static_cast<float>(match.confidence);
+    span.weak = !match.stands_alone;
+    add(std::move(span));
+  }
+}
+
+// Adds it once for each title or determiner that may be counted in.
+void Spans::add(Span span) {
+  const auto tokens = static_cast<float>(span.end - span.begin);
+  const auto weight =
+      static_cast<float>(utterance_.weight_of(span.begin, span.end));
+  span.covered = weight * span.confidence;
+  // "now" is worth no more than the word.
+  span.gain = (span.weak ? weight : tokens) * span.confidence;
+  while (true) {
+    by_begin_[span.begin].push_back(static_cast<std::uint32_t>(spans_.size()));
+    spans_.push_back(span);
+    if (span.begin == 0 ||
+        utterance_.tokens.list[span.begin].before != Break::none)
+      return;
+    const auto& word = utterance_.tokens.list[span.begin - 1].word;
+    if (!is_title(word) && !is_determiner(word))
+      return;
+    --span.begin;
+    span.gain += 0.5F;
+    span.covered += utterance_.weight[span.begin];
+  }
+}
+
+std::vector<std::uint32_t> Spans::at(EntityId entity,
+                                     std::size_t position) const {
+  std::vector<std::uint32_t> found;
+  for (const auto index : by_begin_[position])
+    if (spans_[index].entity == entity && !spans_[index].unmatched)
+      found.push_back(index);
+  return found;
+}
+
+// Whether a value of this entity begins at one of these tokens.
+bool Spans::value_near(EntityId entity, std::size_t first,
+                       std::size_t last) const {
+  for (auto at = first; at < last && at < by_begin_.size(); ++at)
+    for (const auto index : by_begin_[at])
+      if (spans_[index].entity == entity && !spans_[index].unmatched)
+        return true;
+  return false;
+}
+
+// Whether a value of any set, said so that it is meant, begins here.
+bool Spans::is_known(std::size_t position) const {
+  return std::ranges::any_of(by_begin_[position], [&](std::uint32_t index) {
+    return is_set(spans_[index].entity) && !spans_[index].weak;
+  });
+}
+
+// Whether the word before may be part of the same name.
+bool Spans::inside_name(std::size_t position) const {
+  return position > 0 &&
+         utterance_.tokens.list[position].before == Break::none &&
+         !plain_[position - 1];
+}
+
+bool Spans::can_stand(std::size_t position) const {
+  return !utterance_.filler[position] && !utterance_.function[position];
+}
+
+float Spans::open_gain(std::size_t position) const {
+  if (!can_stand(position))
+    return -0.2F;
+  return plain_[position] ? 0.2F : 0.8F;
+}
+
+// One span, where nothing else is meant by it for certain.
+std::vector<std::uint32_t>
+Spans::open_number(EntityId entity, std::size_t position, std::size_t most) {
+  const auto& tokens = utterance_.tokens;
+  const auto last = std::min(position + most, utterance_.size());
+  auto end = position;
+  while (end < last && is_number_like(tokens, end) &&
+         (end == position || tokens.list[end].before == Break::none) &&
+         std::ranges::none_of(by_begin_[end], [&](std::uint32_t index) {
+           return spans_[index].entity == entity || !spans_[index].weak;
+         }))
+    ++end;
+  if (end == position)
+    return {};
+  const auto begin = static_cast<std::uint32_t>(position);
+  Span span{entity, begin, static_cast<std::uint32_t>(end),
+            begin,  {},    {},
+            1,      false, true,
+            0,      0};
+  span.gain = wrong_number_gain * static_cast<float>(end - position);
+  span.covered = static_cast<float>(utterance_.weight_of(position, end)) * 0.7F;
+  spans_.push_back(std::move(span));
+  return {static_cast<std::uint32_t>(spans_.size() - 1)};
+}
+
+std::vector<std::uint32_t> Spans::open(EntityId entity, std::size_t position,
+                                       std::size_t most) {
+  for (const auto& opened : opened_)
+    if (opened.entity == entity && opened.position == position &&
+        opened.most == most)
+      return opened.spans;
+  Opened made{entity, position, most, {}};
+  if (is_form(entity)) {
+    made.spans = open_number(entity, position, most);
+    opened_.push_back(made);
+    return made.spans;
+  }
+  const bool of_set = is_set(entity);
+  const auto size = utterance_.size();
+  auto first = position;
+  while (first < size && first < position + 3 &&
+         (is_title(utterance_.tokens.list[first].word) ||
+          is_determiner(utterance_.tokens.list[first].word)))
+    ++first;
+  float gain = 0;
+  const bool taken = of_set && (is_known(position) || inside_name(position));
+  for (auto at = first; !taken && at < size && at < first + most; ++at) {
+    if (at > position && utterance_.tokens.list[at].before != Break::none)
+      break;
+    const bool deed =
+        entity == words_entity && at == first && is_deed(utterance_.tokens, at);
+    gain += (deed ? deed_gain : open_gain(at)) * (of_set ? 0.7F : 1.0F);
+    if ((at == first && !deed && !can_stand(at)) ||
+        (of_set && value_near(entity, at, at + 2)))
+      break;
+    if (!can_stand(at))
+      continue;
+    const auto weight = utterance_.weight_of(position, at + 1);
+    made.spans.push_back(static_cast<std::uint32_t>(spans_.size()));
+    spans_.push_back({entity,
+                      static_cast<std::uint32_t>(position),
+                      static_cast<std::uint32_t>(at + 1),
+                      static_cast<std::uint32_t>(first),
+                      {},
+                      {},
+                      1,
+                      false,
+                      of_set,
+                      gain,
+                      static_cast<float>(weight * (of_set ? 0.7 : 0.9))});
+  }
+  opened_.push_back(made);
+  return made.spans;
+}
+
+} // namespace parlour::adapters::nlu

@@ -1,0 +1,235 @@
+#include "adapters/nlu/text/tokens.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "adapters/nlu/text/characters.hpp"
+#include "adapters/nlu/text/words.hpp"
+
+namespace parlour::adapters::nlu {
+
+namespace {
+
+bool is_digit(char32_t code) {
+  return code >= '0' && code <= '9';
+}
+
+bool is_apostrophe(char32_t code) {
+  return code == '\'' || code == 0x2019 || code == 0x2018 || code == '`';
+}
+
+bool is_email_character(char32_t code) {
+  return is_word_character(code) || code == '.' || code == '_' || code == '-' ||
+         code == '+' || code == '@' || code == '%';
+}
+
+Break break_of(char32_t code) {
+  switch (code) {
+  case ',':
+  case ';':
+  case ':':
+  case '(':
+  case ')':
+  case 0x2013:
+  case 0x2014:
+    return Break::comma;
+  case '.':
+  case '?':
+  case '!':
+  case '\n':
+  case 0x2026:
+    return Break::sentence;
+  default:
+    return Break::none;
+  }
+}
+
+class Tokenizer {
+public:
+  explicit Tokenizer(std::string_view text) : text_(text) {}
+
+  Tokens run() {
+    while (skip_to_word()) {
+      if (tokens_.list.size() >= max_tokens) {
+        tokens_.truncated = true;
+        break;
+      }
+      take_word();
+    }
+    return std::move(tokens_);
+  }
+
+private:
+  // The character `ahead` bytes after the position, 0 past the end.
+  char32_t peek(std::size_t ahead = 0) const {
+    return at_ + ahead < text_.size() ? character_at(text_, at_ + ahead).code
+                                      : 0;
+  }
+
+  bool starts_word() const {
+    return is_word_character(peek()) || (peek() == '+' && is_digit(peek(1)));
+  }
+
+  bool skip_to_word() {
+    break_ = Break::none;
+    while (at_ < text_.size() && !starts_word()) {
+      const auto character = character_at(text_, at_);
+      note_break(break_of(character.code));
+      at_ += character.length;
+    }
+    return at_ < text_.size();
+  }
+
+  // "Dr. Ho": the full stop after a title or an initial ends nothing.
+  void note_break(Break found) {
+    if (found == Break::sentence && !tokens_.list.empty()) {
+      const auto& last = tokens_.list.back();
+      if (text_[at_] == '.' && last.end == at_ &&
+          (is_title(last.word) || last.word.size() == 1))
+        return;
+    }
+    break_ = std::max(break_, found);
+  }
+
+  void take_word() {
+    begin_ = at_;
+    raw_.clear();
+    if (const auto length = email_length())
+      take_bytes(length);
+    else
+      take_characters();
+    push();
+  }
+
+  // Length of the e-mail address that starts here, or 0.
+  std::size_t email_length() const {
+    auto end = at_;
+    auto sign = std::string_view::npos;
+    while (end < text_.size() && end - at_ <= max_word_bytes) {
+      const auto character = character_at(text_, end);
+      if (!is_email_character(character.code))
+        break;
+      if (character.code == '@')
+        sign = end;
+      end += character.length;
+    }
+    while (end > at_ && !is_word_character(character_at(text_, end - 1).code))
+      --end;
+    const bool whole =
+        sign != std::string_view::npos && sign > at_ && end > sign + 1;
+    return whole ? end - at_ : 0;
+  }
+
+  void take_bytes(std::size_t length) {
+    const auto end = at_ + length;
+    while (at_ < end) {
+      const auto character = character_at(text_, at_);
+      append_folded(raw_, character.code);
+      at_ += character.length;
+    }
+  }
+
+  void take_characters() {
+    previous_ = 0;
+    while (at_ < text_.size()) {
+      const auto character = character_at(text_, at_);
+      if (is_word_character(character.code))
+        append(character.code);
+      else if (!joins(character))
+        break;
+      previous_ = character.code;
+      at_ += character.length;
+    }
+  }
+
+  void append(char32_t code) {
+    if (raw_.size() < max_word_bytes)
+      append_folded(raw_, code);
+  }
+
+  // Whether a character that is no letter stands inside of a word; appends
+  // what of it is kept.
+  bool joins(Character character) {
+    const auto next = peek(character.length);
+    if (at_ == begin_ && character.code == '+') {
+      raw_ += '+';
+      return true;
+    }
+    if (is_apostrophe(character.code) && is_word_character(next)) {
+      raw_ += '\'';
+      return true;
+    }
+    if (is_digit(previous_) && is_digit(next))
+      return joins_digits(character.code);
+    return character.code == '.' && is_initial(next);
+  }
+
+  bool joins_digits(char32_t code) {
+    if (code == ',')
+      return true;
+    if (code != '.' && code != ':' && code != '-' && code != '/')
+      return false;
+    raw_ += static_cast<char>(code);
+    return true;
+  }
+
+  // "a.m.": letters that stand alone between full stops are one word.
+  bool is_initial(char32_t next) const {
+    const auto after = peek(2);
+    return raw_.size() <= 4 && next < 0x80 && !is_digit(next) &&
+           is_word_character(next) && !is_word_character(after) &&
+           (raw_.size() == 1 || text_[at_ - 2] == '.');
+  }
+
+  void push() {
+    if (const auto expanded = contraction(raw_); !expanded.empty()) {
+      const auto blank = expanded.find(' ');
+      const auto middle = middle_of_contraction();
+      push(std::string(expanded.substr(0, blank)), begin_, middle);
+      break_ = Break::none;
+      push(std::string(expanded.substr(blank + 1)), middle, at_);
+      return;
+    }
+    if (raw_.size() > 2 && raw_.ends_with("'s"))
+      raw_.resize(raw_.size() - 2);
+    std::erase(raw_, '\'');
+    if (!raw_.empty())
+      push(raw_, begin_, at_);
+  }
+
+  std::size_t middle_of_contraction() const {
+    const auto part = text_.substr(begin_, at_ - begin_);
+    const auto apostrophe = part.find_first_of("'\xE2`");
+    return apostrophe == std::string_view::npos ? at_ : begin_ + apostrophe;
+  }
+
+  void push(std::string word, std::size_t begin, std::size_t end) {
+    tokens_.list.push_back({static_cast<std::uint32_t>(begin),
+                            static_cast<std::uint32_t>(end), std::move(word),
+                            break_});
+  }
+
+  std::string_view text_;
+  std::size_t at_ = 0;
+  std::size_t begin_ = 0;
+  std::string raw_;
+  char32_t previous_ = 0;
+  Break break_ = Break::none;
+  Tokens tokens_;
+};
+
+} // namespace
+
+Tokens tokenize(std::string_view text) {
+  return Tokenizer(text).run();
+}
+
+std::string_view words_of(std::string_view text, const Tokens& tokens,
+                          std::size_t first, std::size_t last) {
+  if (first >= last || last > tokens.list.size())
+    return {};
+  const auto begin = tokens.list[first].begin;
+  return text.substr(begin, tokens.list[last - 1].end - begin);
+}
+
+} // namespace parlour::adapters::nlu

@@ -1,0 +1,145 @@
+#include "adapters/nlu/text/words.hpp"
+
+#include <algorithm>
+#include <array>
+#include <unordered_map>
+#include <unordered_set>
+
+namespace parlour::adapters::nlu {
+
+namespace {
+
+using Words = std::unordered_set<std::string_view>;
+
+const Words& titles() {
+  static const Words words{"dr",    "doctor", "mr",     "mister",    "mrs",
+                           "ms",    "miss",   "prof",   "professor", "sir",
+                           "madam", "mdm",    "madame", "mme"};
+  return words;
+}
+
+const Words& determiners() {
+  static const Words words{"the",  "a",     "an",    "any",  "some", "this",
+                           "that", "these", "those", "your", "our",  "my"};
+  return words;
+}
+
+const Words& connectors() {
+  static const Words words{"bin", "binte", "binti", "bte", "s", "d", "o", "al"};
+  return words;
+}
+
+const Words& function_words() {
+  static const Words words{
+      // pronouns and question words
+      "i", "me", "you", "he", "him", "she", "her", "it", "we", "us", "they",
+      "them", "his", "their", "who", "whom", "whose", "what", "which", "where",
+      "when", "why", "how", "there", "here", "one", "someone", "somebody",
+      "something", "anyone", "anybody", "anything", "everyone", "everything",
+      "nothing", "nobody", "somewhere", "anywhere",
+      // prepositions and conjunctions
+      "of", "in", "on", "at", "to", "from", "for", "by", "with", "without",
+      "about", "around", "near", "into", "under", "above", "up", "down", "as",
+      "and", "or", "but", "so", "if", "then", "than", "because", "until",
+      // auxiliaries and verbs that carry little
+      "am", "is", "are", "was", "were", "be", "been", "do", "does", "did",
+      "have", "has", "had", "will", "would", "shall", "should", "can", "could",
+      "may", "might", "must", "let", "want", "need", "like", "get", "got", "go",
+      "going", "come", "know", "think", "mean", "say", "said", "tell", "give",
+      "make", "find", "look", "looking", "show", "help", "take",
+      // adverbs and adjectives that are no names
+      "not", "no", "yes", "now", "just", "only", "also", "too", "very",
+      "really", "again", "already", "still", "else", "late", "early", "lost",
+      "hungry", "thirsty", "tired", "fine", "sorry", "sure", "good", "nice",
+      "nearest", "closest", "next", "other", "another", "all", "more",
+      "interested", "afraid", "available", "ready", "wrong", "right", "new",
+      "called", "named"};
+  return words;
+}
+
+constexpr std::array<std::string_view, 27> fillers{
+    "er",        "erm",
+    "um",        "uh",
+    "uhm",       "hmm",
+    "ah",        "eh",
+    "oh",        "well",
+    "please",    "by the way",
+    "excuse me", "you know",
+    "i think",   "actually",
+    "so",        "ok so",
+    "okay so",   "kindly",
+    "lah",       "if you do not mind",
+    "as well",   "maybe",
+    "perhaps",   "just",
+    "basically"};
+
+const std::unordered_map<std::string_view, std::string_view>& contractions() {
+  static const std::unordered_map<std::string_view, std::string_view> table{
+      {"i'm", "i am"},         {"im", "i am"},          {"i'd", "i would"},
+      {"i'll", "i will"},      {"i've", "i have"},      {"ive", "i have"},
+      {"you're", "you are"},   {"you'd", "you would"},  {"we're", "we are"},
+      {"we'd", "we would"},    {"we've", "we have"},    {"they're", "they are"},
+      {"he's", "he is"},       {"she's", "she is"},     {"it's", "it is"},
+      {"its", "it is"},        {"that's", "that is"},   {"thats", "that is"},
+      {"there's", "there is"}, {"theres", "there is"},  {"here's", "here is"},
+      {"what's", "what is"},   {"whats", "what is"},    {"where's", "where is"},
+      {"wheres", "where is"},  {"who's", "who is"},     {"whos", "who is"},
+      {"how's", "how is"},     {"hows", "how is"},      {"when's", "when is"},
+      {"let's", "let us"},     {"lets", "let us"},      {"can't", "can not"},
+      {"cant", "can not"},     {"cannot", "can not"},   {"don't", "do not"},
+      {"dont", "do not"},      {"doesn't", "does not"}, {"didn't", "did not"},
+      {"won't", "will not"},   {"isn't", "is not"},     {"aren't", "are not"},
+      {"wasn't", "was not"},   {"gonna", "going to"},   {"wanna", "want to"},
+      {"name's", "name is"}};
+  return table;
+}
+
+} // namespace
+
+bool is_title(std::string_view word) {
+  return titles().contains(word);
+}
+
+bool is_determiner(std::string_view word) {
+  return determiners().contains(word);
+}
+
+bool is_connector(std::string_view word) {
+  return connectors().contains(word);
+}
+
+bool is_light(std::string_view word) {
+  static const Words words{"of", "and", "at", "in", "for", "on", "by", "n"};
+  return words.contains(word) || is_determiner(word) || is_connector(word);
+}
+
+bool is_function_word(std::string_view word) {
+  return function_words().contains(word) || is_determiner(word);
+}
+
+bool is_turning_word(std::string_view word) {
+  static const Words words{"not",    "no",      "never",   "nor",    "nothing",
+                           "none",   "without", "but",     "if",     "unless",
+                           "except", "only",    "instead", "until",  "before",
+                           "maybe",  "perhaps", "or",      "hardly", "neither"};
+  return words.contains(word);
+}
+
+std::vector<std::string_view> all_function_words() {
+  std::vector<std::string_view> all(function_words().begin(),
+                                    function_words().end());
+  all.insert(all.end(), determiners().begin(), determiners().end());
+  std::ranges::sort(all);
+  return all;
+}
+
+std::span<const std::string_view> filler_phrases() {
+  return fillers;
+}
+
+std::string_view contraction(std::string_view word) {
+  const auto found = contractions().find(word);
+  return found == contractions().end() ? std::string_view() : found->second;
+}
+
+} // namespace parlour::adapters::nlu

@@ -1,0 +1,104 @@
+#include "adapters/nlu/understand/explanation.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace parlour::adapters::nlu {
+
+namespace {
+
+constexpr std::size_t most_islands = 20;
+constexpr std::size_t most_guesses = 3;
+
+std::string two_digits(double number) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2f", number);
+  return text;
+}
+
+} // namespace
+
+std::vector<std::string>
+Explanation::lines(const std::vector<Island>& islands,
+                   const std::vector<Chain>& chains,
+                   const std::vector<BuiltAct>& acts) const {
+  std::vector<std::string> made{tokens()};
+  std::vector<const Island*> sorted;
+  for (const auto& one : islands)
+    sorted.push_back(&one);
+  std::ranges::stable_sort(sorted, std::greater(), &Island::score);
+  if (sorted.size() > most_islands)
+    sorted.resize(most_islands);
+  for (const auto* one : sorted)
+    made.push_back("island " + island(*one));
+  for (const auto& chain : chains) {
+    made.push_back("way " + two_digits(chain.score) + ":");
+    for (const auto& link : chain.links)
+      made.push_back("  " + topic(link.topic) + " " + island(*link.island));
+  }
+  for (const auto& one : acts)
+    made.push_back(act(one));
+  return made;
+}
+
+std::vector<std::string> Explanation::learnt(const Learned& learned) const {
+  if (learned.empty() || utterance_.size() == 0)
+    return {};
+  const auto words = learning_words(utterance_, spans_);
+  const auto guesses = learned.topics(words);
+  if (guesses.empty())
+    return {"learnt nothing of these words"};
+  std::string line = "learnt";
+  for (std::size_t at = 0; at < guesses.size() && at < most_guesses; ++at)
+    line += " " + two_digits(guesses[at].probability) + " " +
+            topic(guesses[at].topic);
+  for (const auto& slot : learned.slots(guesses[0].topic, word_features(words)))
+    line += " " + slot.slot + "=\"" +
+            std::string(words_of(utterance_.text, utterance_.tokens, slot.begin,
+                                 slot.end)) +
+            "\"";
+  return {line};
+}
+
+std::string Explanation::tokens() const {
+  std::string line = "tokens";
+  for (std::size_t at = 0; at < utterance_.size(); ++at) {
+    line += ' ' + utterance_.tokens.list[at].word;
+    if (utterance_.filler[at])
+      line += "(filler)";
+    else if (utterance_.words[at] == unknown_word && !utterance_.function[at])
+      line += "(?)";
+  }
+  if (utterance_.tokens.truncated)
+    line += " … (the rest is not looked at)";
+  return line;
+}
+
+std::string Explanation::island(const Island& one) const {
+  auto line = two_digits(one.score) + " \"" +
+              std::string(words_of(utterance_.text, utterance_.tokens,
+                                   one.begin, one.end)) +
+              "\" " + one.rule->name;
+  if (!one.act.empty())
+    line += " act=" + one.act;
+  for (const auto& fill : one.fills) {
+    line += " " + fill.slot + "=\"" +
+            std::string(words_of(utterance_.text, utterance_.tokens, fill.begin,
+                                 fill.end)) +
+            "\"";
+    if (fill.span && spans_[*fill.span].confidence < 1)
+      line += "(" + two_digits(spans_[*fill.span].confidence) + ")";
+  }
+  return line;
+}
+
+std::string Explanation::act(const BuiltAct& one) const {
+  return "act " + two_digits(one.score) + " " +
+         to_string(Value(act_value(one, utterance_, spans_, schema_)));
+}
+
+std::string Explanation::topic(TopicNumber number) const {
+  return number == no_topic ? "-" : schema_.at(number).name;
+}
+
+} // namespace parlour::adapters::nlu

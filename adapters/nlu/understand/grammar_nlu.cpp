@@ -1,0 +1,176 @@
+#include "adapters/nlu/understand/grammar_nlu.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "adapters/nlu/grammar/example_file.hpp"
+#include "runtime/base/file_bytes.hpp"
+#include "runtime/plugin/adaptors.hpp"
+#include "runtime/plugin/folder.hpp"
+
+namespace parlour::adapters {
+
+namespace {
+
+const std::vector<OptionDescription>& option_descriptions() {
+  static const std::vector<OptionDescription> descriptions{
+      {"threshold", "0.4",
+       "acts with a lower score are not understood, from 0 to 1", false,
+       OptionType::number},
+      {"examples", "",
+       "a file of the application with further examples, a topic, a tab and a "
+       "text in each line"},
+      {"generic", "",
+       "the application's grammar of generic acts, instead of the platform's"},
+      {"platform", "", "folder of what the platform ships"}};
+  return descriptions;
+}
+
+std::string option(const Options& options, const std::string& name) {
+  return option_value(options, option_descriptions(), name);
+}
+
+bool is_of_data(const Error& error) {
+  return error.kind == ErrorKind::database || error.kind == ErrorKind::file;
+}
+
+// All of them in one: the first one's place, a line for each. Where the data
+// cannot be read, the first says why for all.
+Error joined(const std::vector<Error>& errors) {
+  const auto data = std::ranges::find_if(errors, is_of_data);
+  if (data != errors.end())
+    return *data;
+  auto all = errors.front();
+  for (std::size_t at = 1; at < errors.size(); ++at) {
+    const auto& error = errors[at];
+    all.message += '\n';
+    if (!error.place.file.empty())
+      all.message += error.place.file + ':' + std::to_string(error.place.line) +
+                     ':' + std::to_string(error.place.column) + ": ";
+    all.message += error.message;
+  }
+  return all;
+}
+
+class GrammarNLU : public NLUPlugin {
+protected:
+  // A context without a clock gets the platform's.
+  std::vector<Value> understand(const std::string& text,
+                                const Map& given) const override {
+    auto context = given;
+    if (!context.find("now"))
+      context.set("now", host().clock().now());
+    return understander_->understand(text, std::move(context)).acts;
+  }
+
+  Expected<void> on_start(const Options& options) override {
+    for (const auto& described : option_descriptions())
+      if (auto fits = check_option(described, option(options, described.name));
+          !fits)
+        return fits;
+    const auto model = host().understanding();
+    auto built = nlu::build_understander(
+        options, model ? *model : UnderstandingModel(),
+        [this](const std::string& name) { return host().column(name); },
+        host().application_folder());
+    if (!built)
+      return tl::make_unexpected(joined(built.error()));
+    understander_ = std::make_unique<nlu::Understander>(std::move(*built));
+    return {};
+  }
+
+private:
+  std::unique_ptr<nlu::Understander> understander_;
+};
+
+} // namespace
+
+namespace nlu {
+
+Expected<GrammarModel> read_grammar(const std::string& path) {
+  auto text = read_file(path);
+  if (!text)
+    return tl::make_unexpected(text.error());
+  const auto slash = path.find_last_of('/');
+  auto name = slash == std::string::npos ? path : path.substr(slash + 1);
+  return GrammarModel{
+      name.substr(0, name.find('.')), std::move(*text), {path, 1, 1}};
+}
+
+Expected<GrammarModel> read_generic(const Options& options,
+                                    const std::string& application_folder) {
+  const auto own = option(options, "generic");
+  const auto platform = option(options, "platform");
+  if (!own.empty())
+    return inside(application_folder, own, "generic")
+        .and_then([](const auto& path) { return read_grammar(path.string()); });
+  if (platform.empty())
+    return fail(ErrorKind::settings, "GrammarNLU: neither the option "
+                                     "'platform' nor 'generic' is set");
+  return read_grammar(platform + "/generic-acts.jsgf");
+}
+
+namespace {
+
+void read_threshold(const Options& options, double& threshold,
+                    std::vector<Error>& errors) {
+  const auto given = option(options, "threshold");
+  // What is no number is told where the settings are checked.
+  threshold = parse_number(given).number_or(threshold);
+  if (threshold < 0 || threshold > 1)
+    errors.push_back(
+        {ErrorKind::settings,
+         "the option 'threshold' takes a number from 0 to 1, not '" + given +
+             "'",
+         {}});
+}
+
+void read_examples(const Options& options,
+                   const std::string& application_folder,
+                   UnderstandingModel& model, std::vector<Error>& errors) {
+  const auto name = option(options, "examples");
+  if (name.empty())
+    return;
+  const auto path = inside(application_folder, name, "examples");
+  if (!path)
+    return errors.push_back(path.error());
+  for (auto& error : add_example_file(*path, model))
+    errors.push_back(std::move(error));
+}
+
+} // namespace
+
+tl::expected<Understander, std::vector<Error>>
+build_understander(const Options& options, UnderstandingModel model,
+                   const ColumnReader& columns,
+                   const std::string& application_folder) {
+  std::vector<Error> errors;
+  Understander::Options wanted;
+  read_threshold(options, wanted.threshold, errors);
+  if (auto generic = read_generic(options, application_folder))
+    wanted.generic = {std::move(*generic)};
+  else
+    errors.push_back(generic.error());
+  read_examples(options, application_folder, model, errors);
+  auto built = Understander::build(model, columns, std::move(wanted));
+  if (!built)
+    errors.insert(errors.end(), built.error().begin(), built.error().end());
+  if (!errors.empty())
+    return tl::make_unexpected(std::move(errors));
+  return built;
+}
+
+} // namespace nlu
+
+PluginFactory grammar_nlu_factory() {
+  PluginDescription description;
+  description.name = "GrammarNLU";
+  description.roles = {"NLU"};
+  description.sentence = "understands by grammars, examples, names and values";
+  description.options = option_descriptions();
+  description.is_inline = true;
+  return {std::move(description),
+          [] { return std::make_unique<GrammarNLU>(); }};
+}
+
+} // namespace parlour::adapters

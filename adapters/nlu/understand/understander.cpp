@@ -1,0 +1,284 @@
+#include "adapters/nlu/understand/understander.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "adapters/nlu/grammar/automaton_builder.hpp"
+#include "adapters/nlu/grammar/examples.hpp"
+#include "adapters/nlu/parse/acts.hpp"
+#include "adapters/nlu/parse/correction.hpp"
+#include "adapters/nlu/parse/doubt.hpp"
+#include "adapters/nlu/understand/explanation.hpp"
+#include "adapters/nlu/understand/guesses.hpp"
+
+namespace parlour::adapters::nlu {
+
+namespace {
+
+constexpr float bare_bias = -0.3F;
+constexpr float part_bias = -0.2F;
+// As near as this to the best: nearer than what the context is worth, so that
+// the topic that is expected decides between equals.
+constexpr double alternative_range = 0.1;
+constexpr double tolerance = 1e-6;
+// How much worse the words of another topic may fit.
+constexpr double fit_range = 0.35;
+
+void add_grammars(AutomatonBuilder& builder, const Schema& schema,
+                  const std::vector<GrammarModel>& grammars, bool generic,
+                  std::vector<Error>& errors) {
+  for (const auto& model : grammars) {
+    RuleInfo info;
+    info.generic = generic;
+    info.topic = schema.topic(model.name);
+    builder.add(jsgf::parse(model, errors), info);
+  }
+}
+
+// The rule's act, as {act=…} behind it says.
+jsgf::Node with_act(jsgf::Node node, std::string act) {
+  node.tags.push_back({"act", std::move(act), true, {}});
+  return node;
+}
+
+// More examples than these are learnt only: as rules they would take too long
+// to try.
+constexpr std::size_t most_example_rules = 500;
+
+bool become_rules(const std::vector<TopicModel>& topics) {
+  std::size_t examples = 0;
+  for (const auto& topic : topics)
+    examples += topic.examples.size();
+  return examples <= most_example_rules;
+}
+
+void check_slots(const jsgf::Node& whole, Schema& schema,
+                 std::vector<Error>& errors) {
+  for (const auto& part : whole.children)
+    if (part.kind == jsgf::NodeKind::reference)
+      schema.resolve(part.text, {}, errors);
+}
+
+void add_examples(AutomatonBuilder& builder, Schema& schema,
+                  const std::vector<TopicModel>& topics,
+                  std::vector<Error>& errors) {
+  const bool as_rules = become_rules(topics);
+  for (const auto& topic : topics) {
+    RuleInfo info;
+    info.topic = schema.topic(topic.name);
+    for (const auto& example : topic.examples) {
+      auto rules = example_rules(topic, example, errors);
+      if (!as_rules) {
+        check_slots(rules.whole, schema, errors);
+        continue;
+      }
+      info.name = "\"" + example + "\"";
+      info.bias = 0;
+      builder.add(with_act(std::move(rules.whole),
+                           topic.enquiry ? "request" : "inform"),
+                  info);
+      info.bias = part_bias;
+      for (const auto& part : rules.parts)
+        builder.add(part, info);
+    }
+  }
+}
+
+// Every slot's value may stand alone.
+void add_bare_values(AutomatonBuilder& builder, const Schema& schema) {
+  for (const auto& topic : schema.topics()) {
+    for (const auto& slot : topic.slots) {
+      if (slot.entity == words_entity)
+        continue;
+      const auto reference = topic.name + '.' + slot.name;
+      RuleInfo info;
+      info.name = "<@" + reference + ">";
+      info.topic = schema.topic(topic.name);
+      info.bare = true;
+      info.bias = bare_bias;
+      builder.add({jsgf::NodeKind::reference, reference, {}, {}, {}, {}}, info);
+    }
+  }
+}
+
+} // namespace
+
+namespace {
+
+// Chains that come to one act too, about another topic, with almost as high a
+// score as the best one: the engine may ask which was meant.
+struct Alternatives {
+  std::vector<BuiltAct> acts;
+  // They say the same of the same slot: then which topic is the engine's to
+  // tell.
+  bool same_slots = false;
+};
+
+bool equal_slots(const BuiltAct& left, const BuiltAct& right) {
+  return left.act == right.act && left.fills.size() == right.fills.size() &&
+         std::ranges::equal(left.fills, right.fills, {}, &Fill::slot,
+                            &Fill::slot) &&
+         std::ranges::equal(left.fills, right.fills, {}, &Fill::begin,
+                            &Fill::begin) &&
+         std::ranges::equal(left.fills, right.fills, {}, &Fill::end,
+                            &Fill::end);
+}
+
+void add_alternative(Alternatives& alternatives, const BuiltAct& best,
+                     std::vector<BuiltAct> acts) {
+  if (acts.size() != 1 || acts[0].topic == no_topic ||
+      acts[0].topic == best.topic ||
+      acts[0].score < best.score - alternative_range + tolerance)
+    return;
+  alternatives.same_slots =
+      alternatives.same_slots ||
+      (equal_slots(best, acts[0]) && acts[0].score == best.score);
+  alternatives.acts.push_back(std::move(acts[0]));
+}
+
+// The engine may ask which topic was meant, or tell by itself.
+void add_alternatives(Understanding& made, const Alternatives& alternatives,
+                      const Utterance& utterance, const Spans& spans,
+                      const Schema& schema) {
+  if (made.acts.size() != 1 || alternatives.acts.empty())
+    return;
+  auto first = *made.acts[0].if_map();
+  List others;
+  for (const auto& act : alternatives.acts)
+    others.push_back(act_value(act, utterance, spans, schema));
+  if (alternatives.same_slots)
+    first.set(act_key::topic, Value());
+  else
+    first.set(act_key::alternatives, std::move(others));
+  made.acts[0] = std::move(first);
+}
+
+} // namespace
+
+struct Understander::Implementation {
+  Schema schema;
+  Automaton automaton;
+  Learned learned;
+  double threshold;
+
+  std::vector<EntityId> entities(const Context& context) const {
+    auto all = automaton.entities;
+    all.push_back(context.asked_entity_id);
+    for (const auto& slot : context.said)
+      all.push_back(slot.entity);
+    std::ranges::sort(all);
+    all.erase(std::ranges::unique(all).begin(), all.end());
+    return all;
+  }
+
+  std::vector<BuiltAct> acts_of(const Chain& chain, const Utterance& utterance,
+                                const Context& context) const {
+    return build_acts(chain, utterance, schema, context, threshold);
+  }
+
+  // None beside the one grammar that a context may name.
+  std::vector<BuiltAct> guesses(const Utterance& utterance, Spans& spans,
+                                const Context& context) const {
+    if (!context.grammar.empty())
+      return {};
+    return guessed_acts(learned, utterance, spans, schema, context, threshold);
+  }
+
+  Alternatives other_chains(const std::vector<Chain>& chains,
+                            const BuiltAct& best, const Utterance& utterance,
+                            const Context& context) const {
+    Alternatives alternatives;
+    for (std::size_t at = 1;
+         at < chains.size() && chains[at].score >= chains[0].score - fit_range;
+         ++at)
+      add_alternative(alternatives, best,
+                      acts_of(chains[at], utterance, context));
+    return alternatives;
+  }
+
+  std::vector<std::string> explain(const Utterance& utterance,
+                                   const Spans& spans,
+                                   const std::vector<Island>& islands,
+                                   const std::vector<Chain>& chains,
+                                   const std::vector<BuiltAct>& acts) const {
+    const Explanation explanation(utterance, spans, schema);
+    auto lines = explanation.lines(islands, chains, acts);
+    const auto learnt = explanation.learnt(learned);
+    lines.insert(lines.end() - static_cast<std::ptrdiff_t>(acts.size()),
+                 learnt.begin(), learnt.end());
+    return lines;
+  }
+};
+
+Understander::Understander(std::unique_ptr<const Implementation> implementation)
+    : implementation_(std::move(implementation)) {}
+
+Understander::Understander(Understander&&) noexcept = default;
+Understander& Understander::operator=(Understander&&) noexcept = default;
+Understander::~Understander() = default;
+
+tl::expected<Understander, std::vector<Error>>
+Understander::build(const UnderstandingModel& model,
+                    const ColumnReader& columns, Options options) {
+  std::vector<Error> errors;
+  Schema schema(model, columns, errors);
+  AutomatonBuilder builder(schema, errors);
+  add_grammars(builder, schema, options.generic, true, errors);
+  add_grammars(builder, schema, model.grammars, false, errors);
+  add_examples(builder, schema, model.topics, errors);
+  add_bare_values(builder, schema);
+  auto automaton = builder.finish();
+  if (!errors.empty())
+    return tl::make_unexpected(std::move(errors));
+  auto learned =
+      Learned::train(model.topics, schema, automaton, options.threshold);
+  if (!learned)
+    return tl::make_unexpected(std::vector{learned.error()});
+  return Understander(std::make_unique<const Implementation>(
+      std::move(schema), std::move(automaton), std::move(*learned),
+      options.threshold));
+}
+
+Understanding Understander::understand(std::string_view text,
+                                       const Value& context_value,
+                                       bool explain) const {
+  const auto& self = *implementation_;
+  const auto& schema = self.schema;
+  const auto context = read_context(context_value, schema);
+  const auto utterance = make_utterance(text, self.automaton);
+  Spans spans(schema, utterance, self.entities(context), context.now);
+  Matcher matcher(self.automaton, utterance, spans, context.asked_entity_id,
+                  context.grammar);
+  auto islands = read_islands(matcher.run(), matcher.traces(), spans,
+                              self.automaton, schema, context);
+  if (!context.confirms.empty())
+    prefer_answers(islands);
+  const auto chains = best_chains(islands, utterance.size(), context);
+  auto acts = self.acts_of(chains[0], utterance, context);
+  const auto guesses = leaves_open(acts)
+                           ? self.guesses(utterance, spans, context)
+                           : std::vector<BuiltAct>();
+  const bool guessed =
+      !guesses.empty() && prefer_better(acts, guesses[0], context);
+  for (auto& act : acts)
+    correct_what_was_said(act, spans, context);
+
+  Understanding made;
+  made.work = matcher.work();
+  if (explain)
+    made.explanation = self.explain(utterance, spans, islands, chains, acts);
+  for (const auto& act : acts) {
+    made.score = std::max(made.score, act.score);
+    made.acts.push_back(act_value(act, utterance, spans, schema));
+  }
+  if (guessed)
+    add_alternatives(made, {{guesses.begin() + 1, guesses.end()}, false},
+                     utterance, spans, schema);
+  else if (acts.size() == 1 && acts[0].topic != no_topic)
+    add_alternatives(made,
+                     self.other_chains(chains, acts[0], utterance, context),
+                     utterance, spans, schema);
+  return made;
+}
+
+} // namespace parlour::adapters::nlu

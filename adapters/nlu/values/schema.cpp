@@ -1,0 +1,148 @@
+#include "adapters/nlu/values/schema.hpp"
+
+#include <algorithm>
+
+#include "adapters/nlu/text/similarity.hpp"
+
+namespace parlour::adapters::nlu {
+
+namespace {
+
+void report(std::vector<Error>& errors, const Place& place,
+            std::string message) {
+  errors.push_back({ErrorKind::compile, std::move(message), place});
+}
+
+std::optional<EntityId> named_entity(std::string_view name) {
+  if (const auto form = form_of(name))
+    return static_cast<EntityId>(*form);
+  if (name == "words")
+    return words_entity;
+  if (name == "asked")
+    return asked_entity;
+  return {};
+}
+
+} // namespace
+
+const Schema::Slot* Schema::Topic::find(std::string_view slot) const {
+  const auto found = std::ranges::find(slots, slot, &Slot::name);
+  return found == slots.end() ? nullptr : &*found;
+}
+
+Schema::Schema(const UnderstandingModel& model, const ColumnReader& reader,
+               std::vector<Error>& errors)
+    : reader_(reader) {
+  for (const auto& topic : model.topics) {
+    Topic made{topic.name, topic.enquiry, {}};
+    for (const auto& slot : topic.slots)
+      made.slots.push_back({slot.name, entity_of(slot, {}, errors)});
+    topics_.push_back(std::move(made));
+  }
+}
+
+EntityId Schema::entity_of(const SlotModel& slot, const Place& place,
+                           std::vector<Error>& errors) {
+  if (!slot.values.empty())
+    return add_set(slot.values);
+  if (!slot.source.empty())
+    return column(slot.source, place, errors);
+  if (slot.type == "range")
+    return static_cast<EntityId>(Form::number);
+  if (const auto form = form_of(slot.type))
+    return static_cast<EntityId>(*form);
+  return words_entity;
+}
+
+EntityId Schema::add_set(const std::vector<std::string>& values) {
+  return first_set_entity + values_.add(values);
+}
+
+EntityId Schema::column(const std::string& name, const Place& place,
+                        std::vector<Error>& errors) {
+  if (const auto found = columns_.find(name); found != columns_.end())
+    return found->second;
+  std::vector<std::string> values;
+  if (!reader_) {
+    report(errors, place, "there is no database for @" + name);
+  } else if (auto read = reader_(name)) {
+    values = std::move(*read);
+  } else {
+    auto error = read.error();
+    error.message = "@" + name + ": " + error.message;
+    if (error.place.file.empty())
+      error.place = place;
+    errors.push_back(std::move(error));
+  }
+  return columns_[name] = add_set(values);
+}
+
+std::optional<Schema::Reference> Schema::resolve(std::string_view text,
+                                                 const Place& place,
+                                                 std::vector<Error>& errors) {
+  if (text.starts_with("db:"))
+    return Reference{column(std::string(text), place, errors), no_topic, ""};
+  if (const auto entity = named_entity(text))
+    return Reference{*entity, no_topic, ""};
+  if (const auto point = text.find('.'); point != std::string_view::npos)
+    return slot_reference(text.substr(0, point), text.substr(point + 1), place,
+                          errors);
+  const std::vector<std::string> known{"time",     "date",  "number",
+                                       "duration", "phone", "email",
+                                       "level",    "words", "asked"};
+  report(errors, place,
+         "there is no value @" + std::string(text) + did_you_mean(text, known));
+  return {};
+}
+
+std::optional<Schema::Reference>
+Schema::slot_reference(std::string_view topic_name, std::string_view slot_name,
+                       const Place& place, std::vector<Error>& errors) const {
+  const auto number = topic(topic_name);
+  if (number == no_topic) {
+    report(errors, place,
+           "there is no topic '" + std::string(topic_name) + "'" +
+               did_you_mean(topic_name, topic_names()));
+    return {};
+  }
+  if (const auto* slot = topics_[number].find(slot_name))
+    return Reference{slot->entity, number, slot->name};
+  report(errors, place,
+         "the topic '" + std::string(topic_name) + "' has no slot '" +
+             std::string(slot_name) + "'" +
+             did_you_mean(slot_name, slot_names(number)));
+  return {};
+}
+
+TopicNumber Schema::topic(std::string_view name) const {
+  const auto found = std::ranges::find(topics_, name, &Topic::name);
+  return found == topics_.end()
+             ? no_topic
+             : static_cast<TopicNumber>(found - topics_.begin());
+}
+
+std::vector<TopicNumber> Schema::topics_with(std::string_view slot) const {
+  std::vector<TopicNumber> found;
+  for (TopicNumber number = 0; number < topics_.size(); ++number)
+    if (topics_[number].find(slot))
+      found.push_back(number);
+  return found;
+}
+
+std::vector<std::string> Schema::topic_names() const {
+  std::vector<std::string> names;
+  for (const auto& topic : topics_)
+    names.push_back(topic.name);
+  return names;
+}
+
+std::vector<std::string> Schema::slot_names(TopicNumber number) const {
+  std::vector<std::string> names;
+  for (TopicNumber at = 0; at < topics_.size(); ++at)
+    if (number == no_topic || at == number)
+      for (const auto& slot : topics_[at].slots)
+        names.push_back(slot.name);
+  return names;
+}
+
+} // namespace parlour::adapters::nlu

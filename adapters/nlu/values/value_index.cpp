@@ -1,0 +1,76 @@
+#include "adapters/nlu/values/value_index.hpp"
+
+#include <algorithm>
+#include <unordered_set>
+#include <utility>
+
+#include "adapters/nlu/text/words.hpp"
+#include "adapters/nlu/values/value_search.hpp"
+
+namespace parlour::adapters::nlu {
+
+namespace {
+
+constexpr std::size_t most_words = 16;
+
+// The words of a value that it is known by: no titles, unless it is one.
+std::vector<std::string> value_words(const std::string& text) {
+  std::vector<std::string> words;
+  for (auto& token : tokenize(text).list)
+    words.push_back(std::move(token.word));
+  auto rest = words;
+  std::erase_if(rest, [](const std::string& word) { return is_title(word); });
+  if (!rest.empty())
+    words = std::move(rest);
+  if (words.size() > most_words)
+    words.resize(most_words);
+  return words;
+}
+
+std::uint16_t bit(std::size_t position) {
+  return static_cast<std::uint16_t>(1U << position);
+}
+
+} // namespace
+
+SetId ValueIndex::add(const std::vector<std::string>& values) {
+  const auto set = static_cast<SetId>(sets_.size());
+  sets_.push_back(static_cast<std::uint32_t>(values_.size()));
+  std::unordered_set<std::string_view> seen;
+  for (const auto& value : values)
+    if (seen.insert(value).second)
+      add_value(value, set);
+  return set;
+}
+
+void ValueIndex::add_value(const std::string& text, SetId set) {
+  const auto number = static_cast<std::uint32_t>(values_.size());
+  const auto words = value_words(text);
+  Entry entry{text, set, 0, 0};
+  for (std::size_t at = 0; at < words.size(); ++at) {
+    entry.all |= bit(at);
+    if (!is_light(words[at]))
+      entry.heavy |= bit(at);
+    post(words[at], number, bit(at));
+    if (at > 0)
+      post(words[at - 1] + words[at], number,
+           static_cast<std::uint16_t>(bit(at - 1) | bit(at)));
+  }
+  if (entry.heavy == 0)
+    entry.heavy = entry.all;
+  values_.push_back(std::move(entry));
+}
+
+void ValueIndex::post(std::string_view word, std::uint32_t value,
+                      std::uint16_t mask) {
+  const auto number = words_.add(word);
+  postings_.resize(words_.size());
+  postings_[number].push_back({value, mask});
+}
+
+std::vector<ValueMatch> ValueIndex::find(const Tokens& tokens,
+                                         const std::vector<bool>& plain) const {
+  return ValueSearch(*this, tokens, plain).run();
+}
+
+} // namespace parlour::adapters::nlu

@@ -1,0 +1,96 @@
+// Built-in functions for phrases: how numbers, lists, times and levels are
+// said in English.
+#include "script/builtins/builtin_numbers.hpp"
+#include "script/spoken/spoken.hpp"
+#include "script/spoken/spoken_number.hpp"
+#include "script/vm/builtin_call.hpp"
+#include "script/vm/builtin_functions.hpp"
+
+namespace parlour::script::builtins {
+
+namespace {
+
+// Numbers are said as numbers, also where nothing tells their kind.
+bool say(BuiltinCall& call, const Box& value, const std::string& kind,
+         std::string& words) {
+  ToSay what;
+  const auto limit = call.machine.program->settings.limits.result;
+  if (!print(what.text, value, limit))
+    return call.room(limit + 1);
+  if (const auto number = numeric(value))
+    what.number = decimal_of(*number);
+  what.now = call.machine.host->now();
+  const bool is_number = numeric(value, false).has_value();
+  words = script::spoken(what, kind.empty() && is_number ? "number" : kind);
+  return call.work(what.text.size());
+}
+
+bool say_all(BuiltinCall& call, const ListObject& list, const std::string& kind,
+             const std::string& link) {
+  std::vector<std::string> parts;
+  for (const auto& element : list.elements)
+    if (!say(call, element, kind, parts.emplace_back()))
+      return false;
+  return call.give_text(series(parts, link));
+}
+
+// False: raised. Empty where it is not given.
+bool optional_text(BuiltinCall& call, std::size_t index, std::string& value) {
+  return !call.has(index) || call[index].is_unknown() ||
+         call.text(index, value);
+}
+
+bool is_vowel(char c) {
+  return std::string_view("aeiouAEIOU").find(c) != std::string_view::npos;
+}
+
+} // namespace
+
+bool count(BuiltinCall& call) {
+  Numeric number;
+  std::string noun;
+  std::string several;
+  return call.number(0, number) && call.text(1, noun) &&
+         optional_text(call, 2, several) &&
+         call.give_text(counted(decimal_of(number), noun, several));
+}
+
+bool ordinal(BuiltinCall& call) {
+  std::int64_t number = 0;
+  return call.integer(0, number) && call.give_text(ordinal_words(number));
+}
+
+bool list(BuiltinCall& call) {
+  ListObject* elements = nullptr;
+  std::string link = "and";
+  std::string kind = "set";
+  if (call[0].is_unknown())
+    return call.give_text("");
+  return call.list(0, elements) && optional_text(call, 1, link) &&
+         optional_text(call, 2, kind) && say_all(call, *elements, kind, link);
+}
+
+bool an(BuiltinCall& call) {
+  std::string noun;
+  if (!call.text(0, noun))
+    return false;
+  const bool vowel = !noun.empty() && is_vowel(noun[0]);
+  return call.give_text((vowel ? "an " : "a ") + noun);
+}
+
+bool spoken(BuiltinCall& call) {
+  std::string kind;
+  std::string words;
+  ListObject* elements = nullptr;
+  if (!optional_text(call, 1, kind))
+    return false;
+  if (call[0].is_unknown())
+    return call.give_text("");
+  if (call[0].is_list())
+    return call.list(0, elements) && say_all(call, *elements, kind, "and");
+  if (!call.text(0, words))
+    return false;
+  return say(call, call[0], kind, words) && call.give_text(words);
+}
+
+} // namespace parlour::script::builtins

@@ -1,0 +1,80 @@
+// Regular expressions: RE2, linear in the text (language rule 8.3).
+#include <list>
+#include <memory>
+
+#include <re2/re2.h>
+
+#include "script/vm/builtin_call.hpp"
+#include "script/vm/builtin_functions.hpp"
+
+namespace parlour::script::builtins {
+
+namespace {
+
+constexpr std::size_t kept = 32; // compiled expressions of a thread
+constexpr int64_t largest_program = 1 << 20;
+
+// The most recently used first.
+const RE2& compiled(const std::string& pattern) {
+  static thread_local std::list<std::unique_ptr<RE2>> cache;
+  for (auto each = cache.begin(); each != cache.end(); ++each)
+    if ((*each)->pattern() == pattern) {
+      cache.splice(cache.begin(), cache, each);
+      return *cache.front();
+    }
+  RE2::Options options;
+  options.set_log_errors(false);
+  options.set_max_mem(largest_program);
+  cache.push_front(std::make_unique<RE2>(pattern, options));
+  if (cache.size() > kept)
+    cache.pop_back();
+  return *cache.front();
+}
+
+const RE2* expression(BuiltinCall& call, std::string& text) {
+  std::string pattern;
+  if (!call.text(0, text) || !call.text(1, pattern))
+    return nullptr;
+  const auto& found = compiled(pattern);
+  if (!found.ok()) {
+    call.fail(ErrorKind::type,
+              "'" + pattern +
+                  "' is not a regular expression: " + found.error());
+    return nullptr;
+  }
+  // In the worst case each letter meets each step of the expression.
+  const auto steps = static_cast<std::size_t>(found.ProgramSize()) / 2;
+  return call.work(steps + text.size() * (4 + steps)) ? &found : nullptr;
+}
+
+} // namespace
+
+bool matches(BuiltinCall& call) {
+  std::string text;
+  if (call[0].is_unknown())
+    return call.give_flag(false);
+  const auto* regex = expression(call, text);
+  return regex && call.give_flag(RE2::PartialMatch(text, *regex));
+}
+
+bool capture(BuiltinCall& call) {
+  std::string text;
+  if (call[0].is_unknown())
+    return call.give(Box());
+  const auto* regex = expression(call, text);
+  if (!regex)
+    return false;
+  std::vector<re2::StringPiece> groups(
+      static_cast<std::size_t>(regex->NumberOfCapturingGroups()) + 1);
+  if (!regex->Match(text, 0, text.size(), RE2::UNANCHORED, groups.data(),
+                    static_cast<int>(groups.size())))
+    return call.give(Box());
+  auto list = make_list(call.heap(), groups.size());
+  for (const auto& group : groups)
+    list.list()->elements.push_back(
+        group.data() ? make_string(call.heap(), {group.data(), group.size()})
+                     : Box());
+  return call.give(std::move(list));
+}
+
+} // namespace parlour::script::builtins

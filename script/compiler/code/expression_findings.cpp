@@ -1,0 +1,114 @@
+// What the compiler of expressions says: the nearest right name, or what the
+// author may have meant.
+#include "script/compiler/code/expression_compiler.hpp"
+#include "script/expression/builtins.hpp"
+#include "script/expression/expression_slips.hpp"
+#include "script/expression/slips.hpp"
+
+namespace parlour::script {
+
+void ExpressionCompiler::report(const Source& source, const Parsed& parsed) {
+  const auto known = [this](const std::string& name) {
+    return is_declared(name) || name == "this";
+  };
+  for (auto& slip : find_slips(source.text, parsed, source.wanted, known))
+    b_.findings.add({Severity::error, source.spot(slip.offset, slip.length),
+                     std::move(slip.message), "expression",
+                     std::move(slip.replacement)});
+}
+
+void ExpressionCompiler::error(const Node& node, const Source& source,
+                               std::string message,
+                               std::optional<std::string> replacement) {
+  b_.findings.add({Severity::error, source.spot(node.offset, node.text.size()),
+                   std::move(message), "expression", std::move(replacement)});
+}
+
+// The nearest right name, or else what it may have been meant to be.
+void ExpressionCompiler::unknown_name(const Node& node, const Source& source) {
+  const auto& name = node.text;
+  const auto quoted = "'" + name + "'";
+  if (!explains(b_.findings))
+    return error(node, source, quoted + " is not declared");
+  const auto known = b_.visible_names();
+  if (name == "this")
+    return error(node, source, "'this' is followed by a slot: this.Name");
+  if (b_.context.topic && b_.context.topic->slot(name) != no_id)
+    return error(node, source,
+                 quoted + " is not declared; the topic's slot is this." + name,
+                 "this." + name);
+  if (b_.function(name) || is_builtin(name))
+    return error(node, source, quoted + " is a function; call it with (…)");
+  if (auto right = same_but_case(name, known); !right.empty())
+    return error(node, source,
+                 quoted + " is not declared, did you mean '" + right +
+                     "'? Small and capital letters differ",
+                 right);
+  if (const auto* slip = find_slip(SlipPlace::operand, name))
+    return error(node, source,
+                 quoted + " is not declared; it is written '" +
+                     std::string(slip->meant) + "'",
+                 std::string(slip->meant));
+  const auto near = did_you_mean(name, known);
+  if (!near.empty())
+    return error(node, source, quoted + " is not declared" + near);
+  if (source.wanted == Wanted::value && is_text(source))
+    return b_.findings.add(
+        {Severity::error, source.spot(0, source.text.size()),
+         "this reads like text, and an expression is expected; a text stands "
+         "in quotes: " +
+             quoted_text(source.text) + ", and a variable is declared by <var>",
+         "expression"});
+  error(
+      node, source,
+      quoted + " is not declared; a text stands in quotes: " +
+          (source.wanted == Wanted::text ? quoted_text(source.text) : quoted) +
+          ", and a variable is declared by <var name=\"" + name +
+          "\" expr=\"…\"/>");
+}
+
+// Whether the whole of it is words of which none is known.
+bool ExpressionCompiler::is_text(const Source& source) const {
+  return reads_like_text(source.text, [this](const std::string& word) {
+    return is_declared(word) || word == "this";
+  });
+}
+
+void ExpressionCompiler::unknown_target(const Node& node,
+                                        const Source& source) {
+  if (!explains(b_.findings))
+    return unknown_name(node, source);
+  const auto known = b_.visible_names();
+  if (!did_you_mean(node.text, known).empty() || node.text == "this" ||
+      b_.function(node.text))
+    return unknown_name(node, source);
+  error(node, source,
+        "'" + node.text + "' is not declared; <var name=\"" + node.text +
+            "\"/> before this declares it");
+}
+
+void ExpressionCompiler::unknown_function(const Node& node,
+                                          const Source& source) {
+  const auto quoted = "'" + node.text + "'";
+  if (!explains(b_.findings))
+    return error(node, source, "there is no function " + quoted);
+  auto known = b_.function_names();
+  known.insert(known.end(), builtin_names().begin(), builtin_names().end());
+  if (auto right = same_but_case(node.text, known); !right.empty())
+    return error(node, source,
+                 "there is no function " + quoted + ", did you mean '" + right +
+                     "'? Small and capital letters differ",
+                 right);
+  const auto* slip = find_slip(SlipPlace::function, node.text, &known);
+  if (slip && !slip->meant.empty())
+    return error(node, source,
+                 "there is no function " + quoted + "; it is called '" +
+                     std::string(slip->meant) + "'",
+                 std::string(slip->meant));
+  error(node, source,
+        "there is no function " + quoted +
+            (slip ? "; " + std::string(slip->sentence)
+                  : did_you_mean(node.text, known)));
+}
+
+} // namespace parlour::script

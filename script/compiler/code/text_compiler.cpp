@@ -1,0 +1,249 @@
+// Texts, expressions, and which of both an attribute is (language rule 4).
+#include <algorithm>
+#include <cctype>
+
+#include "runtime/base/value.hpp"
+#include "script/compiler/code/expression_compiler.hpp"
+#include "script/expression/builtins.hpp"
+#include "script/expression/plain_brace.hpp"
+
+namespace parlour::script {
+
+namespace {
+
+constexpr int most_closings = 16; // tried for one opening brace
+constexpr std::size_t shortest_slip = 4;
+
+std::string_view trimmed(std::string_view text) {
+  constexpr auto blanks = " \t\r\n";
+  const auto first = text.find_first_not_of(blanks);
+  if (first == std::string_view::npos)
+    return {};
+  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+bool is_word_byte(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
+}
+
+bool is_word(std::string_view text) {
+  return !text.empty() && std::all_of(text.begin(), text.end(), is_word_byte) &&
+         !std::isdigit(static_cast<unsigned char>(text[0]));
+}
+
+bool is_literal(const Node& node) {
+  return node.kind == NodeKind::unknown || node.kind == NodeKind::boolean ||
+         node.kind == NodeKind::string;
+}
+
+// A number that would print otherwise than it is written stays text: 007.
+bool prints_as_written(const Node& node, std::string_view text) {
+  if (node.kind == NodeKind::integer)
+    return std::to_string(node.integer) == text;
+  return number_text(node.number) == text;
+}
+
+} // namespace
+
+NodePointer ExpressionCompiler::parse(const Source& source) {
+  auto parsed = parse_expression(source.text);
+  if (!parsed.node)
+    report(source, parsed);
+  return std::move(parsed.node);
+}
+
+void ExpressionCompiler::expression(const Source& source, Register target) {
+  if (auto node = parse(source))
+    into(*node, source, target);
+}
+
+bool ExpressionCompiler::is_declared(const std::string& name) const {
+  return b_.find(name).kind != Meaning::Kind::nothing;
+}
+
+void ExpressionCompiler::mentions(const Node& node, Mentions& found) const {
+  if (is_this_field(node)) {
+    found.declared = true;
+    return;
+  }
+  found.quoted |= node.kind == NodeKind::string ||
+                  (node.kind == NodeKind::map && node.flag);
+  if (node.kind == NodeKind::call)
+    found.called |= b_.function(node.text) || is_builtin(node.text);
+  if (node.kind == NodeKind::name)
+    (is_declared(node.text) ? found.declared : found.undeclared) = true;
+  for (const auto& child : node.children)
+    mentions(*child, found);
+}
+
+NodePointer ExpressionCompiler::decide(const Source& source) {
+  auto parsed = parse_expression(source.text);
+  if (parsed.node) {
+    const auto& node = *parsed.node;
+    if (is_literal(node))
+      return std::move(parsed.node);
+    if (node.kind == NodeKind::integer || node.kind == NodeKind::number) {
+      if (prints_as_written(node, trimmed(source.text)))
+        return std::move(parsed.node);
+      return nullptr;
+    }
+    Mentions found;
+    mentions(node, found);
+    if (found.quoted || found.called || found.declared)
+      return std::move(parsed.node);
+  }
+  warn_of_text(source);
+  return nullptr;
+}
+
+void ExpressionCompiler::warn_of_text(const Source& source) {
+  const auto text = trimmed(source.text);
+  if (is_word(text)) {
+    const std::string word(text);
+    const auto near = text.size() >= shortest_slip
+                          ? nearest(word, b_.visible_names())
+                          : std::string();
+    if (!near.empty())
+      b_.findings.add({Severity::warning, source.spot(),
+                       "'" + word +
+                           "' is taken as text; for the variable write '" +
+                           near + "'",
+                       "text-like-expression"});
+    return;
+  }
+  if (std::none_of(text.begin(), text.end(), [](char letter) {
+        return letter == '+' || letter == '[' || letter == '(';
+      }))
+    return;
+  if (source.text.find('{') != std::string_view::npos)
+    return; // what it embeds, or does not, is looked at by itself
+  for (std::size_t at = 0; at < source.text.size();) {
+    auto end = at;
+    while (end < source.text.size() && is_word_byte(source.text[end]))
+      ++end;
+    if (end == at) {
+      ++at;
+      continue;
+    }
+    const std::string word(source.text.substr(at, end - at));
+    const auto before = trimmed(source.text.substr(0, at));
+    const auto after = trimmed(source.text.substr(end));
+    const bool opens = end < source.text.size() &&
+                       (source.text[end] == '[' || source.text[end] == '(');
+    if ((opens || before.ends_with('+') || after.starts_with('+')) &&
+        is_declared(word)) {
+      b_.findings.add({Severity::warning, source.spot(at, word.size()),
+                       "this is taken as text, although '" + word +
+                           "' is declared; it is not well-formed as an "
+                           "expression, and a text embeds {" +
+                           word + "}",
+                       "text-like-expression"});
+      return;
+    }
+    at = end;
+  }
+}
+
+void ExpressionCompiler::text_or_expression(const Source& source,
+                                            Register target) {
+  auto either = source;
+  either.wanted = Wanted::text;
+  if (const auto node = decide(either))
+    into(*node, either, target);
+  else
+    text(source, target);
+}
+
+// -- text with {expr} ---------------------------------------------------------
+
+namespace {
+
+// The embedded expression that begins behind an opening brace; null where the
+// brace is literal. `length` counts up to the closing brace.
+NodePointer embedded(std::string_view rest, std::size_t& length) {
+  length = 0;
+  for (int tries = 0; tries < most_closings; ++tries) {
+    const auto close = rest.find('}', tries == 0 ? 0 : length + 1);
+    if (close == std::string_view::npos)
+      return nullptr;
+    length = close;
+    if (auto parsed = parse_expression(rest.substr(0, close)); parsed.node)
+      return std::move(parsed.node);
+  }
+  return nullptr;
+}
+
+bool is_doubled(std::string_view text, std::size_t brace) {
+  return brace + 1 < text.size() && text[brace + 1] == text[brace];
+}
+
+void add_literal(std::vector<TextPart>& parts, std::string_view text) {
+  if (parts.empty() || parts.back().node)
+    parts.emplace_back();
+  parts.back().literal += text;
+}
+
+} // namespace
+
+std::vector<TextPart> ExpressionCompiler::split_text(const Source& source) {
+  std::vector<TextPart> parts;
+  const auto text = source.text;
+  for (std::size_t at = 0; at < text.size();) {
+    auto brace = at;
+    while (brace < text.size() && text[brace] != '{' && text[brace] != '}')
+      ++brace;
+    if (brace > at)
+      add_literal(parts, text.substr(at, brace - at));
+    at = brace;
+    if (at == text.size())
+      break;
+    const bool doubled = is_doubled(text, at);
+    std::size_t length = 0;
+    auto node = text[at] == '{' && !doubled
+                    ? embedded(text.substr(at + 1), length)
+                    : nullptr;
+    if (!node) {
+      add_literal(parts, text.substr(at, 1));
+      at += doubled ? 2 : 1;
+      continue;
+    }
+    parts.push_back({{}, std::move(node), source.part(at + 1, length)});
+    at += length + 2;
+  }
+  return parts;
+}
+
+std::size_t plain_brace(std::string_view text) {
+  for (auto at = text.find_first_of("{}"); at != std::string_view::npos;
+       at = text.find_first_of("{}", at)) {
+    std::size_t length = 0;
+    if (is_doubled(text, at))
+      at += 2;
+    else if (text[at] == '{' && embedded(text.substr(at + 1), length))
+      at += length + 2;
+    else
+      return at;
+  }
+  return std::string_view::npos;
+}
+
+void ExpressionCompiler::text(const Source& source, Register target) {
+  const auto parts = split_text(source);
+  if (parts.empty())
+    return b_.load_text(target, "");
+  if (parts.size() == 1 && !parts[0].node)
+    return b_.load_text(target, parts[0].literal);
+  const auto mark = b_.mark();
+  const auto base = b_.allocate(parts.size());
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const auto reg = static_cast<Register>(base + i);
+    if (parts[i].node)
+      into(*parts[i].node, parts[i].source, reg);
+    else
+      b_.load_text(reg, parts[i].literal);
+  }
+  b_.emit(Operation::concatenate, target, base, parts.size());
+  b_.release(mark);
+}
+
+} // namespace parlour::script

@@ -1,0 +1,175 @@
+#include "script/compiler/compiler.hpp"
+
+#include <algorithm>
+
+#include "runtime/base/file_bytes.hpp"
+#include "script/compiler/application_loader.hpp"
+#include "script/compiler/declaration_compiler.hpp"
+#include "script/compiler/settings_reader.hpp"
+#include "script/xml/allowances.hpp"
+
+namespace parlour::script {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<fs::path> scripts_in(const fs::path& folder) {
+  auto scripts = list_files(folder, ".xml").value_or(std::vector<fs::path>());
+  std::erase(scripts, folder / "settings.xml");
+  return scripts;
+}
+
+// One compilation, from files to a program.
+class Compiler {
+public:
+  Compiler(const fs::path& folder, const CompileOptions& options)
+      : options_(options),
+        loader_(folder, options.platform, findings_, options.texts) {}
+
+  Compiled application(const fs::path& folder);
+  Compiled file(const fs::path& path);
+
+private:
+  bool read_settings_file(const fs::path& path);
+  void take_settings(Element root);
+  Aliases aliases();
+  void load_scripts();
+  void load_all_scripts(const std::vector<fs::path>& scripts);
+  void add_usual_plugins(Element& settings);
+  void load_libraries();
+  Compiled finish();
+
+  const CompileOptions& options_;
+  Findings findings_;
+  ApplicationLoader loader_;
+  std::shared_ptr<Program> program_ = std::make_shared<Program>();
+  std::optional<Element> settings_;
+};
+
+Aliases Compiler::aliases() {
+  const auto path = options_.platform / "aliases.xml";
+  std::error_code ignored;
+  if (options_.platform.empty() || !fs::exists(path, ignored))
+    return {};
+  const auto root = loader_.read(path, {"aliases"}, {});
+  return root ? read_aliases(*root) : Aliases{};
+}
+
+void Compiler::take_settings(Element root) {
+  program_->settings =
+      read_settings(root, aliases(), options_.environment, findings_);
+  settings_ = std::move(root);
+}
+
+void Compiler::load_scripts() {
+  for (const auto& child : settings_->children)
+    if (child.is("Scripts"))
+      for (const auto& script : child.children)
+        loader_.load_script(collapsed(script.text), script.position);
+  if (program_->settings.scripts.empty())
+    findings_.error(settings_->position, "<Scripts> names no script");
+}
+
+// Where nothing chooses: every script, in the order of their names, and the
+// first state of them.
+void Compiler::load_all_scripts(const std::vector<fs::path>& scripts) {
+  for (const auto& script : scripts) {
+    program_->settings.scripts.push_back(script.filename().string());
+    loader_.load_script(program_->settings.scripts.back(), {});
+  }
+  if (program_->settings.start.empty())
+    program_->settings.start = loader_.first_state();
+  if (scripts.empty())
+    findings_.error(settings_->position,
+                    "there is no script in this folder, and <settings> names "
+                    "none; expected "
+                    "<Scripts><Script>file.xml</Script></Scripts>");
+}
+
+// Settings that name neither scripts nor plug-ins say a few things besides the
+// platform's.
+void Compiler::add_usual_plugins(Element& settings) {
+  if (settings.child("Scripts") || settings.child("Plugins") ||
+      options_.platform.empty())
+    return;
+  auto usual =
+      loader_.read(options_.platform / "settings.xml", {"settings"}, {});
+  if (usual)
+    for (auto& child : usual->children)
+      settings.children.push_back(std::move(child));
+}
+
+// The words of what the engine says by itself, and what it does about the
+// conversation itself, after the application's own.
+void Compiler::load_libraries() {
+  if (options_.platform.empty())
+    return;
+  for (const auto* library : {"phrases-en", "repair"}) {
+    loader_.load_library(library, {});
+    program_->settings.libraries.push_back(library);
+  }
+}
+
+Compiled Compiler::finish() {
+  auto documents = loader_.take_documents();
+  compile_declarations(documents, {settings_ ? &*settings_ : nullptr}, loader_,
+                       *program_, findings_);
+  program_->files = findings_.files();
+  findings_.sort();
+  take_allowed(findings_);
+  if (findings_.has_errors())
+    program_ = nullptr;
+  return {std::move(program_), std::move(findings_), std::move(documents),
+          std::move(settings_)};
+}
+
+Compiled Compiler::application(const fs::path& folder) {
+  auto root =
+      loader_.read(settings_file(folder, options_.platform), {"settings"}, {});
+  if (!root)
+    return {nullptr, std::move(findings_)};
+  add_usual_plugins(*root);
+  take_settings(std::move(*root));
+  program_->settings.folder = folder.string();
+  if (settings_->child("Scripts"))
+    load_scripts();
+  else
+    load_all_scripts(scripts_in(folder));
+  load_libraries();
+  return finish();
+}
+
+Compiled Compiler::file(const fs::path& path) {
+  program_->single_file = true;
+  program_->settings.folder = path.parent_path().string();
+  auto root = loader_.read(path, {"dialogue", "settings"}, {});
+  if (!root)
+    return {nullptr, std::move(findings_)};
+  if (root->is("settings")) {
+    take_settings(std::move(*root));
+    return finish();
+  }
+  loader_.add(path, std::move(*root));
+  return finish();
+}
+
+} // namespace
+
+fs::path settings_file(const fs::path& folder, const fs::path& platform) {
+  const bool brings_none =
+      !is_there(folder / "settings.xml") && !scripts_in(folder).empty();
+  return (brings_none ? platform : folder) / "settings.xml";
+}
+
+Compiled compile_application(const fs::path& folder,
+                             const CompileOptions& options) {
+  return Compiler(folder, options).application(folder);
+}
+
+Compiled compile_file(const fs::path& file, const CompileOptions& options) {
+  auto folder = file.parent_path();
+  return Compiler(folder.empty() ? "." : folder, options).file(file);
+}
+
+} // namespace parlour::script

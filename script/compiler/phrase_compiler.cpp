@@ -1,0 +1,114 @@
+#include "script/compiler/phrase_compiler.hpp"
+
+#include <algorithm>
+
+#include "script/expression/plain_brace.hpp"
+
+namespace parlour::script {
+
+namespace {
+
+const std::vector<std::string> parameters{"act", "topic", "slot", "data"};
+
+// An application may say acts of its own; a near miss is a slip.
+void check_act(const Attribute& act, Findings& findings) {
+  const auto& known = say_acts();
+  if (std::find(known.begin(), known.end(), act.value) != known.end())
+    return;
+  const auto hint = did_you_mean(act.value, known);
+  if (!hint.empty())
+    findings.add({Severity::warning,
+                  {act.value_position},
+                  "the engine says no act '" + act.value + "'" + hint,
+                  "unknown-act"});
+}
+
+void check_topic(const Element& phrase, const Compilation& compilation) {
+  const auto* name = phrase.attribute("topic");
+  const auto& topics = compilation.names.topics;
+  if (name && !topics.count(name->value))
+    compilation.findings.error(name->value_position,
+                               "there is no topic '" + name->value + "'" +
+                                   did_you_mean(name->value, keys_of(topics)));
+}
+
+// A slot of whichever topic; one that is wrong was told of.
+void check_slot_of_any(const Attribute& name, const Element& phrase,
+                       const Compilation& compilation) {
+  std::vector<std::string> known;
+  for (const auto& topic : compilation.program.topics)
+    for (const auto& slot : topic.slots)
+      known.push_back(slot.name);
+  if (phrase.attribute("topic") || known.empty() ||
+      std::find(known.begin(), known.end(), name.value) != known.end())
+    return;
+  compilation.findings.error(name.value_position,
+                             "no topic has a slot '" + name.value + "'" +
+                                 did_you_mean(name.value, known));
+}
+
+void check_slot(const Element& phrase, const Compilation& compilation) {
+  const auto* name = phrase.attribute("slot");
+  const auto topic = compilation.program.topic(phrase.value("topic"));
+  if (!name)
+    return;
+  if (topic == no_id)
+    return check_slot_of_any(*name, phrase, compilation);
+  const auto known = names_of(compilation.program.topics[topic].slots);
+  if (std::find(known.begin(), known.end(), name->value) == known.end())
+    compilation.findings.error(name->value_position,
+                               "topic '" + phrase.value("topic") +
+                                   "' has no slot '" + name->value + "'" +
+                                   did_you_mean(name->value, known));
+}
+
+// Elsewhere such braces are text (language rule 4.4); here somebody would hear
+// them.
+void check_braces(const Element& phrase, std::string_view text,
+                  Findings& findings) {
+  const auto at = plain_brace(text);
+  if (at != std::string_view::npos)
+    findings.add({Severity::error,
+                  {phrase.text_position, at, 1, true},
+                  "this brace would be said aloud, as it embeds no "
+                  "expression; for a brace that is said write '{{' or '}}'",
+                  "expression"});
+}
+
+} // namespace
+
+const std::vector<std::string>& say_acts() {
+  static const std::vector<std::string> acts = {
+#define X(name, sentence) #name,
+      PARLOUR_SAY_ACTS(X)
+#undef X
+  };
+  return acts;
+}
+
+void compile_phrases(const Element& phrases, const FunctionNames* functions,
+                     Compilation& compilation) {
+  for (const auto& element : phrases.children) {
+    check_act(*element.attribute("act"), compilation.findings);
+    check_topic(element, compilation);
+    check_slot(element, compilation);
+    BodyContext context;
+    context.functions = functions;
+    context.name = "phrase " + element.value("act");
+    Phrase phrase;
+    phrase.act = element.value("act");
+    phrase.topic = element.value("topic");
+    phrase.slot = element.value("slot");
+    if (const auto* condition = element.attribute("if"))
+      phrase.condition =
+          compilation.bodies.expression(*condition, context, parameters);
+    const auto words = collapsed(element.text);
+    check_braces(element, words, compilation.findings);
+    phrase.text = compilation.bodies.text(words, element.text_position, context,
+                                          parameters);
+    phrase.position = element.position;
+    compilation.program.phrases.push_back(std::move(phrase));
+  }
+}
+
+} // namespace parlour::script

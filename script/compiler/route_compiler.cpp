@@ -1,0 +1,82 @@
+#include "script/compiler/route_compiler.hpp"
+
+#include "script/compiler/reaction_compiler.hpp"
+
+namespace parlour::script {
+
+namespace {
+
+// What the message centre knows: no variable of a session.
+Names without_variables(const Names& names, const Program& program) {
+  auto result = names;
+  std::erase_if(result.variables, [&](const auto& entry) {
+    return !program.variables[entry.second].is_constant;
+  });
+  return result;
+}
+
+class RouteCompiler {
+public:
+  explicit RouteCompiler(Compilation& compilation)
+      : compilation_(compilation),
+        names_(without_variables(compilation.names, compilation.program)),
+        bodies_(compilation.program, names_, compilation.findings) {
+    context_.handles_message = true;
+    context_.name = "routes";
+  }
+
+  void compile(const Element& element);
+
+private:
+  void compile_params(const Element& element, Route& route);
+
+  Compilation& compilation_;
+  Names names_;
+  BodyCompiler bodies_;
+  BodyContext context_;
+};
+
+void RouteCompiler::compile_params(const Element& element, Route& route) {
+  if (const auto* param = element.attribute("param")) {
+    route.has_params = true;
+    if (!param->value.empty())
+      route.params.push_back(bodies_.text_or_expression(*param, context_));
+  }
+  for (const auto& child : element.children) {
+    if (!child.is("param"))
+      continue;
+    route.has_params = true;
+    route.params.push_back(
+        bodies_.expression(*child.attribute("expr"), context_));
+  }
+}
+
+void RouteCompiler::compile(const Element& element) {
+  Route route;
+  route.is_filter = element.is("filter");
+  const auto& source = *element.attribute("source");
+  const auto& command = *element.attribute("command");
+  auto name =
+      checked_event({source.value, command.value}, source.value_position,
+                    command.value_position, compilation_);
+  route.source = std::move(name.source);
+  route.command = std::move(name.event);
+  if (const auto* condition = element.attribute("if"))
+    route.condition = bodies_.expression(*condition, context_);
+  route.drop = element.value("drop") == "true";
+  route.to = split_names(element.value("to"));
+  route.as = element.value("as");
+  compile_params(element, route);
+  route.position = element.position;
+  compilation_.program.routes.push_back(std::move(route));
+}
+
+} // namespace
+
+void compile_routes(const Element& routes, Compilation& compilation) {
+  RouteCompiler compiler(compilation);
+  for (const auto& route : routes.children)
+    compiler.compile(route);
+}
+
+} // namespace parlour::script

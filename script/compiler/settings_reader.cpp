@@ -1,0 +1,258 @@
+#include "script/compiler/settings_reader.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "runtime/base/roles.hpp"
+#include "script/xml/attribute_check.hpp"
+
+namespace parlour::script {
+
+namespace {
+
+using Environment = std::string (*)(const std::string&);
+
+void read_duration(const Element& element, const char* name,
+                   Milliseconds& target) {
+  if (const auto* attribute = element.attribute(name))
+    target = parse_duration(attribute->value).value_or(target);
+}
+
+void read_sessions(const Element& element, SessionSettings& sessions) {
+  read_duration(element, "resume-after", sessions.resume_after);
+  read_duration(element, "no-input-after", sessions.no_input_after);
+  read_duration(element, "context-for", sessions.context_for);
+  read_duration(element, "request-timeout", sessions.request_timeout);
+  read_duration(element, "rest-after", sessions.rest_after);
+  read_duration(element, "closes-after", sessions.closes_after);
+}
+
+// What the language has and nothing carries out yet.
+void warn_of_later(const Element& element, Findings& findings) {
+  for (const auto* name : {"rest-after", "journal", "keep"})
+    if (const auto* attribute = element.attribute(name))
+      findings.add({Severity::warning,
+                    {attribute->position},
+                    "'" + std::string(name) +
+                        "' has no effect yet: there is no journal, and "
+                        "sessions stay in memory until they end",
+                    "not-available-yet"});
+}
+
+template <class T>
+void read_number(const Element& element, const char* name, T& target) {
+  if (const auto* attribute = element.attribute(name))
+    target = static_cast<T>(parse_size(attribute->value).value_or(target));
+}
+
+void read_limits(const Element& element, Limits& limits) {
+  read_number(element, "instructions", limits.instructions);
+  read_number(element, "depth", limits.depth);
+  read_number(element, "bytes", limits.bytes);
+  read_number(element, "result", limits.result);
+}
+
+class SettingsReader {
+public:
+  SettingsReader(const Aliases& aliases, Environment environment,
+                 Findings& findings)
+      : aliases_(aliases), environment_(environment), findings_(findings) {}
+
+  Settings read(const Element& root);
+
+private:
+  void read_plugins(const Element& element);
+  void read_component(const Element& element);
+  void read_upkeep(const Element& element, Upkeep& upkeep);
+  void read_scripts(const Element& element);
+  void check_agents(const Element& element);
+  std::string replaced(const Attribute& attribute);
+  std::string variable(const std::string& name, Position position);
+  std::string own_name(const std::string& name) const;
+  ComponentSettings* find(const std::string& name);
+  Place place(const Element& element) const {
+    return findings_.place(element.position);
+  }
+
+  const Aliases& aliases_;
+  Environment environment_;
+  Findings& findings_;
+  Settings settings_;
+  std::map<std::string, std::uint32_t> described_; // components: their lines
+};
+
+std::string SettingsReader::own_name(const std::string& name) const {
+  const auto found = aliases_.find(name);
+  return found == aliases_.end() ? name : found->second;
+}
+
+ComponentSettings* SettingsReader::find(const std::string& name) {
+  for (auto& component : settings_.components)
+    if (component.name == name)
+      return &component;
+  return nullptr;
+}
+
+void SettingsReader::read_plugins(const Element& element) {
+  for (const auto& plugin : element.children) {
+    const auto name = own_name(collapsed(plugin.text));
+    const auto fault = wrong_source_name(name);
+    if (name.empty())
+      findings_.error(plugin.position, "<Plugin> is empty; expected the name "
+                                       "of a plug-in");
+    else if (!fault.empty())
+      findings_.error(plugin.position, fault);
+    else if (find(name))
+      findings_.error(plugin.position,
+                      "the plug-in '" + name + "' is listed twice");
+    else
+      settings_.components.push_back({name, name, {}, place(plugin)});
+  }
+}
+
+std::string SettingsReader::variable(const std::string& name,
+                                     Position position) {
+  auto value = environment_ ? environment_(name) : std::string();
+  if (value.empty())
+    findings_.add(
+        {Severity::warning,
+         {position},
+         "the environment has no '" + name + "'; ${" + name + "} is empty",
+         "missing-environment"});
+  return value;
+}
+
+std::string SettingsReader::replaced(const Attribute& attribute) {
+  const auto& value = attribute.value;
+  std::string result;
+  std::size_t done = 0;
+  for (auto at = value.find("${"); at != std::string::npos;
+       at = value.find("${", done)) {
+    const auto end = value.find('}', at);
+    if (end == std::string::npos) {
+      findings_.error(attribute.value_position, "${ without its }");
+      return {};
+    }
+    result += value.substr(done, at - done);
+    result +=
+        variable(value.substr(at + 2, end - at - 2), attribute.value_position);
+    done = end + 1;
+  }
+  return result + value.substr(done);
+}
+
+// Options of a listed plug-in, or a further instance of one.
+void SettingsReader::read_component(const Element& element) {
+  const auto* plugin = element.attribute("plugin");
+  const auto name =
+      plugin ? element.value("name") : own_name(element.value("name"));
+  if (const auto fault = wrong_source_name(name); plugin && !fault.empty())
+    return findings_.error(element.attribute("name")->value_position, fault);
+  auto* component = find(name);
+  if (component && plugin)
+    return findings_.error(element.position,
+                           "there is a component '" + name + "' already");
+  if (!component) {
+    if (!plugin) {
+      std::vector<std::string> known;
+      for (const auto& one : settings_.components)
+        known.push_back(one.name);
+      return findings_.error(element.position,
+                             "'" + name + "' is not in <Plugins>" +
+                                 did_you_mean(name, known) +
+                                 (did_you_mean(name, known).empty()
+                                      ? "; list it there, or, for a further "
+                                        "instance, say plugin=\"…\""
+                                      : ""));
+    }
+    settings_.components.push_back(
+        {name, own_name(plugin->value), {}, place(element)});
+    component = &settings_.components.back();
+  }
+  const auto [first, is_first] =
+      described_.emplace(name, element.position.line);
+  if (!is_first)
+    findings_.error(element.position, "a second <component name=\"" + name +
+                                          "\">, after the one in line " +
+                                          std::to_string(first->second) +
+                                          "; put both into one");
+  read_upkeep(element, component->upkeep);
+  for (const auto& option : element.children)
+    if (!component->options
+             .emplace(option.value("name"),
+                      replaced(*option.attribute("value")))
+             .second)
+      findings_.error(option.position, "the option '" + option.value("name") +
+                                           "' of '" + name +
+                                           "' is given twice");
+}
+
+void SettingsReader::read_upkeep(const Element& element, Upkeep& upkeep) {
+  read_duration(element, "deadline", upkeep.deadline);
+  if (upkeep.deadline <= Milliseconds::zero())
+    findings_.error(element.attribute("deadline")->value_position,
+                    "deadline=\"" + element.value("deadline") +
+                        "\": no call can be that short");
+  upkeep.host = element.value("host");
+  const auto* scope = element.attribute("scope");
+  if (!scope)
+    return;
+  if (auto parsed = parse_scope(scope->value))
+    upkeep.scope = *parsed;
+  else
+    findings_.error(scope->value_position, "scope=\"" + scope->value +
+                                               "\": " + parsed.error().message);
+}
+
+void SettingsReader::read_scripts(const Element& element) {
+  for (const auto& script : element.children)
+    settings_.scripts.push_back(collapsed(script.text));
+}
+
+// They speak under their own names, too.
+void SettingsReader::check_agents(const Element& element) {
+  for (const auto& agent : element.children)
+    if (const auto* name = agent.attribute("name"))
+      if (const auto fault = wrong_source_name(name->value); !fault.empty())
+        findings_.error(name->value_position, fault);
+}
+
+Settings SettingsReader::read(const Element& root) {
+  settings_.name = root.value("name");
+  settings_.start = root.value("start");
+  settings_.unsafe_sql = root.value("unsafe-sql") == "true";
+  for (const auto& child : root.children)
+    if (child.is("Plugins"))
+      read_plugins(child);
+  for (const auto& child : root.children) {
+    if (child.is("component"))
+      read_component(child);
+    else if (child.is("Scripts"))
+      read_scripts(child);
+    else if (child.is("agents"))
+      check_agents(child);
+    else if (child.is("sessions")) {
+      read_sessions(child, settings_.sessions);
+      warn_of_later(child, findings_);
+    } else if (child.is("limits"))
+      read_limits(child, settings_.limits);
+  }
+  return std::move(settings_);
+}
+
+} // namespace
+
+Aliases read_aliases(const Element& root) {
+  Aliases aliases;
+  for (const auto& alias : root.children)
+    aliases.emplace(alias.value("name"), alias.value("plugin"));
+  return aliases;
+}
+
+Settings read_settings(const Element& root, const Aliases& aliases,
+                       std::string (*environment)(const std::string&),
+                       Findings& findings) {
+  return SettingsReader(aliases, environment, findings).read(root);
+}
+
+} // namespace parlour::script

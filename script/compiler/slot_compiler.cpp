@@ -1,0 +1,165 @@
+#include "script/compiler/slot_compiler.hpp"
+
+#include <map>
+
+#include <re2/re2.h>
+
+#include "script/compiler/sql_check.hpp"
+#include "script/xml/attribute_check.hpp"
+
+namespace parlour::script {
+
+namespace {
+
+class SlotCompiler {
+public:
+  SlotCompiler(const Element& element, Slot& slot, const BodyContext& context,
+               Compilation& compilation)
+      : element_(element), slot_(slot), context_(context),
+        compilation_(compilation) {}
+
+  void compile() {
+    read_words();
+    compile_texts();
+    compile_bodies();
+    if (const auto* cardinality = element_.child("cardinality"))
+      compile_cardinality(*cardinality);
+  }
+
+private:
+  void read_words();
+  void compile_texts();
+  void compile_bodies();
+  void compile_cardinality(const Element& cardinality);
+  void check_values(const Element& cardinality);
+  void check_pattern(const Attribute& pattern);
+  void check_source(const Attribute& source);
+  CodeId optional(const Element& element, const char* name);
+  std::vector<CountedBody> counted(const char* name);
+
+  const Element& element_;
+  Slot& slot_;
+  BodyContext context_;
+  Compilation& compilation_;
+};
+
+void SlotCompiler::read_words() {
+  slot_.functional = element_.value("type") == "Functional";
+  slot_.is_private = element_.value("private") == "true";
+  slot_.confirm = choice_of<ConfirmPolicy>(
+      element_, "confirm", {"auto", "explicit", "implicit", "never"});
+  slot_.match = match_of(element_);
+  slot_.grammar = element_.value("grammar");
+  check_grammar(element_, compilation_);
+}
+
+CodeId SlotCompiler::optional(const Element& element, const char* name) {
+  const auto* attribute = element.attribute(name);
+  return attribute ? compilation_.bodies.expression(*attribute, context_)
+                   : no_code;
+}
+
+void SlotCompiler::compile_texts() {
+  slot_.initial = optional(element_, "expr");
+  if (const auto* question = element_.attribute("question"))
+    slot_.question =
+        compilation_.bodies.text_or_expression(*question, context_);
+  slot_.help = compile_values(element_.child("help"), context_, compilation_);
+  slot_.explain =
+      compile_values(element_.child("explain"), context_, compilation_);
+}
+
+std::vector<CountedBody> SlotCompiler::counted(const char* name) {
+  std::vector<CountedBody> bodies;
+  std::map<std::uint64_t, std::uint32_t> lines;
+  for (const auto& child : element_.children) {
+    if (!child.is(name))
+      continue;
+    auto inside = context_;
+    inside.name += " <" + child.name + ">";
+    const auto count = parse_count(child.value("count")).value_or(1);
+    const auto [first, is_first] = lines.emplace(count, child.position.line);
+    if (!is_first)
+      compilation_.findings.error(
+          child.position,
+          "a second <" + child.name + " count=\"" + std::to_string(count) +
+              "\">, after the one in line " + std::to_string(first->second) +
+              "; put both into one");
+    bodies.push_back({static_cast<std::uint32_t>(count),
+                      compilation_.bodies.body(child, inside)});
+  }
+  return bodies;
+}
+
+void SlotCompiler::compile_bodies() {
+  auto child = [&](const char* name) {
+    return compile_child(element_, name, context_, compilation_);
+  };
+  slot_.filled = child("filled");
+  slot_.invalid = child("invalid");
+  slot_.ambiguous = child("ambiguous");
+  slot_.no_input = counted("noinput");
+  slot_.no_match = counted("nomatch");
+}
+
+// Only a set is made of values.
+void SlotCompiler::check_values(const Element& cardinality) {
+  const auto& values = cardinality.children;
+  if (cardinality.value("type") == "set") {
+    if (values.empty())
+      compilation_.findings.error(
+          cardinality.position,
+          "<cardinality type=\"set\"> needs at least one <value>");
+  } else if (!values.empty()) {
+    compilation_.findings.error(values.front().position,
+                                "<cardinality type=\"" +
+                                    cardinality.value("type") +
+                                    "\"> has no <value>; that belongs to "
+                                    "type=\"set\"");
+  }
+}
+
+void SlotCompiler::check_pattern(const Attribute& pattern) {
+  const re2::RE2 compiled(pattern.value, re2::RE2::Quiet);
+  if (!compiled.ok())
+    compilation_.findings.error(pattern.value_position,
+                                "this is no regular expression: " +
+                                    compiled.error());
+}
+
+void SlotCompiler::check_source(const Attribute& source) {
+  if (!is_column_source(source.value))
+    compilation_.findings.error(source.value_position,
+                                "'" + source.value +
+                                    "' is not a column; "
+                                    "expected db:table.column");
+}
+
+void SlotCompiler::compile_cardinality(const Element& cardinality) {
+  auto& target = slot_.cardinality;
+  target.type = cardinality.value("type");
+  target.position = cardinality.position;
+  check_values(cardinality);
+  if (const auto* pattern = cardinality.attribute("pattern"))
+    check_pattern(*pattern);
+  if (const auto* source = cardinality.attribute("source"))
+    check_source(*source);
+  target.values = compile_values(&cardinality, context_, compilation_);
+  target.minimum = optional(cardinality, "from");
+  target.maximum = optional(cardinality, "to");
+  target.pattern = cardinality.value("pattern");
+  target.source = cardinality.value("source");
+}
+
+} // namespace
+
+Match match_of(const Element& element) {
+  return choice_of<Match>(element, "match", {"equal", "prefix", "contains"});
+}
+
+void compile_slot(const Element& element, Slot& slot,
+                  const BodyContext& context, Compilation& compilation) {
+  SlotCompiler(element, slot, context, compilation).compile();
+}
+
+} // namespace parlour::script

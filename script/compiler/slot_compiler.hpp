@@ -1,0 +1,25 @@
+// One slot of a topic (engine rule 5).
+#pragma once
+
+#include "script/compiler/compilation.hpp"
+
+namespace parlour::script {
+
+void compile_slot(const Element& element, Slot& slot,
+                  const BodyContext& context, Compilation& compilation);
+
+// The word of an attribute as an enumerator; the first where it is missing.
+template <class Enum>
+Enum choice_of(const Element& element, const char* attribute,
+               const std::vector<std::string>& words) {
+  const auto value = element.value(attribute);
+  for (std::size_t i = 0; i < words.size(); ++i)
+    if (words[i] == value)
+      return static_cast<Enum>(i);
+  return Enum{};
+}
+
+// equal, prefix, contains.
+Match match_of(const Element& element);
+
+} // namespace parlour::script

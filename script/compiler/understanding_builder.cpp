@@ -1,0 +1,161 @@
+#include "script/compiler/understanding_builder.hpp"
+
+#include <algorithm>
+
+#include "runtime/base/utf8.hpp"
+#include "script/source/text_positions.hpp"
+#include "script/xml/source_reader.hpp"
+
+namespace parlour::script {
+
+namespace {
+
+class UnderstandingBuilder {
+public:
+  UnderstandingBuilder(const Program& program, const ApplicationLoader& loader,
+                       Findings& findings)
+      : program_(program), loader_(loader), findings_(findings) {}
+
+  void add(const Element& root);
+  std::shared_ptr<const UnderstandingModel> take() {
+    return std::make_shared<const UnderstandingModel>(std::move(model_));
+  }
+
+private:
+  void add_topic(const Element& element);
+  SlotModel slot_model(const Slot& slot, const Element* element) const;
+  void add_grammar(const Element& element);
+  void read_grammar(GrammarModel& grammar, const Attribute& file);
+
+  const Program& program_;
+  const ApplicationLoader& loader_;
+  Findings& findings_;
+  UnderstandingModel model_;
+};
+
+// Wordings as they are written; computed ones are known at run time only.
+std::vector<std::string> literal_values(const Element* parent) {
+  std::vector<std::string> values;
+  if (parent)
+    for (const auto& value : parent->children)
+      if (!value.attribute("expr"))
+        values.push_back(collapsed(value.text));
+  return values;
+}
+
+const Element* slot_element(const Element& topic, const std::string& name) {
+  for (const auto& child : topic.children)
+    if (child.is("slot") && child.value("name") == name)
+      return &child;
+  return nullptr;
+}
+
+bool narrows_query(const Topic& topic, std::size_t slot) {
+  for (const auto& query : topic.queries)
+    for (const auto& by : query.by)
+      if (by.slot == slot)
+        return true;
+  return false;
+}
+
+SlotModel UnderstandingBuilder::slot_model(const Slot& slot,
+                                           const Element* element) const {
+  SlotModel model;
+  model.name = slot.name;
+  model.type = slot.cardinality.type;
+  model.source = slot.cardinality.source;
+  model.functional = slot.functional;
+  if (element)
+    model.values = literal_values(element->child("cardinality"));
+  return model;
+}
+
+void UnderstandingBuilder::add_topic(const Element& element) {
+  const auto id = program_.topic(element.value("name"));
+  if (id == no_id || program_.topics[id].position != element.position)
+    return;
+  const auto& topic = program_.topics[id];
+  TopicModel model;
+  model.name = topic.name;
+  model.enquiry = topic.kind == TopicKind::enquiry;
+  for (std::size_t i = 0; i < topic.slots.size(); ++i) {
+    const auto& slot = topic.slots[i];
+    model.slots.push_back(slot_model(slot, slot_element(element, slot.name)));
+    model.slots.back().relevant_to_query = narrows_query(topic, i);
+  }
+  for (const auto& child : element.children)
+    if (child.is("examples"))
+      for (auto& example : literal_values(&child))
+        model.examples.push_back(std::move(example));
+  model_.topics.push_back(std::move(model));
+}
+
+void UnderstandingBuilder::read_grammar(GrammarModel& grammar,
+                                        const Attribute& file) {
+  const auto path = loader_.inside(file.value);
+  if (!path)
+    return findings_.error(file.value_position, path.error().message);
+  auto text = read_bytes(*path);
+  if (!text)
+    return findings_.error(file.value_position,
+                           file.value + ": " + text.error().message);
+  grammar.text = std::move(*text);
+  grammar.place = {path->string(), 1, 1};
+  const auto index = findings_.add_file(path->string());
+  if (const auto invalid = find_invalid_utf8(grammar.text))
+    findings_.error(TextPositions(grammar.text, index).at(*invalid),
+                    "this is not UTF-8; save the file as UTF-8");
+}
+
+void UnderstandingBuilder::add_grammar(const Element& element) {
+  GrammarModel grammar;
+  grammar.name = element.value("name");
+  if (const auto* file = element.attribute("file"))
+    read_grammar(grammar, *file);
+  else {
+    // So that lines of the text and of the file are the same distance apart.
+    const auto first = element.text.find_first_not_of(" \t\r\n");
+    grammar.text = first == std::string::npos ? "" : element.text.substr(first);
+    grammar.place = findings_.place(element.text_position);
+    if (grammar.text.empty())
+      findings_.error(element.position, "<grammar> is empty; expected JSGF "
+                                        "text or 'file'");
+  }
+  model_.grammars.push_back(std::move(grammar));
+}
+
+void UnderstandingBuilder::add(const Element& root) {
+  for (const auto& child : root.children) {
+    if (child.is("topic"))
+      add_topic(child);
+    else if (child.is("grammar"))
+      add_grammar(child);
+  }
+}
+
+} // namespace
+
+std::shared_ptr<const UnderstandingModel>
+build_understanding(const std::vector<Document>& documents,
+                    const Program& program, const ApplicationLoader& loader,
+                    Findings& findings) {
+  UnderstandingBuilder builder(program, loader, findings);
+  for (const auto& document : documents)
+    builder.add(document.root);
+  return builder.take();
+}
+
+void collect_grammars(const Element& root, std::vector<std::string>& names,
+                      Findings& findings) {
+  for (const auto& child : root.children) {
+    if (!child.is("grammar"))
+      continue;
+    const auto name = child.value("name");
+    if (std::find(names.begin(), names.end(), name) != names.end())
+      findings.error(child.position,
+                     "there is a grammar '" + name + "' already");
+    names.push_back(name);
+  }
+}
+
+} // namespace parlour::script

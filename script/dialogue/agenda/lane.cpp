@@ -1,0 +1,196 @@
+#include "script/dialogue/agenda/lane.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace parlour::dialogue {
+
+void Lane::queue(StepList item) {
+  if (item.empty())
+    return;
+  if (at_rest())
+    contexts_.back().agenda = std::move(item);
+  else
+    queue_.push_back(std::move(item));
+}
+
+bool Lane::at_rest() const {
+  return !running_ && queue_.empty() && contexts_.size() == 1 &&
+         contexts_.back().waiting == 0 && contexts_.back().agenda.empty();
+}
+
+void Lane::now(StepList steps) {
+  if (!steps.empty())
+    running().agenda.prepend(std::move(steps));
+}
+
+void Lane::at_once(Step&& step) {
+  StepList steps;
+  steps.push_back(std::move(step));
+  now(std::move(steps));
+}
+
+Lane::Context& Lane::running() {
+  if (contexts_.back().waiting != 0)
+    contexts_.emplace_back();
+  return contexts_.back();
+}
+
+Step* Lane::next() {
+  running_ = true;
+  taken_.reset();
+  while (!contexts_.back().can_run())
+    if (!bring_up_next()) {
+      running_ = false;
+      return nullptr;
+    }
+  taken_ = contexts_.back().agenda.take();
+  return taken_.get();
+}
+
+// Something that can run, or at least one context less, on top.
+bool Lane::bring_up_next() {
+  if (contexts_.size() > 1 && contexts_.back().waiting == 0) {
+    contexts_.pop_back(); // it is done
+    return true;
+  }
+  if (held())
+    return false;
+  if (bring_up_woken())
+    return true;
+  if (queue_.empty())
+    return false;
+  running().agenda = queue_.take();
+  return true;
+}
+
+// The latest that no longer waits.
+bool Lane::bring_up_woken() {
+  const auto woken =
+      std::find_if(contexts_.rbegin(), contexts_.rend(),
+                   [](const Context& context) { return context.can_run(); });
+  if (woken == contexts_.rend())
+    return false;
+  std::rotate(woken.base() - 1, woken.base(), contexts_.end());
+  return true;
+}
+
+// What else the user said does not wait for the answer: it is an item of its
+// own, and both conclude.
+void Lane::part_with_acts(Context& context) {
+  auto item = context.agenda.take_if(
+      [](const Step& step) { return step.kind == StepKind::take_act; });
+  if (item.empty())
+    return;
+  if (const auto& rest = context.agenda;
+      !rest.empty() && rest.back().kind == StepKind::conclude)
+    item.push_back(Step(rest.back()));
+  queue_.push_front(std::move(item));
+}
+
+void Lane::wait(WaitId wait, Others others) {
+  auto& top = contexts_.back();
+  if (others == Others::go_on)
+    part_with_acts(top);
+  top.waiting = wait;
+  top.others = others;
+}
+
+Lane::Contexts::iterator Lane::waiting_so(WaitId wait) {
+  return std::find_if(
+      contexts_.begin(), contexts_.end(),
+      [&](const Context& context) { return context.waiting == wait; });
+}
+
+bool Lane::wake(WaitId wait, Step step) {
+  const auto woken = waiting_so(wait);
+  if (woken == contexts_.end())
+    return false;
+  woken->waiting = 0;
+  StepList steps;
+  steps.push_back(std::move(step));
+  woken->agenda.prepend(std::move(steps));
+  const auto holds =
+      std::find_if(woken + 1, contexts_.end(), [](const Context& context) {
+        return context.waiting == 0 || context.others == Others::are_held;
+      });
+  std::rotate(woken, woken + 1, holds);
+  return true;
+}
+
+void Lane::follow(WaitId wait, Step&& step) {
+  const auto context = waiting_so(wait);
+  if (context == contexts_.end() ||
+      std::ranges::any_of(context->agenda, [&](const Step& known) {
+        return known.kind == step.kind && known.topic == step.topic;
+      }))
+    return;
+  StepList steps;
+  steps.push_back(std::move(step));
+  context->agenda.prepend(std::move(steps));
+}
+
+StepList Lane::take_out(WaitId wait) {
+  const auto context = waiting_so(wait);
+  if (context == contexts_.end())
+    return {};
+  auto agenda = std::move(context->agenda);
+  contexts_.erase(context);
+  if (contexts_.empty())
+    contexts_.emplace_back();
+  return agenda;
+}
+
+std::vector<WaitId> Lane::abandon(const std::vector<WaitId>& but) {
+  const auto stays = [&](const Context& context) {
+    return context.waiting != 0 &&
+           std::ranges::find(but, context.waiting) != but.end();
+  };
+  std::vector<WaitId> waits;
+  for (auto context = contexts_.rbegin(); context != contexts_.rend();
+       ++context)
+    if (context->waiting != 0 && !stays(*context))
+      waits.push_back(context->waiting);
+  std::erase_if(contexts_,
+                [&](const Context& context) { return !stays(context); });
+  contexts_.emplace_back();
+  return waits;
+}
+
+void Lane::clear() {
+  queue_.clear();
+  if (auto& top = contexts_.back(); !running_ && top.waiting == 0)
+    top.agenda.clear(); // an item that came while the lane was at rest
+}
+
+bool Lane::idle() const {
+  return queue_.empty() && !held() &&
+         std::none_of(contexts_.begin(), contexts_.end(),
+                      [](const Context& context) { return context.can_run(); });
+}
+
+bool Lane::held() const {
+  return std::any_of(
+      contexts_.begin(), contexts_.end(), [](const Context& context) {
+        return context.waiting != 0 && context.others == Others::are_held;
+      });
+}
+
+bool Lane::waits() const {
+  return std::any_of(
+      contexts_.begin(), contexts_.end(),
+      [](const Context& context) { return context.waiting != 0; });
+}
+
+bool Lane::waits(WaitId wait) const {
+  return std::any_of(
+      contexts_.begin(), contexts_.end(),
+      [&](const Context& context) { return context.waiting == wait; });
+}
+
+bool Lane::returning() const {
+  return std::any_of(contexts_.begin(), contexts_.end() - 1,
+                     [](const Context& context) { return context.can_run(); });
+}
+
+} // namespace parlour::dialogue

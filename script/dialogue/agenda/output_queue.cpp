@@ -1,0 +1,118 @@
+#include "script/dialogue/agenda/output_queue.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+namespace parlour::dialogue {
+
+namespace {
+
+// Answers are never withdrawn, and what is said in passing neither (engine
+// rule 3).
+bool may_be_withdrawn(const Output& output) {
+  return output.act == OutputAct::question ||
+         output.act == OutputAct::reprompt || output.act == OutputAct::resume;
+}
+
+} // namespace
+
+OutputId OutputQueue::push(Output output) {
+  output.id = ++last_id_;
+  entries_.push_back(std::move(output));
+  return last_id_;
+}
+
+void OutputQueue::word(OutputId id, std::string text) {
+  auto found = std::find_if(entries_.begin(), entries_.end(),
+                            [&](const Output& o) { return o.id == id; });
+  if (found == entries_.end())
+    return;
+  if (text.empty()) {
+    entries_.erase(found);
+    return;
+  }
+  found->text = std::move(text);
+  found->state = OutputState::pending;
+}
+
+bool OutputQueue::has(OutputId id) const {
+  return std::any_of(entries_.begin(), entries_.end(),
+                     [&](const Output& o) { return o.id == id; });
+}
+
+OutputQueue::Released OutputQueue::release(const Which& begun) {
+  auto withdrawn = withdraw(begun);
+  return {release_pending(), std::move(withdrawn)};
+}
+
+std::vector<Output> OutputQueue::withdraw_questions() {
+  return withdraw([](const Output&) { return true; });
+}
+
+std::vector<Output> OutputQueue::withdraw(const Which& which) {
+  const auto first = std::stable_partition(
+      entries_.begin(), entries_.end(), [&](const Output& output) {
+        return !may_be_withdrawn(output) || !which(output);
+      });
+  std::vector<Output> withdrawn(std::make_move_iterator(first),
+                                std::make_move_iterator(entries_.end()));
+  entries_.erase(first, entries_.end());
+  for (auto& output : withdrawn)
+    output.state = OutputState::withdrawn;
+  return withdrawn;
+}
+
+std::span<const Output> OutputQueue::release_pending() {
+  const auto waits =
+      std::find_if(entries_.begin(), entries_.end(), [](const Output& output) {
+        return output.state != OutputState::pending;
+      });
+  if (waits == entries_.begin())
+    return {};
+  if (std::exchange(fresh_turn_, false)) {
+    last_turn_.clear();
+    cut_.clear();
+  }
+  const auto before = last_turn_.size();
+  for (auto entry = entries_.begin(); entry != waits; ++entry) {
+    entry->state = OutputState::playing;
+    last_turn_.push_back(std::move(*entry));
+  }
+  entries_.erase(entries_.begin(), waits);
+  return std::span(last_turn_).subspan(before);
+}
+
+bool OutputQueue::empty() const {
+  return entries_.empty();
+}
+
+std::vector<std::string> OutputQueue::last_turn() const {
+  std::vector<std::string> texts;
+  for (const auto& output : last_turn_) {
+    const auto cut =
+        std::find_if(cut_.begin(), cut_.end(), [&](const auto& entry) {
+          return entry.first == output.id;
+        });
+    const auto& heard = cut == cut_.end() ? output.text : cut->second;
+    if (!heard.empty())
+      texts.push_back(heard);
+  }
+  return texts;
+}
+
+std::optional<Output> OutputQueue::cut(OutputId id, std::string heard) {
+  for (const auto& output : last_turn_)
+    if (output.id == id) {
+      std::erase_if(cut_, [&](const auto& entry) { return entry.first == id; });
+      cut_.emplace_back(id, std::move(heard));
+      return output;
+    }
+  return std::nullopt;
+}
+
+void OutputQueue::turn_begins() {
+  fresh_turn_ = true;
+}
+
+} // namespace parlour::dialogue

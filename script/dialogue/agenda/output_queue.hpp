@@ -1,0 +1,93 @@
+// OutputQueue: what the robot wants to say, until it is heard or withdrawn
+// (engine rule 3). Plain data with rules; who speaks is not its business.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "runtime/base/clock.hpp"
+#include "script/program/program.hpp"
+#include "script/support/short_lived.hpp"
+
+namespace parlour::dialogue {
+
+using OutputId = std::uint64_t;
+
+enum class OutputAct : std::uint8_t {
+  answer,
+  question,
+  reprompt,
+  resume,
+  chat
+};
+
+enum class OutputState : std::uint8_t {
+  worded,  // waits for its words (an NLG component is asked)
+  pending, // has its words; waits for release
+  playing, // released; being spoken or shown
+  heard,
+  withdrawn,
+};
+
+struct Output {
+  OutputId id = 0;
+  OutputAct act = OutputAct::answer;
+  OutputState state = OutputState::pending;
+  std::string text;
+  script::TopicId topic = script::no_id; // of a question, reprompt or resume
+  script::SlotId slot = script::no_id;
+  std::uint64_t turn = 0; // the user turn that it answers; 0: none
+  bool interruptible = true;
+  bool awaited = false; // by a script, which waits for the answer
+};
+
+class OutputQueue {
+public:
+  // Returns the entry's id; a `worded` one blocks those behind it until
+  // `word` gives its text (an empty text drops it).
+  OutputId push(Output output);
+  void word(OutputId id, std::string text);
+  bool has(OutputId id) const;
+
+  using Which = std::function<bool(const Output&)>;
+  struct Released {
+    std::span<const Output> released; // in order; until the next call
+    std::vector<Output> withdrawn;    // questions, reprompts, resumes only
+  };
+  // Releases what can be released now. Questions, reprompts and resumes are
+  // withdrawn where a user turn has begun, as `begun` tells of an entry;
+  // answers never are.
+  Released release(const Which& begun);
+  Released release(bool begun) { // for all alike
+    return release([=](const Output&) { return begun; });
+  }
+
+  // Withdraws pending questions (a transit, a cancel, another topic).
+  std::vector<Output> withdraw_questions();
+
+  bool empty() const; // nothing waits for words or release
+  // The texts of the last robot turn as far as they were heard, for "repeat".
+  std::vector<std::string> last_turn() const;
+  // Of an output of that turn only these words were heard. Returns it as it
+  // was released; nothing where it is no longer known.
+  std::optional<Output> cut(OutputId id, std::string heard);
+  void turn_begins(); // the next release starts a new robot turn
+
+private:
+  std::vector<Output> withdraw(const Which& which); // of the questions
+  std::span<const Output> release_pending();
+
+  ShortLivedList<Output> entries_;
+  ShortLivedList<Output> last_turn_; // of the robot, as they were released
+  std::vector<std::pair<OutputId, std::string>>
+      cut_; // of these, what was heard
+  bool fresh_turn_ = true;
+  OutputId last_id_ = 0;
+};
+
+} // namespace parlour::dialogue

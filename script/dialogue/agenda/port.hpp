@@ -1,0 +1,123 @@
+// Port: everything a conversation wants from the world, one call each. The
+// session actor implements it by sending messages to other actors; tests
+// implement it by noting the calls down. A call returns at once; outcomes come
+// back through Conversation's inputs, with the id given here.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "runtime/base/clock.hpp"
+#include "runtime/base/files.hpp"
+#include "runtime/base/inspection.hpp"
+#include "runtime/base/message.hpp"
+#include "runtime/base/roles.hpp"
+#include "runtime/base/sockets.hpp"
+#include "runtime/base/subscription.hpp"
+#include "script/dialogue/agenda/output_queue.hpp"
+#include "script/dialogue/frame/frame.hpp"
+
+namespace parlour::dialogue {
+
+using TimerId = std::uint64_t;
+using QueryId = std::uint64_t;
+using SocketId = std::uint64_t; // a session's own
+
+struct QueryRequest {
+  enum class Kind : std::uint8_t { query, begin, commit, rollback };
+
+  QueryId id = 0;
+  Kind kind = Kind::query;
+  std::string database; // a connection's name; empty: the first Database
+  std::string sql;
+  List values; // bound to its `?` in order
+  bool write = false;
+};
+
+struct ComponentRequest {
+  QueryId id = 0;
+  bool load = true; // else unload
+  std::string plugin;
+  std::string name; // the component's; of load, empty: the plug-in's
+};
+
+struct SocketRequest {
+  SocketId id = 0;
+  std::string name; // the source of its messages
+  SocketOrder order;
+};
+
+class Port {
+public:
+  virtual ~Port() = default;
+
+  // A message of this session through the message centre's table: stamped,
+  // routed, counted. What components that are called inline answer comes back
+  // at once.
+  virtual std::vector<Message> post(Message message) = 0;
+
+  // From now on the session hears these of the events that belong to none.
+  virtual void subscribe(const std::vector<Subscription>& all) = 0;
+
+  // Whether some component fills this role or has this name.
+  virtual bool reachable(const std::string& module) const = 0;
+
+  // Whether a message's source is meant by `module`: the same name, or a role
+  // or alias that it fills.
+  virtual bool is_source(const std::string& module,
+                         const std::string& source) const = 0;
+
+  // What an event means to the request that it answers (roles.def, and the
+  // component's description of its own events).
+  virtual Reply reply_to_request(const Message& event) const = 0;
+
+  // The words leave for the seat; Conversation::output_finished follows when
+  // they were played (text: at once).
+  virtual void release(const Output& output) = 0;
+
+  virtual void start_timer(TimerId id, Milliseconds after) = 0;
+  virtual void cancel_timer(TimerId id) = 0;
+  virtual void query(QueryRequest request) = 0;
+  // Conversation::file_answered follows.
+  virtual void file(QueryId id, FileRequest request) = 0;
+
+  // Conversation::component_answered follows when it is up, or gone.
+  virtual void component(ComponentRequest request) = 0;
+
+  // Conversation::socket_opened follows, then its texts as messages, and after
+  // the last one Conversation::socket_closed, if it was not closed here.
+  virtual void open_socket(SocketRequest request) = 0;
+  virtual Expected<void> send_socket(SocketId id, const std::string& text) = 0;
+  // A text of it was dealt with.
+  virtual void socket_taken(SocketId id) = 0;
+  virtual void close_socket(SocketId id) = 0;
+
+  // Whether the topics' frames are written by others, their actors. Else the
+  // conversation does it itself, in place, and apply() is never called.
+  virtual bool writes_frames() const {
+    return true;
+  }
+  // One request to the topic's frame actor; Conversation::frame_applied is the
+  // next input, before any other.
+  virtual void apply(TopicId topic, FrameRequest request) = 0;
+
+  // No state and no handler took it: to be counted and logged.
+  virtual void unhandled(const Message& message) = 0;
+
+  virtual bool inspected() const = 0; // else inspect need not be called
+  virtual void inspect(Inspection inspection) = 0;
+
+  // What is private (private="true"): these texts, and what the user is just
+  // saying. Nobody who watches is shown them.
+  virtual void conceal(const std::vector<std::string>&) {}
+  virtual void conceal_turn() {}
+  // Nothing that was received, up to the message of that number, waits for
+  // being understood.
+  virtual void settled(std::uint64_t /*received*/) {}
+
+  // The session is over; nothing else will be wanted.
+  virtual void ended() = 0;
+};
+
+} // namespace parlour::dialogue

@@ -1,0 +1,164 @@
+// StepList: steps in their order. A step is made once and stays where it is:
+// lists are put in front of one another, and steps taken, by pointers alone.
+#pragma once
+
+#include <cstddef>
+#include <initializer_list>
+#include <iterator>
+#include <memory>
+#include <utility>
+
+#include "script/dialogue/agenda/step.hpp"
+#include "script/support/block_cache.hpp"
+
+namespace parlour::dialogue {
+
+class StepList {
+  struct Node : Step {
+    Node() = default;
+    explicit Node(Step&& step) : Step(std::move(step)) {}
+
+    static void* operator new(std::size_t size) {
+      return script::BlockCache::take(size);
+    }
+    static void operator delete(void* node, std::size_t size) {
+      script::BlockCache::give(node, size);
+    }
+
+    Node* next = nullptr;
+  };
+
+  template <class Item>
+  class Place {
+  public:
+    using iterator_category = std::forward_iterator_tag;
+    using value_type = Step;
+    using difference_type = std::ptrdiff_t;
+    using pointer = Item*;
+    using reference = Item&;
+
+    explicit Place(Node* node = nullptr) : node_(node) {}
+    Item& operator*() const {
+      return *node_;
+    }
+    Item* operator->() const {
+      return node_;
+    }
+    Place& operator++() {
+      node_ = node_->next;
+      return *this;
+    }
+    Place operator++(int) {
+      auto before = *this;
+      ++*this;
+      return before;
+    }
+    bool operator==(const Place&) const = default;
+
+  private:
+    Node* node_;
+  };
+
+public:
+  // A step that was taken out.
+  using Taken = std::unique_ptr<Node>;
+
+  StepList() = default;
+  StepList(std::initializer_list<Step> steps) {
+    for (auto step : steps)
+      push_back(std::move(step));
+  }
+  StepList(StepList&& other) noexcept
+      : first_(std::exchange(other.first_, nullptr)),
+        last_(std::exchange(other.last_, nullptr)) {}
+  StepList& operator=(StepList&& other) noexcept {
+    std::swap(first_, other.first_);
+    std::swap(last_, other.last_);
+    return *this;
+  }
+  ~StepList() {
+    if (!empty())
+      clear();
+  }
+
+  bool empty() const {
+    return first_ == nullptr;
+  }
+  const Step& back() const {
+    return *last_;
+  }
+  auto begin() {
+    return Place<Step>(first_);
+  }
+  auto end() {
+    return Place<Step>();
+  }
+  auto begin() const {
+    return Place<const Step>(first_);
+  }
+  auto end() const {
+    return Place<const Step>();
+  }
+
+  // At the end.
+  Step& add(StepKind kind) {
+    auto* node = new Node;
+    node->kind = kind;
+    append(node, node);
+    return *node;
+  }
+  void push_back(Step&& step) {
+    auto* node = new Node(std::move(step));
+    append(node, node);
+  }
+  void append(StepList&& other) {
+    if (!other.empty())
+      append(std::exchange(other.first_, nullptr),
+             std::exchange(other.last_, nullptr));
+  }
+  Step& append(Taken step) {
+    auto* node = step.release();
+    node->next = nullptr;
+    append(node, node);
+    return *node;
+  }
+  void prepend(StepList&& other) {
+    other.append(std::move(*this));
+    *this = std::move(other);
+  }
+
+  Taken take() { // the first one
+    auto* node = std::exchange(first_, first_->next);
+    if (!first_)
+      last_ = nullptr;
+    return Taken(node);
+  }
+  // Those for which `wanted` says so, in their order.
+  template <class Predicate>
+  StepList take_if(Predicate wanted) {
+    StepList taken;
+    StepList left;
+    while (!empty()) {
+      auto step = take();
+      const bool is_wanted = wanted(std::as_const(*step));
+      (is_wanted ? taken : left).append(std::move(step));
+    }
+    *this = std::move(left);
+    return taken;
+  }
+  void clear() {
+    while (!empty())
+      take();
+  }
+
+private:
+  void append(Node* first, Node* last) {
+    (last_ ? last_->next : first_) = first;
+    last_ = last;
+  }
+
+  Node* first_ = nullptr;
+  Node* last_ = nullptr; // null: empty
+};
+
+} // namespace parlour::dialogue

@@ -1,0 +1,121 @@
+#include "script/dialogue/agenda/timers.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "script/program/timer_limits.hpp"
+
+namespace parlour::dialogue {
+
+TimerId Timers::start(Milliseconds after, Timer timer) {
+  timers_.emplace_back(++last_, std::move(timer));
+  port_->start_timer(last_, after);
+  return last_;
+}
+
+TimerId Timers::start(Milliseconds after, Timer::Purpose purpose) {
+  auto& entry = timers_.emplace_back();
+  entry.first = ++last_;
+  entry.second.purpose = purpose;
+  port_->start_timer(last_, after);
+  return last_;
+}
+
+// The latest are the likeliest.
+Timers::Entries::iterator Timers::find(TimerId id) {
+  const auto found =
+      std::find_if(timers_.rbegin(), timers_.rend(),
+                   [&](const Entry& entry) { return entry.first == id; });
+  return found == timers_.rend() ? timers_.end() : found.base() - 1;
+}
+
+void Timers::cancel(TimerId id) {
+  const auto found = find(id);
+  if (found == timers_.end())
+    return;
+  timers_.erase(found);
+  port_->cancel_timer(id);
+}
+
+void Timers::cancel_named(const std::string& name) {
+  stop_scripts([&](const auto& timer) { return timer.name == name; });
+}
+
+void Timers::cancel_wait(WaitId wait) {
+  cancel_where([&](const Timer& timer) {
+    return timer.purpose == Timer::Purpose::wait && timer.wait == wait;
+  });
+}
+
+std::optional<Timer> Timers::fired(TimerId id) {
+  const auto found = find(id);
+  if (found == timers_.end())
+    return std::nullopt;
+  auto timer = std::move(found->second);
+  timers_.erase(found);
+  if (timer.every.count() > 0) {
+    auto again = timer;
+    again.due += timer.every.count();
+    start(timer.every, std::move(again));
+  }
+  return timer;
+}
+
+// One that repeats is told by its name: another of that name takes its place.
+std::shared_ptr<Ring> Timers::ring(const Timer& timer) {
+  std::erase_if(rings_, [](const auto& ring) { return ring.expired(); });
+  const bool goes_on =
+      timer.every > Milliseconds::zero() &&
+      std::any_of(rings_.begin(), rings_.end(), [&](const auto& known) {
+        const auto ring = known.lock();
+        return ring->name == timer.name && !ring->stopped;
+      });
+  if (goes_on)
+    return nullptr;
+  auto ring = std::make_shared<Ring>();
+  ring->name = timer.name;
+  ring->visit = timer.visit;
+  rings_.push_back(ring);
+  return ring;
+}
+
+void Timers::cancel_all() {
+  cancel_where([](const Timer&) { return true; });
+}
+
+bool Timers::any(Timer::Purpose purpose) const {
+  return std::any_of(timers_.begin(), timers_.end(), [&](const auto& entry) {
+    return entry.second.purpose == purpose;
+  });
+}
+
+bool Timers::keep_open() const {
+  return std::any_of(timers_.begin(), timers_.end(), [](const auto& entry) {
+    const auto& timer = entry.second;
+    return timer.keeps_open || timer.purpose == Timer::Purpose::wait;
+  });
+}
+
+std::vector<const Timer*> Timers::pending() const {
+  std::vector<const Timer*> scripts;
+  for (const auto& [id, timer] : timers_)
+    if (timer.purpose == Timer::Purpose::script)
+      scripts.push_back(&timer);
+  return scripts;
+}
+
+std::optional<Error> Timers::refuse(const Timer& timer,
+                                    std::size_t limit) const {
+  std::size_t count = 1;
+  auto bytes = timer.bytes;
+  for (const auto& [id, other] : timers_) {
+    if (other.purpose != Timer::Purpose::script &&
+        other.purpose != Timer::Purpose::wait)
+      continue;
+    ++count;
+    bytes += other.bytes;
+  }
+  return script::refuse_timers(count, bytes, limit);
+}
+
+} // namespace parlour::dialogue

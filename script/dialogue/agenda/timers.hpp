@@ -1,0 +1,109 @@
+// Timers: what a session waits for by the clock. The actor that rings only
+// knows an id; what it means is kept here, as plain data.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "script/dialogue/agenda/port.hpp"
+#include "script/dialogue/agenda/step.hpp"
+#include "script/support/short_lived.hpp"
+
+namespace parlour::dialogue {
+
+struct Timer {
+  // clang-format off
+  enum class Purpose : std::uint8_t {
+    script,   // a <timer>
+    wait,     // a <wait>, or the deadline of a <request>
+    wording,  // the NLG component's time
+    silence,  // nobody says anything
+    patience, // a component does not answer; then the turn is over
+    closing,  // the session's last
+    leaving,  // the last that Exit and Session.Ended may wait for
+  };
+  // clang-format on
+  Purpose purpose = Purpose::script;
+  // Of a <timer>.
+  std::string name{};
+  Timestamp due = 0;
+  Milliseconds every{0};   // 0: it rings once
+  bool keeps_open = false; // no session closes while it is due
+  VisitId visit = 0;       // of the state that it ends with; 0: none
+  CodeId code = script::no_code;
+  std::vector<Value> arguments{};
+  std::size_t bytes = 0; // that the arguments take
+  TopicId topic = script::no_id;
+  // Of the others.
+  WaitId wait = 0;
+  Correlation correlation = 0;
+};
+
+class Timers {
+public:
+  explicit Timers(Port& port) : port_(&port) {}
+
+  TimerId start(Milliseconds after, Timer timer);
+  TimerId start(Milliseconds after, Timer::Purpose purpose); // and no more
+  void cancel(TimerId id);
+  void cancel_named(const std::string& name); // scripts' ones
+  void cancel_wait(WaitId wait);
+  // Scripts' ones that end with a visit of a state that is over.
+  template <class IsOver>
+  void end_with(IsOver is_over) {
+    stop_scripts([&](const auto& timer) {
+      return timer.visit != 0 && is_over(timer.visit);
+    });
+  }
+  // Takes a fired timer out; a repeating one starts again. Nothing where it
+  // was cancelled meanwhile.
+  std::optional<Timer> fired(TimerId id);
+  void cancel_all();
+  bool any(Timer::Purpose purpose) const;
+  // Whether a session must not close yet.
+  bool keep_open() const;
+
+  // One of a script has rung: its statements are to run, unless it is stopped
+  // before. Null where the last time's are not done yet.
+  std::shared_ptr<Ring> ring(const Timer& timer);
+
+  std::vector<const Timer*> pending() const; // scripts' ones
+  // Why one more of a script, a <timer> or <wait>, after those there are, is
+  // too much (language rule 9.6).
+  std::optional<Error> refuse(const Timer& timer, std::size_t limit) const;
+
+private:
+  template <class Predicate>
+  void cancel_where(Predicate predicate) {
+    std::erase_if(timers_, [&](const auto& entry) {
+      if (!predicate(entry.second))
+        return false;
+      port_->cancel_timer(entry.first);
+      return true;
+    });
+  }
+  template <class Predicate>
+  void stop_scripts(Predicate predicate) {
+    cancel_where([&](const Timer& timer) {
+      return timer.purpose == Timer::Purpose::script && predicate(timer);
+    });
+    for (const auto& known : rings_)
+      if (const auto ring = known.lock())
+        ring->stopped |= predicate(*ring);
+  }
+
+  using Entry = std::pair<TimerId, Timer>;
+  using Entries = ShortLivedList<Entry>;
+
+  Entries::iterator find(TimerId id);
+
+  Entries timers_;                         // by id
+  std::vector<std::weak_ptr<Ring>> rings_; // of scripts' ones
+  Port* port_;
+  TimerId last_ = 0;
+};
+
+} // namespace parlour::dialogue

@@ -1,0 +1,113 @@
+// Turns: which user turns have begun and are not yet taken up by the dialogue
+// (engine rule 3: a question waits for nobody who is already talking). A turn
+// begins when a recogniser's result, or a typed line, enters the session; it
+// stays open while a message of it is queued, a component is asked on its
+// behalf, or a script works for it.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "runtime/base/clock.hpp"
+#include "runtime/base/message.hpp"
+#include "script/support/short_lived.hpp"
+
+namespace parlour::dialogue {
+
+using TurnId = std::uint64_t; // 0: none
+
+class Turns {
+public:
+  TurnId begin();
+
+  // The user was heard to speak, though not yet understood: a turn is open
+  // until its result begins it, or this time is over.
+  void speaks(Timestamp until) {
+    speech_until_ = until;
+  }
+  void speech_is_over() {
+    speech_until_ = 0;
+  }
+  bool speaking(Timestamp now) const {
+    return speech_until_ > now;
+  }
+
+  // Something works for the turn; nothing happens for turn 0.
+  void hold(TurnId turn) {
+    if (auto* found = find(turn))
+      ++found->holders;
+  }
+  void let_go(TurnId turn);
+
+  // A component was asked on the turn's behalf; its first answer, or the
+  // timeout, ends that. `meaning`: it was asked what the turn means.
+  void asked(Correlation correlation, TurnId turn, Timestamp until,
+             bool meaning = false);
+  // The turn that an answer belongs to; 0 where it answers nothing we know.
+  TurnId of(Correlation correlation) const;
+  void answered(Correlation correlation);
+
+  // The dialogue took up what the turn said.
+  void taken_up(TurnId turn);
+
+  // Forgets questions whose time is over, and turns that hang on nothing else.
+  // Returns the turns that were not taken up and whose meaning never came.
+  std::vector<TurnId> expire(Timestamp now);
+
+  // Whether any component was asked, of late.
+  bool asked_anything() const {
+    return !questions_.empty();
+  }
+  // Whether some turn is open, another than this one.
+  bool any_open(Timestamp now, TurnId besides = 0) const {
+    return speaking(now) || any_said(now, besides);
+  }
+  // The same, of those whose words have come.
+  bool any_said(Timestamp now, TurnId besides = 0) const {
+    return !turns_.empty() && any_waits(now, besides);
+  }
+  // Whether somebody has said more since that turn, which is still to be taken
+  // up.
+  bool said_since(TurnId turn, Timestamp now) const;
+  // When the last of the open turns is given up if no component answers;
+  // nothing where none is open, or something still works for one.
+  std::optional<Timestamp> open_until(Timestamp now) const;
+  std::size_t count() const { // turns that are remembered
+    return turns_.size();
+  }
+
+private:
+  struct Turn {
+    TurnId id = 0;
+    int holders = 0;
+    bool taken = false;
+  };
+  struct Question {
+    TurnId turn = 0;
+    Timestamp until = 0;
+    bool open = true;
+    bool meaning = false;
+  };
+
+  bool any_waits(Timestamp now, TurnId besides) const;
+  bool waits(const Turn& turn, Timestamp now) const;
+  // The latest time until which a component is waited for; 0: none.
+  Timestamp asked_until(TurnId turn, Timestamp now) const;
+  Turn* find(TurnId turn) { // null where it is over
+    if (turn != 0)
+      for (auto& known : turns_)
+        if (known.id == turn)
+          return &known;
+    return nullptr;
+  }
+  void close_if_idle(TurnId turn);
+
+  ShortLivedList<Turn> turns_; // those that are remembered, few
+  std::map<Correlation, Question> questions_;
+  TurnId last_ = 0;
+  Timestamp speech_until_ = 0;
+};
+
+} // namespace parlour::dialogue

@@ -1,0 +1,41 @@
+// Answers: what the user says while a handler waits for him, by <confirm> or
+// <push>, and would get the same handler again. It is looked at for an answer
+// first: a yes or no, an act that the pushed state listens to, or a wish to get
+// out. That goes straight to who waits; all else goes its usual way. Words have
+// to be understood for it.
+#pragma once
+
+#include <map>
+
+#include "script/dialogue/engine/input.hpp"
+
+namespace parlour::dialogue {
+
+struct Core;
+
+class Answers {
+public:
+  explicit Answers(Core& core) : core_(core) {}
+
+  // Whether the message is taken: it was an answer, or is to be understood
+  // first. Else it goes on as it is.
+  bool take(Input& input);
+  // The same for what the understanding makes of such words; if it is no
+  // answer, the words go on.
+  bool take_meaning(Input& input);
+
+  // The understanding of this turn's words never came.
+  void forget(TurnId turn);
+  void clear() {
+    words_.clear();
+  }
+
+private:
+  bool is_meaning(const Message& message) const;
+  bool answer(const Input& input);
+
+  Core& core_;
+  std::map<Correlation, Input> words_; // that are being understood
+};
+
+} // namespace parlour::dialogue

@@ -1,0 +1,92 @@
+// Conversation: one session's dialogue as a plain state machine: inputs come in
+// by the functions below, wishes go out through its Port. No thread, clock or
+// actor in it; equal inputs give equal states and words (architecture rule 1).
+// Not thread-safe; owned by a session actor.
+//
+// Inputs are queued by receive() and taken one at a time by step(), so that
+// whatever waits in the queue is known before a question is released (engine
+// rule 3). While awaiting_frame(), frame_applied() is the only input allowed.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "runtime/base/clock.hpp"
+#include "runtime/base/message.hpp"
+#include "runtime/base/phrases.hpp"
+#include "script/dialogue/acts/acts.hpp"
+#include "script/dialogue/agenda/port.hpp"
+#include "script/dialogue/frame/frame.hpp"
+#include "script/program/program.hpp"
+
+namespace parlour::dialogue {
+
+class Conversation {
+public:
+  struct Options {
+    SessionId session;
+    std::uint64_t seed = 1;
+    // Words what the engine says where no NLG component is there.
+    std::shared_ptr<const PhraseEvaluator> phrases;
+  };
+
+  Conversation(std::shared_ptr<const script::Program> program, Options options,
+               Port& port);
+  ~Conversation();
+
+  // Session.Started: variables get their values, the start state or topic is
+  // entered. An error of an initial value ends the session.
+  void open(Timestamp now);
+
+  // Queues a message that the message centre gave to this session.
+  void receive(Message message);
+  // The same for one that others may have got, too.
+  void receive(std::shared_ptr<const Message> message);
+
+  // What the user did with one utterance, from somebody who speaks in acts and
+  // not in words: the dialogue engine without script and understanding.
+  void take_acts(std::span<const ActPointer> acts, Timestamp now);
+
+  // Something is queued, or an output waits for release.
+  bool has_work() const;
+  bool awaiting_frame() const;
+  // Takes one queued input to its end or wait, or releases outputs if there
+  // is no input. Returns has_work().
+  bool step(Timestamp now);
+
+  void frame_applied(FrameResult result, Timestamp now);
+  void query_answered(QueryId id, Expected<ResultSet> outcome, Timestamp now);
+  void file_answered(QueryId id, Expected<Value> outcome, Timestamp now);
+  void component_answered(QueryId id, Expected<void> outcome, Timestamp now);
+  void socket_opened(SocketId id, Expected<void> outcome, Timestamp now);
+  // By the other side. Whoever tells of it receives its message, too.
+  void socket_closed(SocketId id);
+  void timer_fired(TimerId id, Timestamp now);
+  // The speaker is done with it; `played` false: it was interrupted before a
+  // word was heard (a message Speaker.Finished tells of more).
+  void output_finished(OutputId id, bool played, Timestamp now);
+
+  // Ends the session: Exit runs, waits are cancelled, Session.Ended is fired.
+  void close(Timestamp now);
+  bool ended() const;
+
+  // Waits for a component, a query or words: the world is not quiet while one
+  // of these is due to come by itself. A script's <wait> is the clock's matter.
+  bool waits_for_answer() const;
+
+  // What was received but not yet taken when the session ended: for another
+  // session of the same seat.
+  std::vector<Message> take_unread();
+
+  // For `expect slot` and `expect state`, the console and the trace.
+  Value slot_value(std::string_view topic, std::string_view slot) const;
+  std::string state() const;
+  std::string current_topic() const;
+
+private:
+  class Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+} // namespace parlour::dialogue

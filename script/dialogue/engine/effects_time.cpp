@@ -1,0 +1,59 @@
+// The effects that wait for the clock: <wait> and <timer>.
+#include <algorithm>
+#include <utility>
+
+#include "script/dialogue/engine/core.hpp"
+#include "script/dialogue/engine/effect_operands.hpp"
+#include "script/dialogue/engine/effects.hpp"
+#include "script/program/timer_limits.hpp"
+
+namespace parlour::dialogue {
+
+script::Performed Effects::wait_for(Milliseconds time) {
+  Timer timer{.purpose = Timer::Purpose::wait};
+  if (auto full =
+          core_.timers.refuse(timer, core_.program->settings.limits.bytes))
+    return std::move(*full);
+  timer.wait = begin_wait(Runner::WaitFor::time);
+  core_.timers.start(time, std::move(timer));
+  return script::Waits{};
+}
+
+script::Performed Effects::timer(Context context, Call effect) {
+  auto name = effect.text(0);
+  core_.timers.cancel_named(name); // a timer replaces one of its name
+  const auto& origin = core_.runner.origin();
+  Timer timer;
+  timer.name = std::move(name);
+  timer.code = effect.body;
+  timer.arguments = effect.captured();
+  timer.bytes = script::remembered(timer.arguments);
+  timer.topic = context.topic;
+  timer.visit = ends_with(effect.operand(4));
+  // What timers start takes time, or it would never be quiet.
+  auto after = milliseconds(effect.operand(1));
+  if (effect.operand(2) || origin.timer != script::no_code)
+    after = std::max(after, Milliseconds(1));
+  if (effect.operand(2))
+    timer.every = after;
+  timer.due = core_.now + after.count();
+  const bool repeats = effect.operand(2) || origin.timer == timer.code;
+  timer.keeps_open = effect.has(3) ? bool(effect.operand(3)) : !repeats;
+  if (auto full =
+          core_.timers.refuse(timer, core_.program->settings.limits.bytes))
+    return std::move(*full);
+  if (timer.visit == 0 || core_.states.lasts(timer.visit))
+    core_.timers.start(after, std::move(timer));
+  return Value();
+}
+
+// One of a state's script with its state, unless it says otherwise.
+VisitId Effects::ends_with(const Value& said) const {
+  const auto with = text_or(said, "");
+  if (with == "session")
+    return 0;
+  const auto own = core_.runner.origin().visit;
+  return own == 0 && with == "state" ? core_.states.visit() : own;
+}
+
+} // namespace parlour::dialogue

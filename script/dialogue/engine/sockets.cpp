@@ -1,0 +1,115 @@
+#include "script/dialogue/engine/sockets.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "runtime/base/roles.hpp"
+#include "script/dialogue/engine/core.hpp"
+
+namespace parlour::dialogue {
+
+namespace {
+
+// Of one session.
+constexpr std::size_t most_sockets = 16;
+
+Error network(std::string message) {
+  return {ErrorKind::network, std::move(message), {}};
+}
+
+} // namespace
+
+Expected<void> ScriptSockets::may_open(const std::string& name) const {
+  // Its messages must not pass for those of somebody else.
+  if (!wrong_source_name(name).empty() || core_.port.reachable(name))
+    return fail(ErrorKind::refused,
+                "a socket cannot be called '" + name +
+                    "': it needs a name that no role and no component has");
+  if (sockets_.contains(name))
+    return fail(ErrorKind::network,
+                "there is a socket '" + name + "' already; close it before");
+  if (sockets_.size() >= most_sockets)
+    return fail(ErrorKind::network, "a session has no more than " +
+                                        std::to_string(most_sockets) +
+                                        " sockets");
+  return {};
+}
+
+void ScriptSockets::open(const script::Effect& effect, WaitId wait) {
+  SocketRequest request;
+  request.id = core_.next_id();
+  request.name = effect.text(0);
+  request.order.address = effect.text(1);
+  request.order.lines = !effect.has(2) || static_cast<bool>(effect.operand(2));
+  request.order.timeout = core_.program->settings.sessions.request_timeout;
+  sockets_[request.name] = {request.id, wait};
+  core_.port.open_socket(std::move(request));
+}
+
+script::Performed ScriptSockets::send(const script::Effect& effect) {
+  const auto name = effect.text(0);
+  const auto found = sockets_.find(name);
+  if (found == sockets_.end() || found->second.opening != 0)
+    return network("there is no open socket '" + name + "'");
+  auto sent = core_.port.send_socket(found->second.id, effect.text(1));
+  if (!sent)
+    return network("socket '" + name + "': " + sent.error().message);
+  return Value();
+}
+
+// Nothing where it is closed already. One that is being opened belongs to the
+// script that waits for it.
+script::Performed ScriptSockets::close(const script::Effect& effect) {
+  const auto name = effect.text(0);
+  const auto found = sockets_.find(name);
+  if (found == sockets_.end())
+    return Value();
+  if (found->second.opening != 0)
+    return network("socket '" + name + "' is not open yet");
+  core_.port.close_socket(found->second.id);
+  sockets_.erase(found);
+  return Value();
+}
+
+ScriptSockets::Entries::iterator ScriptSockets::find(SocketId id) {
+  return std::find_if(sockets_.begin(), sockets_.end(),
+                      [&](const auto& entry) { return entry.second.id == id; });
+}
+
+void ScriptSockets::opened(SocketId id, Expected<void> outcome) {
+  const auto found = find(id);
+  if (found == sockets_.end())
+    return;
+  const auto wait = std::exchange(found->second.opening, 0);
+  if (!outcome)
+    sockets_.erase(found);
+  core_.resume(wait, std::move(outcome).map([] { return Value(true); }));
+}
+
+void ScriptSockets::closed(SocketId id) {
+  if (const auto found = find(id); found != sockets_.end())
+    sockets_.erase(found);
+}
+
+void ScriptSockets::let_next_come(const Message& message) {
+  if (const auto found = sockets_.find(message.source);
+      found != sockets_.end() && message.command == "Data")
+    core_.port.socket_taken(found->second.id);
+}
+
+void ScriptSockets::forget(WaitId wait) {
+  for (const auto& [name, socket] : sockets_)
+    if (socket.opening == wait)
+      core_.port.close_socket(socket.id);
+  std::erase_if(sockets_, [&](const auto& entry) {
+    return entry.second.opening == wait;
+  });
+}
+
+bool ScriptSockets::waits_for_answer() const {
+  return std::any_of(sockets_.begin(), sockets_.end(), [](const auto& entry) {
+    return entry.second.opening != 0;
+  });
+}
+
+} // namespace parlour::dialogue

@@ -1,0 +1,18 @@
+#include "script/dialogue/frame/frame_view.hpp"
+
+namespace parlour::dialogue {
+
+Value read_slot(const Frame& frame, SlotId slot) {
+  switch (slot) {
+  case script::slot_rows:
+    return frame.rows;
+  case script::slot_asked:
+    return frame.asked;
+  case script::slot_relaxed:
+    return List(frame.relaxed.begin(), frame.relaxed.end());
+  default:
+    return slot < frame.slots.size() ? frame.slots[slot].value : Value();
+  }
+}
+
+} // namespace parlour::dialogue

@@ -1,0 +1,104 @@
+#include "script/dialogue/frame/frames.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "script/dialogue/frame/frame_evaluator.hpp"
+#include "script/program/instruction.hpp"
+#include "script/support/short_lived.hpp"
+
+namespace parlour::dialogue {
+
+namespace {
+
+std::shared_ptr<const List>
+variables_of(const script::Interpreter& interpreter) {
+  List values;
+  for (std::size_t i = 0; i < interpreter.program().variables.size(); ++i)
+    values.push_back(interpreter.variable(i));
+  return std::make_shared<const List>(std::move(values));
+}
+
+bool is_constant(const script::Instruction& instruction) {
+  using enum script::Operation;
+  const auto operation = static_cast<script::Operation>(instruction.operation);
+  return operation == load_constant || operation == give_back ||
+         operation == give_unknown;
+}
+
+// What is more than a constant may read variables, if only by a function.
+bool is_computed(const script::Program& program, CodeId code) {
+  if (code == script::no_code)
+    return false;
+  const auto& instructions = program.code[code].instructions;
+  return !std::all_of(instructions.begin(), instructions.end(), is_constant);
+}
+
+bool is_computed(const script::Program& program, const script::Slot& slot) {
+  const auto& takes = slot.cardinality;
+  return is_computed(program, slot.initial) ||
+         is_computed(program, takes.minimum) ||
+         is_computed(program, takes.maximum) ||
+         std::any_of(takes.values.begin(), takes.values.end(),
+                     [&](CodeId code) { return is_computed(program, code); });
+}
+
+// Whether the frame's actor may have to read variables: for a constraint, an
+// initial value, or what a slot takes.
+bool reads_variables(const script::Program& program,
+                     const script::Topic& topic) {
+  return !topic.constraints.empty() ||
+         std::any_of(topic.slots.begin(), topic.slots.end(),
+                     [&](const script::Slot& slot) {
+                       return is_computed(program, slot);
+                     });
+}
+
+} // namespace
+
+Frames::Frames(const script::Program& program, script::Interpreter& interpreter)
+    : program_(&program), interpreter_(&interpreter),
+      entries_(program.topics.size()) {}
+
+Frame& Frames::own(TopicId topic, Timestamp now) {
+  auto& mine = entry(topic, now);
+  if (!mine.own)
+    mine.frame = mine.own = std::make_shared<Frame>(*mine.frame);
+  return *mine.own;
+}
+
+FrameResult Frames::apply(TopicId topic, std::span<const FrameChange> changes,
+                          Timestamp now) {
+  return apply_in_place(*program_, own(topic, now), changes,
+                        make_frame_evaluator(*interpreter_, now));
+}
+
+FrameRequest Frames::request(TopicId topic, std::vector<FrameChange> changes,
+                             Timestamp now) {
+  auto& mine = entry(topic, now);
+  FrameRequest request;
+  request.now = now;
+  if (mine.own)
+    request.start = mine.frame;
+  mine.own.reset(); // it is shared from now on
+  request.changes = std::move(changes);
+  if (reads_variables(*program_, program_->topics[topic]))
+    request.variables = variables_of(*interpreter_);
+  return request;
+}
+
+void Frames::store(FramePointer frame) {
+  auto& mine = entries_[frame->topic];
+  mine.own.reset();
+  mine.frame = std::move(frame);
+}
+
+Frames::Entry& Frames::entry(TopicId topic, Timestamp now) const {
+  auto& mine = entries_[topic];
+  if (!mine.frame)
+    mine.frame = mine.own = make_short_lived<Frame>(
+        new_frame(*program_, topic, make_frame_evaluator(*interpreter_, now)));
+  return mine;
+}
+
+} // namespace parlour::dialogue

@@ -1,0 +1,19 @@
+// Grounding: whether a value is accepted, marked, asked about or left aside
+// (engine rule 5, filling event (4); paper IV.B "confirmation"). Pure.
+#pragma once
+
+#include "script/program/program.hpp"
+
+namespace parlour::dialogue {
+
+enum class Grounding : std::uint8_t {
+  reject,     // as if it had not been said
+  explicitly, // asked about before it is accepted
+  implicitly, // accepted, and marked for the next output
+  accept,
+};
+
+// `confidence`: 0..1, or unknown.
+Grounding ground(script::ConfirmPolicy policy, const Value& confidence);
+
+} // namespace parlour::dialogue

@@ -1,0 +1,50 @@
+// KnowledgeQuery: from filled slots to a statement with bound values, and from
+// an empty answer to the next, relaxed one (engine rule 6). Pure.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "runtime/base/value.hpp"
+#include "script/dialogue/frame/frame.hpp"
+#include "script/program/program.hpp"
+
+namespace parlour::dialogue {
+
+struct Statement {
+  std::string kind; // db, facts, aiml, ontology
+  std::string name; // which database or fact table; may be empty
+  std::string sql;  // for db
+  List values;      // bound in order
+  Value asked;      // map slot -> value, all that were asked with at first
+  std::vector<std::string> relaxed; // slots left out so far, in order
+  std::size_t source = 0;           // which of the topic's queries
+};
+
+class KnowledgeQuery {
+public:
+  KnowledgeQuery(const script::Topic& topic, FramePointer frame);
+
+  // The first statement, or nothing where the topic has no query.
+  std::optional<Statement> first();
+  // After an answer without rows: with the <by> of lowest `relax` left out,
+  // then the next one; after those the next source, whole again; else nothing.
+  std::optional<Statement> next();
+
+private:
+  Statement statement() const;
+  SlotId next_relaxed() const; // no_id where nothing is left to relax
+
+  const script::Topic* topic_;
+  FramePointer frame_;
+  std::size_t source_ = 0;
+  std::vector<SlotId> relaxed_;
+};
+
+// Runs a statement of kind "facts" against the program's tables: equal
+// (spelling case aside), prefix, contains.
+ResultSet query_facts(const script::Program& program,
+                      const script::Topic& topic, const Statement& statement);
+
+} // namespace parlour::dialogue

@@ -1,0 +1,116 @@
+#include "script/dialogue/topics/classifier.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace parlour::dialogue {
+
+namespace {
+
+// How much worse than the best an alternative may be (understanding).
+constexpr double clarify_within = 0.1;
+
+bool may_be_chosen(const script::Program& program, TopicId topic,
+                   const ClassifierContext& context) {
+  const auto& out = context.unregistered;
+  return topic < program.topics.size() &&
+         std::find(out.begin(), out.end(), topic) == out.end();
+}
+
+TopicId named(const script::Program& program, const Act& act,
+              const ClassifierContext& context) {
+  auto topic = act.topic.empty() ? script::no_id : program.topic(act.topic);
+  return may_be_chosen(program, topic, context) ? topic : script::no_id;
+}
+
+std::size_t slots_of(const script::Topic& topic, const Act& act) {
+  return static_cast<std::size_t>(std::count_if(
+      act.slots.begin(), act.slots.end(), [&](const SlotValue& value) {
+        return topic.slot(value.slot) != script::no_id;
+      }));
+}
+
+TopicId by_slots(const script::Program& program, const Act& act,
+                 const ClassifierContext& context) {
+  auto best = script::no_id;
+  std::size_t most = 0;
+  auto consider = [&](TopicId topic) { // the likeliest first, some twice
+    if (most == act.slots.size() || !may_be_chosen(program, topic, context))
+      return;
+    const auto count = slots_of(program.topics[topic], act);
+    if (count > most) {
+      most = count;
+      best = topic;
+    }
+  };
+  for (auto topic : {context.asked, context.current, context.resting})
+    consider(topic);
+  for (auto topic : context.unfinished)
+    consider(topic);
+  for (TopicId topic = 0; topic < program.topics.size(); ++topic)
+    consider(topic);
+  return best;
+}
+
+bool is_near(const Act& best, const Act& other) {
+  return !best.confidence.is_unknown() && !other.confidence.is_unknown() &&
+         best.confidence.number_or(0) - other.confidence.number_or(0) <=
+             clarify_within + 1e-9;
+}
+
+TopicId without_slots(const script::Program& program, const Act& act,
+                      const ClassifierContext& context) {
+  std::array topics{context.asked, script::no_id, script::no_id};
+  if (act.elliptical)
+    topics = {context.asked, context.resting, context.current};
+  for (auto topic : topics)
+    if (may_be_chosen(program, topic, context))
+      return topic;
+  return script::no_id;
+}
+
+} // namespace
+
+TopicId classify(const script::Program& program, const Act& act,
+                 const ClassifierContext& context) {
+  auto topic = named(program, act, context);
+  if (topic != script::no_id)
+    return topic;
+  return act.slots.empty() ? without_slots(program, act, context)
+                           : by_slots(program, act, context);
+}
+
+void prefer_resting(const script::Program& program, Act& act,
+                    const ClassifierContext& context) {
+  const auto topic = classify(program, act, context);
+  if (!act.elliptical || context.resting == script::no_id ||
+      topic == context.resting || topic == context.asked ||
+      topic == context.current)
+    return;
+  for (const auto& other : act.alternatives)
+    if (classify(program, other, context) == context.resting &&
+        is_near(act, other)) {
+      auto chosen = other;
+      chosen.text = act.text;
+      chosen.elliptical = true;
+      act = std::move(chosen);
+      return;
+    }
+}
+
+std::vector<TopicId> clarify(const script::Program& program, const Act& act,
+                             const ClassifierContext& context) {
+  std::vector<TopicId> topics{classify(program, act, context)};
+  const bool goes_on = act.elliptical && topics.front() == context.resting;
+  if (topics.front() == script::no_id || act.confidence.is_unknown() || goes_on)
+    return {};
+  for (const auto& other : act.alternatives) {
+    auto topic = classify(program, other, context);
+    if (topic != script::no_id && is_near(act, other) &&
+        std::find(topics.begin(), topics.end(), topic) == topics.end())
+      topics.push_back(topic);
+  }
+  return topics.size() > 1 ? topics : std::vector<TopicId>{};
+}
+
+} // namespace parlour::dialogue

@@ -1,0 +1,75 @@
+#include "script/program/effect_search.hpp"
+
+#include <deque>
+#include <set>
+
+#include "script/program/instruction.hpp"
+
+namespace parlour::script {
+
+namespace {
+
+class EffectSearch {
+public:
+  EffectSearch(const Program& program,
+               const std::function<bool(EffectKind)>& wanted)
+      : program_(program), wanted_(wanted) {}
+
+  std::optional<EffectFound> find(CodeId code) {
+    add({code, {}, false});
+    while (!waiting_.empty() && !found_) {
+      const auto next = waiting_.front();
+      waiting_.pop_front();
+      look_at(next);
+    }
+    return found_;
+  }
+
+private:
+  struct Callee {
+    CodeId code = no_code;
+    Position call; // in the code that the search began with
+    bool is_called = false;
+  };
+
+  // Each once: functions may call each other in a ring.
+  void add(Callee callee) {
+    if (callee.code < program_.code.size() && seen_.insert(callee.code).second)
+      waiting_.push_back(callee);
+  }
+
+  void look_at(const Callee& one) {
+    const auto& code = program_.code[one.code];
+    for (std::size_t i = 0; i < code.instructions.size(); ++i) {
+      const auto& instruction = code.instructions[i];
+      const auto position = code.positions[i];
+      const auto operation = static_cast<Operation>(instruction.operation);
+      if (operation == Operation::call)
+        add({instruction.wide(), one.is_called ? one.call : position, true});
+      else if (operation == Operation::effect)
+        take(code.effects[instruction.c], position, one);
+    }
+  }
+
+  void take(const EffectShape& effect, Position position, const Callee& one) {
+    const auto kind = static_cast<EffectKind>(effect.kind);
+    if (!found_ && wanted_(kind))
+      found_ = EffectFound{kind, position, one.call, one.is_called};
+  }
+
+  const Program& program_;
+  const std::function<bool(EffectKind)>& wanted_;
+  std::deque<Callee> waiting_;
+  std::set<CodeId> seen_;
+  std::optional<EffectFound> found_;
+};
+
+} // namespace
+
+std::optional<EffectFound>
+find_effect(const Program& program, CodeId code,
+            const std::function<bool(EffectKind)>& wanted) {
+  return EffectSearch(program, wanted).find(code);
+}
+
+} // namespace parlour::script

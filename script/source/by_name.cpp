@@ -1,0 +1,15 @@
+#include "script/source/by_name.hpp"
+
+namespace parlour::script {
+
+// As quick as names are short.
+std::size_t NameHash::operator()(std::string_view name) const {
+  constexpr std::size_t letter_case = 0x20;
+  std::size_t hash = 0;
+  for (std::size_t i = 0; i < name.size(); ++i)
+    hash = hash * 31 +
+           (static_cast<unsigned char>(name[i]) | (i == 0 ? letter_case : 0));
+  return hash;
+}
+
+} // namespace parlour::script

@@ -1,0 +1,41 @@
+// Memory of small things that come and go with each turn: from the thread's
+// cache of blocks.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "script/support/block_cache.hpp"
+
+namespace parlour::dialogue {
+
+template <class T>
+struct ShortLived {
+  using value_type = T;
+
+  ShortLived() = default;
+  template <class Other>
+  explicit ShortLived(const ShortLived<Other>&) {}
+
+  T* allocate(std::size_t count) {
+    return static_cast<T*>(script::BlockCache::take(count * sizeof(T)));
+  }
+  void deallocate(T* first, std::size_t count) {
+    script::BlockCache::give(first, count * sizeof(T));
+  }
+  bool operator==(const ShortLived&) const = default;
+};
+
+template <class T>
+using ShortLivedList = std::vector<T, ShortLived<T>>;
+
+template <class T, class... Arguments>
+std::shared_ptr<T> make_short_lived(Arguments&&... arguments) {
+  return std::allocate_shared<T>(ShortLived<std::remove_const_t<T>>(),
+                                 std::forward<Arguments>(arguments)...);
+}
+
+} // namespace parlour::dialogue

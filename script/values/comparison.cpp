@@ -1,0 +1,150 @@
+// Equality and order (language rules 3.5 and 3.6).
+#include <algorithm>
+#include <cmath>
+
+#include "script/values/operations.hpp"
+
+namespace parlour::script {
+
+namespace {
+
+int sign(bool less, bool greater) {
+  return less ? -1 : greater ? 1 : 0;
+}
+
+// Exact: no integer is rounded on the way.
+int compare_mixed(std::int64_t integer, double number) {
+  if (number >= 9223372036854775808.0)
+    return -1;
+  if (number < -9223372036854775808.0)
+    return 1;
+  const auto whole = static_cast<std::int64_t>(number);
+  if (integer != whole)
+    return integer < whole ? -1 : 1;
+  const auto rest = number - std::trunc(number);
+  return sign(rest > 0, rest < 0);
+}
+
+bool equal_lists(const ListObject& left, const ListObject& right,
+                 std::size_t& budget, int depth) {
+  if (left.elements.size() != right.elements.size())
+    return false;
+  for (std::size_t i = 0; i < left.elements.size(); ++i)
+    if (!equal(left.elements[i], right.elements[i], budget, depth + 1))
+      return false;
+  return true;
+}
+
+bool equal_maps(const MapObject& left, MapObject& right, std::size_t& budget,
+                int depth) {
+  if (left.entries.size() != right.entries.size())
+    return false;
+  return std::all_of(left.entries.begin(), left.entries.end(),
+                     [&](const MapObject::Entry& entry) {
+                       const auto* other = right.find(*entry.key.string());
+                       return other &&
+                              equal(entry.value, *other, budget, depth + 1);
+                     });
+}
+
+bool equal_objects(const Box& left, const Box& right, std::size_t& budget,
+                   int depth) {
+  if (left.same_bits(right))
+    return true;
+  if (left.object()->type != right.object()->type)
+    return false;
+  switch (left.object()->type) {
+  case ObjectType::string:
+    return equal_strings(*left.string(), *right.string());
+  case ObjectType::list:
+    return equal_lists(*left.list(), *right.list(), budget, depth);
+  case ObjectType::map:
+    return equal_maps(*left.map(), *right.map(), budget, depth);
+  case ObjectType::result:
+  case ObjectType::binary:
+    return left.result()->value == right.result()->value;
+  default:
+    return false; // errors are themselves only; integers were compared
+  }
+}
+
+Failure incomparable(const Box& left, const Box& right) {
+  return {ErrorKind::type,
+          a_type(left) + " and " + a_type(right) + " have no order"};
+}
+
+} // namespace
+
+int compare(const Numeric& left, const Numeric& right) {
+  if (left.is_integer && right.is_integer)
+    return sign(left.integer<right.integer, left.integer> right.integer);
+  if (left.is_integer)
+    return compare_mixed(left.integer, right.number);
+  if (right.is_integer)
+    return -compare_mixed(right.integer, left.number);
+  return sign(left.number<right.number, left.number> right.number);
+}
+
+bool equal(const Box& left, const Box& right, std::size_t& budget, int depth) {
+  if (budget == 0 || depth > deepest_nesting) {
+    budget = 0;
+    return false;
+  }
+  --budget;
+  if (left.is_string() && right.is_string())
+    return equal_strings(*left.string(), *right.string());
+  // '5' == 5 compares as numbers; two strings never do.
+  const auto l = numeric(left, !right.is_string());
+  const auto r = l ? numeric(right) : std::nullopt;
+  if (l && r && (numeric(left, false) || numeric(right, false)))
+    return compare(*l, *r) == 0;
+  if (left.is_object() && right.is_object())
+    return equal_objects(left, right, budget, depth);
+  return left.same_bits(right);
+}
+
+Outcome order(const Box& left, const Box& right, Order& result) {
+  auto from_sign = [](int value) {
+    return value < 0 ? Order::less : value > 0 ? Order::greater : Order::equal;
+  };
+  result = Order::none;
+  if (left.is_unknown() || right.is_unknown())
+    return {};
+  if (left.is_string() && right.is_string()) {
+    // The bytes of UTF-8 are in the order of the code points.
+    result = from_sign(left.text().compare(right.text()));
+    return {};
+  }
+  const auto l = numeric(left);
+  const auto r = numeric(right);
+  if (!l || !r)
+    return incomparable(left, right);
+  result = from_sign(compare(*l, *r));
+  return {};
+}
+
+Outcome is_in(const Box& element, const Box& container, bool& result,
+              std::size_t& budget) {
+  result = false;
+  if (container.is_unknown())
+    return {};
+  if (container.is_list()) {
+    for (const auto& candidate : container.list()->elements)
+      if ((result = equal(candidate, element, budget)))
+        break;
+    return {};
+  }
+  std::string text;
+  print(text, element, 1 << 20);
+  if (container.is_map())
+    result = container.map()->find(text) != nullptr;
+  else if (container.is_string())
+    result = find_text(container.text(), text) != std::string_view::npos;
+  else
+    return Failure{ErrorKind::type, "'in' needs a list, a map or a string on "
+                                    "its right, not " +
+                                        a_type(container)};
+  return {};
+}
+
+} // namespace parlour::script

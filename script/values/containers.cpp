@@ -1,0 +1,321 @@
+// Indexing, fields and elements (language rules 2.8 to 2.11).
+#include <algorithm>
+#include <cstring>
+#include <unordered_set>
+
+#include "script/values/convert.hpp"
+#include "script/values/operations.hpp"
+
+namespace parlour::script {
+
+namespace {
+
+Failure type_failure(std::string message) {
+  return {ErrorKind::type, std::move(message)};
+}
+
+// Whole numbers count as integers: 2.0 is a position.
+std::optional<std::int64_t> position_of(const Box& key) {
+  if (key.is_small())
+    return key.as_small();
+  const auto number = numeric(key);
+  if (!number)
+    return {};
+  if (number->is_integer)
+    return number->integer;
+  const auto value = number->number;
+  if (value < -9e15 || value > 9e15 ||
+      value != static_cast<double>(static_cast<std::int64_t>(value)))
+    return {};
+  return static_cast<std::int64_t>(value);
+}
+
+Failure position_failure(const Box& container, const Box& key) {
+  return type_failure(
+      "a position in " + a_type(container) + " must be an integer, not " +
+      (key.is_string() ? "'" + std::string(key.text()) + "'" : a_type(key)));
+}
+
+Box character_at(Heap& heap, const StringObject& string, std::size_t position) {
+  const auto rest = string.text().substr(byte_position(string, position));
+  // Bytes from outside that are no UTF-8 may be fewer than they seemed.
+  const auto size = rest.empty() ? 0 : character_size(rest.front());
+  return make_string(heap, rest.substr(0, size));
+}
+
+Outcome error_field(Heap& heap, const ErrorObject& error, std::string_view name,
+                    Box& result) {
+  if (name == "message")
+    result = make_string(heap, error.message);
+  else if (name == "kind")
+    result = make_string(heap, name_of(error.kind));
+  else if (name == "file")
+    result = make_string(heap, error.place.file);
+  else if (name == "line")
+    result = Box::small(error.place.line);
+  else if (name == "value")
+    result = error.value;
+  else
+    return type_failure("an error has no field '" + std::string(name) +
+                        "'; it has message, kind, file, line and value");
+  return {};
+}
+
+Outcome result_field(Heap& heap, const Box& box, std::string_view name,
+                     Box& result) {
+  const auto& value = box.result()->value;
+  if (name == "count") {
+    result =
+        Box::small(static_cast<std::int64_t>(value.if_result()->row_count()));
+  } else if (name == "columns") {
+    result = make_list(heap);
+    for (const auto& column : value.if_result()->columns)
+      result.list()->elements.push_back(make_string(heap, column));
+  } else if (name == "rows") {
+    result = rows_of(heap, box);
+  } else {
+    return type_failure("a result set has no field '" + std::string(name) +
+                        "'; it has count, columns and rows");
+  }
+  return {};
+}
+
+std::size_t size_of(const Box& container) {
+  if (container.is_list())
+    return container.list()->elements.size();
+  if (container.is_string())
+    return container.string()->code_points;
+  return container.result()->value.if_result()->cells.size();
+}
+
+Box element_at(Heap& heap, const Box& container, std::size_t at) {
+  if (container.is_list())
+    return container.list()->elements[at];
+  if (container.is_string())
+    return character_at(heap, *container.string(), at);
+  return to_box(heap, container.result()->value.if_result()->cells[at]);
+}
+
+Box key_text(Heap& heap, const Box& key) {
+  if (key.is_string())
+    return key;
+  std::string text;
+  print(text, key, 1 << 20);
+  return make_string(heap, text);
+}
+
+bool contains_others(const Box& box) {
+  return box.is_list() || box.is_map() || box.is(ObjectType::error) ||
+         box.is(ObjectType::result);
+}
+
+// Looks for one object below another; each object once, with its own stack.
+class Search {
+public:
+  Search(const Object* wanted, std::size_t& work)
+      : wanted_(wanted), work_(work) {}
+  bool below(const Box& from) {
+    visit(from);
+    while (!found_ && !open_.empty()) {
+      const auto* object = open_.back();
+      open_.pop_back();
+      look_into(object);
+    }
+    return found_;
+  }
+
+private:
+  void visit(const Box& box) {
+    ++work_;
+    if (!contains_others(box) || found_)
+      return;
+    work_ += boxes_of_a_mark;
+    found_ = box.object() == wanted_;
+    if (seen_.insert(box.object()).second)
+      open_.push_back(box.object());
+  }
+  void look_into(const Object* object) {
+    if (object->type == ObjectType::list)
+      for (const auto& element :
+           static_cast<const ListObject*>(object)->elements)
+        visit(element);
+    else if (object->type == ObjectType::map)
+      for (const auto& entry : static_cast<const MapObject*>(object)->entries)
+        visit(entry.value);
+    else if (object->type == ObjectType::error)
+      visit(static_cast<const ErrorObject*>(object)->value);
+    else
+      visit(static_cast<const ResultObject*>(object)->rows);
+  }
+
+  // To remember an object costs as much as to look at so many boxes.
+  static constexpr std::size_t boxes_of_a_mark = 16;
+
+  const Object* wanted_;
+  std::size_t& work_;
+  bool found_ = false;
+  std::vector<const Object*> open_;
+  std::unordered_set<const Object*> seen_;
+};
+
+Outcome set_element(const Box& list, const Box& key, Box value) {
+  const auto position = position_of(key);
+  if (!position)
+    return position_failure(list, key);
+  auto& elements = list.list()->elements;
+  const auto size = elements.size();
+  if (*position == static_cast<std::int64_t>(size)) {
+    elements.push_back(std::move(value));
+    return {};
+  }
+  const auto at = place_in(*position, size);
+  if (!at)
+    return Failure{ErrorKind::range, "position " + std::to_string(*position) +
+                                         " is outside of a list of " +
+                                         std::to_string(size)};
+  elements[*at] = std::move(value);
+  return {};
+}
+
+} // namespace
+
+std::optional<std::size_t> place_in(std::int64_t position, std::size_t size) {
+  if (position < 0)
+    position += static_cast<std::int64_t>(size);
+  if (position < 0 || position >= static_cast<std::int64_t>(size))
+    return {};
+  return static_cast<std::size_t>(position);
+}
+
+std::size_t character_size(char first) {
+  const auto byte = static_cast<unsigned char>(first);
+  return byte < 0x80 ? 1 : byte < 0xe0 ? 2 : byte < 0xf0 ? 3 : 4;
+}
+
+std::size_t find_text(std::string_view text, std::string_view part,
+                      std::size_t from) {
+  // Whose size times its part's is small anyhow; memmem begins by a table.
+  constexpr std::size_t short_text = 64;
+  if (text.size() <= short_text)
+    return text.find(part, from);
+  if (from > text.size())
+    return std::string_view::npos;
+  const auto* found = static_cast<const char*>(
+      memmem(text.data() + from, text.size() - from, part.data(), part.size()));
+  return found ? static_cast<std::size_t>(found - text.data())
+               : std::string_view::npos;
+}
+
+std::size_t byte_position(const StringObject& string, std::size_t code_point) {
+  if (string.code_points == string.size)
+    return std::min<std::size_t>(code_point, string.size);
+  const auto text = string.text();
+  std::size_t at = 0;
+  while (code_point-- > 0 && at < text.size())
+    at += character_size(text[at]);
+  return std::min(at, text.size());
+}
+
+Box rows_of(Heap& heap, const Box& result) {
+  auto& object = *result.result();
+  if (!object.rows.is_unknown())
+    return object.rows;
+  const auto& table = *object.value.if_result();
+  std::vector<Box> names;
+  for (const auto& column : table.columns)
+    names.push_back(make_string(heap, column));
+  object.rows = make_list(heap, table.row_count());
+  for (std::size_t row = 0; row < table.row_count(); ++row) {
+    auto map = make_map(heap);
+    for (std::size_t i = 0; i < names.size(); ++i)
+      map.map()->set(names[i],
+                     to_box(heap, table.cells[row * names.size() + i]));
+    object.rows.list()->elements.push_back(std::move(map));
+  }
+  return object.rows;
+}
+
+Box keys_of(Heap& heap, const MapObject& map) {
+  auto keys = make_list(heap, map.entries.size());
+  for (const auto& entry : map.entries)
+    keys.list()->elements.push_back(entry.key);
+  return keys;
+}
+
+Outcome get_index(Heap& heap, const Box& container, const Box& key,
+                  Box& result) {
+  if (container.is_unknown()) {
+    result = Box();
+    return {};
+  }
+  if (container.is_map()) {
+    const auto* value = container.map()->find(*key_text(heap, key).string());
+    result = value ? *value : Box();
+    return {};
+  }
+  if (!container.is_list() && !container.is_string() &&
+      !container.is(ObjectType::result))
+    return type_failure(a_type(container) + " cannot be indexed");
+  const auto position = position_of(key);
+  if (!position)
+    return position_failure(container, key);
+  const auto at = place_in(*position, size_of(container));
+  result = at ? element_at(heap, container, *at) : Box();
+  return {};
+}
+
+Outcome get_field(Heap& heap, const Box& container, const Box& name,
+                  Box& result) {
+  if (container.is_map()) {
+    const auto* value = container.map()->find(*name.string());
+    result = value ? *value : Box();
+    return {};
+  }
+  if (container.is_unknown()) {
+    result = Box();
+    return {};
+  }
+  if (container.is(ObjectType::result))
+    return result_field(heap, container, name.text(), result);
+  if (container.is(ObjectType::error))
+    return error_field(heap, *container.error(), name.text(), result);
+  return type_failure(a_type(container) + " has no field '" +
+                      std::string(name.text()) + "'");
+}
+
+// What only one variable refers to is held by no value.
+Outcome refuse_ring(const Box& container, const Box& value, std::size_t& work) {
+  if (!contains_others(value) || container.object()->count == 1 ||
+      !Search(container.object(), work).below(value))
+    return {};
+  return Failure{ErrorKind::range,
+                 "a list or map cannot be put inside of itself"};
+}
+
+Outcome set_index(Heap& heap, const Box& container, const Box& key, Box value,
+                  std::size_t& work) {
+  if (container.is_unknown())
+    return Failure{ErrorKind::range,
+                   "there is no list or map to set '" +
+                       std::string(key_text(heap, key).text()) +
+                       "' in: it is unknown"};
+  if (!container.is_list() && !container.is_map())
+    return type_failure("nothing can be set inside of " + a_type(container));
+  if (auto ring = refuse_ring(container, value, work))
+    return ring;
+  if (container.is_list())
+    return set_element(container, key, std::move(value));
+  container.map()->set(key_text(heap, key), std::move(value));
+  return {};
+}
+
+Outcome append(const Box& list, Box value, std::size_t& work) {
+  if (!list.is_list())
+    return type_failure("append needs a list, not " + a_type(list));
+  if (auto ring = refuse_ring(list, value, work))
+    return ring;
+  list.list()->elements.push_back(std::move(value));
+  return {};
+}
+
+} // namespace parlour::script

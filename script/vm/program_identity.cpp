@@ -1,0 +1,164 @@
+#include "script/vm/program_identity.hpp"
+
+#include <bit>
+
+#include "script/expression/builtins.hpp"
+#include "script/program/host.hpp"
+#include "script/program/instruction.hpp"
+#include "script/values/objects.hpp"
+
+namespace parlour::script {
+
+namespace {
+
+// The names that codes in instructions stand for, in their order.
+constexpr const char* vocabulary[] = {
+#define INSTRUCTION(name, sentence) #name,
+#include "script/program/instructions.def"
+#undef INSTRUCTION
+#define EFFECT(name, waits, operands, sentence) #name " " operands,
+#include "script/program/effects.def"
+#undef EFFECT
+#define X(name, text) text,
+    PARLOUR_SYSTEM_VARIABLES(X)
+#undef X
+};
+
+// Eight bytes at a time; not meant to withstand someone who looks for two
+// programs of the same hash.
+class Hash {
+public:
+  void add(std::uint64_t value) {
+    state_ = (std::rotl(state_, 23) ^ value) * 0x9e3779b97f4a7c15;
+    state_ ^= state_ >> 29;
+  }
+  void add(std::string_view text) {
+    add(text.size());
+    for (; text.size() > 8; text.remove_prefix(8))
+      add(word(text.substr(0, 8)));
+    add(word(text));
+  }
+  template <class T>
+  void add_names(const std::vector<T>& all) {
+    add(all.size());
+    for (const auto& one : all)
+      add(one.name);
+  }
+  std::uint64_t value() const {
+    return state_;
+  }
+
+private:
+  // Lowest byte first, whatever the machine.
+  static std::uint64_t word(std::string_view text) {
+    std::uint64_t value = 0;
+    for (std::size_t i = 0; i < text.size(); ++i)
+      value |= std::uint64_t{static_cast<unsigned char>(text[i])} << (8 * i);
+    return value;
+  }
+
+  std::uint64_t state_ = 0x243f6a8885a308d3;
+};
+
+void add(Hash& hash, const Instruction& instruction) {
+  hash.add(std::uint64_t{instruction.operation} |
+           std::uint64_t{instruction.flag} << 8 |
+           std::uint64_t{instruction.a} << 16 |
+           std::uint64_t{instruction.b} << 32 |
+           std::uint64_t{instruction.c} << 48);
+}
+
+void add(Hash& hash, const Box& constant) {
+  if (constant.is_string())
+    return hash.add(constant.text());
+  if (constant.is_integer())
+    return hash.add(static_cast<std::uint64_t>(constant.as_integer()));
+  if (constant.is_number())
+    return hash.add(std::bit_cast<std::uint64_t>(constant.as_number()));
+  hash.add(constant.is_missing()   ? "missing"
+           : constant.is_unknown() ? "unknown"
+           : constant.is_true()    ? "true"
+                                   : "false");
+}
+
+void add(Hash& hash, const Position& position) {
+  hash.add(std::uint64_t{position.file} << 32 | position.line);
+  hash.add(position.column);
+}
+
+void add(Hash& hash, const CatchRange& range) {
+  hash.add(std::uint64_t{range.from} << 32 | range.to);
+  hash.add(std::uint64_t{range.target} << 32 |
+           std::uint64_t{range.error_register} << 1 | range.always);
+}
+
+void add(Hash& hash, const EffectShape& shape) {
+  hash.add(std::uint64_t{shape.kind} << 32 | shape.body);
+  hash.add(std::uint64_t{shape.target} << 32 |
+           std::uint64_t{shape.operands} << 16 | shape.captured);
+}
+
+template <class T>
+void add(Hash& hash, const std::vector<T>& all) {
+  hash.add(all.size());
+  for (const auto& one : all)
+    add(hash, one);
+}
+
+void add(Hash& hash, const JumpTable::Entry& entry) {
+  add(hash, entry.constant);
+  hash.add(entry.target);
+}
+
+void add(Hash& hash, const JumpTable& table) {
+  add(hash, table.entries());
+  hash.add(table.otherwise());
+}
+
+void add(Hash& hash, const Code& code) {
+  hash.add(code.name);
+  hash.add(std::uint64_t{code.parameter_count} |
+           std::uint64_t{code.required_count} << 16 |
+           std::uint64_t{code.register_count} << 32 |
+           std::uint64_t{code.cost} << 48);
+  hash.add(code.body);
+  add(hash, code.instructions);
+  add(hash, code.positions);
+  add(hash, code.constants);
+  add(hash, code.catches);
+  add(hash, code.effects);
+  add(hash, code.tables);
+}
+
+void add_names(Hash& hash, const Program& program) {
+  hash.add_names(program.variables);
+  hash.add_names(program.handlers);
+  hash.add_names(program.states);
+  hash.add_names(program.topics);
+  for (const auto& topic : program.topics)
+    hash.add_names(topic.slots);
+  for (const auto& [name, code] : program.functions) {
+    hash.add(name);
+    hash.add(code);
+  }
+}
+
+} // namespace
+
+std::uint64_t identity_of(const Program& program) {
+  auto& kept = program.pool->identity;
+  if (const auto known = kept.load(std::memory_order_relaxed))
+    return known;
+  Hash hash;
+  for (const auto* word : vocabulary)
+    hash.add(word);
+  for (const auto& name : builtin_names())
+    hash.add(name);
+  add(hash, program.code);
+  add_names(hash, program);
+  const auto identity = hash.value() | 1; // 0 means not computed yet
+  kept.store(identity, std::memory_order_relaxed);
+  return identity;
+}
+
+} // namespace parlour::script

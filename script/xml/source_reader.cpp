@@ -1,0 +1,256 @@
+#include "script/xml/source_reader.hpp"
+
+#include <cstring>
+#include <utility>
+
+#include <pugixml.hpp>
+
+#include "runtime/base/file_bytes.hpp"
+#include "runtime/base/utf8.hpp"
+#include "script/source/text_positions.hpp"
+#include "script/xml/well_formed.hpp"
+
+namespace parlour::script {
+
+namespace {
+
+constexpr auto npos = std::string_view::npos;
+// As a fragment, so that text outside of the root element is kept and told.
+constexpr auto parse_options =
+    pugi::parse_default | pugi::parse_doctype | pugi::parse_fragment;
+
+// What the parser expected where it gave up, tags that do not match aside.
+const char* sentence_of(pugi::xml_parse_status status) {
+  switch (status) {
+  case pugi::status_bad_pi:
+    return "this <?…?> does not end; expected ?>";
+  case pugi::status_bad_comment:
+    return "this comment does not end; expected -->";
+  case pugi::status_bad_cdata:
+    return "this CDATA section does not end; expected ]]>";
+  case pugi::status_bad_doctype:
+    return "a DOCTYPE may not stand in a script";
+  case pugi::status_bad_start_element:
+    return "this tag is not well-formed; expected <name attribute=\"value\">";
+  case pugi::status_bad_attribute:
+    return "this attribute is not well-formed; expected name=\"value\" with "
+           "the same quotes around it and none of them inside";
+  case pugi::status_bad_end_element:
+    return "this end tag is not well-formed; expected </name>";
+  case pugi::status_no_document_element:
+    return "there is no element in this file";
+  default:
+    return "this is not well-formed XML";
+  }
+}
+
+// One reading of one file.
+class Reader {
+public:
+  Reader(std::string text, std::uint16_t file, Findings& findings)
+      : text_(std::move(text)), positions_(text_, file), findings_(findings) {}
+
+  std::optional<Element> read();
+
+private:
+  void check_text();
+  pugi::xml_parse_result parse();
+  std::size_t beginning(pugi::xml_parse_status status,
+                        std::size_t offset) const;
+  void explain(const pugi::xml_parse_result& result);
+  void check_document();
+  void build(pugi::xml_node node, Element& element, std::size_t depth);
+  void read_attributes(pugi::xml_node node, Element& element);
+  void read_text(pugi::xml_node node, Element& element);
+  void check_name(const char* name, std::size_t offset);
+  void error(std::size_t offset, std::string message);
+  // What is wrong and does not keep the rest from being read.
+  void tell(const XmlSlip& slip);
+  std::size_t offset_of(const char* inside) const {
+    return static_cast<std::size_t>(inside - buffer_.data());
+  }
+
+  std::string text_;   // as it stands in the file
+  std::string buffer_; // the same, which the parser overwrites in place
+  TextPositions positions_;
+  Findings& findings_;
+  pugi::xml_document document_;
+  bool failed_ = false;
+};
+
+void Reader::error(std::size_t offset, std::string message) {
+  failed_ = true;
+  tell({offset, 0, std::move(message)});
+}
+
+void Reader::tell(const XmlSlip& slip) {
+  findings_.add({Severity::error,
+                 {.start = positions_.at(slip.offset),
+                  .length = slip.length,
+                  .raw = true},
+                 slip.message,
+                 "xml",
+                 slip.replacement});
+}
+
+void Reader::check_text() {
+  if (const auto invalid = find_invalid_utf8(text_))
+    return error(*invalid, "this is not UTF-8; save the file as UTF-8");
+  if (const auto control = find_control_character(text_))
+    return error(*control, "a control character may not stand in XML; take it "
+                           "out");
+  for (const auto* none : {"\xef\xbf\xbe", "\xef\xbf\xbf"}) // U+FFFE, U+FFFF
+    if (const auto found = text_.find(none); found != npos)
+      return error(found, "what stands here is no character; take it out");
+}
+
+// The terminating null is given too: the parser overwrites the last character,
+// and would lose a text of one behind the root element.
+pugi::xml_parse_result Reader::parse() {
+  auto result = document_.load_buffer_inplace(
+      buffer_.data(), buffer_.size() + 1, parse_options, pugi::encoding_utf8);
+  if (result && !document_.document_element()) {
+    result.status = pugi::status_no_document_element;
+    result.offset = text_.empty() ? 0 : std::ssize(text_) - 1;
+  }
+  return result;
+}
+
+// What does not end is told where it begins.
+std::size_t Reader::beginning(pugi::xml_parse_status status,
+                              std::size_t offset) const {
+  const char* opening = status == pugi::status_bad_comment   ? "<!--"
+                        : status == pugi::status_bad_cdata   ? "<![CDATA["
+                        : status == pugi::status_bad_pi      ? "<?"
+                        : status == pugi::status_bad_doctype ? "<!"
+                                                             : nullptr;
+  const auto found = opening ? text_.rfind(opening, offset) : npos;
+  return found == npos ? offset : found;
+}
+
+void Reader::explain(const pugi::xml_parse_result& result) {
+  const auto offset = static_cast<std::size_t>(result.offset);
+  const auto slips = find_xml_slips(text_);
+  for (const auto& slip : slips)
+    tell(slip);
+  failed_ = true;
+  if (slips.empty())
+    error(beginning(result.status, offset), sentence_of(result.status));
+}
+
+void Reader::check_name(const char* name, std::size_t offset) {
+  if (std::strchr(name, ':'))
+    error(offset, "'" + std::string(name) +
+                      "' has a prefix; names here have "
+                      "none");
+}
+
+void Reader::read_attributes(pugi::xml_node node, Element& element) {
+  std::size_t count = 0;
+  for (auto attribute = node.first_attribute(); attribute;
+       attribute = attribute.next_attribute())
+    ++count;
+  element.attributes.reserve(count);
+  for (auto attribute = node.first_attribute(); attribute;
+       attribute = attribute.next_attribute()) {
+    const auto at = offset_of(attribute.name());
+    const auto value_at = offset_of(attribute.value());
+    check_name(attribute.name(), at);
+    if (element.attribute(attribute.name()))
+      tell({at, 0,
+            "'" + std::string(attribute.name()) +
+                "' is given twice; leave one of them out"});
+    element.attributes.push_back({attribute.name(), attribute.value(),
+                                  positions_.at(at), positions_.at(value_at)});
+  }
+}
+
+void Reader::read_text(pugi::xml_node node, Element& element) {
+  const auto offset = offset_of(node.value());
+  if (element.text.empty()) {
+    const auto first = text_.find_first_not_of(" \t\r\n", offset);
+    element.text_position = positions_.at(first);
+  }
+  element.text += node.value();
+}
+
+void Reader::build(pugi::xml_node node, Element& element, std::size_t depth) {
+  const auto offset = offset_of(node.name()) - 1; // of the `<`
+  element.name = node.name();
+  element.position = positions_.at(offset);
+  check_name(node.name(), offset);
+  if (depth > deepest_elements)
+    return error(offset, "elements are nested deeper than " +
+                             std::to_string(deepest_elements) + " levels");
+  read_attributes(node, element);
+  std::size_t count = 0;
+  for (auto child = node.first_child(); child; child = child.next_sibling())
+    count += child.type() == pugi::node_element;
+  element.children.reserve(count);
+  for (auto child = node.first_child(); child; child = child.next_sibling()) {
+    if (child.type() == pugi::node_element)
+      build(child, element.children.emplace_back(), depth + 1);
+    else if (child.type() == pugi::node_pcdata ||
+             child.type() == pugi::node_cdata)
+      read_text(child, element);
+    else if (child.type() == pugi::node_doctype)
+      error(offset, sentence_of(pugi::status_bad_doctype));
+  }
+}
+
+void Reader::check_document() {
+  int roots = 0;
+  auto outside = npos;
+  for (auto node : document_.children()) {
+    if (node.type() == pugi::node_doctype)
+      error(beginning(pugi::status_bad_doctype, offset_of(node.value())),
+            sentence_of(pugi::status_bad_doctype));
+    if (node.type() == pugi::node_element && ++roots == 2)
+      error(offset_of(node.name()) - 1,
+            "a second root element; a file has one");
+    if (node.type() == pugi::node_cdata && outside == npos)
+      outside = offset_of(node.value()) - std::string_view("<![CDATA[").size();
+    if (node.type() == pugi::node_pcdata && outside == npos)
+      outside = text_.find_first_not_of(" \t\r\n", offset_of(node.value()));
+  }
+  if (outside != npos)
+    error(outside, "text outside of the root element");
+}
+
+std::optional<Element> Reader::read() {
+  check_text();
+  if (failed_)
+    return std::nullopt;
+  buffer_ = text_;
+  if (const auto result = parse(); !result) {
+    explain(result);
+    return std::nullopt;
+  }
+  check_document();
+  for (const auto& fault : find_faults(text_))
+    tell(fault);
+  Element root;
+  build(document_.document_element(), root, 1);
+  if (failed_)
+    return std::nullopt;
+  return root;
+}
+
+} // namespace
+
+std::optional<Element> read_source(std::string text, std::uint16_t file,
+                                   Findings& findings) {
+  if (text.size() > largest_source) {
+    findings.error({file, 0, 0}, "the file is larger than 16 MB");
+    return std::nullopt;
+  }
+  if (text.starts_with("\xef\xbb\xbf")) // a byte order mark counts for nothing
+    text.erase(0, 3);
+  return Reader(std::move(text), file, findings).read();
+}
+
+Expected<std::string> read_bytes(const std::filesystem::path& path) {
+  return read_file(path, largest_source);
+}
+
+} // namespace parlour::script

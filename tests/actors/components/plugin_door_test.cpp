@@ -1,0 +1,129 @@
+#include "actors/components/plugin_door.hpp"
+#include "tests/actors/bench.hpp"
+
+namespace parlour::actors {
+namespace {
+
+class PluginDoorTest : public testing::Test {
+protected:
+  PluginDoorTest() {
+    bench.services.centre = bench.centre_probe();
+  }
+
+  Bench bench;
+  PluginDoor door{bench.services, "Ear", {"Ear", {"ASR"}, "hears"}};
+};
+
+TEST_F(PluginDoorTest, LetsNobodySpeakUnderAReservedName) {
+  struct {
+    const char* claimed;
+    const char* published;
+  } const cases[] = {{"", "Ear"},        {"Robot7", "Robot7"},
+                     {"System", "Ear"},  {"Script", "Ear"},
+                     {"Session", "Ear"}, {"Dialogue", "Ear"},
+                     {"Timer", "Ear"}};
+  for (const auto& [claimed, published] : cases) {
+    bench.seen.clear();
+    door.fire_event(event(claimed, "Heard"));
+    bench.run();
+    EXPECT_THAT(bench.seen, ElementsAre(std::string(published) + ".Heard()"))
+        << claimed;
+  }
+}
+
+TEST_F(PluginDoorTest, AnEventGoesNowhereInParticularAMessageDoes) {
+  bench.set_table({bench.target("Robot7", {})});
+  auto message = event("", "Stop");
+  message.sinks = {"Robot7"};
+  door.fire_event(message);
+  door.send_message(message);
+  bench.run();
+  EXPECT_THAT(bench.seen,
+              ElementsAre("Ear.Stop()", "Robot7 gets Ear.Stop() -> Robot7"));
+}
+
+// Each piece is counted in one place by all threads: one is handed on.
+TEST_F(PluginDoorTest, WhatItSaysTakesTheWorkOfWhatItIsDoneWith) {
+  WorkCount count;
+  const auto robot = bench.target("Robot7", {});
+  const auto host = bench.component_probe("host", robot.mailbox);
+  robot.mailbox->join(host);
+  bench.set_table({robot});
+  auto spare = count.begin();
+  ASSERT_TRUE(door.gives(event("Script", "Go"), 0, spare));
+  EXPECT_FALSE(spare);
+  auto message = event("", "Stop");
+  message.sinks = {"Robot7"};
+  door.send_message(message);
+  door.send_message(message);
+  EXPECT_FALSE(count.none());
+  EXPECT_TRUE(robot.mailbox->take(host)); // and its work is over
+  EXPECT_TRUE(count.none());
+  bench.run();
+  EXPECT_TRUE(bench.services.work.none());
+}
+
+TEST_F(PluginDoorTest, KeepsNoWorkWhenItRestsOrIsClosed) {
+  WorkCount count;
+  auto spare = count.begin();
+  door.gives(event("Script", "Go"), 0, spare);
+  door.drop_spare();
+  EXPECT_TRUE(count.none());
+  spare = count.begin();
+  door.gives(event("Script", "Go"), 0, spare);
+  door.close();
+  EXPECT_TRUE(count.none());
+}
+
+TEST_F(PluginDoorTest, CallsBackThroughTheHost) {
+  auto host = bench.component_probe("host");
+  door.belongs_to(host);
+  int calls = 0;
+  door.after(Milliseconds(5), [&] { ++calls; });
+  EXPECT_TRUE(bench.services.due_times.component_pending());
+  bench.run();
+  EXPECT_EQ(calls, 1);
+  EXPECT_THAT(bench.seen, ElementsAre("host is to wait"));
+}
+
+TEST_F(PluginDoorTest, ForgetsDelaysOfAHostThatIsGone) {
+  door.after(Milliseconds(5), [] { FAIL() << "called back"; });
+  bench.run();
+  EXPECT_FALSE(bench.services.due_times.component_pending());
+}
+
+// The host has gone, but somebody still holds it: nobody takes the message.
+TEST_F(PluginDoorTest, ForgetsDelaysOfAHostThatHasQuit) {
+  auto host = bench.component_probe("host");
+  door.belongs_to(host);
+  caf::anon_send_exit(host, caf::exit_reason::user_shutdown);
+  bench.run();
+  door.after(Milliseconds(5), [] { FAIL() << "called back"; });
+  bench.run();
+  EXPECT_FALSE(bench.services.due_times.component_pending());
+}
+
+TEST_F(PluginDoorTest, ForgetsWhatIsCancelled) {
+  const auto delay = door.after(Milliseconds(5), [] {});
+  door.cancel(delay);
+  door.cancel(delay);
+  EXPECT_FALSE(bench.services.due_times.component_pending());
+}
+
+TEST_F(PluginDoorTest, ShowsWhatThePlatformShares) {
+  bench.services.data_folder = "/data";
+  bench.services.application_folder = "/app";
+  EXPECT_EQ(door.data_folder(), "/data");
+  EXPECT_EQ(door.application_folder(), "/app");
+  EXPECT_EQ(door.clock().now(), nine_o_clock);
+  EXPECT_EQ(door.column("db:t.c").error().kind, ErrorKind::database);
+  bench.services.columns = [](const std::string& name) {
+    return Expected<std::vector<std::string>>({name, "x"});
+  };
+  EXPECT_THAT(*door.column("db:t.c"), ElementsAre("db:t.c", "x"));
+  door.log("is deaf");
+  EXPECT_THAT(bench.logs, ElementsAre("Ear: is deaf"));
+}
+
+} // namespace
+} // namespace parlour::actors

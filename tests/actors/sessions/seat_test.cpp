@@ -1,0 +1,70 @@
+#include <stdexcept>
+
+#include "actors/sessions/seat.hpp"
+#include "tests/actors/bench.hpp"
+
+namespace parlour::actors {
+namespace {
+
+class SeatTest : public testing::Test {
+protected:
+  SeatTest() {
+    bench.services.sessions.add("a", bench.session_probe("a"));
+  }
+
+  void speak(const seat_actor& seat, const std::string& session) {
+    auto output = std::make_shared<dialogue::Output>();
+    output->id = 7;
+    output->text = "Hello.";
+    bench.send(seat, say{session, output, bench.work()});
+  }
+
+  Bench bench;
+  std::vector<std::string> calls;
+  SeatCalls noting{
+      [this](const auto& session, const dialogue::Output& output) {
+        calls.push_back(session + ": " + output.text);
+      },
+      [this](const auto& session) { calls.push_back(session + " over"); }};
+};
+
+TEST_F(SeatTest, ShowsWhatIsSaidAndThatItWasHeard) {
+  auto actor = bench.spawn(seat, &bench.services, noting);
+  speak(actor, "a");
+  bench.send(actor, session_over{"a", bench.work()});
+  EXPECT_THAT(calls, ElementsAre("a: Hello.", "a over"));
+  EXPECT_THAT(bench.seen, ElementsAre("a played 7"));
+  EXPECT_TRUE(bench.services.work.none());
+}
+
+TEST_F(SeatTest, ShowsTheLastWordsOfASessionThatIsGone) {
+  auto actor = bench.spawn(seat, &bench.services, noting);
+  speak(actor, "gone");
+  EXPECT_THAT(calls, ElementsAre("gone: Hello."));
+  EXPECT_THAT(bench.seen, IsEmpty());
+}
+
+TEST_F(SeatTest, HasBeenHeardWhereNobodyListens) {
+  auto actor = bench.spawn(seat, &bench.services, SeatCalls{});
+  speak(actor, "a");
+  bench.send(actor, session_over{"a", bench.work()});
+  EXPECT_THAT(bench.seen, ElementsAre("a played 7"));
+  EXPECT_TRUE(bench.services.work.none());
+}
+
+TEST_F(SeatTest, SurvivesWhatItsCallsThrow) {
+  SeatCalls throwing{
+      [](const auto&, const auto&) { throw std::runtime_error("no paper"); },
+      [](const auto&) { throw std::runtime_error("no ink"); }};
+  auto actor = bench.spawn(seat, &bench.services, throwing);
+  speak(actor, "a");
+  bench.send(actor, session_over{"a", bench.work()});
+  speak(actor, "a");
+  EXPECT_THAT(bench.seen, ElementsAre("a did not play 7", "a did not play 7"));
+  EXPECT_THAT(bench.logs,
+              ElementsAre(HasSubstr("no paper"), HasSubstr("no ink"),
+                          HasSubstr("no paper")));
+}
+
+} // namespace
+} // namespace parlour::actors

@@ -1,0 +1,167 @@
+#include <stdexcept>
+
+#include "actors/sessions/session_manager.hpp"
+#include "tests/actors/bench.hpp"
+
+namespace parlour::actors {
+namespace {
+
+class SessionManagerTest : public testing::Test {
+protected:
+  SessionManagerTest() {
+    bench.services.manager = manager;
+    bench.services.centre = bench.centre_probe();
+  }
+
+  // At a seat of its own.
+  seat_actor open() {
+    auto seat = bench.seat_probe();
+    bench.send(manager, open_session{seat, bench.work()});
+    return seat;
+  }
+  void say(const std::string& session, std::vector<Message> messages) {
+    for (auto& message : messages)
+      message.session = session;
+    forward_all(std::move(messages));
+  }
+  void wish(const std::string& session, std::vector<Subscription> to) {
+    bench.send(manager, subscribe{session, std::move(to), bench.work()});
+  }
+  void forward_all(std::vector<Message> messages) {
+    bench.send(manager, forward{std::move(messages), bench.work()});
+  }
+
+  Bench bench{R"(
+    <state name="Here"><Exit><speak param="Bye."/></Exit></state>
+    <handler name="H"><messages><component>
+      <Bell><Rings><speak param="Ding {_LPARAM1}"/></Rings></Bell>
+      <ASR><RecognitionResult><speak param="{_LPARAM1}!"/></RecognitionResult>
+      </ASR>
+    </component></messages></handler>)"};
+  session_manager_actor manager = bench.spawn(session_manager, &bench.services);
+};
+
+TEST_F(SessionManagerTest, OpensAndClosesOneOfSeveral) {
+  open();
+  open();
+  EXPECT_TRUE(bench.services.sessions.find("s1"));
+  EXPECT_TRUE(bench.services.sessions.find("s2"));
+  bench.send(manager, close_session{"s1", bench.work()});
+  EXPECT_FALSE(bench.services.sessions.find("s1"));
+  EXPECT_TRUE(bench.services.sessions.find("s2"));
+  EXPECT_THAT(bench.seen, testing::Contains("s1 is over"));
+  EXPECT_THAT(bench.logs, IsEmpty());
+  EXPECT_TRUE(bench.services.work.none());
+}
+
+TEST_F(SessionManagerTest, ClosesAll) {
+  open();
+  open();
+  bench.send(manager, close_session{"", bench.work()});
+  EXPECT_THAT(bench.services.sessions.all(), IsEmpty());
+}
+
+TEST_F(SessionManagerTest, PassesMessagesOn) {
+  open();
+  open();
+  forward_all({event("Bell", "Rings", {1}, "s2")});
+  EXPECT_THAT(bench.seen, ElementsAre("says Ding 1"));
+}
+
+TEST_F(SessionManagerTest, PassesToThoseWhoSubscribed) {
+  open();
+  open();
+  open();
+  wish("s1", {{"Bell", "*"}});
+  wish("s2", {{"*", "Rings"}, {"Bell", "Rings"}});
+  wish("s3", {{"Bell", "Falls"}});
+  forward_all({event("Bell", "Rings", {1})});
+  EXPECT_THAT(bench.seen, ElementsAre("says Ding 1", "says Ding 1"));
+  wish("s1", {});
+  wish("nobody", {{"*", "*"}});
+  bench.send(manager, close_session{"s2", bench.work()});
+  bench.seen.clear();
+  forward_all({event("Bell", "Rings", {2})});
+  EXPECT_THAT(bench.seen, IsEmpty());
+  EXPECT_THAT(bench.logs, ElementsAre(HasSubstr("no session has subscribed")));
+}
+
+// What answers somebody is nobody else's.
+TEST_F(SessionManagerTest, PassesNoLateAnswerToThoseWhoSubscribed) {
+  open();
+  wish("s1", {{"*", "*"}});
+  auto late = event("Bell", "Rings", {1});
+  late.correlation = 7;
+  forward_all({late});
+  EXPECT_THAT(bench.seen, IsEmpty());
+  EXPECT_THAT(bench.logs, ElementsAre(HasSubstr("no session has subscribed")));
+}
+
+TEST_F(SessionManagerTest, SaysWhatNobodyTakes) {
+  open();
+  forward_all({event("Bell", "Rings", {}, "nobody")});
+  forward_all({event("Bell", "Falls"),
+               event("System", "Falls")}); // for those who listen, if any
+  EXPECT_THAT(bench.logs, ElementsAre(HasSubstr("its session is over"),
+                                      HasSubstr("no session has subscribed")));
+}
+
+TEST_F(SessionManagerTest, HasOneSessionAtASeat) {
+  auto seat = open();
+  bench.send(manager, open_session{seat, bench.work()});
+  EXPECT_FALSE(bench.services.sessions.find("s2"));
+}
+
+// A turn on its way to a session that has ended is the next one's at its seat;
+// what answered the old one is not.
+TEST_F(SessionManagerTest, TakesLateTurnsToTheSeatsNextSession) {
+  auto seat = open();
+  bench.send(manager, close_session{"s1", bench.work()});
+  bench.seen.clear();
+  say("s1", {event("ASR", "RecognitionResult", {"one"}),
+             event("System", "ComponentFailed"),
+             event("ASR", "RecognitionResult", {"two"})});
+  EXPECT_THAT(bench.seen, ElementsAre("s2 is next", "says one!", "says two!"));
+  EXPECT_THAT(bench.logs, ElementsAre(HasSubstr("System.ComponentFailed")));
+  bench.seen.clear();
+  say("s1", {event("ASR", "RecognitionResult", {"three"})});
+  EXPECT_THAT(bench.seen, ElementsAre("says three!"));
+  EXPECT_TRUE(bench.services.work.none());
+}
+
+// A recogniser that answers a message copies its correlation.
+TEST_F(SessionManagerTest, KnowsATurnByWhatItIs) {
+  open();
+  bench.send(manager, close_session{"s1", bench.work()});
+  bench.seen.clear();
+  auto heard = event("ASR", "RecognitionResult", {"one"}, "s1");
+  heard.correlation = 7;
+  forward_all({heard});
+  EXPECT_THAT(bench.seen, ElementsAre("s2 is next", "says one!"));
+}
+
+TEST_F(SessionManagerTest, OpensNothingWhenTheHouseCloses) {
+  open();
+  bench.send(manager, close_session{"", bench.work()});
+  say("s1", {event("ASR", "RecognitionResult", {"one"})});
+  EXPECT_THAT(bench.services.sessions.all(), IsEmpty());
+  EXPECT_THAT(bench.logs, ElementsAre(HasSubstr("its session is over")));
+}
+
+TEST_F(SessionManagerTest, NoticesALoss) {
+  open();
+  open();
+  auto lost = bench.services.sessions.find("s1");
+  bench.send(lost, look{[](const auto&) { throw std::runtime_error("broken"); },
+                        bench.work()});
+  EXPECT_THAT(bench.logs,
+              ElementsAre(testing::AllOf(HasSubstr("session s1 was lost: "),
+                                         HasSubstr("broken"))));
+  EXPECT_THAT(bench.seen, ElementsAre("s1 is over"));
+  forward_all({event("Bell", "Rings", {3}, "s2")});
+  EXPECT_THAT(bench.seen, testing::Contains("says Ding 3"));
+  EXPECT_TRUE(bench.services.work.none());
+}
+
+} // namespace
+} // namespace parlour::actors

@@ -1,0 +1,104 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "actors/support/discretion.hpp"
+
+namespace parlour::actors {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+class DiscretionTest : public testing::Test {
+protected:
+  static Message message(const std::string& source, const std::string& text,
+                         std::uint64_t number, const SessionId& session = "s") {
+    Message made;
+    made.source = source;
+    made.command = "Says";
+    made.params = {text};
+    made.number = number;
+    made.session = session;
+    return made;
+  }
+  void see(const Message& seen, const std::string& way = "session") {
+    discretion.pass(seen, way);
+    Inspection inspection;
+    inspection.kind = InspectionKind::message;
+    inspection.session = seen.session;
+    inspection.message = std::make_shared<const Message>(seen);
+    inspection.way = way;
+    discretion.show(std::move(inspection));
+  }
+  void log(const std::string& text) {
+    discretion.show({InspectionKind::log, "s", "info", text});
+  }
+  std::vector<std::string> shown() {
+    return std::exchange(shown_, {});
+  }
+
+  std::vector<std::string> shown_;
+  Discretion discretion{
+      [this](const Inspection& seen) {
+        shown_.push_back(seen.message ? to_string(*seen.message) : seen.detail);
+      },
+      [](const Message& seen) { return seen.source == "ASR"; }};
+};
+
+TEST_F(DiscretionTest, ShowsAtOnceWhatNobodySaid) {
+  log("one");
+  EXPECT_THAT(shown(), ElementsAre("one"));
+  discretion.conceal("s", {"1234"});
+  log("pin 1234");
+  EXPECT_THAT(shown(), ElementsAre("pin ***"));
+}
+
+TEST_F(DiscretionTest, ShowsWhatWasSaidWhenItIsUnderstood) {
+  see(message("ASR", "hello", 1));
+  log("greeting");
+  EXPECT_THAT(shown(), IsEmpty());
+  discretion.settled("s", 0); // of the turn before
+  EXPECT_THAT(shown(), IsEmpty());
+  discretion.settled("s", 1);
+  EXPECT_THAT(shown(), ElementsAre("ASR.Says(hello)", "greeting"));
+}
+
+TEST_F(DiscretionTest, MasksAllThatWasHeardOfAPrivateTurn) {
+  see(message("ASR", "one to three", 1));
+  see(message("ASR", "one two three four", 2));
+  see(message("Script", "one two three four", 3), "-> NLU");
+  discretion.conceal("s", {"1234"});
+  log("is it one to three, or 1234?");
+  discretion.settled("s", 2);
+  EXPECT_THAT(shown(), ElementsAre("ASR.Says(***)", "ASR.Says(***)",
+                                   "Script.Says(***)", "is it ***, or ***?"));
+  EXPECT_TRUE(discretion.is_private("one to three"));
+  see(message("ASR", "one to three", 4));
+  discretion.settled("s", 4);
+  EXPECT_THAT(shown(), ElementsAre("ASR.Says(one to three)"));
+}
+
+TEST_F(DiscretionTest, MasksWhatIsSaidWhileAPrivateSlotIsAskedFor) {
+  see(message("ASR", "mumble", 1));
+  discretion.conceal_turn("s");
+  discretion.settled("s", 1);
+  EXPECT_THAT(shown(), ElementsAre("ASR.Says(***)"));
+}
+
+// By relays, or from nobody's session: who knows what it means?
+TEST_F(DiscretionTest, MasksWhatGoesElsewhere) {
+  see(message("ASR", "1234", 1), "relay -> NLU");
+  see(message("ASR", "1234", 2, ""), "every session");
+  EXPECT_THAT(shown(), ElementsAre("ASR.Says(***)", "ASR.Says(***)"));
+}
+
+TEST_F(DiscretionTest, KnowsItWhenTheSessionIsOver) {
+  discretion.conceal("s", {"1234"});
+  see(message("ASR", "bye", 1));
+  discretion.ended("s");
+  EXPECT_THAT(shown(), ElementsAre("ASR.Says(bye)"));
+  EXPECT_EQ(discretion.masked("1234"), "***");
+}
+
+} // namespace
+} // namespace parlour::actors

@@ -1,0 +1,71 @@
+#include <gtest/gtest.h>
+
+#include "adapters/nlu/parse/context.hpp"
+#include "tests/adapters/nlu/sample.hpp"
+
+namespace parlour::adapters::nlu::test {
+namespace {
+
+class ContextTest : public testing::Test {
+protected:
+  Context read(Map map) const {
+    return read_context(Value(std::move(map)), schema);
+  }
+
+  std::vector<Error> errors;
+  Schema schema{sample_model(), sample_column, errors};
+};
+
+TEST_F(ContextTest, IsReadByNames) {
+  const auto context =
+      read({{"asked", Map{{"topic", "Appointment"}, {"slot", "Time"}}},
+            {"current", "Appointment"},
+            {"resting", "Facility"},
+            {"unfinished", List{"Taxi", "Appointment"}},
+            {"grammar", "desk"},
+            {"now", sample_now()}});
+  EXPECT_EQ(context.asked_topic, 0U);
+  EXPECT_EQ(context.asked_slot, "Time");
+  EXPECT_EQ(context.asked_entity_id, static_cast<EntityId>(Form::time));
+  EXPECT_EQ(context.current, 0U);
+  EXPECT_EQ(context.resting, 1U);
+  EXPECT_EQ(context.unfinished, (std::vector<TopicNumber>{2, 0}));
+  EXPECT_EQ(context.grammar, "desk");
+  EXPECT_EQ(context.now, sample_now());
+}
+
+TEST_F(ContextTest, LeavesOutWhatIsNotThere) {
+  const Map strange[] = {
+      {},
+      {{"asked", Map{{"topic", "Appointment"}, {"slot", "Colour"}}},
+       {"current", "Weather"},
+       {"unfinished", List{"Weather", 7}},
+       {"now", "soon"}},
+      {{"asked", "Time"}, {"resting", 3}, {"unfinished", "Taxi"}},
+  };
+  for (const auto& map : strange) {
+    const auto context = read(map);
+    EXPECT_EQ(context.asked_topic, no_topic);
+    EXPECT_EQ(context.asked_slot, "");
+    EXPECT_EQ(context.asked_entity_id, asked_entity);
+    EXPECT_EQ(context.current, no_topic);
+    EXPECT_EQ(context.resting, no_topic);
+    EXPECT_TRUE(context.unfinished.empty());
+    EXPECT_FALSE(context.now);
+  }
+  EXPECT_EQ(read_context({}, schema).current, no_topic);
+}
+
+TEST_F(ContextTest, GivesABonusForBeingExpected) {
+  const auto context = read({{"current", "Appointment"},
+                             {"resting", "Facility"},
+                             {"unfinished", List{"Taxi"}}});
+  EXPECT_EQ(context.bonus(0), 0.2);
+  EXPECT_EQ(context.bonus(1), 0.1);
+  EXPECT_EQ(context.bonus(2), 0.1);
+  EXPECT_EQ(context.bonus(no_topic), 0);
+  EXPECT_EQ(read({}).bonus(0), 0);
+}
+
+} // namespace
+} // namespace parlour::adapters::nlu::test

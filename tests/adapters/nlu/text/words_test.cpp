@@ -1,0 +1,23 @@
+#include <gtest/gtest.h>
+
+#include "adapters/nlu/text/words.hpp"
+
+namespace parlour::adapters::nlu {
+namespace {
+
+TEST(Words, AreInTheirSets) {
+  EXPECT_TRUE(is_title("dr"));
+  EXPECT_FALSE(is_title("ho"));
+  EXPECT_TRUE(is_determiner("any"));
+  EXPECT_TRUE(is_connector("binte"));
+  EXPECT_TRUE(is_light("of"));
+  EXPECT_FALSE(is_light("shop"));
+  EXPECT_TRUE(is_function_word("from"));
+  EXPECT_TRUE(is_function_word("the"));
+  EXPECT_FALSE(is_function_word("comptec"));
+  EXPECT_EQ(contraction("i'm"), "i am");
+  EXPECT_EQ(contraction("ho"), "");
+}
+
+} // namespace
+} // namespace parlour::adapters::nlu

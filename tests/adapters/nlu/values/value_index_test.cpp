@@ -1,0 +1,55 @@
+#include <gtest/gtest.h>
+
+#include "adapters/nlu/values/value_index.hpp"
+
+namespace parlour::adapters::nlu {
+namespace {
+
+// The values of the longest match that begins first, joined by "|".
+std::string find(const char* text) {
+  ValueIndex index;
+  const auto set =
+      index.add({"Jeffery Ho", "Ho Hui Min", "Tan Hui Min", "Tan Wei Ming",
+                 "Nurul Huda binte Ahmad", "coffee shop", "Ya Kun Toastwich",
+                 "coffee shop"});
+  const auto tokens = tokenize(text);
+  const std::vector<bool> plain(tokens.list.size(), false);
+  const ValueMatch* best = nullptr;
+  const auto matches = index.find(tokens, plain);
+  for (const auto& match : matches)
+    if (!best || (match.begin == best->begin && match.end > best->end))
+      best = &match;
+  std::string names;
+  for (std::size_t at = 0; best && at < best->values.size(); ++at)
+    names += (at > 0 ? "|" : "") + index.value(set, best->values[at]);
+  return names;
+}
+
+TEST(ValueIndex, FindsWordsInAnyOrder) {
+  EXPECT_EQ(find("Jeffery Ho"), "Jeffery Ho");
+  EXPECT_EQ(find("ho jeffery"), "Jeffery Ho");
+  EXPECT_EQ(find("Wei Ming Tan"), "Tan Wei Ming");
+  EXPECT_EQ(find("nurul huda ahmad"), "Nurul Huda binte Ahmad");
+}
+
+TEST(ValueIndex, KeepsCandidates) {
+  EXPECT_EQ(find("Hui Min"), "Ho Hui Min|Tan Hui Min");
+  EXPECT_EQ(find("Ho"), "Jeffery Ho|Ho Hui Min");
+}
+
+TEST(ValueIndex, ForgivesSpelling) {
+  EXPECT_EQ(find("jefrey ho"), "Jeffery Ho");
+  EXPECT_EQ(find("tan weiming"), "Tan Wei Ming");
+  EXPECT_EQ(find("ya kun toast wich"), "Ya Kun Toastwich");
+  EXPECT_EQ(find("coffee shops"), "coffee shop");
+  EXPECT_EQ(find("coffe shop"), "coffee shop");
+}
+
+TEST(ValueIndex, RejectsStrangers) {
+  EXPECT_EQ(find("Zzyzx Qwert"), "");
+  EXPECT_EQ(find("Jeffery Smith"), "");
+  EXPECT_EQ(find("Jeffery Tan"), "");
+}
+
+} // namespace
+} // namespace parlour::adapters::nlu

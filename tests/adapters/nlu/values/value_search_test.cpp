@@ -1,0 +1,80 @@
+#include <gtest/gtest.h>
+
+#include "adapters/nlu/values/value_search.hpp"
+
+namespace parlour::adapters::nlu {
+namespace {
+
+class ValueSearchTest : public testing::Test {
+protected:
+  // The best match of all; `plain` are positions of words that have a meaning
+  // of their own.
+  ValueMatch best(const std::string& text,
+                  std::initializer_list<std::size_t> plain = {}) {
+    const auto tokens = tokenize(text);
+    std::vector<bool> marks(tokens.list.size(), false);
+    for (const auto at : plain)
+      marks[at] = true;
+    ValueMatch found;
+    found.confidence = 0;
+    for (auto& match : ValueSearch(index, tokens, marks).run())
+      if (match.end - match.begin > found.end - found.begin ||
+          match.confidence > found.confidence)
+        found = match;
+    return found;
+  }
+
+  ValueIndex index;
+  SetId staff = index.add({"Jeffery Ho", "Tan Wei Ming", "Nurul binte Ahmad"});
+  SetId places = index.add({"food court", "bank of China", "gate 12"});
+};
+
+TEST_F(ValueSearchTest, FindsWholeValues) {
+  const auto match = best("to meet jeffery ho now");
+  EXPECT_EQ(match.set, staff);
+  EXPECT_EQ(match.begin, 2U);
+  EXPECT_EQ(match.end, 4U);
+  EXPECT_EQ(match.confidence, 1);
+  EXPECT_TRUE(match.whole);
+  EXPECT_TRUE(match.stands_alone);
+}
+
+TEST_F(ValueSearchTest, NeedsNoLightWords) {
+  EXPECT_TRUE(best("bank china").whole);
+  EXPECT_TRUE(best("nurul ahmad").whole);
+  EXPECT_EQ(best("bank of the china").end, 4U); // one more between
+  EXPECT_EQ(best("of").confidence, 0);
+}
+
+TEST_F(ValueSearchTest, IsLessSureOfMisspeltWords) {
+  const auto match = best("jefery ho");
+  EXPECT_EQ(match.set, staff);
+  EXPECT_LT(match.confidence, 1);
+  EXPECT_GT(match.confidence, 0.8);
+  EXPECT_EQ(best("jefery", {0}).confidence, 0); // means something else
+  EXPECT_EQ(best("gate 13").whole, false);      // numbers are not misspelt
+}
+
+TEST_F(ValueSearchTest, AFirstNameStandsAloneUnlessItMeansSomethingElse) {
+  EXPECT_TRUE(best("jeffery").stands_alone);
+  EXPECT_FALSE(best("jeffery").whole);
+  EXPECT_FALSE(best("court", {0}).stands_alone);
+}
+
+TEST_F(ValueSearchTest, DoesNotReachBeyondASentence) {
+  EXPECT_FALSE(best("food. court").whole);
+  EXPECT_TRUE(best("food, court").whole);
+}
+
+TEST_F(ValueSearchTest, KeepsNoMoreCandidatesThanFifty) {
+  std::vector<std::string> names;
+  for (int number = 0; number < 80; ++number)
+    names.push_back("Lim Person" + std::to_string(number));
+  const auto people = index.add(names);
+  const auto match = best("lim");
+  EXPECT_EQ(match.set, people);
+  EXPECT_EQ(match.values.size(), 50U);
+}
+
+} // namespace
+} // namespace parlour::adapters::nlu

@@ -1,0 +1,48 @@
+#include <gmock/gmock.h>
+
+#include "script/compiler/understanding_builder.hpp"
+#include "tests/script/snippets.hpp"
+
+namespace parlour::script {
+
+using testing::ElementsAre;
+
+TEST(UnderstandingBuilder, tells_topics_slots_and_examples) {
+  const auto outcome = test::compile_declarations(
+      "<topic name='t' kind='enquiry'><slot name='C' type='Functional'>"
+      "<cardinality type='set'><value> Sky  garden </value><value>Pool</value>"
+      "<value expr='1'/></cardinality></slot><slot name='N'/>"
+      "<query source='db' param='select 1'><by slot='C'/></query>"
+      "<examples><value>where is the [pool](C)</value></examples></topic>");
+  ASSERT_TRUE(outcome.program) << outcome.lines.at(0);
+  const auto& model = *outcome.program->understanding;
+  ASSERT_EQ(model.topics.size(), 1u);
+  const auto& topic = model.topics[0];
+  EXPECT_TRUE(topic.enquiry);
+  EXPECT_THAT(topic.examples, ElementsAre("where is the [pool](C)"));
+  ASSERT_EQ(topic.slots.size(), 2u);
+  EXPECT_THAT(topic.slots[0].values, ElementsAre("Sky garden", "Pool"));
+  EXPECT_TRUE(topic.slots[0].functional);
+  EXPECT_TRUE(topic.slots[0].relevant_to_query);
+  EXPECT_FALSE(topic.slots[1].relevant_to_query);
+}
+
+TEST(UnderstandingBuilder, takes_grammars_from_text_and_files) {
+  test::TemporaryFolder folder;
+  folder.write("settings.xml", "<settings><Scripts><Script>a.xml</Script>"
+                               "</Scripts></settings>");
+  folder.write("a.xml", "<dialogue>\n<grammar name='a'>\n  #JSGF V1.0;\n"
+                        "</grammar>\n<grammar name='b' file='g/b.jsgf'/>"
+                        "</dialogue>");
+  folder.write("g/b.jsgf", "#JSGF V1.0; grammar b;");
+  const auto compiled = compile_application(folder.path(), test::platform());
+  ASSERT_TRUE(compiled.program);
+  const auto& grammars = compiled.program->understanding->grammars;
+  ASSERT_EQ(grammars.size(), 2u);
+  EXPECT_EQ(grammars[0].text, "#JSGF V1.0;\n");
+  EXPECT_EQ(grammars[0].place.line, 3u);
+  EXPECT_EQ(grammars[1].name, "b");
+  EXPECT_EQ(grammars[1].text, "#JSGF V1.0; grammar b;");
+}
+
+} // namespace parlour::script

@@ -1,0 +1,112 @@
+#include <gtest/gtest.h>
+
+#include "script/dialogue/frame/frame_evaluator.hpp"
+#include "script/dialogue/frame/frames.hpp"
+#include "tests/script/dialogue/conversation_world.hpp"
+
+namespace parlour::dialogue {
+namespace {
+
+struct FramesOfASession : testing::Test {
+  FramesOfASession()
+      : world(R"xml(<var name="first" expr="1"/>
+          <topic name="Plain"><slot name="A" expr="'a'"/><slot name="B"/>
+          </topic>
+          <topic name="Bound"><slot name="A"/>
+            <constraint cond="this.A ge first" message="no"/></topic>
+          <topic name="Begun"><slot name="A" expr="first + 1"/></topic>
+          <topic name="Chosen"><slot name="A"><cardinality type="set">
+            <value expr="first + 1"/></cardinality></slot></topic>
+          <topic name="Range"><slot name="A">
+            <cardinality type="range" from="first"/></slot></topic>)xml"),
+        interpreter(world.program), frames(*world.program, interpreter) {
+    interpreter.set_variable(0, 1);
+  }
+
+  static FrameChange set(SlotId slot, Value value) {
+    FrameChange change;
+    change.slot = slot;
+    change.value = std::move(value);
+    return change;
+  }
+  FrameResult at_the_actor(const FrameRequest& request) {
+    return apply(*world.program, request.start ? *request.start : *kept,
+                 request,
+                 make_frame_evaluator(world.program, request.variables, 0));
+  }
+
+  World world;
+  script::Interpreter interpreter;
+  Frames frames;
+  FramePointer kept;
+};
+
+TEST_F(FramesOfASession, BeginWithInitialValues) {
+  EXPECT_EQ(frames.get(0, 0).slots[0].value, "a");
+  EXPECT_EQ(frames.get(0, 0).status, TopicStatus::untouched);
+}
+
+TEST_F(FramesOfASession, TheFirstRequestBringsTheFrame) {
+  frames.change(0, set(1, "b"), 0);
+  auto request = frames.request(0, {set(0, "c")}, 5);
+  ASSERT_TRUE(request.start);
+  EXPECT_EQ(request.start->slots[1].value, "b");
+  EXPECT_EQ(request.now, 5);
+  EXPECT_EQ(request.changes.size(), 1u);
+  EXPECT_EQ(request.variables, nullptr);
+}
+
+TEST_F(FramesOfASession, LaterOnesBringItWhereItWasChangedHere) {
+  kept = at_the_actor(frames.request(0, {}, 0)).frame;
+  frames.store(kept);
+  frames.change(0, set(1, "b"), 0);
+  EXPECT_EQ(frames.get(0, 0).slots[1].value, "b");
+  auto request = frames.request(0, {set(0, "c")}, 0);
+  ASSERT_TRUE(request.start);
+  EXPECT_EQ(request.start->slots[1].value, "b");
+  auto result = at_the_actor(request);
+  EXPECT_EQ(result.frame->slots[1].value, "b");
+  EXPECT_EQ(result.reports.size(), 1u);
+  frames.store(result.frame);
+  EXPECT_EQ(frames.get(0, 0).slots[0].value, "c");
+  EXPECT_FALSE(frames.request(0, {}, 0).start);
+}
+
+TEST_F(FramesOfASession, VariablesTravelWhereTheyMayBeRead) {
+  for (const TopicId topic : {1u, 2u, 3u, 4u}) {
+    auto request = frames.request(topic, {}, 0);
+    ASSERT_TRUE(request.variables);
+    EXPECT_EQ(*request.variables, List{1});
+  }
+}
+
+TEST_F(FramesOfASession, WithoutAnActorAreChangedInPlace) {
+  const auto* frame = &frames.get(0, 0);
+  const std::vector<FrameChange> changes{set(0, "x"), set(1, "b")};
+  const auto result = frames.apply(0, changes, 0);
+  EXPECT_EQ(result.reports.size(), 2u);
+  EXPECT_FALSE(result.frame);
+  EXPECT_EQ(&frames.get(0, 0), frame);
+  EXPECT_EQ(frame->slots[1].value, "b");
+}
+
+TEST_F(FramesOfASession, CountAndChangeStatusLikeAnEvent) {
+  frames.set_status(0, TopicStatus::active, 0);
+  frames.count_question(0, 1, 0);
+  EXPECT_EQ(frames.get(0, 0).status, TopicStatus::active);
+  EXPECT_EQ(frames.get(0, 0).slots[1].asked, 1u);
+  EXPECT_TRUE(frames.get(0, 0).done); // it has no Functional slot
+}
+
+TEST_F(FramesOfASession, WhatTheActorHasStaysAsItWas) {
+  kept = at_the_actor(frames.request(0, {}, 0)).frame;
+  frames.store(kept);
+  frames.change(0, set(1, "b"), 0);
+  EXPECT_EQ(kept->slots[1].value, Value());
+  const auto start = frames.request(0, {}, 0).start;
+  frames.change(0, set(1, "c"), 0);
+  EXPECT_EQ(start->slots[1].value, "b");
+}
+
+} // namespace
+} // namespace parlour::dialogue

@@ -1,0 +1,17 @@
+#include <gtest/gtest.h>
+
+#include "script/spoken/letter_case.hpp"
+
+namespace parlour::script {
+
+namespace {
+
+TEST(LetterCase, IsThatOfAnyAlphabet) {
+  EXPECT_EQ(capitals("straße é"), "STRASSE É");
+  EXPECT_EQ(small_letters("ÄB ΣΑΣ"), "äb σας");
+  EXPECT_EQ(capitals(""), "");
+}
+
+} // namespace
+
+} // namespace parlour::script

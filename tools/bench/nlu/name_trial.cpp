@@ -1,0 +1,151 @@
+#include "tools/bench/nlu/name_trial.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <sstream>
+#include <string_view>
+#include <utility>
+
+#include "runtime/base/random.hpp"
+
+namespace parlour::tools {
+
+namespace {
+
+using Words = std::vector<std::string>;
+
+// Of no staff: names of other places.
+constexpr std::array<std::string_view, 20> given_names{
+    "Bartholomew", "Ingrid",    "Thorvald",  "Giuseppe", "Esperanza",
+    "Wolfgang",    "Katarzyna", "Oluwaseun", "Francois", "Yevgenia",
+    "Mikkel",      "Guadalupe", "Zbigniew",  "Lysander", "Philippa",
+    "Ezequiel",    "Ottoline",  "Kwabena",   "Leopold",  "Genevieve"};
+constexpr std::array<std::string_view, 16> family_names{
+    "Higginbotham", "Lindqvist", "Kowalczyk",  "Okonkwo",
+    "Featherstone", "Papadakis", "Villanueva", "Montgomery",
+    "Vandenberg",   "Abernathy", "Castellano", "Hutchinson",
+    "Grunewald",    "Petrovsky", "Fitzgerald", "Delacroix"};
+
+Words words_of(const std::string& name) {
+  std::istringstream in(name);
+  Words words;
+  for (std::string word; in >> word;)
+    if (word.find('/') == std::string::npos && word != "bin" &&
+        word != "binte" && word != "bte")
+      words.push_back(std::move(word));
+  return words;
+}
+
+std::string joined(const Words& words) {
+  std::string text;
+  for (const auto& word : words)
+    text += (text.empty() ? "" : " ") + word;
+  return text;
+}
+
+bool has_all(const Words& name, const Words& words) {
+  return std::ranges::all_of(words, [&](const auto& word) {
+    return std::ranges::find(name, word) != name.end();
+  });
+}
+
+class Trials {
+public:
+  explicit Trials(const std::vector<std::string>& names) {
+    for (const auto& name : names)
+      names_.push_back(words_of(name));
+  }
+
+  std::vector<NameTrial> run(const std::vector<std::string>& names) {
+    for (std::size_t at = 0; at < names.size(); ++at) {
+      const auto& words = names_[at];
+      auto turned = words;
+      std::ranges::rotate(turned, turned.begin() + 1);
+      add(turned, names[at]);
+      auto part = words;
+      part.erase(part.begin() + pick(part.size()));
+      add(part, names[at]);
+      if (means_one(words))
+        made_.push_back({joined(misspelt(words)), names[at]});
+    }
+    return std::move(made_);
+  }
+
+private:
+  std::ptrdiff_t pick(std::size_t size) {
+    return static_cast<std::ptrdiff_t>(random_.next() % size);
+  }
+
+  bool means_one(const Words& words) const {
+    return !words.empty() &&
+           std::ranges::count_if(names_, [&](const auto& one) {
+             return has_all(one, words);
+           }) == 1;
+  }
+
+  void add(const Words& words, const std::string& name) {
+    if (means_one(words))
+      made_.push_back({joined(words), name});
+  }
+
+  // One letter of a word of four and more is wrong.
+  Words misspelt(Words words) {
+    Words::iterator longest = std::ranges::max_element(
+        words, {}, [](const auto& word) { return word.size(); });
+    auto& word = words[static_cast<std::size_t>(pick(words.size()))];
+    spoil(word.size() < 4 ? *longest : word);
+    return words;
+  }
+
+  // Not the first letter, as nobody mistakes that.
+  void spoil(std::string& word) {
+    const auto at = static_cast<std::size_t>(1 + pick(word.size() - 2));
+    switch (pick(4)) {
+    case 0:
+      word.erase(at, 1);
+      return;
+    case 1:
+      word.insert(at, 1, word[at]);
+      return;
+    case 2:
+      std::swap(word[at], word[at + 1]);
+      return;
+    default:
+      word[at] = other_letter(word[at]);
+    }
+  }
+
+  static char other_letter(char letter) {
+    constexpr std::string_view from = "aeioucksztdpbfvmnlr";
+    constexpr std::string_view to = "eaeuokczstdbpvfnmrl";
+    const auto at = from.find(letter);
+    return at == std::string_view::npos ? 'e' : to[at];
+  }
+
+  std::vector<Words> names_;
+  std::vector<NameTrial> made_;
+  Random random_{2026};
+};
+
+} // namespace
+
+std::vector<NameTrial> name_trials(const std::vector<std::string>& names) {
+  return Trials(names).run(names);
+}
+
+std::vector<NameTrial> stranger_trials(const std::vector<std::string>& names) {
+  std::vector<NameTrial> made;
+  for (std::size_t at = 0; at < names.size(); ++at) {
+    std::string said(given_names[at % given_names.size()]);
+    const auto words = words_of(names[at]);
+    said += ' ';
+    said += at % 2 == 0 || words.empty()
+                ? family_names[at / given_names.size() % family_names.size()]
+                : std::string_view(words.back());
+    made.push_back({std::move(said), ""});
+  }
+  return made;
+}
+
+} // namespace parlour::tools

@@ -1,0 +1,247 @@
+#include "tools/bench/nlu/nlu_bench.hpp"
+
+#include <algorithm>
+#include <ostream>
+
+#include <fmt/format.h>
+
+#include "adapters/nlu/understand/understander.hpp"
+#include "runtime/base/clock.hpp"
+#include "tools/bench/nlu/data_trial.hpp"
+#include "tools/bench/nlu/frame_trial.hpp"
+#include "tools/bench/nlu/name_trial.hpp"
+#include "tools/bench/nlu/nlu_data.hpp"
+#include "tools/bench/support/measure.hpp"
+
+namespace parlour::tools {
+
+namespace {
+
+using adapters::nlu::Understander;
+using adapters::nlu::Understanding;
+
+const char* met(bool well) {
+  return well ? "met" : "missed";
+}
+
+std::string at_least(double figure, double bar, const char* unit = " %") {
+  return fmt::format("{:.1f}{} (bar {:g}: {})", figure, unit, bar,
+                     met(figure >= bar));
+}
+
+std::string at_most(double figure, double bar, const char* unit) {
+  return fmt::format("{:.1f}{} (bar {:g}: {})", figure, unit, bar,
+                     met(figure <= bar));
+}
+
+// One understander and what it took to make it.
+struct Trained {
+  Understander understander;
+  double milliseconds = 0;
+  double mebibytes = 0;
+};
+
+Expected<Trained> train(const UnderstandingModel& model,
+                        const ColumnReader& columns,
+                        Understander::Options options) {
+  const auto bytes = bytes_in_use();
+  const auto start = cpu_nanoseconds();
+  auto built = Understander::build(model, columns, std::move(options));
+  const auto taken = cpu_nanoseconds() - start;
+  if (!built)
+    return tl::make_unexpected(built.error().front());
+  const auto more = bytes_in_use() - std::min(bytes, bytes_in_use());
+  return Trained{std::move(*built), taken / 1e6, double(more) / (1 << 20)};
+}
+
+using Read = Expected<NluData> (*)(const std::filesystem::path&, DataPart);
+
+bool data_row(const char* name, Read read, double bar,
+              const NluBenchOptions& options, std::ostream& out) {
+  if (options.data.empty()) {
+    out << fmt::format("{:<12} not measured: --data names no folder\n", name);
+    return true;
+  }
+  const auto data = read(options.data, options.validation ? DataPart::validation
+                                                          : DataPart::test);
+  const auto trained = data.and_then([](const auto& one) {
+    return train(one.model, {}, {0, {}});
+  });
+  if (!trained) {
+    out << fmt::format("{:<12} {}\n", name, to_string(trained.error()));
+    return false;
+  }
+  const DataTrial trial(data->texts, trained->understander);
+  out << fmt::format("{:<12} intent {}", name,
+                     at_least(percent(trial.right, trial.asked), bar));
+  if (trial.slots.wanted > 0)
+    out << fmt::format(", slot F1 {}", at_least(trial.slots.f1(), 91));
+  if (!trial.strangers.empty()) {
+    const auto limit = DataTrial(data->held_out, trained->understander).limit();
+    out << fmt::format(", accepted {:.1f} % at a threshold of {:.3f}, which "
+                       "95 % of the validation's reach; strangers rejected "
+                       "{:.1f} %",
+                       100 - percent_below(trial.scores, limit), limit,
+                       percent_below(trial.strangers, limit));
+  }
+  out << fmt::format("; trained in {:.1f} s, {:.0f} MiB, {:.0f} texts/s\n",
+                     trained->milliseconds / 1000, trained->mebibytes,
+                     double(data->texts.size()) / trial.seconds);
+  return true;
+}
+
+// What was understood of a name, as a person would say it.
+const char* const before_names = "I am here to meet ";
+
+struct Heard {
+  bool accepted = false;
+  std::string value; // "" where several fit
+};
+
+Heard hear(const Understander& understander, const std::string& said) {
+  const auto made = understander.understand(before_names + said);
+  const auto host = made.acts.empty() ? Value() : made.acts[0]["slots"]["Host"];
+  if (!host.if_map() || host["unmatched"])
+    return {};
+  return {true, host["value"].text()};
+}
+
+bool names_row(const NluApplication& application, std::ostream& out) {
+  UnderstandingModel model;
+  model.topics = {{"Visit",
+                   false,
+                   {{"Host", "query", {}, "db:people.name", true, false}},
+                   {}}};
+  model.grammars = {
+      {"visit", "public <meet> = to meet @Visit.Host;", {"bench", 1, 1}}};
+  const auto trained =
+      train(model,
+            [&](const std::string&) {
+              return Expected<std::vector<std::string>>(application.names);
+            },
+            {0.4, {}});
+  if (!trained) {
+    out << "names        " << to_string(trained.error()) << '\n';
+    return false;
+  }
+  std::size_t right = 0, accepted = 0, strangers = 0;
+  const auto trials = name_trials(application.names);
+  for (const auto& trial : trials) {
+    const auto heard = hear(trained->understander, trial.said);
+    accepted += heard.accepted ? 1U : 0U;
+    right += heard.value == trial.meant ? 1U : 0U;
+  }
+  const auto others = stranger_trials(application.names);
+  for (const auto& trial : others)
+    strangers += hear(trained->understander, trial.said).accepted ? 1U : 0U;
+  out << fmt::format("names        of {} said in another order, in part or "
+                     "misspelt, right {}, "
+                     "accepted {}; strangers accepted {}\n",
+                     trials.size(),
+                     at_least(percent(right, trials.size()), 97.5),
+                     at_least(percent(accepted, trials.size()), 90),
+                     at_most(percent(strangers, others.size()), 2, " %"));
+  return true;
+}
+
+bool is_right(const FrameTrial& trial, const Understanding& made) {
+  if (made.acts.size() != 1 || made.acts[0]["topic"].text() != trial.topic)
+    return false;
+  const auto* slots = made.acts[0]["slots"].if_map();
+  return (slots ? slots->size() : 0) == trial.slots.size() &&
+         std::ranges::all_of(trial.slots, [&](const auto& slot) {
+           return made.acts[0]["slots"][slot.first]["value"].text() ==
+                  slot.second;
+         });
+}
+
+double frames_right(const Understander& understander,
+                    const std::vector<FrameTrial>& trials) {
+  const Map context{{"now", *parse_timestamp(frame_trial_time)}};
+  const auto right = std::ranges::count_if(trials, [&](const auto& trial) {
+    return is_right(trial, understander.understand(trial.said, context));
+  });
+  return percent(static_cast<std::size_t>(right), trials.size());
+}
+
+constexpr std::size_t frames_tried = 2000;
+
+bool frames_row(const NluApplication& application, std::ostream& out) {
+  const auto trained =
+      train(application.model, application.columns, {0.4, application.generic});
+  const auto trials =
+      frame_trials(application.model, application.columns, frames_tried);
+  if (!trained || trials.empty()) {
+    out << "frames       "
+        << (trained ? "no grammar has a sentence" : to_string(trained.error()))
+        << '\n';
+    return false;
+  }
+  out << fmt::format(
+      "frames       of {} sentences of its grammars, topic and "
+      "all slots right {}, misheard {}\n",
+      trials.size(), at_least(frames_right(trained->understander, trials), 90),
+      at_least(frames_right(trained->understander, misheard(trials)), 80));
+  return true;
+}
+
+constexpr std::size_t speed_rounds = 5;
+
+bool application_row(const NluApplication& application, std::ostream& out) {
+  // Once to have its columns read, and once to be measured.
+  if (const auto first = train(application.model, application.columns,
+                               {0.4, application.generic});
+      !first) {
+    out << "application  " << to_string(first.error()) << '\n';
+    return false;
+  }
+  const auto trained =
+      train(application.model, application.columns, {0.4, application.generic});
+  if (!trained || application.said.empty()) {
+    out << "application  nothing was said to it\n";
+    return false;
+  }
+  std::size_t understood = 0;
+  const auto start = cpu_nanoseconds();
+  for (std::size_t round = 0; round < speed_rounds; ++round)
+    for (const auto& text : application.said)
+      understood +=
+          trained->understander.understand(text).acts.empty() ? 0U : 1U;
+  const auto seconds = (cpu_nanoseconds() - start) / 1e9;
+  const auto count = application.said.size() * speed_rounds;
+  out << fmt::format(
+      "application  {} texts, {:.0f} % understood, {:.0f}/s (bar 20000: {}); "
+      "loaded in {}, {}\n",
+      application.said.size(), percent(understood, count),
+      double(count) / seconds, met(double(count) / seconds >= 20'000),
+      at_most(trained->milliseconds, 200, " ms"),
+      at_most(trained->mebibytes, 64, " MiB"));
+  return true;
+}
+
+} // namespace
+
+std::vector<std::string> nlu_bench_rows() {
+  return {"clinc", "snips", "names", "frames", "application"};
+}
+
+bool nlu_bench(const NluBenchOptions& options,
+               const NluApplication& application, std::ostream& out) {
+  const auto wanted = [&](const char* row) {
+    return options.only.empty() || options.only == row;
+  };
+  bool well = true;
+  if (wanted("clinc"))
+    well &= data_row("clinc", read_clinc, 91, options, out);
+  if (wanted("snips"))
+    well &= data_row("snips", read_snips, 98, options, out);
+  if (wanted("names"))
+    well &= names_row(application, out);
+  if (wanted("frames"))
+    well &= frames_row(application, out);
+  if (wanted("application"))
+    well &= application_row(application, out);
+  return well;
+}
+
+} // namespace parlour::tools

@@ -1,0 +1,117 @@
+#include "tools/parlour/application/catalogue.hpp"
+
+#include <algorithm>
+
+#include "adapters/database/mariadb/mariadb_database.hpp"
+#include "adapters/database/sqlite/sqlite_database.hpp"
+#include "adapters/nlg/phrase_nlg.hpp"
+#include "adapters/nlu/keywords/keyword_nlu.hpp"
+#include "adapters/nlu/understand/grammar_nlu.hpp"
+#include "adapters/standins/log_devices.hpp"
+#include "adapters/standins/log_reports.hpp"
+#include "adapters/standins/log_robot.hpp"
+#include "adapters/standins/log_sms.hpp"
+#include "adapters/standins/log_taxi.hpp"
+#include "adapters/standins/log_telephone.hpp"
+#include "adapters/tts/text_file_tts.hpp"
+#include "script/source/findings.hpp"
+
+namespace parlour::tools {
+
+namespace {
+
+const PluginFactory* find_in(const std::vector<PluginFactory>& plugins,
+                             std::string_view name) {
+  const auto found = std::ranges::find_if(plugins, [&](const auto& plugin) {
+    return plugin.description.name == name;
+  });
+  return found == plugins.end() ? nullptr : &*found;
+}
+
+} // namespace
+
+const std::vector<PluginFactory>& built_in_plugins() {
+  static const std::vector<PluginFactory> plugins = {
+      adapters::grammar_nlu_factory(),     adapters::phrase_nlg_factory(),
+      adapters::sqlite_database_factory(), adapters::mysql_database_factory(),
+      adapters::log_telephone_factory(),   adapters::log_taxi_factory(),
+      adapters::log_sms_factory(),         adapters::log_weather_factory(),
+      adapters::log_traffic_factory(),     adapters::log_robot_factory(),
+      adapters::log_devices_factory(),     adapters::keyword_nlu_factory(),
+      adapters::text_file_tts_factory(),
+  };
+  return plugins;
+}
+
+const PluginFactory* find_plugin(std::string_view name) {
+  return find_in(built_in_plugins(), name);
+}
+
+Catalogue::Catalogue(const std::vector<std::filesystem::path>& folders,
+                     const std::vector<PluginFactory>& built_in)
+    : built_in_(built_in), folders_(folders.begin(), folders.end()) {}
+
+Expected<PluginFactory> Catalogue::find(const std::string& name) {
+  if (const auto* own = built_in(name))
+    return *own;
+  for (auto& folder : folders_)
+    if (folder.has(name))
+      return folder.find(name);
+  return tl::make_unexpected(nowhere(name));
+}
+
+std::vector<PluginDescription> Catalogue::all() {
+  std::vector<PluginDescription> all;
+  for (const auto& name : names())
+    if (const auto found = find(name))
+      all.push_back(found->description);
+  return all;
+}
+
+bool Catalogue::has(const std::string& name) const {
+  return built_in(name) || folder_of(name);
+}
+
+std::vector<std::string> Catalogue::names() const {
+  std::vector<std::string> names;
+  for (const auto& plugin : built_in_)
+    names.push_back(plugin.description.name);
+  const auto own = names.size();
+  for (const auto& folder : folders_)
+    for (auto& name : folder.names())
+      if (std::ranges::find(names, name) == names.end())
+        names.push_back(std::move(name));
+  std::sort(names.begin() + static_cast<std::ptrdiff_t>(own), names.end());
+  return names;
+}
+
+std::filesystem::path Catalogue::file_of(const std::string& name) const {
+  const auto* folder = built_in(name) ? nullptr : folder_of(name);
+  return folder ? folder->file_of(name) : std::filesystem::path();
+}
+
+const PluginFactory* Catalogue::built_in(const std::string& name) const {
+  return find_in(built_in_, name);
+}
+
+const adapters::PluginFolder*
+Catalogue::folder_of(const std::string& name) const {
+  for (const auto& folder : folders_)
+    if (folder.has(name))
+      return &folder;
+  return nullptr;
+}
+
+Error Catalogue::nowhere(const std::string& name) const {
+  auto text = "there is no plug-in '" + name + "'";
+  const auto hint = script::did_you_mean(name, names());
+  text += hint;
+  if (hint.empty())
+    for (const auto& folder : folders_)
+      text += (&folder == &folders_.front() ? ", and no " + name + ".so in "
+                                            : ", ") +
+              folder.path().string();
+  return {ErrorKind::settings, std::move(text), {}};
+}
+
+} // namespace parlour::tools

@@ -1,0 +1,93 @@
+#include "tools/parlour/application/column_reader.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "adapters/database/mariadb/mariadb_columns.hpp"
+#include "adapters/database/sqlite/sqlite_columns.hpp"
+
+namespace parlour::tools {
+
+namespace {
+
+using Texts = Expected<std::vector<std::string>>;
+
+constexpr std::string_view prefix = "db:";
+
+struct Column {
+  std::string database; // empty: the first
+  std::string reference;
+};
+
+Column split(const std::string& name) {
+  const auto parts = std::count(name.begin(), name.end(), '.');
+  if (parts < 2 || !name.starts_with(prefix))
+    return {"", name};
+  const auto point = name.find('.');
+  return {name.substr(prefix.size(), point - prefix.size()),
+          std::string(prefix) + name.substr(point + 1)};
+}
+
+// Empty where the component is no database that can be read like this.
+ColumnReader reader_of(const ChosenComponent& component,
+                       const std::filesystem::path& application,
+                       const std::string& data_folder) {
+  const auto& plugin = component.factory.description.name;
+  if (plugin == "SQLiteDatabase")
+    return adapters::sqlite_column_reader(component.options, data_folder,
+                                          application.string());
+  if (plugin == "MySQLDatabase")
+    return adapters::mariadb_column_reader(component.options,
+                                           application.string());
+  return {};
+}
+
+class Readers {
+public:
+  Readers(const Composition& composition,
+          const std::filesystem::path& application,
+          const std::string& data_folder) {
+    for (const auto& component : composition.components)
+      if (auto reader = reader_of(component, application, data_folder))
+        all_.emplace(component.name, std::move(reader));
+    if (const auto* first = first_of_role(composition, "Database"))
+      first_ = first->name;
+  }
+
+  Texts read(const std::string& name) const {
+    const auto column = split(name);
+    const auto found =
+        all_.find(column.database.empty() ? first_ : column.database);
+    return found != all_.end() ? found->second(column.reference)
+                               : missing(column, name);
+  }
+
+private:
+  Texts missing(const Column& column, const std::string& name) const {
+    if (column.database.empty())
+      return fail(ErrorKind::settings, "the application has no database to "
+                                       "read the column '" +
+                                           name + "' from");
+    std::vector<std::string> names;
+    for (const auto& [database, reader] : all_)
+      names.push_back(database);
+    return fail(ErrorKind::settings,
+                "there is no database '" + column.database +
+                    "' to read the column '" + name + "' from" +
+                    script::did_you_mean(column.database, names));
+  }
+
+  std::map<std::string, ColumnReader> all_; // by the component's name
+  std::string first_;
+};
+
+} // namespace
+
+ColumnReader column_reader(const Composition& composition,
+                           const std::filesystem::path& application,
+                           const std::string& data_folder) {
+  return [readers = Readers(composition, application, data_folder)](
+             const std::string& name) { return readers.read(name); };
+}
+
+} // namespace parlour::tools

@@ -1,0 +1,79 @@
+#include "tools/parlour/application/load_check.hpp"
+
+#include <algorithm>
+
+#include "runtime/plugin/component_check.hpp"
+
+namespace parlour::tools {
+
+namespace {
+
+using script::Attribute;
+using script::Element;
+
+bool is_literal(const Attribute* attribute) {
+  return attribute && attribute->value.find('{') == std::string::npos;
+}
+
+class LoadCheck {
+public:
+  LoadCheck(const script::Compiled& compiled, const Composition& composition,
+            Catalogue& plugins)
+      : compiled_(compiled), composition_(composition), plugins_(plugins) {}
+
+  void look_at(const Element& element) {
+    if (element.is("load"))
+      check(element);
+    for (const auto& child : element.children)
+      look_at(child);
+  }
+  std::vector<script::Finding> take() {
+    return std::move(findings_);
+  }
+
+private:
+  void check(const Element& load) {
+    const auto* plugin = load.attribute("plugin");
+    const auto* given = load.attribute("name");
+    const auto* name = given ? given : plugin;
+    if (!is_literal(plugin) || !is_literal(name) || name->value.empty())
+      return;
+    const auto found = plugins_.find(plugin->value);
+    if (!found)
+      return; // perhaps it is there where the application runs
+    const auto& description = found->description;
+    if (!given || wrong_source_name(given->value).empty()) // told of already
+      report(check_component(name->value, description), *name);
+    for (const auto& component : composition_.components)
+      if (component.name == name->value &&
+          component.upkeep.scope.instances != 0)
+        report(check_replacement(name->value, component.factory.description,
+                                 description),
+               *name);
+  }
+
+  void report(const Expected<void>& right, const Attribute& name) {
+    if (!right)
+      findings_.push_back({script::Severity::error,
+                           compiled_.findings.place(name.value_position),
+                           right.error().message});
+  }
+
+  const script::Compiled& compiled_;
+  const Composition& composition_;
+  Catalogue& plugins_;
+  std::vector<script::Finding> findings_;
+};
+
+} // namespace
+
+std::vector<script::Finding> check_loads(const script::Compiled& compiled,
+                                         const Composition& composition,
+                                         Catalogue& plugins) {
+  LoadCheck check(compiled, composition, plugins);
+  for (const auto& document : compiled.documents)
+    check.look_at(document.root);
+  return check.take();
+}
+
+} // namespace parlour::tools

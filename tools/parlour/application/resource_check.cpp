@@ -1,0 +1,157 @@
+#include "tools/parlour/application/resource_check.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "adapters/database/mariadb/mariadb_options.hpp"
+#include "adapters/database/sqlite/sqlite_image.hpp"
+#include "adapters/database/sqlite/sqlite_options.hpp"
+#include "adapters/nlu/keywords/keyword_nlu.hpp"
+#include "runtime/base/file_bytes.hpp"
+#include "tools/parlour/application/understanding.hpp"
+
+namespace parlour::tools {
+
+namespace {
+
+using script::Severity;
+
+// An error that has no place of its own stands at the component's.
+void report(Application& application, const Error& error,
+            const Place& otherwise, const std::string& component) {
+  const auto has_place = !error.place.file.empty();
+  auto place = has_place ? error.place : otherwise;
+  place.column = std::max(place.column, 1u);
+  application.findings.push_back(
+      {Severity::error, std::move(place),
+       has_place ? error.message : component + ": " + error.message});
+}
+
+// What is not of its option's type was told with the settings.
+bool options_fit(const ChosenComponent& component) {
+  const auto& all = component.factory.description.options;
+  return std::ranges::all_of(all, [&](const OptionDescription& option) {
+    const auto given = component.options.find(option.name);
+    return given == component.options.end() ||
+           check_option(option, given->second);
+  });
+}
+
+void check_database(Application& application,
+                    const ChosenComponent& component) {
+  // The data folder is not known here; any will do, as nothing is opened in it.
+  const auto options = adapters::read_sqlite_options(
+      component.options, application.folder.string(),
+      application.folder.string());
+  if (!options)
+    return report(application, options.error(), component.place,
+                  component.name);
+  const auto image = adapters::sqlite_image(options->schema, options->seed);
+  if (!image)
+    report(application, image.error(), component.place, component.name);
+}
+
+// Its server is not asked: a check runs anywhere.
+void check_server_database(Application& application,
+                           const ChosenComponent& component) {
+  const auto options = adapters::read_mariadb_options(
+      component.options, application.folder.string());
+  if (!options)
+    return report(application, options.error(), component.place,
+                  component.name);
+  for (const auto* file : {&options->schema, &options->seed}) {
+    if (file->empty())
+      continue;
+    if (const auto text = read_file(*file); !text)
+      report(application, text.error(), component.place, component.name);
+  }
+}
+
+// Files of the application that components read when they start.
+struct FileOption {
+  const char* plugin;
+  const char* option;
+};
+constexpr FileOption file_options[] = {{"LogWeather", "reports"},
+                                       {"LogTraffic", "reports"},
+                                       {"LogDevices", "devices"}};
+
+void check_files(Application& application, const ChosenComponent& component) {
+  for (const auto& [plugin, option] : file_options) {
+    const auto given = component.options.find(option);
+    std::error_code ignored;
+    if (component.factory.description.name != plugin ||
+        given == component.options.end() || given->second.empty() ||
+        std::filesystem::is_regular_file(application.folder / given->second,
+                                         ignored))
+      continue;
+    auto place = component.place;
+    place.column = std::max(place.column, 1u);
+    application.findings.push_back({Severity::warning, std::move(place),
+                                    component.name + ": there is no file '" +
+                                        given->second +
+                                        "', which the option '" + option +
+                                        "' names, in the application's folder",
+                                    "missing-file"});
+  }
+}
+
+// False where the settings were found wrong before.
+bool check_databases(Application& application) {
+  bool fit = true;
+  for (const auto& component : application.composition.components) {
+    const auto& plugin = component.factory.description.name;
+    const auto check = plugin == "SQLiteDatabase"  ? check_database
+                       : plugin == "MySQLDatabase" ? check_server_database
+                                                   : nullptr;
+    if (check && !options_fit(component))
+      fit = false;
+    else if (check)
+      check(application, component);
+  }
+  return fit;
+}
+
+void check_understanding(Application& application,
+                         const ChosenComponent& component) {
+  const auto built =
+      build_understander(application, component,
+                         column_reader(in_memory(application.composition),
+                                       application.folder, ""));
+  if (!built)
+    for (const auto& error : built.error())
+      report(application, error, component.place, component.name);
+}
+
+void check_keywords(Application& application,
+                    const ChosenComponent& component) {
+  const auto read = adapters::load_keyword_rules(
+      component.options, application.folder.string(),
+      *application.program->understanding,
+      column_reader(in_memory(application.composition), application.folder,
+                    ""));
+  if (!read)
+    for (const auto& error : read.error())
+      report(application, error, component.place, component.name);
+}
+
+} // namespace
+
+void check_resources(Application& application) {
+  const auto before = application.findings.size();
+  const auto& composition = application.composition;
+  const bool fit = check_databases(application);
+  const auto failed = application.findings.size();
+  for (const auto& component : composition.components)
+    check_files(application, component);
+  // Columns of a database that cannot be made would only say so again.
+  if (!application.program || !fit || failed > before)
+    return;
+  for (const auto& component : composition.components)
+    if (component.factory.description.name == "GrammarNLU")
+      check_understanding(application, component);
+    else if (component.factory.description.name == "KeywordNLU")
+      check_keywords(application, component);
+}
+
+} // namespace parlour::tools

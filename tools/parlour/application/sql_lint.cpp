@@ -1,0 +1,137 @@
+#include "tools/parlour/application/sql_lint.hpp"
+
+#include <algorithm>
+#include <cctype>
+
+#include "adapters/database/sqlite/sqlite_options.hpp"
+#include "adapters/database/sqlite/sqlite_prepare.hpp"
+#include "runtime/plugin/folder.hpp"
+#include "script/dialogue/knowledge/sql_text.hpp"
+#include "script/lint/sql_statements.hpp"
+
+namespace parlour::tools {
+
+namespace {
+
+using adapters::SQLitePreparer;
+using adapters::SQLiteProblem;
+using script::lint::SqlStatement;
+
+struct Database {
+  SQLitePreparer prepared;
+  // Speaks SQL of its own: then only names that are missing are told.
+  bool is_sqlite;
+};
+
+// Schema and seed of a component, whichever server they are for.
+adapters::SQLiteOptions files_of(const ChosenComponent& component,
+                                 const std::filesystem::path& application) {
+  adapters::SQLiteOptions options;
+  for (auto [name, file] :
+       {std::pair("schema", &options.schema), std::pair("seed", &options.seed)})
+    if (const auto said = component.options.find(name);
+        said != component.options.end())
+      *file = inside(application, said->second, name).value_or("");
+  return options;
+}
+
+std::optional<Database> database_of(const Composition& composition,
+                                    const std::filesystem::path& application) {
+  const auto* component = first_of_role(composition, "Database");
+  if (!component || component->options.count("schema") == 0)
+    return {};
+  const auto& plugin = component->factory.description.name;
+  if (plugin != "SQLiteDatabase" && plugin != "MySQLDatabase")
+    return {};
+  const auto options = files_of(*component, application);
+  const auto image = adapters::sqlite_image(options.schema, options.seed);
+  if (!image)
+    return {};
+  auto opened = SQLitePreparer::open(*image);
+  if (!opened)
+    return {};
+  return Database{std::move(*opened), plugin == "SQLiteDatabase"};
+}
+
+// "no such column: f.nme" -> "nme".
+std::string missing_name(const std::string& message) {
+  const auto colon =
+      message.find("no such ") == 0 ? message.rfind(": ") : std::string::npos;
+  if (colon == std::string::npos)
+    return {};
+  const auto point = message.rfind('.');
+  return message.substr(
+      point != std::string::npos && point > colon ? point + 1 : colon + 2);
+}
+
+std::size_t word_length(const std::string& sql, std::size_t at) {
+  auto end = at;
+  while (end < sql.size() &&
+         (std::isalnum(static_cast<unsigned char>(sql[end])) ||
+          sql[end] == '_' || sql[end] == '.'))
+    ++end;
+  return std::max<std::size_t>(end - at, 1);
+}
+
+class SqlLint {
+public:
+  SqlLint(const Database& database, script::Findings& findings)
+      : database_(database), names_(database.prepared.names()),
+        findings_(findings) {}
+
+  void look_at(const SqlStatement& statement);
+
+private:
+  std::optional<SQLiteProblem> problem_of(const std::string& sql) const;
+  void warn(script::Spot spot, const std::string& message);
+
+  const Database& database_;
+  std::vector<std::string> names_;
+  script::Findings& findings_;
+};
+
+std::optional<SQLiteProblem> SqlLint::problem_of(const std::string& sql) const {
+  auto problem = database_.prepared.problem_of(sql);
+  if (problem && !database_.is_sqlite &&
+      (missing_name(problem->message).empty() ||
+       problem->message.starts_with("no such function")))
+    return {};
+  return problem;
+}
+
+void SqlLint::warn(script::Spot spot, const std::string& message) {
+  findings_.add({script::Severity::warning, spot,
+                 "the database says: " + message +
+                     script::did_you_mean(missing_name(message), names_),
+                 "sql"});
+}
+
+void SqlLint::look_at(const SqlStatement& statement) {
+  if (const auto problem = problem_of(statement.sql)) {
+    const auto at = problem->offset.value_or(0);
+    return warn(statement.spot(at, problem->offset
+                                       ? word_length(statement.sql, at)
+                                       : statement.sql.size()),
+                problem->message);
+  }
+  for (const auto& [column, position] : statement.columns)
+    if (const auto problem = problem_of(
+            dialogue::with_condition(statement.sql, column + " = ?", "")))
+      warn({position}, problem->message);
+}
+
+} // namespace
+
+void lint_sql(script::Compiled& compiled, const Composition& composition,
+              const std::filesystem::path& application) {
+  if (!compiled.program)
+    return;
+  const auto database = database_of(composition, application);
+  if (!database)
+    return;
+  SqlLint lint(*database, compiled.findings);
+  for (const auto& statement : script::lint::sql_statements(compiled))
+    lint.look_at(statement);
+}
+
+} // namespace parlour::tools

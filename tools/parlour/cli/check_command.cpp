@@ -1,0 +1,100 @@
+#include <algorithm>
+#include <ostream>
+
+#include "script/lint/lint.hpp"
+#include "tools/parlour/application/application.hpp"
+#include "tools/parlour/application/fix.hpp"
+#include "tools/parlour/cli/commands.hpp"
+#include "tools/parlour/console/exit_code.hpp"
+#include "tools/parlour/console/finding_text.hpp"
+
+namespace parlour::tools {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Findings = std::vector<script::Finding>;
+
+// What is checked: one file, or an application's folder.
+struct Target {
+  fs::path path;
+  bool is_file = false;
+
+  fs::path folder() const {
+    return is_file ? path.parent_path() : path;
+  }
+};
+
+Expected<Target> find_target(const Places& places, const std::string& app) {
+  const auto path = places.working / app;
+  if (is_file_like(path))
+    return Target{path, true};
+  return find_application(places, app).map([](const fs::path& folder) {
+    return Target{folder, false};
+  });
+}
+
+Findings findings_of(const Places& places, const Target& target,
+                     const script::SourceTexts& texts) {
+  if (!target.is_file)
+    return load_application(
+               target.path, find_platform(places, target.path), Scrutiny::lint,
+               std::make_shared<Catalogue>(plugin_folders(places, target.path)),
+               &texts)
+        .findings;
+  auto compiled = load_file(target.path, places, &texts);
+  script::lint::lint(compiled, {});
+  return compiled.findings.all();
+}
+
+void say_fixed(const Places& places, const Corrected& corrected,
+               const Console& console) {
+  for (const auto& finding : corrected.made)
+    console.err << shown_path(places, finding.place.file) << ':'
+                << finding.place.line << ':' << finding.place.column
+                << ": fixed: " << finding.message << '\n';
+  if (std::any_of(corrected.findings.begin(), corrected.findings.end(),
+                  [](const auto& finding) { return !finding.fix.empty(); }))
+    console.err << "what can be corrected besides would leave more to do than "
+                   "there is now; it is left to you\n";
+}
+
+// Leaves the findings that remain.
+Expected<void> fix(const Places& places, const Target& target,
+                   Findings& findings, const Console& console) {
+  const auto check = [&](const script::SourceTexts& texts) {
+    return findings_of(places, target, texts);
+  };
+  auto corrected = correct(std::move(findings), check, target.folder());
+  findings = corrected.findings;
+  if (auto written = write_texts(corrected.texts); !written)
+    return written;
+  say_fixed(places, corrected, console);
+  return {};
+}
+
+} // namespace
+
+int check_command(const Places& places, const CheckOptions& options,
+                  const Console& console) {
+  const auto target = find_target(places, options.app);
+  if (!target) {
+    say_error(console, target.error().message);
+    return exit_code::usage;
+  }
+  auto findings = findings_of(places, *target, {});
+  if (options.fix)
+    if (const auto fixed = fix(places, *target, findings, console); !fixed) {
+      say_error(console, to_string(fixed.error()));
+      return exit_code::wrong;
+    }
+  if (options.json)
+    print_json(console.out, findings);
+  else
+    print_lines(console.out, findings, places);
+  const auto counted = count(findings);
+  console.err << options.app << ": " << to_string(counted) << std::endl;
+  return counted.errors > 0 ? exit_code::wrong : exit_code::well;
+}
+
+} // namespace parlour::tools

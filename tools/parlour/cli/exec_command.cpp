@@ -1,0 +1,83 @@
+#include <ostream>
+#include <thread>
+
+#include "adapters/files/data_files.hpp"
+#include "runtime/base/file_bytes.hpp"
+#include "script/run/exec_run.hpp"
+#include "tools/parlour/application/application.hpp"
+#include "tools/parlour/cli/commands.hpp"
+#include "tools/parlour/console/exit_code.hpp"
+#include "tools/parlour/console/finding_text.hpp"
+
+namespace parlour::tools {
+
+namespace {
+
+script::ExecOptions exec_options(const Console& console) {
+  script::ExecOptions options;
+  options.print = [&](std::string_view text) { console.out << text << '\n'; };
+  options.log = [&](std::string_view text) {
+    console.err << text << std::endl;
+  };
+  options.now = [] { return SystemClock().now(); };
+  options.wait_until = [](Timestamp due) {
+    std::this_thread::sleep_for(Milliseconds(due - SystemClock().now()));
+  };
+  return options;
+}
+
+// "function f (file:line)" with the file as people want to read it.
+std::string shown_caller(const Places& places, const std::string& caller) {
+  const auto at = caller.find(" (") + 2;
+  return caller.substr(0, at) + shown_path(places, caller.substr(at));
+}
+
+struct Loaded {
+  script::Compiled compiled;
+  std::filesystem::path folder; // the file's, or the application's
+};
+
+Expected<Loaded> load(const Places& places, const std::string& file) {
+  const auto path = places.working / file;
+  if (is_file_like(path))
+    return Loaded{load_file(path, places), path.parent_path()};
+  const auto folder = find_application(places, file);
+  if (!folder)
+    return is_there(path)
+               ? tl::make_unexpected(folder.error())
+               : fail(ErrorKind::settings,
+                      "there is no file or application '" + file + "'");
+  return Loaded{compile_folder(*folder, find_platform(places, *folder)),
+                *folder};
+}
+
+} // namespace
+
+int exec_command(const Places& places, const std::string& file,
+                 const Console& console) {
+  const auto loaded = load(places, file);
+  if (!loaded) {
+    say_error(console, loaded.error().message);
+    return exit_code::usage;
+  }
+  const auto& compiled = loaded->compiled;
+  print_lines(console.err, compiled.findings.all(), places);
+  if (!compiled.program)
+    return exit_code::wrong;
+  auto options = exec_options(console);
+  options.files = adapters::data_files(loaded->folder / "data");
+  const auto failure = script::run_main(compiled.program, options);
+  console.out.flush();
+  if (!failure)
+    return exit_code::well;
+  auto error = failure->error;
+  if (error.place.file.empty()) // such as a function that is not there
+    error.place.file = file;
+  error.place.file = shown_path(places, error.place.file);
+  console.err << to_string(error) << '\n';
+  for (const auto& caller : failure->stack)
+    console.err << "  in " << shown_caller(places, caller) << '\n';
+  return exit_code::wrong;
+}
+
+} // namespace parlour::tools

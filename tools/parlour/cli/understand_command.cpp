@@ -1,0 +1,73 @@
+#include <ostream>
+
+#include "tools/parlour/application/opening.hpp"
+#include "tools/parlour/application/understanding.hpp"
+#include "tools/parlour/cli/commands.hpp"
+#include "tools/parlour/console/exit_code.hpp"
+#include "tools/parlour/console/line_reader.hpp"
+
+namespace parlour::tools {
+
+namespace {
+
+using adapters::nlu::Understanding;
+
+void print(std::ostream& out, const Understanding& understanding) {
+  for (const auto& line : understanding.explanation)
+    out << line << '\n';
+  if (understanding.acts.empty())
+    out << "not understood: NoResult\n";
+  for (const auto& act : understanding.acts)
+    out << to_string(act) << '\n';
+  out << "score " << number_text(understanding.score) << '\n';
+}
+
+std::string well_formed(std::string_view text) {
+  LineReader reader;
+  std::string all;
+  while (auto line = reader.take(text))
+    all += line->text + ' ';
+  if (auto line = reader.finish())
+    all += line->text;
+  return all;
+}
+
+// As at the beginning of a conversation: in the first state, with its grammar.
+Map beginning(const script::Program& program, Timestamp now) {
+  Map context{{"now", now}};
+  const auto state = program.state(program.settings.start);
+  if (state != script::no_id && !program.states[state].grammar.empty())
+    context.set("grammar", program.states[state].grammar);
+  return context;
+}
+
+} // namespace
+
+int understand_command(const Places& places, const UnderstandOptions& options,
+                       const Console& console) {
+  auto opened = open_application(places, options.app, console);
+  if (const auto* status = std::get_if<int>(&opened))
+    return *status;
+  const auto& application = std::get<Application>(opened);
+  const auto* component = first_of_role(application.composition, "NLU");
+  if (!component || component->factory.description.name != "GrammarNLU") {
+    say_error(console, options.app + " has no GrammarNLU to ask");
+    return exit_code::wrong;
+  }
+  const auto built =
+      build_understander(application, *component,
+                         column_reader(in_memory(application.composition),
+                                       application.folder, ""));
+  if (!built) {
+    for (const auto& error : built.error())
+      say_error(console, to_string(error));
+    return exit_code::wrong;
+  }
+  const auto context = beginning(*application.program,
+                                 options.clock.value_or(SystemClock().now()));
+  print(console.out,
+        built->understand(well_formed(options.text), context, true));
+  return exit_code::well;
+}
+
+} // namespace parlour::tools

@@ -1,0 +1,145 @@
+#include "tools/parlour/console/places.hpp"
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+
+#include <unistd.h>
+
+#include "runtime/base/file_bytes.hpp"
+
+namespace parlour::tools {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::optional<std::string> environment_variable(const char* name) {
+  const auto* value = std::getenv(name);
+  if (!value || !*value)
+    return std::nullopt;
+  return value;
+}
+
+bool is_folder(const fs::path& path) {
+  std::error_code ignored;
+  return fs::is_directory(path, ignored);
+}
+
+// Why what lies there cannot be an application that is read; empty where it
+// can, or nothing lies there.
+std::string trouble_with(const fs::path& path) {
+  std::error_code failed;
+  const auto status = fs::status(path, failed);
+  if (status.type() == fs::file_type::not_found)
+    return "";
+  if (failed)
+    return failed.message();
+  return fs::is_directory(status) && access(path.c_str(), R_OK | X_OK) != 0
+             ? std::strerror(errno)
+             : "";
+}
+
+bool is_bare(const std::string& app) {
+  return app.find('/') == std::string::npos && app != "." && app != "..";
+}
+
+std::string absolute_text(const fs::path& path) {
+  std::error_code code;
+  auto canonical = fs::canonical(path, code);
+  return (code ? path.lexically_normal() : canonical).string();
+}
+
+} // namespace
+
+Places process_places() {
+  std::error_code ignored;
+  Places places{fs::current_path(ignored), {}, environment_variable, {}, {}};
+  // bin/parlour and share/parlour lie side by side, wherever both were put.
+  const auto program = fs::read_symlink("/proc/self/exe", ignored);
+  const auto prefix = program.parent_path().parent_path();
+  const auto beside = prefix / "share/parlour";
+  places.installed_plugins = prefix / PARLOUR_PLUGIN_FOLDER;
+  for (const auto& share :
+       {beside, fs::path(PARLOUR_CONFIG), fs::path(PARLOUR_SHARE)})
+    if (is_folder(share / "platform")) {
+      places.shares.push_back(share);
+      break;
+    }
+  return places;
+}
+
+std::string shown_path(const Places& places, const std::string& file) {
+  const auto folder = places.working.string() + '/';
+  return file.rfind(folder, 0) == 0 ? file.substr(folder.size()) : file;
+}
+
+Expected<fs::path> find_application(const Places& places,
+                                    const std::string& app) {
+  std::vector<fs::path> candidates{places.working / app};
+  if (is_bare(app)) {
+    candidates.push_back(places.working / "config/apps" / app);
+    for (const auto& share : places.shares)
+      candidates.push_back(share / "apps" / app);
+  }
+  std::string looked;
+  for (const auto& candidate : candidates) {
+    if (const auto why = trouble_with(candidate); !why.empty())
+      return fail(ErrorKind::settings, "the application " + candidate.string() +
+                                           " cannot be read: " + why);
+    if (!app.empty() && is_folder(candidate))
+      return fs::path(absolute_text(candidate));
+    looked += (looked.empty() ? "" : ", ") + candidate.string();
+  }
+  if (const auto file = places.working / app; !app.empty() && is_there(file))
+    return fail(ErrorKind::settings,
+                "'" + app + "' is no folder, and an application is a folder: " +
+                    shown_path(places, file.parent_path().string()));
+  return fail(ErrorKind::settings,
+              "there is no application '" + app + "': looked for " + looked);
+}
+
+bool is_file_like(const fs::path& path) {
+  return path.has_filename() && is_there(path) && !is_folder(path);
+}
+
+fs::path find_platform(const Places& places, const fs::path& application) {
+  const auto apps = application.parent_path();
+  if (apps.filename() == "apps" && is_folder(apps.parent_path() / "platform"))
+    return apps.parent_path() / "platform";
+  for (const auto& share : places.shares)
+    if (is_folder(share / "platform"))
+      return share / "platform";
+  return fs::path(PARLOUR_SHARE) / "platform";
+}
+
+std::vector<fs::path> plugin_folders(const Places& places,
+                                     const fs::path& application) {
+  if (!places.plugins.empty())
+    return {places.working / places.plugins};
+  if (const auto set = places.environment("PARLOUR_PLUGINS"))
+    return {places.working / *set};
+  std::vector<fs::path> folders;
+  for (const auto& folder : {application / "plugins", places.installed_plugins})
+    if (is_folder(folder))
+      folders.push_back(folder);
+  return folders;
+}
+
+Expected<fs::path> default_data_folder(const Places& places,
+                                       const fs::path& application) {
+  const auto folder = [&](const char* variable) {
+    return fs::path(places.environment(variable).value_or(""));
+  };
+  auto data = folder("XDG_DATA_HOME");
+  // A relative one is to be ignored (XDG base directory specification).
+  if (!data.is_absolute())
+    data = folder("HOME") / ".local/share";
+  if (!data.is_absolute())
+    return fail(ErrorKind::settings,
+                "there is no home folder for the data of a run (HOME); --data "
+                "names a folder");
+  return data / "parlour" / application.filename();
+}
+
+} // namespace parlour::tools

@@ -1,0 +1,266 @@
+#include "tools/parlour/conversation_test/conversation_file.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <map>
+
+#include <re2/re2.h>
+
+#include "runtime/base/file_bytes.hpp"
+#include "runtime/base/utf8.hpp"
+#include "tools/parlour/conversation_test/directive_reader.hpp"
+
+namespace parlour::tools {
+
+namespace {
+
+using script::Finding;
+using script::Severity;
+
+const std::vector<std::string> directives = {
+    "U:", "R:", "R~", "wait", "event", "expect", "clock", "seed", "P:", "B:"};
+const std::vector<std::string> expectations = {"post", "slot", "state", "sql"};
+
+std::string in_quotes(std::string_view text) {
+  return "'" + std::string(text) + "'";
+}
+
+class Parser {
+public:
+  explicit Parser(std::string file) {
+    auto& conversation = result_.conversation;
+    conversation.name = std::filesystem::path(file).stem().string();
+    conversation.file = std::move(file);
+    conversation.start = default_start();
+  }
+
+  ParsedConversation parse(std::string_view text) {
+    if (const auto invalid = find_invalid_utf8(text)) {
+      line_ = 1 + static_cast<std::uint32_t>(
+                      std::count(text.begin(), text.begin() + *invalid, '\n'));
+      error("this is not UTF-8; save the file as UTF-8");
+      text = {};
+    }
+    while (!text.empty()) {
+      ++line_;
+      const auto end = text.find('\n');
+      line(trimmed(text.substr(0, end)));
+      text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+    }
+    return std::move(result_);
+  }
+
+private:
+  using Handler = void (Parser::*)(std::string_view rest);
+
+  void line(std::string_view text) {
+    if (text.empty() || text.front() == '#')
+      return;
+    written_ = text;
+    for (const auto& [word, handler] : handlers())
+      if (text.substr(0, word.size()) == word && ends(text, word))
+        return (this->*handler)(trimmed(text.substr(word.size())));
+    const auto first = text.substr(0, text.find_first_of(" \t"));
+    error(
+        "unknown directive " + in_quotes(first) +
+        script::did_you_mean(first, directives) +
+        "; expected U:, R:, R~, P:, B:, wait, event, expect, clock, seed or #");
+  }
+
+  // A directive of letters ends at a blank, U: and R~ by themselves.
+  static bool ends(std::string_view text, std::string_view word) {
+    const auto last = word.back();
+    return last == ':' || last == '~' || text.size() == word.size() ||
+           text[word.size()] == ' ' || text[word.size()] == '\t';
+  }
+
+  static const std::map<std::string_view, Handler>& handlers() {
+    static const std::map<std::string_view, Handler> table = {
+        {"U:", &Parser::user},     {"R:", &Parser::robot},
+        {"R~", &Parser::pattern},  {"wait", &Parser::wait},
+        {"event", &Parser::event}, {"expect", &Parser::expect},
+        {"clock", &Parser::clock}, {"seed", &Parser::seed},
+        {"P:", &Parser::partial},  {"B:", &Parser::barge_in}};
+    return table;
+  }
+
+  void user(std::string_view rest) {
+    words(StepKind::user, rest, "U: needs what the user says");
+  }
+  void robot(std::string_view rest) {
+    words(StepKind::robot, rest, "R: needs what the robot says");
+  }
+  void pattern(std::string_view rest) {
+    RE2 pattern(std::string(rest), RE2::Quiet);
+    if (!pattern.ok())
+      return error("not a regular expression: " + pattern.error());
+    words(StepKind::robot_pattern, rest, "R~ needs a regular expression");
+  }
+  void words(StepKind kind, std::string_view rest, const char* otherwise) {
+    if (rest.empty())
+      return error(otherwise);
+    step(kind).text = rest;
+  }
+
+  void wait(std::string_view rest) {
+    const auto duration = parse_duration(rest);
+    if (!duration || *duration < Milliseconds(0))
+      return error("wait needs a duration such as 3s or 500ms, found " +
+                   in_quotes(rest));
+    step(StepKind::wait).duration = *duration;
+  }
+
+  void event(std::string_view rest) {
+    message(StepKind::event, rest, "event SOURCE COMMAND param…");
+  }
+
+  void message(StepKind kind, std::string_view rest, const std::string& form) {
+    DirectiveReader reader(rest);
+    auto target = reader.word();
+    auto command = reader.word();
+    std::vector<Value> params;
+    while (auto word = reader.word())
+      params.push_back(word->value());
+    if (reader.open_quote())
+      return error("a quote is left open");
+    if (!target || !command)
+      return error("expected " + form);
+    auto& made = step(kind);
+    made.target = std::move(target->text);
+    made.command = std::move(command->text);
+    made.params = std::move(params);
+  }
+
+  void expect(std::string_view rest) {
+    DirectiveReader reader(rest);
+    const auto what = reader.word().value_or(Word{}).text;
+    if (what == "post")
+      return message(StepKind::expect_post, reader.rest(),
+                     "expect post MODULE COMMAND param…");
+    if (what == "slot")
+      return expect_slot(reader.rest());
+    if (what == "state")
+      return words(StepKind::expect_state, reader.rest(),
+                   "expected: expect state NAME");
+    if (what == "sql")
+      return expect_sql(reader.rest());
+    error("expect what? post, slot, state or sql, not " + in_quotes(what) +
+          script::did_you_mean(what, expectations));
+  }
+
+  void expect_slot(std::string_view rest) {
+    const auto sides = split_at_first_equals(rest);
+    const auto dot = sides ? sides->left.find('.') : std::string_view::npos;
+    if (dot == std::string_view::npos || dot == 0 ||
+        dot + 1 == sides->left.size() || sides->right.empty())
+      return error("expected: expect slot Topic.Slot = value");
+    auto& made = step(StepKind::expect_slot);
+    made.text = sides->left.substr(0, dot);
+    made.target = sides->left.substr(dot + 1);
+    made.value = parse_literal(sides->right);
+  }
+
+  // The last " = ", as a query has some of its own.
+  void expect_sql(std::string_view rest) {
+    const auto sides = split_at_last_equals(rest);
+    if (!sides || sides->left.empty() || sides->right.empty())
+      return error("expected: expect sql QUERY = value");
+    auto& made = step(StepKind::expect_sql);
+    made.text = sides->left;
+    made.value = parse_literal(sides->right);
+  }
+
+  // Before the first step it says when the conversation begins.
+  void clock(std::string_view rest) {
+    const auto time = parse_timestamp(rest);
+    if (!time)
+      return error("clock needs a time such as 2026-11-21 09:00, found " +
+                   in_quotes(rest));
+    auto& conversation = result_.conversation;
+    if (conversation.steps.empty())
+      conversation.start = *time;
+    else
+      step(StepKind::clock).time = *time;
+  }
+
+  void seed(std::string_view rest) {
+    auto& conversation = result_.conversation;
+    const auto [end, code] = std::from_chars(
+        rest.data(), rest.data() + rest.size(), conversation.seed);
+    if (code != std::errc() || end != rest.data() + rest.size())
+      return error("seed needs a whole number, found " + in_quotes(rest));
+    if (!conversation.steps.empty())
+      error("seed stands before the first turn");
+  }
+
+  void partial(std::string_view rest) {
+    words(StepKind::partial, rest, "P: needs what the user is just saying");
+  }
+  void barge_in(std::string_view rest) {
+    auto& made = step(StepKind::barge_in);
+    if (rest.substr(0, 1) == "[") {
+      const auto end = rest.find(']');
+      if (end == std::string_view::npos)
+        return error("B: [words heard] is left open");
+      made.target = trimmed(rest.substr(1, end - 1));
+      rest = trimmed(rest.substr(end + 1));
+    }
+    made.text = rest;
+  }
+
+  Step& step(StepKind kind) {
+    auto& made = result_.conversation.steps.emplace_back();
+    made.kind = kind;
+    made.line = line_;
+    made.written = written_;
+    return made;
+  }
+
+  void error(std::string message) {
+    result_.errors.push_back({Severity::error,
+                              {result_.conversation.file, line_, 1},
+                              std::move(message)});
+  }
+
+  ParsedConversation result_;
+  std::uint32_t line_ = 0;
+  std::string_view written_;
+};
+
+} // namespace
+
+Timestamp default_start() {
+  return parse_timestamp("2026-11-21 09:00").value();
+}
+
+ParsedConversation parse_conversation(std::string_view text, std::string file) {
+  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+  if (text.substr(0, byte_order_mark.size()) == byte_order_mark)
+    text.remove_prefix(byte_order_mark.size());
+  return Parser(std::move(file)).parse(text);
+}
+
+ParsedConversation read_conversation(const std::filesystem::path& file) {
+  constexpr std::size_t most = 16 << 20;
+  const auto text = read_file(file, most);
+  auto parsed = parse_conversation(text.value_or(""), file.string());
+  if (!text)
+    parsed.errors.push_back(
+        {Severity::error, text.error().place, text.error().message});
+  return parsed;
+}
+
+Value parse_literal(std::string_view text) {
+  DirectiveReader reader(text);
+  const auto word = reader.word();
+  if (word && word->quoted && reader.rest().empty())
+    return word->text;
+  return Word{std::string(trimmed(text)), false}.value();
+}
+
+bool is_wildcard(const Value& value) {
+  const auto* text = value.if_string();
+  return text && *text == "*";
+}
+
+} // namespace parlour::tools

@@ -1,0 +1,398 @@
+#include "tools/parlour/conversation_test/conversation_runner.hpp"
+
+#include <chrono>
+#include <deque>
+
+#include <re2/re2.h>
+
+#include "tools/parlour/application/data_folder.hpp"
+#include "tools/parlour/application/module_names.hpp"
+#include "tools/parlour/application/node_options.hpp"
+#include "tools/parlour/conversation_test/directive_reader.hpp"
+#include "tools/parlour/talk/thoughts.hpp"
+#include "tools/parlour/talk/trace.hpp"
+
+namespace parlour::tools {
+
+namespace {
+
+// The session that `expect sql` asks for; there is none of that id, so nobody
+// but the watcher sees the answer.
+const SessionId asking = "parlour test";
+
+class Runner {
+public:
+  Runner(const Application& application, const Conversation& conversation,
+         Coverage& coverage, Words words)
+      : application_(application), conversation_(conversation),
+        coverage_(coverage), words_(words), names_(application.composition) {
+    result_.name = conversation.name;
+    result_.file = conversation.file;
+  }
+
+  ConversationResult run() {
+    const auto begin = std::chrono::steady_clock::now();
+    if (start())
+      hold();
+    hide_what_is_private();
+    node_ = nullptr;
+    const auto end = std::chrono::steady_clock::now();
+    result_.seconds = std::chrono::duration<double>(end - begin).count();
+    return std::move(result_);
+  }
+
+private:
+  // -- the node ---------------------------------------------------------------
+
+  bool start() {
+    auto data = DataFolder::temporary();
+    if (!data)
+      return fail_at(0, "a folder for data", data.error().message);
+    data_.emplace(std::move(*data));
+    RunWishes wishes{data_->path().string(), conversation_.start,
+                     conversation_.seed};
+    auto options =
+        node_options(application_, in_memory(application_.composition), wishes);
+    options.on_inspection = [this](const Inspection& seen) { watch(seen); };
+    options.exact_inspections = true;
+    options.log = [this](const std::string& text) {
+      result_.trace.push_back("log         " + as_one_line(text));
+    };
+    auto node = actors::Node::start(std::move(options));
+    if (!node)
+      return fail_at(0, "the application starts", to_string(node.error()));
+    node_ = std::move(*node);
+    seat_ = node_->open_seat(
+        {[this](const SessionId&, const dialogue::Output& output) {
+           outputs_.emplace_back(trimmed(as_one_line(output.text)));
+           last_output_ = output.id;
+         },
+         {}});
+    session_ = node_->open(seat_);
+    return true;
+  }
+
+  // What the file says itself may be shown.
+  void hide_what_is_private() {
+    if (!node_)
+      return;
+    for (auto* lines : {&result_.thoughts, &result_.trace})
+      for (auto& line : *lines)
+        line = node_->masked(line);
+    for (auto& line : result_.said)
+      if (line.starts_with("R: "))
+        line = node_->masked(line);
+    if (result_.failure)
+      result_.failure->found = node_->masked(result_.failure->found);
+  }
+
+  void watch(const Inspection& seen) {
+    coverage_.note(seen);
+    if (seen.kind == InspectionKind::message && seen.message) {
+      if (seen.message->session == asking) {
+        if (seen.message->sinks.empty())
+          answer_ = seen.message;
+        return;
+      }
+      if (!seen.message->sinks.empty())
+        posts_.push_back(seen.message);
+    }
+    if (seen.kind == InspectionKind::branch || seen.session == asking)
+      return;
+    has_error_ |= seen.kind == InspectionKind::error;
+    thoughts_.note(seen);
+    result_.trace.push_back(trace_line(seen));
+  }
+
+  // -- the steps --------------------------------------------------------------
+
+  void hold() {
+    for (const auto& step : conversation_.steps)
+      if (!take(step))
+        return;
+    const auto last =
+        conversation_.steps.empty() ? 0 : conversation_.steps.back().line;
+    settle();
+    nothing_left(last, "the end of the conversation");
+  }
+
+  bool take(const Step& step) {
+    if (step.kind == StepKind::user)
+      return user(step);
+    enter_row();
+    switch (step.kind) {
+    case StepKind::robot:
+    case StepKind::robot_pattern:
+      return robot(step);
+    case StepKind::wait:
+      return pass(step.duration);
+    case StepKind::clock:
+      return clock(step);
+    case StepKind::event:
+      return event(step);
+    case StepKind::partial:
+      return partial(step);
+    case StepKind::barge_in:
+      return barge_in(step);
+    case StepKind::expect_post:
+      return expect_post(step);
+    case StepKind::expect_slot:
+      return expect_slot(step);
+    case StepKind::expect_state:
+      return expect_state(step);
+    case StepKind::expect_sql:
+      return expect_sql(step);
+    case StepKind::user:
+      break;
+    }
+    return true;
+  }
+
+  // Somebody is speaking, while the row before it is still being dealt with.
+  bool partial(const Step& step) {
+    result_.said.push_back("P: " + step.text);
+    return inject(step, "ASR", "Partial", {step.text, 1});
+  }
+
+  // The speaker tells what was heard of its last words, then comes the turn.
+  bool barge_in(const Step& step) {
+    node_->run_until_quiet();
+    remember_session();
+    if (!nothing_left(step.line, step.written))
+      return false;
+    posts_.clear();
+    result_.said.push_back(step.written);
+    const auto id = static_cast<std::int64_t>(last_output_);
+    if (!inject(step, "VAD", "SpeechStarted", {0}) ||
+        !inject(step, "Speaker", "Finished", {id, 0, true, step.target}))
+      return false;
+    if (!step.text.empty())
+      row_.push_back(step.text);
+    enter_row();
+    return true;
+  }
+
+  bool inject(const Step& step, std::string source, std::string command,
+              std::vector<Value> params) {
+    const auto session = node_->session_at(seat_);
+    if (session.empty())
+      return fail_at(step.line, step.written, "no session is open");
+    Message message;
+    message.source = std::move(source);
+    message.command = std::move(command);
+    message.params = std::move(params);
+    node_->inject(session, std::move(message));
+    return true;
+  }
+
+  // Turns of a row are entered together, when it has ended.
+  bool user(const Step& step) {
+    if (row_.empty()) {
+      settle();
+      if (!nothing_left(step.line, step.written))
+        return false;
+      posts_.clear();
+      thoughts_.begin_turn();
+      has_error_ = false;
+    }
+    row_.push_back(step.text);
+    result_.said.push_back("U: " + step.text);
+    return true;
+  }
+
+  void enter_row() {
+    if (row_.empty())
+      return;
+    node_->enter(seat_, row_);
+    row_.clear();
+    remember_session();
+  }
+
+  // A session that has ended can still be asked about.
+  void remember_session() {
+    if (auto session = node_->session_at(seat_); !session.empty())
+      session_ = std::move(session);
+  }
+
+  void settle() {
+    enter_row();
+    node_->run_until_quiet();
+    remember_session();
+  }
+
+  bool robot(const Step& step) {
+    const auto said = next_output();
+    if (!said)
+      return fail_at(step.line, step.written,
+                     "nothing was said within " +
+                         std::to_string(longest_silence.count() / 1000) + " s");
+    result_.said.push_back("R: " + *said);
+    const auto right = step.kind == StepKind::robot
+                           ? *said == step.text
+                           : RE2::FullMatch(*said, RE2(step.text));
+    return right || accept(step, *said) ||
+           fail_at(step.line, step.written, "R: " + *said);
+  }
+
+  bool accept(const Step& step, const std::string& said) {
+    if (words_ == Words::as_written || step.kind != StepKind::robot ||
+        has_error_ || said.empty())
+      return false;
+    result_.rewordings.push_back({step.line, step.text, said});
+    return true;
+  }
+
+  std::optional<std::string> next_output() {
+    const auto deadline = node_->now() + longest_silence.count();
+    node_->run_until_quiet();
+    while (outputs_.empty() &&
+           node_->step_to_next_due(Milliseconds(deadline - node_->now()))) {
+    }
+    if (outputs_.empty())
+      return std::nullopt;
+    auto said = std::move(outputs_.front());
+    outputs_.pop_front();
+    return said;
+  }
+
+  bool nothing_left(std::uint32_t line, const std::string& before) {
+    if (outputs_.empty())
+      return true;
+    result_.said.push_back("R: " + outputs_.front());
+    return fail_at(line, before, "R: " + outputs_.front());
+  }
+
+  bool pass(Milliseconds time) {
+    settle();
+    node_->advance(time);
+    return true;
+  }
+
+  bool clock(const Step& step) {
+    settle();
+    if (step.time < node_->now())
+      return fail_at(step.line, step.written,
+                     "it is already " +
+                         format_timestamp(node_->now(), "%Y-%m-%d %H:%M:%S"));
+    return pass(Milliseconds(step.time - node_->now()));
+  }
+
+  bool event(const Step& step) {
+    return inject(step, step.target, step.command, step.params);
+  }
+
+  // -- expectations -----------------------------------------------------------
+
+  bool expect_post(const Step& step) {
+    settle();
+    std::string found;
+    for (const auto& post : posts_) {
+      if (matches(step, *post))
+        return true;
+      found += (found.empty() ? "" : "; ") + to_string(*post);
+    }
+    return fail_at(step.line, step.written,
+                   found.empty() ? "nothing was posted since the last U"
+                                 : "posted since the last U: " + found);
+  }
+
+  bool matches(const Step& step, const Message& post) const {
+    if (post.command != step.command || post.params.size() < step.params.size())
+      return false;
+    for (std::size_t i = 0; i < step.params.size(); ++i)
+      if (!is_wildcard(step.params[i]) &&
+          !is_same(step.params[i], post.params[i]))
+        return false;
+    for (const auto& sink : post.sinks)
+      if (names_.same(sink, step.target))
+        return true;
+    return false;
+  }
+
+  static bool is_same(const Value& expected, const Value& found) {
+    if (expected.is_unknown() || found.is_unknown())
+      return expected.is_unknown() && found.is_unknown();
+    return expected == found || to_string(expected) == to_string(found);
+  }
+
+  bool expect_slot(const Step& step) {
+    settle();
+    const auto value = node_->slot_value(session_, step.text, step.target);
+    return is_same(step.value, value) ||
+           fail_at(step.line, step.written,
+                   step.text + "." + step.target + " = " + to_string(value));
+  }
+
+  bool expect_state(const Step& step) {
+    settle();
+    const auto state = node_->state(session_);
+    return state == step.text ||
+           fail_at(step.line, step.written,
+                   state.empty() ? "no state is active" : "state " + state);
+  }
+
+  bool expect_sql(const Step& step) {
+    settle();
+    answer_ = nullptr;
+    Message question;
+    question.source = "Session";
+    question.command = "Query";
+    question.params = {step.text, List{}};
+    question.sinks = {"Database"};
+    node_->inject(asking, std::move(question));
+    node_->run_until_quiet();
+    if (!answer_)
+      return fail_at(step.line, step.written, "no database answered");
+    const auto first = answer_->params.empty() ? Value() : answer_->params[0];
+    const auto* rows = first.if_result();
+    if (!rows)
+      return fail_at(step.line, step.written, to_string(*answer_));
+    return compare_rows(step, *rows);
+  }
+
+  // One cell is compared as it is; several as a list.
+  bool compare_rows(const Step& step, const ResultSet& rows) {
+    Value found;
+    if (rows.cells.size() == 1)
+      found = rows.cells[0];
+    else if (!rows.cells.empty())
+      found = rows.cells;
+    return is_same(step.value, found) ||
+           fail_at(step.line, step.written,
+                   rows.cells.empty() ? "no row" : to_string(found));
+  }
+
+  bool fail_at(std::uint32_t line, std::string expected, std::string found) {
+    result_.failure = Failure{line, std::move(expected), std::move(found)};
+    result_.thoughts = thoughts_.lines();
+    return false;
+  }
+
+  const Application& application_;
+  const Conversation& conversation_;
+  Coverage& coverage_;
+  Words words_;
+  ModuleNames names_;
+  Thoughts thoughts_;
+  bool has_error_ = false; // a script's, since the last U
+  ConversationResult result_;
+  std::deque<std::string> outputs_;
+  std::vector<std::shared_ptr<const Message>> posts_; // since the last U
+  std::shared_ptr<const Message> answer_;             // to `expect sql`
+  std::vector<std::string> row_;
+  dialogue::OutputId last_output_ = 0;
+  actors::SeatId seat_;
+  SessionId session_;
+  std::optional<DataFolder> data_; // outlives the node
+  std::unique_ptr<actors::Node> node_;
+};
+
+} // namespace
+
+ConversationResult hold_conversation(const Application& application,
+                                     const Conversation& conversation,
+                                     Coverage& coverage, Words words) {
+  return Runner(application, conversation, coverage, words).run();
+}
+
+} // namespace parlour::tools

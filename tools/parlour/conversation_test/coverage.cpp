@@ -1,0 +1,154 @@
+#include "tools/parlour/conversation_test/coverage.hpp"
+
+#include <algorithm>
+#include <ostream>
+#include <utility>
+
+#include "runtime/base/names.hpp"
+#include "runtime/base/paths.hpp"
+#include "script/program/host.hpp"
+#include "script/program/instruction.hpp"
+
+namespace parlour::tools {
+
+namespace {
+
+using script::EffectKind;
+using script::Instruction;
+using script::Operation;
+using script::Program;
+
+std::vector<std::string> slot_names(const Program& program) {
+  std::vector<std::string> names;
+  for (const auto& topic : program.topics)
+    for (const auto& slot : topic.slots)
+      names.push_back(topic.name + "." + slot.name);
+  return names;
+}
+
+std::string place_name(const Place& place) {
+  return place.file + ":" + std::to_string(place.line);
+}
+
+// The lines of the instructions of which `wanted` is true, in the application's
+// own files, in their order: what the platform brings is not its to reach.
+template <class Predicate>
+std::vector<std::string> places_of(const Program& program, Predicate wanted) {
+  std::set<std::pair<std::string, std::uint32_t>> places;
+  for (const auto& code : program.code)
+    for (std::size_t i = 0; i < code.instructions.size(); ++i)
+      if (wanted(code, code.instructions[i])) {
+        const auto place = program.place(code.positions[i]);
+        if (is_below(place.file, program.settings.folder))
+          places.emplace(place.file, place.line);
+      }
+  std::vector<std::string> names;
+  for (const auto& [file, line] : places)
+    names.push_back(place_name({file, line, 0}));
+  return names;
+}
+
+bool is(const Instruction& instruction, Operation operation) {
+  return instruction.operation == static_cast<std::uint8_t>(operation);
+}
+
+// Where the compiler put a mark for coverage.
+std::vector<std::string> branch_names(const Program& program) {
+  return places_of(program, [](const auto&, const Instruction& instruction) {
+    return is(instruction, Operation::reached);
+  });
+}
+
+// Each <transit> and <push>.
+std::vector<std::string> transition_names(const Program& program) {
+  return places_of(program, [](const script::Code& code,
+                               const Instruction& instruction) {
+    if (!is(instruction, Operation::effect))
+      return false;
+    const auto kind = static_cast<EffectKind>(code.effects[instruction.c].kind);
+    return kind == EffectKind::transit || kind == EffectKind::push;
+  });
+}
+
+// "Turn (ASR.RecognitionResult)" of each, and what it is noted as when it runs.
+using NamedPlaces = std::vector<std::pair<std::string, std::string>>;
+
+NamedPlaces reactions_of(const Program& program) {
+  NamedPlaces found;
+  for (const auto& handler : program.handlers)
+    for (const auto& reaction : handler.reactions)
+      found.emplace_back(handler.name + " (" + reaction.source + "." +
+                             reaction.event + ")",
+                         place_name(program.place(reaction.position)));
+  return found;
+}
+
+} // namespace
+
+Coverage::Coverage(const Program& program) : program_(&program) {}
+
+void Coverage::note(const Inspection& inspection) {
+  switch (inspection.kind) {
+  case InspectionKind::transition:
+    states_.insert(inspection.subject);
+    break;
+  case InspectionKind::topic:
+    topics_.insert(inspection.subject);
+    break;
+  case InspectionKind::slot:
+    slots_.insert(inspection.subject);
+    break;
+  case InspectionKind::branch:
+    places_.insert(inspection.subject);
+    break;
+  default:
+    break;
+  }
+}
+
+void Coverage::add(const Coverage& other) {
+  states_.insert(other.states_.begin(), other.states_.end());
+  topics_.insert(other.topics_.begin(), other.topics_.end());
+  slots_.insert(other.slots_.begin(), other.slots_.end());
+  places_.insert(other.places_.begin(), other.places_.end());
+}
+
+std::vector<Coverage::Part> Coverage::parts() const {
+  return {part("states", names_of(program_->states), states_),
+          part("transitions", transition_names(*program_), places_),
+          part("topics", names_of(program_->topics), topics_),
+          part("slots", slot_names(*program_), slots_),
+          handlers(),
+          part("branches", branch_names(*program_), places_)};
+}
+
+Coverage::Part Coverage::handlers() const {
+  const auto all = reactions_of(*program_);
+  Part made{"handlers", all.size(), {}};
+  for (const auto& [name, place] : all)
+    if (places_.count(place) == 0)
+      made.missing.push_back(name);
+  return made;
+}
+
+Coverage::Part Coverage::part(const char* name,
+                              const std::vector<std::string>& all,
+                              const std::set<std::string>& reached) const {
+  Part made{name, all.size(), {}};
+  for (const auto& one : all)
+    if (reached.count(one) == 0)
+      made.missing.push_back(one);
+  return made;
+}
+
+void print(std::ostream& out, const Coverage& coverage, const Places& places) {
+  out << "coverage:\n";
+  for (const auto& part : coverage.parts()) {
+    out << "  " << part.name << ' ' << part.all - part.missing.size() << " of "
+        << part.all << '\n';
+    for (const auto& missing : part.missing)
+      out << "    not reached: " << shown_path(places, missing) << '\n';
+  }
+}
+
+} // namespace parlour::tools

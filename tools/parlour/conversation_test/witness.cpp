@@ -1,0 +1,113 @@
+#include "tools/parlour/conversation_test/witness.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <string_view>
+
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "tools/parlour/console/exit_code.hpp"
+
+namespace parlour::tools {
+
+namespace {
+
+std::atomic<int> held_now = 0;
+
+// A plug-in that calls exit() in the middle does not end a test well.
+void refuse_exit() {
+  if (held_now > 0)
+    _exit(exit_code::wrong);
+}
+
+void print(std::string_view text) {
+  (void)!write(STDERR_FILENO, text.data(), text.size());
+}
+
+} // namespace
+
+Witness::Witness() {
+  static const bool once = std::atexit(&refuse_exit) == 0;
+  (void)once;
+  int ends[2];
+  void* shared = mmap(nullptr, sizeof(Names), PROT_READ | PROT_WRITE,
+                      MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  if (shared == MAP_FAILED)
+    return;
+  names_ = static_cast<Names*>(shared);
+  if (pipe2(ends, O_CLOEXEC) != 0)
+    return;
+  process_ = fork();
+  if (process_ == 0) {
+    close(ends[1]);
+    watch(ends[0]);
+  }
+  close(ends[0]);
+  end_ = ends[1];
+}
+
+Witness::~Witness() {
+  if (end_ >= 0)
+    close(end_);
+  while (process_ > 0 && waitpid(process_, nullptr, 0) < 0 && errno == EINTR) {
+  }
+  if (names_)
+    munmap(names_, sizeof(Names));
+}
+
+// In the other process, which may have been made from one with threads: nothing
+// here takes a lock.
+void Witness::watch(int end) {
+  for (const auto number : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE})
+    signal(number, SIG_IGN);
+  close(STDIN_FILENO);
+  close(STDOUT_FILENO);
+  char nothing;
+  while (read(end, &nothing, 1) < 0 && errno == EINTR) {
+  }
+  tell();
+  _exit(0);
+}
+
+void Witness::tell() {
+  bool is_first = true;
+  for (const auto& name : *names_) {
+    if (!*name)
+      continue;
+    print(is_first ? "error: the program ended while these were held: " : ", ");
+    print({name, strnlen(name, longest)});
+    is_first = false;
+  }
+  if (!is_first)
+    print("; parlour test APP FILE holds one alone\n");
+}
+
+Witness::Held::Held(Witness& witness, const std::string& name)
+    : place_(nullptr) {
+  ++held_now;
+  std::lock_guard lock(witness.mutex_);
+  if (!witness.names_)
+    return;
+  const auto free =
+      std::find_if(std::begin(*witness.names_), std::end(*witness.names_),
+                   [](const auto& taken) { return !*taken; });
+  if (free == std::end(*witness.names_))
+    return;
+  place_ = *free;
+  std::strncpy(place_, name.c_str(), longest - 1);
+}
+
+Witness::Held::~Held() {
+  --held_now;
+  if (place_)
+    *place_ = '\0';
+}
+
+} // namespace parlour::tools

@@ -1,0 +1,203 @@
+#include "tools/parlour/talk/terminal_run.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <cwchar>
+#include <vector>
+
+#include <histedit.h>
+#include <poll.h>
+#include <sys/eventfd.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include "tools/parlour/console/line_reader.hpp"
+
+namespace parlour::tools {
+
+namespace {
+
+constexpr int kept_lines = 1000; // of history
+
+constexpr int prompt_columns = 2;
+const wchar_t* prompt(EditLine*) {
+  return L"> ";
+}
+
+int columns_of(std::FILE* terminal) {
+  winsize size{};
+  const auto known = ioctl(fileno(terminal), TIOCGWINSZ, &size) == 0;
+  return known && size.ws_col > 0 ? size.ws_col : 80;
+}
+
+} // namespace
+
+struct Screen::Editor {
+  Editor(Screen* owner, const Terminal& both_ends, std::string history_file,
+         IsPrivate asks)
+      : screen(owner), terminal(both_ends),
+        news(eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)),
+        file(std::move(history_file)), is_private(std::move(asks)) {
+    line = el_init("parlour", terminal.in, terminal.out, terminal.out);
+    past = history_init();
+    HistEvent event;
+    history(past, &event, H_SETSIZE, kept_lines);
+    history(past, &event, H_LOAD, file.c_str());
+    el_wset(line, EL_PROMPT, prompt);
+    el_wset(line, EL_EDITOR, L"emacs");
+    el_set(line, EL_HIST, history, past);
+    el_set(line, EL_CLIENTDATA, this);
+    el_wset(line, EL_GETCFN, &Editor::next_character);
+  }
+  Editor(const Editor&) = delete;
+  Editor& operator=(const Editor&) = delete;
+  ~Editor() {
+    forget_what_is_private();
+    HistEvent event;
+    history(past, &event, H_SAVE, file.c_str());
+    history_end(past);
+    el_end(line);
+    close(news);
+  }
+
+  void forget_what_is_private() {
+    std::vector<std::string> kept;
+    HistEvent event;
+    for (int found = history(past, &event, H_LAST); found >= 0;
+         found = history(past, &event, H_PREV)) {
+      const std::string words(event.str, std::strcspn(event.str, "\r\n"));
+      if (!is_private || !is_private(words))
+        kept.emplace_back(event.str);
+    }
+    history(past, &event, H_CLEAR);
+    for (const auto& entry : kept)
+      history(past, &event, H_ENTER, entry.c_str());
+  }
+
+  // Waits for a key; meanwhile the robot may speak.
+  static int next_character(EditLine* line, wchar_t* character) {
+    Editor* self = nullptr;
+    el_get(line, EL_CLIENTDATA, &self);
+    for (;;) {
+      pollfd waiting[] = {{self->terminal.interrupt, POLLIN, 0},
+                          {self->news, POLLIN, 0},
+                          {fileno(self->terminal.in), POLLIN, 0}};
+      if (poll(waiting, 3, -1) < 0)
+        continue;
+      if (waiting[0].revents)
+        return 0;
+      if (waiting[1].revents)
+        self->show_news();
+      else if (waiting[2].revents)
+        return self->read_character(character);
+    }
+  }
+
+  // A character of UTF-8; bytes that are none become U+FFFD.
+  int read_character(wchar_t* character) const {
+    std::mbstate_t state{};
+    for (;;) {
+      char byte;
+      if (::read(fileno(terminal.in), &byte, 1) != 1)
+        return 0;
+      const auto size = std::mbrtowc(character, &byte, 1, &state);
+      if (size == static_cast<std::size_t>(-1)) {
+        *character = L'\xFFFD';
+        return 1;
+      }
+      if (size != static_cast<std::size_t>(-2))
+        return 1;
+    }
+  }
+
+  // In place of the line that is being written, which goes on below.
+  void show_news() {
+    if (const auto above = rows_above_cursor(); above > 0)
+      std::fprintf(terminal.out, "\033[%dA", above);
+    std::fputs("\r\033[J", terminal.out);
+    screen->flush();
+    el_set(line, EL_REFRESH);
+  }
+
+  // Of prompt and line, where the line is longer than the terminal is wide.
+  int rows_above_cursor() const {
+    const auto* written = el_wline(line);
+    auto columns = prompt_columns;
+    for (const auto* at = written->buffer; at != written->cursor; ++at)
+      columns += std::max(wcwidth(*at), 0);
+    return columns / columns_of(terminal.out);
+  }
+
+  Screen* screen;
+  Terminal terminal;
+  int news;
+  std::string file;
+  IsPrivate is_private; // may be empty
+  EditLine* line = nullptr;
+  History* past = nullptr;
+};
+
+Screen::Screen(const Terminal& terminal, std::filesystem::path history,
+               bool colour, IsPrivate is_private)
+    : colour_(colour),
+      editor_(std::make_unique<Editor>(this, terminal, history.string(),
+                                       std::move(is_private))) {}
+
+Screen::~Screen() = default;
+
+void Screen::say(const std::string& text) {
+  add(colour_ ? "\033[1m" + text + "\033[0m" : text);
+}
+
+void Screen::note(const std::string& text) {
+  add(colour_ ? "\033[90m" + text + "\033[0m" : text);
+}
+
+void Screen::add(std::string line) {
+  std::lock_guard lock(mutex_);
+  lines_.push_back(std::move(line));
+  eventfd_write(editor_->news, 1);
+}
+
+void Screen::flush() {
+  std::lock_guard lock(mutex_);
+  eventfd_t ignored;
+  eventfd_read(editor_->news, &ignored);
+  for (const auto& line : lines_)
+    std::fprintf(editor_->terminal.out, "%s\n", line.c_str());
+  lines_.clear();
+  std::fflush(editor_->terminal.out);
+}
+
+std::optional<std::string> Screen::read_line() {
+  flush();
+  int size = 0;
+  const auto* text = el_gets(editor_->line, &size);
+  if (!text || size <= 0) {
+    std::fputc('\n', editor_->terminal.out);
+    return std::nullopt;
+  }
+  HistEvent event;
+  if (!is_blank(text))
+    history(editor_->past, &event, H_ENTER, text);
+  LineReader reader;
+  std::string_view bytes(text);
+  auto line = reader.take(bytes);
+  if (!line)
+    line = reader.finish();
+  return line ? line->text : std::string();
+}
+
+void talk_on_terminal(Partner& partner, Screen& screen) {
+  while (const auto line = screen.read_line()) {
+    if (!is_blank(*line)) {
+      partner.enter({*line});
+      if (partner.is_virtual())
+        partner.run_until_quiet();
+    } else if (partner.is_virtual()) {
+      partner.let_time_pass();
+    }
+  }
+}
+
+} // namespace parlour::tools

@@ -31,7 +31,7 @@ struct PluginDescription {
   std::vector<OptionDescription> options = {};
   // Derives from InlinePlugin, and answers within 50 µs.
   bool is_inline = false;
-  // Calls libraries that block: given a thread of its own.
+  // Calls libraries that block: never called inline.
   bool blocks = false;
   // What it understands and fires beyond its roles.
   std::vector<RoleCommand> commands = {};

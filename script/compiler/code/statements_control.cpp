@@ -1,4 +1,5 @@
-// Branches and loops (language rule 6); <confirm>, which is both.
+// Branches and loops (language rule 6); <confirm>, which is both (language rule
+// 12.20).
 #include <utility>
 
 #include "script/compiler/code/statements.hpp"

@@ -1,5 +1,5 @@
-// The part of a conversation that says how it begins and how it ends (language
-// rule 1, engine rule 4).
+// The part of a conversation that says how it begins and how it ends (engine
+// rule 4.6).
 #include <utility>
 
 #include "script/dialogue/agenda/steps.hpp"

@@ -99,7 +99,7 @@ struct Core {
   void drop(const Input& input);
   // The same for a step.
   void drop(const Step& step);
-  // Script.Error (language rule 5).
+  // Script.Error (language rule 12.19).
   void raise_error(const Error& error, TurnId turn);
   // Shown, and raised.
   void script_failed(const Error& error, TurnId turn);

@@ -2,7 +2,7 @@
 // active state's <Messages>, then to every matching handler in file order. A
 // handler that waits holds only later messages of the same source and command;
 // none where it waits for the user, and what the user says not where it waits
-// for time (language rule 10.5).
+// for time (language rules 10.1 and 12.16).
 #pragma once
 
 #include <memory>

@@ -1,6 +1,6 @@
 // Runner: starts pieces of script, keeps those that wait, and hands outcomes
 // back to them. An error that no <catch> took becomes the event Script.Error
-// (language rule 9.3).
+// (language rule 12.19).
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // What is said while a handler waits for the user: the conversation goes on
-// (language rule 10.5).
+// (language rule 12.16).
 #include <gtest/gtest.h>
 
 #include "script/dialogue/engine/answers.hpp"

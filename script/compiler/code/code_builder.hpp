@@ -7,11 +7,12 @@
 #include <string_view>
 #include <vector>
 
-#include "script/compiler/code/body_compiler.hpp"
+#include "script/compiler/code/declared_names.hpp"
 #include "script/expression/expression.hpp"
 #include "script/expression/expression_slips.hpp"
 #include "script/program/host.hpp"
 #include "script/program/instruction.hpp"
+#include "script/source/findings.hpp"
 #include "script/values/objects.hpp"
 
 namespace parlour::script {

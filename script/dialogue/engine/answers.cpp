@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "script/dialogue/agenda/steps.hpp"
-#include "script/dialogue/engine/core.hpp"
 
 namespace parlour::dialogue {
 
@@ -21,11 +20,12 @@ bool Answers::take(Input& input) {
   if (is_meaning(*input.message))
     return answer(input);
   if (!input.begins_turn || input.is_no_answer ||
-      input.message->params.empty() || !core_.port.reachable(understanding))
+      input.message->params.empty() || !context_.port.reachable(understanding))
     return false;
-  const auto correlation = core_.post(understanding, "DoNLU",
-                                      {input.message->params[0]}, input.turn);
-  core_.turns.let_go(input.turn); // the question keeps it open, for its time
+  const auto correlation = context_.post(
+      understanding, "DoNLU",
+      {input.message->params[0], topics_.understanding_context()}, input.turn);
+  context_.turns.let_go(input.turn); // the question keeps it open, for its time
   words_.emplace(correlation, std::move(input));
   return true;
 }
@@ -33,16 +33,16 @@ bool Answers::take(Input& input) {
 bool Answers::take_meaning(Input& input) {
   const auto found = words_.find(input.message->correlation);
   if (found == words_.end() ||
-      core_.port.reply_to_request(*input.message) == Reply::none)
+      context_.port.reply_to_request(*input.message) == Reply::none)
     return false;
   auto words = std::move(found->second);
   words_.erase(found);
   if (is_meaning(*input.message) && answer(input))
     return true;
-  core_.turns.hold(words.turn);
-  core_.turns.let_go(input.turn);
+  context_.turns.hold(words.turn);
+  context_.turns.let_go(input.turn);
   words.is_no_answer = true;
-  core_.inbox.push_front(std::move(words));
+  context_.inbox.push_front(std::move(words));
   return true;
 }
 
@@ -53,24 +53,23 @@ void Answers::forget(TurnId turn) {
 
 bool Answers::is_meaning(const Message& message) const {
   return message.command == "FrameInfo"sv &&
-         core_.port.is_source(understanding, message.source);
+         context_.port.is_source(understanding, message.source);
 }
 
 bool Answers::answer(const Input& input) {
   auto parsed = parse_acts(Value(List(input.message->params)));
   if (parsed.acts.empty() ||
-      !std::all_of(parsed.acts.begin(), parsed.acts.end(), [&](const Act& act) {
-        return core_.topics.is_waited_for(act);
-      }))
+      !std::all_of(parsed.acts.begin(), parsed.acts.end(),
+                   [&](const Act& act) { return topics_.is_waited_for(act); }))
     return false;
   StepList steps;
   for (auto& act : parsed.acts) {
-    core_.turns.hold(input.turn);
+    context_.turns.hold(input.turn);
     steps.push_back(
         act_step(std::make_shared<const Act>(std::move(act)), input.turn));
   }
-  core_.take_from_pipeline(std::move(steps), input.turn);
-  core_.turns.let_go(input.turn);
+  entry_.take(std::move(steps), input.turn);
+  context_.turns.let_go(input.turn);
   return true;
 }
 

@@ -7,15 +7,16 @@
 
 #include <map>
 
-#include "script/dialogue/engine/input.hpp"
+#include "script/dialogue/context/input.hpp"
+#include "script/dialogue/engine/lane_entry.hpp"
+#include "script/dialogue/topic_engine/topic_engine.hpp"
 
 namespace parlour::dialogue {
 
-struct Core;
-
 class Answers {
 public:
-  explicit Answers(Core& core) : core_(core) {}
+  Answers(DialogueContext& context, const TopicEngine& topics, LaneEntry& entry)
+      : context_(context), topics_(topics), entry_(entry) {}
 
   // Whether the message is taken: it was an answer, or is to be understood
   // first. Else it goes on as it is.
@@ -34,7 +35,9 @@ private:
   bool is_meaning(const Message& message) const;
   bool answer(const Input& input);
 
-  Core& core_;
+  DialogueContext& context_;
+  const TopicEngine& topics_;
+  LaneEntry& entry_;
   std::map<Correlation, Input> words_; // that are being understood
 };
 

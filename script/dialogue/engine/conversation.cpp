@@ -13,8 +13,23 @@ Conversation::Conversation(std::shared_ptr<const script::Program> program,
 
 Conversation::~Conversation() = default;
 
+// A part may be given one that is made after it: nothing is said to it before
+// the first input.
+Conversation::Implementation::Implementation(
+    std::shared_ptr<const script::Program> program, Options options, Port& port)
+    : context(std::move(program), std::move(options), port), reactions(context),
+      runner(context, effects, topics), waits(context, runner, *this),
+      output(context, reactions, topics),
+      topics(context, runner, waits, reactions, output, machine),
+      machine(context, runner, waits, topics), entry(context, topics, machine),
+      answers(context, topics, entry), sockets(context, waits),
+      pipeline(context, runner, reactions, output, sockets, machine, entry,
+               answers),
+      effects(context, runner, waits, reactions, output, topics, machine,
+              sockets, pipeline) {}
+
 void Conversation::open(Timestamp now) {
-  implementation_->core.now = now;
+  implementation_->context.now = now;
   implementation_->open();
 }
 
@@ -30,7 +45,7 @@ void Conversation::receive(std::shared_ptr<const Message> message) {
 void Conversation::take_acts(std::span<const ActPointer> acts, Timestamp now) {
   if (ended())
     return;
-  implementation_->core.now = now;
+  implementation_->context.now = now;
   implementation_->take_acts(acts);
 }
 
@@ -39,11 +54,11 @@ bool Conversation::has_work() const {
 }
 
 bool Conversation::awaiting_frame() const {
-  return implementation_->core.topics.awaiting_frame();
+  return implementation_->topics.awaiting_frame();
 }
 
 bool Conversation::step(Timestamp now) {
-  implementation_->core.now = now;
+  implementation_->context.now = now;
   if (has_work())
     implementation_->take_input();
   return has_work();
@@ -52,8 +67,8 @@ bool Conversation::step(Timestamp now) {
 void Conversation::frame_applied(FrameResult result, Timestamp now) {
   if (ended() || !awaiting_frame())
     return;
-  implementation_->core.now = now;
-  implementation_->core.topics.frame_applied(std::move(result));
+  implementation_->context.now = now;
+  implementation_->topics.frame_applied(std::move(result));
   implementation_->go_on();
 }
 
@@ -61,23 +76,23 @@ void Conversation::query_answered(QueryId id, Expected<ResultSet> outcome,
                                   Timestamp now) {
   if (ended())
     return;
-  auto& core = implementation_->core;
-  core.now = now;
-  implementation_->begin_event();
-  if (core.topics.query_answered(id, outcome) ||
-      core.effects.answered(id, std::move(outcome).map([](ResultSet rows) {
+  auto& parts = *implementation_;
+  parts.context.now = now;
+  parts.begin_event();
+  if (parts.topics.query_answered(id, outcome) ||
+      parts.effects.answered(id, std::move(outcome).map([](ResultSet rows) {
         return Value(std::move(rows));
       })))
-    implementation_->go_on();
+    parts.go_on();
 }
 
 void Conversation::file_answered(QueryId id, Expected<Value> outcome,
                                  Timestamp now) {
   if (ended())
     return;
-  implementation_->core.now = now;
+  implementation_->context.now = now;
   implementation_->begin_event();
-  if (implementation_->core.effects.answered(id, std::move(outcome)))
+  if (implementation_->effects.answered(id, std::move(outcome)))
     implementation_->go_on();
 }
 
@@ -90,55 +105,56 @@ void Conversation::socket_opened(SocketId id, Expected<void> outcome,
                                  Timestamp now) {
   if (ended())
     return;
-  implementation_->core.now = now;
+  implementation_->context.now = now;
   implementation_->begin_event();
-  implementation_->core.effects.sockets.opened(id, std::move(outcome));
+  implementation_->sockets.opened(id, std::move(outcome));
   implementation_->go_on();
 }
 
 void Conversation::socket_closed(SocketId id) {
-  implementation_->core.effects.sockets.closed(id);
+  implementation_->sockets.closed(id);
 }
 
 void Conversation::timer_fired(TimerId id, Timestamp now) {
   if (ended())
     return;
-  implementation_->core.now = now;
+  implementation_->context.now = now;
   implementation_->timer_fired(id);
 }
 
 void Conversation::output_finished(OutputId id, bool played, Timestamp now) {
   if (ended())
     return;
-  implementation_->core.now = now;
+  implementation_->context.now = now;
   if (played)
-    implementation_->core.mouth.finished(id);
+    implementation_->output.finished(id);
   else
-    implementation_->core.mouth.interrupted(id, {});
+    implementation_->output.interrupted(id, {});
   implementation_->go_on();
 }
 
 void Conversation::close(Timestamp now) {
-  implementation_->core.now = now;
+  implementation_->context.now = now;
   implementation_->close();
 }
 
 bool Conversation::ended() const {
-  return implementation_->core.ended;
+  return implementation_->context.ended;
 }
 
 bool Conversation::waits_for_answer() const {
-  const auto& core = implementation_->core;
-  return core.topics.awaiting_frame() || core.topics.waits_for_answer() ||
-         core.effects.waits_for_answer() || core.mouth.waits_for_words();
+  const auto& parts = *implementation_;
+  return parts.topics.awaiting_frame() || parts.topics.waits_for_answer() ||
+         parts.effects.waits_for_answer() || parts.output.waits_for_words();
 }
 
 Value Conversation::slot_value(std::string_view topic,
                                std::string_view slot) const {
-  const auto& core = implementation_->core;
-  auto id = core.program->topic(topic);
-  return id == script::no_id ? Value()
-                             : core.effects.slot(id, core.topic(id).slot(slot));
+  const auto& parts = *implementation_;
+  const auto id = parts.context.program->topic(topic);
+  return id == script::no_id
+             ? Value()
+             : parts.effects.slot(id, parts.context.topic(id).slot(slot));
 }
 
 std::vector<Message> Conversation::take_unread() {
@@ -146,16 +162,14 @@ std::vector<Message> Conversation::take_unread() {
 }
 
 std::string Conversation::state() const {
-  const auto& core = implementation_->core;
-  return core.states.active() == script::no_id
-             ? std::string()
-             : core.program->states[core.states.active()].name;
+  const auto* active = implementation_->context.active_state();
+  return active ? active->name : std::string();
 }
 
 std::string Conversation::current_topic() const {
-  const auto& core = implementation_->core;
-  auto topic = core.order.current();
-  return topic ? core.topic(*topic).name : std::string();
+  const auto& context = implementation_->context;
+  const auto topic = context.order.current();
+  return topic ? context.topic(*topic).name : std::string();
 }
 
 } // namespace parlour::dialogue

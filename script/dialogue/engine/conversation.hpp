@@ -14,9 +14,9 @@
 
 #include "runtime/base/clock.hpp"
 #include "runtime/base/message.hpp"
-#include "runtime/base/phrases.hpp"
 #include "script/dialogue/acts/acts.hpp"
 #include "script/dialogue/agenda/port.hpp"
+#include "script/dialogue/context/conversation_options.hpp"
 #include "script/dialogue/frame/frame.hpp"
 #include "script/program/program.hpp"
 
@@ -24,12 +24,7 @@ namespace parlour::dialogue {
 
 class Conversation {
 public:
-  struct Options {
-    SessionId session;
-    std::uint64_t seed = 1;
-    // Words what the engine says where no NLG component is there.
-    std::shared_ptr<const PhraseEvaluator> phrases;
-  };
+  using Options = ConversationOptions;
 
   Conversation(std::shared_ptr<const script::Program> program, Options options,
                Port& port);

@@ -9,12 +9,13 @@
 namespace parlour::dialogue {
 
 void Conversation::Implementation::open() {
-  if (auto ready = core.interpreter.initialise(core.effects); !ready) {
-    core.inspect(InspectionKind::error, "variables", to_string(ready.error()));
-    core.ending = true;
+  if (auto ready = context.interpreter.initialise(effects); !ready) {
+    context.inspect(InspectionKind::error, "variables",
+                    to_string(ready.error()));
+    context.ending = true;
   } else {
-    core.raise("Session", "Started", {});
-    core.lane.queue(beginning());
+    context.raise("Session", "Started", {});
+    context.lane.queue(beginning());
   }
   go_on();
 }
@@ -22,14 +23,15 @@ void Conversation::Implementation::open() {
 // The start state or topic, else the first topic of system initiative
 // (engine rule 4.6).
 StepList Conversation::Implementation::beginning() const {
-  const auto& start = core.program->settings.start;
+  const auto& start = context.program->settings.start;
   Step step;
-  if (auto state = core.program->state(start); state != script::no_id) {
+  if (auto state = context.program->state(start); state != script::no_id) {
     step.kind = StepKind::enter;
     step.state = state;
-  } else if (auto topic = core.program->topic(start); topic != script::no_id) {
+  } else if (auto topic = context.program->topic(start);
+             topic != script::no_id) {
     step = topic_step(StepKind::activate, topic);
-  } else if (auto next = core.order.next(); next) {
+  } else if (auto next = context.order.next(); next) {
     step = topic_step(StepKind::resume_topic, next->topic);
   } else {
     return {};
@@ -40,20 +42,20 @@ StepList Conversation::Implementation::beginning() const {
 void Conversation::Implementation::close() {
   if (leaving_ != Leaving::no)
     return;
-  core.ending = true;
-  core.leaving = true;
-  core.mouth.withdraw_questions();
-  core.topics.forget_frame();
-  core.answers.clear();
-  core.lane.clear();
-  auto steps = core.cancel_waits();
-  for (auto wait : core.pipeline.waits())
-    core.pipeline.resume(wait, fail(ErrorKind::cancelled, "the session ended"));
-  steps.append(core.machine.exits());
-  core.lane.clear();
-  core.lane.now(std::move(steps));
-  core.timers.start(core.program->settings.sessions.request_timeout,
-                    Timer::Purpose::leaving);
+  context.ending = true;
+  context.leaving = true;
+  output.withdraw_questions();
+  topics.forget_frame();
+  answers.clear();
+  context.lane.clear();
+  auto steps = topics.cancel_waits();
+  for (auto wait : pipeline.waits())
+    pipeline.resume(wait, fail(ErrorKind::cancelled, "the session ended"));
+  steps.append(machine.exits());
+  context.lane.clear();
+  context.lane.now(std::move(steps));
+  context.timers.start(context.program->settings.sessions.request_timeout,
+                       Timer::Purpose::leaving);
   leaving_ = Leaving::exits;
   leave();
 }
@@ -66,7 +68,7 @@ void Conversation::Implementation::leave() {
     return;
   if (leaving_ == Leaving::exits) {
     leaving_ = Leaving::told;
-    core.raise("Session", "Ended", {});
+    context.raise("Session", "Ended", {});
     take_internal();
   }
   if (at_rest())
@@ -74,40 +76,40 @@ void Conversation::Implementation::leave() {
 }
 
 void Conversation::Implementation::take_internal() {
-  while (!core.internal.empty() && core.one_more_internal_event()) {
-    process(core.internal.take());
+  while (!context.internal.empty() && context.one_more_internal_event()) {
+    process(context.internal.take());
     run_lane();
   }
 }
 
 // Nothing that was begun waits for anybody but the user, who is gone.
 bool Conversation::Implementation::at_rest() const {
-  return core.lane.idle() && core.internal.empty() &&
-         !core.runner.waits_for_others() && !core.topics.awaiting_frame();
+  return context.lane.idle() && context.internal.empty() &&
+         !runner.waits_for_others() && !topics.awaiting_frame();
 }
 
 void Conversation::Implementation::finish() {
-  core.mouth.withdraw_questions();
-  core.mouth.release();
+  output.withdraw_questions();
+  output.release();
   tell_lost_timers();
-  core.timers.cancel_all();
-  core.ended = true;
-  core.port.ended();
+  context.timers.cancel_all();
+  context.ended = true;
+  context.port.ended();
 }
 
 // Repeating ones never were to have a last time.
 void Conversation::Implementation::tell_lost_timers() {
-  for (const auto* timer : core.timers.pending())
+  for (const auto* timer : context.timers.pending())
     if (timer->every == Milliseconds::zero())
-      core.inspect(InspectionKind::log, "warning",
-                   "the timer '" + timer->name +
-                       "' is lost with its session; it was due at " +
-                       format_timestamp(timer->due, "%Y-%m-%d %H:%M:%S"));
+      context.inspect(InspectionKind::log, "warning",
+                      "the timer '" + timer->name +
+                          "' is lost with its session; it was due at " +
+                          format_timestamp(timer->due, "%Y-%m-%d %H:%M:%S"));
 }
 
 std::vector<Message> Conversation::Implementation::take_unread() {
   std::vector<Message> messages;
-  for (auto& input : std::exchange(core.inbox, {}))
+  for (auto& input : std::exchange(context.inbox, {}))
     messages.push_back(*input.message);
   return messages;
 }

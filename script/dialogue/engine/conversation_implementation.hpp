@@ -8,15 +8,26 @@
 #include <span>
 #include <vector>
 
-#include "script/dialogue/engine/core.hpp"
+#include "script/dialogue/context/activation_runner.hpp"
+#include "script/dialogue/context/dialogue_context.hpp"
+#include "script/dialogue/context/reactions.hpp"
+#include "script/dialogue/context/waits.hpp"
+#include "script/dialogue/engine/answers.hpp"
+#include "script/dialogue/engine/conversation.hpp"
+#include "script/dialogue/engine/effect_handler.hpp"
+#include "script/dialogue/engine/lane_entry.hpp"
+#include "script/dialogue/engine/pipeline.hpp"
+#include "script/dialogue/engine/sockets.hpp"
+#include "script/dialogue/engine/state_machine.hpp"
+#include "script/dialogue/output/output_manager.hpp"
+#include "script/dialogue/topic_engine/topic_engine.hpp"
 
 namespace parlour::dialogue {
 
-class Conversation::Implementation {
+class Conversation::Implementation final : private Waits::Others {
 public:
   Implementation(std::shared_ptr<const script::Program> program,
-                 Options options, Port& port)
-      : core(std::move(program), std::move(options), port) {}
+                 Options options, Port& port);
 
   void open();
   void receive(std::shared_ptr<const Message> message);
@@ -31,7 +42,19 @@ public:
   void close();
   std::vector<Message> take_unread();
 
-  Core core;
+  // The parts, each of which knows those that it was made with.
+  DialogueContext context;
+  Reactions reactions;
+  ActivationRunner runner;
+  Waits waits;
+  OutputManager output;
+  TopicEngine topics;
+  StateMachine machine;
+  LaneEntry entry;
+  Answers answers;
+  ScriptSockets sockets;
+  Pipeline pipeline;
+  EffectHandler effects;
 
 private:
   struct Watch {
@@ -39,6 +62,10 @@ private:
     Timer::Purpose purpose = Timer::Purpose::silence;
     Milliseconds length{0};
   };
+
+  void resume_in_pipeline(WaitId wait, Expected<Value> outcome) override;
+  std::vector<WaitId> waits_in_pipeline() const override;
+  void forget_request(WaitId wait) override;
 
   StepList beginning() const;
   Fifo<Input>::Place next_input();
@@ -49,6 +76,7 @@ private:
   void act_on(Timer timer);
   void ring(Timer timer);
   void run_lane();
+  void drop_what_was_too_much();
   void take(Step&& step);
   void run_body(Step&& step);
   void resume(Step&& step);

@@ -53,86 +53,86 @@ bool is_speech(const Port& port, const Message& message) {
 void Conversation::Implementation::receive(
     std::shared_ptr<const Message> message) {
   const bool heard = is_heard(*message);
-  core.received = std::max(core.received, message->number);
+  context.received = std::max(context.received, message->number);
   Input input;
   input.begins_turn = heard && message->command == "RecognitionResult"sv &&
-                      core.port.is_source(recogniser, message->source);
-  if (input.begins_turn && !core.turns.any_said(core.now))
-    core.apologies.user_speaks();
-  input.turn = input.begins_turn ? core.turns.begin()
-                                 : core.turns.of(message->correlation);
-  core.turns.hold(input.turn);
-  if (heard && is_speech(core.port, *message)) // known before a release
-    core.turns.speaks(std::max(core.now, message->time) +
-                      defaults::speech_without_words.count());
+                      context.port.is_source(recogniser, message->source);
+  if (input.begins_turn && !context.turns.any_said(context.now))
+    context.apologies.user_speaks();
+  input.turn = input.begins_turn ? context.turns.begin()
+                                 : context.turns.of(message->correlation);
+  context.turns.hold(input.turn);
+  if (heard && is_speech(context.port, *message)) // known before a release
+    context.turns.speaks(std::max(context.now, message->time) +
+                         defaults::speech_without_words.count());
   if (!input.begins_turn)
-    core.turns.answered(message->correlation);
+    context.turns.answered(message->correlation);
   input.message = std::move(message);
-  core.inbox.push_back(std::move(input));
+  context.inbox.push_back(std::move(input));
 }
 
 // What a <fire> of the recogniser's message would lead to.
 void Conversation::Implementation::take_acts(std::span<const ActPointer> acts) {
   begin_event();
   user_begins();
-  core.apologies.user_speaks();
-  const auto turn = core.turns.begin();
+  context.apologies.user_speaks();
+  const auto turn = context.turns.begin();
   StepList item;
   for (const auto& act : acts) {
-    core.turns.hold(turn);
+    context.turns.hold(turn);
     auto& step = item.add(StepKind::take_act);
     step.act = act;
     step.turn = turn;
   }
   item.add(StepKind::conclude).turn = turn;
-  core.lane.queue(std::move(item));
+  context.lane.queue(std::move(item));
   go_on();
 }
 
 void Conversation::Implementation::user_begins() {
   stop_silence();
-  core.mouth.turn_begins();
+  output.turn_begins();
 }
 
 // While the session ends it only hears what is not the user's: the words that
 // it still waits for.
 Fifo<Input>::Place Conversation::Implementation::next_input() {
-  if (!core.ending)
-    return core.inbox.begin();
-  return std::find_if(core.inbox.begin(), core.inbox.end(),
+  if (!context.ending)
+    return context.inbox.begin();
+  return std::find_if(context.inbox.begin(), context.inbox.end(),
                       [](const Input& input) { return !input.begins_turn; });
 }
 
 bool Conversation::Implementation::has_work() {
-  return !core.ended && !core.topics.awaiting_frame() &&
-         (core.mouth.wants_release() || core.runner.has_slices() ||
-          !core.internal.empty() ||
-          (!core.inbox.empty() && next_input() != core.inbox.end()));
+  return !context.ended && !topics.awaiting_frame() &&
+         (output.wants_release() || runner.has_slices() ||
+          !context.internal.empty() ||
+          (!context.inbox.empty() && next_input() != context.inbox.end()));
 }
 
 void Conversation::Implementation::begin_event() {
-  core.internal_events = 0;
-  core.rounds = 0;
-  core.chased = false;
-  core.interpreter.new_event();
+  context.internal_events = 0;
+  context.rounds = 0;
+  context.chased = false;
+  context.interpreter.new_event();
 }
 
 // Outputs first: by the time of this step, whatever was in the mailbox is in
 // the inbox, so that a turn that has begun is known (engine rule 3).
 void Conversation::Implementation::take_input() {
-  if (core.mouth.wants_release()) {
-    if (core.mouth.release())
+  if (output.wants_release()) {
+    if (output.release())
       stop_silence();
-  } else if (auto slice = core.runner.take_slice(); slice != 0) {
-    core.resume(slice, Value());
-  } else if (!core.internal.empty()) {
-    auto input = core.internal.take();
-    if (core.one_more_internal_event())
+  } else if (auto slice = runner.take_slice(); slice != 0) {
+    waits.resume(slice, Value());
+  } else if (!context.internal.empty()) {
+    auto input = context.internal.take();
+    if (context.one_more_internal_event())
       process(std::move(input));
     else
-      core.drop(input);
-  } else if (auto next = next_input(); next != core.inbox.end()) {
-    auto input = core.inbox.take(next);
+      output.drop(input);
+  } else if (auto next = next_input(); next != context.inbox.end()) {
+    auto input = context.inbox.take(next);
     begin_event();
     process(std::move(input));
   }
@@ -141,37 +141,37 @@ void Conversation::Implementation::take_input() {
 
 void Conversation::Implementation::process(Input&& input) {
   const auto& message = *input.message;
-  if (core.port.is_source(recogniser, message.source)) {
-    core.privacy.hear();
+  if (context.port.is_source(recogniser, message.source)) {
+    context.privacy.hear(topics.asks_in_private());
     user_begins();
   }
   if (input.begins_turn)
-    core.mouth.give_up_interrupted();
+    output.give_up_interrupted();
   if (is_heard(message) && (hear_speech(message) || hear_speaker(message) ||
-                            core.machine.agent_changed(message) ||
-                            core.mouth.hear_failure(message, input.turn)))
-    input.raised = true;             // somebody took it
-  if (core.effects.reply(message)) { // a script's loop may have many
-    core.turns.let_go(input.turn);
+                            machine.agent_changed(message) ||
+                            output.hear_failure(message, input.turn)))
+    input.raised = true;        // somebody took it
+  if (effects.reply(message)) { // a script's loop may have many
+    context.turns.let_go(input.turn);
   } else {
-    core.rounds = message.rounds;
-    core.pipeline.take(std::move(input));
+    context.rounds = message.rounds;
+    pipeline.take(std::move(input));
   }
 }
 
 // Barge-in (engine rule 3).
 bool Conversation::Implementation::hear_speech(const Message& message) {
   if (message.command == "Rejected"sv &&
-      core.port.is_source(recogniser, message.source))
-    core.turns.speech_is_over();
-  if (!is_speech(core.port, message))
+      context.port.is_source(recogniser, message.source))
+    context.turns.speech_is_over();
+  if (!is_speech(context.port, message))
     return false;
   stop_silence();
-  core.turns.speaks(core.now + defaults::speech_without_words.count());
-  if (core.mouth.can_be_interrupted())
+  context.turns.speaks(context.now + defaults::speech_without_words.count());
+  if (output.can_be_interrupted())
     for (const auto* role : {"TTS", "Speaker"})
-      if (core.port.reachable(role))
-        core.post(role, "Stop", {}, 0);
+      if (context.port.reachable(role))
+        context.post(role, "Stop", {}, 0);
   return true;
 }
 
@@ -179,22 +179,22 @@ bool Conversation::Implementation::hear_speech(const Message& message) {
 // output; the utterance is the output's id.
 bool Conversation::Implementation::hear_speaker(const Message& message) {
   if (message.command != "Finished"sv ||
-      !core.port.is_source("Speaker", message.source))
+      !context.port.is_source("Speaker", message.source))
     return false;
   const Value params(message.params);
   const auto id = static_cast<OutputId>(params.at(0).integer_or(0));
   if (params.at(2))
-    core.mouth.interrupted(id, params.at(3).is_unknown() ? std::string()
-                                                         : params.at(3).text());
+    output.interrupted(id, params.at(3).is_unknown() ? std::string()
+                                                     : params.at(3).text());
   else
-    core.mouth.finished(id);
+    output.finished(id);
   return true;
 }
 
 void Conversation::Implementation::timer_fired(TimerId id) {
   if (watch_ && watch_->id == id)
     watch_.reset();
-  auto timer = core.timers.fired(id);
+  auto timer = context.timers.fired(id);
   if (!timer)
     return;
   begin_event();
@@ -209,21 +209,21 @@ void Conversation::Implementation::act_on(Timer timer) {
     break;
   case Timer::Purpose::wait:
     if (timer.correlation == 0)
-      core.resume(timer.wait, Value());
+      waits.resume(timer.wait, Value());
     else
-      core.resume(timer.wait,
-                  fail(ErrorKind::timeout, "no reply came in time"));
+      waits.resume(timer.wait,
+                   fail(ErrorKind::timeout, "no reply came in time"));
     break;
   case Timer::Purpose::wording:
-    core.mouth.give_up_wording(timer.correlation);
+    output.give_up_wording(timer.correlation);
     break;
   case Timer::Purpose::silence:
-    core.topics.silence();
+    topics.silence();
     break;
   case Timer::Purpose::patience: // what is due now is found by go_on
     break;
   case Timer::Purpose::closing:
-    core.ending = true;
+    context.ending = true;
     break;
   case Timer::Purpose::leaving:
     finish();
@@ -232,8 +232,8 @@ void Conversation::Implementation::act_on(Timer timer) {
 }
 
 void Conversation::Implementation::ring(Timer timer) {
-  core.raise("Timer", "Fired", {timer.name});
-  const auto ring = core.timers.ring(timer);
+  context.raise("Timer", "Fired", {timer.name});
+  const auto ring = context.timers.ring(timer);
   if (!ring)
     return;
   auto step = body_step(timer.code, 0);
@@ -244,23 +244,23 @@ void Conversation::Implementation::ring(Timer timer) {
   step.matter().ring = ring;
   auto end = conclude_step(0);
   end.matter().ring = ring;
-  core.lane.queue({std::move(step), std::move(end)});
+  context.lane.queue({std::move(step), std::move(end)});
 }
 
 void Conversation::Implementation::go_on() {
   if (leaving_ != Leaving::no) {
-    if (!core.ended)
+    if (!context.ended)
       leave();
     return;
   }
   give_up_turns();
-  if (core.mouth.was_interrupted() && !core.turns.any_open(core.now))
-    core.mouth.take_up_interrupted();
+  if (output.was_interrupted() && !context.turns.any_open(context.now))
+    output.take_up_interrupted();
   run_lane();
-  if (!core.turns.any_open(core.now))
-    core.privacy.settle(core.received);
-  if (core.ending && !core.topics.awaiting_frame() &&
-      !core.mouth.wants_release() && core.mouth.all_released())
+  if (!context.turns.any_open(context.now))
+    context.privacy.settle(context.received);
+  if (context.ending && !topics.awaiting_frame() && !output.wants_release() &&
+      output.all_released())
     close();
   else
     watch_silence();
@@ -268,43 +268,43 @@ void Conversation::Implementation::go_on() {
 
 // The understanding of what was said never came.
 void Conversation::Implementation::give_up_turns() {
-  if (!core.turns.asked_anything())
+  if (!context.turns.asked_anything())
     return;
-  for (auto turn : core.turns.expire(core.now)) {
-    core.answers.forget(turn);
+  for (auto turn : context.turns.expire(context.now)) {
+    answers.forget(turn);
     Step step;
     step.kind = StepKind::no_match;
     step.turn = turn;
-    core.turns.hold(turn);
-    core.lane.queue({std::move(step)});
+    context.turns.hold(turn);
+    context.lane.queue({std::move(step)});
   }
 }
 
 // -- silence ------------------------------------------------------------------
 
 void Conversation::Implementation::watch_silence() {
-  if (core.ending || !core.lane.idle() || !core.mouth.silent() ||
-      core.topics.awaiting_frame()) {
+  if (context.ending || !context.lane.idle() || !output.silent() ||
+      topics.awaiting_frame()) {
     stop_silence();
-  } else if (core.turns.any_open(core.now)) {
+  } else if (context.turns.any_open(context.now)) {
     // Nobody may ever answer on the turn's behalf.
-    if (auto until = core.turns.open_until(core.now))
-      watch_for(Milliseconds(*until - core.now), Timer::Purpose::patience);
+    if (auto until = context.turns.open_until(context.now))
+      watch_for(Milliseconds(*until - context.now), Timer::Purpose::patience);
     else
       stop_silence();
-  } else if (core.internal.empty() && core.inbox.empty()) {
+  } else if (context.internal.empty() && context.inbox.empty()) {
     watch_nobody();
   }
 }
 
 // Nothing closes while something is due.
 void Conversation::Implementation::watch_nobody() {
-  if (auto wanted = core.topics.silence_wanted())
+  if (auto wanted = topics.silence_wanted())
     watch_for(*wanted, Timer::Purpose::silence);
-  else if (core.timers.keep_open() || core.effects.waits_for_answer())
+  else if (context.timers.keep_open() || effects.waits_for_answer())
     stop_silence();
   else
-    watch_for(core.program->settings.sessions.closes_after,
+    watch_for(context.program->settings.sessions.closes_after,
               Timer::Purpose::closing);
 }
 
@@ -316,13 +316,13 @@ void Conversation::Implementation::watch_for(Milliseconds length,
       (watch_->length == length || purpose == Timer::Purpose::patience))
     return;
   stop_silence();
-  watch_ = Watch{core.timers.start(length, purpose), purpose, length};
+  watch_ = Watch{context.timers.start(length, purpose), purpose, length};
 }
 
 void Conversation::Implementation::stop_silence() {
   if (!watch_)
     return;
-  core.timers.cancel(watch_->id);
+  context.timers.cancel(watch_->id);
   watch_.reset();
 }
 

@@ -8,19 +8,38 @@
 namespace parlour::dialogue {
 
 void Conversation::Implementation::run_lane() {
-  while (!core.topics.awaiting_frame()) {
-    auto* step = core.lane.next();
+  while (!topics.awaiting_frame()) {
+    auto* step = context.lane.next();
     if (!step)
-      return;
+      break;
     take(std::move(*step));
   }
+  drop_what_was_too_much();
+}
+
+void Conversation::Implementation::drop_what_was_too_much() {
+  for (const auto& input : std::exchange(context.dropped, {}))
+    output.handled(*input.message, false);
+}
+
+void Conversation::Implementation::resume_in_pipeline(WaitId wait,
+                                                      Expected<Value> outcome) {
+  pipeline.resume(wait, std::move(outcome));
+}
+
+std::vector<WaitId> Conversation::Implementation::waits_in_pipeline() const {
+  return pipeline.waits();
+}
+
+void Conversation::Implementation::forget_request(WaitId wait) {
+  effects.forget(wait);
 }
 
 void Conversation::Implementation::take(Step&& step) {
   using enum StepKind;
   switch (step.kind) {
   case react:
-    if (!core.topics.consumed(step.offered))
+    if (!topics.consumed(step.offered))
       run_body(std::move(step));
     break;
   case ring:
@@ -35,88 +54,88 @@ void Conversation::Implementation::take(Step&& step) {
     resume(std::move(step));
     break;
   case transit:
-    core.machine.transit(std::move(step));
+    machine.transit(std::move(step));
     break;
   case leave:
-    core.machine.leave(step);
+    machine.leave(step);
     break;
   case enter:
-    core.machine.enter(step);
+    machine.enter(step);
     break;
   case push:
-    core.machine.push(std::move(step));
+    machine.push(std::move(step));
     break;
   case pop:
-    core.machine.pop(std::move(step));
+    machine.pop(std::move(step));
     break;
   case give_up:
-    core.machine.give_up(std::move(step));
+    machine.give_up(std::move(step));
     break;
   case greet_agents:
-    core.machine.greet_agents();
+    machine.greet_agents();
     break;
   case end:
-    core.ending = true;
-    core.mouth.withdraw_questions();
+    context.ending = true;
+    output.withdraw_questions();
     break;
   case restart:
     start_over();
     break;
   default:
-    core.topics.take(std::move(step));
+    topics.take(std::move(step));
   }
 }
 
 void Conversation::Implementation::start_over() {
-  core.lane.now(core.cancel_waits());
-  core.machine.clear();
-  core.topics.restart();
-  core.lane.queue(beginning());
+  context.lane.now(topics.cancel_waits());
+  machine.clear();
+  topics.restart();
+  context.lane.queue(beginning());
 }
 
 void Conversation::Implementation::run_body(Step&& step) {
   static const std::vector<Value> none;
-  if (auto before = core.topics.overtaken_by(step); !before.empty()) {
+  if (auto before = topics.overtaken_by(step); !before.empty()) {
     before.push_back(std::move(step));
-    core.lane.now(std::move(before));
+    context.lane.now(std::move(before));
     return;
   }
-  script::ActivationContext context;
+  script::ActivationContext activation;
   if (step.more)
-    context.message = step.more->message;
-  context.topic = step.topic;
-  context.slot = step.slot;
-  context.turn = step.turn;
-  context.leaves_state = step.kind == StepKind::run_leaving;
-  started(core.runner.start(step.code, step.more ? step.more->arguments : none,
-                            std::move(context), step.origin));
+    activation.message = step.more->message;
+  activation.topic = step.topic;
+  activation.slot = step.slot;
+  activation.turn = step.turn;
+  activation.leaves_state = step.kind == StepKind::run_leaving;
+  started(runner.start(step.code, step.more ? step.more->arguments : none,
+                       std::move(activation), step.origin));
 }
 
 // An activation goes on in the lane where it was started.
 void Conversation::Implementation::resume(Step&& step) {
-  if (core.pipeline.waits(step.wait))
-    core.pipeline.resume(step.wait, *step.more->data);
-  else if (core.lane.waits(step.wait))
-    core.lane.wake(step.wait, std::move(step));
-  else if (core.runner.waiting(step.wait))
-    started(core.runner.resume(step.wait, *step.more->data));
+  if (pipeline.waits(step.wait))
+    pipeline.resume(step.wait, *step.more->data);
+  else if (context.lane.waits(step.wait))
+    context.lane.wake(step.wait, std::move(step));
+  else if (runner.waiting(step.wait))
+    started(runner.resume(step.wait, *step.more->data));
 }
 
 // What it asked for so far does not wait, and neither does the question that
 // this leads to where the script waits for time. Who asks again has dropped
 // what he asked before.
 void Conversation::Implementation::started(WaitId wait) {
-  using enum Runner::WaitFor;
-  auto steps = core.runner.hand_over();
+  using enum ActivationRunner::WaitFor;
+  auto steps = runner.hand_over();
   if (wait != 0) {
-    const auto what = core.runner.waits_for(wait);
-    core.lane.wait(wait, what == answer ? Lane::Others::are_held
-                                        : Lane::Others::go_on);
+    const auto what = runner.waits_for(wait);
+    context.lane.wait(wait, what == answer ? Lane::Others::are_held
+                                           : Lane::Others::go_on);
     if (!steps.empty() && what == time)
-      steps.push_back(conclude_step(core.runner.turn_of(wait)));
-    steps.prepend(core.machine.dropped_by(wait));
+      steps.push_back(conclude_step(runner.turn_of(wait)));
+    steps.prepend(machine.dropped_by(wait));
   }
-  core.lane.now(std::move(steps));
+  context.lane.now(std::move(steps));
 }
 
 } // namespace parlour::dialogue

@@ -3,9 +3,8 @@
 #include <utility>
 
 #include "script/dialogue/agenda/steps.hpp"
-#include "script/dialogue/engine/core.hpp"
+#include "script/dialogue/engine/effect_handler.hpp"
 #include "script/dialogue/engine/effect_operands.hpp"
-#include "script/dialogue/engine/effects.hpp"
 #include "script/source/findings.hpp"
 
 namespace parlour::dialogue {
@@ -60,47 +59,57 @@ std::optional<Error> misnamed(const script::Program& program, const Act& act) {
 
 // -- messages -----------------------------------------------------------------
 
-script::Performed Effects::post(Context context, Call effect) {
+script::Performed EffectHandler::post(Context context, Call effect) {
   const auto& other = effect.operand(3);
-  if (other.is_unknown() || other.text() == core_.options.session)
-    core_.post(effect.text(0), effect.text(1), list_of(effect.operand(2)),
-               context.turn);
+  if (other.is_unknown() || other.text() == context_.options.session)
+    context_.post(effect.text(0), effect.text(1), params_of(effect),
+                  context.turn);
   else
     post_for(message_of(other.text(), effect.operand(0), effect.operand(1),
                         list_of(effect.operand(2))));
   return Value();
 }
 
-void Effects::post_for(Message message) {
-  message.rounds = core_.rounds + 1;
-  core_.port.post(std::move(message));
+// The understanding is told what was asked, unless the script tells it itself.
+List EffectHandler::params_of(Call effect) const {
+  auto params = list_of(effect.operand(2));
+  if (params.size() == 1 && effect.text(1) == "DoNLU" &&
+      context_.port.is_source("NLU", effect.text(0)))
+    params.push_back(topics_.understanding_context());
+  return params;
 }
 
-script::Performed Effects::request(Context context, Call effect) {
+void EffectHandler::post_for(Message message) {
+  message.rounds = context_.rounds + 1;
+  context_.port.post(std::move(message));
+}
+
+script::Performed EffectHandler::request(Context context, Call effect) {
   const auto module = effect.text(0);
-  if (!core_.port.reachable(module))
+  if (!context_.port.reachable(module))
     return Error{ErrorKind::offline,
                  "nobody fills the role or has the name '" + module + "'",
                  {}};
-  auto correlation = core_.post(module, effect.text(1),
-                                list_of(effect.operand(2)), context.turn);
-  const auto usual = core_.program->settings.sessions.request_timeout;
+  auto correlation =
+      context_.post(module, effect.text(1), params_of(effect), context.turn);
+  const auto usual = context_.program->settings.sessions.request_timeout;
   const auto timeout = effect.has(3) ? milliseconds(effect.operand(3)) : usual;
   // For longer than usual nobody else has to wait.
-  const auto wait = begin_wait(timeout > usual ? Runner::WaitFor::time
-                                               : Runner::WaitFor::answer);
+  const auto wait =
+      begin_wait(timeout > usual ? ActivationRunner::WaitFor::time
+                                 : ActivationRunner::WaitFor::answer);
   requests_[correlation] = wait;
-  core_.timers.start(timeout, {.purpose = Timer::Purpose::wait,
-                               .wait = wait,
-                               .correlation = correlation});
+  context_.timers.start(timeout, {.purpose = Timer::Purpose::wait,
+                                  .wait = wait,
+                                  .correlation = correlation});
   return script::Waits{};
 }
 
-bool Effects::reply(const Message& message) {
+bool EffectHandler::reply(const Message& message) {
   auto found = requests_.find(message.correlation);
   if (found == requests_.end())
     return false;
-  const auto reply = core_.port.reply_to_request(message);
+  const auto reply = context_.port.reply_to_request(message);
   if (reply == Reply::none)
     return false;
   auto wait = found->second;
@@ -108,67 +117,51 @@ bool Effects::reply(const Message& message) {
   if (reply == Reply::refusal) {
     auto reason =
         message.params.empty() ? message.command : message.params.back().text();
-    auto kind = core_.port.is_source("Database", message.source)
+    auto kind = context_.port.is_source("Database", message.source)
                     ? ErrorKind::database
                     : ErrorKind::refused;
-    core_.resume(wait, fail(kind, message.source + ": " + reason));
+    waits_.resume(wait, fail(kind, message.source + ": " + reason));
   } else {
-    core_.resume(wait, Value(Map{{"command", message.command},
-                                 {"params", List(message.params)}}));
+    waits_.resume(wait, Value(Map{{"command", message.command},
+                                  {"params", List(message.params)}}));
   }
   return true;
 }
 
-void Effects::forget(WaitId wait) {
+void EffectHandler::forget(WaitId wait) {
   std::erase_if(requests_,
                 [&](const auto& entry) { return entry.second == wait; });
   std::erase_if(queries_,
                 [&](const auto& entry) { return entry.second.wait == wait; });
-  sockets.forget(wait);
+  sockets_.forget(wait);
 }
 
-script::Performed Effects::fire_frames(Context context, Call effect) {
+script::Performed EffectHandler::fire_frames(Context context, Call effect) {
   auto parsed = parse_acts(effect.operand(0));
   for (const auto& problem : parsed.problems)
-    core_.inspect(InspectionKind::error, "fire", problem);
+    context_.inspect(InspectionKind::error, "fire", problem);
   // Who listens to Dialogue may know names that no topic has.
   for (const auto& act : parsed.acts)
-    if (!core_.pipeline.listens("Dialogue", std::string(name_of(act.kind))))
-      if (auto error = misnamed(*core_.program, act))
+    if (!reactions_.listens("Dialogue", std::string(name_of(act.kind))))
+      if (auto error = misnamed(*context_.program, act))
         return std::move(*error);
   if (parsed.acts.empty()) {
     Step nothing;
     nothing.kind = StepKind::no_match;
     nothing.turn = context.turn;
-    core_.runner.later(std::move(nothing));
+    runner_.later(std::move(nothing));
   }
   for (auto& act : parsed.acts)
-    core_.runner.later(
+    runner_.later(
         act_step(std::make_shared<const Act>(std::move(act)), context.turn));
   return Value();
 }
 
-script::Performed Effects::speak(Context context, Call effect) {
+script::Performed EffectHandler::speak(Context context, Call effect) {
   auto handled = context.message ? context.message->correlation : 0;
-  core_.mouth.speak(effect.text(0), handled, context.turn,
-                    !effect.has(1) || effect.operand(1));
+  output_.speak(effect.text(0), handled, context.turn,
+                !effect.has(1) || effect.operand(1));
   return Value();
-}
-
-void Effects::unhandled(const Message& message, TurnId turn, bool raised) {
-  if (message.source == "Script" && message.command == "Error") {
-    if (!core_.apologies.due(core_.now))
-      return;
-    Say what;
-    what.act = "unavailable";
-    what.data =
-        Map{{"reason", message.params.empty() ? Value() : message.params[0]}};
-    what.turn = turn;
-    core_.mouth.say(std::move(what));
-    return;
-  }
-  if (!raised)
-    core_.port.unhandled(message);
 }
 
 } // namespace parlour::dialogue

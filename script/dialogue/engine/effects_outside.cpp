@@ -3,13 +3,12 @@
 // thread; the outcome comes back by answered().
 #include <utility>
 
-#include "script/dialogue/engine/core.hpp"
+#include "script/dialogue/engine/effect_handler.hpp"
 #include "script/dialogue/engine/effect_operands.hpp"
-#include "script/dialogue/engine/effects.hpp"
 
 namespace parlour::dialogue {
 
-bool Effects::answered(QueryId id, Expected<Value> outcome) {
+bool EffectHandler::answered(QueryId id, Expected<Value> outcome) {
   const auto found = queries_.find(id);
   if (found == queries_.end())
     return false;
@@ -17,7 +16,7 @@ bool Effects::answered(QueryId id, Expected<Value> outcome) {
   queries_.erase(found);
   if (query.rollback)
     outcome = Value();
-  core_.resume(query.wait, std::move(outcome));
+  waits_.resume(query.wait, std::move(outcome));
   return true;
 }
 
@@ -26,11 +25,11 @@ bool Effects::answered(QueryId id, Expected<Value> outcome) {
 // One with a name is asked by it. One without is asked by all queries that name
 // none, from now on; it may be written to by the activation that says so, so
 // that no other writes unawares.
-script::Performed Effects::connect_database(script::Activation& activation,
-                                            Call effect) {
+script::Performed
+EffectHandler::connect_database(script::Activation& activation, Call effect) {
   auto component =
       effect.operand(1).is_unknown() ? std::string() : effect.text(1);
-  if (!core_.port.reachable(component.empty() ? "Database" : component))
+  if (!context_.port.reachable(component.empty() ? "Database" : component))
     return Error{ErrorKind::offline,
                  "no database component '" + component + "' is there",
                  {}};
@@ -45,8 +44,9 @@ script::Performed Effects::connect_database(script::Activation& activation,
 }
 
 // `named`: a connection, or a component, which is read only.
-script::Performed Effects::ask_database(Context context, QueryRequest request,
-                                        const Value& named) {
+script::Performed EffectHandler::ask_database(Context context,
+                                              QueryRequest request,
+                                              const Value& named) {
   const auto connection =
       named.is_unknown() ? connections_.end() : connections_.find(named.text());
   if (named.is_unknown()) {
@@ -55,27 +55,27 @@ script::Performed Effects::ask_database(Context context, QueryRequest request,
   } else if (connection != connections_.end()) {
     request.database = connection->second.component;
     request.write = connection->second.write;
-  } else if (core_.port.reachable(named.text())) {
+  } else if (context_.port.reachable(named.text())) {
     request.database = named.text();
   } else {
     return missing("database", named);
   }
-  request.id = core_.next_id();
-  queries_[request.id] = {begin_wait(Runner::WaitFor::answer),
+  request.id = context_.next_id();
+  queries_[request.id] = {begin_wait(ActivationRunner::WaitFor::answer),
                           request.kind == QueryRequest::Kind::rollback};
-  core_.port.query(std::move(request));
+  context_.port.query(std::move(request));
   return script::Waits{};
 }
 
-script::Performed Effects::query_database(Context context, Call effect) {
+script::Performed EffectHandler::query_database(Context context, Call effect) {
   QueryRequest request;
   request.sql = effect.text(0);
   request.values = list_of(effect.operand(1));
   return ask_database(context, std::move(request), effect.operand(2));
 }
 
-script::Performed Effects::transaction(Context context, Call effect,
-                                       QueryRequest::Kind kind) {
+script::Performed EffectHandler::transaction(Context context, Call effect,
+                                             QueryRequest::Kind kind) {
   QueryRequest request;
   request.kind = kind;
   return ask_database(context, std::move(request), effect.operand(0));
@@ -83,36 +83,36 @@ script::Performed Effects::transaction(Context context, Call effect,
 
 // -- files, sockets -----------------------------------------------------------
 
-script::Performed Effects::file(FileRequest request) {
-  const auto id = core_.next_id();
-  const auto wait = begin_wait(Runner::WaitFor::answer);
+script::Performed EffectHandler::file(FileRequest request) {
+  const auto id = context_.next_id();
+  const auto wait = begin_wait(ActivationRunner::WaitFor::answer);
   queries_[id] = {wait, false};
   // A disk may hang: a share of the network, for one.
-  core_.timers.start(
-      core_.program->settings.sessions.request_timeout,
+  context_.timers.start(
+      context_.program->settings.sessions.request_timeout,
       {.purpose = Timer::Purpose::wait, .wait = wait, .correlation = id});
-  core_.port.file(id, std::move(request));
+  context_.port.file(id, std::move(request));
   return script::Waits{};
 }
 
 // No time-out: whoever keeps the components sees to it that one comes up or
 // goes in time, and what was begun is not to end unheard.
-script::Performed Effects::change_component(Call effect) {
+script::Performed EffectHandler::change_component(Call effect) {
   ComponentRequest request;
-  request.id = core_.next_id();
+  request.id = context_.next_id();
   request.load = effect.kind == script::EffectKind::load;
   if (request.load)
     request.plugin = effect.text(0);
   request.name = text_or(effect.operand(request.load ? 1 : 0), "");
-  queries_[request.id] = {begin_wait(Runner::WaitFor::answer), false};
-  core_.port.component(std::move(request));
+  queries_[request.id] = {begin_wait(ActivationRunner::WaitFor::answer), false};
+  context_.port.component(std::move(request));
   return script::Waits{};
 }
 
-script::Performed Effects::open_socket(Call effect) {
-  if (auto may = sockets.may_open(effect.text(0)); !may)
+script::Performed EffectHandler::open_socket(Call effect) {
+  if (auto may = sockets_.may_open(effect.text(0)); !may)
     return may.error();
-  sockets.open(effect, begin_wait(Runner::WaitFor::answer));
+  sockets_.open(effect, begin_wait(ActivationRunner::WaitFor::answer));
   return script::Waits{};
 }
 

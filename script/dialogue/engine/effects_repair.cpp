@@ -3,26 +3,25 @@
 #include <utility>
 
 #include "script/dialogue/agenda/steps.hpp"
-#include "script/dialogue/engine/core.hpp"
+#include "script/dialogue/engine/effect_handler.hpp"
 #include "script/dialogue/engine/effect_operands.hpp"
-#include "script/dialogue/engine/effects.hpp"
 
 namespace parlour::dialogue {
 
-script::Performed Effects::perform_repair(script::Activation& activation,
-                                          Call effect) {
+script::Performed EffectHandler::perform_repair(script::Activation& activation,
+                                                Call effect) {
   Context context = activation.context();
   using enum script::EffectKind;
   switch (effect.kind) {
   case script::EffectKind::say:
     return this->say(context, effect);
   case repeat:
-    core_.topics.repeat(context.turn);
+    topics_.repeat(context.turn);
     return Value();
   case cancel_topic:
     return later(StepKind::cancel, context, effect);
   case restart:
-    core_.runner.later(topic_step(StepKind::restart, script::no_id));
+    runner_.later(topic_step(StepKind::restart, script::no_id));
     return Value();
   default:
     return perform_outside(activation, effect);
@@ -30,14 +29,14 @@ script::Performed Effects::perform_repair(script::Activation& activation,
 }
 
 // About the topic and slot that it names, else those it stands in.
-script::Performed Effects::say(Context context, Call effect) {
+script::Performed EffectHandler::say(Context context, Call effect) {
   Say what;
   what.act = effect.text(0);
   what.topic = context.topic;
   what.slot = context.slot;
   what.turn = context.turn;
   if (effect.has(1)) {
-    what.topic = core_.program->topic(effect.text(1));
+    what.topic = context_.program->topic(effect.text(1));
     what.slot = script::no_id;
     if (what.topic == script::no_id)
       return missing("topic", effect.operand(1));
@@ -45,22 +44,22 @@ script::Performed Effects::say(Context context, Call effect) {
   if (effect.has(2)) {
     what.slot = what.topic == script::no_id
                     ? script::no_id
-                    : core_.topic(what.topic).slot(effect.text(2));
+                    : context_.topic(what.topic).slot(effect.text(2));
     if (what.slot == script::no_id)
       return missing("slot", effect.operand(2));
   }
   what.data = effect.operand(3).is_unknown()
-                  ? core_.topics.data_of(what.act, what.topic, what.slot)
+                  ? topics_.data_of(what.act, what.topic, what.slot)
                   : effect.operand(3);
-  core_.mouth.say(std::move(what));
+  output_.say(std::move(what));
   return Value();
 }
 
-script::Performed Effects::ask_again(Context context, Call effect) {
+script::Performed EffectHandler::ask_again(Context context, Call effect) {
   auto step = topic_step(StepKind::ask_again, context.topic);
   step.turn = context.turn;
   step.mark = text_or(effect.operand(1), "next") == "same" ? 1 : 0;
-  core_.runner.later(std::move(step));
+  runner_.later(std::move(step));
   return Value();
 }
 

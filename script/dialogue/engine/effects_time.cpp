@@ -2,27 +2,26 @@
 #include <algorithm>
 #include <utility>
 
-#include "script/dialogue/engine/core.hpp"
+#include "script/dialogue/engine/effect_handler.hpp"
 #include "script/dialogue/engine/effect_operands.hpp"
-#include "script/dialogue/engine/effects.hpp"
 #include "script/program/timer_limits.hpp"
 
 namespace parlour::dialogue {
 
-script::Performed Effects::wait_for(Milliseconds time) {
+script::Performed EffectHandler::wait_for(Milliseconds time) {
   Timer timer{.purpose = Timer::Purpose::wait};
-  if (auto full =
-          core_.timers.refuse(timer, core_.program->settings.limits.bytes))
+  if (auto full = context_.timers.refuse(
+          timer, context_.program->settings.limits.bytes))
     return std::move(*full);
-  timer.wait = begin_wait(Runner::WaitFor::time);
-  core_.timers.start(time, std::move(timer));
+  timer.wait = begin_wait(ActivationRunner::WaitFor::time);
+  context_.timers.start(time, std::move(timer));
   return script::Waits{};
 }
 
-script::Performed Effects::timer(Context context, Call effect) {
+script::Performed EffectHandler::timer(Context context, Call effect) {
   auto name = effect.text(0);
-  core_.timers.cancel_named(name); // a timer replaces one of its name
-  const auto& origin = core_.runner.origin();
+  context_.timers.cancel_named(name); // a timer replaces one of its name
+  const auto& origin = runner_.origin();
   Timer timer;
   timer.name = std::move(name);
   timer.code = effect.body;
@@ -36,24 +35,24 @@ script::Performed Effects::timer(Context context, Call effect) {
     after = std::max(after, Milliseconds(1));
   if (effect.operand(2))
     timer.every = after;
-  timer.due = core_.now + after.count();
+  timer.due = context_.now + after.count();
   const bool repeats = effect.operand(2) || origin.timer == timer.code;
   timer.keeps_open = effect.has(3) ? bool(effect.operand(3)) : !repeats;
-  if (auto full =
-          core_.timers.refuse(timer, core_.program->settings.limits.bytes))
+  if (auto full = context_.timers.refuse(
+          timer, context_.program->settings.limits.bytes))
     return std::move(*full);
-  if (timer.visit == 0 || core_.states.lasts(timer.visit))
-    core_.timers.start(after, std::move(timer));
+  if (timer.visit == 0 || context_.states.lasts(timer.visit))
+    context_.timers.start(after, std::move(timer));
   return Value();
 }
 
 // One of a state's script with its state, unless it says otherwise.
-VisitId Effects::ends_with(const Value& said) const {
+VisitId EffectHandler::ends_with(const Value& said) const {
   const auto with = text_or(said, "");
   if (with == "session")
     return 0;
-  const auto own = core_.runner.origin().visit;
-  return own == 0 && with == "state" ? core_.states.visit() : own;
+  const auto own = runner_.origin().visit;
+  return own == 0 && with == "state" ? context_.states.visit() : own;
 }
 
 } // namespace parlour::dialogue

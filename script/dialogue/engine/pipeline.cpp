@@ -5,26 +5,13 @@
 #include <utility>
 
 #include "script/dialogue/agenda/steps.hpp"
-#include "script/dialogue/engine/core.hpp"
 
 namespace parlour::dialogue {
 
 using namespace std::string_view_literals;
 
-namespace {
-
-constexpr std::string_view any = "*";
-
-inline bool fits(const std::string& wanted, const std::string& name) {
-  return wanted == name || wanted == any;
-}
-
-} // namespace
-
-Pipeline::Pipeline(Core& core) : core_(core) {}
-
 void Pipeline::take(Input&& input) {
-  if (core_.answers.take_meaning(input))
+  if (answers_.take_meaning(input))
     return;
   if (auto* before = waits_before(input)) {
     hold(*before, std::move(input));
@@ -35,12 +22,9 @@ void Pipeline::take(Input&& input) {
   item.turn = input.turn;
   item.raised = input.raised;
   item.reactions = std::exchange(spare_, {});
-  visit_matches(input.message->source, input.message->command,
-                [&](const Match& match) {
-                  item.reactions.push_back(match);
-                  return true;
-                });
-  if (asks_again(item) && core_.answers.take(input))
+  reactions_.find(input.message->source, input.message->command,
+                  item.reactions);
+  if (asks_again(item) && answers_.take(input))
     return;
   item.message = std::move(input.message);
   go_on(item);
@@ -54,7 +38,7 @@ Pipeline::Item* Pipeline::waits_before(const Input& input) const {
 }
 
 bool Pipeline::holds(const Item& item, const Input& input) {
-  using enum Runner::WaitFor;
+  using enum ActivationRunner::WaitFor;
   return item.message->source == input.message->source &&
          item.message->command == input.message->command &&
          (item.what == answer || (item.what == time && input.turn == 0));
@@ -62,9 +46,9 @@ bool Pipeline::holds(const Item& item, const Input& input) {
 
 bool Pipeline::asks_again(const Item& item) const {
   return std::any_of(waiting_.begin(), waiting_.end(), [&](const auto& other) {
-    return other->what == Runner::WaitFor::user &&
+    return other->what == ActivationRunner::WaitFor::user &&
            std::any_of(item.reactions.begin(), item.reactions.end(),
-                       [&](const Match& match) {
+                       [&](const Reactions::Match& match) {
                          return match.reaction == other->running().reaction &&
                                 match.visit == other->running().visit;
                        });
@@ -85,85 +69,11 @@ void Pipeline::hold(Item& item, Input input) {
   // Whoever handles errors is told of the first, unless he is the one.
   if (std::exchange(item.overflows, true) ||
       input.message->source == "Script"sv)
-    core_.inspect(InspectionKind::error, std::string(name_of(error.kind)),
-                  to_string(error));
+    context_.inspect(InspectionKind::error, std::string(name_of(error.kind)),
+                     to_string(error));
   else
-    core_.script_failed(error, input.turn);
-  core_.drop(input);
-}
-
-bool Pipeline::Match::named() const {
-  return reaction->source != any && reaction->event != any;
-}
-
-template <class Visit>
-bool Pipeline::visit_each(const std::vector<script::Reaction>& reactions,
-                          VisitId of_state, bool captures,
-                          const std::string& source, const std::string& event,
-                          Visit& visit) const {
-  for (const auto& reaction : reactions)
-    if (fits(reaction.event, event) && is_source(reaction.source, source) &&
-        !visit(Match{&reaction, of_state, captures}))
-      return false;
-  return true;
-}
-
-template <class Visit>
-void Pipeline::visit_matches(const std::string& source,
-                             const std::string& event, Visit visit) const {
-  if (auto state = core_.states.active(); state != script::no_id) {
-    const auto& active = core_.program->states[state];
-    const bool captures = active.capture != script::Capture::none;
-    if (!visit_each(active.messages, core_.states.visit(), captures, source,
-                    event, visit) ||
-        active.capture == script::Capture::all)
-      return;
-  }
-  for (const auto& handler : core_.program->handlers)
-    if ((unregistered_.empty() || !unregistered_.contains(handler.name)) &&
-        !visit_each(handler.reactions, 0, false, source, event, visit))
-      return;
-}
-
-bool Pipeline::is_source(const std::string& wanted,
-                         const std::string& source) const {
-  return wanted == source || wanted == any ||
-         core_.port.is_source(wanted, source);
-}
-
-std::vector<Pipeline::Match> Pipeline::matches(const std::string& source,
-                                               const std::string& event) const {
-  std::vector<Match> found;
-  visit_matches(source, event, [&](const Match& match) {
-    found.push_back(match);
-    return true;
-  });
-  return found;
-}
-
-bool Pipeline::listens(const std::string& source,
-                       const std::string& event) const {
-  bool found = false;
-  visit_matches(source, event, [&](const Match&) {
-    found = true;
-    return false;
-  });
-  return found;
-}
-
-bool Pipeline::state_listens(const std::string& source,
-                             std::string_view event) const {
-  const auto state = core_.states.active();
-  if (state == script::no_id)
-    return false;
-  const auto& active = core_.program->states[state];
-  bool found = active.capture != script::Capture::none;
-  auto visit = [&](const Match&) {
-    found = true;
-    return false;
-  };
-  visit_each(active.messages, 0, false, source, std::string(event), visit);
-  return found;
+    context_.script_failed(error, input.turn);
+  output_.drop(input);
 }
 
 void Pipeline::go_on(Item& item) {
@@ -175,10 +85,10 @@ void Pipeline::go_on(Item& item) {
     context.handles_error = item.message->source == "Script"sv &&
                             item.message->command == "Error"sv;
     item.consumed = match.captures;
-    core_.effects.reached(match.reaction->position);
+    context_.reached(match.reaction->position);
     running_ = &item;
-    const auto wait = core_.runner.start(
-        match.reaction->body, {}, std::move(context), {.visit = match.visit});
+    const auto wait = runner_.start(match.reaction->body, {},
+                                    std::move(context), {.visit = match.visit});
     started(item, wait);
     if (item.waiting != 0) {
       keep(std::move(item));
@@ -192,18 +102,18 @@ void Pipeline::go_on(Item& item) {
 void Pipeline::started(Item& item, WaitId wait) {
   running_ = nullptr;
   item.waiting = wait;
-  item.what = core_.runner.waits_for(wait);
-  auto steps = core_.runner.hand_over();
+  item.what = runner_.waits_for(wait);
+  auto steps = runner_.hand_over();
   if (wait != 0)
-    steps.prepend(core_.machine.dropped_by(wait));
-  core_.take_from_pipeline(std::move(steps), item.turn);
+    steps.prepend(machine_.dropped_by(wait));
+  entry_.take(std::move(steps), item.turn);
 }
 
 // Only what a component works for holds back the questions to the user.
 void Pipeline::keep(Item&& item) {
-  if (item.what != Runner::WaitFor::answer) {
+  if (item.what != ActivationRunner::WaitFor::answer) {
     if (std::exchange(item.holds_turn, false))
-      core_.turns.let_go(item.turn);
+      context_.turns.let_go(item.turn);
     let_go_of_held(item);
   }
   waiting_.push_back(std::make_unique<Item>(std::move(item)));
@@ -217,7 +127,7 @@ void Pipeline::let_go_of_held(Item& item) {
         return item.waiting != 0 && holds(item, input);
       });
   for (auto input = held.end(); input != free;)
-    core_.inbox.push_front(std::move(*--input));
+    context_.inbox.push_front(std::move(*--input));
   held.erase(free, held.end());
 }
 
@@ -233,7 +143,7 @@ bool Pipeline::resume(WaitId wait, Expected<Value> outcome) {
   if (!outcome && outcome.error().kind == ErrorKind::cancelled)
     item.consumed = true;
   running_ = &item;
-  started(item, core_.runner.resume(wait, std::move(outcome)));
+  started(item, runner_.resume(wait, std::move(outcome)));
   if (item.waiting != 0)
     keep(std::move(item));
   else
@@ -243,27 +153,46 @@ bool Pipeline::resume(WaitId wait, Expected<Value> outcome) {
 
 void Pipeline::finish(Item& item) {
   const bool taken = item.next > 0;
-  if (core_.mouth.waits_for_words())
-    core_.mouth.handled(*item.message, was_worded(item));
-  core_.effects.sockets.handled(*item.message);
+  if (output_.waits_for_words())
+    output_.handled(*item.message, was_worded(item));
+  sockets_.handled(*item.message);
   const bool nothing = means_nothing(item);
   if (!taken && !nothing)
-    core_.effects.unhandled(*item.message, item.turn, item.raised);
+    unhandled(item);
   if (nothing || (!taken && item.is_said))
     not_understood(item, taken);
   if (item.holds_turn)
-    core_.turns.let_go(item.turn);
+    context_.turns.let_go(item.turn);
   let_go_of_held(item);
   item.reactions.clear();
   spare_ = std::move(item.reactions);
 }
 
+// The engine's own reaction to what no state and no handler took, or it counts
+// as unhandled; nobody has to take what the engine raised.
+void Pipeline::unhandled(const Item& item) {
+  const auto& message = *item.message;
+  if (message.source == "Script"sv && message.command == "Error"sv) {
+    if (!context_.apologies.due(context_.now))
+      return;
+    Say what;
+    what.act = "unavailable";
+    what.data =
+        Map{{"reason", message.params.empty() ? Value() : message.params[0]}};
+    what.turn = item.turn;
+    output_.say(std::move(what));
+    return;
+  }
+  if (!item.raised)
+    context_.port.unhandled(message);
+}
+
 // Who listens to everything has not meant to say it in other words.
 bool Pipeline::was_worded(const Item& item) {
-  return std::any_of(item.reactions.begin(),
-                     item.reactions.begin() +
-                         static_cast<std::ptrdiff_t>(item.next),
-                     [](const Match& match) { return match.named(); });
+  return std::any_of(
+      item.reactions.begin(),
+      item.reactions.begin() + static_cast<std::ptrdiff_t>(item.next),
+      [](const Reactions::Match& match) { return match.named(); });
 }
 
 // The understanding gave up, or broke. Words that nobody takes are not
@@ -272,7 +201,7 @@ bool Pipeline::means_nothing(const Item& item) const {
   const auto& event = *item.message;
   const bool broke = event.command == "Failed"sv && item.turn != 0;
   return (broke || event.command == "NoResult"sv) &&
-         core_.port.is_source("NLU", event.source);
+         context_.port.is_source("NLU", event.source);
 }
 
 // The question that was asked comes again; a handler
@@ -282,21 +211,14 @@ void Pipeline::not_understood(const Item& item, bool taken) {
   step.kind = StepKind::no_match;
   step.turn = item.turn;
   step.mark = taken ? 1 : 0;
-  core_.turns.hold(step.turn);
-  core_.lane.queue({std::move(step)});
+  context_.turns.hold(step.turn);
+  context_.lane.queue({std::move(step)});
 }
 
 bool Pipeline::consume() {
   if (running_)
     running_->consumed = true;
   return running_ != nullptr;
-}
-
-void Pipeline::register_handler(const std::string& name, bool registered) {
-  if (registered)
-    unregistered_.erase(name);
-  else
-    unregistered_.insert(name);
 }
 
 bool Pipeline::waits(WaitId wait) const {

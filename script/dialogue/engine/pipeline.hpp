@@ -6,26 +6,33 @@
 #pragma once
 
 #include <memory>
-#include <set>
-#include <string>
-#include <string_view>
 #include <vector>
 
 #include "script/dialogue/agenda/step.hpp"
-#include "script/dialogue/engine/input.hpp"
-#include "script/dialogue/engine/runner.hpp"
-#include "script/program/program.hpp"
+#include "script/dialogue/context/activation_runner.hpp"
+#include "script/dialogue/context/dialogue_context.hpp"
+#include "script/dialogue/context/input.hpp"
+#include "script/dialogue/context/reactions.hpp"
+#include "script/dialogue/engine/answers.hpp"
+#include "script/dialogue/engine/lane_entry.hpp"
+#include "script/dialogue/engine/sockets.hpp"
+#include "script/dialogue/engine/state_machine.hpp"
+#include "script/dialogue/output/output_manager.hpp"
 
 namespace parlour::dialogue {
-
-struct Core;
 
 // Messages of one source and command that wait behind a handler that waits.
 inline constexpr std::size_t most_held = 100;
 
 class Pipeline {
 public:
-  explicit Pipeline(Core& core);
+  Pipeline(DialogueContext& context, ActivationRunner& runner,
+           const Reactions& reactions, OutputManager& output,
+           ScriptSockets& sockets, StateMachine& machine, LaneEntry& entry,
+           Answers& answers)
+      : context_(context), runner_(runner), reactions_(reactions),
+        output_(output), sockets_(sockets), machine_(machine), entry_(entry),
+        answers_(answers) {}
 
   // Behind an activation that waits at most most_held wait; a further one
   // is an error and is dropped. What is an answer to one that waits for the
@@ -36,53 +43,29 @@ public:
   // <consume/> in the reaction that is running; false where none is.
   bool consume();
 
-  void register_handler(const std::string& name, bool registered);
   std::vector<WaitId> waits() const;
   bool waits(WaitId wait) const;
-
-  // Reactions to an event, in the order in which they are tried: the active
-  // state's, then the handlers'.
-  struct Match {
-    const script::Reaction* reaction = nullptr;
-    VisitId visit = 0;     // of the state that it is of
-    bool captures = false; // ends the search by itself
-    bool named() const;    // it names the source and the event, no '*'
-  };
-  std::vector<Match> matches(const std::string& source,
-                             const std::string& event) const;
-  // Whether there is any.
-  bool listens(const std::string& source, const std::string& event) const;
-  // Whether the active state has any, or keeps every event for itself.
-  bool state_listens(const std::string& source, std::string_view event) const;
 
 private:
   struct Item {
     std::shared_ptr<const Message> message;
     TurnId turn = 0;
     bool raised = false;
-    std::vector<Match> reactions;
+    std::vector<Reactions::Match> reactions;
     std::size_t next = 0;
     bool consumed = false;
     bool is_said = false;   // by the user
     bool overflows = false; // too much is behind it
     bool holds_turn = true;
     WaitId waiting = 0;
-    Runner::WaitFor what = Runner::WaitFor::answer;
+    ActivationRunner::WaitFor what = ActivationRunner::WaitFor::answer;
     std::vector<Input> behind; // same source and command
 
-    const Match& running() const {
+    const Reactions::Match& running() const {
       return reactions[next - 1];
     }
   };
 
-  // Tells them to `visit` in that order, until it wants no more (false).
-  template <class Visit>
-  bool visit_each(const std::vector<script::Reaction>& reactions,
-                  VisitId of_state, bool captures, const std::string& source,
-                  const std::string& event, Visit& visit) const;
-  template <class Visit>
-  void visit_matches(const std::string& source, const std::string& event,
-                     Visit visit) const;
   void hold(Item& item, Input input);
   static bool holds(const Item& item, const Input& input);
   // The one that waits and that this message must wait for; null: none.
@@ -95,15 +78,21 @@ private:
   void keep(Item&& item); // until what it waits for comes
   void let_go_of_held(Item& item);
   static bool was_worded(const Item& item);
+  void unhandled(const Item& item);
   bool means_nothing(const Item& item) const;
   void not_understood(const Item& item, bool taken);
-  bool is_source(const std::string& wanted, const std::string& source) const;
 
-  Core& core_;
+  DialogueContext& context_;
+  ActivationRunner& runner_;
+  const Reactions& reactions_;
+  OutputManager& output_;
+  ScriptSockets& sockets_;
+  StateMachine& machine_;
+  LaneEntry& entry_;
+  Answers& answers_;
   std::vector<std::unique_ptr<Item>> waiting_;
-  std::set<std::string, std::less<>> unregistered_;
   Item* running_ = nullptr;
-  std::vector<Match> spare_; // of an item that is over: its memory
+  std::vector<Reactions::Match> spare_; // of an item that is over: its memory
 };
 
 } // namespace parlour::dialogue

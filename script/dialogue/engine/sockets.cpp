@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "runtime/base/roles.hpp"
-#include "script/dialogue/engine/core.hpp"
 
 namespace parlour::dialogue {
 
@@ -21,7 +20,7 @@ Error network(std::string message) {
 
 Expected<void> ScriptSockets::may_open(const std::string& name) const {
   // Its messages must not pass for those of somebody else.
-  if (!wrong_source_name(name).empty() || core_.port.reachable(name))
+  if (!wrong_source_name(name).empty() || context_.port.reachable(name))
     return fail(ErrorKind::refused,
                 "a socket cannot be called '" + name +
                     "': it needs a name that no role and no component has");
@@ -37,13 +36,13 @@ Expected<void> ScriptSockets::may_open(const std::string& name) const {
 
 void ScriptSockets::open(const script::Effect& effect, WaitId wait) {
   SocketRequest request;
-  request.id = core_.next_id();
+  request.id = context_.next_id();
   request.name = effect.text(0);
   request.order.address = effect.text(1);
   request.order.lines = !effect.has(2) || static_cast<bool>(effect.operand(2));
-  request.order.timeout = core_.program->settings.sessions.request_timeout;
+  request.order.timeout = context_.program->settings.sessions.request_timeout;
   sockets_[request.name] = {request.id, wait};
-  core_.port.open_socket(std::move(request));
+  context_.port.open_socket(std::move(request));
 }
 
 script::Performed ScriptSockets::send(const script::Effect& effect) {
@@ -51,7 +50,7 @@ script::Performed ScriptSockets::send(const script::Effect& effect) {
   const auto found = sockets_.find(name);
   if (found == sockets_.end() || found->second.opening != 0)
     return network("there is no open socket '" + name + "'");
-  auto sent = core_.port.send_socket(found->second.id, effect.text(1));
+  auto sent = context_.port.send_socket(found->second.id, effect.text(1));
   if (!sent)
     return network("socket '" + name + "': " + sent.error().message);
   return Value();
@@ -66,7 +65,7 @@ script::Performed ScriptSockets::close(const script::Effect& effect) {
     return Value();
   if (found->second.opening != 0)
     return network("socket '" + name + "' is not open yet");
-  core_.port.close_socket(found->second.id);
+  context_.port.close_socket(found->second.id);
   sockets_.erase(found);
   return Value();
 }
@@ -83,7 +82,7 @@ void ScriptSockets::opened(SocketId id, Expected<void> outcome) {
   const auto wait = std::exchange(found->second.opening, 0);
   if (!outcome)
     sockets_.erase(found);
-  core_.resume(wait, std::move(outcome).map([] { return Value(true); }));
+  waits_.resume(wait, std::move(outcome).map([] { return Value(true); }));
 }
 
 void ScriptSockets::closed(SocketId id) {
@@ -94,13 +93,13 @@ void ScriptSockets::closed(SocketId id) {
 void ScriptSockets::let_next_come(const Message& message) {
   if (const auto found = sockets_.find(message.source);
       found != sockets_.end() && message.command == "Data")
-    core_.port.socket_taken(found->second.id);
+    context_.port.socket_taken(found->second.id);
 }
 
 void ScriptSockets::forget(WaitId wait) {
   for (const auto& [name, socket] : sockets_)
     if (socket.opening == wait)
-      core_.port.close_socket(socket.id);
+      context_.port.close_socket(socket.id);
   std::erase_if(sockets_, [&](const auto& entry) {
     return entry.second.opening == wait;
   });

@@ -8,15 +8,16 @@
 
 #include "script/dialogue/agenda/port.hpp"
 #include "script/dialogue/agenda/step.hpp"
+#include "script/dialogue/context/dialogue_context.hpp"
+#include "script/dialogue/context/waits.hpp"
 #include "script/program/host.hpp"
 
 namespace parlour::dialogue {
 
-struct Core;
-
 class ScriptSockets {
 public:
-  explicit ScriptSockets(Core& core) : core_(core) {}
+  ScriptSockets(DialogueContext& context, Waits& waits)
+      : context_(context), waits_(waits) {}
 
   Expected<void> may_open(const std::string& name) const;
   // One that may; `wait` is resumed when it is open or failed.
@@ -47,7 +48,8 @@ private:
   Entries::iterator find(SocketId id);
   void let_next_come(const Message& message);
 
-  Core& core_;
+  DialogueContext& context_;
+  Waits& waits_;
   Entries sockets_;
 };
 

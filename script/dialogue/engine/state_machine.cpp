@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "script/dialogue/agenda/steps.hpp"
-#include "script/dialogue/engine/core.hpp"
 
 namespace parlour::dialogue {
 
@@ -26,8 +25,8 @@ tl::unexpected<Error> was_given_up() {
   return fail(ErrorKind::cancelled, "it was asked anew");
 }
 
-std::string name_of(const Core& core, StateId state) {
-  return state == script::no_id ? "" : core.program->states[state].name;
+std::string name_of(const DialogueContext& context, StateId state) {
+  return state == script::no_id ? "" : context.program->states[state].name;
 }
 
 } // namespace
@@ -35,9 +34,9 @@ std::string name_of(const Core& core, StateId state) {
 void StateMachine::transit(Step&& step) {
   if (comes_later(step))
     return;
-  const auto left = core_.states.active();
+  const auto left = context_.states.active();
   const bool exits = left != script::no_id &&
-                     core_.program->states[left].exit != script::no_code;
+                     context_.program->states[left].exit != script::no_code;
   if (!exits && step.code == script::no_code) { // nothing to run in between
     enter(step);
     return;
@@ -49,12 +48,12 @@ void StateMachine::transit(Step&& step) {
   enter.kind = StepKind::enter;
   enter.state = step.state;
   passage_ = enter;
-  core_.lane.at_once(std::move(enter));
+  context_.lane.at_once(std::move(enter));
   // In between, what stands in <transit>: with the topic, message and turn of
   // the script that it is a part of.
   if (step.code != script::no_code)
-    core_.lane.at_once(make_step(StepKind::run_leaving, std::move(step)));
-  core_.lane.at_once(std::move(leave));
+    context_.lane.at_once(make_step(StepKind::run_leaving, std::move(step)));
+  context_.lane.at_once(std::move(leave));
 }
 
 bool StateMachine::comes_later(Step& step) {
@@ -72,30 +71,30 @@ void StateMachine::end_passage() {
   passage_.reset();
   for (auto& step : std::exchange(later_, {})) {
     const auto turn = step.turn;
-    core_.lane.queue({std::move(step), conclude_step(turn)});
+    context_.lane.queue({std::move(step), conclude_step(turn)});
   }
 }
 
 void StateMachine::leave(const Step& step) {
   if (step.state == script::no_id)
     return;
-  if (auto code = core_.program->states[step.state].exit;
+  if (auto code = context_.program->states[step.state].exit;
       code != script::no_code)
-    core_.lane.at_once(make_step(StepKind::run_leaving, body_step(code, 0)));
+    context_.lane.at_once(make_step(StepKind::run_leaving, body_step(code, 0)));
 }
 
 void StateMachine::enter(const Step& step) {
-  if (core_.port.inspected())
-    core_.inspect(InspectionKind::transition,
-                  core_.program->states[step.state].name,
-                  "from '" + name_of(core_, core_.states.active()) + "'");
-  core_.states.enter(step.state);
+  if (context_.port.inspected())
+    context_.inspect(
+        InspectionKind::transition, context_.program->states[step.state].name,
+        "from '" + name_of(context_, context_.states.active()) + "'");
+  context_.states.enter(step.state);
   end_passage();
-  const auto& state = core_.program->states[step.state];
+  const auto& state = context_.program->states[step.state];
   if (state.entrance != script::no_code) {
     auto entrance = body_step(state.entrance, 0);
-    entrance.origin.visit = core_.states.visit();
-    core_.lane.at_once(std::move(entrance));
+    entrance.origin.visit = context_.states.visit();
+    context_.lane.at_once(std::move(entrance));
   }
   forget_what_was_left();
 }
@@ -109,7 +108,7 @@ void StateMachine::push(Step&& step) {
                                         " states pushed from one another"));
     return;
   }
-  core_.states.push(script::no_id);
+  context_.states.push(script::no_id);
   pushes_.push_back({step.wait, step.topic});
   enter(step);
 }
@@ -124,22 +123,22 @@ void StateMachine::pop(Step&& step) {
   end_passage();
   if (pushes_.empty())
     return;
-  core_.states.pop();
+  context_.states.pop();
   const auto [wait, topic] = pushes_.back();
   pushes_.pop_back();
   if (step.mark == given_up) {
     end_wait(wait, was_given_up());
   } else {
-    core_.lane.now(core_.topics.back_to(topic));
+    context_.lane.now(topics_.back_to(topic));
     end_wait(wait, Value());
   }
   forget_what_was_left();
 }
 
 void StateMachine::begin_way_out(std::uint64_t mark) {
-  auto steps = way_out(core_.states.active(), mark);
+  auto steps = way_out(context_.states.active(), mark);
   passage_ = steps.back();
-  core_.lane.now(std::move(steps));
+  context_.lane.now(std::move(steps));
 }
 
 // Of those that were pushed one after the other, the innermost first.
@@ -154,27 +153,27 @@ void StateMachine::give_up(Step&& step) {
     return;
   }
   if (pushes_.back().wait != step.wait)
-    core_.lane.at_once(std::move(step));
+    context_.lane.at_once(std::move(step));
   begin_way_out(given_up);
 }
 
 StepList StateMachine::dropped_by(WaitId wait) const {
   StepList steps;
-  for (const auto earlier : core_.runner.asked_before(wait))
+  for (const auto earlier : runner_.asked_before(wait))
     steps.add(StepKind::give_up).wait = earlier;
   return steps;
 }
 
 void StateMachine::end_wait(WaitId wait, Expected<Value> outcome) {
-  core_.effects.forget(wait);
-  core_.topics.forget_confirm(wait);
-  core_.lane.at_once(outcome_step(wait, std::move(outcome)));
+  waits_.forget_request(wait);
+  topics_.forget_confirm(wait);
+  context_.lane.at_once(outcome_step(wait, std::move(outcome)));
 }
 
 void StateMachine::forget_what_was_left() {
-  core_.timers.end_with(
-      [&](VisitId visit) { return !core_.states.lasts(visit); });
-  for (const auto wait : core_.runner.take_those_of_left_states())
+  context_.timers.end_with(
+      [&](VisitId visit) { return !context_.states.lasts(visit); });
+  for (const auto wait : runner_.take_those_of_left_states())
     end_wait(wait, fail(ErrorKind::cancelled, "its state was left"));
 }
 
@@ -184,11 +183,11 @@ bool StateMachine::was_pushed_by(TopicId topic) const {
 }
 
 bool StateMachine::agent_changed(const Message& event) {
-  const auto state = core_.states.active();
+  const auto state = context_.states.active();
   if (state == script::no_id || event.source != "System"sv ||
       event.params.empty())
     return false;
-  const auto& definition = core_.program->states[state];
+  const auto& definition = context_.program->states[state];
   const bool came = event.command == "AgentOnline"sv;
   if (!came && event.command != "AgentOffline"sv)
     return false;
@@ -206,25 +205,25 @@ bool StateMachine::agent_changed(const Message& event) {
 void StateMachine::react(const script::Reaction& reaction,
                          std::shared_ptr<const Message> event) {
   auto step = body_step(reaction.body, 0);
-  step.origin.visit = core_.states.visit();
+  step.origin.visit = context_.states.visit();
   step.matter().message = std::move(event);
-  core_.effects.reached(reaction.position);
-  core_.lane.queue({std::move(step), conclude_step(0)});
+  context_.reached(reaction.position);
+  context_.lane.queue({std::move(step), conclude_step(0)});
 }
 
 void StateMachine::greet_agents() {
-  const auto state = core_.states.active();
+  const auto state = context_.states.active();
   if (state == script::no_id)
     return;
-  for (const auto& reaction : core_.program->states[state].online) {
-    if (reaction.source == "*" || !core_.port.reachable(reaction.source))
+  for (const auto& reaction : context_.program->states[state].online) {
+    if (reaction.source == "*" || !context_.port.reachable(reaction.source))
       continue;
     Message event;
     event.source = "System";
     event.command = "AgentOnline";
     event.params = {reaction.source};
-    event.time = core_.now;
-    event.session = core_.options.session;
+    event.time = context_.now;
+    event.session = context_.options.session;
     react(reaction, std::make_shared<const Message>(std::move(event)));
   }
 }
@@ -245,11 +244,11 @@ void StateMachine::clear_pushed() {
   std::erase_if(
       later_, [](const Step& step) { return step.kind != StepKind::transit; });
   if (passage_ && pushes_.empty())
-    core_.lane.queue({*passage_});
+    context_.lane.queue({*passage_});
   else
     end_passage();
   pushes_.clear();
-  while (core_.states.pop()) {
+  while (context_.states.pop()) {
   }
   forget_what_was_left();
 }
@@ -258,14 +257,14 @@ void StateMachine::clear() {
   passage_.reset();
   later_.clear();
   clear_pushed();
-  core_.states.enter(script::no_id);
+  context_.states.enter(script::no_id);
   forget_what_was_left();
 }
 
 // One that is being left has had its Exit.
 StepList StateMachine::exits() const {
   StepList steps;
-  const auto& levels = core_.states.levels();
+  const auto& levels = context_.states.levels();
   for (auto level = levels.rbegin(); level != levels.rend(); ++level) {
     auto way = way_out(level->state, left);
     if (passage_ && level == levels.rbegin())

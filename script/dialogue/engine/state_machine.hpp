@@ -8,14 +8,19 @@
 #include <vector>
 
 #include "script/dialogue/agenda/step_list.hpp"
+#include "script/dialogue/context/activation_runner.hpp"
+#include "script/dialogue/context/dialogue_context.hpp"
+#include "script/dialogue/context/waits.hpp"
+#include "script/dialogue/topic_engine/pushed_states.hpp"
+#include "script/dialogue/topic_engine/topic_engine.hpp"
 
 namespace parlour::dialogue {
 
-struct Core;
-
-class StateMachine {
+class StateMachine final : public PushedStates {
 public:
-  explicit StateMachine(Core& core) : core_(core) {}
+  StateMachine(DialogueContext& context, ActivationRunner& runner, Waits& waits,
+               TopicEngine& topics)
+      : context_(context), runner_(runner), waits_(waits), topics_(topics) {}
 
   void transit(Step&& step);
   void leave(const Step& step);
@@ -28,8 +33,7 @@ public:
   // The steps by which what was asked before in the same statements is given
   // up.
   StepList dropped_by(WaitId wait) const;
-  // Whether a script of this topic waits for a pushed state.
-  bool was_pushed_by(TopicId topic) const;
+  bool was_pushed_by(TopicId topic) const override;
   bool is_pushed() const {
     return !pushes_.empty();
   }
@@ -40,8 +44,7 @@ public:
   void greet_agents();
   // Leaves every level without Exit (start over).
   void clear();
-  // Leaves the pushed levels, whose activations were cancelled.
-  void clear_pushed();
+  void clear_pushed() override;
   // The Exit of every level, innermost first.
   StepList exits() const;
 
@@ -57,7 +60,10 @@ private:
   void forget_what_was_left();
   void end_wait(WaitId wait, Expected<Value> outcome);
 
-  Core& core_;
+  DialogueContext& context_;
+  ActivationRunner& runner_;
+  Waits& waits_;
+  TopicEngine& topics_;
   struct Push { // an activation that pushed
     WaitId wait = 0;
     TopicId topic = script::no_id; // that it is of

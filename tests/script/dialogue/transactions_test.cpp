@@ -2,7 +2,7 @@
 // inside.
 #include <gtest/gtest.h>
 
-#include "script/dialogue/engine/effects.hpp"
+#include "script/dialogue/engine/effect_handler.hpp"
 #include "tests/script/dialogue/conversation_world.hpp"
 
 namespace parlour::dialogue {

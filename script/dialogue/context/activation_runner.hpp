@@ -1,0 +1,148 @@
+// ActivationRunner: starts pieces of script, keeps those that wait, and hands
+// outcomes back to them. An error that no <catch> took becomes the event
+// Script.Error (language rule 12.19).
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <set>
+#include <vector>
+
+#include "script/dialogue/agenda/step_list.hpp"
+#include "script/program/host.hpp"
+#include "script/support/fifo.hpp"
+#include "script/vm/interpreter.hpp"
+
+namespace parlour::dialogue {
+
+struct DialogueContext;
+
+class ActivationRunner {
+public:
+  // What became of a script, for whoever waits for that.
+  class Listener {
+  public:
+    // It goes on, or was ended: whatever it waited for so is over.
+    virtual void wait_is_over(WaitId wait) = 0;
+    // It ended with an error that no <catch> took.
+    virtual void body_failed(TopicId topic, CodeId body) = 0;
+
+  protected:
+    ~Listener() = default;
+  };
+
+  ActivationRunner(DialogueContext& context, script::Host& host,
+                   Listener& listener)
+      : context_(context), host_(host), listener_(listener) {}
+
+  // What the effect that suspends the running activation waits for.
+  enum class WaitFor : std::uint8_t {
+    answer, // of a component or a database; its slice, too
+    time,   // <wait>
+    user,   // <confirm>, <push>
+  };
+  struct Wait {
+    WaitId id = 0;
+    WaitFor what = WaitFor::answer;
+  };
+  void expect(Wait wait) {
+    expected_ = wait;
+  }
+
+  // Runs until it ends or waits; returns the wait's id, 0 where it ended. The
+  // steps that it asked for are then taken with hand_over().
+  WaitId start(CodeId code, const std::vector<Value>& arguments,
+               script::ActivationContext context, Origin origin = {});
+  WaitId resume(WaitId wait, Expected<Value> outcome);
+
+  // A step that the running activation's statements asked for; taken when it
+  // ends or waits.
+  Step& later(StepKind kind) {
+    return later_.add(kind);
+  }
+  void later(Step&& step) {
+    later_.push_back(std::move(step));
+  }
+
+  bool waiting(WaitId wait) const {
+    return waiting_.count(wait) > 0;
+  }
+  WaitFor waits_for(WaitId wait) const;
+  // The user turn that the activation which waits works for.
+  TurnId turn_of(WaitId wait) const;
+  // Where the running activation stands.
+  const Origin& origin() const {
+    return origin_;
+  }
+  // Others that wait for the user in the same statements, outside of topics.
+  std::vector<WaitId> asked_before(WaitId wait) const;
+  // Waits for the user, or for time, of scripts whose state was left; each is
+  // told once.
+  std::vector<WaitId> take_those_of_left_states();
+  // Whether a <wait> of a topic's script goes on.
+  bool topic_waits() const;
+  // Whether anything waits that is not for the user.
+  bool waits_for_others() const;
+
+  // What was started: the body of which the running statement is a part.
+  CodeId body() const {
+    return code_;
+  }
+  // Its clear, ask or transit: the body leads elsewhere than to its end.
+  void redirect() {
+    redirect(code_);
+  }
+  void redirect(CodeId body) {
+    redirected_.insert(body);
+  }
+  // Whether it did, when it ran last.
+  bool redirected(CodeId body) const {
+    return redirected_.contains(body);
+  }
+
+  // A wait whose activation only used up its slice; 0: there is none.
+  WaitId take_slice();
+  bool has_slices() const {
+    return !slices_.empty();
+  }
+
+  // Runs a short body that must not wait.
+  Expected<Value> evaluate(CodeId code, const std::vector<Value>& arguments,
+                           TopicId topic);
+
+  // What the statements of the activation that ended or waits asked for. Each
+  // is an internal event (engine rule 2); acts hold their turn until taken.
+  StepList hand_over();
+
+private:
+  struct Waiting {
+    std::unique_ptr<script::Activation> activation;
+    CodeId code = script::no_code;
+    WaitFor what = WaitFor::answer;
+    Origin origin;
+    bool yielded = false; // its slice was used up; it waits for nothing
+    StepList later;       // what it asked for so far, where it yielded
+  };
+
+  WaitId dispose(std::unique_ptr<script::Activation> activation,
+                 const script::RunResult& result);
+  bool leaves_its_state() const;
+  void report(const script::ActivationContext& context,
+              const script::RunResult& result);
+
+  void drop(const Step& step);
+
+  DialogueContext& context_;
+  script::Host& host_;
+  Listener& listener_;
+  Wait expected_;
+  CodeId code_ = script::no_code; // that runs
+  Origin origin_;
+  StepList later_;
+  std::set<CodeId> redirected_;
+  std::map<WaitId, Waiting> waiting_;
+  Fifo<WaitId> slices_;
+};
+
+} // namespace parlour::dialogue

@@ -1,0 +1,104 @@
+#include "script/dialogue/context/privacy.hpp"
+
+#include <utility>
+
+#include "script/spoken/spoken.hpp"
+
+namespace parlour::dialogue {
+
+namespace {
+
+std::optional<Decimal> decimal(const Value& value) {
+  if (const auto* integer = value.if_integer())
+    return decimal_of(*integer);
+  if (const auto* number = value.if_number())
+    return decimal_of(*number);
+  const auto* text = value.if_string();
+  const auto written = text ? parse_number(*text) : Value();
+  return written.is_unknown() ? std::nullopt : decimal(written);
+}
+
+// A text as it was heard that is too short tells nothing, and would hide much.
+constexpr std::size_t least_heard = 4;
+
+// Every value in it, as it is printed and as it is spoken.
+void collect(const Value& value, const std::string& kind, Timestamp now,
+             std::vector<std::string>& texts) {
+  if (const auto* list = value.if_list())
+    for (const auto& element : *list)
+      collect(element, kind, now, texts);
+  if (const auto* map = value.if_map())
+    for (const auto& entry : map->entries())
+      collect(entry.second, kind, now, texts);
+  if (const auto* result = value.if_result())
+    for (const auto& cell : result->cells)
+      collect(cell, kind, now, texts);
+  if (!value.if_string() && !value.if_integer() && !value.if_number())
+    return;
+  const script::ToSay what{to_string(value), decimal(value), now};
+  texts.push_back(what.text);
+  for (const auto& way : {kind, std::string("number"), std::string("digits")})
+    texts.push_back(script::spoken(what, way));
+}
+
+} // namespace
+
+Privacy::Privacy(const script::Program& program,
+                 const script::Interpreter& interpreter, Port& port)
+    : program_(program), interpreter_(interpreter), port_(port),
+      is_needed_(script::has_private(program)) {
+  const auto& variables = program.variables;
+  for (std::size_t i = 0; i < variables.size(); ++i)
+    if (variables[i].is_private)
+      variables_.push_back(i);
+  known_.resize(variables_.size());
+}
+
+void Privacy::note_variables(Timestamp now) {
+  for (std::size_t i = 0; i < variables_.size(); ++i) {
+    auto value = interpreter_.variable(variables_[i]);
+    if (value == known_[i])
+      continue;
+    known_[i] = std::move(value);
+    conceal(known_[i], "", now);
+  }
+}
+
+void Privacy::note(TopicId topic, SlotId slot, const Value& value,
+                   Timestamp now) {
+  const auto& slots = program_.topics[topic].slots;
+  if (slot < slots.size() && slots[slot].is_private)
+    conceal(value, slots[slot].cardinality.type, now);
+}
+
+void Privacy::note(TopicId topic, std::span<const FrameChange> changes,
+                   Timestamp now) {
+  if (!is_needed_)
+    return;
+  for (const auto& change : changes) {
+    note(topic, change.slot, change.value, now);
+    note(topic, change.slot, change.candidates, now);
+    if (change.text.size() >= least_heard)
+      note(topic, change.slot, change.text, now);
+  }
+}
+
+void Privacy::hear(bool is_asked_in_private) {
+  if (is_needed_ && is_asked_in_private)
+    port_.conceal_turn();
+}
+
+void Privacy::settle(std::uint64_t received) {
+  if (is_needed_)
+    port_.settled(received);
+}
+
+void Privacy::conceal(const Value& value, const std::string& kind,
+                      Timestamp now) {
+  std::vector<std::string> texts;
+  collect(value, kind, now, texts);
+  if (!texts.empty())
+    port_.conceal(texts);
+}
+
+} // namespace parlour::dialogue

@@ -1,0 +1,44 @@
+// Privacy: tells the port what is private="true" of variables and slots, as it
+// is printed and as it is spoken, before anybody who watches could see it. An
+// internal header of this folder.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "script/dialogue/agenda/port.hpp"
+#include "script/dialogue/frame/frame.hpp"
+#include "script/program/program.hpp"
+#include "script/vm/interpreter.hpp"
+
+namespace parlour::dialogue {
+
+class Privacy {
+public:
+  Privacy(const script::Program& program,
+          const script::Interpreter& interpreter, Port& port);
+
+  // Private variables that have changed.
+  void note_variables(Timestamp now);
+  // A slot's value, where it is private.
+  void note(TopicId topic, SlotId slot, const Value& value, Timestamp now);
+  // What slots are offered, whatever becomes of it.
+  void note(TopicId topic, std::span<const FrameChange> changes, Timestamp now);
+  // The user was heard: hidden where a private slot is asked for.
+  void hear(bool is_asked_in_private);
+  // Everything that was received is understood.
+  void settle(std::uint64_t received);
+
+private:
+  void conceal(const Value& value, const std::string& kind, Timestamp now);
+
+  const script::Program& program_;
+  const script::Interpreter& interpreter_;
+  Port& port_;
+  const bool is_needed_;
+  std::vector<std::size_t> variables_; // the private ones
+  std::vector<Value> known_;           // as they were last
+};
+
+} // namespace parlour::dialogue

@@ -1,0 +1,271 @@
+#include "script/dialogue/output/output_manager.hpp"
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+namespace parlour::dialogue {
+
+using namespace std::string_view_literals;
+
+namespace {
+
+const std::string language_generation = "NLG";
+
+constexpr int most_taken_up = 3;
+
+// Told of in one robot turn.
+constexpr std::size_t most_failed_phrases = 100;
+
+} // namespace
+
+Value OutputManager::generate_params(const Say& what) {
+  if (!what.text.empty())
+    return what.text;
+  const auto& program = *context_.program;
+  Map say;
+  say.set("act", what.act);
+  if (what.topic != script::no_id) {
+    const auto& topic = program.topics[what.topic];
+    say.set("topic", topic.name);
+    if (what.slot != script::no_id)
+      say.set("slot", topic.slots[what.slot].name);
+  }
+  say.set("data", what.data);
+  auto key = what.act + "/" + Value(say)["topic"].text();
+  say.set("rotation",
+          static_cast<std::int64_t>(context_.options.seed) - 1 + uses_[key]++);
+  say.set("now", context_.now);
+  return say;
+}
+
+OutputId OutputManager::say(Say&& what) {
+  if (!context_.port.reachable(language_generation)) {
+    auto text = what.text.empty() ? words_of(generate_params(what), what.turn)
+                                  : std::move(what.text);
+    return text.empty()
+               ? 0
+               : push(what.as, std::move(text), what, OutputState::pending);
+  }
+  auto params = generate_params(what);
+  auto id = push(what.as, {}, what, OutputState::worded);
+  auto correlation =
+      context_.post(language_generation, "Generate", {params}, what.turn);
+  wording_[correlation] = {id, std::move(params), 0};
+  if (!context_.answered_inline(correlation))
+    wording_[correlation].timer = context_.timers.start(
+        context_.program->settings.sessions.request_timeout,
+        {.purpose = Timer::Purpose::wording, .correlation = correlation});
+  return id;
+}
+
+// Nothing is said where the application has no phrase for it.
+std::string OutputManager::words_of(const Value& params, TurnId turn) {
+  if (const auto* text = params.if_string())
+    return *text;
+  const auto* phrases = context_.options.phrases.get();
+  auto [words, failures] = phrases ? phrases->render(params) : Rendering{};
+  for (const auto& failure : failures)
+    phrase_failed(failure, turn);
+  if (!words)
+    context_.inspect(InspectionKind::error, params["act"].text(),
+                     "there is no phrase for it");
+  return std::move(words).value_or("");
+}
+
+bool OutputManager::hear_failure(const Message& event, TurnId turn) {
+  if (event.command != "PhraseFailed"sv ||
+      !context_.port.is_source(language_generation, event.source))
+    return false;
+  const Value params(event.params);
+  const auto line = params.at(2).integer_or(0);
+  phrase_failed({ErrorKind::thrown,
+                 params.at(0).text(),
+                 {params.at(1).text(), static_cast<std::uint32_t>(line)}},
+                turn);
+  return true;
+}
+
+// Another phrase was taken in its place: where nobody listens, the user need
+// not hear of it.
+void OutputManager::phrase_failed(const Error& error, TurnId turn) {
+  context_.inspect(InspectionKind::error, "phrase", to_string(error));
+  const auto told = std::ranges::find(failed_phrases_, error.place);
+  if (told != failed_phrases_.end() ||
+      failed_phrases_.size() == most_failed_phrases ||
+      !reactions_.listens("Script", "Error"))
+    return;
+  failed_phrases_.push_back(error.place);
+  context_.raise_error(error, turn);
+}
+
+OutputId OutputManager::push(OutputAct as, std::string text, const Say& what,
+                             OutputState state) {
+  Output output;
+  output.act = as;
+  output.text = std::move(text);
+  output.topic = what.topic;
+  output.slot = what.slot;
+  output.turn = what.turn;
+  output.state = state;
+  output.awaited = what.awaited;
+  ++made_;
+  told_ += as == OutputAct::answer ? 1 : 0;
+  changed_ = true;
+  return queue_.push(std::move(output));
+}
+
+OutputId OutputManager::speak(std::string text, Correlation handled,
+                              TurnId turn, bool interruptible) {
+  if (auto found = wording_.find(handled); found != wording_.end()) {
+    auto id = found->second.output;
+    context_.timers.cancel(found->second.timer);
+    wording_.erase(found);
+    word(id, std::move(text));
+    return id;
+  }
+  Output output;
+  output.text = std::move(text);
+  output.turn = turn;
+  output.interruptible = interruptible;
+  ++made_;
+  ++told_;
+  changed_ = true;
+  return queue_.push(std::move(output));
+}
+
+void OutputManager::word(OutputId id, std::string text) {
+  const bool dropped = text.empty();
+  queue_.word(id, std::move(text));
+  changed_ = true;
+  if (dropped)
+    listener_.unspoken(id);
+}
+
+void OutputManager::handled(const Message& event, bool taken) {
+  if (wording_.empty() || !wording_.contains(event.correlation))
+    return;
+  if (event.command != "Speak") {
+    if (context_.port.reply_to_request(event) != Reply::none)
+      give_up_wording(event.correlation);
+    return;
+  }
+  auto text = !taken && !event.params.empty() ? event.params[0].text() : "";
+  speak(std::move(text), event.correlation, 0, true);
+}
+
+void OutputManager::drop(const Input& input) {
+  context_.turns.let_go(input.turn);
+  handled(*input.message, false);
+}
+
+void OutputManager::give_up_wording(Correlation correlation) {
+  auto found = wording_.find(correlation);
+  if (found == wording_.end())
+    return;
+  auto text = words_of(found->second.params, 0);
+  speak(std::move(text), correlation, 0, true);
+}
+
+bool OutputManager::release() {
+  changed_ = false;
+  const bool begun = context_.turns.any_open(context_.now);
+  auto result = queue_.release([&](const Output& output) {
+    return begun && (!output.awaited ||
+                     context_.turns.any_open(context_.now, output.turn));
+  });
+  for (const auto& output : result.withdrawn) {
+    inspect(output, "withdrawn");
+    listener_.withdrawn(output);
+  }
+  for (const auto& output : result.released) {
+    inspect(output, "released");
+    playing_.push_back({output.id, output.interruptible});
+    listener_.released(output);
+    context_.port.release(output);
+    voice(output);
+  }
+  return !result.released.empty();
+}
+
+// What is shown is spoken too, where there is a voice.
+void OutputManager::voice(const Output& output) {
+  if (context_.port.reachable("TTS"))
+    context_.post("TTS", "Speak",
+                  {output.text, static_cast<std::int64_t>(output.id),
+                   output.interruptible},
+                  0);
+}
+
+void OutputManager::withdraw_questions() {
+  for (const auto& output : queue_.withdraw_questions()) {
+    inspect(output, "withdrawn");
+    listener_.withdrawn(output);
+    changed_ = true; // what waited behind it may go now
+  }
+}
+
+void OutputManager::repeat_last(TurnId turn) {
+  for (const auto& text : queue_.last_turn()) {
+    Say what;
+    what.as = OutputAct::chat;
+    what.turn = turn;
+    push(what.as, text, what, OutputState::pending);
+  }
+}
+
+void OutputManager::finished(OutputId id) {
+  no_longer_playing(id);
+  taken_up_ = 0;
+}
+
+void OutputManager::no_longer_playing(OutputId id) {
+  std::erase_if(playing_,
+                [&](const Playing& output) { return output.id == id; });
+}
+
+void OutputManager::interrupted(OutputId id, const std::string& heard) {
+  no_longer_playing(id);
+  auto cut = queue_.cut(id, heard);
+  if (!cut)
+    return;
+  inspect(*cut, "broken off");
+  listener_.broken_off(*cut, heard);
+  if (!interrupted_) // what came after it was not heard either
+    interrupted_ = std::move(cut);
+}
+
+void OutputManager::take_up_interrupted() {
+  auto again = std::exchange(interrupted_, {});
+  if (!again || taken_up_ == most_taken_up)
+    return;
+  ++taken_up_;
+  Say what;
+  what.as = again->act;
+  what.turn = again->turn;
+  turn_begins();
+  listener_.said_again(again->id, push(what.as, std::move(again->text), what,
+                                       OutputState::pending));
+}
+
+bool OutputManager::can_be_interrupted() const {
+  return std::any_of(
+      playing_.begin(), playing_.end(),
+      [](const Playing& output) { return output.interruptible; });
+}
+
+bool OutputManager::silent() const {
+  return queue_.empty() && playing_.empty();
+}
+
+void OutputManager::inspect(const Output& output, const char* what) {
+  if (!context_.port.inspected())
+    return;
+  auto subject = output.topic == script::no_id
+                     ? std::string()
+                     : context_.topic(output.topic).name;
+  context_.inspect(InspectionKind::output, subject,
+                   std::string(what) + ": " + output.text);
+}
+
+} // namespace parlour::dialogue

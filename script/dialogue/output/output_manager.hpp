@@ -1,0 +1,161 @@
+// OutputManager: how what the engine wants to say becomes words, and when they
+// leave (engine rule 3; understanding, "Phrases"). If an NLG component is
+// there, a `say` goes to it as Generate, and its Speak event brings the words
+// back, by a handler's <speak> or by itself; if not, the phrase is spoken
+// directly. What is released goes to the session's seat, and to a TTS component
+// if one is there.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "runtime/base/error.hpp"
+#include "script/dialogue/agenda/output_queue.hpp"
+#include "script/dialogue/agenda/turns.hpp"
+#include "script/dialogue/context/dialogue_context.hpp"
+#include "script/dialogue/context/reactions.hpp"
+
+namespace parlour::dialogue {
+
+// What the engine wants to say: a phrase by act, topic and slot, or a text.
+struct Say {
+  OutputAct as = OutputAct::answer;
+  std::string act; // of the phrase; unused where `text` is given
+  TopicId topic = script::no_id;
+  SlotId slot = script::no_id;
+  Value data;
+  std::string text;
+  TurnId turn = 0;
+  bool awaited = false; // a script waits for the answer
+};
+
+class OutputManager {
+public:
+  // What became of an output, for whoever asked something with it.
+  class Listener {
+  public:
+    virtual void released(const Output& output) = 0;
+    virtual void withdrawn(const Output& output) = 0;
+    virtual void unspoken(OutputId output) = 0; // no words were found for it
+    // The user broke in on it, and heard these words.
+    virtual void broken_off(const Output& output, const std::string& heard) = 0;
+    // What was broken off is said again, as another output.
+    virtual void said_again(OutputId before, OutputId now) = 0;
+
+  protected:
+    ~Listener() = default;
+  };
+
+  OutputManager(DialogueContext& context, const Reactions& reactions,
+                Listener& listener)
+      : context_(context), reactions_(reactions), listener_(listener) {}
+
+  // Returns the entry's id; 0 where there are no words for it.
+  OutputId say(Say&& what);
+  // A <speak>. Where it handles the Speak event of a `say`, it words that
+  // entry, else it is an answer.
+  OutputId speak(std::string text, Correlation handled, TurnId turn,
+                 bool interruptible);
+  // The handlers of an NLG event are done: an entry that none of them worded
+  // takes the event's own text, or is dropped where a handler that names the
+  // event took it.
+  // Any other event that ends the request means that there are no words to
+  // come.
+  void handled(const Message& event, bool taken);
+  // An event that nobody is to handle any more; what hangs on it goes on.
+  void drop(const Input& input);
+  // Where the event tells of a phrase that could not be computed: shown, and
+  // raised as Script.Error for who listens to it.
+  bool hear_failure(const Message& event, TurnId turn);
+  // The NLG component did not answer in time.
+  void give_up_wording(Correlation correlation);
+
+  // Releases what can go; returns whether anything was.
+  bool release();
+  void withdraw_questions();
+  void repeat_last(TurnId turn);
+  // The user has spoken, or been silent: what is released from now on is
+  // another robot turn.
+  void turn_begins() {
+    queue_.turn_begins();
+    failed_phrases_.clear();
+  }
+  bool said_anything() const {
+    return !queue_.last_turn().empty();
+  }
+  void finished(OutputId id);
+  // The user broke in: of this output only these words were heard.
+  void interrupted(OutputId id, const std::string& heard);
+  // The user has said something after all: what was broken off stays so.
+  void give_up_interrupted() {
+    interrupted_.reset();
+  }
+  bool was_interrupted() const {
+    return interrupted_.has_value();
+  }
+  // Nothing came of it: what was broken off is said again, a few times in a
+  // row at most, as what breaks in may be a noise that does not end.
+  void take_up_interrupted();
+  // Whether something is being played that the user may break in on.
+  bool can_be_interrupted() const;
+
+  bool wants_release() const {
+    return changed_;
+  }
+  bool all_released() const {
+    return queue_.empty();
+  }
+  bool waits_for_words() const {
+    return !wording_.empty();
+  }
+  // Nothing waits for words or release, and nothing is being played.
+  bool silent() const;
+  std::uint64_t spoken() const { // how many outputs were made so far
+    return made_;
+  }
+  std::uint64_t told() const { // of these, how many were answers
+    return told_;
+  }
+
+private:
+  // An entry whose words an NLG component was asked for.
+  struct Wording {
+    OutputId output = 0;
+    Value params; // to word it ourselves after all
+    std::uint64_t timer = 0;
+  };
+
+  OutputId push(OutputAct as, std::string text, const Say& what,
+                OutputState state);
+  Value generate_params(const Say& what);
+  std::string words_of(const Value& params, TurnId turn);
+  void phrase_failed(const Error& error, TurnId turn);
+  void word(OutputId id, std::string text);
+  void voice(const Output& output);
+  void inspect(const Output& output, const char* what);
+  void no_longer_playing(OutputId id);
+
+  DialogueContext& context_;
+  const Reactions& reactions_;
+  Listener& listener_;
+  OutputQueue queue_;
+  std::map<Correlation, Wording> wording_;
+  std::map<std::string, std::int64_t> uses_; // of each phrase, for rotation
+  std::uint64_t made_ = 0;
+  std::uint64_t told_ = 0;
+  // Told of in this robot turn: who listens may have said them himself.
+  std::vector<Place> failed_phrases_;
+  struct Playing {
+    OutputId id = 0;
+    bool interruptible = true;
+  };
+  ShortLivedList<Playing> playing_;
+  std::optional<Output> interrupted_;
+  int taken_up_ = 0; // since something was played to its end
+  bool changed_ = false;
+};
+
+} // namespace parlour::dialogue

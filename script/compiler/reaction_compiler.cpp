@@ -102,22 +102,9 @@ private:
         compile_on(source);
       else
         for (const auto& event : source.children)
-          if (is_first(event, source))
-            add({source.name, event.name}, source.position, event.position,
-                event);
+          add({source.name, event.name}, source.position, event.position,
+              event);
     }
-  }
-  // Each event of a source has one element.
-  bool is_first(const Element& event, const Element& source) {
-    const auto& first = *source.child(event.name);
-    if (&first == &event)
-      return true;
-    compilation_.findings.error(event.position,
-                                "a second <" + event.name + "> in <" +
-                                    source.name + ">, after the one in line " +
-                                    std::to_string(first.position.line) +
-                                    "; put both into one");
-    return false;
   }
   void compile_on(const Element& on) {
     const auto& source = *on.attribute("source");
@@ -128,11 +115,23 @@ private:
   void add(EventName name, Position source, Position event,
            const Element& body) {
     name = checked_event(std::move(name), source, event, compilation_);
+    check_first(name, event);
     auto inside = context_;
     inside.name += " " + name.source + "." + name.event;
     reactions_.push_back({name.source, name.event,
                           compilation_.bodies.body(body, inside),
                           body.position});
+  }
+
+  // Each event has one reaction here.
+  void check_first(const EventName& name, Position event) {
+    for (const auto& reaction : reactions_)
+      if (reaction.source == name.source && reaction.event == name.event)
+        return compilation_.findings.error(
+            event, "a second reaction to " + name.source + "." + name.event +
+                       ", after the one in line " +
+                       std::to_string(reaction.position.line) +
+                       "; put both into one");
   }
 
   BodyContext context_;

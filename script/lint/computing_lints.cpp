@@ -25,6 +25,7 @@ private:
              const std::string& what);
   void check(const Topic& topic);
   void check(const Topic& topic, const Slot& slot);
+  void check(const Variable& variable);
 
   const Program& program_;
   Findings& findings_;
@@ -68,7 +69,21 @@ void ComputingLint::check(const Topic& topic) {
     check(rule.condition, rule.position, "the condition of a <rule>");
 }
 
+// The session has not begun yet: nothing can be waited for.
+void ComputingLint::check(const Variable& variable) {
+  const auto found = find_effect(program_, variable.initial, waits);
+  if (found && found->is_called)
+    warn(findings_, "querying-text", found->call,
+         "the expr of the variable '" + variable.name +
+             "' cannot wait, and calls a function with <" +
+             element_of(found->kind) +
+             ">: no session can begin; <set> the variable when it has begun, "
+             "in <Session><Started>");
+}
+
 void ComputingLint::run() {
+  for (const auto& variable : program_.variables)
+    check(variable);
   for (const auto& phrase : program_.phrases) {
     check(phrase.condition, phrase.position, "the condition of a <phrase>");
     check(phrase.text, phrase.position, "a <phrase>");

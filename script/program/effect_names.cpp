@@ -36,6 +36,15 @@ std::string element_of(EffectKind kind) {
   return name;
 }
 
+bool waits(EffectKind kind) {
+  constexpr bool all[] = {
+#define EFFECT(name, waits, operands, sentence) waits,
+#include "script/program/effects.def"
+#undef EFFECT
+  };
+  return all[static_cast<std::size_t>(kind)];
+}
+
 bool leads_elsewhere(EffectKind kind) {
   using enum EffectKind;
   return kind == transit || kind == push || kind == pop || kind == restart;

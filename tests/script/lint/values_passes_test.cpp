@@ -248,6 +248,10 @@ INSTANTIATE_TEST_SUITE_P(
 INSTANTIATE_TEST_SUITE_P(
     computing, LintCase,
     testing::Values(
+        Linted{"<function name='read'><readfile name='a' return='t'/><return "
+               "expr='t'/></function><var name='x' expr='read()'/><function "
+               "name='main'><print param='{x}'/></function>",
+               "3:103 querying-text"},
         Linted{"<function name='shops'><querydb param='select 1' return='r'/>"
                "<return expr='r'/></function>"
                "<function name='said'><return expr='list(shops())'/></function>"

@@ -11,4 +11,11 @@ TEST(EffectNames, AreThoseOfTheElements) {
   EXPECT_EQ(element_of(EffectKind::rollback), "transaction");
 }
 
+TEST(EffectNames, KnowWhatWaitsAndWhatLeadsElsewhere) {
+  EXPECT_TRUE(waits(EffectKind::querydb));
+  EXPECT_FALSE(waits(EffectKind::speak));
+  EXPECT_TRUE(leads_elsewhere(EffectKind::transit));
+  EXPECT_FALSE(leads_elsewhere(EffectKind::end));
+}
+
 } // namespace parlour::script

@@ -5,7 +5,7 @@
 #include "script/dialogue/agenda/steps.hpp"
 #include "script/dialogue/engine/effect_handler.hpp"
 #include "script/dialogue/engine/effect_operands.hpp"
-#include "script/source/findings.hpp"
+#include "script/dialogue/topics/misnamed.hpp"
 
 namespace parlour::dialogue {
 
@@ -22,37 +22,6 @@ Message message_of(SessionId session, const Value& module, const Value& command,
   message.sinks = {module.text()};
   message.session = std::move(session);
   return message;
-}
-
-template <class Named>
-std::string did_you_mean(const std::string& name,
-                         const std::vector<Named>& all) {
-  std::vector<std::string> names;
-  for (const auto& one : all)
-    names.push_back(one.name);
-  return script::did_you_mean(name, names);
-}
-
-// What a frame may leave open it must not get wrong: another topic would take
-// it.
-std::optional<Error> misnamed(const script::Program& program, const Act& act) {
-  if (act.topic.empty())
-    return {};
-  const auto id = program.topic(act.topic);
-  if (id == script::no_id)
-    return Error{ErrorKind::range,
-                 "there is no topic '" + act.topic + "' for this frame" +
-                     did_you_mean(act.topic, program.topics),
-                 {}};
-  const auto& topic = program.topics[id];
-  for (const auto& value : act.slots)
-    if (topic.slot(value.slot) == script::no_id)
-      return Error{ErrorKind::range,
-                   "the topic '" + topic.name + "' has no slot '" + value.slot +
-                       "' for this frame" +
-                       did_you_mean(value.slot, topic.slots),
-                   {}};
-  return {};
 }
 
 } // namespace

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "script/dialogue/agenda/steps.hpp"
+#include "script/dialogue/topics/misnamed.hpp"
 #include "script/dialogue/topics/questions.hpp"
 
 namespace parlour::dialogue {
@@ -117,7 +118,14 @@ void TopicEngine::offer(std::string command, Value parameter, Step otherwise) {
 }
 
 void TopicEngine::topic_act(Step& step) {
-  if (consumed(step.offered) || answer_to_question(step))
+  if (consumed(step.offered))
+    return;
+  // Who was offered it might have known the name.
+  if (const auto error = misnamed(*context_.program, *step.act)) {
+    context_.script_failed(*error, step.turn);
+    return;
+  }
+  if (answer_to_question(step))
     return;
   complete_by_answer(step);
   if (step.act->elliptical && !step.act->alternatives.empty()) {

@@ -9,7 +9,7 @@ TEST(ReactionCompiler, takes_both_forms_and_spells_names_as_the_roles_do) {
   const auto outcome = test::compile_declarations(
       "<handler name='h'><messages><component><record><bufferFull/></record>"
       "<on source='*' event='Failed'/></component>"
-      "<on source='Record' event='BufferFull'/></messages></handler>");
+      "<on source='asr' event='partial'/></messages></handler>");
   ASSERT_TRUE(outcome.program) << outcome.lines.at(0);
   EXPECT_THAT(outcome.lines, testing::IsEmpty());
   const auto& reactions = outcome.program->handlers.at(0).reactions;
@@ -18,7 +18,8 @@ TEST(ReactionCompiler, takes_both_forms_and_spells_names_as_the_roles_do) {
   EXPECT_EQ(reactions[0].event, "BufferFull");
   EXPECT_EQ(reactions[1].source, "*");
   EXPECT_EQ(reactions[1].event, "Failed");
-  EXPECT_EQ(reactions[2].event, "BufferFull");
+  EXPECT_EQ(reactions[2].source, "ASR");
+  EXPECT_EQ(reactions[2].event, "Partial");
 }
 
 TEST(ReactionCompiler, knows_the_settings_components_and_agents) {

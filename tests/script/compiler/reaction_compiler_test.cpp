@@ -9,7 +9,7 @@ TEST(ReactionCompiler, takes_both_forms_and_spells_names_as_the_roles_do) {
   const auto outcome = test::compile_declarations(
       "<handler name='h'><messages><component><record><bufferFull/></record>"
       "<on source='*' event='Failed'/></component>"
-      "<on source='asr' event='partial'/></messages></handler>");
+      "<on source='ASR' event='Partial'/></messages></handler>");
   ASSERT_TRUE(outcome.program) << outcome.lines.at(0);
   EXPECT_THAT(outcome.lines, testing::IsEmpty());
   const auto& reactions = outcome.program->handlers.at(0).reactions;

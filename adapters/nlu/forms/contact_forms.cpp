@@ -24,12 +24,6 @@ std::string written_digits(std::string_view word) {
   return digits;
 }
 
-std::size_t repeats(FormReader& reader) {
-  if (reader.skip("double"))
-    return 2;
-  return reader.skip("triple") ? 3 : 1;
-}
-
 // "double five", "nine", "9123"; empty where no digit comes.
 std::string next_digits(FormReader& reader) {
   const auto start = reader.position();

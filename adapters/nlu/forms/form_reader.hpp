@@ -94,6 +94,14 @@ private:
   std::size_t at_;
 };
 
+// "double" and "triple" in front of a digit: how often it is meant.
+std::size_t repeats(FormReader& reader);
+
+// A number as its digits are said, one by one ("four seven one one", "double
+// four seven") or by two ("forty seven eleven"); one of two digits only where
+// nothing else is said. Nothing where it is a sum, as most numbers are.
+std::optional<std::int64_t> spelled_number(FormReader& reader);
+
 // One function for each form; the table is in normal_forms.cpp.
 std::optional<FormAt> time_form(FormReader reader, Now now);
 std::optional<FormAt> date_form(FormReader reader, Now now);

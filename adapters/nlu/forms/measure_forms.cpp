@@ -274,6 +274,8 @@ std::optional<Value> plain_number(FormReader& reader) {
 } // namespace
 
 std::optional<FormAt> number_form(FormReader reader, Now) {
+  if (const auto spelled = spelled_number(reader))
+    return reader.form(*spelled, true);
   const bool negative = reader.skip_any({"minus", "negative"});
   const auto number = plain_number(reader);
   if (!number)

@@ -1,5 +1,6 @@
 #include "adapters/nlu/grammar/utterance.hpp"
 
+#include "adapters/nlu/text/negation.hpp"
 #include "adapters/nlu/text/words.hpp"
 
 namespace parlour::adapters::nlu {
@@ -54,6 +55,18 @@ double Utterance::weight_of(std::size_t first, std::size_t last) const {
   return sum;
 }
 
+bool Utterance::is_negated(std::size_t begin) const {
+  for (auto at = begin; at > 0; --at) {
+    if (tokens.list[at].before != Break::none)
+      return false;
+    if (negates[at - 1])
+      return true;
+    if (!filler[at - 1] && !is_linking_word(tokens.list[at - 1].word))
+      return false;
+  }
+  return false;
+}
+
 Utterance make_utterance(std::string_view text, const Automaton& automaton) {
   Utterance made;
   made.text = text;
@@ -61,6 +74,7 @@ Utterance make_utterance(std::string_view text, const Automaton& automaton) {
   const auto size = made.size();
   made.filler.resize(size);
   mark_fillers(made);
+  made.negates = negations(made.tokens);
   for (std::size_t at = 0; at < size; ++at) {
     const auto& word = made.tokens.list[at].word;
     made.words.push_back(automaton.word(word));

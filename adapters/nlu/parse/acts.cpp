@@ -26,6 +26,7 @@ struct Group {
   std::vector<Fill> fills;
   std::vector<Fill> denied;
   bool corrects = false; // began with "no"
+  bool negated = false;  // "do not …"
   bool leads_in = false; // "how about"
   bool only_bare = true;
   std::uint32_t begin = 0;
@@ -44,6 +45,7 @@ public:
     close();
     if (marker_)
       add_generic(*marker_);
+    drop_negated();
     drop_doubtful(acts_, chain, utterance_, context_);
     drop_courtesies();
     return std::move(acts_);
@@ -62,8 +64,11 @@ private:
       add_other(island);
   }
 
-  // "no, no": the later one counts.
+  // "no, no": the later one counts. "I cannot find a bank" denies nothing.
   void add_marker(const Island& island) {
+    if (island.denies && island.end - island.begin == 1 &&
+        !utterance_.negates[island.begin])
+      return;
     if (!marker_ || island.denies || !marker_->denies)
       marker_ = &island;
   }
@@ -85,17 +90,35 @@ private:
 
   void add_content(const ChainLink& link) {
     const auto& island = *link.island;
-    if (!open_ || !continues(link))
+    if (!open_ || is_negated(island) != group_.negated || !continues(link))
       begin_group(link);
     if (!island.act.empty() && group_.act.empty())
       group_.act = island.act;
-    group_.only_bare = group_.only_bare && (island.rule->bare || island.asked);
-    auto& fills = marker_ && marker_->denies ? group_.denied : group_.fills;
+    group_.only_bare = group_.only_bare && is_value(island);
+    const bool denied =
+        denies() || (is_value(island) && utterance_.is_negated(island.begin));
+    auto& fills = denied ? group_.denied : group_.fills;
     for (const auto& fill : island.fills)
       put(fills, fill);
     group_.end = island.end;
     marker_ = nullptr;
     lead_in_ = nullptr;
+  }
+
+  static bool is_value(const Island& island) {
+    return island.rule->bare || island.asked;
+  }
+
+  // "not the blue one"
+  bool denies() const {
+    return marker_ && marker_->denies;
+  }
+
+  // An order that is turned round; a value that is denied is another matter.
+  bool is_negated(const Island& island) const {
+    const bool names_value =
+        is_value(island) || (denies() && !island.fills.empty());
+    return !names_value && utterance_.is_negated(island.begin);
   }
 
   // Whether this island goes on with what the group says.
@@ -125,9 +148,11 @@ private:
     close();
     group_ = {};
     group_.topic = link.topic;
+    group_.negated = is_negated(*link.island);
     group_.corrects =
         marker_ && !changes_topic(link.topic) && link.island->act != "request";
-    if (marker_ && link.island->act == "request" && acts_.empty())
+    if (marker_ && link.island->act == "request" && acts_.empty() &&
+        !group_.negated)
       add_generic(*std::exchange(marker_, nullptr));
     group_.leads_in = lead_in_ != nullptr;
     group_.begin = marker_    ? marker_->begin
@@ -155,12 +180,18 @@ private:
       return;
     open_ = false;
     BuiltAct act;
+    act.negated = group_.negated;
+    act.begin = group_.begin;
+    act.end = group_.end;
+    if (group_.negated) {
+      act.act = "deny";
+      acts_.push_back(std::move(act));
+      return;
+    }
     act.topic = group_.topic;
     act.act = act_of_group();
     act.fills = group_.fills.empty() ? group_.denied : group_.fills;
     act.elliptical = is_elliptical();
-    act.begin = group_.begin;
-    act.end = group_.end;
     acts_.push_back(std::move(act));
   }
 
@@ -180,6 +211,13 @@ private:
       return true;
     return group_.act.empty() &&
            (group_.leads_in || schema_.at(group_.topic).enquiry);
+  }
+
+  // "I don't want tea, I want coffee": what is wanted counts.
+  void drop_negated() {
+    if (std::ranges::any_of(
+            acts_, [](const BuiltAct& act) { return act.topic != no_topic; }))
+      std::erase_if(acts_, [](const BuiltAct& act) { return act.negated; });
   }
 
   void drop_courtesies() {

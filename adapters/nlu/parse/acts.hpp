@@ -16,6 +16,7 @@ struct BuiltAct {
   TopicNumber topic = no_topic;
   std::vector<Fill> fills; // one for each slot
   bool elliptical = false;
+  bool negated = false;    // a "deny" of what was not to be done
   std::uint32_t begin = 0; // tokens
   std::uint32_t end = 0;
   double score = 0; // share understood and bonus; may be above 1

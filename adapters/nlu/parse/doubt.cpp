@@ -102,7 +102,8 @@ private:
     if (is_plain(act, "confirm"))
       return leaves_words() || is_asked(act);
     // "not bad" is no refusal.
-    return is_plain(act, "deny") && has(denials_, act.begin) && leaves_words();
+    return is_plain(act, "deny") && !act.negated && has(denials_, act.begin) &&
+           leaves_words();
   }
 
   // Words that nothing has understood, but those of the question.

@@ -93,7 +93,10 @@ void Matcher::step(std::size_t position, const Item& item) {
 }
 
 // A token that the rule does not have is passed over at a cost.
+// Never over what turns the rest round.
 void Matcher::skip(std::size_t position, const Item& item) {
+  if (utterance_.negates[position])
+    return;
   auto next = item;
   if (utterance_.filler[position])
     next.score -= 0.02F;

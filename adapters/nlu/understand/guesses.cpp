@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "adapters/nlu/text/negation.hpp"
+
 namespace parlour::adapters::nlu {
 
 namespace {
@@ -106,6 +108,24 @@ double bonus_of(const BuiltAct& act, const Context& context) {
   return context.bonus(act.topic) + (asked ? asked_bonus : 0);
 }
 
+// Not even one word that means something by itself.
+bool means_nothing(const Utterance& utterance) {
+  for (std::size_t at = 0; at < utterance.size(); ++at)
+    if (!utterance.function[at] && !utterance.filler[at])
+      return false;
+  return true;
+}
+
+// Of what was not to be done.
+BuiltAct refusal(const Utterance& utterance, double score) {
+  BuiltAct act;
+  act.act = "deny";
+  act.negated = true;
+  act.end = static_cast<std::uint32_t>(utterance.size());
+  act.score = score;
+  return act;
+}
+
 } // namespace
 
 std::vector<BuiltAct> guessed_acts(const Learned& learned,
@@ -113,7 +133,7 @@ std::vector<BuiltAct> guessed_acts(const Learned& learned,
                                    const Schema& schema, const Context& context,
                                    double threshold) {
   std::vector<BuiltAct> acts;
-  if (learned.empty() || utterance.size() == 0)
+  if (learned.empty() || means_nothing(utterance))
     return acts;
   const auto words = learning_words(utterance, spans);
   auto topics = learned.topics(words);
@@ -125,7 +145,10 @@ std::vector<BuiltAct> guessed_acts(const Learned& learned,
     if (features.empty())
       features = word_features(words);
     BuiltAct act;
-    act.act = schema.at(guess.topic).enquiry ? "request" : "inform";
+    const bool enquiry = schema.at(guess.topic).enquiry;
+    if (is_negated_order(utterance.tokens, utterance.negates))
+      return {refusal(utterance, guess.probability)};
+    act.act = enquiry ? "request" : "inform";
     act.topic = guess.topic;
     act.fills = SlotFiller(utterance, spans, schema, guess.topic)
                     .run(learned.slots(guess.topic, features));

@@ -113,6 +113,25 @@ TEST(Doubt, LetsAQuestionGoBeforeAYes) {
             "request Facility Category=bank");
 }
 
+// What is not to be done is not done, whatever the order is.
+TEST(Doubt, CarriesOutNoOrderThatIsTurnedRound) {
+  for (const auto* text :
+       {"do not book a taxi", "please don't book a taxi",
+        "never book a taxi", "I don't want to book a taxi",
+        "don't you dare book a taxi", "you must not book a taxi",
+        "I do not want a taxi to the airport"})
+    EXPECT_EQ(understood({"", text, ""}), "deny") << text;
+  for (const auto* text :
+       {"don't forget to book a taxi", "why don't you book a taxi",
+        "can't you book a taxi"})
+    EXPECT_THAT(understood({"", text, ""}), testing::HasSubstr("Taxi")) << text;
+}
+
+TEST(Doubt, TakesNoYesWithANegatedOrder) {
+  EXPECT_EQ(understood({"", "yes, don't book a taxi", ""}), "");
+  EXPECT_EQ(understood({"", "ok, never book a taxi", ""}), "");
+}
+
 TEST(Doubt, CancelsNothingThatIsNotToBeCancelled) {
   for (const auto* text : {"do not cancel it", "please don't start over",
                            "don't cancel everything", "never stop"})

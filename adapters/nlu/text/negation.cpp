@@ -1,0 +1,101 @@
+#include "adapters/nlu/text/negation.hpp"
+
+#include <unordered_set>
+
+namespace parlour::adapters::nlu {
+
+namespace {
+
+using Words = std::unordered_set<std::string_view>;
+
+// "I could not find …" still wants it; "did not" tells of the past.
+const Words& no_orders() {
+  static const Words words{"can",  "could", "did", "does", "was", "were",
+                           "have", "has",   "had", "why",  "if"};
+  return words;
+}
+
+// With one of them behind it, it asks: "do you not", "is it not".
+const Words& subjects() {
+  static const Words words{"you", "i",  "we",   "there",
+                           "it",  "he", "they", "she"};
+  return words;
+}
+
+// Not to do one of these is no order about anything else.
+const Words& states_of_mind() {
+  static const Words words{
+      "know",   "care",     "mind", "forget", "hesitate", "worry", "understand",
+      "matter", "remember", "see",  "hear",   "have",     "get",   "got",
+      "find",   "only",     "sure", "feel",   "work",     "mean",  "believe"};
+  return words;
+}
+
+class Negations {
+public:
+  explicit Negations(const Tokens& tokens) : tokens_(tokens.list) {}
+
+  bool at(std::size_t token) const {
+    const auto here = word(token);
+    if (here != "not" && here != "never")
+      return false;
+    if (no_orders().contains(word(token - 1)) || word(token + 1) == "mind")
+      return false;
+    return !subjects().contains(word(token + 1)) || word(token + 2) == "dare";
+  }
+
+  // The first word behind it that does not only link.
+  std::string_view object(std::size_t token) const {
+    do
+      ++token;
+    while (is_linking_word(word(token)) && word(token) != "have");
+    return word(token);
+  }
+  bool is_order(std::size_t token) const {
+    const auto before = word(token - 1);
+    return word(token) == "never" || before == "do" || before == "please" ||
+           before == "must" || before == "should";
+  }
+  bool turns_round(std::size_t token) const {
+    const auto what = object(token);
+    return is_order(token) && !what.empty() && !states_of_mind().contains(what);
+  }
+
+private:
+  // Empty in front of the first and behind the last.
+  std::string_view word(std::size_t token) const {
+    return token < tokens_.size() ? std::string_view(tokens_[token].word)
+                                  : std::string_view();
+  }
+
+  const std::vector<Token>& tokens_;
+};
+
+} // namespace
+
+std::vector<bool> negations(const Tokens& tokens) {
+  const Negations negations(tokens);
+  std::vector<bool> found;
+  for (std::size_t token = 0; token < tokens.list.size(); ++token)
+    found.push_back(negations.at(token));
+  return found;
+}
+
+bool is_linking_word(std::string_view word) {
+  static const Words words{"want", "need",   "like", "wish", "think",  "to",
+                           "ever", "even",   "let",  "dare", "really", "you",
+                           "i",    "we",     "us",   "me",   "the",    "a",
+                           "an",   "any",    "my",   "your", "have",   "going",
+                           "try",  "please", "be"};
+  return words.contains(word);
+}
+
+bool is_negated_order(const Tokens& tokens, const std::vector<bool>& negates) {
+  const Negations negations(tokens);
+  for (std::size_t token = 0; token < negates.size(); ++token)
+    if (negates[token] && negations.turns_round(token))
+      return true;
+  return false;
+}
+
+} // namespace parlour::adapters::nlu

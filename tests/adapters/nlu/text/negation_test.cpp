@@ -1,0 +1,53 @@
+#include <gtest/gtest.h>
+
+#include "adapters/nlu/text/negation.hpp"
+
+namespace parlour::adapters::nlu {
+namespace {
+
+bool negates(const char* text) {
+  const auto tokens = tokenize(text);
+  const auto found = negations(tokens);
+  return std::find(found.begin(), found.end(), true) != found.end();
+}
+
+bool is_order(const char* text) {
+  const auto tokens = tokenize(text);
+  return is_negated_order(tokens, negations(tokens));
+}
+
+TEST(Negation, TurnsOrdersRound) {
+  for (const auto* text :
+       {"do not open the door", "don't open the door", "Please don't open it",
+        "never open the door", "you must not open it",
+        "I don't want to open it", "you shouldn't open the door",
+        "don't you dare open the door", "the light is not on",
+        "please do not ever open it"})
+    EXPECT_TRUE(negates(text)) << text;
+}
+
+TEST(Negation, AsksAndTellsWithoutIt) {
+  for (const auto* text :
+       {"why not open the door", "isn't there a bank", "can't I open the door",
+        "don't you have a bank here", "I could not find the bank",
+        "I didn't find it", "it does not work", "never mind", "no, open it",
+        "I have never been here"})
+    EXPECT_FALSE(negates(text)) << text;
+}
+
+TEST(Negation, AnOrderAsAWhole) {
+  for (const auto* text :
+       {"please don't launch the rocket", "do not launch it",
+        "never launch the rocket", "I do not want to launch the rocket",
+        "you should not launch it"})
+    EXPECT_TRUE(is_order(text)) << text;
+  for (const auto* text :
+       {"launch the rocket", "don't forget to launch the rocket",
+        "do not hesitate to launch", "I do not know how to launch it",
+        "I don't have a ticket", "I don't care, launch it",
+        "my card is not working", "please don't"})
+    EXPECT_FALSE(is_order(text)) << text;
+}
+
+} // namespace
+} // namespace parlour::adapters::nlu

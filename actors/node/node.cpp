@@ -209,7 +209,7 @@ std::string Node::state(const SessionId& session) {
 
 std::string Node::masked(const std::string& text) const {
   const auto& discretion = implementation_->house.services().discretion;
-  return discretion ? discretion->masked(text) : text;
+  return discretion ? discretion->masked_afterwards(text) : text;
 }
 
 bool Node::is_private(const std::string& words) const {

@@ -10,6 +10,7 @@ namespace {
 constexpr std::size_t most_held = 10'000;
 constexpr std::size_t most_ended = 100;
 constexpr std::size_t most_words = 1'000;
+constexpr std::size_t most_heard = 1'000; // of one turn
 
 constexpr const char* to_session = "session";
 
@@ -76,6 +77,9 @@ void Discretion::pass(const Message& message, const std::string& way) {
   auto& session = sessions_[message.session];
   session.is_open = true;
   session.opened = message.number;
+  if (session.heard.size() < most_heard)
+    for (const auto& param : message.params)
+      collect_texts(param, session.heard);
 }
 
 // What was heard and goes elsewhere than to its session is understood by
@@ -109,22 +113,18 @@ void Discretion::show_held(Session& session) {
     secrets.add(words_of_turn(session));
   for (auto& seen : std::exchange(session.held, {}))
     show_masked(std::move(seen), secrets);
+  session.heard.clear();
   session.is_open = session.hides_turn = false;
 }
 
 // All that was heard, and other ways to hear it.
-Secrets Discretion::words_of_turn(const Session& session) {
-  std::vector<std::string> texts;
-  for (const auto& seen : session.held)
-    if (seen.message && is_heard_(*seen.message))
-      for (const auto& param : seen.message->params)
-        collect_texts(param, texts);
+Secrets Discretion::words_of_turn(Session& session) {
   Secrets secrets;
-  for (auto& text : texts) {
+  for (auto& text : session.heard) {
     secrets.add(text);
     words_.insert(std::move(text));
   }
-  if (words_.size() > most_words)
+  while (words_.size() > most_words)
     words_.erase(words_.begin());
   return secrets;
 }
@@ -147,6 +147,15 @@ std::string Discretion::masked(const std::string& text) const {
     if (!session.secrets.empty())
       shown = session.secrets.masked(shown);
   return shown;
+}
+
+std::string Discretion::masked_afterwards(const std::string& text) const {
+  const auto shown = masked(text);
+  const std::lock_guard lock(mutex_);
+  Secrets heard;
+  for (const auto& words : words_)
+    heard.add(words);
+  return heard.masked(shown);
 }
 
 bool Discretion::is_private(const std::string& words) const {

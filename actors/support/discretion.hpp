@@ -45,21 +45,25 @@ public:
   void show(Inspection seen);
   // As it may be shown, from whatever session it is.
   std::string masked(const std::string& text) const;
+  // The same of what is told of a conversation when it is over: without all
+  // that was heard in private turns, too.
+  std::string masked_afterwards(const std::string& text) const;
   // Whether a user's words are not to be kept.
   bool is_private(const std::string& words) const;
 
 private:
   struct Session {
     Secrets secrets;
-    bool is_open = false;     // somebody was heard, and is not understood
-    std::uint64_t opened = 0; // the number of the last that was heard
-    bool hides_turn = false;  // a private slot was filled or asked for
+    bool is_open = false;           // somebody was heard, and is not understood
+    std::uint64_t opened = 0;       // the number of the last that was heard
+    bool hides_turn = false;        // a private slot was filled or asked for
+    std::vector<std::string> heard; // since it is open
     std::vector<Inspection> held;
   };
 
   void show_held(Session& session);
   void show_masked(Inspection seen, const Secrets& secrets) const;
-  Secrets words_of_turn(const Session& session);
+  Secrets words_of_turn(Session& session);
   void drop_oldest();
 
   const Show show_;

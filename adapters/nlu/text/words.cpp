@@ -73,76 +73,78 @@ constexpr std::array<std::string_view, 27> fillers{
     "perhaps",   "just",
     "basically"};
 
-const std::unordered_map<std::string_view, std::string_view>& contractions() {
-  static const std::unordered_map<std::string_view, std::string_view> table{
-      {"i'm", "i am"},
-      {"im", "i am"},
-      {"i'd", "i would"},
-      {"i'll", "i will"},
-      {"i've", "i have"},
-      {"ive", "i have"},
-      {"you're", "you are"},
-      {"you'd", "you would"},
-      {"we're", "we are"},
-      {"we'd", "we would"},
-      {"we've", "we have"},
-      {"they're", "they are"},
-      {"he's", "he is"},
-      {"she's", "she is"},
-      {"it's", "it is"},
-      {"its", "it is"},
-      {"that's", "that is"},
-      {"thats", "that is"},
-      {"there's", "there is"},
-      {"theres", "there is"},
-      {"here's", "here is"},
-      {"what's", "what is"},
-      {"whats", "what is"},
-      {"where's", "where is"},
-      {"wheres", "where is"},
-      {"who's", "who is"},
-      {"whos", "who is"},
-      {"how's", "how is"},
-      {"hows", "how is"},
-      {"when's", "when is"},
-      {"let's", "let us"},
-      {"lets", "let us"},
-      {"can't", "can not"},
-      {"cant", "can not"},
-      {"cannot", "can not"},
-      {"don't", "do not"},
-      {"dont", "do not"},
-      {"doesn't", "does not"},
-      {"didn't", "did not"},
-      {"won't", "will not"},
-      {"isn't", "is not"},
-      {"aren't", "are not"},
-      {"wasn't", "was not"},
-      {"gonna", "going to"},
-      {"wanna", "want to"},
-      {"name's", "name is"},
-      {"mustn't", "must not"},
-      {"mustnt", "must not"},
-      {"shouldn't", "should not"},
-      {"shouldnt", "should not"},
-      {"wouldn't", "would not"},
-      {"wouldnt", "would not"},
-      {"couldn't", "could not"},
-      {"couldnt", "could not"},
-      {"needn't", "need not"},
-      {"neednt", "need not"},
-      {"shan't", "shall not"},
-      {"haven't", "have not"},
-      {"havent", "have not"},
-      {"hasn't", "has not"},
-      {"weren't", "were not"},
-      {"doesnt", "does not"},
-      {"didnt", "did not"},
-      {"isnt", "is not"},
-      {"arent", "are not"},
-      {"wasnt", "was not"}};
-  return table;
-}
+struct Contraction {
+  std::string_view word;
+  std::string_view meant;
+};
+constexpr Contraction contractions[] = {
+    {"i'm", "i am"},
+    {"im", "i am"},
+    {"i'd", "i would"},
+    {"i'll", "i will"},
+    {"i've", "i have"},
+    {"ive", "i have"},
+    {"you're", "you are"},
+    {"you'd", "you would"},
+    {"we're", "we are"},
+    {"we'd", "we would"},
+    {"we've", "we have"},
+    {"they're", "they are"},
+    {"he's", "he is"},
+    {"she's", "she is"},
+    {"it's", "it is"},
+    {"its", "it is"},
+    {"that's", "that is"},
+    {"thats", "that is"},
+    {"there's", "there is"},
+    {"theres", "there is"},
+    {"here's", "here is"},
+    {"what's", "what is"},
+    {"whats", "what is"},
+    {"where's", "where is"},
+    {"wheres", "where is"},
+    {"who's", "who is"},
+    {"whos", "who is"},
+    {"how's", "how is"},
+    {"hows", "how is"},
+    {"when's", "when is"},
+    {"let's", "let us"},
+    {"lets", "let us"},
+    {"can't", "can not"},
+    {"cant", "can not"},
+    {"cannot", "can not"},
+    {"don't", "do not"},
+    {"dont", "do not"},
+    {"doesn't", "does not"},
+    {"didn't", "did not"},
+    {"won't", "will not"},
+    {"isn't", "is not"},
+    {"aren't", "are not"},
+    {"wasn't", "was not"},
+    {"gonna", "going to"},
+    {"wanna", "want to"},
+    {"name's", "name is"},
+    {"mustn't", "must not"},
+    {"mustnt", "must not"},
+    {"shouldn't", "should not"},
+    {"shouldnt", "should not"},
+    {"wouldn't", "would not"},
+    {"wouldnt", "would not"},
+    {"couldn't", "could not"},
+    {"couldnt", "could not"},
+    {"needn't", "need not"},
+    {"neednt", "need not"},
+    {"shan't", "shall not"},
+    {"haven't", "have not"},
+    {"havent", "have not"},
+    {"hasn't", "has not"},
+    {"weren't", "were not"},
+    {"doesnt", "does not"},
+    {"didnt", "did not"},
+    {"isnt", "is not"},
+    {"arent", "are not"},
+    {"wasnt", "was not"},
+};
 
 } // namespace
 
@@ -188,8 +190,14 @@ std::span<const std::string_view> filler_phrases() {
 }
 
 std::string_view contraction(std::string_view word) {
-  const auto found = contractions().find(word);
-  return found == contractions().end() ? std::string_view() : found->second;
+  static const auto table = [] {
+    std::unordered_map<std::string_view, std::string_view> made;
+    for (const auto& [written, meant] : contractions)
+      made.emplace(written, meant);
+    return made;
+  }();
+  const auto found = table.find(word);
+  return found == table.end() ? std::string_view() : found->second;
 }
 
 } // namespace parlour::adapters::nlu

@@ -63,10 +63,32 @@ void TopicEngine::take_act(Step& step) {
   context_.turns.let_go(step.turn);
   no_input_ = 0;
   refused_.reset();
+  conceal_values(*step.act);
   if (std::exchange(turn_, step.turn) != step.turn)
     said_before_ = output_.spoken();
   if (context_.states.pushed() || !answer_to_question(step))
     offer_act(step);
+}
+
+// Before anybody is told of them, whatever becomes of the act. Where it names
+// no topic, they may be any one's.
+void TopicEngine::conceal_values(const Act& act) {
+  const auto& topics = context_.program->topics;
+  for (TopicId id = 0; id < topics.size(); ++id)
+    for (const auto& said : act.slots) {
+      const auto slot = topics[id].slot(said.slot);
+      if (slot == script::no_id ||
+          !(act.topic.empty() || topics[id].name == act.topic))
+        continue;
+      FrameChange change;
+      change.slot = slot;
+      change.value = said.value;
+      change.candidates = said.candidates;
+      change.text = said.text;
+      context_.conceal(id, {&change, 1});
+    }
+  for (const auto& other : act.alternatives)
+    conceal_values(other);
 }
 
 void TopicEngine::offer_act(Step& step) {

@@ -281,6 +281,7 @@ private:
   List names_said_before(SlotId asked) const;
   const std::string& narrowing_grammar(const ClassifierContext& context) const;
   void note_what_was_said(const Step& step);
+  void conceal_values(const Act& act);
   void run_body(CodeId code, TopicId topic, SlotId slot, TurnId turn,
                 StepList& steps) const;
 

@@ -63,6 +63,19 @@ TEST_F(DiscretionTest, ShowsWhatWasSaidWhenItIsUnderstood) {
   EXPECT_THAT(shown(), ElementsAre("ASR.Says(hello)", "greeting"));
 }
 
+// Who looks when all is over has held nothing back.
+TEST_F(DiscretionTest, MasksAPrivateTurnAfterwards) {
+  discretion.pass(message("ASR", "one to three", 1), "session");
+  discretion.conceal_turn("s");
+  discretion.pass(message("ASR", "one two three four", 2), "session");
+  discretion.settled("s", 2);
+  EXPECT_EQ(discretion.masked_afterwards("heard: one to three"), "heard: ***");
+  EXPECT_EQ(discretion.masked("heard: one to three"), "heard: one to three");
+  discretion.pass(message("ASR", "good day", 3), "session");
+  discretion.settled("s", 3);
+  EXPECT_EQ(discretion.masked_afterwards("good day"), "good day");
+}
+
 TEST_F(DiscretionTest, MasksAllThatWasHeardOfAPrivateTurn) {
   see(message("ASR", "one to three", 1));
   see(message("ASR", "one two three four", 2));

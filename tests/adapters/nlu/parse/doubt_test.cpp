@@ -116,10 +116,9 @@ TEST(Doubt, LetsAQuestionGoBeforeAYes) {
 // What is not to be done is not done, whatever the order is.
 TEST(Doubt, CarriesOutNoOrderThatIsTurnedRound) {
   for (const auto* text :
-       {"do not book a taxi", "please don't book a taxi",
-        "never book a taxi", "I don't want to book a taxi",
-        "don't you dare book a taxi", "you must not book a taxi",
-        "I do not want a taxi to the airport"})
+       {"do not book a taxi", "please don't book a taxi", "never book a taxi",
+        "I don't want to book a taxi", "don't you dare book a taxi",
+        "you must not book a taxi", "I do not want a taxi to the airport"})
     EXPECT_EQ(understood({"", text, ""}), "deny") << text;
   for (const auto* text :
        {"don't forget to book a taxi", "why don't you book a taxi",

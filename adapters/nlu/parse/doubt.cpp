@@ -46,6 +46,8 @@ public:
   }
 
   void run() {
+    if (std::erase_if(acts_, [&](auto& act) { return takes_back(act); }) > 0)
+      std::erase_if(acts_, [](auto& act) { return is_plain(act, "confirm"); });
     if (std::erase_if(acts_, [&](auto& act) { return is_denied(act); }) > 0)
       std::erase_if(acts_, [](auto& act) { return is_plain(act, "deny"); });
     const bool contradicts = any("confirm") && (any("deny") || any("correct"));
@@ -86,6 +88,24 @@ private:
   bool any(std::string_view name) const {
     return std::ranges::any_of(acts_,
                                [&](auto& act) { return is_plain(act, name); });
+  }
+
+  // "Did you say blue?" "Yes, blue, don't book it.": the value that is asked
+  // about, with a no somewhere.
+  bool takes_back(const BuiltAct& act) const {
+    return !context_.confirms.empty() && act.topic != no_topic &&
+           act.act != "deny" && !act.fills.empty() &&
+           (any("deny") || has(utterance_.negates, true)) &&
+           std::ranges::all_of(act.fills, [&](const Fill& fill) {
+             return is_of_question(fill);
+           });
+  }
+
+  bool is_of_question(const Fill& fill) const {
+    for (auto token = fill.begin; token < fill.end; ++token)
+      if (!has(context_.confirms, word(token)))
+        return false;
+    return true;
   }
 
   // "do not cancel it"

@@ -158,5 +158,20 @@ TEST(Doubt, TakesAYesAsAValueOnlyWhereNoQuestionWantsIt) {
   EXPECT_EQ(insured("no thanks", confirms), "deny");
 }
 
+// The value that is asked about, with a no somewhere, is none.
+TEST(Doubt, TakesNoValueThatIsTakenBack) {
+  static const auto understander = sample();
+  const auto asked = [](const char* text) {
+    auto context = *sample_context("Appointment.Time").if_map();
+    context.set("confirms", "Did you say three?");
+    return summary(understander.understand(text, Value(context)).acts);
+  };
+  EXPECT_EQ(asked("yes three not"), "deny");
+  EXPECT_THAT(asked("yes, three, don't book it"),
+              testing::Not(testing::HasSubstr("Time")));
+  EXPECT_THAT(asked("yes three"), testing::HasSubstr("Time=15:00"));
+  EXPECT_THAT(asked("not three, four"), testing::HasSubstr("Time=16:00"));
+}
+
 } // namespace
 } // namespace parlour::adapters::nlu::test

@@ -29,10 +29,9 @@ script::Performed EffectHandler::timer(Context context, Call effect) {
   timer.bytes = script::remembered(timer.arguments);
   timer.topic = context.topic;
   timer.visit = ends_with(effect.operand(4));
-  // What timers start takes time, or it would never be quiet.
-  auto after = milliseconds(effect.operand(1));
-  if (effect.operand(2) || origin.timer != script::no_code)
-    after = std::max(after, Milliseconds(1));
+  // Where timers lead to timers, by whatever way, time passes: else it would
+  // never be quiet.
+  const auto after = std::max(milliseconds(effect.operand(1)), Milliseconds(1));
   if (effect.operand(2))
     timer.every = after;
   timer.due = context_.now + after.count();

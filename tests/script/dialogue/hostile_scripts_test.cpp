@@ -157,6 +157,10 @@ const Hostile scripts[] = {
     {"timer_of_no_time",
      "<function name='f'><timer name='t' after='0s'><call function='f'/>"
      "</timer></function>" ON_RING("<call function='f'/>")},
+    {"timer_that_leads_to_its_own_state",
+     STATE("S", "<Entrance><timer name='t' after='0s'><transit state='S'/>"
+                "</timer></Entrance>"),
+     "S"},
     {"timers_that_start_each_other",
      "<function name='f'><timer name='a' after='0s'><timer name='b' "
      "after='0s'><call function='f'/></timer></timer></function>" ON_RING(

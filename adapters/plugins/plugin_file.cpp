@@ -10,6 +10,7 @@
 
 #include <dlfcn.h>
 
+#include "adapters/plugins/shared_object.hpp"
 #include "runtime/plugin/export.hpp"
 
 namespace parlour::adapters {
@@ -74,6 +75,8 @@ Expected<void*> map_copy(const fs::path& file) {
   std::error_code code;
   if (!fs::copy_file(file, copy, code))
     return unusable(file, code.message());
+  if (is_cut_off(copy))
+    return unusable(file, "it is cut off; copy or build it again");
   auto* library = dlopen(copy.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (!library)
     return unusable(file, loader_error(copy, file) +

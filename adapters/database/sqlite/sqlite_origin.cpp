@@ -33,6 +33,15 @@ std::string mark_in(const fs::path& file) {
   return mark;
 }
 
+// Nothing that was put aside before is lost.
+std::string free_name(const std::string& wanted) {
+  auto name = wanted;
+  std::error_code ignored;
+  for (int count = 2; fs::exists(name, ignored); ++count)
+    name = wanted + "-" + std::to_string(count);
+  return name;
+}
+
 } // namespace
 
 Expected<void> note_origin(const SQLiteOptions& options) {
@@ -56,13 +65,12 @@ Expected<void> put_aside(const fs::path& file) {
   std::error_code ignored;
   if (!fs::exists(file, ignored))
     return {};
-  const auto aside = file.string() + ".before";
+  const auto aside = free_name(file.string() + ".before");
   for (const auto* ending : {"", "-wal", "-shm", "-journal", mark_ending}) {
     const auto from = file.string() + ending;
     const auto to = aside + ending;
     std::error_code error;
-    fs::remove(to, error);
-    if (!error && fs::exists(from, error))
+    if (fs::exists(from, error))
       fs::rename(from, to, error);
     if (error)
       return fail(ErrorKind::file,

@@ -14,8 +14,9 @@ Expected<void> note_origin(const SQLiteOptions& options);
 // False where nobody knows.
 bool has_other_origin(const SQLiteOptions& options);
 
-// Away from its place, with what belongs to it: to FILE.before, in the place of
-// what was there. Nothing happens where there is none.
+// Away from its place, with what belongs to it: to FILE.before, or to
+// FILE.before-2 and so on where that is there. Nothing happens where there is
+// none.
 Expected<void> put_aside(const std::filesystem::path& file);
 
 } // namespace parlour::adapters

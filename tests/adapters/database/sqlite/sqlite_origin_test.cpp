@@ -65,6 +65,12 @@ TEST_F(SQLiteOriginTest, KeepsWhatWasPutAside) {
   ASSERT_TRUE(start(with(file_options(), "file", "staff.db.before")));
   EXPECT_EQ(query("select count(*) from staff"), "Result([4])");
   plugin->stop();
+  start_again();
+  EXPECT_TRUE(put_aside(folder.path() / "data/staff.db"));
+  EXPECT_TRUE(folder.has("data/staff.db.before-2"));
+  ASSERT_TRUE(start(with(file_options(), "file", "staff.db.before")));
+  EXPECT_EQ(query("select count(*) from staff"), "Result([4])");
+  plugin->stop();
 }
 
 } // namespace

@@ -65,7 +65,10 @@ private:
     if (!kind)
       return std::nullopt;
     result.kind = *kind;
+    const auto& topic = frame[act_key::topic];
     result.topic = string(frame, act_key::topic);
+    if (!topic.is_unknown() && !topic.if_string()) // it may not be any other's
+      return std::nullopt;
     result.text = string(frame, act_key::text);
     result.confidence = confidence(frame[act_key::confidence]);
     result.elliptical = flag(frame, act_key::elliptical);

@@ -107,8 +107,10 @@ void EffectHandler::forget(WaitId wait) {
 
 script::Performed EffectHandler::fire_frames(Context context, Call effect) {
   auto parsed = parse_acts(effect.operand(0));
+  const auto place = context_.program->place(effect.position);
   for (const auto& problem : parsed.problems)
-    context_.inspect(InspectionKind::error, "fire", problem);
+    context_.inspect(InspectionKind::error, "fire",
+                     to_string(Error{ErrorKind::range, problem, place}));
   // Who listens to Dialogue may know names that no topic has.
   for (const auto& act : parsed.acts)
     if (!reactions_.listens("Dialogue", std::string(name_of(act.kind))))

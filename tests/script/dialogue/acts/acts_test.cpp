@@ -110,7 +110,7 @@ INSTANTIATE_TEST_SUITE_P(
         Nonsense{"unknown_act", one({{"act", "sing"}}), 0, 1},
         Nonsense{"act_number", one({{"act", 3}}), 0, 1},
         Nonsense{"topic_number", one({{"topic", 3}}), 0, 1},
-        Nonsense{"confidence_text", one({{"confidence", "high"}}), 0, 1},
+        Nonsense{"confidence_text", one({{"confidence", "high"}}), 1, 1},
         Nonsense{"confidence_outside", one({{"confidence", 1.5}}), 1, 1},
         Nonsense{"slots_text", one({{"slots", "Time"}}), 1, 1},
         Nonsense{"slot_unknown", one({{"slots", Map{{"A", Value()}}}}), 1, 1},

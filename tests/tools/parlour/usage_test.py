@@ -25,7 +25,7 @@ NOWHERE = "No such file or directory"
 # One way to print something with each command that prints.
 PRINTING = (
     ("--help",), ("--version",), ("check", "broken"), ("completion", "bash"),
-    ("exec", "app"), ("format", "-"), ("plugin", "list"),
+    ("exec", "app"), ("format", "-"), ("help", "speak"), ("plugin", "list"),
     ("plugin", "new", "EchoTTS", "--role", "TTS"), ("plugin", "roles"),
     ("plugin", "test", "LogTaxi"), ("run", "app"), ("schema",),
     ("test", "app"), ("understand", "app", "hello"))
@@ -106,6 +106,9 @@ MISTAKES = (
     (("format", "file"), 1, "file:1:1: error: there is no element"),
     (("understand", "app"), 2, "TEXT is required"),
     (("completion", "fish"), 2, "fish"),
+    (("help", "speek"), 2, "nothing is called 'speek', did you mean 'speak'"),
+    (("help", "speak", "slot"), 2, "not expected: slot"),
+    (("help", "--page", "x"), 2, "x not in {index,"),
     (("component", "LogTaxi"), 2, "parlour starts this by itself"),
     (("plugin",), 2, "subcommand is required"),
     (("plugin", "roles", "tts"), 2, "did you mean 'TTS'"),

@@ -1,7 +1,6 @@
 #include "tools/parlour/cli/command_line.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <iostream>
 #include <limits>
 #include <utility>
@@ -14,10 +13,13 @@
 #include "tools/bench/benches.hpp"
 #include "tools/bench/nlu/nlu_bench.hpp"
 #include "tools/parlour/cli/commands.hpp"
+#include "tools/parlour/cli/number_option.hpp"
 #include "tools/parlour/cli/plugin_commands.hpp"
 #include "tools/parlour/console/completion.hpp"
 #include "tools/parlour/console/exit_code.hpp"
 #include "tools/parlour/plugin_template/plugin_skeleton.hpp"
+#include "tools/parlour/reference/pages.hpp"
+#include "tools/parlour/reference/reference.hpp"
 
 namespace parlour::tools {
 
@@ -41,6 +43,7 @@ public:
     add_plugin();
     add_completion();
     add_component();
+    add_help();
   }
 
   int run(std::vector<std::string> arguments) {
@@ -61,10 +64,11 @@ public:
   }
 
 private:
-  std::vector<std::string> commands() const {
+  std::vector<std::string> commands(bool hidden = true) const {
     std::vector<std::string> names;
     for (const auto* command : app_.get_subcommands(nullptr))
-      names.push_back(command->get_name());
+      if (hidden || !command->get_group().empty())
+        names.push_back(command->get_name());
     return names;
   }
   // Empty where the first word is a command or an option of the program.
@@ -135,30 +139,6 @@ private:
             },
             sentence)
         ->type_name("TIME");
-  }
-
-  // A whole number in its range, by digits alone.
-  template <class Number, class Take>
-  static void add_number(CLI::App* command, const std::string& name,
-                         std::pair<Number, Number> range, const char* sentence,
-                         Take take) {
-    command
-        ->add_option_function<std::string>(
-            name,
-            [=](const std::string& text) {
-              Number number{};
-              const auto* end = text.data() + text.size();
-              const auto read = std::from_chars(text.data(), end, number);
-              if (read.ec != std::errc() || read.ptr != end ||
-                  number < range.first || number > range.second)
-                throw CLI::ValidationError(
-                    name, "'" + text + "' is no whole number from " +
-                              std::to_string(range.first) + " to " +
-                              std::to_string(range.second));
-              take(number);
-            },
-            sentence)
-        ->type_name("NUMBER");
   }
 
   void add_run() {
@@ -333,9 +313,10 @@ private:
   void add_completion() {
     auto* command =
         add("completion", "Print a shell's completion script", [this] {
-          console_.out << completion_script(
-              app_,
-              {{"--role", component_roles()}, {"roles", component_roles()}});
+          console_.out << completion_script(app_,
+                                            {{"--role", component_roles()},
+                                             {"roles", component_roles()},
+                                             {"help", reference_names()}});
           return exit_code::well;
         });
     command->add_option("SHELL", shell_, "bash")
@@ -350,6 +331,31 @@ private:
     command->group(""); // not shown
     command->add_option("PLUGIN", component_.plugin, "Its plug-in")->required();
     command->add_option("--plugins", component_.folder, "Its file's folder");
+  }
+
+  void add_help() {
+    auto* command =
+        add("help", "Tell of an element, a function, a role or a command",
+            [this] { return help(); });
+    command->add_option("NAME", help_.name,
+                        "Such as speak, format, TTS; an attribute, an event, "
+                        "or a word to look for");
+    command->add_option("--page", help_.page, "A page of the reference")
+        ->check(CLI::IsMember(reference_pages()))
+        ->group(""); // not shown
+  }
+  // Without a name of the program; with a command's name of that.
+  int help() {
+    const auto names = commands(false);
+    const bool is_command = std::ranges::count(names, help_.name) > 0;
+    if (is_command && entries_of(help_.name).empty())
+      console_.out << app_.get_subcommand(help_.name)->help();
+    else if (!help_.page.empty() || !help_.name.empty())
+      return help_command(help_, names, console_);
+    else
+      console_.out << app_.get_formatter()->make_help(
+          &app_, "", CLI::AppFormatMode::Normal);
+    return exit_code::well;
   }
 
   static constexpr const char* exit_statuses =
@@ -380,6 +386,7 @@ private:
   std::string exec_file_;
   std::string shell_;
   ComponentOptions component_;
+  HelpOptions help_;
 };
 
 } // namespace

@@ -60,6 +60,15 @@ struct SchemaOptions {
 };
 int schema_command(const SchemaOptions& options, const Console& console);
 
+struct HelpOptions {
+  std::string name; // an element, function, role, attribute, event, or a word
+  std::string page; // of the reference; empty: none
+};
+// `commands`: those of the program, for who has misspelt one.
+int help_command(const HelpOptions& options,
+                 const std::vector<std::string>& commands,
+                 const Console& console);
+
 int exec_command(const Places& places, const std::string& file,
                  const Console& console);
 

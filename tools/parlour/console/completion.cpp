@@ -9,8 +9,9 @@ namespace {
 std::string options_of(const CLI::App& command) {
   std::string words;
   for (const auto* option : command.get_options())
-    for (const auto& name : option->get_lnames())
-      words += (words.empty() ? "--" : " --") + name;
+    if (!option->get_group().empty()) // it is shown
+      for (const auto& name : option->get_lnames())
+        words += (words.empty() ? "--" : " --") + name;
   return words;
 }
 

@@ -54,7 +54,7 @@ void report(Self self, const std::string& reason) {
   auto& [services, instance] = self->state;
   self->send(services->supervisor,
              component_failed{instance->component->name(), instance->id, reason,
-                              services->work.begin()});
+                              services->time.work.begin()});
 }
 
 void rest(Self self) {
@@ -62,7 +62,7 @@ void rest(Self self) {
   instance->door->drop_spare();
   if (instance->leaves)
     self->send(services->supervisor,
-               instance_rests{instance->id, services->work.begin()});
+               instance_rests{instance->id, services->time.work.begin()});
 }
 
 // It was given up meanwhile: nobody waits for it, and another has its place.
@@ -104,7 +104,7 @@ void start(Self self) {
   auto& [services, instance] = self->state;
   Work expected; // of who waits for the start
   Expected<void> outcome;
-  const auto called = call(self, services->clock->now(), expected,
+  const auto called = call(self, services->time.now(), expected,
                            [&, &one = *instance] { outcome = bring_up(one); });
   if (called.how != Called::How::in_time)
     return end_late(self);
@@ -112,23 +112,23 @@ void start(Self self) {
     outcome = fail(ErrorKind::settings, *called.thrown);
   self->send(services->supervisor,
              instance_started{instance->id, std::move(outcome),
-                              services->work.begin()});
+                              services->time.work.begin()});
 }
 
 void stop(Self self) {
   auto& [services, instance] = self->state;
   Work expected;
   const auto called =
-      call(self, services->clock->now(), expected, [&one = *instance] {
+      call(self, services->time.now(), expected, [&one = *instance] {
         if (one.plugin)
           one.plugin->stop();
       });
   if (called.how == Called::How::in_time) {
     if (called.thrown)
-      services->log(instance->component->name() +
-                    " did not stop well: " + *called.thrown);
+      services->observer.log(instance->component->name() +
+                             " did not stop well: " + *called.thrown);
     self->send(services->supervisor,
-               instance_stopped{instance->id, services->work.begin()});
+               instance_stopped{instance->id, services->time.work.begin()});
   }
   self->quit();
 }
@@ -141,7 +141,7 @@ bool handle(Self self, ComponentMailbox::Job job, Work& spare) {
   auto& [services, held] = self->state;
   auto& instance = *held;
   const auto& message = *job.message;
-  const auto now = services->clock->now();
+  const auto now = services->time.now();
   Called called;
   if (instance.door->gives(message, now, spare))
     called =
@@ -190,9 +190,9 @@ void call_back(Self self, const run_now& what) {
   auto& [services, instance] = self->state;
   if (!instance->door->calls_back(what.due->id()))
     return; // cancelled, or closed
-  auto work = services->work.begin();
-  const auto called = call(self, services->clock->now(), work, what.action);
-  services->due_times.remove(what.due->id());
+  auto work = services->time.work.begin();
+  const auto called = call(self, services->time.now(), work, what.action);
+  services->time.due_times.remove(what.due->id());
   if (!called.well())
     instance->component->mailbox->leave(self);
   judge(self, called);

@@ -81,7 +81,7 @@ std::vector<Message> PluginDoor::close() {
   auto messages = unanswered_.take(clock().now());
   lock.unlock();
   for (auto delay : delays)
-    services_.due_times.remove(delay);
+    services_.time.due_times.remove(delay);
   return messages;
 }
 
@@ -115,10 +115,10 @@ std::uint32_t PluginDoor::rounds_of_event(Timestamp now) const {
 }
 
 void PluginDoor::tell_supervisor_of_rest() {
-  auto tell = [this, work = services_.work.begin()] {
+  auto tell = [this, work = services_.time.work.begin()] {
     caf::anon_send(services_.supervisor, instance_rests{instance_, work});
   };
-  services_.gate.enter(std::move(tell));
+  services_.time.gate.enter(std::move(tell));
 }
 
 void PluginDoor::publish_as_itself(Message&& message) {
@@ -158,15 +158,16 @@ void PluginDoor::ask(Message request, Milliseconds patience,
   request.source = name_;
   fill_session(request);
   request.rounds = rounds_now();
-  const auto id = services_.due_times.add(clock().now() + patience.count(),
-                                          DueTimes::Of::component);
-  AskOrder order{std::move(request),
-                 patience,
-                 std::move(reaction),
-                 weak_from_this(),
-                 std::make_shared<const DueTicket>(services_.due_times, id),
-                 services_.work.begin()};
-  services_.gate.enter([this, order = std::move(order)] {
+  const auto id = services_.time.due_times.add(clock().now() + patience.count(),
+                                               DueTimes::Of::component);
+  AskOrder order{
+      std::move(request),
+      patience,
+      std::move(reaction),
+      weak_from_this(),
+      std::make_shared<const DueTicket>(services_.time.due_times, id),
+      services_.time.work.begin()};
+  services_.time.gate.enter([this, order = std::move(order)] {
     if (auto host = caf::actor_cast<caf::strong_actor_ptr>(host_))
       host->home_system->spawn(actors::ask, &services_,
                                caf::actor_cast<component_host_actor>(host),
@@ -175,32 +176,32 @@ void PluginDoor::ask(Message request, Milliseconds patience,
 }
 
 void PluginDoor::failed(const std::string& reason) {
-  auto tell = [this, reason, work = services_.work.begin()] {
+  auto tell = [this, reason, work = services_.time.work.begin()] {
     caf::anon_send(services_.supervisor,
                    component_failed{name_, instance_, reason, work});
   };
-  services_.gate.enter(std::move(tell));
+  services_.time.gate.enter(std::move(tell));
 }
 
 // -- its delays ---------------------------------------------------------------
 
 PluginHost::DelayId PluginDoor::after(Milliseconds delay,
                                       std::function<void()> action) {
-  const auto id = services_.due_times.add(clock().now() + delay.count(),
-                                          DueTimes::Of::component);
-  auto due = std::make_shared<const DueTicket>(services_.due_times, id);
+  const auto id = services_.time.due_times.add(clock().now() + delay.count(),
+                                               DueTimes::Of::component);
+  auto due = std::make_shared<const DueTicket>(services_.time.due_times, id);
   std::unique_lock lock(mutex_);
   if (closed_)
     return id; // which goes with its ticket
   delays_.insert(id);
   lock.unlock();
   auto order = [this, delay, due = std::move(due), action = std::move(action),
-                work = services_.work.begin()] {
+                work = services_.time.work.begin()] {
     if (auto host = caf::actor_cast<caf::strong_actor_ptr>(host_))
       caf::anon_send(caf::actor_cast<component_host_actor>(host),
                      run_after{delay, due, action, work});
   };
-  services_.gate.enter(std::move(order));
+  services_.time.gate.enter(std::move(order));
   return id;
 }
 
@@ -209,17 +210,17 @@ void PluginDoor::cancel(DelayId delay) {
     std::lock_guard lock(mutex_);
     delays_.erase(delay);
   }
-  services_.due_times.remove(delay);
+  services_.time.due_times.remove(delay);
 }
 
 // -- what it asks for ---------------------------------------------------------
 
 const Clock& PluginDoor::clock() const {
-  return *services_.clock;
+  return services_.time.clock;
 }
 
 void PluginDoor::log(const std::string& text) {
-  services_.log(name_ + ": " + text);
+  services_.observer.log(name_ + ": " + text);
 }
 
 std::shared_ptr<const UnderstandingModel> PluginDoor::understanding() const {

@@ -88,7 +88,7 @@ void Supervision::make_instance(const BranchPointer& branch) {
   services_.instances.add(component->name(), {instance, &instance->watch});
   auto host = host_for(instance);
   instance->door->belongs_to(host);
-  instance->watch.expect(services_.work.begin());
+  instance->watch.expect(services_.time.work.begin());
   self_->send(host, start_component{});
   const auto id = instance->id;
   entries_[id] = {std::move(instance), std::move(host), branch, Stage::starts};
@@ -146,7 +146,7 @@ void Supervision::joins(const Entry& entry) {
 void Supervision::stop(Entry& entry) {
   entry.stage = Stage::stops;
   entry.branch->component->mailbox->leave(entry.host);
-  entry.instance->watch.expect(services_.work.begin());
+  entry.instance->watch.expect(services_.time.work.begin());
   self_->send(entry.host, stop_component{});
 }
 
@@ -195,15 +195,15 @@ void Supervision::failed(const component_failed& what) {
   else if (const auto kept = is_coming(branch))
     came_not(kept, {ErrorKind::settings, what.reason, {}});
   else
-    services_.log(what.name + " failed while it left: " + what.reason);
+    services_.observer.log(what.name + " failed while it left: " + what.reason);
 }
 
 void Supervision::count_failure(const BranchPointer& branch,
                                 const std::string& reason) {
   if (closing_)
     return;
-  const auto verdict = branch->failures.failed(services_.clock->now());
-  services_.log(branch->name() + " failed: " + reason);
+  const auto verdict = branch->failures.failed(services_.time.now());
+  services_.observer.log(branch->name() + " failed: " + reason);
   tell("ComponentFailed", {branch->name(), reason, branch->failures.count()},
        branch->place->session());
   branch->pauses = true;
@@ -228,7 +228,7 @@ void Supervision::rest(const BranchPointer& branch, const std::string& reason,
                        Milliseconds pause) {
   *branch->component->up = false;
   branch->component->mailbox->close("is down");
-  services_.log(branch->name() + " is down");
+  services_.observer.log(branch->name() + " is down");
   for (auto id : instances_of(*branch))
     if (auto& entry = entries_[id]; entry.stage != Stage::stops) {
       stop(entry);
@@ -269,7 +269,7 @@ void Supervision::watch(const watch_instance& what) {
   const auto deadline = deadline_of(found->second);
   std::optional left = deadline;
   if (!what.begins)
-    left = instance->watch.look(services_.clock->now(), deadline);
+    left = instance->watch.look(services_.time.now(), deadline);
   if (left && *left <= Milliseconds::zero())
     hangs(what.instance);
   else if (left)
@@ -291,7 +291,7 @@ void Supervision::hangs(InstanceId id) {
   else if (is_kept(branch) && entry.stage != Stage::stops)
     count_failure(branch, reason);
   else
-    services_.log(branch->name() + " does not stop: " + reason);
+    services_.observer.log(branch->name() + " does not stop: " + reason);
   after_end(branch);
 }
 

@@ -80,7 +80,7 @@ Supervision::branch_for(const KeptPointer& kept,
     return add_branch(kept, place);
   const auto reason = "has " + std::to_string(most_branches) +
                       " instances, as many as it may have";
-  services_.log(kept->order.name + " " + reason);
+  services_.observer.log(kept->order.name + " " + reason);
   tell("ComponentDown", {kept->order.name, reason}, place->session());
   return nullptr;
 }

@@ -83,9 +83,9 @@ void Supervision::answer_what_waits(const Branch& branch,
 
 // So that virtual time stops there, and nobody thinks that nothing is due.
 DueTicket Supervision::ticket(Milliseconds delay) {
-  const auto due = services_.clock->now() + delay.count();
-  return {services_.due_times,
-          services_.due_times.add(due, DueTimes::Of::component)};
+  const auto due = services_.time.now() + delay.count();
+  return {services_.time.due_times,
+          services_.time.due_times.add(due, DueTimes::Of::component)};
 }
 
 } // namespace parlour::actors

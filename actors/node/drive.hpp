@@ -8,7 +8,7 @@
 #include <caf/actor_system.hpp>
 #include <caf/actor_system_config.hpp>
 
-#include "actors/routing/services.hpp"
+#include "actors/support/node_time.hpp"
 
 namespace parlour::actors {
 
@@ -22,7 +22,7 @@ public:
   virtual bool detaches() const = 0;
   virtual void configure(caf::actor_system_config& config) const = 0;
   // Before any other call below.
-  virtual void attach(caf::actor_system& system, Services& services) = 0;
+  virtual void attach(caf::actor_system& system, NodeTime& time) = 0;
 
   // As Node says.
   virtual bool run_until_quiet() = 0;

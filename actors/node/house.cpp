@@ -14,7 +14,6 @@
 #include "actors/routing/message_centre.hpp"
 #include "actors/sessions/file_keeper.hpp"
 #include "actors/sessions/session_manager.hpp"
-#include "actors/support/thrown.hpp"
 
 namespace parlour::actors {
 
@@ -29,12 +28,13 @@ std::unique_ptr<Drive> make_drive(const NodeOptions& options) {
 
 House::House(NodeOptions options)
     : options_(std::move(options)), drive_(make_drive(options_)),
-      chance_(options_.seed), services_(drive_->gate()) {
+      chance_(options_.seed),
+      services_(drive_->clock(), drive_->gate(), watcher()) {
   set_up_services();
   set_up_routing();
   drive_->configure(config_);
   system_ = std::make_unique<caf::actor_system>(config_);
-  drive_->attach(*system_, services_);
+  drive_->attach(*system_, services_.time);
   spawn_actors();
 }
 
@@ -54,7 +54,6 @@ void House::set_up_services() {
   services_.columns = options_.columns;
   services_.data_folder = options_.data_folder;
   services_.application_folder = options_.application_folder;
-  services_.clock = &drive_->clock();
   services_.start_time = options_.start_time;
   services_.detaches = drive_->detaches();
   services_.plugins = options_.plugins;
@@ -63,38 +62,19 @@ void House::set_up_services() {
   services_.sockets = options_.sockets;
   services_.new_session_id = [this] { return chance_.session_id(); };
   services_.new_seed = [this] { return chance_.session_seed(); };
-  services_.inspect_all = options_.inspect_all;
-  services_.log = [this](const std::string& line) {
-    if (services_.left_behind)
-      return;
-    std::lock_guard lock(logging_);
-    if (options_.log)
-      options_.log(line);
-  };
-  if (options_.on_inspection)
-    services_.inspect = [this](const Inspection& inspection) {
-      if (services_.left_behind)
-        return;
-      std::lock_guard lock(watching_);
-      if (auto reason = thrown_by([&] { options_.on_inspection(inspection); }))
-        services_.log("who watches failed: " + *reason);
-    };
-  if (script::has_private(*options_.program))
-    be_discreet();
 }
 
-void House::be_discreet() {
-  services_.discretion = std::make_unique<Discretion>(
-      services_.inspect,
-      [this](const Message& message) { return services_.is_heard(message); });
-  auto& discretion = *services_.discretion;
-  services_.log = [&discretion, log = services_.log](const std::string& line) {
-    log(discretion.masked(line));
-  };
-  if (services_.inspect && !options_.exact_inspections)
-    services_.inspect = [&discretion](Inspection seen) {
-      discretion.show(std::move(seen));
+Observer::Watcher House::watcher() {
+  Observer::Watcher watcher;
+  watcher.on_inspection = options_.on_inspection;
+  watcher.all = options_.inspect_all;
+  watcher.exact = options_.exact_inspections;
+  watcher.on_log = options_.log;
+  if (script::has_private(*options_.program))
+    watcher.is_heard = [this](const Message& message) {
+      return services_.is_heard(message);
     };
+  return watcher;
 }
 
 void House::spawn_actors() {
@@ -112,18 +92,16 @@ void House::set_up_routing() {
   auto& parts = services_.routing;
   parts.program = options_.program;
   parts.aliases = options_.aliases;
-  parts.clock = services_.clock;
+  parts.clock = &services_.time.clock;
   parts.counters = services_.counters;
   parts.complain = [this](const Message& message, const Error& error) {
     services_.failed(message, error);
   };
-  if (services_.discretion)
+  if (services_.observer.follows_messages())
     parts.taps.push_back(
         [this](const Message& message, const std::string& way) {
-          services_.discretion->pass(message, way);
+          services_.observer.follow(message, way);
         });
-  if (services_.inspect && services_.inspect_all)
-    parts.taps.push_back(inspection_tap(services_));
   services_.table.store(std::make_shared<const RoutingTable>(parts));
 }
 
@@ -180,7 +158,7 @@ Expected<void> House::wish(const std::function<void(Done, Work)>& send) {
   auto future = outcome->get_future();
   send([outcome](
            Expected<void> result) { outcome->set_value(std::move(result)); },
-       services_.work.begin());
+       services_.time.work.begin());
   auto done = [&](Milliseconds patience) {
     return future.wait_for(patience) == std::future_status::ready;
   };
@@ -188,7 +166,7 @@ Expected<void> House::wish(const std::function<void(Done, Work)>& send) {
   while (drive_->run_until_quiet() && !done(Milliseconds(0)) &&
          drive_->step_to_next_due(options_.drain_time)) {
   }
-  if (services_.work.interrupted() || !done(options_.drain_time))
+  if (services_.time.work.interrupted() || !done(options_.drain_time))
     return fail(ErrorKind::cancelled, "interrupted");
   return future.get();
 }
@@ -199,9 +177,9 @@ seat_actor House::open_seat(const std::string& name, SeatCalls calls) {
   seats_.push_back(system_->spawn(seat, &services_, std::move(calls)));
   const auto& opened = seats_.back();
   caf::anon_send(services_.manager,
-                 seat_opened{name, opened, services_.work.begin()});
+                 seat_opened{name, opened, services_.time.work.begin()});
   caf::anon_send(services_.supervisor,
-                 seat_opened{name, opened, services_.work.begin()});
+                 seat_opened{name, opened, services_.time.work.begin()});
   return opened;
 }
 
@@ -209,13 +187,14 @@ SessionId House::open_session(const seat_actor& seat) {
   caf::scoped_actor self(*system_);
   auto answer =
       self->request(services_.manager, caf::infinite,
-                    actors::open_session{seat, services_.work.begin()});
+                    actors::open_session{seat, services_.time.work.begin()});
   SessionId id;
   if (!drive_->run_until_quiet())
     return id;
   answer.receive([&](session_opened& opened) { id = opened.session; },
                  [&](const caf::error& error) {
-                   services_.log("no session: " + system_->render(error));
+                   services_.observer.log("no session: " +
+                                          system_->render(error));
                  });
   return id;
 }
@@ -223,11 +202,11 @@ SessionId House::open_session(const seat_actor& seat) {
 // -- bringing down ------------------------------------------------------------
 
 bool House::stop() {
-  if (services_.left_behind)
+  if (services_.time.left_behind)
     return false;
   if (!system_)
     return true;
-  services_.work.forget_interrupt();
+  services_.time.work.forget_interrupt();
   stop_sessions();
   stop_components();
   const auto at_work = who_is_at_work();
@@ -239,8 +218,9 @@ bool House::stop() {
     system_.reset(); // here: CAF's logger belongs to the thread that made it
     return true;
   }
-  services_.log(at_work + " does not come to an end and is left behind");
-  services_.left_behind = true;
+  services_.observer.log(at_work +
+                         " does not come to an end and is left behind");
+  services_.time.left_behind = true;
   return false;
 }
 
@@ -251,17 +231,18 @@ std::string House::who_is_at_work() const {
 }
 
 void House::stop_sessions() {
-  caf::anon_send(services_.manager, close_session{{}, services_.work.begin()});
-  auto quiet = [this] { return services_.work.none(); };
+  caf::anon_send(services_.manager,
+                 close_session{{}, services_.time.work.begin()});
+  auto quiet = [this] { return services_.time.work.none(); };
   if (!drive_->run_until(quiet, options_.drain_time))
-    services_.log(who_is_at_work() +
-                  " is still at work; stopping all the same");
+    services_.observer.log(who_is_at_work() +
+                           " is still at work; stopping all the same");
 }
 
 void House::stop_components() {
   caf::anon_send(services_.supervisor,
-                 actors::stop_components{services_.work.begin()});
-  drive_->run_until([this] { return services_.work.none(); },
+                 actors::stop_components{services_.time.work.begin()});
+  drive_->run_until([this] { return services_.time.work.none(); },
                     options_.drain_time);
 }
 

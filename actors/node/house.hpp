@@ -2,7 +2,6 @@
 #pragma once
 
 #include <memory>
-#include <mutex>
 #include <string>
 #include <vector>
 
@@ -43,9 +42,9 @@ public:
   }
 
 private:
+  Observer::Watcher watcher();
   void set_up_services();
   void spawn_actors();
-  void be_discreet();
   void set_up_routing();
   // Of the components: places in the order of preference.
   std::vector<std::size_t> in_starting_order() const;
@@ -61,8 +60,6 @@ private:
   NodeOptions options_;
   std::unique_ptr<Drive> drive_;
   Chance chance_;
-  std::mutex watching_;
-  std::mutex logging_;
   Services services_;
   caf::actor_system_config config_;
   std::unique_ptr<caf::actor_system> system_;

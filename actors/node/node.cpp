@@ -47,7 +47,7 @@ void Node::Implementation::look_at(
     std::function<void(const dialogue::Conversation&)> at) {
   auto& services = house.services();
   if (auto session = services.sessions.find(id)) {
-    caf::anon_send(session, look{std::move(at), services.work.begin()});
+    caf::anon_send(session, look{std::move(at), services.time.work.begin()});
     house.drive().run_until_quiet();
   }
 }
@@ -151,7 +151,7 @@ void Node::end(const SessionId& session) {
   auto& services = implementation_->house.services();
   if (!session.empty())
     caf::anon_send(services.manager,
-                   close_session{session, services.work.begin()});
+                   close_session{session, services.time.work.begin()});
 }
 
 bool Node::stop() {
@@ -173,7 +173,7 @@ bool Node::step_to_next_due(Milliseconds at_most) {
 }
 
 std::optional<Timestamp> Node::next_timer() const {
-  return implementation_->house.services().due_times.next_of_sessions();
+  return implementation_->house.services().time.due_times.next_of_sessions();
 }
 
 void Node::advance(Milliseconds time) {
@@ -181,7 +181,7 @@ void Node::advance(Milliseconds time) {
 }
 
 void Node::interrupt() {
-  implementation_->house.services().work.interrupt();
+  implementation_->house.services().time.work.interrupt();
 }
 
 Timestamp Node::now() const {
@@ -208,12 +208,14 @@ std::string Node::state(const SessionId& session) {
 }
 
 std::string Node::masked(const std::string& text) const {
-  const auto& discretion = implementation_->house.services().discretion;
+  const auto* discretion =
+      implementation_->house.services().observer.discretion();
   return discretion ? discretion->masked_afterwards(text) : text;
 }
 
 bool Node::is_private(const std::string& words) const {
-  const auto& discretion = implementation_->house.services().discretion;
+  const auto* discretion =
+      implementation_->house.services().observer.discretion();
   return discretion && discretion->is_private(words);
 }
 

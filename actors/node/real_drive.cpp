@@ -27,8 +27,8 @@ public:
     return true;
   }
   void configure(caf::actor_system_config& config) const override;
-  void attach(caf::actor_system&, Services& services) override {
-    services_ = &services;
+  void attach(caf::actor_system&, NodeTime& time) override {
+    time_ = &time;
   }
 
   bool run_until_quiet() override;
@@ -43,7 +43,7 @@ private:
 
   SystemClock clock_;
   unsigned threads_;
-  Services* services_ = nullptr;
+  NodeTime* time_ = nullptr;
 };
 
 void RealDrive::configure(caf::actor_system_config& config) const {
@@ -58,33 +58,33 @@ void RealDrive::configure(caf::actor_system_config& config) const {
 // An answer that a component's delay stands before is no reason to wait; what
 // is overdue is about to be work.
 bool RealDrive::quiet() const {
-  const auto& due_times = services_->due_times;
-  return services_->work.none() && !due_times.overdue(clock_.now()) &&
-         (!services_->work.sessions_wait() || due_times.component_pending());
+  const auto& due_times = time_->due_times;
+  return time_->work.none() && !due_times.overdue(clock_.now()) &&
+         (!time_->work.sessions_wait() || due_times.component_pending());
 }
 
 bool RealDrive::run_until_quiet() {
-  return services_->work.wait([this] { return quiet(); });
+  return time_->work.wait([this] { return quiet(); });
 }
 
 bool RealDrive::step_to_next_due(Milliseconds at_most) {
-  const auto next = services_->due_times.next();
+  const auto next = time_->due_times.next();
   if (!next || next->due > clock_.now() + at_most.count())
     return false;
   // It is over when whoever waits for it has taken it away.
-  auto over = [&] { return !services_->due_times.has(next->id); };
-  return services_->work.wait(over) && run_until_quiet();
+  auto over = [&] { return !time_->due_times.has(next->id); };
+  return time_->work.wait(over) && run_until_quiet();
 }
 
 void RealDrive::advance(Milliseconds time) {
-  services_->work.wait([] { return false; },
-                       std::chrono::steady_clock::now() + time);
+  time_->work.wait([] { return false; },
+                   std::chrono::steady_clock::now() + time);
   run_until_quiet();
 }
 
 bool RealDrive::run_until(const std::function<bool()>& done,
                           Milliseconds at_most) {
-  return services_->work.wait(done, std::chrono::steady_clock::now() + at_most);
+  return time_->work.wait(done, std::chrono::steady_clock::now() + at_most);
 }
 
 bool RealDrive::finish(std::function<void()> action, Milliseconds at_most) {

@@ -40,10 +40,10 @@ public:
   void configure(caf::actor_system_config& config) const override {
     config.set("scheduler.policy", caf::atom("testing"));
   }
-  void attach(caf::actor_system& system, Services& services) override {
+  void attach(caf::actor_system& system, NodeTime& time) override {
     scheduler_ =
         dynamic_cast<caf::scheduler::test_coordinator*>(&system.scheduler());
-    services_ = &services;
+    time_ = &time;
   }
 
   bool run_until_quiet() override;
@@ -63,23 +63,23 @@ private:
 
   VirtualClock clock_;
   caf::scheduler::test_coordinator* scheduler_ = nullptr;
-  Services* services_ = nullptr;
+  NodeTime* time_ = nullptr;
 };
 
 bool VirtualDrive::run_until_quiet() {
-  services_->gate.belongs_here();
-  const auto& work = services_->work;
+  time_->gate.belongs_here();
+  const auto& work = time_->work;
   do {
     while (!work.interrupted() && scheduler_->try_run_once()) {
     }
-  } while (!work.interrupted() && services_->gate.drain());
+  } while (!work.interrupted() && time_->gate.drain());
   return !work.interrupted();
 }
 
 bool VirtualDrive::step_to_next_due(Milliseconds at_most) {
   if (!run_until_quiet())
     return false;
-  const auto next = services_->due_times.next();
+  const auto next = time_->due_times.next();
   if (!next || next->due > clock_.now() + at_most.count())
     return false;
   jump_to(next->due);
@@ -90,7 +90,7 @@ void VirtualDrive::advance(Milliseconds time) {
   const auto end = clock_.now() + time.count();
   while (step_to_next_due(Milliseconds(end - clock_.now()))) {
   }
-  if (!services_->work.interrupted())
+  if (!time_->work.interrupted())
     jump_to(end);
 }
 

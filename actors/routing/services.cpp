@@ -19,7 +19,7 @@ void carry(Services& services, Message&& message, Timestamp now, Work& held,
   services.unreached(routed);
   for (auto& [target, sent] : routed.deliveries) {
     if (!held)
-      held = services.work.begin();
+      held = services.time.work.begin();
     auto answer =
         hand_over(services, *target, {std::move(sent), std::move(held)});
     if (answer && answers == Answers::yes)
@@ -32,13 +32,13 @@ void carry(Services& services, Message&& message, Timestamp now, Work& held,
 void pass_to_centre(Services& services, std::vector<Message> messages) {
   if (!messages.empty() && services.centre)
     caf::anon_send(services.centre,
-                   distribute{std::move(messages), services.work.begin()});
+                   distribute{std::move(messages), services.time.work.begin()});
 }
 
 } // namespace
 
 void Services::publish(Message&& message, Timestamp now, Work held) {
-  if (gate.keeps_out())
+  if (time.gate.keeps_out())
     return publish(std::vector{std::move(message)});
   std::vector<Message> rest;
   carry(*this, std::move(message), now, held, rest);
@@ -46,25 +46,25 @@ void Services::publish(Message&& message, Timestamp now, Work held) {
 }
 
 void Services::publish(std::vector<Message> messages) {
-  gate.enter(
-      [this, messages = std::move(messages), waits = work.begin()]() mutable {
-        pass_to_centre(*this, route(std::move(messages)));
-      });
+  time.gate.enter([this, messages = std::move(messages),
+                   waits = time.work.begin()]() mutable {
+    pass_to_centre(*this, route(std::move(messages)));
+  });
 }
 
 void Services::bring_in(std::vector<Message> messages) {
-  gate.enter(
-      [this, messages = std::move(messages), waits = work.begin()]() mutable {
-        if (centre)
-          caf::anon_send(centre, actors::publish{std::move(messages), waits});
-      });
+  time.gate.enter([this, messages = std::move(messages),
+                   waits = time.work.begin()]() mutable {
+    if (centre)
+      caf::anon_send(centre, actors::publish{std::move(messages), waits});
+  });
 }
 
 std::vector<Message> Services::route(std::vector<Message> messages) {
   std::vector<Message> rest;
   Work held;
   for (auto& message : messages)
-    carry(*this, std::move(message), clock->now(), held, rest);
+    carry(*this, std::move(message), time.now(), held, rest);
   return rest;
 }
 
@@ -72,17 +72,13 @@ void Services::unhandled(const Message& message, const std::string& why) {
   if (const auto now = table.load(); now && now->is_routine(message))
     return;
   ++counters->unhandled;
-  if (!inspect) {
-    log(to_string(message) + ": " + why);
-    return;
-  }
   Inspection inspection;
   inspection.kind = InspectionKind::unhandled;
   inspection.session = message.session;
   inspection.subject = message.source + "." + message.command;
   inspection.detail = why;
   inspection.message = std::make_shared<const Message>(message);
-  inspect(std::move(inspection));
+  observer.inspect(std::move(inspection));
 }
 
 void Services::unreached(const Routed& routed) {
@@ -96,29 +92,13 @@ void Services::failed(const Message& message, const Error& error) {
   inspection.session = message.session;
   inspection.subject = name_of(error.kind);
   inspection.detail = to_string(error);
-  if (inspect)
-    inspect(std::move(inspection));
-  else
-    log(inspection.subject + ": " + inspection.detail);
+  observer.inspect(std::move(inspection));
 }
 
 bool Services::is_heard(const Message& message) const {
   const auto current = table.load();
   return current && !message.params.empty() &&
          current->is_source("ASR", message.source);
-}
-
-Tap inspection_tap(Services& services) {
-  return [&services](const Message& message, const std::string& way) {
-    Inspection inspection;
-    inspection.kind = InspectionKind::message;
-    inspection.session = message.session;
-    inspection.subject = message.source + "." + message.command;
-    inspection.detail = to_string(message);
-    inspection.message = std::make_shared<const Message>(message);
-    inspection.way = way;
-    services.inspect(std::move(inspection));
-  };
 }
 
 } // namespace parlour::actors

@@ -3,10 +3,10 @@
 // has started.
 #pragma once
 
-#include <atomic>
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "actors/protocol/interfaces.hpp"
 #include "actors/routing/instance_directory.hpp"
@@ -14,25 +14,21 @@
 #include "actors/routing/routing_table.hpp"
 #include "actors/routing/session_directory.hpp"
 #include "actors/routing/shared_table.hpp"
-#include "actors/support/discretion.hpp"
-#include "actors/support/due_times.hpp"
-#include "actors/support/thread_gate.hpp"
-#include "actors/support/work_count.hpp"
-#include "runtime/base/inspection.hpp"
+#include "actors/support/node_time.hpp"
+#include "actors/support/observer.hpp"
 #include "runtime/base/phrases.hpp"
 #include "runtime/plugin/catalogue.hpp"
 
 namespace parlour::actors {
 
 struct Services {
-  explicit Services(ThreadGate::Kind kind)
-      : due_times([this] { work.wake(); }), gate(kind) {}
+  Services(const Clock& clock, ThreadGate::Kind kind, Observer::Watcher watcher)
+      : time(clock, kind), observer(std::move(watcher), time.left_behind) {}
   Services(const Services&) = delete;
   Services& operator=(const Services&) = delete;
 
-  WorkCount work;
-  DueTimes due_times;
-  ThreadGate gate;
+  NodeTime time;
+  Observer observer;
   SessionDirectory sessions;
   QueryClaims claims;
   std::shared_ptr<Counters> counters = std::make_shared<Counters>();
@@ -43,7 +39,6 @@ struct Services {
   ColumnReader columns;
   std::string data_folder;
   std::string application_folder;
-  const Clock* clock = nullptr;
   // Components get threads of their own.
   bool detaches = false;
   // What scripts can load; may be empty.
@@ -54,18 +49,6 @@ struct Services {
   FileAccess files;
   std::shared_ptr<Sockets> sockets;
 
-  // Something did not come to an end in time: what is left of the actors calls
-  // nobody outside any more.
-  std::atomic<bool> left_behind = false;
-
-  // One call at a time; empty where nobody watches. Unless `inspect_all`, who
-  // watches is told of errors, logs and unhandled messages only.
-  std::function<void(Inspection)> inspect;
-  bool inspect_all = true;
-  // One call at a time; never empty.
-  std::function<void(const std::string&)> log;
-  // Null where nothing of the program is private.
-  std::unique_ptr<Discretion> discretion;
   // How long a component may take to start, in real time.
   Milliseconds start_time{30'000};
   // The next session's id and seed; called by the session manager only.
@@ -104,8 +87,5 @@ struct Services {
   // Whether it is what somebody said, as a recogniser heard it.
   bool is_heard(const Message& message) const;
 };
-
-// Shows each message to whoever watches; `services` has an `inspect`.
-Tap inspection_tap(Services& services);
 
 } // namespace parlour::actors

@@ -34,7 +34,7 @@ Message as_message(const QueryOrder& order, Correlation correlation) {
 
 void finish(Self self, const session_actor& session, std::uint64_t id,
             Expected<ResultSet> outcome) {
-  auto work = self->state.services->work.begin();
+  auto work = self->state.services->time.work.begin();
   self->send(session, query_outcome{id, std::move(outcome), std::move(work)});
   self->quit();
 }
@@ -60,7 +60,7 @@ query(query_actor::stateful_pointer<query_state> self, Services* services,
       session_actor session, QueryOrder order) {
   auto& state = self->state;
   state.services = services;
-  state.ticket = DueTicket(services->due_times, order.due);
+  state.ticket = DueTicket(services->time.due_times, order.due);
   state.correlation = services->claims.claim(query_actor(self));
   self->delayed_send(self, order.timeout, give_up{});
   const auto id = order.request.id;

@@ -13,7 +13,7 @@ namespace {
 using Self = session_actor::stateful_pointer<session_state>;
 
 Timestamp now(Self self) {
-  return self->state.services->clock->now();
+  return self->state.services->time.now();
 }
 
 // Between its end and the moment when nobody can find it any more: what still
@@ -40,7 +40,7 @@ session_actor::behavior_type over(Self self) {
 
 void tell_waiting(session_state& state, bool waits) {
   if (std::exchange(state.waits, waits) != waits)
-    state.services->work.session_waits(waits);
+    state.services->time.work.session_waits(waits);
 }
 
 // After each input: steps are taken one at a time through the mailbox, so that
@@ -60,7 +60,7 @@ void go_on(Self self) {
       !conversation.has_work())
     return;
   state.stepping = true;
-  self->send(self, take_step{state.services->work.begin()});
+  self->send(self, take_step{state.services->time.work.begin()});
 }
 
 void begin(Self self) {
@@ -167,7 +167,7 @@ void ask_frame(Self self, const topic_frame_actor& frame,
   // No deadline: the frame computes within the limits of its script, and its
   // end is an error here.
   self->request(frame, caf::infinite,
-                apply_changes{std::move(request), services->work.begin()})
+                apply_changes{std::move(request), services->time.work.begin()})
       .await(
           [=](const frame_changed& what) {
             self->state.conversation->frame_applied(*what.result, now(self));

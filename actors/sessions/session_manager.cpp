@@ -111,9 +111,9 @@ void forget(Self self, Services& services, const session_gone& what) {
 void notice_loss(Self self, Services& services, const caf::down_msg& down) {
   for (const auto& [id, entry] : self->state.sessions)
     if (entry.session.address() == down.source) {
-      services.log("session " + id +
-                   " was lost: " + self->system().render(down.reason));
-      forget(self, services, {SessionId(id), services.work.begin()});
+      services.observer.log("session " + id +
+                            " was lost: " + self->system().render(down.reason));
+      forget(self, services, {SessionId(id), services.time.work.begin()});
       return;
     }
 }

@@ -49,8 +49,9 @@ void SessionPort::carry(Message message, std::vector<Message>& back, int depth,
     if (target->direct && depth < inline_depth)
       for (auto& event : ask_directly(*target, *sent))
         carry(std::move(event), back, depth + 1, answers);
-    else if (auto answer = hand_over(services_, *target,
-                                     {std::move(sent), services_.work.begin()});
+    else if (auto answer =
+                 hand_over(services_, *target,
+                           {std::move(sent), services_.time.work.begin()});
              answer && answers == Answers::yes)
       carry(std::move(*answer), back, depth + 1, Answers::no);
   if (routed.rest)
@@ -63,8 +64,9 @@ std::vector<Message> SessionPort::ask_directly(const Target& target,
   std::vector<Answer> answers;
   if (auto reason =
           thrown_by([&] { answers = target.direct->answers(message); })) {
-    self_->send(services_.supervisor, component_failed{target.name, 0, *reason,
-                                                       services_.work.begin()});
+    self_->send(
+        services_.supervisor,
+        component_failed{target.name, 0, *reason, services_.time.work.begin()});
     return {failure_answer(target.name, message, *reason)};
   }
   std::vector<Message> events;
@@ -83,7 +85,7 @@ std::vector<Message> SessionPort::ask_directly(const Target& target,
 
 void SessionPort::subscribe(const std::vector<Subscription>& all) {
   self_->send(services_.manager,
-              actors::subscribe{id_, all, services_.work.begin()});
+              actors::subscribe{id_, all, services_.time.work.begin()});
 }
 
 bool SessionPort::reachable(const std::string& module) const {
@@ -101,18 +103,18 @@ Reply SessionPort::reply_to_request(const Message& event) const {
 
 void SessionPort::release(const dialogue::Output& output) {
   self_->send(seat_, say{id_, std::make_shared<const dialogue::Output>(output),
-                         services_.work.begin()});
+                         services_.time.work.begin()});
 }
 
 // -- timers, queries ----------------------------------------------------------
 
 Timestamp SessionPort::due_at(Milliseconds after) const {
-  return services_.clock->now() + after.count();
+  return services_.time.now() + after.count();
 }
 
 void SessionPort::start_timer(dialogue::TimerId id, Milliseconds after) {
   cancel_timer(id);
-  auto due = services_.due_times.add(due_at(after), DueTimes::Of::session);
+  auto due = services_.time.due_times.add(due_at(after), DueTimes::Of::session);
   auto actor = self_->spawn(timer, &services_, session_actor(self_),
                             TimerOrder{id, after, due});
   timers_.emplace(id, Timer{std::move(actor), due});
@@ -124,8 +126,9 @@ void SessionPort::cancel_timer(dialogue::TimerId id) {
 }
 
 void SessionPort::end_timer(const Timer& timer) {
-  services_.due_times.remove(timer.due);
-  caf::anon_send(timer.actor, actors::cancel_timer{services_.work.begin()});
+  services_.time.due_times.remove(timer.due);
+  caf::anon_send(timer.actor,
+                 actors::cancel_timer{services_.time.work.begin()});
 }
 
 void SessionPort::timer_is_over(dialogue::TimerId id) {
@@ -135,9 +138,10 @@ void SessionPort::timer_is_over(dialogue::TimerId id) {
 void SessionPort::query(dialogue::QueryRequest request) {
   const auto id = request.id;
   const auto timeout = services_.program->settings.sessions.request_timeout;
-  auto due = services_.due_times.add(due_at(timeout), DueTimes::Of::session);
+  auto due =
+      services_.time.due_times.add(due_at(timeout), DueTimes::Of::session);
   QueryOrder order{id_, std::move(request), timeout, due,
-                   services_.work.begin()};
+                   services_.time.work.begin()};
   auto actor = self_->spawn(actors::query, &services_, session_actor(self_),
                             std::move(order));
   queries_.emplace(id, Query{std::move(actor), due});
@@ -150,9 +154,9 @@ void SessionPort::query_is_over(dialogue::QueryId id) {
 // -- components, files, sockets -----------------------------------------------
 
 void SessionPort::component(dialogue::ComponentRequest request) {
-  auto work = services_.work.begin();
+  auto work = services_.time.work.begin();
   auto done = [session = session_actor(self_), id = request.id,
-               &work_count = services_.work](Expected<void> outcome) {
+               &work_count = services_.time.work](Expected<void> outcome) {
     caf::anon_send(
         session, component_outcome{id, std::move(outcome), work_count.begin()});
   };
@@ -169,7 +173,7 @@ void SessionPort::component(dialogue::ComponentRequest request) {
 void SessionPort::file(dialogue::QueryId id, FileRequest request) {
   self_->send(services_.file_keeper,
               file_order{id, std::move(request), session_actor(self_),
-                         services_.work.begin()});
+                         services_.time.work.begin()});
 }
 
 void SessionPort::open_socket(dialogue::SocketRequest request) {
@@ -179,7 +183,7 @@ void SessionPort::open_socket(dialogue::SocketRequest request) {
                 socket_told{id,
                             {SocketEvent::Kind::failed,
                              "this run has no network, as its time is virtual"},
-                            services_.work.begin()});
+                            services_.time.work.begin()});
 }
 
 Expected<void> SessionPort::send_socket(dialogue::SocketId id,
@@ -235,30 +239,26 @@ void SessionPort::unhandled(const Message& message) {
 }
 
 bool SessionPort::inspected() const {
-  return services_.inspect && services_.inspect_all;
+  return services_.observer.watches_all();
 }
 
 void SessionPort::inspect(Inspection inspection) {
-  if (services_.inspect)
-    services_.inspect(std::move(inspection));
-  else if (inspection.kind == InspectionKind::error ||
-           inspection.kind == InspectionKind::log)
-    services_.log(inspection.subject + ": " + inspection.detail);
+  services_.observer.inspect(std::move(inspection));
 }
 
 void SessionPort::conceal(const std::vector<std::string>& texts) {
-  if (services_.discretion)
-    services_.discretion->conceal(id_, texts);
+  if (auto* discretion = services_.observer.discretion())
+    discretion->conceal(id_, texts);
 }
 
 void SessionPort::conceal_turn() {
-  if (services_.discretion)
-    services_.discretion->conceal_turn(id_);
+  if (auto* discretion = services_.observer.discretion())
+    discretion->conceal_turn(id_);
 }
 
 void SessionPort::settled(std::uint64_t received) {
-  if (services_.discretion)
-    services_.discretion->settled(id_, received);
+  if (auto* discretion = services_.observer.discretion())
+    discretion->settled(id_, received);
 }
 
 void SessionPort::ended() {
@@ -266,22 +266,22 @@ void SessionPort::ended() {
 }
 
 void SessionPort::close(std::vector<Message> unread) {
-  self_->send(services_.manager,
-              session_gone{id_, services_.work.begin(), std::move(unread)});
+  self_->send(services_.manager, session_gone{id_, services_.time.work.begin(),
+                                              std::move(unread)});
   end_all();
 }
 
 SessionPort::~SessionPort() {
   end_all();
-  if (services_.discretion)
-    services_.discretion->ended(id_);
+  if (auto* discretion = services_.observer.discretion())
+    discretion->ended(id_);
 }
 
 void SessionPort::end_all() {
   for (const auto& [id, timer] : std::exchange(timers_, {}))
     end_timer(timer);
   for (const auto& [id, query] : std::exchange(queries_, {})) {
-    services_.due_times.remove(query.due);
+    services_.time.due_times.remove(query.due);
     caf::anon_send_exit(query.actor, caf::exit_reason::user_shutdown);
   }
   sockets_.close_all();

@@ -12,9 +12,9 @@ namespace {
 Sockets::Tell teller(Services& services, SessionId session,
                      dialogue::SocketId id) {
   return [&services, session = std::move(session), id](SocketEvent event) {
-    auto work = services.work.begin();
-    services.gate.enter([&services, session, id, event = std::move(event),
-                         work = std::move(work)] {
+    auto work = services.time.work.begin();
+    services.time.gate.enter([&services, session, id, event = std::move(event),
+                              work = std::move(work)] {
       if (auto actor = services.sessions.find(session))
         caf::anon_send(actor, socket_told{id, event, work});
     });

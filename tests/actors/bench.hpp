@@ -10,6 +10,7 @@
 #include <caf/send.hpp>
 
 #include "actors/node/drive.hpp"
+#include "actors/routing/services.hpp"
 #include "tests/actors/house_fixture.hpp"
 
 namespace parlour::actors {
@@ -20,9 +21,7 @@ public:
                  std::vector<Target> targets = {}) {
     drive->configure(config_);
     system = std::make_unique<caf::actor_system>(config_);
-    drive->attach(*system, services);
-    services.clock = &drive->clock();
-    services.log = [this](const std::string& line) { logs.push_back(line); };
+    drive->attach(*system, services.time);
     services.new_seed = [] { return 1; };
     services.new_session_id = [this] { return "s" + std::to_string(++ids_); };
     services.program = compile(elements);
@@ -48,7 +47,7 @@ public:
     RoutingTable::Parts parts;
     parts.program = services.program;
     parts.targets = std::move(targets);
-    parts.clock = services.clock;
+    parts.clock = &services.time.clock;
     parts.counters = services.counters;
     services.table.store(
         std::make_shared<const RoutingTable>(std::move(parts)));
@@ -67,12 +66,19 @@ public:
     run();
   }
 
+  // Before what watches or logs is under way.
+  void watch(std::function<void(const Inspection&)> show, bool all = true) {
+    std::destroy_at(&services.observer);
+    std::construct_at(&services.observer, watcher(std::move(show), all),
+                      services.time.left_behind);
+  }
+
   void run() {
     drive->run_until_quiet();
   }
 
   Work work() {
-    return services.work.begin();
+    return services.time.work.begin();
   }
 
   // -- probes: what they are sent stands in `seen` ---------------------------
@@ -194,7 +200,7 @@ public:
               [this, name](const run_after& what) {
                 seen.push_back(name + " is to wait");
                 what.action();
-                services.due_times.remove(what.due->id());
+                services.time.due_times.remove(what.due->id());
               },
               [](const run_now&) {},
               [](const stop_component&) {},
@@ -204,12 +210,21 @@ public:
   }
 
   std::unique_ptr<Drive> drive = make_virtual_drive(nine_o_clock);
-  Services services{drive->gate()};
+  Services services{drive->clock(), drive->gate(), watcher({}, true)};
   std::unique_ptr<caf::actor_system> system;
   std::vector<std::string> logs;
   std::vector<std::string> seen;
 
 private:
+  Observer::Watcher watcher(std::function<void(const Inspection&)> show,
+                            bool all) {
+    Observer::Watcher watcher;
+    watcher.on_inspection = std::move(show);
+    watcher.all = all;
+    watcher.on_log = [this](const std::string& line) { logs.push_back(line); };
+    return watcher;
+  }
+
   caf::actor_system_config config_;
   std::vector<caf::strong_actor_ptr> spawned_;
   int ids_ = 0;

@@ -60,7 +60,7 @@ TEST_F(PluginDoorTest, WhatItSaysTakesTheWorkOfWhatItIsDoneWith) {
   EXPECT_TRUE(robot.mailbox->take(host)); // and its work is over
   EXPECT_TRUE(count.none());
   bench.run();
-  EXPECT_TRUE(bench.services.work.none());
+  EXPECT_TRUE(bench.services.time.work.none());
 }
 
 TEST_F(PluginDoorTest, KeepsNoWorkWhenItRestsOrIsClosed) {
@@ -80,7 +80,7 @@ TEST_F(PluginDoorTest, CallsBackThroughTheHost) {
   door.belongs_to(host);
   int calls = 0;
   door.after(Milliseconds(5), [&] { ++calls; });
-  EXPECT_TRUE(bench.services.due_times.component_pending());
+  EXPECT_TRUE(bench.services.time.due_times.component_pending());
   bench.run();
   EXPECT_EQ(calls, 1);
   EXPECT_THAT(bench.seen, ElementsAre("host is to wait"));
@@ -89,7 +89,7 @@ TEST_F(PluginDoorTest, CallsBackThroughTheHost) {
 TEST_F(PluginDoorTest, ForgetsDelaysOfAHostThatIsGone) {
   door.after(Milliseconds(5), [] { FAIL() << "called back"; });
   bench.run();
-  EXPECT_FALSE(bench.services.due_times.component_pending());
+  EXPECT_FALSE(bench.services.time.due_times.component_pending());
 }
 
 // The host has gone, but somebody still holds it: nobody takes the message.
@@ -100,14 +100,14 @@ TEST_F(PluginDoorTest, ForgetsDelaysOfAHostThatHasQuit) {
   bench.run();
   door.after(Milliseconds(5), [] { FAIL() << "called back"; });
   bench.run();
-  EXPECT_FALSE(bench.services.due_times.component_pending());
+  EXPECT_FALSE(bench.services.time.due_times.component_pending());
 }
 
 TEST_F(PluginDoorTest, ForgetsWhatIsCancelled) {
   const auto delay = door.after(Milliseconds(5), [] {});
   door.cancel(delay);
   door.cancel(delay);
-  EXPECT_FALSE(bench.services.due_times.component_pending());
+  EXPECT_FALSE(bench.services.time.due_times.component_pending());
 }
 
 TEST_F(PluginDoorTest, ShowsWhatThePlatformShares) {

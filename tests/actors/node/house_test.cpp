@@ -146,7 +146,7 @@ TEST_F(HouseOfActors, LosesOneSessionAndGoesOn) {
     auto& services = house.services();
     auto breaks = [](const auto&) { throw std::runtime_error("broken"); };
     caf::anon_send(services.sessions.find(lost),
-                   look{breaks, services.work.begin()});
+                   look{breaks, services.time.work.begin()});
     // An actor's death is told by CAF, which counts as nobody's work.
     do
       house.drive().run_until_quiet();

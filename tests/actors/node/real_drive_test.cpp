@@ -12,55 +12,54 @@ protected:
   RealDriveTest() {
     drive->configure(config);
     system = std::make_unique<caf::actor_system>(config);
-    drive->attach(*system, services);
+    drive->attach(*system, time);
   }
 
   std::unique_ptr<Drive> drive = make_real_drive(1);
   caf::actor_system_config config;
-  Services services{drive->gate()};
+  NodeTime time{drive->clock(), drive->gate()};
   std::unique_ptr<caf::actor_system> system;
 };
 
 TEST_F(RealDriveTest, IsQuietWhenNothingIsUnderWay) {
   EXPECT_TRUE(drive->run_until_quiet());
-  auto work = services.work.begin();
+  auto work = time.work.begin();
   std::thread ends([&] { work.reset(); });
   EXPECT_TRUE(drive->run_until_quiet());
-  EXPECT_TRUE(services.work.none());
+  EXPECT_TRUE(time.work.none());
   ends.join();
 }
 
 TEST_F(RealDriveTest, WaitsForSessionsThatWait) {
-  services.work.session_waits(true);
-  std::thread ends([&] { services.work.session_waits(false); });
+  time.work.session_waits(true);
+  std::thread ends([&] { time.work.session_waits(false); });
   EXPECT_TRUE(drive->run_until_quiet());
-  EXPECT_FALSE(services.work.sessions_wait());
+  EXPECT_FALSE(time.work.sessions_wait());
   ends.join();
 }
 
 TEST_F(RealDriveTest, DoesNotWaitForADelayedAnswer) {
-  services.work.session_waits(true);
-  services.due_times.add(drive->clock().now() + 3'600'000,
-                         DueTimes::Of::component);
+  time.work.session_waits(true);
+  time.due_times.add(drive->clock().now() + 3'600'000, DueTimes::Of::component);
   EXPECT_TRUE(drive->run_until_quiet());
 }
 
 TEST_F(RealDriveTest, WaitsForTheNextDueTime) {
   EXPECT_FALSE(drive->step_to_next_due(1h)); // there is none
-  const auto id = services.due_times.add(drive->clock().now() + 60'000,
-                                         DueTimes::Of::session);
+  const auto id =
+      time.due_times.add(drive->clock().now() + 60'000, DueTimes::Of::session);
   EXPECT_FALSE(drive->step_to_next_due(1s)); // too far
-  std::thread fires([&] { services.due_times.remove(id); });
+  std::thread fires([&] { time.due_times.remove(id); });
   // Whichever comes first, the wait or the firing: it ends long before the
   // hour.
   static_cast<void>(drive->step_to_next_due(1h));
   fires.join();
-  EXPECT_FALSE(services.due_times.has(id));
+  EXPECT_FALSE(time.due_times.has(id));
 }
 
 TEST_F(RealDriveTest, IsInterrupted) {
-  auto work = services.work.begin();
-  std::thread interrupts([&] { services.work.interrupt(); });
+  auto work = time.work.begin();
+  std::thread interrupts([&] { time.work.interrupt(); });
   EXPECT_FALSE(drive->run_until_quiet());
   EXPECT_FALSE(drive->run_until([] { return false; }, 1h));
   interrupts.join();

@@ -12,10 +12,10 @@ TEST(Services, PublishFromAnyThread) {
   std::thread([&] {
     bench.services.publish({event("Bell", "Rings"), event("Bell", "Stops")});
   }).join();
-  EXPECT_FALSE(bench.services.work.none()); // waits at the gate
+  EXPECT_FALSE(bench.services.time.work.none()); // waits at the gate
   bench.run();
   EXPECT_THAT(bench.seen, ElementsAre("Bell.Rings()", "Bell.Stops()"));
-  EXPECT_TRUE(bench.services.work.none());
+  EXPECT_TRUE(bench.services.time.work.none());
 }
 
 TEST(Services, BringToComponentsWhatIsForThemAndTheRestToTheCentre) {
@@ -69,13 +69,13 @@ TEST(Services, PublishToNobodyWhenTheHouseIsDown) {
   Bench bench;
   bench.services.table.store(nullptr);
   bench.services.publish({event("Bell", "Rings")});
-  EXPECT_TRUE(bench.services.work.none());
+  EXPECT_TRUE(bench.services.time.work.none());
 }
 
 TEST(Services, ShowWhatNobodyTookOrLogIt) {
   Bench bench;
   std::vector<Inspection> shown;
-  bench.services.inspect = [&](const auto& seen) { shown.push_back(seen); };
+  bench.watch([&](const auto& seen) { shown.push_back(seen); });
   bench.services.unhandled(event("Bell", "Rings", {3}, "s1"), "nobody is in");
   EXPECT_EQ(bench.services.counters->unhandled, 1u);
   EXPECT_THAT(bench.logs, ElementsAre()); // once is enough
@@ -83,7 +83,7 @@ TEST(Services, ShowWhatNobodyTookOrLogIt) {
   EXPECT_EQ(shown[0].kind, InspectionKind::unhandled);
   EXPECT_EQ(shown[0].session, "s1");
   EXPECT_EQ(shown[0].subject, "Bell.Rings");
-  bench.services.inspect = {};
+  bench.watch({});
   bench.services.unhandled(event("Bell", "Rings", {3}, "s1"), "nobody is in");
   EXPECT_EQ(bench.services.counters->unhandled, 2u);
   EXPECT_THAT(bench.logs, ElementsAre("Bell.Rings(3): nobody is in"));
@@ -103,17 +103,6 @@ TEST(Services, ShowNothingOfWhatNobodyHasToTake) {
   bench.services.unhandled(event("Voice", "Failed", {"hoarse"}), "nobody");
   bench.services.unhandled(event("Bell", "Mark"), "nobody");
   EXPECT_EQ(bench.services.counters->unhandled, 3u);
-}
-
-TEST(Services, AreTappedForWhoeverWatches) {
-  Bench bench;
-  std::vector<Inspection> shown;
-  bench.services.inspect = [&](const auto& seen) { shown.push_back(seen); };
-  inspection_tap(bench.services)(event("Bell", "Rings"), "-> Ear");
-  ASSERT_EQ(shown.size(), 1u);
-  EXPECT_EQ(shown[0].kind, InspectionKind::message);
-  EXPECT_EQ(shown[0].way, "-> Ear");
-  EXPECT_EQ(shown[0].message->command, "Rings");
 }
 
 } // namespace

@@ -34,7 +34,7 @@ TEST_F(SeatTest, ShowsWhatIsSaidAndThatItWasHeard) {
   bench.send(actor, session_over{"a", bench.work()});
   EXPECT_THAT(calls, ElementsAre("a: Hello.", "a over"));
   EXPECT_THAT(bench.seen, ElementsAre("a played 7"));
-  EXPECT_TRUE(bench.services.work.none());
+  EXPECT_TRUE(bench.services.time.work.none());
 }
 
 TEST_F(SeatTest, ShowsTheLastWordsOfASessionThatIsGone) {
@@ -49,7 +49,7 @@ TEST_F(SeatTest, HasBeenHeardWhereNobodyListens) {
   speak(actor, "a");
   bench.send(actor, session_over{"a", bench.work()});
   EXPECT_THAT(bench.seen, ElementsAre("a played 7"));
-  EXPECT_TRUE(bench.services.work.none());
+  EXPECT_TRUE(bench.services.time.work.none());
 }
 
 TEST_F(SeatTest, SurvivesWhatItsCallsThrow) {

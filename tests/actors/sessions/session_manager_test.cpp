@@ -51,7 +51,7 @@ TEST_F(SessionManagerTest, OpensAndClosesOneOfSeveral) {
   EXPECT_TRUE(bench.services.sessions.find("s2"));
   EXPECT_THAT(bench.seen, testing::Contains("s1 is over"));
   EXPECT_THAT(bench.logs, IsEmpty());
-  EXPECT_TRUE(bench.services.work.none());
+  EXPECT_TRUE(bench.services.time.work.none());
 }
 
 TEST_F(SessionManagerTest, ClosesAll) {
@@ -126,7 +126,7 @@ TEST_F(SessionManagerTest, TakesLateTurnsToTheSeatsNextSession) {
   bench.seen.clear();
   say("s1", {event("ASR", "RecognitionResult", {"three"})});
   EXPECT_THAT(bench.seen, ElementsAre("says three!"));
-  EXPECT_TRUE(bench.services.work.none());
+  EXPECT_TRUE(bench.services.time.work.none());
 }
 
 // A recogniser that answers a message copies its correlation.
@@ -160,7 +160,7 @@ TEST_F(SessionManagerTest, NoticesALoss) {
   EXPECT_THAT(bench.seen, ElementsAre("s1 is over"));
   forward_all({event("Bell", "Rings", {3}, "s2")});
   EXPECT_THAT(bench.seen, testing::Contains("says Ding 3"));
-  EXPECT_TRUE(bench.services.work.none());
+  EXPECT_TRUE(bench.services.time.work.none());
 }
 
 } // namespace

@@ -137,7 +137,7 @@ TEST_F(SessionPortTest, CountsAndLogsOnceWhatNobodyTakes) {
 TEST_F(SessionPortTest, IsInspectedWhenSomebodyListens) {
   with_port([](SessionPort& port) { EXPECT_FALSE(port.inspected()); });
   int shown = 0;
-  bench.services.inspect = [&](const auto&) { ++shown; };
+  bench.watch([&](const auto&) { ++shown; });
   with_port([](SessionPort& port) {
     EXPECT_TRUE(port.inspected());
     port.inspect({});
@@ -152,9 +152,8 @@ TEST_F(SessionPortTest, TellsOfTroubleWithoutBeingWatched) {
     port.inspect({InspectionKind::slot, "", "T.S", ""});
   });
   EXPECT_THAT(bench.logs, ElementsAre("Type: a.xml:3: no", "info: here"));
-  bench.services.inspect_all = false;
   int shown = 0;
-  bench.services.inspect = [&](const auto&) { ++shown; };
+  bench.watch([&](const auto&) { ++shown; }, false);
   with_port([](SessionPort& port) {
     EXPECT_FALSE(port.inspected()); // nobody makes what is not wanted
     port.inspect({InspectionKind::error, "", "", ""});
@@ -175,13 +174,13 @@ TEST_F(SessionPortTest, ATimerRingsOnceAndIsReplacedAndCancelled) {
   EXPECT_THAT(heard, ElementsAre("rings 2"));
   bench.drive->advance(1h);
   EXPECT_THAT(heard, ElementsAre("rings 2", "rings 1"));
-  EXPECT_FALSE(bench.services.due_times.next());
+  EXPECT_FALSE(bench.services.time.due_times.next());
 }
 
 TEST_F(SessionPortTest, AQueryHasAnOutcome) {
   with_port([](SessionPort& port) { port.query(question()); });
   EXPECT_THAT(heard, ElementsAre("no database component is there"));
-  EXPECT_FALSE(bench.services.due_times.next());
+  EXPECT_FALSE(bench.services.time.due_times.next());
 }
 
 TEST_F(SessionPortTest, LeavesNothingBehind) {
@@ -190,10 +189,10 @@ TEST_F(SessionPortTest, LeavesNothingBehind) {
     port.start_timer(1, 1h);
     port.query(question());
   });
-  EXPECT_TRUE(bench.services.due_times.next());
+  EXPECT_TRUE(bench.services.time.due_times.next());
   bench.send(user, end_session{bench.work()});
-  EXPECT_FALSE(bench.services.due_times.next());
-  EXPECT_TRUE(bench.services.work.none());
+  EXPECT_FALSE(bench.services.time.due_times.next());
+  EXPECT_TRUE(bench.services.time.work.none());
 }
 
 } // namespace

@@ -1,0 +1,68 @@
+// Observer: shows what happens to whoever watches, and keeps the log; neither
+// is given what is private.
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include "actors/support/discretion.hpp"
+#include "runtime/base/inspection.hpp"
+
+namespace parlour::actors {
+
+// Safe to use from any thread.
+class Observer {
+public:
+  struct Watcher {
+    // One call at a time; empty where nobody watches. What it throws is logged.
+    std::function<void(const Inspection&)> on_inspection = {};
+    // False: it is told of errors, logs and unhandled messages only.
+    bool all = true;
+    // It is shown what is private, too, and at once.
+    bool exact = false;
+    // One call at a time; may be empty.
+    std::function<void(const std::string&)> on_log = {};
+    // Empty where nothing of the program is private.
+    Discretion::IsHeard is_heard = {};
+  };
+
+  // Once `left_behind` is set, nobody is told of anything any more.
+  Observer(Watcher watcher, const std::atomic<bool>& left_behind);
+  Observer(const Observer&) = delete;
+  Observer& operator=(const Observer&) = delete;
+
+  // Where nobody watches, errors, logs and unhandled messages are logged.
+  void inspect(Inspection seen);
+  void log(const std::string& line);
+  // Whether there is somebody to show more than these to.
+  bool watches_all() const {
+    return watcher_.on_inspection && watcher_.all;
+  }
+
+  // Whether it is to be given each message on its way.
+  bool follows_messages() const {
+    return discretion_ || watches_all();
+  }
+  void follow(const Message& message, const std::string& way);
+
+  // Null where nothing is private.
+  Discretion* discretion() const {
+    return discretion_.get();
+  }
+
+private:
+  void show(const Inspection& seen);
+  void log_instead(const Inspection& seen);
+  void write(const std::string& line);
+
+  const Watcher watcher_;
+  const std::atomic<bool>& left_behind_;
+  const std::unique_ptr<Discretion> discretion_;
+  std::mutex showing_;
+  std::mutex logging_;
+};
+
+} // namespace parlour::actors

@@ -195,7 +195,9 @@ std::string apply_fixes(std::string text,
 bool is_worse(const Findings& findings, const Findings& before) {
   const auto broken = broken_files(findings),
              broken_before = broken_files(before);
-  return findings.size() > before.size() || errors(findings) > errors(before) ||
+  const bool shows_more =
+      errors(before) == 0 && findings.size() > before.size();
+  return shows_more || errors(findings) > errors(before) ||
          !std::includes(broken_before.begin(), broken_before.end(),
                         broken.begin(), broken.end());
 }

@@ -29,8 +29,8 @@ std::string apply_fixes(std::string text,
                         const std::vector<script::Finding>& findings,
                         std::vector<script::Finding>& fixed);
 
-// Whether there are more errors, more findings at all, or a file that is not
-// well-formed any more.
+// Whether there are more errors, more findings where there were no errors
+// (which hide warnings), or a file that is not well-formed any more.
 bool is_worse(const std::vector<script::Finding>& findings,
               const std::vector<script::Finding>& before);
 

@@ -77,7 +77,8 @@ TEST(IsWorse, counts_errors_findings_and_broken_files) {
   EXPECT_FALSE(is_worse({}, {}));
   EXPECT_FALSE(is_worse({warning}, {error}));
   EXPECT_TRUE(is_worse({error}, {warning, warning}));
-  EXPECT_TRUE(is_worse({warning, warning}, {error}));
+  EXPECT_TRUE(is_worse({warning, warning}, {warning}));
+  EXPECT_FALSE(is_worse({warning, warning}, {error})); // it hid them
   EXPECT_TRUE(is_worse({broken("a")}, {error, broken("b")}));
   EXPECT_FALSE(is_worse({broken("a")}, {broken("a"), error}));
 }

@@ -100,6 +100,18 @@ TEST_F(CommandTest, check_corrects_what_is_sure_until_nothing_is_left) {
   EXPECT_EQ(err_.str(), "a.xml: 0 errors, 0 warnings\n");
 }
 
+// The warnings were there before, behind the error.
+TEST_F(CommandTest, check_corrects_errors_that_hide_warnings) {
+  test::TemporaryFolder folder;
+  places_.working = folder.path();
+  folder.write("a.xml", "<dialogue><function name=\"main\">"
+                        "<var name=\"a\" expr=\"null\"/>"
+                        "<var name=\"b\" expr=\"1\"/></function></dialogue>");
+  EXPECT_EQ(call({"check", "a.xml", "--fix"}), exit_code::well) << out_.str();
+  EXPECT_THAT(folder.read("a.xml"), HasSubstr("expr=\"unknown\""));
+  EXPECT_THAT(err_.str(), HasSubstr("a.xml: 0 errors, 2 warnings\n"));
+}
+
 TEST_F(CommandTest, check_leaves_files_alone_unless_told) {
   test::TemporaryFolder folder;
   places_.working = folder.path();

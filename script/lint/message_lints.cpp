@@ -4,6 +4,7 @@
 
 #include "runtime/base/roles.hpp"
 #include "script/compiler/compilation.hpp"
+#include "script/compiler/phrase_compiler.hpp"
 #include "script/compiler/reaction_compiler.hpp"
 #include "script/lint/passes.hpp"
 
@@ -37,7 +38,9 @@ public:
 private:
   void message(const Element& element);
   void subscription(const Element& element);
-  void phrase(const Element& element);
+  void said_act(const Element& element);
+  void worded_act(const Element& element);
+  bool is_said(const std::string& act) const;
   void route(const Element& element);
   void statement(const Element& element);
   bool is_missing(const std::string& name) const;
@@ -180,7 +183,7 @@ void MessageLint::subscription(const Element& element) {
 }
 
 // What <say> says, somebody has to have words for.
-void MessageLint::phrase(const Element& element) {
+void MessageLint::said_act(const Element& element) {
   const auto& act = *element.attribute("act");
   std::vector<std::string> known;
   for (const auto& phrase : subject_.program.phrases)
@@ -196,6 +199,33 @@ void MessageLint::phrase(const Element& element) {
                          : hint));
 }
 
+// What a <phrase> words, the engine or a <say> has to say. Near misses were
+// told when it was compiled.
+void MessageLint::worded_act(const Element& element) {
+  const auto& act = *element.attribute("act");
+  if (!subject_.settings || is_said(act.value) ||
+      !did_you_mean(act.value, say_acts()).empty())
+    return;
+  const auto begun = std::ranges::find_if(say_acts(), [&](const auto& known) {
+    return act.value.starts_with(known) || known.starts_with(act.value);
+  });
+  warn(findings_, "unknown-act", act.value_position,
+       "nothing says the act '" + act.value + "'" +
+           (begun != say_acts().end()
+                ? ", did you mean '" + *begun + "'?"
+                : "; a script does by <say act=\"" + act.value + "\"/>"));
+}
+
+// By the engine, or by a script, which may compute the act.
+bool MessageLint::is_said(const std::string& act) const {
+  bool said = std::ranges::count(say_acts(), act) > 0;
+  walk(subject_, true, [&](const Element& element, const ElementRule& rule) {
+    if (is_statement(rule) && element.is("say"))
+      said |= is_computed(element.value("act")) || element.value("act") == act;
+  });
+  return said;
+}
+
 void MessageLint::route(const Element& element) {
   if (const auto* to = element.attribute("to"))
     for (const auto& name : split_names(to->value))
@@ -209,7 +239,7 @@ void MessageLint::statement(const Element& element) {
   else if (element.is("subscribe") || element.is("unsubscribe"))
     subscription(element);
   else if (element.is("say") && element.attribute("act"))
-    phrase(element);
+    said_act(element);
 }
 
 void MessageLint::look_at(const Element& element, const ElementRule& rule) {
@@ -217,6 +247,8 @@ void MessageLint::look_at(const Element& element, const ElementRule& rule) {
     statement(element);
   else if (element.is("relay") || element.is("filter"))
     route(element);
+  else if (element.is("phrase"))
+    worded_act(element);
   const bool holds_sources = std::find(rule.holds.begin(), rule.holds.end(),
                                        "sources") != rule.holds.end();
   for (const auto& child : element.children)

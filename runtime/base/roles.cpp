@@ -1,6 +1,7 @@
 #include "runtime/base/roles.hpp"
 
 #include <algorithm>
+#include <cctype>
 
 namespace parlour {
 
@@ -77,12 +78,31 @@ const Role* find_role(std::string_view name) {
   return nullptr;
 }
 
+namespace {
+
+bool is_letter(char c) {
+  return std::isalpha(static_cast<unsigned char>(c)) || c == '_' ||
+         static_cast<unsigned char>(c) >= 0x80;
+}
+
+// Such as an element of <messages> can have.
+bool is_name(std::string_view text) {
+  return is_letter(text.front()) &&
+         std::all_of(text.begin(), text.end(), [](char c) {
+           return is_letter(c) || c == '-' ||
+                  std::isdigit(static_cast<unsigned char>(c));
+         });
+}
+
+} // namespace
+
 std::string wrong_source_name(std::string_view name) {
   const auto quoted = "'" + std::string(name) + "'";
   if (name.empty())
     return "a name is missing";
-  if (name.find_first_of("*,") != std::string_view::npos)
-    return quoted + " is no name: it has a '*' or a comma";
+  if (!is_name(name))
+    return quoted + " is no name: it begins with a letter or _, and has "
+                    "letters, digits, _ and - only";
   const auto* role = find_role(name);
   if (!role)
     return {};

@@ -15,6 +15,7 @@ namespace parlour::script {
 namespace {
 
 constexpr auto npos = std::string_view::npos;
+constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
 // As a fragment, so that text outside of the root element is kept and told.
 constexpr auto parse_options =
     pugi::parse_default | pugi::parse_doctype | pugi::parse_fragment;
@@ -53,6 +54,7 @@ public:
   std::optional<Element> read();
 
 private:
+  void check_byte_order_marks();
   void check_text();
   pugi::xml_parse_result parse();
   std::size_t beginning(pugi::xml_parse_status status,
@@ -93,7 +95,19 @@ void Reader::tell(const XmlSlip& slip) {
                  slip.replacement});
 }
 
+// Behind the one that counts for nothing.
+void Reader::check_byte_order_marks() {
+  std::size_t end = 0;
+  while (std::string_view(text_).substr(end).starts_with(byte_order_mark))
+    end += byte_order_mark.size();
+  if (end == 0)
+    return;
+  failed_ = true;
+  tell({0, end, "a second byte order mark begins this file; take it out", ""});
+}
+
 void Reader::check_text() {
+  check_byte_order_marks();
   if (const auto invalid = find_invalid_utf8(text_))
     return error(*invalid, "this is not UTF-8; save the file as UTF-8");
   if (const auto control = find_control_character(text_))
@@ -244,8 +258,8 @@ std::optional<Element> read_source(std::string text, std::uint16_t file,
     findings.error({file, 0, 0}, "the file is larger than 16 MB");
     return std::nullopt;
   }
-  if (text.starts_with("\xef\xbb\xbf")) // a byte order mark counts for nothing
-    text.erase(0, 3);
+  if (text.starts_with(byte_order_mark)) // counts for nothing
+    text.erase(0, byte_order_mark.size());
   return Reader(std::move(text), file, findings).read();
 }
 

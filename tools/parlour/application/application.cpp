@@ -133,7 +133,7 @@ Application load_application(const fs::path& folder, const fs::path& platform,
   findings.insert(findings.end(), chosen.begin(), chosen.end());
   const auto loads = check_loads(compiled, application.composition, *plugins);
   findings.insert(findings.end(), loads.begin(), loads.end());
-  check_resources(application);
+  check_resources(application, columns_of_slots(compiled));
   sort(findings);
   if (application.has_errors())
     application.program = nullptr;

@@ -58,11 +58,23 @@ public:
     const auto column = split(name);
     const auto found =
         all_.find(column.database.empty() ? first_ : column.database);
-    return found != all_.end() ? found->second(column.reference)
-                               : missing(column, name);
+    if (found == all_.end())
+      return missing(column, name);
+    return found->second(column.reference).map_error([&](Error error) {
+      return named(std::move(error), column.reference, name);
+    });
   }
 
 private:
+  // What was asked for, in the words of who asked.
+  static Error named(Error error, const std::string& reference,
+                     const std::string& name) {
+    const auto quoted = "'" + reference + "'";
+    if (const auto at = error.message.find(quoted); at != std::string::npos)
+      error.message.replace(at, quoted.size(), "'" + name + "'");
+    return error;
+  }
+
   Texts missing(const Column& column, const std::string& name) const {
     if (column.database.empty())
       return fail(ErrorKind::settings, "the application has no database to "

@@ -1,6 +1,8 @@
 #include "tools/parlour/application/resource_check.hpp"
 
 #include <algorithm>
+#include <functional>
+#include <set>
 #include <utility>
 
 #include "adapters/database/mariadb/mariadb_options.hpp"
@@ -112,24 +114,41 @@ bool check_databases(Application& application) {
   return fit;
 }
 
+// Those that cannot be read are told where they are named; for who reads them
+// afterwards they are empty.
+ColumnReader check_columns(Application& application,
+                           const std::vector<NamedColumn>& columns) {
+  const auto reader =
+      column_reader(in_memory(application.composition), application.folder, "");
+  std::set<std::string> unreadable;
+  for (const auto& [name, place] : columns)
+    if (const auto values = reader(name); !values) {
+      application.findings.push_back(
+          {Severity::error, place, values.error().message});
+      unreadable.insert(name);
+    }
+  return [reader, unreadable](
+             const std::string& name) -> Expected<std::vector<std::string>> {
+    if (unreadable.count(name) > 0)
+      return std::vector<std::string>();
+    return reader(name);
+  };
+}
+
 void check_understanding(Application& application,
-                         const ChosenComponent& component) {
-  const auto built =
-      build_understander(application, component,
-                         column_reader(in_memory(application.composition),
-                                       application.folder, ""));
+                         const ChosenComponent& component,
+                         const ColumnReader& columns) {
+  const auto built = build_understander(application, component, columns);
   if (!built)
     for (const auto& error : built.error())
       report(application, error, component.place, component.name);
 }
 
-void check_keywords(Application& application,
-                    const ChosenComponent& component) {
+void check_keywords(Application& application, const ChosenComponent& component,
+                    const ColumnReader& columns) {
   const auto read = adapters::load_keyword_rules(
       component.options, application.folder.string(),
-      *application.program->understanding,
-      column_reader(in_memory(application.composition), application.folder,
-                    ""));
+      *application.program->understanding, columns);
   if (!read)
     for (const auto& error : read.error())
       report(application, error, component.place, component.name);
@@ -137,7 +156,24 @@ void check_keywords(Application& application,
 
 } // namespace
 
-void check_resources(Application& application) {
+std::vector<NamedColumn> columns_of_slots(const script::Compiled& compiled) {
+  std::vector<NamedColumn> columns;
+  const std::function<void(const script::Element&)> look =
+      [&](const script::Element& element) {
+        const auto* source = element.attribute("source");
+        if (element.is("cardinality") && source)
+          columns.push_back(
+              {source->value, compiled.findings.place(source->value_position)});
+        for (const auto& child : element.children)
+          look(child);
+      };
+  for (const auto& document : compiled.documents)
+    look(document.root);
+  return columns;
+}
+
+void check_resources(Application& application,
+                     const std::vector<NamedColumn>& columns) {
   const auto before = application.findings.size();
   const auto& composition = application.composition;
   const bool fit = check_databases(application);
@@ -147,11 +183,12 @@ void check_resources(Application& application) {
   // Columns of a database that cannot be made would only say so again.
   if (!application.program || !fit || failed > before)
     return;
+  const auto reader = check_columns(application, columns);
   for (const auto& component : composition.components)
     if (component.factory.description.name == "GrammarNLU")
-      check_understanding(application, component);
+      check_understanding(application, component, reader);
     else if (component.factory.description.name == "KeywordNLU")
-      check_keywords(application, component);
+      check_keywords(application, component, reader);
 }
 
 } // namespace parlour::tools

@@ -50,6 +50,17 @@ TEST_F(ResourceCheckTest, misses_a_column) {
               MatchesRegex("[^\n]*: error: [^\n]*name[^\n]*\n"));
 }
 
+TEST_F(ResourceCheckTest, tells_of_a_column_where_it_is_named) {
+  folder_.write("schema.sql", "create table guest (surname text);\n");
+  std::string topic = guest_topic;
+  const std::string column = "db:guest.name";
+  topic.replace(topic.find(column), column.size(),
+                "db:SQLiteDatabase.guest.name");
+  EXPECT_THAT(wrong(topic),
+              MatchesRegex("own.xml:[0-9:]+ error: The column 'db:"
+                           "SQLiteDatabase.guest.name' [^\n]*\n"));
+}
+
 TEST_F(ResourceCheckTest, places_a_mistake_in_a_grammar) {
   folder_.write("schema.sql", guest_schema);
   folder_.write("desk.jsgf", "#JSGF V1.0;\ngrammar desk;\n"

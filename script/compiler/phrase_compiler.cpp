@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "script/expression/brace_slips.hpp"
 #include "script/expression/plain_brace.hpp"
 
 namespace parlour::script {
@@ -65,14 +66,28 @@ void check_slot(const Element& phrase, const Compilation& compilation) {
 // Elsewhere such braces are text (language rule 4.4); here somebody would hear
 // them.
 void check_braces(const Element& phrase, std::string_view text,
-                  Findings& findings) {
+                  const Compilation& compilation) {
   const auto at = plain_brace(text);
-  if (at != std::string_view::npos)
-    findings.add({Severity::error,
-                  {phrase.text_position, at, 1, true},
-                  "this brace would be said aloud, as it embeds no "
-                  "expression; for a brace that is said write '{{' or '}}'",
-                  "expression"});
+  if (at == std::string_view::npos)
+    return;
+  const KnownNames known{[&](const auto& name) {
+                           return std::ranges::count(parameters, name) > 0 ||
+                                  compilation.names.variables.count(name) > 0;
+                         },
+                         [&](const auto& name) {
+                           return compilation.names.functions.count(name) > 0;
+                         }};
+  const auto slip =
+      text[at] == '{' ? explain_brace(text, at, known, true) : std::nullopt;
+  compilation.findings.add(
+      {Severity::error,
+       {phrase.text_position, at, slip ? slip->length : 1, true},
+       slip ? "this brace would be said aloud, as what is inside is no "
+              "expression: " +
+                  slip->message
+            : "this brace would be said aloud, as it embeds no expression; "
+              "for a brace that is said write '{{' or '}}'",
+       "expression"});
 }
 
 } // namespace
@@ -103,7 +118,7 @@ void compile_phrases(const Element& phrases, const FunctionNames* functions,
       phrase.condition =
           compilation.bodies.expression(*condition, context, parameters);
     const auto words = collapsed(element.text);
-    check_braces(element, words, compilation.findings);
+    check_braces(element, words, compilation);
     phrase.text = compilation.bodies.text(words, element.text_position, context,
                                           parameters);
     phrase.position = element.position;

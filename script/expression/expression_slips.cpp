@@ -55,16 +55,34 @@ using namespace slip_rules;
 constexpr int most_slips = 8; // told of one expression
 
 // The first that knows is right: the particular before the general.
-constexpr Found (*rules[])(const Scene&) = {
-    whole_text,       smart_quotes,  apostrophe,
-    in_braces,        assignment,    semicolon,
-    escape,           filter,        not_in,
-    foreign_sign,     equals,        decorated_name,
-    method,           word_before,   word_of_other_language,
-    round_list,       decimal_comma, leading_point,
-    slice_of_list,    half_a_choice, number_with_letters,
-    unclosed_bracket, early_end,     closing_bracket,
-    missing_operator};
+constexpr Found (*rules[])(const Scene&) = {whole_text,
+                                            smart_quotes,
+                                            apostrophe,
+                                            in_braces,
+                                            assignment,
+                                            semicolon,
+                                            escape,
+                                            filter,
+                                            not_in,
+                                            decorated_name,
+                                            foreign_sign,
+                                            equals,
+                                            method,
+                                            word_before,
+                                            word_of_other_language,
+                                            round_list,
+                                            comma_in_index,
+                                            decimal_comma,
+                                            leading_point,
+                                            slice_of_list,
+                                            half_a_choice,
+                                            layout_of_value,
+                                            number_with_letters,
+                                            unclosed_bracket,
+                                            early_end,
+                                            closing_bracket,
+                                            text_with_letter,
+                                            missing_operator};
 
 ExpressionSlip explain(const Scene& scene) {
   for (const auto rule : rules)

@@ -7,5 +7,7 @@ namespace parlour::script {
 
 // Where the first one is that is not doubled; npos: there is none.
 std::size_t plain_brace(std::string_view text);
+// Behind the expression that the brace at that place embeds; npos: none.
+std::size_t embedded_end(std::string_view text, std::size_t brace);
 
 } // namespace parlour::script

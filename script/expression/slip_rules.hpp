@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "script/expression/expression_slips.hpp"
 
@@ -29,6 +30,19 @@ std::size_t path_begin(std::string_view text, std::size_t end);
 // one that stands at `open`; npos where nothing does.
 std::size_t open_bracket(std::string_view text, std::size_t end);
 std::size_t closing_of(std::string_view text, std::size_t open);
+// What opens the bracket or the quoted text that ends at `close`; npos where
+// nothing does.
+std::size_t opening_of(std::string_view text, std::size_t close);
+// The beginning of the name, text, list or call that ends at `end`.
+std::size_t operand_begin(std::string_view text, std::size_t end);
+// "a, f(b, c)" at its commas, without blanks around.
+std::vector<std::string_view> split_arguments(std::string_view text);
+
+// Whether nothing but several words and their punctuation stands there.
+using VisitWord = std::function<void(std::string_view)>;
+bool is_made_of_words(std::string_view text, const VisitWord& visit);
+// A word that computes here or in other languages.
+bool is_operator_word(std::string_view word);
 
 // The expression and the place where the parser gave up.
 struct Scene {
@@ -55,6 +69,7 @@ Found smart_quotes(const Scene& scene);
 Found apostrophe(const Scene& scene);
 Found in_braces(const Scene& scene);
 Found decorated_name(const Scene& scene);
+Found text_with_letter(const Scene& scene);
 
 // -- of signs (slip_rules_signs.cpp, slip_rules_lists.cpp)
 Found assignment(const Scene& scene);
@@ -62,15 +77,19 @@ Found escape(const Scene& scene);
 Found foreign_sign(const Scene& scene);
 Found equals(const Scene& scene);
 Found semicolon(const Scene& scene);
+Found comma_in_index(const Scene& scene);
 Found decimal_comma(const Scene& scene);
 Found leading_point(const Scene& scene);
 Found round_list(const Scene& scene);
 Found half_a_choice(const Scene& scene);
 Found slice_of_list(const Scene& scene);
+Found layout_of_value(const Scene& scene);
 
-// -- of words and brackets (slip_rules_words.cpp)
+// -- of what is called (slip_rules_calls.cpp)
 Found method(const Scene& scene);
 Found filter(const Scene& scene);
+
+// -- of words and brackets (slip_rules_words.cpp)
 Found not_in(const Scene& scene);
 Found word_of_other_language(const Scene& scene);
 Found word_before(const Scene& scene);

@@ -153,7 +153,7 @@ Found escape(const Scene& scene) {
 }
 
 Found equals(const Scene& scene) {
-  if (!scene.rest().starts_with('='))
+  if (!scene.rest().starts_with('=') || scene.rest().starts_with("=="))
     return {};
   if (scene.before().empty())
     return ExpressionSlip{scene.at, 1,

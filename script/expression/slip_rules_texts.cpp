@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cctype>
 
 #include "script/expression/slip_rules.hpp"
@@ -5,15 +6,11 @@
 
 namespace parlour::script::slip_rules {
 
-namespace {
-
 bool is_operator_word(std::string_view word) {
   return is_reserved(word) || find_slip(SlipPlace::operation, word);
 }
 
-// Calls `visit` for each word; false where anything else than words computes.
-template <class Visit>
-bool is_made_of_words(std::string_view text, Visit visit) {
+bool is_made_of_words(std::string_view text, const VisitWord& visit) {
   constexpr std::string_view anywhere = " -'", behind_words = ".,!?:";
   std::size_t words = 0;
   for (std::size_t at = 0; at < text.size();) {
@@ -32,6 +29,8 @@ bool is_made_of_words(std::string_view text, Visit visit) {
   }
   return words > 1 && text.front() != '\'' && text.find(' ') != npos;
 }
+
+namespace {
 
 // Where nobody knows what is declared, a word that might compare or join does.
 bool reads_like_text(const Scene& scene, std::string_view text) {
@@ -155,16 +154,30 @@ Found in_braces(const Scene& scene) {
                         meant};
 }
 
-// $name, ${name}, {name}, %name%: a variable is its name.
+namespace {
+
+// '@name', '#name': only where that is one.
+bool is_marked_name(const Scene& scene) {
+  const auto rest = scene.rest();
+  if (!rest.starts_with('@') && !rest.starts_with('#'))
+    return false;
+  const auto end = word_end(rest, 1);
+  return end > 1 && scene.is_declared &&
+         scene.is_declared(string_of(rest.substr(1, end - 1)));
+}
+
+} // namespace
+
+// $name, ${name}, {name}, @name: a variable is its name.
 Found decorated_name(const Scene& scene) {
   auto begin = scene.at;
   const auto brace = scene.text.rfind('{', scene.at);
-  if (!scene.rest().starts_with('$')) {
+  if (!scene.rest().starts_with('$') && !is_marked_name(scene)) {
     if (scene.error.find("':'") == npos || brace == npos)
       return {};
     begin = brace;
   }
-  const auto inner = scene.text.find_first_not_of("${", begin);
+  const auto inner = scene.text.find_first_not_of("${@#", begin);
   if (inner == npos)
     return {};
   const auto end = word_end(scene.text, inner);
@@ -177,6 +190,48 @@ Found decorated_name(const Scene& scene) {
   return ExpressionSlip{
       begin, end + (braces ? 1 : 0) - begin,
       "in an expression a variable is its name alone: " + name, name};
+}
+
+namespace {
+
+// "hello {n}" of Python -> 'hello ' + n; nothing where that computes nothing.
+std::optional<std::string> joined_parts(std::string_view text) {
+  std::string joined = text.starts_with('{') ? "''" : ""; // so that texts join
+  const auto add = [&joined](const std::string& part) {
+    joined += (joined.empty() ? "" : " + ") + part;
+  };
+  for (std::size_t at = 0; at < text.size();) {
+    const auto open = std::min(text.find('{', at), text.size());
+    const auto close = std::min(text.find('}', open), text.size());
+    if (open > at)
+      add("'" + string_of(text.substr(at, open - at)) + "'");
+    const auto inner = text.substr(open, close - open);
+    if (inner.size() > 1)
+      add(inner.find(' ') == npos ? string_of(inner.substr(1))
+                                  : "(" + string_of(inner.substr(1)) + ")");
+    at = close + 1;
+  }
+  return parse_expression(joined).node ? std::optional(joined) : std::nullopt;
+}
+
+} // namespace
+
+// f'hello {name}', r'text'.
+Found text_with_letter(const Scene& scene) {
+  const auto rest = scene.rest();
+  const auto begin = word_begin(scene.text, scene.at);
+  if (scene.at - begin != 1 ||
+      std::string_view("fFrRbBuU").find(scene.text[begin]) == npos ||
+      !(rest.starts_with('\'') || rest.starts_with('"')))
+    return {};
+  const auto end = rest.find(rest.front(), 1);
+  if (end == npos)
+    return {};
+  ExpressionSlip slip{begin, end + 2, "a text has no letter before its quotes"};
+  slip.replacement = joined_parts(rest.substr(1, end - 1));
+  if (slip.replacement)
+    slip.message += "; it is joined by '+': " + *slip.replacement;
+  return slip;
 }
 
 } // namespace parlour::script::slip_rules

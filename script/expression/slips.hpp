@@ -14,6 +14,7 @@ enum class SlipPlace : unsigned char {
   operand,
   operation,
   function,
+  method,
   element,
   attribute,
 };

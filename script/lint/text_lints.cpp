@@ -4,13 +4,15 @@
 #include <cctype>
 #include <map>
 
-#include "script/expression/builtins.hpp"
+#include "script/expression/brace_slips.hpp"
 #include "script/expression/plain_brace.hpp"
 #include "script/lint/passes.hpp"
 
 namespace parlour::script::lint {
 
 namespace {
+
+constexpr auto npos = std::string_view::npos;
 
 std::string first_word(std::string_view text) {
   std::string word;
@@ -34,8 +36,11 @@ struct Text {
 
 class TextLint {
 public:
+  TextLint(const TextLint&) = delete;
   TextLint(const Subject& subject, Findings& findings)
       : names_(declared_names(subject)), functions_(subject.program.functions),
+        known_{[this](const auto& name) { return names_.count(name) > 0; },
+               [this](const auto& name) { return functions_.count(name) > 0; }},
         findings_(findings) {}
 
   void look_at(const Text& text) {
@@ -46,11 +51,10 @@ public:
   }
 
 private:
-  bool is_known(std::string_view inner, const std::string& word) const;
   bool look_for_variables(const Text& text);
-  void look_at_brace(const Text& text, std::size_t at);
+  void look_at_doubled(const Text& text, std::size_t at);
+  std::size_t look_at_brace(const Text& text, std::size_t at);
   void look_for_foreign(const Text& text);
-  std::string meant_by(std::string_view inner, const std::string& word) const;
   void look_for_braces(const Text& text);
   void warn_at(const Text& text, std::size_t at, std::size_t length,
                std::string message) {
@@ -62,6 +66,7 @@ private:
 
   std::set<std::string> names_;
   const std::map<std::string, CodeId, std::less<>>& functions_;
+  KnownNames known_;
   Findings& findings_;
 };
 
@@ -73,70 +78,51 @@ void TextLint::look_for_braces(const Text& text) {
             "brace that is meant write '{{' or '}}'");
 }
 
-// What the author may have meant by it, in one sentence.
-std::string TextLint::meant_by(std::string_view inner,
-                               const std::string& word) const {
-  const auto parsed = parse_expression(inner);
-  const auto known = [this](const std::string& name) {
-    return names_.count(name) > 0;
-  };
-  const auto slips = parsed.node
-                         ? std::vector<ExpressionSlip>()
-                         : find_slips(inner, parsed, Wanted::value, known);
-  // Words behind a name tell no more.
-  const bool only_words =
-      std::all_of(inner.begin(), inner.end(), [](char letter) {
-        return letter == ' ' ||
-               std::isalnum(static_cast<unsigned char>(letter)) != 0;
-      });
-  return slips.empty() || only_words ? "for the variable write {" + word + "}"
-                                     : slips.front().message;
-}
-
-// A variable, or a function that is called.
-bool TextLint::is_known(std::string_view inner, const std::string& word) const {
-  const auto behind = inner.substr(inner.find(word) + word.size());
-  return names_.count(word) > 0 ||
-         (behind.starts_with('(') &&
-          (is_builtin(word) || functions_.count(word) > 0));
-}
-
-void TextLint::look_at_brace(const Text& text, std::size_t at) {
-  const auto all = text.text;
-  const bool doubled = at + 1 < all.size() && all[at + 1] == '{';
-  const auto inner = all.substr(at + (doubled ? 2 : 1));
+// {{name}} is said with its braces.
+void TextLint::look_at_doubled(const Text& text, std::size_t at) {
+  const auto inner = text.text.substr(at + 2);
   const auto close = inner.find('}');
   const auto word = first_word(inner);
-  if (word.empty() || !is_known(inner, word) ||
-      (!doubled && plain_brace(all.substr(at)) != 0))
+  if (!names_.count(word))
     return;
-  if (close == std::string_view::npos)
+  if (close == npos)
     return warn_at(text, at, 1,
                    "this brace embeds nothing, as it is not closed; for the "
                    "variable write {" +
                        word + "}");
-  const auto inside = inner.substr(0, close);
-  if (doubled)
-    return warn_at(text, at, close + 4,
-                   "doubled braces are said as they are; for the variable "
-                   "write {" +
-                       mended(inside).value_or(word) + "}");
-  if (!parse_expression(inside).node)
-    warn_at(text, at, close + 2,
+  warn_at(text, at, close + 4,
+          "doubled braces are said as they are; for the variable write {" +
+              mended(inner.substr(0, close)).value_or(word) + "}");
+}
+
+// Behind what was looked at.
+std::size_t TextLint::look_at_brace(const Text& text, std::size_t at) {
+  const auto all = text.text;
+  if (const auto end = embedded_end(all, at); end != npos)
+    return end;
+  const auto slip = explain_brace(all, at, known_, text.may_be_heard);
+  if (!slip)
+    return at + 1;
+  if (slip->length == 1)
+    warn_at(text, at, 1,
+            "this brace embeds nothing, as it is not closed; " + slip->message);
+  else
+    warn_at(text, at, slip->length,
             "these braces are said as they are, as what is inside is no "
             "expression: " +
-                meant_by(inside, word));
+                slip->message);
+  return at + slip->length;
 }
 
 // Whether there was anything to warn of.
 bool TextLint::look_for_variables(const Text& text) {
-  constexpr auto npos = std::string_view::npos;
   const auto all = text.text;
   const auto before = findings_.all().size();
-  for (auto at = all.find('{'); at != npos; at = all.find('{', at + 1)) {
-    look_at_brace(text, at);
-    if (at + 1 < all.size() && all[at + 1] == '{')
-      ++at;
+  for (auto at = all.find('{'); at != npos; at = all.find('{', at)) {
+    const bool doubled = at + 1 < all.size() && all[at + 1] == '{';
+    if (doubled)
+      look_at_doubled(text, at);
+    at = doubled ? at + 2 : look_at_brace(text, at);
   }
   return findings_.all().size() > before;
 }

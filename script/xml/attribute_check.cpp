@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <utility>
 
 #include "runtime/base/clock.hpp"
 #include "script/expression/expression.hpp"
@@ -47,10 +48,44 @@ std::string shown(const ElementRule& element, const AttributeRule& rule,
   return rule.name + "=\"" + value + "\" of <" + element.name + ">: expected ";
 }
 
+// <for each="x in list">; empty: that is not what stands there.
+std::string loop_meant(const ElementRule& element, const std::string& value) {
+  const auto in = value.find(" in ");
+  if (!element.attribute("each") || in == std::string::npos)
+    return {};
+  return "; write each=\"" + collapsed(value.substr(0, in)) + "\" in=\"" +
+         collapsed(value.substr(in + 4)) + "\"";
+}
+
+// <function name="f(a, b)">; the same.
+std::string head_meant(const ElementRule& element, const AttributeRule& rule,
+                       const std::string& value) {
+  const auto open = value.find('(');
+  if (open == std::string::npos)
+    return {};
+  auto meant =
+      "; write " + rule.name + "=\"" + collapsed(value.substr(0, open)) + "\"";
+  if (element.name != "function")
+    return meant;
+  const auto close = std::min(value.rfind(')'), value.size());
+  std::string params;
+  std::string word;
+  for (auto i = open + 1; i <= close && close > open; ++i)
+    if (i < close && is_name_part(value[i]))
+      word += value[i];
+    else if (!word.empty())
+      params += "<param name=\"" + std::exchange(word, {}) + "\"/>";
+  return params.empty() ? meant : meant + ", and inside of it " + params;
+}
+
 // "; write name="a" expr="1"" or a name that would do; empty: nobody knows.
 std::string name_meant(const ElementRule& element, const AttributeRule& rule,
                        const std::string& value) {
   const auto write = "; write " + rule.name + "=\"";
+  if (auto meant = loop_meant(element, value); !meant.empty())
+    return meant;
+  if (auto meant = head_meant(element, rule, value); !meant.empty())
+    return meant;
   if (const auto equals = value.find('=');
       equals != std::string::npos && element.attribute("expr"))
     return write + collapsed(value.substr(0, equals)) + "\" expr=\"" +

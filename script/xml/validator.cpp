@@ -53,6 +53,11 @@ bool holds_its_own(const ElementRule& rule) {
          !holds(rule, "statements");
 }
 
+// Where other languages have words of their own: not in the settings.
+bool is_of_script(const ElementRule& rule) {
+  return holds(rule, "statements") || rule.name == "dialogue";
+}
+
 // The attribute that a text was meant for; null: there is none.
 const char* attribute_of_text(const ElementRule& rule) {
   for (const auto* name : {"param", "expr"})
@@ -87,8 +92,9 @@ private:
   void validate_inside(Element& element, const ElementRule& rule);
   void add(const Element& element, std::string message, const char* name);
   void rename(const Element& element, const std::string& name);
-  void report_misplaced(const Element& element, const ElementRule& parent,
-                        const std::string& inside);
+  std::string report_misplaced(const Element& element,
+                               const ElementRule& parent,
+                               const std::string& inside);
   std::string report_unknown(const Element& element, const ElementRule& parent,
                              const std::string& inside);
   std::string report_unknown(const Attribute& attribute, const Element& element,
@@ -126,13 +132,22 @@ void Validator::rename(const Element& element, const std::string& name) {
     findings_.add_edit(std::move(edit));
 }
 
-void Validator::report_misplaced(const Element& element,
-                                 const ElementRule& parent,
-                                 const std::string& inside) {
+// What it was meant to be; empty: nobody knows.
+std::string Validator::report_misplaced(const Element& element,
+                                        const ElementRule& parent,
+                                        const std::string& inside) {
   auto text = tag(element.name) + " may not stand in " + tag(inside) + "; ";
   const auto parents = parents_of(element.name);
   const auto allowed = names_within(parent.holds);
-  if (holds_its_own(parent) && !allowed.empty())
+  const auto* slip = is_of_script(parent)
+                         ? find_slip(SlipPlace::element, element.name, &allowed)
+                         : nullptr;
+  if (slip && slip->meant.empty())
+    text += slip->sentence;
+  else if (slip)
+    text += "here it is called " + tag(std::string(slip->meant)) +
+            (slip->sentence.empty() ? "" : " ") + std::string(slip->sentence);
+  else if (holds_its_own(parent) && !allowed.empty())
     text += "expected " + tags(allowed);
   else if (parents.size() > 6)
     text += "it is a statement: put it into a <function>, a state's "
@@ -140,6 +155,7 @@ void Validator::report_misplaced(const Element& element,
   else
     text += "it belongs in " + tags(parents);
   add(element, text, "element");
+  return slip ? std::string(slip->meant) : std::string();
 }
 
 // What it was meant to be is how it goes on; empty: nobody knows.
@@ -322,10 +338,8 @@ bool Validator::validate(Element& element, const ElementRule& parent,
                          : parent.child(element.name);
   if (!rule) {
     const bool is_known = !parents_of(element.name).empty();
-    if (is_known)
-      report_misplaced(element, parent, inside);
-    const auto meant =
-        is_known ? std::string() : report_unknown(element, parent, inside);
+    const auto meant = is_known ? report_misplaced(element, parent, inside)
+                                : report_unknown(element, parent, inside);
     rule = meant.empty() ? nullptr : find_rule(meant, parent.holds);
     if (!rule)
       return false;

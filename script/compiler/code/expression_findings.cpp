@@ -1,11 +1,29 @@
 // What the compiler of expressions says: the nearest right name, or what the
 // author may have meant.
+#include <algorithm>
+
 #include "script/compiler/code/expression_compiler.hpp"
 #include "script/expression/builtins.hpp"
 #include "script/expression/expression_slips.hpp"
 #include "script/expression/slips.hpp"
 
 namespace parlour::script {
+
+namespace {
+
+// Of the topic around.
+bool is_slot(const std::string& name, const BodyContext& context) {
+  return context.topic && context.topic->slot(name) != no_id;
+}
+
+// Declared, and yet not visible: what stands in <routes> sees none of them.
+bool is_of_session(const std::string& name, const Program& program) {
+  return std::ranges::any_of(program.variables, [&](const auto& variable) {
+    return variable.name == name;
+  });
+}
+
+} // namespace
 
 void ExpressionCompiler::report(const Source& source, const Parsed& parsed) {
   const auto known = [this](const std::string& name) {
@@ -33,7 +51,11 @@ void ExpressionCompiler::unknown_name(const Node& node, const Source& source) {
   const auto known = b_.visible_names();
   if (name == "this")
     return error(node, source, "'this' is followed by a slot: this.Name");
-  if (b_.context.topic && b_.context.topic->slot(name) != no_id)
+  if (is_of_session(name, b_.program))
+    return error(node, source,
+                 quoted + " is a variable of a session, and this sees the "
+                          "message and constants (<const>) only");
+  if (is_slot(name, b_.context))
     return error(node, source,
                  quoted + " is not declared; the topic's slot is this." + name,
                  "this." + name);
@@ -80,7 +102,8 @@ void ExpressionCompiler::unknown_target(const Node& node,
     return unknown_name(node, source);
   const auto known = b_.visible_names();
   if (!did_you_mean(node.text, known).empty() || node.text == "this" ||
-      b_.function(node.text))
+      b_.function(node.text) || is_slot(node.text, b_.context) ||
+      is_of_session(node.text, b_.program))
     return unknown_name(node, source);
   error(node, source,
         "'" + node.text + "' is not declared; <var name=\"" + node.text +

@@ -213,16 +213,20 @@ std::vector<TextPart> ExpressionCompiler::split_text(const Source& source) {
   return parts;
 }
 
+std::size_t embedded_end(std::string_view text, std::size_t brace) {
+  std::size_t length = 0;
+  return text[brace] == '{' && embedded(text.substr(brace + 1), length)
+             ? brace + length + 2
+             : std::string_view::npos;
+}
+
 std::size_t plain_brace(std::string_view text) {
   for (auto at = text.find_first_of("{}"); at != std::string_view::npos;
        at = text.find_first_of("{}", at)) {
-    std::size_t length = 0;
-    if (is_doubled(text, at))
-      at += 2;
-    else if (text[at] == '{' && embedded(text.substr(at + 1), length))
-      at += length + 2;
-    else
+    const auto end = is_doubled(text, at) ? at + 2 : embedded_end(text, at);
+    if (end == std::string_view::npos)
       return at;
+    at = end;
   }
   return std::string_view::npos;
 }

@@ -33,6 +33,8 @@ TEST(PhraseCompiler, refuses_braces_that_would_be_said) {
     EXPECT_THAT(lines_of(words), testing::ElementsAre(testing::HasSubstr(
                                      "error: this brace would be said")))
         << words;
+  EXPECT_THAT(lines_of("Hi {typeof data}"),
+              testing::ElementsAre(testing::HasSubstr("write type(x)")));
   EXPECT_THAT(lines_of("Hi {{data.name}} {data.name}"), testing::IsEmpty());
 }
 

@@ -161,8 +161,41 @@ INSTANTIATE_TEST_SUITE_P(
               "0: a function stands before what it works on: append(list, "
               "3)\n",
               "append(list, 3)"},
-        Wrong{"a.mine(3)",
-              "0: a function stands before what it works on: mine(a, 3)\n"},
+        Wrong{
+            "a.greeted(3)",
+            "2: there is no function 'greeted' here; one of your own is called "
+            "greeted(a, 3)\n"},
+        Wrong{"a.count(3)",
+              "2: there is no function 'count' here; length(list) counts all "
+              "of it, a <for each=\"x\" in=\"list\"> what fits\n"},
+        Wrong{"a.upper('b')",
+              "2: a function stands before what it works on: upper(a, …)\n"},
+        Wrong{"a.startsWith('b')",
+              "0: a function stands before what it works on: startswith(a, "
+              "'b')\n",
+              "startswith(a, 'b')"},
+        Wrong{"a.get('k')", "0: there is no 'get' here; write a['k']\n",
+              "a['k']"},
+        Wrong{"a.toFixed(2)",
+              "0: a function stands before what it works on: "
+              "format('{:.2}', a)\n",
+              "format('{:.2}', a)"},
+        Wrong{"a.toFixed(n)",
+              "2: there is no function 'toFixed' here; write format('{:.2}', "
+              "x)\n"},
+        Wrong{"', '.join(a)",
+              "0: a function stands before what it works on: join(a, ', ')\n",
+              "join(a, ', ')"},
+        Wrong{"f(a)[0].trim()",
+              "0: a function stands before what it works on: "
+              "trim(f(a)[0])\n",
+              "trim(f(a)[0])"},
+        Wrong{"f'{a} of {b or c}'",
+              "0: a text has no letter before its quotes; it is joined by "
+              "'+': '' + a + ' of ' + (b or c)\n",
+              "'' + a + ' of ' + (b or c)"},
+        Wrong{"a:d", "1: a value is laid out by format(), such as "
+                     "format('{:.2}', a)\n"},
         Wrong{"Math.max(a, 3)", "0: a function stands by itself here: max(…)\n",
               "max(a, 3)"},
         Wrong{"JSON.stringify(a)",
@@ -185,6 +218,10 @@ INSTANTIATE_TEST_SUITE_P(
               "a in [1, 2]"},
         Wrong{"l[1:2]", "0: a part of a list is given by: slice(l, 1, 2)\n",
               "slice(l, 1, 2)"},
+        Wrong{"l[0, f(1, 2)]",
+              "1: a list of lists is read by one position after the other: "
+              "l[0][f(1, 2)]\n",
+              "l[0][f(1, 2)]"},
         Wrong{"l[:2]", "0: a part of a list is given by: slice(l, 0, 2)\n",
               "slice(l, 0, 2)"},
         Wrong{"a ? 1", "2: a choice has two values: condition ? value : "

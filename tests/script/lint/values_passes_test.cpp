@@ -223,6 +223,13 @@ INSTANTIATE_TEST_SUITE_P(
         Linted{"<function name='main'><param name='who'/><print param='Hello "
                "{who} {so on} {{it}}'/></function>",
                ""},
+        // A name in it, or the look of an expression; words are words.
+        Linted{"<function name='main'><param name='who'/>\n"
+               "<print param='{typeof who} {the who} {(who}'/>\n"
+               "<print param='{1 = 2} {=== so ===} {so, on; and on}'/>"
+               "</function>",
+               "4:15 text-like-expression, 4:38 text-like-expression, "
+               "5:15 text-like-expression"},
         Linted{"<topic name='T'><slot question='So {on' name='S' "
                "type='Functional'><explain><value>Because {of "
                "it.</value><value>{1 + 1} {{ok}}</value>"

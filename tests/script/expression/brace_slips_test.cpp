@@ -1,0 +1,48 @@
+#include <gtest/gtest.h>
+
+#include "script/expression/brace_slips.hpp"
+
+namespace parlour::script {
+
+namespace {
+
+const KnownNames known{[](const auto& name) { return name == "seats"; },
+                       [](const auto& name) { return name == "free"; }};
+
+std::string said(std::string_view text, bool may_compute = true) {
+  const auto slip = explain_brace(text, 0, known, may_compute);
+  return slip ? std::to_string(slip->length) + ": " + slip->message : "";
+}
+
+} // namespace
+
+TEST(BraceSlips, are_those_of_the_expression_inside) {
+  EXPECT_EQ(said("{typeof seats} left"),
+            "14: there is no 'typeof' here; write type(x)");
+  EXPECT_EQ(said("{(seats}"), "8: this '(' is not closed; ')' is missing");
+  EXPECT_EQ(said("{free(1 2)}"), "11: ',' or ')' is missing before '2'");
+}
+
+TEST(BraceSlips, tell_of_a_variable_where_words_stand_behind_it) {
+  EXPECT_EQ(said("{seats left}"), "12: for the variable write {seats}");
+  EXPECT_EQ(said("{seats left"), "1: for the variable write {seats}");
+}
+
+TEST(BraceSlips, reach_behind_the_braces_inside) {
+  EXPECT_EQ(said("{'{}'.format(seats)} {b}"),
+            "20: a function stands before what it works on: format('{}', "
+            "seats)");
+}
+
+TEST(BraceSlips, are_none_where_text_stands_in_braces) {
+  for (const auto* text : {"{so on}", "{the seats}", "{smiles, then waves}",
+                           "{=== so ===}", "{:)}", "{}", "{2,3}"})
+    EXPECT_EQ(said(text), "") << text;
+}
+
+TEST(BraceSlips, look_like_computing_where_it_can_be_heard_only) {
+  EXPECT_EQ(said("{1 = 2}"), "7: '=' does not compare; write '=='");
+  EXPECT_EQ(said("{1 = 2}", false), "");
+}
+
+} // namespace parlour::script

@@ -233,10 +233,11 @@ private:
 
   void add_exec() {
     auto* command = add("exec", "Run the function main of a script", [this] {
-      return exec_command(places_, exec_file_, console_);
+      return exec_command(places_, exec_, console_);
     });
-    command->add_option("FILE", exec_file_, "A script, or an application")
+    command->add_option("FILE", exec_.file, "A script, or an application")
         ->required();
+    command->add_flag("--listing", exec_.listing, "Show its compiled code");
   }
 
   void add_understand() {
@@ -383,7 +384,7 @@ private:
   std::string plugin_role_;
   NewPluginOptions new_plugin_;
   TestPluginOptions test_plugin_;
-  std::string exec_file_;
+  ExecOptions exec_;
   std::string shell_;
   ComponentOptions component_;
   HelpOptions help_;

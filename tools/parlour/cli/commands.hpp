@@ -69,7 +69,11 @@ int help_command(const HelpOptions& options,
                  const std::vector<std::string>& commands,
                  const Console& console);
 
-int exec_command(const Places& places, const std::string& file,
+struct ExecOptions {
+  std::string file;     // a script, or an application
+  bool listing = false; // show what it was compiled to, and run nothing
+};
+int exec_command(const Places& places, const ExecOptions& options,
                  const Console& console);
 
 struct ComponentOptions {

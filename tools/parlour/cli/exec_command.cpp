@@ -4,6 +4,7 @@
 #include "adapters/files/data_files.hpp"
 #include "runtime/base/file_bytes.hpp"
 #include "script/run/exec_run.hpp"
+#include "script/vm/listing.hpp"
 #include "tools/parlour/application/application.hpp"
 #include "tools/parlour/cli/commands.hpp"
 #include "tools/parlour/console/exit_code.hpp"
@@ -53,8 +54,9 @@ Expected<Loaded> load(const Places& places, const std::string& file) {
 
 } // namespace
 
-int exec_command(const Places& places, const std::string& file,
+int exec_command(const Places& places, const ExecOptions& wanted,
                  const Console& console) {
+  const auto& file = wanted.file;
   const auto loaded = load(places, file);
   if (!loaded) {
     say_error(console, loaded.error().message);
@@ -64,6 +66,10 @@ int exec_command(const Places& places, const std::string& file,
   print_lines(console.err, compiled.findings.all(), places);
   if (!compiled.program)
     return exit_code::wrong;
+  if (wanted.listing) {
+    console.out << script::listing(*compiled.program) << std::flush;
+    return exit_code::well;
+  }
   auto options = exec_options(console);
   options.files = adapters::data_files(loaded->folder / "data");
   const auto failure = script::run_main(compiled.program, options);

@@ -11,6 +11,14 @@ TEST_F(CommandTest, exec_runs_main) {
   EXPECT_EQ(out_.str(), "two is 2\n");
 }
 
+TEST_F(CommandTest, exec_shows_compiled_code_and_runs_nothing) {
+  EXPECT_EQ(call({"exec", "--listing", "greeter/greeter.xml"}),
+            exit_code::well);
+  EXPECT_THAT(out_.str(), HasSubstr("function main: 0 of 0 parameters needed"));
+  EXPECT_THAT(out_.str(), HasSubstr("end with unknown\n"));
+  EXPECT_THAT(out_.str(), testing::Not(HasSubstr("two is 2\n")));
+}
+
 TEST_F(CommandTest, exec_prints_an_error_with_its_place) {
   test::TemporaryFolder folder;
   folder.write("x.xml", "<dialogue><function name=\"main\">\n"

@@ -234,8 +234,11 @@ private:
     };
     const Range everywhere{0, tokens_.list.size()};
     Map slots;
+    const bool answers = is_answer(plain_act()) && !leaves_words();
     for (const auto& slot : known.slots)
-      if (auto found = found_between(everywhere, slot.entity, asked(slot)))
+      if (answers && !asked(slot)) // "yes" is for what was asked
+        continue;
+      else if (auto found = found_between(everywhere, slot.entity, asked(slot)))
         slots.set(slot.name, std::move(*found));
     if (!slots.empty() || !said_.empty() || tokens_.list.empty())
       return slots;

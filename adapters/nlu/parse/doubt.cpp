@@ -35,6 +35,13 @@ bool is_answer(const Island& island) {
          (island.act == "confirm" || island.act == "deny");
 }
 
+// What a topic's own rules say of a yes stands where nobody asks for one.
+bool may_be_yes(const Island& island, const Context& context) {
+  return context.confirms.empty() &&
+         (!island.rule->bare || (has(island.topics, context.asked_topic) &&
+                                 island.find(context.asked_slot) != nullptr));
+}
+
 class Doubts {
 public:
   Doubts(std::vector<BuiltAct>& acts, const Chain& chain,
@@ -157,13 +164,13 @@ private:
 
 } // namespace
 
-void prefer_answers(std::vector<Island>& islands) {
+void prefer_answers(std::vector<Island>& islands, const Context& context) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> answers;
   for (const auto& island : islands)
     if (is_answer(island))
       answers.emplace_back(island.begin, island.end);
   std::erase_if(islands, [&](const Island& island) {
-    return island.is_content() &&
+    return island.is_content() && !may_be_yes(island, context) &&
            std::ranges::any_of(answers, [&](const auto& answer) {
              return answer.first <= island.begin && island.end <= answer.second;
            });

@@ -9,8 +9,9 @@
 
 namespace parlour::adapters::nlu {
 
-// While a question of yes or no is asked, "yes" and "no" are no values.
-void prefer_answers(std::vector<Island>& islands);
+// While a question of yes or no is asked, "yes" and "no" are no values; else
+// they are, by themselves, of the slot that was asked for only.
+void prefer_answers(std::vector<Island>& islands, const Context& context);
 
 // Takes out answers in doubt, and wishes that are denied ("do not cancel it").
 void drop_doubtful(std::vector<BuiltAct>& acts, const Chain& chain,

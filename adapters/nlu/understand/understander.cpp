@@ -251,8 +251,7 @@ Understanding Understander::understand(std::string_view text,
                   context.grammar);
   auto islands = read_islands(matcher.run(), matcher.traces(), spans,
                               self.automaton, schema, context);
-  if (!context.confirms.empty())
-    prefer_answers(islands);
+  prefer_answers(islands, context);
   const auto chains = best_chains(islands, utterance.size(), context);
   auto acts = self.acts_of(chains[0], utterance, context);
   const auto guesses = leaves_open(acts)

@@ -75,8 +75,7 @@ bool Lane::bring_up_woken() {
   return true;
 }
 
-// What else the user said does not wait for the answer: it is an item of its
-// own, and both conclude.
+// Both conclude.
 void Lane::part_with_acts(Context& context) {
   auto item = context.agenda.take_if(
       [](const Step& step) { return step.kind == StepKind::take_act; });
@@ -90,7 +89,7 @@ void Lane::part_with_acts(Context& context) {
 
 void Lane::wait(WaitId wait, Others others) {
   auto& top = contexts_.back();
-  if (others == Others::go_on)
+  if (others == Others::go_on) // what else was said does not wait
     part_with_acts(top);
   top.waiting = wait;
   top.others = others;

@@ -56,6 +56,10 @@ public:
   const StepList& ahead() const {
     return contexts_.back().agenda;
   }
+  // What else the user said becomes an item of its own, the next.
+  void set_acts_aside() {
+    part_with_acts(contexts_.back());
+  }
   // Takes out of it what `wanted` says.
   template <class Predicate>
   StepList take_ahead(Predicate wanted) {

@@ -257,6 +257,8 @@ void Conversation::Implementation::go_on() {
   if (output.was_interrupted() && !context.turns.any_open(context.now))
     output.take_up_interrupted();
   run_lane();
+  if (topics.nothing_followed())
+    run_lane();
   if (!context.turns.any_open(context.now) && context.inbox.empty())
     context.privacy.settle(context.received);
   if (context.ending && !topics.awaiting_frame() && !output.wants_release() &&

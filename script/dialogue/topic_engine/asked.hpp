@@ -49,6 +49,15 @@ struct Asked {
   }
 };
 
+// A yes or no that is not acted on yet: more was said in the same breath, and
+// is not understood so far.
+struct Unsettled {
+  ActPointer act;
+  TurnId turn = 0;
+  OutputId question = 0; // that it answers,
+  WaitId wait = 0;       // and the <confirm> of that
+};
+
 // A no on the way to a topic's completion: to a <confirm> of its own script, or
 // to a value in doubt. The topic does not get there by itself.
 struct Refusal {

@@ -49,7 +49,7 @@ void TopicEngine::generic_act(const Step& step) {
     trouble.topic = step.topic == script::no_id ? to_cancel() : step.topic;
   }
   misses_ = 0;
-  if (asked_ && kind != ActKind::repeat)
+  if (asked_ && kind != ActKind::repeat && !unsettled_)
     asked_->interrupted = true; // unless it is asked again
   if (!repair(trouble))
     misunderstood(step);

@@ -24,6 +24,12 @@ bool listens_to_silence(const script::State& state) {
 // Remembered while a script that was offered something before waits.
 constexpr std::size_t most_consumed = 1000;
 
+// It is for what was asked, and begins no topic.
+bool is_answer(const Act& act) {
+  return act.slots.empty() &&
+         (act.kind == ActKind::confirm || act.kind == ActKind::deny);
+}
+
 bool wants_out(const Act& act) {
   return act.kind == ActKind::cancel || act.kind == ActKind::abandon;
 }
@@ -59,6 +65,8 @@ void TopicEngine::take(Step&& step) {
 // -- an act's way (engine rule 2) ---------------------------------------------
 
 void TopicEngine::take_act(Step& step) {
+  if (joins(step))
+    return;
   context_.turns.taken_up(step.turn);
   context_.turns.let_go(step.turn);
   no_input_ = 0;
@@ -165,17 +173,14 @@ void TopicEngine::topic_act(Step& step) {
     return;
   if (step.topic == script::no_id || !context_.order.registered(step.topic))
     step.topic = classify(*context_.program, act, classifier_context());
-  const bool answers_nothing =
-      !asked_ && act.topic.empty() && act.slots.empty() &&
-      (act.kind == ActKind::confirm || act.kind == ActKind::deny);
-  if (answers_nothing) { // "ok", and nobody had asked
+  if (is_answer(act) && !asked_) { // "ok", and nobody had asked
     misses_ = 0;
     say("acknowledge", script::no_id, script::no_id, {}, step.turn);
     return;
   }
   const bool says_nothing =
       act.topic.empty() && act.slots.empty() && !act.elliptical;
-  if (step.topic == script::no_id || says_nothing) {
+  if (step.topic == script::no_id || says_nothing || is_answer(act)) {
     misunderstood(std::move(step));
     return;
   }
@@ -199,8 +204,7 @@ bool TopicEngine::is_waited_for(const Act& act) const {
   if (context_.states.pushed() &&
       reactions_.state_listens(dialogue_source, name_of(act.kind)))
     return true;
-  return !confirms_.empty() && act.slots.empty() &&
-         (act.kind == ActKind::confirm || act.kind == ActKind::deny);
+  return !confirms_.empty() && is_answer(act);
 }
 
 // -- small things -------------------------------------------------------------

@@ -84,6 +84,9 @@ public:
   bool awaiting_frame() const {
     return awaiting_.has_value();
   }
+  // A yes or no waited for what else might follow in the same breath, and
+  // nothing did: it is queued.
+  bool nothing_followed();
   // The session ends: the frame's answer is wanted no more.
   void forget_frame() {
     awaiting_.reset();
@@ -186,6 +189,9 @@ private:
   bool is_about_it(const Act& act) const;
   bool says_the_same(const Act& act) const;
   void take_answer(bool yes, TurnId turn);
+  bool waits_for_more(const Step& step);
+  bool joins(Step& step);
+  bool still_asked(const Unsettled& answer) const;
   void answer_confirm(const Asked& asked, bool yes);
   void settle_confirmed(const Asked& asked, bool yes);
   void confirm_slot(TopicId topic, SlotId slot, bool yes, TurnId turn);
@@ -308,6 +314,7 @@ private:
   TurnId turn_ = 0;               // the latest
   std::uint64_t said_before_ = 0; // outputs that were made before that
   std::vector<Asked> confirms_;   // <confirm>s that wait, innermost last
+  std::optional<Unsettled> unsettled_;
   std::vector<Refusal> refusals_; // that a topic has not settled with yet
   std::optional<Act> late_;       // a correction of a completed topic
   Timestamp completed_at_ = 0;    // the latest one

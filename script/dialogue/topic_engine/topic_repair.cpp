@@ -22,6 +22,7 @@ void TopicEngine::no_match(Step& step) {
   context_.turns.taken_up(step.turn);
   context_.turns.let_go(step.turn);
   no_input_ = 0;
+  unsettled_.reset(); // a yes with more than is understood
   misunderstood(std::move(step));
 }
 

@@ -26,9 +26,18 @@ bool takes_back(const Act& act) {
   return act.kind == ActKind::correct && act.slots.empty() && act.topic.empty();
 }
 
+bool says_nothing(const Act& act) {
+  return act.kind == ActKind::inform && act.topic.empty() &&
+         act.slots.empty() && !act.elliptical;
+}
+
 // Leaves a yes or no beside it as it is.
 bool is_courtesy(const Act& act) {
   return act.kind == ActKind::greet || act.kind == ActKind::thank;
+}
+
+bool is_another_wish(const Step& step) {
+  return step.kind == StepKind::take_act && !is_courtesy(*step.act);
 }
 
 std::size_t count_words(const std::string& text) {
@@ -105,7 +114,9 @@ bool TopicEngine::ask_confirm_again() {
 // What the same utterance says besides decides whether it is an answer.
 void TopicEngine::read_answer(const Step& step) {
   const auto beside = said_beside(step);
-  drop_beside([](const Act& act) { return is_answer(act) || takes_back(act); });
+  drop_beside([](const Act& act) {
+    return is_answer(act) || takes_back(act) || says_nothing(act);
+  });
   if (beside.wishes) // it follows, and the question comes again
     return;
   if (beside.contradicts) {
@@ -113,6 +124,10 @@ void TopicEngine::read_answer(const Step& step) {
     return;
   }
   drop_beside([&](const Act& act) { return echoes(act) || is_about_it(act); });
+  if (waits_for_more(step))
+    return;
+  if (std::ranges::any_of(context_.lane.ahead(), is_another_wish))
+    context_.lane.set_acts_aside(); // which would leave what is asked about
   take_answer(step.act->kind == ActKind::confirm, step.turn);
 }
 
@@ -123,7 +138,7 @@ TopicEngine::Beside TopicEngine::said_beside(const Step& step) const {
     if (other.kind != StepKind::take_act)
       continue;
     const auto& act = *other.act;
-    if (is_answer(act) || takes_back(act))
+    if (is_answer(act) || takes_back(act) || says_nothing(act))
       beside.contradicts |= act.kind != step.act->kind;
     else if (is_generic(act))
       beside.wishes |= !is_courtesy(act) && !echoes(act);

@@ -126,7 +126,9 @@ private:
   bool act(const Line& line) {
     const auto words = words_of(line.rest, ' ');
     if (line.verb == "say")
-      say(line.rest);
+      world_.say(acts_of(line.rest));
+    else if (line.verb == "breath")
+      world_.queue(acts_of(line.rest));
     else if (line.verb == "event")
       event(words, 0);
     else if (line.verb == "broadcast")
@@ -145,11 +147,11 @@ private:
     return true;
   }
 
-  void say(const std::string& line) {
+  static List acts_of(const std::string& line) {
     List acts;
     for (const auto& act : words_of(line, '+'))
       acts.push_back(act_of(words_of(act, ' ')));
-    world_.say(std::move(acts));
+    return acts;
   }
 
   static Value act_of(const std::vector<std::string>& words) {

@@ -8,6 +8,8 @@
 //   it does not say), its slots; Time=3pm~0.5 is not sure, _ stands for a
 //   blank, Person=Ann|Ben may be either, the word `elliptical` says that it is;
 //   further acts of the same utterance after a + each
+//   <!-- breath: confirm -->          the same, and the next `say` or `breath`
+//   follows before anything is made of it
 //   <!-- event: Bell.Rings a b -->    an event; parameters are texts
 //   <!-- broadcast: Bell.Rings a --> one that belongs to no session
 //   <!-- reply: Exchange.Busy a -->   one that answers the last message

@@ -118,7 +118,10 @@ TEST(KeywordAnswers, AYesIsForTheQuestionThatWantsIt) {
   const auto context = [](const char* question) {
     return Value(Map{{"current", "Fee"}, {"confirms", question}});
   };
-  EXPECT_EQ(answer("yes", Map{{"current", "Fee"}}), "~inform Fee Pays=yes");
+  EXPECT_EQ(answer("yes", Map{{"current", "Fee"}}), "confirm");
+  EXPECT_EQ(
+      answer("yes", Map{{"asked", Map{{"topic", "Fee"}, {"slot", "Pays"}}}}),
+      "~inform Fee Pays=yes");
   EXPECT_EQ(answer("yes", context("Shall I book it?")), "confirm");
   EXPECT_EQ(answer("yes book it", context("Shall I book it?")), "confirm");
 }

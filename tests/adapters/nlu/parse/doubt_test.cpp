@@ -173,5 +173,34 @@ TEST(Doubt, TakesNoValueThatIsTakenBack) {
   EXPECT_THAT(asked("not three, four"), testing::HasSubstr("Time=16:00"));
 }
 
+// "Yes" and "no" by themselves are for what was asked.
+TEST(Doubt, TakesAYesAsAValueOfTheSlotThatWasAskedForOnly) {
+  UnderstandingModel model;
+  model.topics = {{"Alarm",
+                   false,
+                   {{"Off", "set", {"yes", "no"}, "", true, false}},
+                   {"the alarm rings"}},
+                  {"Room",
+                   false,
+                   {{"Name", "set", {"blue", "red"}, "", true, false},
+                    {"Meals", "set", {"yes", "no"}, "", false, false}},
+                   {"book a room", "book a room with meals [yes](Meals)"}}};
+  const auto built = Understander::build(model, {}, {0.4, {generic_grammar()}});
+  const auto heard = [&](const char* asked, const char* text) {
+    return summary(built->understand(text, sample_context(asked)).acts);
+  };
+  for (const auto* asked : {"", "Room.Name"}) {
+    EXPECT_EQ(heard(asked, "yes"), "confirm") << asked;
+    EXPECT_EQ(heard(asked, "yes please"), "confirm") << asked;
+    EXPECT_EQ(heard(asked, "no"), "deny") << asked;
+  }
+  EXPECT_THAT(heard("Alarm.Off", "yes"),
+              testing::HasSubstr("inform Alarm Off=yes"));
+  EXPECT_THAT(heard("Alarm.Off", "no"),
+              testing::HasSubstr("inform Alarm Off=no"));
+  EXPECT_THAT(heard("", "book a room with meals yes"),
+              testing::HasSubstr("inform Room Meals=yes"));
+}
+
 } // namespace
 } // namespace parlour::adapters::nlu::test

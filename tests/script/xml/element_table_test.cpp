@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include "runtime/base/defaults.hpp"
+#include "script/xml/attribute_check.hpp"
 #include "script/xml/element_table.hpp"
+#include "tests/script/snippets.hpp"
 
 namespace parlour::script {
 
@@ -125,6 +128,69 @@ TEST(ElementTable, names_alternatives) {
   EXPECT_EQ(alternatives({"a"}), "a");
   EXPECT_EQ(alternatives({"a", "b"}), "a or b");
   EXPECT_EQ(alternatives({"a", "b", "c"}), "a, b or c");
+}
+
+namespace {
+
+// "8s" of "silence that counts as no input; else 8s".
+std::string otherwise(const std::string& element, const std::string& name,
+                      const std::string& content) {
+  constexpr std::string_view mark = "; else ";
+  const auto* attribute = find_rule(element, {content})->attribute(name);
+  if (!attribute || attribute->sentence.find(mark) == std::string::npos)
+    return "";
+  return attribute->sentence.substr(attribute->sentence.find(mark) +
+                                    mark.size());
+}
+
+Milliseconds session(const char* name) {
+  return parse_duration(otherwise("sessions", name, "settings")).value();
+}
+
+std::size_t limit(const char* name) {
+  return parse_size(otherwise("limits", name, "settings")).value();
+}
+
+// name="word", as it counts where nothing is said.
+std::string written(const char* element, const char* name,
+                    const char* content) {
+  return std::string(" ") + name + "='" + otherwise(element, name, content) +
+         "'";
+}
+
+} // namespace
+
+TEST(ElementTable, tells_the_defaults_of_settings) {
+  EXPECT_EQ(session("resume-after"), defaults::resume_after);
+  EXPECT_EQ(session("no-input-after"), defaults::no_input_after);
+  EXPECT_EQ(session("context-for"), defaults::context_for);
+  EXPECT_EQ(session("request-timeout"), defaults::request_timeout);
+  EXPECT_EQ(session("closes-after"), defaults::closes_after);
+  EXPECT_EQ(limit("instructions"), defaults::instructions);
+  EXPECT_EQ(limit("depth"), defaults::depth);
+  EXPECT_EQ(limit("bytes"), defaults::session_bytes);
+  EXPECT_EQ(limit("result"), defaults::result_bytes);
+}
+
+TEST(ElementTable, tells_what_topics_and_slots_are_where_nothing_is_said) {
+  std::string topic;
+  std::string slot;
+  for (const auto* name : {"kind", "initiative", "resume"})
+    topic += written("topic", name, "script");
+  for (const auto* name : {"type", "confirm", "match"})
+    slot += written("slot", name, "topic");
+  const auto outcome = test::compile_declarations(
+      "<topic name='A'><slot name='S'/></topic><topic name='B'" + topic +
+      "><slot name='S'" + slot + "/></topic>");
+  ASSERT_TRUE(outcome.program) << outcome.lines.front();
+  const auto& silent = outcome.program->topics.at(0);
+  const auto& said = outcome.program->topics.at(1);
+  EXPECT_EQ(silent.kind, said.kind);
+  EXPECT_EQ(silent.initiative, said.initiative);
+  EXPECT_EQ(silent.resume, said.resume);
+  EXPECT_EQ(silent.slots[0].functional, said.slots[0].functional);
+  EXPECT_EQ(silent.slots[0].confirm, said.slots[0].confirm);
+  EXPECT_EQ(silent.slots[0].match, said.slots[0].match);
 }
 
 } // namespace parlour::script

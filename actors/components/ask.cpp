@@ -4,7 +4,6 @@
 
 #include <caf/typed_event_based_actor.hpp>
 
-#include "actors/routing/hand_over.hpp"
 #include "actors/routing/outcomes.hpp"
 
 namespace parlour::actors {
@@ -26,7 +25,7 @@ bool send(Self self, const AskOrder& order) {
   auto& state = self->state;
   auto request = order.request;
   request.correlation = state.correlation;
-  return ask_by_table(*state.services, std::move(request), order.work);
+  return state.bus->ask(std::move(request), order.work);
 }
 
 std::string asked(const AskOrder& order) {
@@ -50,15 +49,15 @@ Error silence(const AskOrder& order) {
 } // namespace
 
 ask_state::~ask_state() {
-  if (services)
-    services->claims.forget(correlation);
+  if (bus)
+    bus->claims().forget(correlation);
 }
 
-query_actor::behavior_type ask(Self self, Services* services,
+query_actor::behavior_type ask(Self self, MessageBus* bus,
                                component_host_actor host, AskOrder order) {
-  self->state.services = services;
+  self->state.bus = bus;
   self->state.correlation =
-      services->claims.claim(query_actor(self), QueryClaims::Wants::all);
+      bus->claims().claim(query_actor(self), QueryClaims::Wants::all);
   self->monitor(host);
   self->set_down_handler([self](const caf::down_msg&) { self->quit(); });
   auto finish = [self, door = order.door,
@@ -75,7 +74,7 @@ query_actor::behavior_type ask(Self self, Services* services,
   order.work.reset();
   return {
       [=](const component_event& what) {
-        const auto table = services->table.load();
+        const auto table = bus->table();
         const auto reply = table->reply_to_request(what.event);
         if (reply == Reply::refusal)
           finish(tl::make_unexpected(refusal(*table, what.event)));

@@ -4,14 +4,14 @@
 #pragma once
 
 #include "actors/components/plugin_door.hpp"
-#include "actors/routing/services.hpp"
+#include "actors/routing/message_bus.hpp"
 #include "runtime/plugin/plugin.hpp"
 
 namespace parlour::actors {
 
 struct ask_state {
   static inline const char* name = "ask";
-  Services* services = nullptr;
+  MessageBus* bus = nullptr;
   Correlation correlation = 0;
   ~ask_state();
 };
@@ -26,7 +26,7 @@ struct AskOrder {
 };
 
 query_actor::behavior_type ask(query_actor::stateful_pointer<ask_state> self,
-                               Services* services, component_host_actor host,
+                               MessageBus* bus, component_host_actor host,
                                AskOrder order);
 
 } // namespace parlour::actors

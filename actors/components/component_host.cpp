@@ -37,12 +37,12 @@ struct Called {
 // it lasts.
 template <class Action>
 Called call(Self self, Timestamp now, Work& work, Action&& action) {
-  auto& [services, instance] = self->state;
+  auto& [parts, instance] = self->state;
   const auto begun = instance->watch.begin(now, work);
   if (begun == CallWatch::Begin::refused)
     return {};
   if (begun == CallWatch::Begin::unwatched)
-    self->send(services->supervisor, watch_instance{instance->id, true});
+    self->send(parts.supervisor, watch_instance{instance->id, true});
   Called called;
   called.thrown = thrown_by(std::forward<Action>(action));
   called.how =
@@ -51,18 +51,18 @@ Called call(Self self, Timestamp now, Work& work, Action&& action) {
 }
 
 void report(Self self, const std::string& reason) {
-  auto& [services, instance] = self->state;
-  self->send(services->supervisor,
+  auto& [parts, instance] = self->state;
+  self->send(parts.supervisor,
              component_failed{instance->component->name(), instance->id, reason,
-                              services->time.work.begin()});
+                              parts.time->work.begin()});
 }
 
 void rest(Self self) {
-  auto& [services, instance] = self->state;
+  auto& [parts, instance] = self->state;
   instance->door->drop_spare();
   if (instance->leaves)
-    self->send(services->supervisor,
-               instance_rests{instance->id, services->time.work.begin()});
+    self->send(parts.supervisor,
+               instance_rests{instance->id, parts.time->work.begin()});
 }
 
 // It was given up meanwhile: nobody waits for it, and another has its place.
@@ -101,34 +101,34 @@ Expected<void> bring_up(Instance& instance) {
 }
 
 void start(Self self) {
-  auto& [services, instance] = self->state;
+  auto& [parts, instance] = self->state;
   Work expected; // of who waits for the start
   Expected<void> outcome;
-  const auto called = call(self, services->time.now(), expected,
+  const auto called = call(self, parts.time->now(), expected,
                            [&, &one = *instance] { outcome = bring_up(one); });
   if (called.how != Called::How::in_time)
     return end_late(self);
   if (called.thrown)
     outcome = fail(ErrorKind::settings, *called.thrown);
-  self->send(services->supervisor,
+  self->send(parts.supervisor,
              instance_started{instance->id, std::move(outcome),
-                              services->time.work.begin()});
+                              parts.time->work.begin()});
 }
 
 void stop(Self self) {
-  auto& [services, instance] = self->state;
+  auto& [parts, instance] = self->state;
   Work expected;
   const auto called =
-      call(self, services->time.now(), expected, [&one = *instance] {
+      call(self, parts.time->now(), expected, [&one = *instance] {
         if (one.plugin)
           one.plugin->stop();
       });
   if (called.how == Called::How::in_time) {
     if (called.thrown)
-      services->observer.log(instance->component->name() +
-                             " did not stop well: " + *called.thrown);
-    self->send(services->supervisor,
-               instance_stopped{instance->id, services->time.work.begin()});
+      parts.observer->log(instance->component->name() +
+                          " did not stop well: " + *called.thrown);
+    self->send(parts.supervisor,
+               instance_stopped{instance->id, parts.time->work.begin()});
   }
   self->quit();
 }
@@ -138,10 +138,10 @@ void stop(Self self) {
 // False where it is to take no more. `spare` is the work of what it is done
 // with.
 bool handle(Self self, ComponentMailbox::Job job, Work& spare) {
-  auto& [services, held] = self->state;
+  auto& [parts, held] = self->state;
   auto& instance = *held;
   const auto& message = *job.message;
-  const auto now = services->time.now();
+  const auto now = parts.time->now();
   Called called;
   if (instance.door->gives(message, now, spare))
     called =
@@ -154,9 +154,9 @@ bool handle(Self self, ComponentMailbox::Job job, Work& spare) {
 }
 
 std::optional<ComponentMailbox::Job>
-next_job(const Services& services, ComponentMailbox& mailbox,
+next_job(bool has_thread, ComponentMailbox& mailbox,
          const component_host_actor& host) {
-  const int looks = services.detaches ? looks_before_rest : 0;
+  const int looks = has_thread ? looks_before_rest : 0;
   for (int look = 0; look < looks; ++look) {
     if (auto job = mailbox.take(host, ComponentMailbox::IfEmpty::look_again))
       return job;
@@ -170,7 +170,7 @@ void work(Self self) {
   const component_host_actor host(self);
   Work spare;
   for (int i = 0; i < most_at_once; ++i) {
-    auto job = next_job(*self->state.services, mailbox, host);
+    auto job = next_job(self->state.parts.has_thread, mailbox, host);
     if (!job)
       return rest(self);
     if (!handle(self, std::move(*job), spare))
@@ -187,12 +187,12 @@ void put_off(Self self, const run_after& what) {
 }
 
 void call_back(Self self, const run_now& what) {
-  auto& [services, instance] = self->state;
+  auto& [parts, instance] = self->state;
   if (!instance->door->calls_back(what.due->id()))
     return; // cancelled, or closed
-  auto work = services->time.work.begin();
-  const auto called = call(self, services->time.now(), work, what.action);
-  services->time.due_times.remove(what.due->id());
+  auto work = parts.time->work.begin();
+  const auto called = call(self, parts.time->now(), work, what.action);
+  parts.time->due_times.remove(what.due->id());
   if (!called.well())
     instance->component->mailbox->leave(self);
   judge(self, called);
@@ -202,8 +202,8 @@ void call_back(Self self, const run_now& what) {
 
 component_host_actor::behavior_type component_host(
     component_host_actor::stateful_pointer<component_host_state> self,
-    Services* services, std::shared_ptr<Instance> instance) {
-  self->state.services = services;
+    HostParts parts, std::shared_ptr<Instance> instance) {
+  self->state.parts = std::move(parts);
   self->state.instance = std::move(instance);
   return {
       [=](const start_component&) { start(self); },

@@ -10,14 +10,21 @@
 
 namespace parlour::actors {
 
+struct HostParts {
+  NodeTime* time = nullptr;
+  Observer* observer = nullptr;
+  supervisor_actor supervisor;
+  bool has_thread = false; // of its own
+};
+
 struct component_host_state {
   static inline const char* name = "component_host";
-  Services* services = nullptr;
+  HostParts parts;
   std::shared_ptr<Instance> instance;
 };
 
 component_host_actor::behavior_type component_host(
     component_host_actor::stateful_pointer<component_host_state> self,
-    Services* services, std::shared_ptr<Instance> instance);
+    HostParts parts, std::shared_ptr<Instance> instance);
 
 } // namespace parlour::actors

@@ -20,11 +20,12 @@ bool may_speak_as(const std::string& source) {
 
 } // namespace
 
-PluginDoor::PluginDoor(Services& services, std::string name,
+PluginDoor::PluginDoor(const DoorParts& parts, std::string name,
                        const PluginDescription& description,
                        InstanceId instance, std::shared_ptr<const Place> place)
-    : services_(services), name_(std::move(name)), instance_(instance),
-      place_(std::move(place)),
+    : time_(parts.time), bus_(parts.bus), observer_(parts.observer),
+      environment_(parts.environment), supervisor_(parts.supervisor),
+      name_(std::move(name)), instance_(instance), place_(std::move(place)),
       unanswered_(description.roles, description.events) {}
 
 void PluginDoor::belongs_to(const component_host_actor& host) {
@@ -81,7 +82,7 @@ std::vector<Message> PluginDoor::close() {
   auto messages = unanswered_.take(clock().now());
   lock.unlock();
   for (auto delay : delays)
-    services_.time.due_times.remove(delay);
+    time_.due_times.remove(delay);
   return messages;
 }
 
@@ -115,10 +116,10 @@ std::uint32_t PluginDoor::rounds_of_event(Timestamp now) const {
 }
 
 void PluginDoor::tell_supervisor_of_rest() {
-  auto tell = [this, work = services_.time.work.begin()] {
-    caf::anon_send(services_.supervisor, instance_rests{instance_, work});
+  auto tell = [this, work = time_.work.begin()] {
+    caf::anon_send(supervisor_, instance_rests{instance_, work});
   };
-  services_.time.gate.enter(std::move(tell));
+  time_.gate.enter(std::move(tell));
 }
 
 void PluginDoor::publish_as_itself(Message&& message) {
@@ -129,7 +130,7 @@ void PluginDoor::publish_as_itself(Message&& message) {
   if (!may_speak_as(message.source))
     message.source = name_;
   fill_session(message);
-  services_.publish(std::move(message), now, std::move(work));
+  bus_.publish(std::move(message), now, std::move(work));
 }
 
 void PluginDoor::fill_session(Message& message) const {
@@ -158,50 +159,49 @@ void PluginDoor::ask(Message request, Milliseconds patience,
   request.source = name_;
   fill_session(request);
   request.rounds = rounds_now();
-  const auto id = services_.time.due_times.add(clock().now() + patience.count(),
-                                               DueTimes::Of::component);
-  AskOrder order{
-      std::move(request),
-      patience,
-      std::move(reaction),
-      weak_from_this(),
-      std::make_shared<const DueTicket>(services_.time.due_times, id),
-      services_.time.work.begin()};
-  services_.time.gate.enter([this, order = std::move(order)] {
+  const auto id = time_.due_times.add(clock().now() + patience.count(),
+                                      DueTimes::Of::component);
+  AskOrder order{std::move(request),
+                 patience,
+                 std::move(reaction),
+                 weak_from_this(),
+                 std::make_shared<const DueTicket>(time_.due_times, id),
+                 time_.work.begin()};
+  time_.gate.enter([this, order = std::move(order)] {
     if (auto host = caf::actor_cast<caf::strong_actor_ptr>(host_))
-      host->home_system->spawn(actors::ask, &services_,
+      host->home_system->spawn(actors::ask, &bus_,
                                caf::actor_cast<component_host_actor>(host),
                                order);
   });
 }
 
 void PluginDoor::failed(const std::string& reason) {
-  auto tell = [this, reason, work = services_.time.work.begin()] {
-    caf::anon_send(services_.supervisor,
+  auto tell = [this, reason, work = time_.work.begin()] {
+    caf::anon_send(supervisor_,
                    component_failed{name_, instance_, reason, work});
   };
-  services_.time.gate.enter(std::move(tell));
+  time_.gate.enter(std::move(tell));
 }
 
 // -- its delays ---------------------------------------------------------------
 
 PluginHost::DelayId PluginDoor::after(Milliseconds delay,
                                       std::function<void()> action) {
-  const auto id = services_.time.due_times.add(clock().now() + delay.count(),
-                                               DueTimes::Of::component);
-  auto due = std::make_shared<const DueTicket>(services_.time.due_times, id);
+  const auto id = time_.due_times.add(clock().now() + delay.count(),
+                                      DueTimes::Of::component);
+  auto due = std::make_shared<const DueTicket>(time_.due_times, id);
   std::unique_lock lock(mutex_);
   if (closed_)
     return id; // which goes with its ticket
   delays_.insert(id);
   lock.unlock();
   auto order = [this, delay, due = std::move(due), action = std::move(action),
-                work = services_.time.work.begin()] {
+                work = time_.work.begin()] {
     if (auto host = caf::actor_cast<caf::strong_actor_ptr>(host_))
       caf::anon_send(caf::actor_cast<component_host_actor>(host),
                      run_after{delay, due, action, work});
   };
-  services_.time.gate.enter(std::move(order));
+  time_.gate.enter(std::move(order));
   return id;
 }
 
@@ -210,40 +210,40 @@ void PluginDoor::cancel(DelayId delay) {
     std::lock_guard lock(mutex_);
     delays_.erase(delay);
   }
-  services_.time.due_times.remove(delay);
+  time_.due_times.remove(delay);
 }
 
 // -- what it asks for ---------------------------------------------------------
 
 const Clock& PluginDoor::clock() const {
-  return services_.time.clock;
+  return time_.clock;
 }
 
 void PluginDoor::log(const std::string& text) {
-  services_.observer.log(name_ + ": " + text);
+  observer_.log(name_ + ": " + text);
 }
 
 std::shared_ptr<const UnderstandingModel> PluginDoor::understanding() const {
-  return services_.understanding;
+  return environment_.understanding;
 }
 
 std::shared_ptr<const PhraseEvaluator> PluginDoor::phrases() const {
-  return services_.phrases;
+  return environment_.phrases;
 }
 
 Expected<std::vector<std::string>>
 PluginDoor::column(const std::string& name) const {
-  if (services_.columns)
-    return services_.columns(name);
+  if (environment_.columns)
+    return environment_.columns(name);
   return fail(ErrorKind::database, "nobody reads the column " + name);
 }
 
 std::string PluginDoor::data_folder() const {
-  return services_.data_folder;
+  return environment_.data_folder;
 }
 
 std::string PluginDoor::application_folder() const {
-  return services_.application_folder;
+  return environment_.application_folder;
 }
 
 } // namespace parlour::actors

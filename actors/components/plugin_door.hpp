@@ -7,13 +7,23 @@
 
 #include <caf/actor_control_block.hpp>
 
-#include "actors/routing/services.hpp"
+#include "actors/components/plugin_environment.hpp"
+#include "actors/routing/message_bus.hpp"
 #include "actors/support/event_credit.hpp"
 #include "actors/support/place.hpp"
 #include "actors/support/unanswered.hpp"
 #include "runtime/plugin/plugin.hpp"
 
 namespace parlour::actors {
+
+// What doors lead to.
+struct DoorParts {
+  NodeTime& time;
+  MessageBus& bus;
+  Observer& observer;
+  const PluginEnvironment& environment;
+  supervisor_actor supervisor = {};
+};
 
 // Safe to use from any thread, as its contract says. Outlives its plug-in.
 // Once it is closed, nothing that the instance still says or wants goes any
@@ -23,7 +33,7 @@ class PluginDoor : public PluginHost,
 public:
   // The component's name, what it says of itself, and which place the instance
   // is for: what it says by itself belongs to the session there.
-  PluginDoor(Services& services, std::string name,
+  PluginDoor(const DoorParts& parts, std::string name,
              const PluginDescription& description, InstanceId instance = 0,
              std::shared_ptr<const Place> place = nullptr);
 
@@ -71,7 +81,11 @@ private:
   bool is_closed() const;
   void tell_supervisor_of_rest();
 
-  Services& services_;
+  NodeTime& time_;
+  MessageBus& bus_;
+  Observer& observer_;
+  const PluginEnvironment& environment_;
+  const supervisor_actor supervisor_;
   const std::string name_;
   const InstanceId instance_;
   const std::shared_ptr<const Place> place_; // null: the house

@@ -83,24 +83,32 @@ void Supervision::make_instance(const BranchPointer& branch) {
   instance->id = ++last_instance_;
   instance->component = component;
   instance->door = std::make_shared<PluginDoor>(
-      services_, component->name(), component->description(), instance->id,
+      door_parts(), component->name(), component->description(), instance->id,
       branch->place == house_ ? nullptr : branch->place);
-  services_.instances.add(component->name(), {instance, &instance->watch});
+  parts_.instances.add(component->name(), {instance, &instance->watch});
   auto host = host_for(instance);
   instance->door->belongs_to(host);
-  instance->watch.expect(services_.time.work.begin());
+  instance->watch.expect(parts_.time.work.begin());
   self_->send(host, start_component{});
   const auto id = instance->id;
   entries_[id] = {std::move(instance), std::move(host), branch, Stage::starts};
+}
+
+DoorParts Supervision::door_parts() const {
+  return {parts_.time, parts_.bus, parts_.observer, parts_.environment,
+          supervisor_actor(self_)};
 }
 
 // In real time each has a thread of its own: one that hangs takes no other's.
 component_host_actor
 Supervision::host_for(const std::shared_ptr<Instance>& instance) {
   auto& system = self_->home_system();
-  return services_.detaches
-             ? system.spawn<caf::detached>(component_host, &services_, instance)
-             : system.spawn(component_host, &services_, instance);
+  HostParts parts{&parts_.time, &parts_.observer, supervisor_actor(self_),
+                  parts_.settings.detaches};
+  return parts.has_thread
+             ? system.spawn<caf::detached>(component_host, std::move(parts),
+                                           instance)
+             : system.spawn(component_host, std::move(parts), instance);
 }
 
 void Supervision::started(const instance_started& what) {
@@ -146,7 +154,7 @@ void Supervision::joins(const Entry& entry) {
 void Supervision::stop(Entry& entry) {
   entry.stage = Stage::stops;
   entry.branch->component->mailbox->leave(entry.host);
-  entry.instance->watch.expect(services_.time.work.begin());
+  entry.instance->watch.expect(parts_.time.work.begin());
   self_->send(entry.host, stop_component{});
 }
 
@@ -195,15 +203,15 @@ void Supervision::failed(const component_failed& what) {
   else if (const auto kept = is_coming(branch))
     came_not(kept, {ErrorKind::settings, what.reason, {}});
   else
-    services_.observer.log(what.name + " failed while it left: " + what.reason);
+    parts_.observer.log(what.name + " failed while it left: " + what.reason);
 }
 
 void Supervision::count_failure(const BranchPointer& branch,
                                 const std::string& reason) {
   if (closing_)
     return;
-  const auto verdict = branch->failures.failed(services_.time.now());
-  services_.observer.log(branch->name() + " failed: " + reason);
+  const auto verdict = branch->failures.failed(parts_.time.now());
+  parts_.observer.log(branch->name() + " failed: " + reason);
   tell("ComponentFailed", {branch->name(), reason, branch->failures.count()},
        branch->place->session());
   branch->pauses = true;
@@ -228,7 +236,7 @@ void Supervision::rest(const BranchPointer& branch, const std::string& reason,
                        Milliseconds pause) {
   *branch->component->up = false;
   branch->component->mailbox->close("is down");
-  services_.observer.log(branch->name() + " is down");
+  parts_.observer.log(branch->name() + " is down");
   for (auto id : instances_of(*branch))
     if (auto& entry = entries_[id]; entry.stage != Stage::stops) {
       stop(entry);
@@ -257,8 +265,9 @@ void Supervision::try_again(const actors::try_again& what) {
 
 Milliseconds Supervision::deadline_of(const Entry& entry) const {
   const auto deadline = entry.branch->component->order.upkeep.deadline;
-  return entry.stage == Stage::starts ? std::max(deadline, services_.start_time)
-                                      : deadline;
+  return entry.stage == Stage::starts
+             ? std::max(deadline, parts_.settings.start_time)
+             : deadline;
 }
 
 void Supervision::watch(const watch_instance& what) {
@@ -269,7 +278,7 @@ void Supervision::watch(const watch_instance& what) {
   const auto deadline = deadline_of(found->second);
   std::optional left = deadline;
   if (!what.begins)
-    left = instance->watch.look(services_.time.now(), deadline);
+    left = instance->watch.look(parts_.time.now(), deadline);
   if (left && *left <= Milliseconds::zero())
     hangs(what.instance);
   else if (left)
@@ -291,7 +300,7 @@ void Supervision::hangs(InstanceId id) {
   else if (is_kept(branch) && entry.stage != Stage::stops)
     count_failure(branch, reason);
   else
-    services_.observer.log(branch->name() + " does not stop: " + reason);
+    parts_.observer.log(branch->name() + " does not stop: " + reason);
   after_end(branch);
 }
 

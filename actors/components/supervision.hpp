@@ -14,11 +14,38 @@
 #include <vector>
 
 #include "actors/components/component.hpp"
+#include "actors/routing/instance_directory.hpp"
+#include "actors/routing/session_directory.hpp"
 #include "actors/support/failure_record.hpp"
+#include "runtime/plugin/catalogue.hpp"
 
 namespace parlour::actors {
 
 struct supervisor_state;
+
+// How components are made here.
+struct ComponentSettings {
+  // What scripts can load; may be null.
+  std::shared_ptr<PluginCatalogue> plugins = nullptr;
+  // Completes what they load; may be empty.
+  std::function<void(ComponentOrder&)> complete = {};
+  // How long one may take to start, in real time.
+  Milliseconds start_time{30'000};
+  // How long a session waits for an answer.
+  Milliseconds request_timeout{10'000};
+  // Each instance gets a thread of its own.
+  bool detaches = false;
+};
+
+struct SupervisionParts {
+  NodeTime& time;
+  MessageBus& bus;
+  Observer& observer;
+  const SessionDirectory& sessions;
+  InstanceDirectory& instances;
+  const PluginEnvironment& environment; // of the plug-ins
+  ComponentSettings settings = {};
+};
 
 class Supervision {
 public:
@@ -27,8 +54,8 @@ public:
   // A component has no more: each costs a thread.
   static constexpr std::size_t most_branches = 1'000;
 
-  Supervision(Self self, Services& services)
-      : self_(self), services_(services) {}
+  Supervision(Self self, SupervisionParts parts)
+      : self_(self), parts_(std::move(parts)) {}
 
   // -- what is wished --------------------------------------------------------
   void load(const load_component& what);
@@ -134,6 +161,7 @@ private:
   // -- instances: supervision.cpp
   void make_missing(const BranchPointer& branch);
   void make_instance(const BranchPointer& branch);
+  DoorParts door_parts() const;
   component_host_actor host_for(const std::shared_ptr<Instance>& instance);
   void stop(Entry& entry);
   void remove(InstanceId id, const std::string& reason);
@@ -167,7 +195,7 @@ private:
   DueTicket ticket(Milliseconds delay);
 
   Self self_;
-  Services& services_;
+  const SupervisionParts parts_;
   std::map<std::string, KeptPointer> kept_;   // by name
   std::map<std::string, KeptPointer> coming_; // by name
   // What the settings say of components, by name; without what makes them.

@@ -71,11 +71,11 @@ void Supervision::stop_all() {
 
 // What settings say of a component of this name counts here, too.
 Expected<ComponentOrder> Supervision::order_for(const load_plugin& what) const {
-  if (!services_.plugins)
+  if (!parts_.settings.plugins)
     return fail(ErrorKind::refused, "this run has no plug-ins to load");
   ComponentOrder order;
   order.name = what.name.empty() ? what.plugin : what.name;
-  auto factory = services_.plugins->find(what.plugin);
+  auto factory = parts_.settings.plugins->find(what.plugin);
   if (!factory)
     return tl::make_unexpected(factory.error());
   order.factory = std::move(*factory);
@@ -87,8 +87,8 @@ Expected<ComponentOrder> Supervision::order_for(const load_plugin& what) const {
     auto& instances = order.upkeep.scope.instances;
     instances = std::max<std::size_t>(instances, 1);
   }
-  if (services_.complete)
-    services_.complete(order);
+  if (parts_.settings.complete)
+    parts_.settings.complete(order);
   return order;
 }
 
@@ -123,8 +123,7 @@ void Supervision::come(const ComponentOrder& order, std::size_t rank, bool tell,
   auto kept = std::make_shared<Kept>();
   kept->order = order;
   auto& upkeep = kept->order.upkeep;
-  upkeep.deadline = call_deadline(
-      upkeep, services_.program->settings.sessions.request_timeout);
+  upkeep.deadline = call_deadline(upkeep, parts_.settings.request_timeout);
   kept->rank = rank;
   kept->tell = tell;
   kept->done = std::move(done);

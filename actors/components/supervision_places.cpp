@@ -25,7 +25,7 @@ void Supervision::opened(const seat_opened& what) {
 }
 
 void Supervision::begins(const session_begins& what) {
-  const auto seat = services_.sessions.seat_of(what.session);
+  const auto seat = parts_.sessions.seat_of(what.session);
   for (const auto& kept : all_kept())
     welcome(kept, what.session, seat);
 }
@@ -48,7 +48,7 @@ void Supervision::settle(const KeptPointer& kept) {
   if (kept->order.upkeep.scope.kind == Scope::Kind::seat)
     for (const auto& [actor, place] : seats_)
       branch_for(kept, place);
-  for (const auto& [session, seat] : services_.sessions.seats())
+  for (const auto& [session, seat] : parts_.sessions.seats())
     welcome(kept, session, seat);
 }
 
@@ -80,7 +80,7 @@ Supervision::branch_for(const KeptPointer& kept,
     return add_branch(kept, place);
   const auto reason = "has " + std::to_string(most_branches) +
                       " instances, as many as it may have";
-  services_.observer.log(kept->order.name + " " + reason);
+  parts_.observer.log(kept->order.name + " " + reason);
   tell("ComponentDown", {kept->order.name, reason}, place->session());
   return nullptr;
 }

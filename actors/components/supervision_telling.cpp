@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "actors/components/supervision.hpp"
-#include "actors/routing/hand_over.hpp"
 
 namespace parlour::actors {
 
@@ -15,7 +14,7 @@ void Supervision::publish_table() {
   for (const auto& [name, kept] : kept_)
     order.push_back(kept);
   std::ranges::sort(order, {}, &Kept::rank);
-  auto parts = services_.routing;
+  std::vector<Target> targets;
   for (const auto& kept : order) {
     Target target;
     target.name = kept->order.name;
@@ -29,9 +28,9 @@ void Supervision::publish_table() {
       target.direct = house.direct;
       target.up = house.component->up;
     }
-    parts.targets.push_back(std::move(target));
+    targets.push_back(std::move(target));
   }
-  services_.table.store(std::make_shared<const RoutingTable>(std::move(parts)));
+  parts_.bus.set_targets(std::move(targets));
 }
 
 // -- events -------------------------------------------------------------------
@@ -44,9 +43,9 @@ void Supervision::tell(const char* event, std::vector<Value> params,
   message.command = event;
   message.params = std::move(params);
   message.session = session;
-  if (session.empty() || (services_.sessions.find(session) &&
-                          services_.table.load()->is_listened_to(message)))
-    services_.publish({std::move(message)});
+  if (session.empty() || (parts_.sessions.find(session) &&
+                          parts_.bus.table()->is_listened_to(message)))
+    parts_.bus.publish({std::move(message)});
 }
 
 void Supervision::tell_up(const Component& component,
@@ -67,7 +66,7 @@ void Supervision::answer_by_failure(const Branch& branch,
     if (message.correlation != 0)
       answers.push_back(failure_answer(branch.name(), message, reason));
   if (!answers.empty() && !closing_ && !branch.over)
-    services_.publish(std::move(answers));
+    parts_.bus.publish(std::move(answers));
 }
 
 void Supervision::answer_what_waits(const Branch& branch,
@@ -75,7 +74,7 @@ void Supervision::answer_what_waits(const Branch& branch,
   std::vector<Message> messages;
   for (auto& job : branch.component->mailbox->take_all()) {
     if (branch.over)
-      services_.unhandled(*job.message, branch.name() + ": " + reason);
+      parts_.bus.unhandled(*job.message, branch.name() + ": " + reason);
     messages.push_back(*job.message);
   }
   answer_by_failure(branch, messages, reason);
@@ -83,9 +82,9 @@ void Supervision::answer_what_waits(const Branch& branch,
 
 // So that virtual time stops there, and nobody thinks that nothing is due.
 DueTicket Supervision::ticket(Milliseconds delay) {
-  const auto due = services_.time.now() + delay.count();
-  return {services_.time.due_times,
-          services_.time.due_times.add(due, DueTimes::Of::component)};
+  const auto due = parts_.time.now() + delay.count();
+  return {parts_.time.due_times,
+          parts_.time.due_times.add(due, DueTimes::Of::component)};
 }
 
 } // namespace parlour::actors

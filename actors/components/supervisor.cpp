@@ -6,8 +6,9 @@ namespace parlour::actors {
 
 supervisor_actor::behavior_type
 supervisor(supervisor_actor::stateful_pointer<supervisor_state> self,
-           Services* services) {
-  self->state.supervision = std::make_unique<Supervision>(self, *services);
+           SupervisionParts parts) {
+  self->state.supervision =
+      std::make_unique<Supervision>(self, std::move(parts));
   auto* all = self->state.supervision.get();
   return {
       [=](const load_component& what) { all->load(what); },

@@ -14,6 +14,6 @@ struct supervisor_state {
 
 supervisor_actor::behavior_type
 supervisor(supervisor_actor::stateful_pointer<supervisor_state> self,
-           Services* services);
+           SupervisionParts parts);
 
 } // namespace parlour::actors

@@ -24,17 +24,24 @@ std::unique_ptr<Drive> make_drive(const NodeOptions& options) {
                                : make_real_drive(options.threads);
 }
 
+PluginEnvironment plugin_environment(const NodeOptions& options) {
+  return {options.phrases,
+          options.understanding ? options.understanding
+                                : options.program->understanding,
+          options.columns, options.data_folder, options.application_folder};
+}
+
 } // namespace
 
 House::House(NodeOptions options)
     : options_(std::move(options)), drive_(make_drive(options_)),
-      chance_(options_.seed),
-      services_(drive_->clock(), drive_->gate(), watcher()) {
-  set_up_services();
-  set_up_routing();
+      chance_(options_.seed), time_(drive_->clock(), drive_->gate()),
+      observer_(watcher(), time_.left_behind),
+      plugin_environment_(plugin_environment(options_)),
+      bus_(time_, observer_, options_.program, options_.aliases) {
   drive_->configure(config_);
   system_ = std::make_unique<caf::actor_system>(config_);
-  drive_->attach(*system_, services_.time);
+  drive_->attach(*system_, time_);
   spawn_actors();
 }
 
@@ -45,25 +52,6 @@ House::~House() {
 
 // -- bringing up --------------------------------------------------------------
 
-void House::set_up_services() {
-  services_.program = options_.program;
-  services_.phrases = options_.phrases;
-  services_.understanding = options_.understanding
-                                ? options_.understanding
-                                : options_.program->understanding;
-  services_.columns = options_.columns;
-  services_.data_folder = options_.data_folder;
-  services_.application_folder = options_.application_folder;
-  services_.start_time = options_.start_time;
-  services_.detaches = drive_->detaches();
-  services_.plugins = options_.plugins;
-  services_.complete = options_.complete;
-  services_.files = options_.files;
-  services_.sockets = options_.sockets;
-  services_.new_session_id = [this] { return chance_.session_id(); };
-  services_.new_seed = [this] { return chance_.session_seed(); };
-}
-
 Observer::Watcher House::watcher() {
   Observer::Watcher watcher;
   watcher.on_inspection = options_.on_inspection;
@@ -72,37 +60,47 @@ Observer::Watcher House::watcher() {
   watcher.on_log = options_.log;
   if (script::has_private(*options_.program))
     watcher.is_heard = [this](const Message& message) {
-      return services_.is_heard(message);
+      return bus_.is_heard(message);
     };
   return watcher;
 }
 
 void House::spawn_actors() {
-  services_.centre = system_->spawn(message_centre, &services_);
-  services_.supervisor = system_->spawn(supervisor, &services_);
-  services_.manager = system_->spawn(session_manager, &services_);
-  services_.file_keeper =
+  supervisor_ = system_->spawn(supervisor, supervision_parts());
+  file_keeper_ =
       drive_->detaches()
-          ? system_->spawn<caf::detached>(file_keeper, &services_)
-          : system_->spawn(file_keeper, &services_);
+          ? system_->spawn<caf::detached>(file_keeper, options_.files)
+          : system_->spawn(file_keeper, options_.files);
+  const SessionNames names{[this] { return chance_.session_id(); },
+                           [this] { return chance_.session_seed(); }};
+  manager_ =
+      system_->spawn(session_manager, session_parts(), &sessions_, names);
+  centre_ = system_->spawn(message_centre, &bus_, &sessions_, manager_);
+  bus_.connect(centre_);
 }
 
-// A table that nobody fills a role of, until the components are up.
-void House::set_up_routing() {
-  auto& parts = services_.routing;
-  parts.program = options_.program;
-  parts.aliases = options_.aliases;
-  parts.clock = &services_.time.clock;
-  parts.counters = services_.counters;
-  parts.complain = [this](const Message& message, const Error& error) {
-    services_.failed(message, error);
-  };
-  if (services_.observer.follows_messages())
-    parts.taps.push_back(
-        [this](const Message& message, const std::string& way) {
-          services_.observer.follow(message, way);
-        });
-  services_.table.store(std::make_shared<const RoutingTable>(parts));
+SupervisionParts House::supervision_parts() {
+  ComponentSettings settings;
+  settings.plugins = options_.plugins;
+  settings.complete = options_.complete;
+  settings.start_time = options_.start_time;
+  settings.request_timeout =
+      options_.program->settings.sessions.request_timeout;
+  settings.detaches = drive_->detaches();
+  return {time_,   bus_, observer_, sessions_, instances_, plugin_environment_,
+          settings};
+}
+
+SessionParts House::session_parts() {
+  return {time_,
+          bus_,
+          observer_,
+          options_.program,
+          options_.phrases,
+          options_.sockets,
+          {},
+          supervisor_,
+          file_keeper_};
 }
 
 Expected<void> House::start_components() {
@@ -132,7 +130,7 @@ std::vector<std::size_t> House::in_starting_order() const {
 
 Expected<void> House::start(std::size_t rank) {
   return wish([&](Done done, Work work) {
-    caf::anon_send(services_.supervisor,
+    caf::anon_send(supervisor_,
                    load_component{std::make_shared<const ComponentOrder>(
                                       std::move(options_.components[rank])),
                                   rank + 1, std::move(done), std::move(work)});
@@ -141,14 +139,14 @@ Expected<void> House::start(std::size_t rank) {
 
 Expected<void> House::load(const std::string& plugin, const std::string& name) {
   return wish([&](Done done, Work work) {
-    caf::anon_send(services_.supervisor,
+    caf::anon_send(supervisor_,
                    load_plugin{plugin, name, std::move(done), std::move(work)});
   });
 }
 
 Expected<void> House::unload(const std::string& name) {
   return wish([&](Done done, Work work) {
-    caf::anon_send(services_.supervisor,
+    caf::anon_send(supervisor_,
                    unload_component{name, std::move(done), std::move(work)});
   });
 }
@@ -158,7 +156,7 @@ Expected<void> House::wish(const std::function<void(Done, Work)>& send) {
   auto future = outcome->get_future();
   send([outcome](
            Expected<void> result) { outcome->set_value(std::move(result)); },
-       services_.time.work.begin());
+       time_.work.begin());
   auto done = [&](Milliseconds patience) {
     return future.wait_for(patience) == std::future_status::ready;
   };
@@ -166,7 +164,7 @@ Expected<void> House::wish(const std::function<void(Done, Work)>& send) {
   while (drive_->run_until_quiet() && !done(Milliseconds(0)) &&
          drive_->step_to_next_due(options_.drain_time)) {
   }
-  if (services_.time.work.interrupted() || !done(options_.drain_time))
+  if (time_.work.interrupted() || !done(options_.drain_time))
     return fail(ErrorKind::cancelled, "interrupted");
   return future.get();
 }
@@ -174,39 +172,40 @@ Expected<void> House::wish(const std::function<void(Done, Work)>& send) {
 // -- sessions -----------------------------------------------------------------
 
 seat_actor House::open_seat(const std::string& name, SeatCalls calls) {
-  seats_.push_back(system_->spawn(seat, &services_, std::move(calls)));
+  seats_.push_back(system_->spawn(
+      seat, SeatParts{&time_, &observer_, &sessions_}, std::move(calls)));
   const auto& opened = seats_.back();
-  caf::anon_send(services_.manager,
-                 seat_opened{name, opened, services_.time.work.begin()});
-  caf::anon_send(services_.supervisor,
-                 seat_opened{name, opened, services_.time.work.begin()});
+  caf::anon_send(manager_, seat_opened{name, opened, time_.work.begin()});
+  caf::anon_send(supervisor_, seat_opened{name, opened, time_.work.begin()});
   return opened;
 }
 
 SessionId House::open_session(const seat_actor& seat) {
   caf::scoped_actor self(*system_);
-  auto answer =
-      self->request(services_.manager, caf::infinite,
-                    actors::open_session{seat, services_.time.work.begin()});
+  auto answer = self->request(manager_, caf::infinite,
+                              actors::open_session{seat, time_.work.begin()});
   SessionId id;
   if (!drive_->run_until_quiet())
     return id;
   answer.receive([&](session_opened& opened) { id = opened.session; },
                  [&](const caf::error& error) {
-                   services_.observer.log("no session: " +
-                                          system_->render(error));
+                   observer_.log("no session: " + system_->render(error));
                  });
   return id;
+}
+
+void House::end_session(const SessionId& session) {
+  caf::anon_send(manager_, close_session{session, time_.work.begin()});
 }
 
 // -- bringing down ------------------------------------------------------------
 
 bool House::stop() {
-  if (services_.time.left_behind)
+  if (time_.left_behind)
     return false;
   if (!system_)
     return true;
-  services_.time.work.forget_interrupt();
+  time_.work.forget_interrupt();
   stop_sessions();
   stop_components();
   const auto at_work = who_is_at_work();
@@ -218,51 +217,47 @@ bool House::stop() {
     system_.reset(); // here: CAF's logger belongs to the thread that made it
     return true;
   }
-  services_.observer.log(at_work +
-                         " does not come to an end and is left behind");
-  services_.time.left_behind = true;
+  observer_.log(at_work + " does not come to an end and is left behind");
+  time_.left_behind = true;
   return false;
 }
 
 // The components whose call does not return, or else something: a seat.
 std::string House::who_is_at_work() const {
-  const auto names = services_.instances.names_in_call();
+  const auto names = instances_.names_in_call();
   return names.empty() ? "something" : names;
 }
 
 void House::stop_sessions() {
-  caf::anon_send(services_.manager,
-                 close_session{{}, services_.time.work.begin()});
-  auto quiet = [this] { return services_.time.work.none(); };
+  end_session({});
+  auto quiet = [this] { return time_.work.none(); };
   if (!drive_->run_until(quiet, options_.drain_time))
-    services_.observer.log(who_is_at_work() +
-                           " is still at work; stopping all the same");
+    observer_.log(who_is_at_work() +
+                  " is still at work; stopping all the same");
 }
 
 void House::stop_components() {
-  caf::anon_send(services_.supervisor,
-                 actors::stop_components{services_.time.work.begin()});
-  drive_->run_until([this] { return services_.time.work.none(); },
-                    options_.drain_time);
+  caf::anon_send(supervisor_, actors::stop_components{time_.work.begin()});
+  drive_->run_until([this] { return time_.work.none(); }, options_.drain_time);
 }
 
 void House::stop_actors() {
   constexpr auto reason = caf::exit_reason::user_shutdown;
-  for (auto& session : services_.sessions.all())
+  for (auto& session : sessions_.all())
     caf::anon_send_exit(session, reason);
   for (auto& seat : std::exchange(seats_, {}))
     caf::anon_send_exit(seat, reason);
-  caf::anon_send_exit(services_.manager, reason);
-  caf::anon_send_exit(services_.supervisor, reason);
-  caf::anon_send_exit(services_.file_keeper, reason);
-  caf::anon_send_exit(services_.centre, reason);
+  caf::anon_send_exit(manager_, reason);
+  caf::anon_send_exit(supervisor_, reason);
+  caf::anon_send_exit(file_keeper_, reason);
+  caf::anon_send_exit(centre_, reason);
   drive_->run_until_quiet();
-  services_.table.store(nullptr);
-  services_.sessions.clear();
-  services_.manager = nullptr;
-  services_.supervisor = nullptr;
-  services_.file_keeper = nullptr;
-  services_.centre = nullptr;
+  bus_.take_down();
+  sessions_.clear();
+  manager_ = nullptr;
+  supervisor_ = nullptr;
+  file_keeper_ = nullptr;
+  centre_ = nullptr;
 }
 
 } // namespace parlour::actors

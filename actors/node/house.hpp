@@ -8,10 +8,14 @@
 #include <caf/actor_system.hpp>
 #include <caf/actor_system_config.hpp>
 
+#include "actors/components/plugin_environment.hpp"
+#include "actors/components/supervision.hpp"
 #include "actors/node/drive.hpp"
 #include "actors/node/node.hpp"
-#include "actors/routing/services.hpp"
+#include "actors/routing/message_bus.hpp"
+#include "actors/routing/session_directory.hpp"
 #include "actors/sessions/seat.hpp"
+#include "actors/sessions/session_parts.hpp"
 #include "actors/support/chance.hpp"
 
 namespace parlour::actors {
@@ -29,13 +33,24 @@ public:
   Expected<void> unload(const std::string& name);
   seat_actor open_seat(const std::string& name, SeatCalls calls);
   SessionId open_session(const seat_actor& seat);
+  // One, or for an empty id every one.
+  void end_session(const SessionId& session);
   // Sessions, then components, then the rest, each for at most the drain time;
   // safe to call again. False where something does not come to an end: this
   // house may then never be destroyed.
   bool stop();
 
-  Services& services() {
-    return services_;
+  NodeTime& time() {
+    return time_;
+  }
+  Observer& observer() {
+    return observer_;
+  }
+  const SessionDirectory& sessions() const {
+    return sessions_;
+  }
+  MessageBus& bus() {
+    return bus_;
   }
   Drive& drive() {
     return *drive_;
@@ -43,9 +58,9 @@ public:
 
 private:
   Observer::Watcher watcher();
-  void set_up_services();
+  SupervisionParts supervision_parts();
+  SessionParts session_parts();
   void spawn_actors();
-  void set_up_routing();
   // Of the components: places in the order of preference.
   std::vector<std::size_t> in_starting_order() const;
   Expected<void> start(std::size_t rank);
@@ -60,9 +75,18 @@ private:
   NodeOptions options_;
   std::unique_ptr<Drive> drive_;
   Chance chance_;
-  Services services_;
+  NodeTime time_;
+  Observer observer_;
+  SessionDirectory sessions_;
+  InstanceDirectory instances_;
+  const PluginEnvironment plugin_environment_;
+  MessageBus bus_;
   caf::actor_system_config config_;
   std::unique_ptr<caf::actor_system> system_;
+  message_centre_actor centre_;
+  session_manager_actor manager_;
+  supervisor_actor supervisor_;
+  file_keeper_actor file_keeper_;
   std::vector<seat_actor> seats_;
 };
 

@@ -45,9 +45,8 @@ public:
 void Node::Implementation::look_at(
     const SessionId& id,
     std::function<void(const dialogue::Conversation&)> at) {
-  auto& services = house.services();
-  if (auto session = services.sessions.find(id)) {
-    caf::anon_send(session, look{std::move(at), services.time.work.begin()});
+  if (auto session = house.sessions().find(id)) {
+    caf::anon_send(session, look{std::move(at), house.time().work.begin()});
     house.drive().run_until_quiet();
   }
 }
@@ -109,7 +108,7 @@ SessionId Node::open(const SeatId& seat) {
   auto& self = *implementation_;
   auto session = self.house.open_session(self.seats[seat].actor);
   // It may be over already: a program without a beginning.
-  if (self.house.services().sessions.find(session))
+  if (self.house.sessions().find(session))
     self.set_session(seat, session);
   return session;
 }
@@ -131,12 +130,12 @@ void Node::enter(const SeatId& seat, const std::vector<std::string>& lines) {
     turn.session = session;
     turns.push_back(std::move(turn));
   }
-  implementation_->house.services().bring_in(std::move(turns));
+  implementation_->house.bus().bring_in(std::move(turns));
 }
 
 void Node::inject(const SessionId& session, Message message) {
   message.session = session;
-  implementation_->house.services().bring_in({std::move(message)});
+  implementation_->house.bus().bring_in({std::move(message)});
 }
 
 Expected<void> Node::load(const std::string& plugin, const std::string& name) {
@@ -148,10 +147,8 @@ Expected<void> Node::unload(const std::string& name) {
 }
 
 void Node::end(const SessionId& session) {
-  auto& services = implementation_->house.services();
   if (!session.empty())
-    caf::anon_send(services.manager,
-                   close_session{session, services.time.work.begin()});
+    implementation_->house.end_session(session);
 }
 
 bool Node::stop() {
@@ -173,7 +170,7 @@ bool Node::step_to_next_due(Milliseconds at_most) {
 }
 
 std::optional<Timestamp> Node::next_timer() const {
-  return implementation_->house.services().time.due_times.next_of_sessions();
+  return implementation_->house.time().due_times.next_of_sessions();
 }
 
 void Node::advance(Milliseconds time) {
@@ -181,7 +178,7 @@ void Node::advance(Milliseconds time) {
 }
 
 void Node::interrupt() {
-  implementation_->house.services().time.work.interrupt();
+  implementation_->house.time().work.interrupt();
 }
 
 Timestamp Node::now() const {
@@ -208,19 +205,17 @@ std::string Node::state(const SessionId& session) {
 }
 
 std::string Node::masked(const std::string& text) const {
-  const auto* discretion =
-      implementation_->house.services().observer.discretion();
+  const auto* discretion = implementation_->house.observer().discretion();
   return discretion ? discretion->masked_afterwards(text) : text;
 }
 
 bool Node::is_private(const std::string& words) const {
-  const auto* discretion =
-      implementation_->house.services().observer.discretion();
+  const auto* discretion = implementation_->house.observer().discretion();
   return discretion && discretion->is_private(words);
 }
 
 NodeCounters Node::counters() const {
-  const auto& counters = *implementation_->house.services().counters;
+  const auto& counters = implementation_->house.bus().counters();
   return {counters.messages(), counters.relayed, counters.filtered,
           counters.dropped, counters.unhandled};
 }

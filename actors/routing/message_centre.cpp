@@ -16,48 +16,47 @@ struct Batch {
   std::vector<Message> messages;
 };
 
-void flush(Self self, Services& services, Batch& batch, const Work& work) {
+void flush(Self self, Batch& batch, const Work& work) {
   if (batch.messages.empty())
     return;
   auto messages = std::exchange(batch.messages, {});
-  if (auto session = services.sessions.find(batch.session))
+  if (auto session = self->state.sessions->find(batch.session))
     self->send(session, deliver{std::move(messages), work});
   else
-    self->send(services.manager, forward{std::move(messages), work});
+    self->send(self->state.manager, forward{std::move(messages), work});
 }
 
-void add(Self self, Services& services, Batch& batch, Message message,
-         const Work& work) {
-  if (auto query = services.claims.take(message.correlation)) {
+void add(Self self, Batch& batch, Message message, const Work& work) {
+  if (auto query = self->state.bus->claims().take(message.correlation)) {
     self->send(query, component_event{std::move(message), work});
     return;
   }
   if (batch.session != message.session)
-    flush(self, services, batch, work);
+    flush(self, batch, work);
   batch.session = message.session;
   batch.messages.push_back(std::move(message));
 }
 
-void give(Self self, Services& services, std::vector<Message> messages,
-          const Work& work) {
+void give(Self self, std::vector<Message> messages, const Work& work) {
   Batch batch;
   for (auto& message : messages)
-    add(self, services, batch, std::move(message), work);
-  flush(self, services, batch, work);
+    add(self, batch, std::move(message), work);
+  flush(self, batch, work);
 }
 
 } // namespace
 
 message_centre_actor::behavior_type message_centre(
     message_centre_actor::stateful_pointer<message_centre_state> self,
-    Services* services) {
+    MessageBus* bus, const SessionDirectory* sessions,
+    session_manager_actor manager) {
+  self->state = {bus, sessions, std::move(manager)};
   return {
       [=](publish& what) {
-        give(self, *services, services->route(std::move(what.messages)),
-             what.work);
+        give(self, bus->route(std::move(what.messages)), what.work);
       },
       [=](distribute& what) {
-        give(self, *services, std::move(what.messages), what.work);
+        give(self, std::move(what.messages), what.work);
       },
       [=](const retire& what) { self->send(what.session, leave{what.work}); },
   };

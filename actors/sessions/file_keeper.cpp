@@ -23,13 +23,12 @@ Expected<Value> carry_out(const FileAccess& files, const FileRequest& request) {
 
 file_keeper_actor::behavior_type
 file_keeper(file_keeper_actor::stateful_pointer<file_keeper_state> self,
-            Services* services) {
+            FileAccess files) {
   return {
-      [=](const file_order& what) {
-        self->send(what.session,
-                   file_outcome{what.id,
-                                carry_out(services->files, what.request),
-                                what.work});
+      [=, files = std::move(files)](const file_order& what) {
+        self->send(
+            what.session,
+            file_outcome{what.id, carry_out(files, what.request), what.work});
       },
   };
 }

@@ -4,7 +4,7 @@
 // that of the waiting scripts, each with a thread.
 #pragma once
 
-#include "actors/routing/services.hpp"
+#include "actors/protocol/interfaces.hpp"
 
 namespace parlour::actors {
 
@@ -12,8 +12,9 @@ struct file_keeper_state {
   static inline const char* name = "file_keeper";
 };
 
+// `files` may be empty: this run has none.
 file_keeper_actor::behavior_type
 file_keeper(file_keeper_actor::stateful_pointer<file_keeper_state> self,
-            Services* services);
+            FileAccess files);
 
 } // namespace parlour::actors

@@ -4,7 +4,6 @@
 
 #include <caf/typed_event_based_actor.hpp>
 
-#include "actors/routing/hand_over.hpp"
 #include "actors/routing/outcomes.hpp"
 
 namespace parlour::actors {
@@ -34,7 +33,7 @@ Message as_message(const QueryOrder& order, Correlation correlation) {
 
 void finish(Self self, const session_actor& session, std::uint64_t id,
             Expected<ResultSet> outcome) {
-  auto work = self->state.services->time.work.begin();
+  auto work = self->state.time->work.begin();
   self->send(session, query_outcome{id, std::move(outcome), std::move(work)});
   self->quit();
 }
@@ -51,21 +50,21 @@ Expected<ResultSet> silence_of(dialogue::QueryRequest::Kind kind) {
 } // namespace
 
 query_state::~query_state() {
-  if (services)
-    services->claims.forget(correlation);
+  if (bus)
+    bus->claims().forget(correlation);
 }
 
 query_actor::behavior_type
-query(query_actor::stateful_pointer<query_state> self, Services* services,
-      session_actor session, QueryOrder order) {
+query(query_actor::stateful_pointer<query_state> self, NodeTime* time,
+      MessageBus* bus, session_actor session, QueryOrder order) {
   auto& state = self->state;
-  state.services = services;
-  state.ticket = DueTicket(services->time.due_times, order.due);
-  state.correlation = services->claims.claim(query_actor(self));
+  state.time = time;
+  state.bus = bus;
+  state.ticket = DueTicket(time->due_times, order.due);
+  state.correlation = bus->claims().claim(query_actor(self));
   self->delayed_send(self, order.timeout, give_up{});
   const auto id = order.request.id;
-  if (!ask_by_table(*services, as_message(order, state.correlation),
-                    order.work))
+  if (!bus->ask(as_message(order, state.correlation), order.work))
     finish(self, session, id,
            fail(ErrorKind::offline, "no database component is there"));
   return {

@@ -2,7 +2,7 @@
 // the time it is given, and tells the session. Never holds a thread.
 #pragma once
 
-#include "actors/routing/services.hpp"
+#include "actors/routing/message_bus.hpp"
 #include "script/dialogue/agenda/port.hpp"
 
 namespace parlour::actors {
@@ -11,7 +11,8 @@ struct query_state {
   static inline const char* name = "query";
   DueTicket ticket;
   Correlation correlation = 0;
-  Services* services = nullptr;
+  NodeTime* time = nullptr;
+  MessageBus* bus = nullptr;
   // What it claimed is claimed no more.
   ~query_state();
 };
@@ -25,7 +26,7 @@ struct QueryOrder {
 };
 
 query_actor::behavior_type
-query(query_actor::stateful_pointer<query_state> self, Services* services,
-      session_actor session, QueryOrder order);
+query(query_actor::stateful_pointer<query_state> self, NodeTime* time,
+      MessageBus* bus, session_actor session, QueryOrder order);
 
 } // namespace parlour::actors

@@ -7,27 +7,26 @@
 namespace parlour::actors {
 
 seat_actor::behavior_type seat(seat_actor::stateful_pointer<seat_state> self,
-                               Services* services, SeatCalls calls) {
+                               SeatParts parts, SeatCalls calls) {
   return {
       [=](const say& what) {
-        if (services->time.left_behind)
+        if (parts.time->left_behind)
           return;
         const auto reason = thrown_by([&] {
           if (calls.on_say)
             calls.on_say(what.session, *what.output);
         });
         if (reason)
-          services->observer.log("a seat did not show what was said: " +
-                                 *reason);
-        if (auto session = services->sessions.find(what.session))
+          parts.observer->log("a seat did not show what was said: " + *reason);
+        if (auto session = parts.sessions->find(what.session))
           self->send(session, output_done{what.output->id, !reason, what.work});
       },
       [=](const session_over& what) {
         if (!calls.on_over)
           return;
         if (auto reason = thrown_by([&] { calls.on_over(what.session); }))
-          services->observer.log("a seat did not take its session's end: " +
-                                 *reason);
+          parts.observer->log("a seat did not take its session's end: " +
+                              *reason);
       },
       [=](const next_session& what) {
         if (calls.on_next)

@@ -2,7 +2,9 @@
 // This one shows what is said by calling back; text is heard at once.
 #pragma once
 
-#include "actors/routing/services.hpp"
+#include "actors/routing/session_directory.hpp"
+#include "actors/support/node_time.hpp"
+#include "actors/support/observer.hpp"
 #include "script/dialogue/agenda/output_queue.hpp"
 
 namespace parlour::actors {
@@ -20,7 +22,13 @@ struct SeatCalls {
   std::function<void(const SessionId&)> on_next = {};
 };
 
+struct SeatParts {
+  const NodeTime* time = nullptr;
+  Observer* observer = nullptr;
+  const SessionDirectory* sessions = nullptr;
+};
+
 seat_actor::behavior_type seat(seat_actor::stateful_pointer<seat_state> self,
-                               Services* services, SeatCalls calls);
+                               SeatParts parts, SeatCalls calls);
 
 } // namespace parlour::actors

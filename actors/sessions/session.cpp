@@ -13,7 +13,7 @@ namespace {
 using Self = session_actor::stateful_pointer<session_state>;
 
 Timestamp now(Self self) {
-  return self->state.services->time.now();
+  return self->state.time->now();
 }
 
 // Between its end and the moment when nobody can find it any more: what still
@@ -22,7 +22,7 @@ session_actor::behavior_type over(Self self) {
   return {
       [](const begin_session&) {},
       [=](const deliver& what) {
-        self->send(self->state.services->manager,
+        self->send(self->state.parts->manager,
                    forward{what.messages, what.work});
       },
       [](const take_step&) {},
@@ -40,7 +40,7 @@ session_actor::behavior_type over(Self self) {
 
 void tell_waiting(session_state& state, bool waits) {
   if (std::exchange(state.waits, waits) != waits)
-    state.services->time.work.session_waits(waits);
+    state.time->work.session_waits(waits);
 }
 
 // After each input: steps are taken one at a time through the mailbox, so that
@@ -60,7 +60,7 @@ void go_on(Self self) {
       !conversation.has_work())
     return;
   state.stepping = true;
-  self->send(self, take_step{state.services->time.work.begin()});
+  self->send(self, take_step{state.time->work.begin()});
 }
 
 void begin(Self self) {
@@ -71,10 +71,10 @@ void begin(Self self) {
 // Where components have an instance for each session, what this one says to
 // them from its first word on is to find its own.
 void settle_and_begin(Self self, const SessionId& id, const Work& work) {
-  const auto& services = *self->state.services;
-  if (!services.table.load()->has_branches())
+  const auto& parts = *self->state.parts;
+  if (!parts.bus.table()->has_branches())
     return begin(self);
-  self->request(services.supervisor, caf::infinite, session_begins{id, work})
+  self->request(parts.supervisor, caf::infinite, session_begins{id, work})
       .await([=](const session_settled&) { begin(self); },
              [=](const caf::error&) { begin(self); }); // the house stops
 }
@@ -141,33 +141,35 @@ void hear_seat(Self self, const output_done& what) {
   go_on(self);
 }
 
-void set_up(Self self, Services* services, SessionOrder order) {
+void set_up(Self self, std::shared_ptr<const SessionParts> parts,
+            SessionOrder order) {
   auto& state = self->state;
-  state.services = services;
-  state.port = std::make_unique<SessionPort>(self, *services, order.id,
+  state.parts = std::move(parts);
+  state.time = &state.parts->time;
+  state.port = std::make_unique<SessionPort>(self, state.parts, order.id,
                                              std::move(order.seat));
   dialogue::Conversation::Options options;
   options.session = std::move(order.id);
   options.seed = order.seed;
-  options.phrases = services->phrases;
+  options.phrases = state.parts->phrases;
   state.conversation = std::make_unique<dialogue::Conversation>(
-      services->program, std::move(options), *state.port);
+      state.parts->program, std::move(options), *state.port);
 }
 
 } // namespace
 
 session_state::~session_state() {
-  if (services)
+  if (time)
     tell_waiting(*this, false);
 }
 
 void ask_frame(Self self, const topic_frame_actor& frame,
                std::shared_ptr<const dialogue::FrameRequest> request) {
-  auto services = self->state.services;
   // No deadline: the frame computes within the limits of its script, and its
   // end is an error here.
-  self->request(frame, caf::infinite,
-                apply_changes{std::move(request), services->time.work.begin()})
+  self->request(
+          frame, caf::infinite,
+          apply_changes{std::move(request), self->state.time->work.begin()})
       .await(
           [=](const frame_changed& what) {
             self->state.conversation->frame_applied(*what.result, now(self));
@@ -181,11 +183,11 @@ void ask_frame(Self self, const topic_frame_actor& frame,
 }
 
 session_actor::behavior_type
-session(session_actor::stateful_pointer<session_state> self, Services* services,
-        SessionOrder order) {
+session(session_actor::stateful_pointer<session_state> self,
+        std::shared_ptr<const SessionParts> parts, SessionOrder order) {
   end_by_what_is_thrown(self);
   const auto id = order.id;
-  set_up(self, services, std::move(order));
+  set_up(self, std::move(parts), std::move(order));
   return {
       [=](const begin_session& what) { settle_and_begin(self, id, what.work); },
       [=](const deliver& what) { queue(self, what); },

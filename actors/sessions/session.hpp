@@ -4,7 +4,6 @@
 
 #include <memory>
 
-#include "actors/routing/services.hpp"
 #include "actors/sessions/session_port.hpp"
 #include "script/dialogue/engine/conversation.hpp"
 
@@ -18,7 +17,8 @@ struct SessionOrder {
 
 struct session_state {
   static inline const char* name = "session";
-  Services* services = nullptr;
+  std::shared_ptr<const SessionParts> parts;
+  NodeTime* time = nullptr;
   std::unique_ptr<SessionPort> port; // before the conversation: outlives it
   std::unique_ptr<dialogue::Conversation> conversation;
   bool stepping = false;     // a take_step is in the mailbox
@@ -28,8 +28,8 @@ struct session_state {
 };
 
 session_actor::behavior_type
-session(session_actor::stateful_pointer<session_state> self, Services* services,
-        SessionOrder order);
+session(session_actor::stateful_pointer<session_state> self,
+        std::shared_ptr<const SessionParts> parts, SessionOrder order);
 
 // One request to a topic's frame; its answer is the session's next input,
 // before whatever else is in the mailbox.

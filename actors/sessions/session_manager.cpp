@@ -27,18 +27,19 @@ SessionId session_at(const session_manager_state& state,
   return {};
 }
 
-SessionId open(Self self, Services& services, const open_session& what) {
+SessionId open(Self self, const open_session& what) {
   if (auto id = session_at(self->state, what.seat); !id.empty())
     return id;
   if (self->state.closing)
     return {};
-  auto id = services.new_session_id();
+  auto& state = self->state;
+  auto id = state.names.next_id();
   auto session = self->spawn<caf::monitored>(
-      actors::session, &services,
-      SessionOrder{id, services.new_seed(), what.seat});
-  services.sessions.add(id, session, what.seat);
+      actors::session, state.parts,
+      SessionOrder{id, state.names.next_seed(), what.seat});
+  state.directory->add(id, session, what.seat);
   self->send(session, begin_session{what.work});
-  self->state.sessions[id] = {std::move(session), what.seat};
+  state.sessions[id] = {std::move(session), what.seat};
   return id;
 }
 
@@ -54,18 +55,18 @@ seat_actor last_seat_of(const session_manager_state& state,
   return named == state.seats.end() ? seat_actor() : named->second;
 }
 
-void leave_unhandled(Services& services, const std::vector<Message>& messages) {
+void leave_unhandled(MessageBus& bus, const std::vector<Message>& messages) {
   for (const auto& message : messages)
-    services.unhandled(message, "its session is over");
+    bus.unhandled(message, "its session is over");
 }
 
-void bring(Self self, Services& services, const seat_actor& seat,
-           std::vector<Message> turns, const Work& work) {
+void bring(Self self, const seat_actor& seat, std::vector<Message> turns,
+           const Work& work) {
   auto& state = self->state;
   const bool opens = session_at(state, seat).empty();
-  const auto id = open(self, services, {seat, work});
+  const auto id = open(self, {seat, work});
   if (id.empty())
-    return leave_unhandled(services, turns);
+    return leave_unhandled(state.parts->bus, turns);
   if (opens)
     self->send(seat, next_session{id, work});
   for (auto& turn : turns)
@@ -75,45 +76,48 @@ void bring(Self self, Services& services, const seat_actor& seat,
 
 // What a session that is over will not read: user turns are the next one's at
 // its seat, answers and events meant the old one.
-void take_further(Self self, Services& services, const SessionId& session,
+void take_further(Self self, const SessionId& session,
                   std::vector<Message> messages, const Work& work) {
+  auto& bus = self->state.parts->bus;
   const auto seat = last_seat_of(self->state, session);
-  const auto table = services.table.load();
+  const auto table = bus.table();
   auto others = std::stable_partition(
       messages.begin(), messages.end(), [&](const Message& message) {
         return seat && table->begins_turn(message);
       });
-  leave_unhandled(services, {others, messages.end()});
+  leave_unhandled(bus, {others, messages.end()});
   messages.erase(others, messages.end());
   if (!messages.empty())
-    bring(self, services, seat, std::move(messages), work);
+    bring(self, seat, std::move(messages), work);
 }
 
 // -- the end ------------------------------------------------------------------
 
-void forget(Self self, Services& services, const session_gone& what) {
+void forget(Self self, const session_gone& what) {
   auto& state = self->state;
   auto entry = state.sessions.extract(what.session);
-  services.sessions.remove(what.session);
+  state.directory->remove(what.session);
   if (entry.empty())
     return;
   auto& [session, seat, subscriptions] = entry.mapped();
-  self->send(services.supervisor, session_ended{what.session, seat, what.work});
+  self->send(state.parts->supervisor,
+             session_ended{what.session, seat, what.work});
   state.departed.emplace_back(what.session, seat);
   if (state.departed.size() > most_departed)
     state.departed.pop_front();
-  self->send(services.centre, retire{std::move(session), what.work});
+  state.parts->bus.retire(std::move(session), what.work);
   self->send(seat, session_over{what.session, what.work});
-  take_further(self, services, what.session, what.unread, what.work);
+  take_further(self, what.session, what.unread, what.work);
 }
 
 // A session that ended without a word: its actor was lost to an exception.
-void notice_loss(Self self, Services& services, const caf::down_msg& down) {
+void notice_loss(Self self, const caf::down_msg& down) {
+  auto& parts = *self->state.parts;
   for (const auto& [id, entry] : self->state.sessions)
     if (entry.session.address() == down.source) {
-      services.observer.log("session " + id +
-                            " was lost: " + self->system().render(down.reason));
-      forget(self, services, {SessionId(id), services.time.work.begin()});
+      parts.observer.log("session " + id +
+                         " was lost: " + self->system().render(down.reason));
+      forget(self, {SessionId(id), parts.time.work.begin()});
       return;
     }
 }
@@ -131,9 +135,9 @@ bool is_subscribed(const std::vector<Subscription>& all,
 // What the platform says goes to all, if anybody listens; what a component says
 // to those who have subscribed, unless it answers somebody. From then on it
 // belongs to the session.
-void pass_to_all(Self self, Services& services, Message message,
-                 const Work& work) {
-  const auto table = services.table.load();
+void pass_to_all(Self self, Message message, const Work& work) {
+  auto& bus = self->state.parts->bus;
+  const auto table = bus.table();
   const auto* role = find_role(message.source);
   const bool raised = role && role->reserved;
   const bool listens =
@@ -147,7 +151,7 @@ void pass_to_all(Self self, Services& services, Message message,
       taken = true;
     }
   if (!taken)
-    services.unhandled(message, "no session has subscribed to it");
+    bus.unhandled(message, "no session has subscribed to it");
 }
 
 void note_subscriptions(Self self, const subscribe& what) {
@@ -156,7 +160,7 @@ void note_subscriptions(Self self, const subscribe& what) {
     found->second.subscriptions = what.to;
 }
 
-void pass_on(Self self, Services& services, const forward& what) {
+void pass_on(Self self, const forward& what) {
   if (what.messages.empty())
     return;
   const auto& id = what.messages.front().session;
@@ -164,10 +168,10 @@ void pass_on(Self self, Services& services, const forward& what) {
   if (found != self->state.sessions.end())
     self->send(found->second.session, deliver{what.messages, what.work});
   else if (!id.empty())
-    take_further(self, services, id, what.messages, what.work);
+    take_further(self, id, what.messages, what.work);
   else
     for (const auto& message : what.messages)
-      pass_to_all(self, services, message, what.work);
+      pass_to_all(self, message, what.work);
 }
 
 void close(Self self, const close_session& what) {
@@ -181,17 +185,21 @@ void close(Self self, const close_session& what) {
 
 session_manager_actor::behavior_type session_manager(
     session_manager_actor::stateful_pointer<session_manager_state> self,
-    Services* services) {
+    SessionParts parts, SessionDirectory* directory, SessionNames names) {
+  parts.manager = session_manager_actor(self);
+  self->state.parts = std::make_shared<const SessionParts>(std::move(parts));
+  self->state.directory = directory;
+  self->state.names = std::move(names);
   self->set_down_handler(
-      [=](const caf::down_msg& down) { notice_loss(self, *services, down); });
+      [=](const caf::down_msg& down) { notice_loss(self, down); });
   return {
       [=](const open_session& what) {
-        return session_opened{open(self, *services, what)};
+        return session_opened{open(self, what)};
       },
-      [=](const forward& what) { pass_on(self, *services, what); },
+      [=](const forward& what) { pass_on(self, what); },
       [=](const subscribe& what) { note_subscriptions(self, what); },
       [=](const close_session& what) { close(self, what); },
-      [=](const session_gone& what) { forget(self, *services, what); },
+      [=](const session_gone& what) { forget(self, what); },
       [=](const seat_opened& what) {
         self->state.seats[what.name] = what.seat;
       },

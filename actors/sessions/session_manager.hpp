@@ -4,13 +4,22 @@
 #pragma once
 
 #include <deque>
+#include <functional>
 #include <map>
+#include <memory>
 #include <utility>
 #include <vector>
 
-#include "actors/routing/services.hpp"
+#include "actors/routing/session_directory.hpp"
+#include "actors/sessions/session_parts.hpp"
 
 namespace parlour::actors {
+
+// Of the sessions that open; called by the session manager only.
+struct SessionNames {
+  std::function<SessionId()> next_id;
+  std::function<std::uint64_t()> next_seed;
+};
 
 struct session_manager_state {
   static inline const char* name = "session_manager";
@@ -24,10 +33,13 @@ struct session_manager_state {
   // Those that ended last, and where: for turns that come too late for them.
   std::deque<std::pair<SessionId, seat_actor>> departed;
   bool closing = false;
+  std::shared_ptr<const SessionParts> parts;
+  SessionDirectory* directory = nullptr;
+  SessionNames names;
 };
 
 session_manager_actor::behavior_type session_manager(
     session_manager_actor::stateful_pointer<session_manager_state> self,
-    Services* services);
+    SessionParts parts, SessionDirectory* directory, SessionNames names);
 
 } // namespace parlour::actors

@@ -21,10 +21,11 @@ constexpr int inline_depth = 8;
 
 } // namespace
 
-SessionPort::SessionPort(Self self, Services& services, SessionId id,
-                         seat_actor seat)
-    : self_(self), services_(services), id_(std::move(id)),
-      seat_(std::move(seat)), sockets_(services, id_) {}
+SessionPort::SessionPort(Self self, std::shared_ptr<const SessionParts> parts,
+                         SessionId id, seat_actor seat)
+    : self_(self), parts_(std::move(parts)), time_(parts_->time),
+      bus_(parts_->bus), id_(std::move(id)), seat_(std::move(seat)),
+      sockets_(time_, parts_->sockets, session_actor(self_), id_) {}
 
 // -- messages -----------------------------------------------------------------
 
@@ -33,7 +34,7 @@ std::vector<Message> SessionPort::post(Message message) {
   if (message.session.empty())
     message.session = id_;
   if (message.session != id_) {
-    services_.publish({std::move(message)});
+    bus_.publish({std::move(message)});
     return back;
   }
   carry(std::move(message), back);
@@ -42,16 +43,15 @@ std::vector<Message> SessionPort::post(Message message) {
 
 void SessionPort::carry(Message message, std::vector<Message>& back, int depth,
                         Answers answers) {
-  auto table = services_.table.load();
+  auto table = bus_.table();
   auto routed = table->route(std::move(message));
-  services_.unreached(routed);
+  bus_.unreached(routed);
   for (auto& [target, sent] : routed.deliveries)
     if (target->direct && depth < inline_depth)
       for (auto& event : ask_directly(*target, *sent))
         carry(std::move(event), back, depth + 1, answers);
     else if (auto answer =
-                 hand_over(services_, *target,
-                           {std::move(sent), services_.time.work.begin()});
+                 bus_.hand_over(*target, {std::move(sent), time_.work.begin()});
              answer && answers == Answers::yes)
       carry(std::move(*answer), back, depth + 1, Answers::no);
   if (routed.rest)
@@ -64,9 +64,8 @@ std::vector<Message> SessionPort::ask_directly(const Target& target,
   std::vector<Answer> answers;
   if (auto reason =
           thrown_by([&] { answers = target.direct->answers(message); })) {
-    self_->send(
-        services_.supervisor,
-        component_failed{target.name, 0, *reason, services_.time.work.begin()});
+    self_->send(parts_->supervisor,
+                component_failed{target.name, 0, *reason, time_.work.begin()});
     return {failure_answer(target.name, message, *reason)};
   }
   std::vector<Message> events;
@@ -84,38 +83,37 @@ std::vector<Message> SessionPort::ask_directly(const Target& target,
 }
 
 void SessionPort::subscribe(const std::vector<Subscription>& all) {
-  self_->send(services_.manager,
-              actors::subscribe{id_, all, services_.time.work.begin()});
+  self_->send(parts_->manager, actors::subscribe{id_, all, time_.work.begin()});
 }
 
 bool SessionPort::reachable(const std::string& module) const {
-  return services_.table.load()->find(module, id_) != nullptr;
+  return bus_.table()->find(module, id_) != nullptr;
 }
 
 bool SessionPort::is_source(const std::string& module,
                             const std::string& source) const {
-  return services_.table.load()->is_source(module, source);
+  return bus_.table()->is_source(module, source);
 }
 
 Reply SessionPort::reply_to_request(const Message& event) const {
-  return services_.table.load()->reply_to_request(event);
+  return bus_.table()->reply_to_request(event);
 }
 
 void SessionPort::release(const dialogue::Output& output) {
   self_->send(seat_, say{id_, std::make_shared<const dialogue::Output>(output),
-                         services_.time.work.begin()});
+                         time_.work.begin()});
 }
 
 // -- timers, queries ----------------------------------------------------------
 
 Timestamp SessionPort::due_at(Milliseconds after) const {
-  return services_.time.now() + after.count();
+  return time_.now() + after.count();
 }
 
 void SessionPort::start_timer(dialogue::TimerId id, Milliseconds after) {
   cancel_timer(id);
-  auto due = services_.time.due_times.add(due_at(after), DueTimes::Of::session);
-  auto actor = self_->spawn(timer, &services_, session_actor(self_),
+  auto due = time_.due_times.add(due_at(after), DueTimes::Of::session);
+  auto actor = self_->spawn(timer, &time_, session_actor(self_),
                             TimerOrder{id, after, due});
   timers_.emplace(id, Timer{std::move(actor), due});
 }
@@ -126,9 +124,8 @@ void SessionPort::cancel_timer(dialogue::TimerId id) {
 }
 
 void SessionPort::end_timer(const Timer& timer) {
-  services_.time.due_times.remove(timer.due);
-  caf::anon_send(timer.actor,
-                 actors::cancel_timer{services_.time.work.begin()});
+  time_.due_times.remove(timer.due);
+  caf::anon_send(timer.actor, actors::cancel_timer{time_.work.begin()});
 }
 
 void SessionPort::timer_is_over(dialogue::TimerId id) {
@@ -137,12 +134,10 @@ void SessionPort::timer_is_over(dialogue::TimerId id) {
 
 void SessionPort::query(dialogue::QueryRequest request) {
   const auto id = request.id;
-  const auto timeout = services_.program->settings.sessions.request_timeout;
-  auto due =
-      services_.time.due_times.add(due_at(timeout), DueTimes::Of::session);
-  QueryOrder order{id_, std::move(request), timeout, due,
-                   services_.time.work.begin()};
-  auto actor = self_->spawn(actors::query, &services_, session_actor(self_),
+  const auto timeout = parts_->program->settings.sessions.request_timeout;
+  auto due = time_.due_times.add(due_at(timeout), DueTimes::Of::session);
+  QueryOrder order{id_, std::move(request), timeout, due, time_.work.begin()};
+  auto actor = self_->spawn(actors::query, &time_, &bus_, session_actor(self_),
                             std::move(order));
   queries_.emplace(id, Query{std::move(actor), due});
 }
@@ -154,26 +149,26 @@ void SessionPort::query_is_over(dialogue::QueryId id) {
 // -- components, files, sockets -----------------------------------------------
 
 void SessionPort::component(dialogue::ComponentRequest request) {
-  auto work = services_.time.work.begin();
+  auto work = time_.work.begin();
   auto done = [session = session_actor(self_), id = request.id,
-               &work_count = services_.time.work](Expected<void> outcome) {
+               &work_count = time_.work](Expected<void> outcome) {
     caf::anon_send(
         session, component_outcome{id, std::move(outcome), work_count.begin()});
   };
   if (request.load)
-    self_->send(services_.supervisor,
+    self_->send(parts_->supervisor,
                 load_plugin{std::move(request.plugin), std::move(request.name),
                             std::move(done), std::move(work)});
   else
-    self_->send(services_.supervisor,
+    self_->send(parts_->supervisor,
                 unload_component{std::move(request.name), std::move(done),
                                  std::move(work)});
 }
 
 void SessionPort::file(dialogue::QueryId id, FileRequest request) {
-  self_->send(services_.file_keeper,
+  self_->send(parts_->file_keeper,
               file_order{id, std::move(request), session_actor(self_),
-                         services_.time.work.begin()});
+                         time_.work.begin()});
 }
 
 void SessionPort::open_socket(dialogue::SocketRequest request) {
@@ -183,7 +178,7 @@ void SessionPort::open_socket(dialogue::SocketRequest request) {
                 socket_told{id,
                             {SocketEvent::Kind::failed,
                              "this run has no network, as its time is virtual"},
-                            services_.time.work.begin()});
+                            time_.work.begin()});
 }
 
 Expected<void> SessionPort::send_socket(dialogue::SocketId id,
@@ -223,7 +218,7 @@ std::vector<Message> SessionPort::hear_socket(dialogue::SocketId id,
 const topic_frame_actor& SessionPort::frame_of(script::TopicId topic) {
   auto& frame = frames_[topic];
   if (!frame)
-    frame = self_->spawn(topic_frame, &services_, topic);
+    frame = self_->spawn(topic_frame, parts_->program, topic);
   return frame;
 }
 
@@ -235,29 +230,29 @@ void SessionPort::apply(script::TopicId topic, dialogue::FrameRequest request) {
 // -- watching, ending ---------------------------------------------------------
 
 void SessionPort::unhandled(const Message& message) {
-  services_.unhandled(message, "no state and no handler takes it");
+  bus_.unhandled(message, "no state and no handler takes it");
 }
 
 bool SessionPort::inspected() const {
-  return services_.observer.watches_all();
+  return parts_->observer.watches_all();
 }
 
 void SessionPort::inspect(Inspection inspection) {
-  services_.observer.inspect(std::move(inspection));
+  parts_->observer.inspect(std::move(inspection));
 }
 
 void SessionPort::conceal(const std::vector<std::string>& texts) {
-  if (auto* discretion = services_.observer.discretion())
+  if (auto* discretion = parts_->observer.discretion())
     discretion->conceal(id_, texts);
 }
 
 void SessionPort::conceal_turn() {
-  if (auto* discretion = services_.observer.discretion())
+  if (auto* discretion = parts_->observer.discretion())
     discretion->conceal_turn(id_);
 }
 
 void SessionPort::settled(std::uint64_t received) {
-  if (auto* discretion = services_.observer.discretion())
+  if (auto* discretion = parts_->observer.discretion())
     discretion->settled(id_, received);
 }
 
@@ -266,14 +261,14 @@ void SessionPort::ended() {
 }
 
 void SessionPort::close(std::vector<Message> unread) {
-  self_->send(services_.manager, session_gone{id_, services_.time.work.begin(),
-                                              std::move(unread)});
+  self_->send(parts_->manager,
+              session_gone{id_, time_.work.begin(), std::move(unread)});
   end_all();
 }
 
 SessionPort::~SessionPort() {
   end_all();
-  if (auto* discretion = services_.observer.discretion())
+  if (auto* discretion = parts_->observer.discretion())
     discretion->ended(id_);
 }
 
@@ -281,7 +276,7 @@ void SessionPort::end_all() {
   for (const auto& [id, timer] : std::exchange(timers_, {}))
     end_timer(timer);
   for (const auto& [id, query] : std::exchange(queries_, {})) {
-    services_.time.due_times.remove(query.due);
+    time_.due_times.remove(query.due);
     caf::anon_send_exit(query.actor, caf::exit_reason::user_shutdown);
   }
   sockets_.close_all();

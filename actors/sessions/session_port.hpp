@@ -4,8 +4,7 @@
 
 #include <map>
 
-#include "actors/routing/hand_over.hpp"
-#include "actors/routing/services.hpp"
+#include "actors/sessions/session_parts.hpp"
 #include "actors/sessions/session_sockets.hpp"
 #include "script/dialogue/agenda/port.hpp"
 
@@ -17,7 +16,8 @@ class SessionPort : public dialogue::Port {
 public:
   using Self = session_actor::stateful_pointer<session_state>;
 
-  SessionPort(Self self, Services& services, SessionId id, seat_actor seat);
+  SessionPort(Self self, std::shared_ptr<const SessionParts> parts,
+              SessionId id, seat_actor seat);
   ~SessionPort() override; // ends whatever still works for the session
 
   std::vector<Message> post(Message message) override;
@@ -76,7 +76,9 @@ private:
   Timestamp due_at(Milliseconds after) const;
 
   Self self_;
-  Services& services_;
+  const std::shared_ptr<const SessionParts> parts_;
+  NodeTime& time_;
+  MessageBus& bus_;
   const SessionId id_;
   const seat_actor seat_;
   std::map<dialogue::TimerId, Timer> timers_;

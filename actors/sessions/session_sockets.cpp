@@ -8,33 +8,40 @@ namespace parlour::actors {
 
 namespace {
 
-// From the adapter's thread, by the session's id: the session may be gone.
-Sockets::Tell teller(Services& services, SessionId session,
+// From the adapter's thread: the session may be gone.
+Sockets::Tell teller(NodeTime& time, caf::weak_actor_ptr session,
                      dialogue::SocketId id) {
-  return [&services, session = std::move(session), id](SocketEvent event) {
-    auto work = services.time.work.begin();
-    services.time.gate.enter([&services, session, id, event = std::move(event),
-                              work = std::move(work)] {
-      if (auto actor = services.sessions.find(session))
-        caf::anon_send(actor, socket_told{id, event, work});
-    });
+  return [&time, session = std::move(session), id](SocketEvent event) {
+    auto work = time.work.begin();
+    time.gate.enter(
+        [session, id, event = std::move(event), work = std::move(work)] {
+          if (auto actor = caf::actor_cast<caf::strong_actor_ptr>(session))
+            caf::anon_send(caf::actor_cast<session_actor>(actor),
+                           socket_told{id, event, work});
+        });
   };
 }
 
 } // namespace
 
+SessionSockets::SessionSockets(NodeTime& time, std::shared_ptr<Sockets> network,
+                               const session_actor& session, SessionId id)
+    : time_(time), network_(std::move(network)),
+      session_(caf::actor_cast<caf::weak_actor_ptr>(session)),
+      id_(std::move(id)) {}
+
 void SessionSockets::close_all() {
   for (const auto& [id, socket] : std::exchange(sockets_, {}))
-    services_.sockets->close(socket.id);
+    network_->close(socket.id);
 }
 
 bool SessionSockets::open(dialogue::SocketRequest request) {
-  if (!services_.sockets)
+  if (!network_)
     return false;
   auto& socket = sockets_[request.id];
   socket.name = std::move(request.name);
-  socket.id = services_.sockets->open(std::move(request.order),
-                                      teller(services_, session_, request.id));
+  socket.id = network_->open(std::move(request.order),
+                             teller(time_, session_, request.id));
   return true;
 }
 
@@ -43,17 +50,17 @@ Expected<void> SessionSockets::send(dialogue::SocketId id,
   const auto found = sockets_.find(id);
   if (found == sockets_.end())
     return fail(ErrorKind::network, "it is closed");
-  return services_.sockets->send(found->second.id, text);
+  return network_->send(found->second.id, text);
 }
 
 void SessionSockets::taken(dialogue::SocketId id) {
   if (const auto found = sockets_.find(id); found != sockets_.end())
-    services_.sockets->taken(found->second.id);
+    network_->taken(found->second.id);
 }
 
 void SessionSockets::close(dialogue::SocketId id) {
   if (const auto socket = sockets_.extract(id))
-    services_.sockets->close(socket.mapped().id);
+    network_->close(socket.mapped().id);
 }
 
 void SessionSockets::forget(dialogue::SocketId id) {
@@ -69,7 +76,7 @@ std::optional<Message> SessionSockets::message(dialogue::SocketId id,
   message.source = found->second.name;
   message.command = event.kind == SocketEvent::Kind::closed ? "Closed" : "Data";
   message.params = {event.text};
-  message.session = session_;
+  message.session = id_;
   return message;
 }
 

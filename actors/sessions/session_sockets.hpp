@@ -5,18 +5,23 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 
-#include "actors/routing/services.hpp"
+#include <caf/actor_control_block.hpp>
+
+#include "actors/protocol/interfaces.hpp"
+#include "actors/support/node_time.hpp"
 #include "script/dialogue/agenda/port.hpp"
 
 namespace parlour::actors {
 
 class SessionSockets {
 public:
-  SessionSockets(Services& services, SessionId session)
-      : services_(services), session_(std::move(session)) {}
+  // `network` may be null: this run has none.
+  SessionSockets(NodeTime& time, std::shared_ptr<Sockets> network,
+                 const session_actor& session, SessionId id);
   SessionSockets(const SessionSockets&) = delete;
   SessionSockets& operator=(const SessionSockets&) = delete;
   ~SessionSockets() {
@@ -43,8 +48,10 @@ private:
     std::string name;
   };
 
-  Services& services_;
-  const SessionId session_;
+  NodeTime& time_;
+  const std::shared_ptr<Sockets> network_;
+  const caf::weak_actor_ptr session_; // weak: its actor holds this
+  const SessionId id_;
   std::map<dialogue::SocketId, Socket> sockets_;
 };
 

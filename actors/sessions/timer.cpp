@@ -5,9 +5,9 @@
 namespace parlour::actors {
 
 timer_actor::behavior_type
-timer(timer_actor::stateful_pointer<timer_state> self, Services* services,
+timer(timer_actor::stateful_pointer<timer_state> self, NodeTime* time,
       session_actor session, TimerOrder order) {
-  self->state.ticket = DueTicket(services->time.due_times, order.due);
+  self->state.ticket = DueTicket(time->due_times, order.due);
   if (order.after > Milliseconds::zero())
     self->delayed_send(self, order.after, ring{});
   else
@@ -15,7 +15,7 @@ timer(timer_actor::stateful_pointer<timer_state> self, Services* services,
   return {
       [=](const ring&) {
         // The session's work begins before the due time goes with this actor.
-        self->send(session, timer_due{order.id, services->time.work.begin()});
+        self->send(session, timer_due{order.id, time->work.begin()});
         self->quit();
       },
       [=](const cancel_timer&) { self->quit(); },

@@ -1,7 +1,8 @@
 // A timer of a session: rings once, or is cancelled.
 #pragma once
 
-#include "actors/routing/services.hpp"
+#include "actors/protocol/interfaces.hpp"
+#include "actors/support/node_time.hpp"
 
 namespace parlour::actors {
 
@@ -17,7 +18,7 @@ struct TimerOrder {
 };
 
 timer_actor::behavior_type
-timer(timer_actor::stateful_pointer<timer_state> self, Services* services,
+timer(timer_actor::stateful_pointer<timer_state> self, NodeTime* time,
       session_actor session, TimerOrder order);
 
 } // namespace parlour::actors

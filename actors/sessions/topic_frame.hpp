@@ -3,7 +3,7 @@
 // function (engine rule 5, "The frame's actor").
 #pragma once
 
-#include "actors/routing/services.hpp"
+#include "actors/protocol/interfaces.hpp"
 #include "script/dialogue/frame/frame.hpp"
 
 namespace parlour::actors {
@@ -15,6 +15,7 @@ struct topic_frame_state {
 
 topic_frame_actor::behavior_type
 topic_frame(topic_frame_actor::stateful_pointer<topic_frame_state> self,
-            Services* services, script::TopicId topic);
+            std::shared_ptr<const script::Program> program,
+            script::TopicId topic);
 
 } // namespace parlour::actors

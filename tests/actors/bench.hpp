@@ -10,7 +10,8 @@
 #include <caf/send.hpp>
 
 #include "actors/node/drive.hpp"
-#include "actors/routing/services.hpp"
+#include "actors/routing/message_bus.hpp"
+#include "actors/routing/session_directory.hpp"
 #include "tests/actors/house_fixture.hpp"
 
 namespace parlour::actors {
@@ -18,39 +19,28 @@ namespace parlour::actors {
 class Bench {
 public:
   explicit Bench(const std::string& elements = "",
-                 std::vector<Target> targets = {}) {
+                 std::vector<Target> targets = {})
+      : program(compile(elements)) {
     drive->configure(config_);
     system = std::make_unique<caf::actor_system>(config_);
-    drive->attach(*system, services.time);
-    services.new_seed = [] { return 1; };
-    services.new_session_id = [this] { return "s" + std::to_string(++ids_); };
-    services.program = compile(elements);
+    drive->attach(*system, time);
     set_table(std::move(targets));
   }
 
   ~Bench() {
-    for (const auto& session : services.sessions.all())
+    for (const auto& session : sessions.all())
       caf::anon_send_exit(session, caf::exit_reason::kill);
     for (const auto& actor : spawned_)
       caf::anon_send_exit(actor, caf::exit_reason::kill);
     run();
-    services.sessions.clear();
-    services.centre = nullptr;
-    services.manager = nullptr;
-    services.supervisor = nullptr;
-    services.table.store(nullptr);
+    sessions.clear();
+    bus.take_down();
     spawned_.clear();
     run(); // what went with them may have sent something
   }
 
   void set_table(std::vector<Target> targets) {
-    RoutingTable::Parts parts;
-    parts.program = services.program;
-    parts.targets = std::move(targets);
-    parts.clock = &services.time.clock;
-    parts.counters = services.counters;
-    services.table.store(
-        std::make_shared<const RoutingTable>(std::move(parts)));
+    bus.set_targets(std::move(targets));
   }
 
   template <class... Arguments>
@@ -68,9 +58,9 @@ public:
 
   // Before what watches or logs is under way.
   void watch(std::function<void(const Inspection&)> show, bool all = true) {
-    std::destroy_at(&services.observer);
-    std::construct_at(&services.observer, watcher(std::move(show), all),
-                      services.time.left_behind);
+    std::destroy_at(&observer);
+    std::construct_at(&observer, watcher(std::move(show), all),
+                      time.left_behind);
   }
 
   void run() {
@@ -78,7 +68,7 @@ public:
   }
 
   Work work() {
-    return services.time.work.begin();
+    return time.work.begin();
   }
 
   // -- probes: what they are sent stands in `seen` ---------------------------
@@ -200,7 +190,7 @@ public:
               [this, name](const run_after& what) {
                 seen.push_back(name + " is to wait");
                 what.action();
-                services.time.due_times.remove(what.due->id());
+                time.due_times.remove(what.due->id());
               },
               [](const run_now&) {},
               [](const stop_component&) {},
@@ -210,7 +200,11 @@ public:
   }
 
   std::unique_ptr<Drive> drive = make_virtual_drive(nine_o_clock);
-  Services services{drive->clock(), drive->gate(), watcher({}, true)};
+  NodeTime time{drive->clock(), drive->gate()};
+  Observer observer{watcher({}, true), time.left_behind};
+  SessionDirectory sessions;
+  const std::shared_ptr<const script::Program> program;
+  MessageBus bus{time, observer, program};
   std::unique_ptr<caf::actor_system> system;
   std::vector<std::string> logs;
   std::vector<std::string> seen;
@@ -227,7 +221,6 @@ private:
 
   caf::actor_system_config config_;
   std::vector<caf::strong_actor_ptr> spawned_;
-  int ids_ = 0;
 };
 
 inline Message event(std::string source, std::string command,

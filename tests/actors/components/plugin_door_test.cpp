@@ -7,11 +7,14 @@ namespace {
 class PluginDoorTest : public testing::Test {
 protected:
   PluginDoorTest() {
-    bench.services.centre = bench.centre_probe();
+    bench.bus.connect(bench.centre_probe());
   }
 
   Bench bench;
-  PluginDoor door{bench.services, "Ear", {"Ear", {"ASR"}, "hears"}};
+  PluginEnvironment environment;
+  PluginDoor door{{bench.time, bench.bus, bench.observer, environment},
+                  "Ear",
+                  {"Ear", {"ASR"}, "hears"}};
 };
 
 TEST_F(PluginDoorTest, LetsNobodySpeakUnderAReservedName) {
@@ -60,7 +63,7 @@ TEST_F(PluginDoorTest, WhatItSaysTakesTheWorkOfWhatItIsDoneWith) {
   EXPECT_TRUE(robot.mailbox->take(host)); // and its work is over
   EXPECT_TRUE(count.none());
   bench.run();
-  EXPECT_TRUE(bench.services.time.work.none());
+  EXPECT_TRUE(bench.time.work.none());
 }
 
 TEST_F(PluginDoorTest, KeepsNoWorkWhenItRestsOrIsClosed) {
@@ -80,7 +83,7 @@ TEST_F(PluginDoorTest, CallsBackThroughTheHost) {
   door.belongs_to(host);
   int calls = 0;
   door.after(Milliseconds(5), [&] { ++calls; });
-  EXPECT_TRUE(bench.services.time.due_times.component_pending());
+  EXPECT_TRUE(bench.time.due_times.component_pending());
   bench.run();
   EXPECT_EQ(calls, 1);
   EXPECT_THAT(bench.seen, ElementsAre("host is to wait"));
@@ -89,7 +92,7 @@ TEST_F(PluginDoorTest, CallsBackThroughTheHost) {
 TEST_F(PluginDoorTest, ForgetsDelaysOfAHostThatIsGone) {
   door.after(Milliseconds(5), [] { FAIL() << "called back"; });
   bench.run();
-  EXPECT_FALSE(bench.services.time.due_times.component_pending());
+  EXPECT_FALSE(bench.time.due_times.component_pending());
 }
 
 // The host has gone, but somebody still holds it: nobody takes the message.
@@ -100,24 +103,24 @@ TEST_F(PluginDoorTest, ForgetsDelaysOfAHostThatHasQuit) {
   bench.run();
   door.after(Milliseconds(5), [] { FAIL() << "called back"; });
   bench.run();
-  EXPECT_FALSE(bench.services.time.due_times.component_pending());
+  EXPECT_FALSE(bench.time.due_times.component_pending());
 }
 
 TEST_F(PluginDoorTest, ForgetsWhatIsCancelled) {
   const auto delay = door.after(Milliseconds(5), [] {});
   door.cancel(delay);
   door.cancel(delay);
-  EXPECT_FALSE(bench.services.time.due_times.component_pending());
+  EXPECT_FALSE(bench.time.due_times.component_pending());
 }
 
 TEST_F(PluginDoorTest, ShowsWhatThePlatformShares) {
-  bench.services.data_folder = "/data";
-  bench.services.application_folder = "/app";
+  environment.data_folder = "/data";
+  environment.application_folder = "/app";
   EXPECT_EQ(door.data_folder(), "/data");
   EXPECT_EQ(door.application_folder(), "/app");
   EXPECT_EQ(door.clock().now(), nine_o_clock);
   EXPECT_EQ(door.column("db:t.c").error().kind, ErrorKind::database);
-  bench.services.columns = [](const std::string& name) {
+  environment.columns = [](const std::string& name) {
     return Expected<std::vector<std::string>>({name, "x"});
   };
   EXPECT_THAT(*door.column("db:t.c"), ElementsAre("db:t.c", "x"));

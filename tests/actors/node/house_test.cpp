@@ -143,20 +143,20 @@ TEST_F(HouseOfActors, LosesOneSessionAndGoesOn) {
     auto seat = house.open_seat("desk", calls());
     auto lost = house.open_session(seat);
     auto other = house.open_session(house.open_seat("desk", calls()));
-    auto& services = house.services();
+    const auto& sessions = house.sessions();
     auto breaks = [](const auto&) { throw std::runtime_error("broken"); };
-    caf::anon_send(services.sessions.find(lost),
-                   look{breaks, services.time.work.begin()});
+    caf::anon_send(sessions.find(lost),
+                   look{breaks, house.time().work.begin()});
     // An actor's death is told by CAF, which counts as nobody's work.
     do
       house.drive().run_until_quiet();
-    while (services.sessions.find(lost));
+    while (sessions.find(lost));
     house.drive().run_until_quiet();
     EXPECT_THAT(logs, ElementsAre(testing::AllOf(HasSubstr(lost),
                                                  HasSubstr("broken"))));
-    EXPECT_FALSE(services.sessions.find(lost));
-    EXPECT_TRUE(services.sessions.find(other));
-    EXPECT_TRUE(services.sessions.find(house.open_session(seat)));
+    EXPECT_FALSE(sessions.find(lost));
+    EXPECT_TRUE(sessions.find(other));
+    EXPECT_TRUE(sessions.find(house.open_session(seat)));
     EXPECT_THAT(notes, ElementsAre("Hello.", "Hello.", "over", "Hello."));
   }
 }

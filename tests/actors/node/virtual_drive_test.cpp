@@ -7,7 +7,7 @@ class VirtualDriveTest : public testing::Test {
 protected:
   // As an actor would: a delay of CAF's and its entry among the due times.
   DueTimes::Id ring_after(Milliseconds after) {
-    auto& times = bench.services.time.due_times;
+    auto& times = bench.time.due_times;
     const auto id =
         times.add(nine_o_clock + after.count(), DueTimes::Of::session);
     bench.spawn(
@@ -15,7 +15,7 @@ protected:
           self->delayed_send(self, after, caf::ok_atom::value);
           return caf::behavior{[this, id, self](caf::ok_atom) {
             rung.push_back(drive.clock().now() - nine_o_clock);
-            bench.services.time.due_times.remove(id);
+            bench.time.due_times.remove(id);
             self->quit();
           }};
         },
@@ -58,12 +58,12 @@ TEST_F(VirtualDriveTest, AdvancesThroughAllThatFallsDue) {
 
 TEST_F(VirtualDriveTest, IsInterrupted) {
   ring_after(10ms);
-  bench.services.time.work.interrupt();
+  bench.time.work.interrupt();
   EXPECT_FALSE(drive.run_until_quiet());
   EXPECT_FALSE(drive.step_to_next_due(1h));
   drive.advance(1h);
   EXPECT_EQ(drive.clock().now(), nine_o_clock);
-  bench.services.time.work.forget_interrupt();
+  bench.time.work.forget_interrupt();
   EXPECT_TRUE(drive.run_until_quiet());
 }
 

@@ -31,7 +31,7 @@ TEST_F(ComponentMailboxTest, GivesInOrderWhatWaited) {
   EXPECT_THAT(bench.seen,
               ElementsAre("ear gets Script.One()", "ear gets Script.Two()",
                           "ear gets Script.Three()"));
-  EXPECT_TRUE(bench.services.time.work.none());
+  EXPECT_TRUE(bench.time.work.none());
 }
 
 TEST_F(ComponentMailboxTest, AnotherTakesWhatOneLeaves) {

@@ -8,12 +8,12 @@ namespace {
 
 TEST(FileKeeper, TellsTheSession) {
   Bench bench;
-  bench.services.files = [](const FileRequest& request) -> Expected<Value> {
+  const FileAccess files = [](const FileRequest& request) -> Expected<Value> {
     if (request.name == "bad")
       throw std::runtime_error("disk gone");
     return Value(request.name + "!");
   };
-  auto keeper = bench.spawn(file_keeper, &bench.services);
+  auto keeper = bench.spawn(file_keeper, files);
   auto session = bench.session_probe("s1");
   for (auto name : {"a", "bad"})
     bench.send(
@@ -25,7 +25,7 @@ TEST(FileKeeper, TellsTheSession) {
 
 TEST(FileKeeper, HasNothingToKeepWithoutAFolder) {
   Bench bench;
-  auto keeper = bench.spawn(file_keeper, &bench.services);
+  auto keeper = bench.spawn(file_keeper, FileAccess());
   bench.send(keeper,
              file_order{1, {}, bench.session_probe("s1"), bench.work()});
   EXPECT_THAT(bench.seen, ElementsAre(HasSubstr("has no data folder")));

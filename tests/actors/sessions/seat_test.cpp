@@ -9,7 +9,7 @@ namespace {
 class SeatTest : public testing::Test {
 protected:
   SeatTest() {
-    bench.services.sessions.add("a", bench.session_probe("a"));
+    bench.sessions.add("a", bench.session_probe("a"));
   }
 
   void speak(const seat_actor& seat, const std::string& session) {
@@ -20,6 +20,7 @@ protected:
   }
 
   Bench bench;
+  SeatParts parts{&bench.time, &bench.observer, &bench.sessions};
   std::vector<std::string> calls;
   SeatCalls noting{
       [this](const auto& session, const dialogue::Output& output) {
@@ -29,34 +30,34 @@ protected:
 };
 
 TEST_F(SeatTest, ShowsWhatIsSaidAndThatItWasHeard) {
-  auto actor = bench.spawn(seat, &bench.services, noting);
+  auto actor = bench.spawn(seat, parts, noting);
   speak(actor, "a");
   bench.send(actor, session_over{"a", bench.work()});
   EXPECT_THAT(calls, ElementsAre("a: Hello.", "a over"));
   EXPECT_THAT(bench.seen, ElementsAre("a played 7"));
-  EXPECT_TRUE(bench.services.time.work.none());
+  EXPECT_TRUE(bench.time.work.none());
 }
 
 TEST_F(SeatTest, ShowsTheLastWordsOfASessionThatIsGone) {
-  auto actor = bench.spawn(seat, &bench.services, noting);
+  auto actor = bench.spawn(seat, parts, noting);
   speak(actor, "gone");
   EXPECT_THAT(calls, ElementsAre("gone: Hello."));
   EXPECT_THAT(bench.seen, IsEmpty());
 }
 
 TEST_F(SeatTest, HasBeenHeardWhereNobodyListens) {
-  auto actor = bench.spawn(seat, &bench.services, SeatCalls{});
+  auto actor = bench.spawn(seat, parts, SeatCalls{});
   speak(actor, "a");
   bench.send(actor, session_over{"a", bench.work()});
   EXPECT_THAT(bench.seen, ElementsAre("a played 7"));
-  EXPECT_TRUE(bench.services.time.work.none());
+  EXPECT_TRUE(bench.time.work.none());
 }
 
 TEST_F(SeatTest, SurvivesWhatItsCallsThrow) {
   SeatCalls throwing{
       [](const auto&, const auto&) { throw std::runtime_error("no paper"); },
       [](const auto&) { throw std::runtime_error("no ink"); }};
-  auto actor = bench.spawn(seat, &bench.services, throwing);
+  auto actor = bench.spawn(seat, parts, throwing);
   speak(actor, "a");
   bench.send(actor, session_over{"a", bench.work()});
   speak(actor, "a");

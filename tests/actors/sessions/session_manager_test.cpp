@@ -9,8 +9,7 @@ namespace {
 class SessionManagerTest : public testing::Test {
 protected:
   SessionManagerTest() {
-    bench.services.manager = manager;
-    bench.services.centre = bench.centre_probe();
+    bench.bus.connect(bench.centre_probe());
   }
 
   // At a seat of its own.
@@ -38,27 +37,32 @@ protected:
       <ASR><RecognitionResult><speak param="{_LPARAM1}!"/></RecognitionResult>
       </ASR>
     </component></messages></handler>)"};
-  session_manager_actor manager = bench.spawn(session_manager, &bench.services);
+  int ids = 0;
+  SessionParts parts{bench.time, bench.bus, bench.observer, bench.program};
+  SessionNames names{[this] { return "s" + std::to_string(++ids); },
+                     [] { return 1; }};
+  session_manager_actor manager =
+      bench.spawn(session_manager, parts, &bench.sessions, names);
 };
 
 TEST_F(SessionManagerTest, OpensAndClosesOneOfSeveral) {
   open();
   open();
-  EXPECT_TRUE(bench.services.sessions.find("s1"));
-  EXPECT_TRUE(bench.services.sessions.find("s2"));
+  EXPECT_TRUE(bench.sessions.find("s1"));
+  EXPECT_TRUE(bench.sessions.find("s2"));
   bench.send(manager, close_session{"s1", bench.work()});
-  EXPECT_FALSE(bench.services.sessions.find("s1"));
-  EXPECT_TRUE(bench.services.sessions.find("s2"));
+  EXPECT_FALSE(bench.sessions.find("s1"));
+  EXPECT_TRUE(bench.sessions.find("s2"));
   EXPECT_THAT(bench.seen, testing::Contains("s1 is over"));
   EXPECT_THAT(bench.logs, IsEmpty());
-  EXPECT_TRUE(bench.services.time.work.none());
+  EXPECT_TRUE(bench.time.work.none());
 }
 
 TEST_F(SessionManagerTest, ClosesAll) {
   open();
   open();
   bench.send(manager, close_session{"", bench.work()});
-  EXPECT_THAT(bench.services.sessions.all(), IsEmpty());
+  EXPECT_THAT(bench.sessions.all(), IsEmpty());
 }
 
 TEST_F(SessionManagerTest, PassesMessagesOn) {
@@ -109,7 +113,7 @@ TEST_F(SessionManagerTest, SaysWhatNobodyTakes) {
 TEST_F(SessionManagerTest, HasOneSessionAtASeat) {
   auto seat = open();
   bench.send(manager, open_session{seat, bench.work()});
-  EXPECT_FALSE(bench.services.sessions.find("s2"));
+  EXPECT_FALSE(bench.sessions.find("s2"));
 }
 
 // A turn on its way to a session that has ended is the next one's at its seat;
@@ -126,7 +130,7 @@ TEST_F(SessionManagerTest, TakesLateTurnsToTheSeatsNextSession) {
   bench.seen.clear();
   say("s1", {event("ASR", "RecognitionResult", {"three"})});
   EXPECT_THAT(bench.seen, ElementsAre("says three!"));
-  EXPECT_TRUE(bench.services.time.work.none());
+  EXPECT_TRUE(bench.time.work.none());
 }
 
 // A recogniser that answers a message copies its correlation.
@@ -144,14 +148,14 @@ TEST_F(SessionManagerTest, OpensNothingWhenTheHouseCloses) {
   open();
   bench.send(manager, close_session{"", bench.work()});
   say("s1", {event("ASR", "RecognitionResult", {"one"})});
-  EXPECT_THAT(bench.services.sessions.all(), IsEmpty());
+  EXPECT_THAT(bench.sessions.all(), IsEmpty());
   EXPECT_THAT(bench.logs, ElementsAre(HasSubstr("its session is over")));
 }
 
 TEST_F(SessionManagerTest, NoticesALoss) {
   open();
   open();
-  auto lost = bench.services.sessions.find("s1");
+  auto lost = bench.sessions.find("s1");
   bench.send(lost, look{[](const auto&) { throw std::runtime_error("broken"); },
                         bench.work()});
   EXPECT_THAT(bench.logs,
@@ -160,7 +164,7 @@ TEST_F(SessionManagerTest, NoticesALoss) {
   EXPECT_THAT(bench.seen, ElementsAre("s1 is over"));
   forward_all({event("Bell", "Rings", {3}, "s2")});
   EXPECT_THAT(bench.seen, testing::Contains("says Ding 3"));
-  EXPECT_TRUE(bench.services.time.work.none());
+  EXPECT_TRUE(bench.time.work.none());
 }
 
 } // namespace

@@ -18,17 +18,19 @@ dialogue::QueryRequest question() {
 // A port whose session does what the test says, and notes what it hears.
 class SessionPortTest : public testing::Test {
 protected:
-  SessionPortTest() {
-    bench.services.centre = bench.centre_probe();
-    bench.services.supervisor = bench.spawn(supervisor, &bench.services);
+  explicit SessionPortTest(const std::string& elements = "") : bench(elements) {
+    bench.bus.connect(bench.centre_probe());
+    parts.supervisor = bench.spawn(
+        supervisor, SupervisionParts{bench.time, bench.bus, bench.observer,
+                                     bench.sessions, instances, environment});
   }
 
   void with_port(std::function<void(SessionPort&)> use) {
     auto seat = bench.seat_probe();
     user = bench.spawn(
         [=, this](Self self, int) -> session_actor::behavior_type {
-          auto port =
-              std::make_shared<SessionPort>(self, bench.services, "s1", seat);
+          auto port = std::make_shared<SessionPort>(
+              self, std::make_shared<const SessionParts>(parts), "s1", seat);
           return {
               [=](const begin_session&) { use(*port); },
               [](const deliver&) {},
@@ -76,6 +78,9 @@ protected:
   }
 
   Bench bench;
+  InstanceDirectory instances;
+  PluginEnvironment environment;
+  SessionParts parts{bench.time, bench.bus, bench.observer, bench.program};
   session_actor user;
   std::vector<std::string> heard;
 };
@@ -115,21 +120,10 @@ TEST_F(SessionPortTest, AnswersForAnInlineComponentThatThrows) {
   EXPECT_THAT(post(), ElementsAre(HasSubstr("s1 Words.Failed(")));
 }
 
-// However the routes lead from one that is down to the next.
-TEST_F(SessionPortTest, AnswersOnceForComponentsThatAreDown) {
-  bench.services.program = compile(R"(<routes>
-      <relay source="Words" command="Failed" to="Words"/></routes>)");
-  const auto words = bench.target("Words", {"NLG"});
-  words.mailbox->close("is down");
-  bench.set_table({words});
-  EXPECT_THAT(post(), ElementsAre("s1 Words.Failed(Words is down) to 4"));
-  EXPECT_EQ(bench.services.counters->unhandled, 2u);
-}
-
 TEST_F(SessionPortTest, CountsAndLogsOnceWhatNobodyTakes) {
   EXPECT_THAT(post(), IsEmpty());
   with_port([](SessionPort& port) { port.unhandled(event("Bell", "Rings")); });
-  EXPECT_EQ(bench.services.counters->unhandled, 2u);
+  EXPECT_EQ(bench.bus.counters().unhandled, 2u);
   EXPECT_THAT(bench.logs, ElementsAre(HasSubstr("nobody is there for NLG"),
                                       HasSubstr("Bell.Rings(): ")));
 }
@@ -174,13 +168,13 @@ TEST_F(SessionPortTest, ATimerRingsOnceAndIsReplacedAndCancelled) {
   EXPECT_THAT(heard, ElementsAre("rings 2"));
   bench.drive->advance(1h);
   EXPECT_THAT(heard, ElementsAre("rings 2", "rings 1"));
-  EXPECT_FALSE(bench.services.time.due_times.next());
+  EXPECT_FALSE(bench.time.due_times.next());
 }
 
 TEST_F(SessionPortTest, AQueryHasAnOutcome) {
   with_port([](SessionPort& port) { port.query(question()); });
   EXPECT_THAT(heard, ElementsAre("no database component is there"));
-  EXPECT_FALSE(bench.services.time.due_times.next());
+  EXPECT_FALSE(bench.time.due_times.next());
 }
 
 TEST_F(SessionPortTest, LeavesNothingBehind) {
@@ -189,10 +183,26 @@ TEST_F(SessionPortTest, LeavesNothingBehind) {
     port.start_timer(1, 1h);
     port.query(question());
   });
-  EXPECT_TRUE(bench.services.time.due_times.next());
+  EXPECT_TRUE(bench.time.due_times.next());
   bench.send(user, end_session{bench.work()});
-  EXPECT_FALSE(bench.services.time.due_times.next());
-  EXPECT_TRUE(bench.services.time.work.none());
+  EXPECT_FALSE(bench.time.due_times.next());
+  EXPECT_TRUE(bench.time.work.none());
+}
+
+class SessionPortRelayTest : public SessionPortTest {
+protected:
+  SessionPortRelayTest()
+      : SessionPortTest(R"(<routes>
+          <relay source="Words" command="Failed" to="Words"/></routes>)") {}
+};
+
+// However the routes lead from one that is down to the next.
+TEST_F(SessionPortRelayTest, AnswersOnceForComponentsThatAreDown) {
+  const auto words = bench.target("Words", {"NLG"});
+  words.mailbox->close("is down");
+  bench.set_table({words});
+  EXPECT_THAT(post(), ElementsAre("s1 Words.Failed(Words is down) to 4"));
+  EXPECT_EQ(bench.bus.counters().unhandled, 2u);
 }
 
 } // namespace

@@ -37,7 +37,7 @@ protected:
                    <slot name="Size" expr="'small'"/>
                  </topic>)"};
   topic_frame_actor frame =
-      bench.spawn(topic_frame, &bench.services, script::TopicId(0));
+      bench.spawn(topic_frame, bench.program, script::TopicId(0));
 };
 
 TEST_F(TopicFrameTest, BeginsAsTheTopicSays) {

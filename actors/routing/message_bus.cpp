@@ -1,0 +1,195 @@
+#include "actors/routing/message_bus.hpp"
+
+#include <utility>
+
+#include <caf/send.hpp>
+
+namespace parlour::actors {
+
+namespace {
+
+// As ComponentMailbox::put says.
+const char* put(const Target& target, ComponentMailbox::Job& job) {
+  if (!target.branches)
+    return target.mailbox->put(job);
+  const auto mailbox = target.mailbox_of(job.message->session);
+  return mailbox ? mailbox->put(job) : "has no instance for that session";
+}
+
+} // namespace
+
+Message failure_answer(const std::string& component, const Message& message,
+                       const std::string& reason) {
+  Message event;
+  event.source = component;
+  event.command = "Failed";
+  event.params = {reason};
+  event.session = message.session;
+  event.correlation = message.correlation;
+  event.rounds = message.rounds + 1;
+  return event;
+}
+
+// -- the node -----------------------------------------------------------------
+
+MessageBus::MessageBus(NodeTime& time, Observer& observer,
+                       std::shared_ptr<const script::Program> program,
+                       Aliases aliases)
+    : time_(time), observer_(observer),
+      parts_(parts(std::move(program), std::move(aliases))) {
+  set_targets({});
+}
+
+RoutingTable::Parts
+MessageBus::parts(std::shared_ptr<const script::Program> program,
+                  Aliases aliases) {
+  RoutingTable::Parts parts;
+  parts.program = std::move(program);
+  parts.aliases = std::move(aliases);
+  parts.clock = &time_.clock;
+  parts.counters = std::make_shared<Counters>();
+  parts.complain = [this](const Message& message, const Error& error) {
+    failed(message, error);
+  };
+  if (observer_.follows_messages())
+    parts.taps.push_back(
+        [this](const Message& message, const std::string& way) {
+          observer_.follow(message, way);
+        });
+  return parts;
+}
+
+void MessageBus::connect(message_centre_actor centre) {
+  centre_ = std::move(centre);
+}
+
+void MessageBus::take_down() {
+  table_.store(nullptr);
+  centre_ = nullptr;
+}
+
+// -- the table ----------------------------------------------------------------
+
+void MessageBus::set_targets(std::vector<Target> targets) {
+  auto parts = parts_;
+  parts.targets = std::move(targets);
+  table_.store(std::make_shared<const RoutingTable>(std::move(parts)));
+}
+
+bool MessageBus::is_heard(const Message& message) const {
+  const auto current = table();
+  return current && !message.params.empty() &&
+         current->is_source("ASR", message.source);
+}
+
+// -- messages -----------------------------------------------------------------
+
+void MessageBus::publish(Message&& message, Timestamp now, Work held) {
+  if (time_.gate.keeps_out())
+    return publish(std::vector{std::move(message)});
+  std::vector<Message> rest;
+  carry(std::move(message), now, held, rest);
+  pass_to_centre(std::move(rest));
+}
+
+void MessageBus::publish(std::vector<Message> messages) {
+  time_.gate.enter([this, messages = std::move(messages),
+                    waits = time_.work.begin()]() mutable {
+    pass_to_centre(route(std::move(messages)));
+  });
+}
+
+void MessageBus::bring_in(std::vector<Message> messages) {
+  time_.gate.enter([this, messages = std::move(messages),
+                    waits = time_.work.begin()]() mutable {
+    if (centre_)
+      caf::anon_send(centre_, actors::publish{std::move(messages), waits});
+  });
+}
+
+std::vector<Message> MessageBus::route(std::vector<Message> messages) {
+  std::vector<Message> rest;
+  Work held;
+  for (auto& message : messages)
+    carry(std::move(message), time_.now(), held, rest);
+  return rest;
+}
+
+void MessageBus::carry(Message&& message, Timestamp now, Work& held,
+                       std::vector<Message>& rest, Answers answers) {
+  const auto current = table();
+  if (!current)
+    return; // the house is down
+  auto routed = current->route(std::move(message), now);
+  unreached(routed);
+  for (auto& [target, sent] : routed.deliveries) {
+    if (!held)
+      held = time_.work.begin();
+    auto answer = hand_over(*target, {std::move(sent), std::move(held)});
+    if (answer && answers == Answers::yes)
+      carry(std::move(*answer), now, held, rest, Answers::no);
+  }
+  if (routed.rest)
+    rest.push_back(std::move(*routed.rest));
+}
+
+void MessageBus::pass_to_centre(std::vector<Message> messages) {
+  if (!messages.empty() && centre_)
+    caf::anon_send(centre_,
+                   distribute{std::move(messages), time_.work.begin()});
+}
+
+std::optional<Message> MessageBus::hand_over(const Target& target,
+                                             ComponentMailbox::Job job) {
+  const auto* why = put(target, job);
+  if (!why)
+    return std::nullopt;
+  const auto reason = target.name + " " + why;
+  unhandled(*job.message, reason);
+  if (job.message->correlation == 0)
+    return std::nullopt;
+  return failure_answer(target.name, *job.message, reason);
+}
+
+void MessageBus::retire(session_actor session, Work work) {
+  caf::anon_send(centre_, actors::retire{std::move(session), std::move(work)});
+}
+
+bool MessageBus::ask(Message question, const Work& work) {
+  auto routed = table()->route(std::move(question));
+  bool taken = false;
+  for (auto& [target, sent] : routed.deliveries)
+    taken |= !hand_over(*target, {std::move(sent), work});
+  return taken;
+}
+
+// -- what goes wrong ----------------------------------------------------------
+
+void MessageBus::unhandled(const Message& message, const std::string& why) {
+  if (const auto current = table(); current && current->is_routine(message))
+    return;
+  ++parts_.counters->unhandled;
+  Inspection inspection;
+  inspection.kind = InspectionKind::unhandled;
+  inspection.session = message.session;
+  inspection.subject = message.source + "." + message.command;
+  inspection.detail = why;
+  inspection.message = std::make_shared<const Message>(message);
+  observer_.inspect(std::move(inspection));
+}
+
+void MessageBus::unreached(const Routed& routed) {
+  for (const auto& [sink, message] : routed.unreached)
+    unhandled(*message, "nobody is there for " + sink);
+}
+
+void MessageBus::failed(const Message& message, const Error& error) {
+  Inspection inspection;
+  inspection.kind = InspectionKind::error;
+  inspection.session = message.session;
+  inspection.subject = name_of(error.kind);
+  inspection.detail = to_string(error);
+  observer_.inspect(std::move(inspection));
+}
+
+} // namespace parlour::actors

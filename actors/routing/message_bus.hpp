@@ -1,0 +1,124 @@
+// MessageBus: the way of messages from whoever sends them to the mailboxes that
+// get them. Made by the node, which outlives its actors.
+//
+// The one place for the rule that a message which waits for an answer gets
+// exactly one (engine rule 1).
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "actors/protocol/interfaces.hpp"
+#include "actors/routing/query_claims.hpp"
+#include "actors/routing/routing_table.hpp"
+#include "actors/routing/shared_table.hpp"
+#include "actors/support/node_time.hpp"
+#include "actors/support/observer.hpp"
+
+namespace parlour::actors {
+
+// The event that answers a message whose component failed.
+Message failure_answer(const std::string& component, const Message& message,
+                       const std::string& reason);
+
+// Where even the answer for a component that failed is for one that failed,
+// nobody is answered again, however the routes lead.
+enum class Answers : bool { no, yes };
+
+// Safe to use from any thread once the node has started.
+class MessageBus {
+public:
+  using Aliases = std::map<std::string, std::string, std::less<>>;
+
+  // Nobody fills a role yet.
+  MessageBus(NodeTime& time, Observer& observer,
+             std::shared_ptr<const script::Program> program,
+             Aliases aliases = {});
+  MessageBus(const MessageBus&) = delete;
+  MessageBus& operator=(const MessageBus&) = delete;
+
+  // -- the node --------------------------------------------------------------
+
+  // The message centre gets what sessions get.
+  void connect(message_centre_actor centre);
+  // Nobody gets anything any more.
+  void take_down();
+
+  // -- the table -------------------------------------------------------------
+
+  // Who fills which role from now on, in order of preference; the supervisor
+  // says so.
+  void set_targets(std::vector<Target> targets);
+  // What senders apply; null when the house is down.
+  SharedTable::Pointer table() const {
+    return table_.load();
+  }
+  // Whether it is what somebody said, as a recogniser heard it.
+  bool is_heard(const Message& message) const;
+  const Counters& counters() const {
+    return *parts_.counters;
+  }
+
+  // -- messages --------------------------------------------------------------
+
+  // From any thread: stamped and routed by the table at once (engine rule 1),
+  // into the components' mailboxes; by the message centre what sessions get.
+  // `held` may be none; what comes of the message takes it, so that it need not
+  // be counted anew.
+  void publish(Message&& message, Timestamp now, Work held);
+  // Messages that happened together.
+  void publish(std::vector<Message> messages);
+  // Messages from outside that happened together: all of it by the message
+  // centre, as who watches may bring them in while it is shown others.
+  void bring_in(std::vector<Message> messages);
+  // Stamped and routed, in this order; returned is what sessions get.
+  std::vector<Message> route(std::vector<Message> messages);
+  // Puts it into the component's mailbox. Where that does not take it, it is
+  // counted and shown as unhandled; returned is the event that answers it, if
+  // it waits for one.
+  std::optional<Message> hand_over(const Target& target,
+                                   ComponentMailbox::Job job);
+  // The centre lets a session go that nobody finds any more, once it has what
+  // was sent to it before.
+  void retire(session_actor session, Work work);
+
+  // -- questions -------------------------------------------------------------
+
+  // Sends a question by the table, as every sender may (engine rule 1); false
+  // where nobody is there to take it.
+  bool ask(Message question, const Work& work);
+  // Whose the answers are.
+  QueryClaims& claims() {
+    return claims_;
+  }
+
+  // -- what goes wrong -------------------------------------------------------
+
+  // Counted, and shown or else logged: a message that nobody took.
+  // Nothing where nobody has to take it.
+  void unhandled(const Message& message, const std::string& why);
+  // The same for the sinks of a message that nobody fills.
+  void unreached(const Routed& routed);
+  // Shown, or else logged: what went wrong with a message on its way.
+  void failed(const Message& message, const Error& error);
+
+private:
+  RoutingTable::Parts parts(std::shared_ptr<const script::Program> program,
+                            Aliases aliases);
+  void carry(Message&& message, Timestamp now, Work& held,
+             std::vector<Message>& rest, Answers answers = Answers::yes);
+  void pass_to_centre(std::vector<Message> messages);
+
+  NodeTime& time_;
+  Observer& observer_;
+  // What every table has in common; without targets.
+  const RoutingTable::Parts parts_;
+  SharedTable table_;
+  QueryClaims claims_;
+  message_centre_actor centre_;
+};
+
+} // namespace parlour::actors

@@ -1,0 +1,29 @@
+// SessionParts: what the sessions of one node are made with. The session
+// manager keeps it for them.
+#pragma once
+
+#include <memory>
+
+#include "actors/routing/message_bus.hpp"
+#include "actors/support/node_time.hpp"
+#include "actors/support/observer.hpp"
+#include "runtime/base/phrases.hpp"
+#include "runtime/base/sockets.hpp"
+
+namespace parlour::actors {
+
+struct SessionParts {
+  NodeTime& time;
+  MessageBus& bus;
+  Observer& observer;
+  std::shared_ptr<const script::Program> program;
+  std::shared_ptr<const PhraseEvaluator> phrases = nullptr;
+  // The network; null: scripts are refused it.
+  std::shared_ptr<Sockets> sockets = nullptr;
+  // Whom sessions write to.
+  session_manager_actor manager = {};
+  supervisor_actor supervisor = {};
+  file_keeper_actor file_keeper = {};
+};
+
+} // namespace parlour::actors

@@ -350,12 +350,12 @@ private:
     const auto names = commands(false);
     const bool is_command = std::ranges::count(names, help_.name) > 0;
     if (is_command && entries_of(help_.name).empty())
-      console_.out << app_.get_subcommand(help_.name)->help();
+      console_.out << app_.get_subcommand(help_.name)->help(app_.get_name());
     else if (!help_.page.empty() || !help_.name.empty())
       return help_command(help_, names, console_);
     else
       console_.out << app_.get_formatter()->make_help(
-          &app_, "", CLI::AppFormatMode::Normal);
+          &app_, app_.get_name(), CLI::AppFormatMode::Normal);
     return exit_code::well;
   }
 

@@ -26,9 +26,9 @@ std::string indented(const std::string& lines) {
 }
 
 std::string text_of(const Detail& detail, std::size_t column) {
-  const auto* between =
-      detail.sentence.empty() || detail.what.empty() ? "" : "; ";
-  return paragraph("  " + detail.name, detail.what + between + detail.sentence,
+  const bool is_said = detail.what.ends_with(detail.sentence); // or empty
+  return paragraph("  " + detail.name,
+                   detail.what + (is_said ? "" : "; " + detail.sentence),
                    column);
 }
 

@@ -159,7 +159,7 @@ Expected<std::string> reference_text(const std::string& name,
   for (const auto& entry : entries_of(name))
     text += (text.empty() ? "" : "\n") + entry_text(entry);
   const auto* also = text.empty() ? "" : "also ";
-  add_lines(text, "'" + name + "' is " + also + "a name in", holders_of(name));
+  add_lines(text, "'" + name + "' " + also + "belongs to", holders_of(name));
   if (text.empty() && !name.empty())
     add_lines(text, "nothing is called '" + name + "'; it is spoken of in",
               mentions_of(name));

@@ -33,6 +33,11 @@ TEST(EntryText, StandsInColumnsThatFitATerminal) {
       "  <lift/>\n");
 }
 
+TEST(EntryText, SaysNothingTwice) {
+  const Entry entry{"a", "<a>", "b", {}, {{"c", "needed; a key", "a key"}}};
+  EXPECT_EQ(entry_text(entry), "<a>: b\n  c  needed; a key\n");
+}
+
 TEST(EntryText, KnowsPlaces) {
   EXPECT_EQ(place_text("engine 4.5"), "engine rule 4.5 (docs/engine.md)");
   EXPECT_EQ(place_text("docs/test.md"), "docs/test.md");

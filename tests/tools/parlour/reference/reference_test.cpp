@@ -1,8 +1,10 @@
 #include <algorithm>
+#include <sstream>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tools/parlour/reference/entry_text.hpp"
 #include "tools/parlour/reference/reference.hpp"
 
 namespace parlour::tools {
@@ -50,6 +52,9 @@ TEST(Reference, NeverTellsMoreThanAScreen) {
     EXPECT_LE(static_cast<std::size_t>(std::ranges::count(text, '\n')), screen)
         << name;
     EXPECT_THAT(text, testing::Not(HasSubstr("error: "))) << name;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);)
+      EXPECT_LE(line.size(), text_width) << line;
   }
 }
 

@@ -49,6 +49,8 @@ private:
   void check_role(const std::string& name, Position position);
   bool is_filled(std::string_view role) const;
   void check_command(const std::string& module, const Attribute& command);
+  void check_parameters(const Element& element, const std::string& module,
+                        const Attribute& command);
   std::vector<std::string> roles_of(const std::string& module) const;
   std::vector<std::string> own_commands(const std::string& module) const;
 
@@ -163,8 +165,38 @@ void MessageLint::message(const Element& element) {
   if (!module || !check_module(module->value, module->value_position))
     return;
   check_role(module->value, module->value_position);
-  if (command)
-    check_command(module->value, *command);
+  if (!command)
+    return;
+  check_command(module->value, *command);
+  check_parameters(element, module->value, *command);
+}
+
+// How many of "number, who, text?" there must be.
+std::size_t needed(const std::string& parameters) {
+  const auto all = split_names(parameters);
+  return static_cast<std::size_t>(
+      std::ranges::count_if(all, [](const auto& one) {
+        return !one.empty() && !one.ends_with('?');
+      }));
+}
+
+// A <post> that gives nothing forwards what there is.
+void MessageLint::check_parameters(const Element& element,
+                                   const std::string& module,
+                                   const Attribute& command) {
+  const auto* role = find_role(module);
+  const auto* known = role ? role->command(command.value) : nullptr;
+  const auto* single = element.attribute("param");
+  auto given = static_cast<std::size_t>(std::ranges::count_if(
+      element.children, [](const auto& child) { return child.is("param"); }));
+  if (!known || (element.is("post") && !single && given == 0))
+    return;
+  given += single && !single->value.empty();
+  if (given == 0 && needed(known->parameters) > 0)
+    warn(findings_, "missing-parameter", command.value_position,
+         "'" + known->name + "' of " + role->name + " needs " +
+             known->parameters +
+             ", and this gives nothing; write a <param expr=\"…\"/> for each");
 }
 
 void MessageLint::subscription(const Element& element) {
@@ -229,13 +261,19 @@ bool MessageLint::is_said(const std::string& act) const {
 void MessageLint::route(const Element& element) {
   if (const auto* to = element.attribute("to"))
     for (const auto& name : split_names(to->value))
-      if (check_module(name, to->value_position))
+      if (check_module(name, to->value_position)) {
         check_role(name, to->value_position);
+        if (const auto* as = element.attribute("as"))
+          check_command(name, *as);
+      }
 }
 
 void MessageLint::statement(const Element& element) {
   if (element.is("post") || element.is("request"))
     message(element);
+  else if (element.is("unload"))
+    check_module(element.value("name"),
+                 element.attribute("name")->value_position);
   else if (element.is("subscribe") || element.is("unsubscribe"))
     subscription(element);
   else if (element.is("say") && element.attribute("act"))

@@ -26,6 +26,9 @@ void lint_examples(const Subject& subject, Findings& findings);
 void lint_computing(const Subject& subject, Findings& findings);
 void lint_joined_sql(const Subject& subject, Findings& findings);
 void lint_habits(const Subject& subject, Findings& findings);
+void lint_partners(const Subject& subject, Findings& findings);
+void lint_frames(const Subject& subject, Findings& findings);
+void lint_repetitions(const Subject& subject, Findings& findings);
 void lint_allowances(const Subject& subject, Findings& findings);
 
 } // namespace parlour::script::lint

@@ -27,7 +27,7 @@ INSTANTIATE_TEST_SUITE_P(
                "as='DoNLU'/></routes>",
                ""},
         Linted{"<routes><relay source='NLU' command='FrameInfo' to='TTS' "
-               "as='Say'/><relay source='TTS' command='Finished' to='NLU'/>"
+               "as='Speak'/><relay source='TTS' command='Finished' to='NLU'/>"
                "</routes>",
                ""}));
 

@@ -183,8 +183,8 @@ INSTANTIATE_TEST_SUITE_P(
                "<transit state='Welcome'/></if></Entrance></state>",
                "3:144 lost-timer"},
         Linted{"<handler name='h'><messages><on source='*' event='*'><transit "
-               "state='B'/><timer name='t' after='1s'/></on></messages>"
-               "</handler><state name='B'><Entrance><timer name='t' "
+               "state='B'/><timer name='t' after='1s'/><push state='B'/></on>"
+               "</messages></handler><state name='B'><Entrance><timer name='t' "
                "after='1s' ends-with='session'/><pop/></Entrance></state>",
                ""}));
 

@@ -10,6 +10,7 @@ namespace {
 
 using script::Attribute;
 using script::Element;
+using script::Severity;
 
 bool is_literal(const Attribute* attribute) {
   return attribute && attribute->value.find('{') == std::string::npos;
@@ -39,8 +40,10 @@ private:
     if (!is_literal(plugin) || !is_literal(name) || name->value.empty())
       return;
     const auto found = plugins_.find(plugin->value);
-    if (!found)
-      return; // perhaps it is there where the application runs
+    if (!found) // perhaps it is there where the application runs
+      return findings_.push_back(
+          {Severity::warning, compiled_.findings.place(plugin->value_position),
+           found.error().message, "unknown-module"});
     const auto& description = found->description;
     if (!given || wrong_source_name(given->value).empty()) // told of already
       report(check_component(name->value, description), *name);
@@ -54,7 +57,7 @@ private:
 
   void report(const Expected<void>& right, const Attribute& name) {
     if (!right)
-      findings_.push_back({script::Severity::error,
+      findings_.push_back({Severity::error,
                            compiled_.findings.place(name.value_position),
                            right.error().message});
   }

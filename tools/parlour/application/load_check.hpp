@@ -1,5 +1,6 @@
 // What scripts load, against the plug-ins that there are: a <load> that would
-// be refused when it comes to it is a mistake now. Computed names are not
+// be refused when it comes to it is a mistake now; a plug-in that is not here
+// is warned of, as it may be where the application runs. Computed names are not
 // looked at.
 #pragma once
 

@@ -30,6 +30,12 @@ TEST_F(LoadCheck, refuses_another_role_s_place) {
                         "which LogTelephone is not"));
 }
 
+TEST_F(LoadCheck, warns_of_a_plug_in_that_is_not_here) {
+  EXPECT_THAT(said_of("<load plugin='LogTelephon' name='Phone'/>"),
+              HasSubstr("warning: there is no plug-in 'LogTelephon', did you "
+                        "mean 'LogTelephone'?"));
+}
+
 TEST_F(LoadCheck, leaves_what_may_be_right) {
   for (const auto* load : {"<load plugin='LogTelephone'/>",
                            "<load plugin='KeywordNLU' name='GrammarNLU'/>",

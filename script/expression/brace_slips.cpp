@@ -21,18 +21,21 @@ class Inside {
 public:
   Inside(std::string_view text, const KnownNames& known)
       : text_(text), known_(known) {
-    is_words_ = is_made_of_words(text_, [this](std::string_view word) {
-      has_meaning_ &= means_something(word);
-    });
+    is_words_ = is_made_of_words(text_, [](std::string_view) {});
+    for (std::size_t at = 0; at < text_.size();) {
+      const auto end = word_end(text_, at);
+      has_meaning_ &= end == at || means_something(at, end);
+      at = std::max(end, at + 1);
+    }
   }
 
   bool begins_with_known() const;
-  bool is_meant(bool may_compute) const;
+  bool is_meant(bool is_heard) const;
   std::string variable_meant() const;
   std::string explained() const;
 
 private:
-  bool means_something(std::string_view word) const;
+  bool means_something(std::size_t begin, std::size_t end) const;
   bool is_known(std::size_t begin, std::size_t end) const;
   std::size_t known_word() const;
   bool compares() const;
@@ -43,9 +46,13 @@ private:
   bool has_meaning_ = true; // each word, in an expression
 };
 
-bool Inside::means_something(std::string_view word) const {
-  return known_.variable(string_of(word)) || is_operator_word(word) ||
-         is_digit(word.front()) || find_slip(SlipPlace::operand, word);
+// A field and what is called do.
+bool Inside::means_something(std::size_t begin, std::size_t end) const {
+  const auto word = text_.substr(begin, end - begin);
+  return (begin > 0 && text_[begin - 1] == '.') ||
+         text_.substr(end).starts_with('(') || is_operator_word(word) ||
+         is_digit(word.front()) || find_slip(SlipPlace::operand, word) ||
+         known_.variable(string_of(word));
 }
 
 // A variable, or a function that is called.
@@ -85,18 +92,23 @@ bool Inside::compares() const {
          (is_word_byte(rest[behind]) || is_one_of(rest[behind], "(['\""));
 }
 
-bool Inside::is_meant(bool may_compute) const {
+// Elsewhere than in what is heard, other languages have braces, too.
+bool Inside::is_meant(bool is_heard) const {
   if (text_.starts_with('%')) // of a template, told as such
     return false;
-  if (is_words_)
-    return begins_with_known() || (has_meaning_ && known_word() != npos);
-  return known_word() != npos || (may_compute && compares());
+  if (known_word() == npos)
+    return is_heard && !is_words_ && compares();
+  return begins_with_known() || has_meaning_ || (is_heard && !is_words_);
 }
 
 std::string Inside::variable_meant() const {
   const auto at = std::min(known_word(), text_.size());
-  return "for the variable write {" +
-         string_of(text_.substr(at, word_end(text_, at) - at)) + "}";
+  auto end = word_end(text_, at);
+  while (end + 1 < text_.size() && text_[end] == '.' &&
+         word_end(text_, end + 1) > end + 1)
+    end = word_end(text_, end + 1);
+  return "for the variable write {" + string_of(text_.substr(at, end - at)) +
+         "}";
 }
 
 std::string Inside::explained() const {
@@ -123,8 +135,7 @@ std::size_t brace_end(std::string_view text, std::size_t at) {
 } // namespace
 
 std::optional<BraceSlip> explain_brace(std::string_view text, std::size_t at,
-                                       const KnownNames& known,
-                                       bool may_compute) {
+                                       const KnownNames& known, bool is_heard) {
   const auto end = brace_end(text, at);
   if (end == npos) {
     const Inside rest(text.substr(at + 1), known);
@@ -133,7 +144,7 @@ std::optional<BraceSlip> explain_brace(std::string_view text, std::size_t at,
                : std::nullopt;
   }
   const Inside inside(text.substr(at + 1, end - at - 2), known);
-  if (!inside.is_meant(may_compute))
+  if (!inside.is_meant(is_heard))
     return {};
   return BraceSlip{end - at, inside.explained()};
 }

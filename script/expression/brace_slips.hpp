@@ -24,9 +24,8 @@ struct BraceSlip {
 
 // Of the brace at `at`, which embeds nothing and is not doubled. Nothing where
 // a text in braces was meant: plain words, or what mentions nothing that is
-// known, unless it looks as if it computes and `may_compute` is set.
+// known. Of what is heard or read by somebody less is taken for such a text.
 std::optional<BraceSlip> explain_brace(std::string_view text, std::size_t at,
-                                       const KnownNames& known,
-                                       bool may_compute);
+                                       const KnownNames& known, bool is_heard);
 
 } // namespace parlour::script

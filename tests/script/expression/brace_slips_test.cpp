@@ -9,8 +9,8 @@ namespace {
 const KnownNames known{[](const auto& name) { return name == "seats"; },
                        [](const auto& name) { return name == "free"; }};
 
-std::string said(std::string_view text, bool may_compute = true) {
-  const auto slip = explain_brace(text, 0, known, may_compute);
+std::string said(std::string_view text, bool is_heard = true) {
+  const auto slip = explain_brace(text, 0, known, is_heard);
   return slip ? std::to_string(slip->length) + ": " + slip->message : "";
 }
 
@@ -38,6 +38,20 @@ TEST(BraceSlips, are_none_where_text_stands_in_braces) {
   for (const auto* text : {"{so on}", "{the seats}", "{smiles, then waves}",
                            "{=== so ===}", "{:)}", "{}", "{2,3}"})
     EXPECT_EQ(said(text), "") << text;
+}
+
+TEST(BraceSlips, take_a_path_as_a_whole) {
+  EXPECT_EQ(said("{seats.left now}"),
+            "16: for the variable write {seats.left}");
+  EXPECT_EQ(said("{seats.left if seats.left}"),
+            "26: there is no 'if' here; a choice is written condition ? value "
+            ": otherwise");
+}
+
+TEST(BraceSlips, leave_other_languages_alone_where_nobody_hears_them) {
+  EXPECT_EQ(said("{ margin: 0; padding: seats }", false), "");
+  EXPECT_EQ(said("{typeof seats}", false),
+            "14: there is no 'typeof' here; write type(x)");
 }
 
 TEST(BraceSlips, look_like_computing_where_it_can_be_heard_only) {

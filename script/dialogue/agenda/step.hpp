@@ -31,6 +31,7 @@ using script::StateId;
   X(settle, "whether the topic is done, must be looked up, or goes on") \
   X(finish, "a task's <filled> has run: completed, unless redirected") \
   X(complete, "a topic is completed") \
+  X(wind_up, "its <completed> has run: on with what needs it") \
   X(look_up, "the topic's next query") \
   X(looked_up, "its outcome") \
   X(answer, "an enquiry's <filled> has run: answer if it said nothing") \

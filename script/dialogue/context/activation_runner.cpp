@@ -29,6 +29,7 @@ WaitId ActivationRunner::start(CodeId code, const std::vector<Value>& arguments,
   code_ = code;
   origin_ = origin;
   redirected_.erase(code);
+  acted_.erase(code);
   auto stopped =
       context_.interpreter.run_body(code, arguments, std::move(context), host_);
   return stopped ? dispose(std::move(stopped->activation), stopped->result) : 0;

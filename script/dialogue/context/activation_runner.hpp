@@ -101,6 +101,19 @@ public:
     return redirected_.contains(body);
   }
 
+  // It has done something that cannot be taken back, or was heard.
+  void acts() {
+    acted_.insert(code_);
+    ++deeds_;
+  }
+  // Whether the body did, when it ran last.
+  bool acted(CodeId body) const {
+    return acted_.contains(body);
+  }
+  std::uint64_t deeds() const { // of all that have run
+    return deeds_;
+  }
+
   // A wait whose activation only used up its slice; 0: there is none.
   WaitId take_slice();
   bool has_slices() const {
@@ -141,6 +154,8 @@ private:
   Origin origin_;
   StepList later_;
   std::set<CodeId> redirected_;
+  std::set<CodeId> acted_;
+  std::uint64_t deeds_ = 0;
   std::map<WaitId, Waiting> waiting_;
   Fifo<WaitId> slices_;
 };

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "script/dialogue/agenda/steps.hpp"
+#include "script/dialogue/engine/effect_deeds.hpp"
 #include "script/dialogue/engine/effect_operands.hpp"
 #include "script/dialogue/frame/frame_view.hpp"
 #include "script/program/effect_names.hpp"
@@ -51,6 +52,8 @@ EffectHandler::EffectHandler(DialogueContext& context, ActivationRunner& runner,
 script::Performed EffectHandler::perform(script::Activation& activation,
                                          const script::Effect& effect) {
   using enum script::EffectKind;
+  if (is_deed(effect))
+    runner_.acts();
   Context context = activation.context();
   switch (effect.kind) {
   case post:
@@ -312,6 +315,7 @@ Value EffectHandler::slot(TopicId topic, SlotId slot) const {
 void EffectHandler::set_slot(TopicId topic, SlotId slot, Value value) {
   if (topic == script::no_id)
     return;
+  runner_.acts();
   topics_.change(topic, {.kind = FrameChange::Kind::set,
                          .slot = slot,
                          .value = std::move(value)});

@@ -32,6 +32,10 @@ struct Asked {
   SlotId about = script::no_id;
   bool anew = false;
 
+  // Of a handler that asks about what the user said: the question before, which
+  // that may answer.
+  std::shared_ptr<const Asked> before;
+
   std::shared_ptr<const Act> act; // which_topic: what was said
   TurnId turn = 0;                // in which it was asked
   std::size_t level = 0;          // of pushed states, then
@@ -64,9 +68,10 @@ struct Refusal {
   TopicId topic = script::no_id;
   CodeId body = script::no_code; // of the script; or no_code
   SlotId slot =
-      script::no_id;      // whose value, or whose <filled>, it is; or no_id
-  Value value;            // of that slot
-  std::uint64_t told = 0; // how much had been told before
+      script::no_id;       // whose value, or whose <filled>, it is; or no_id
+  Value value;             // of that slot
+  std::uint64_t told = 0;  // how much had been told before
+  std::uint64_t deeds = 0; // and done, by scripts
 };
 
 } // namespace parlour::dialogue

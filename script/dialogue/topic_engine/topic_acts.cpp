@@ -97,8 +97,9 @@ Value TopicEngine::situation(const Trouble& trouble) {
              {"explanation", std::move(explanation)},
              {"choices", std::move(choices)},
              {"unfinished", unfinished_names()},
-             {"status", trouble.topic == script::no_id
-                            ? Value()
+             {"status", trouble.topic == script::no_id ? Value()
+                        : is_completing(trouble.topic)
+                            ? name_of(TopicStatus::active)
                             : name_of(context_.frame(trouble.topic).status)}};
 }
 
@@ -127,6 +128,7 @@ bool TopicEngine::corrects_what_is_done(const Step& step) {
   if (step.act->kind != ActKind::correct || step.act->slots.empty() ||
       context_.order.current() || !latest ||
       context_.frame(*latest).status != TopicStatus::completed ||
+      is_completing(*latest) ||
       context_.now - completed_at_ >= sessions.context_for.count())
     return false;
   for (const auto& value : step.act->slots)
@@ -145,8 +147,14 @@ TopicId TopicEngine::to_cancel() const {
     return asked_->topic;
   if (auto current = context_.order.current())
     return *current;
+  if (const auto topic = completing(); topic != script::no_id)
+    return topic;
   const auto& suspended = context_.order.suspended();
   return suspended.empty() ? script::no_id : suspended.front();
+}
+
+bool TopicEngine::can_be_cancelled(TopicId topic) const {
+  return is_open(context_.frame(topic).status) || is_completing(topic);
 }
 
 // What waits is ended first, so that a <catch> still sees its topic.
@@ -157,7 +165,7 @@ void TopicEngine::cancel(Step& step) {
   else if (step.topic == script::no_id)
     topics = {to_cancel()};
   std::erase_if(topics, [&](TopicId topic) {
-    return topic == script::no_id || !is_open(context_.frame(topic).status);
+    return topic == script::no_id || !can_be_cancelled(topic);
   });
   output_.withdraw_questions();
   asked_.reset();
@@ -199,6 +207,8 @@ std::vector<TopicId> TopicEngine::unfinished() const {
   if (auto current = context_.order.current();
       current && context_.order.unfinished(*current))
     topics.insert(topics.begin(), *current);
+  if (const auto topic = completing(); topic != script::no_id)
+    topics.insert(topics.begin(), topic);
   return topics;
 }
 

@@ -18,6 +18,7 @@ bool dealt_with(TopicStatus status) {
 
 void TopicEngine::begin_topic(TopicId topic, StepList& steps, bool keep) {
   const auto status = context_.frame(topic).status;
+  const bool goes_on = is_completing(topic); // asked about anew, as it is
   leave_enquiry(topic);
   auto left = context_.order.activate(topic);
   if (left && *left != topic)
@@ -31,11 +32,12 @@ void TopicEngine::begin_topic(TopicId topic, StepList& steps, bool keep) {
       status == TopicStatus::completed || status == TopicStatus::cancelled;
   if (ended)
     steps.append(end_confirms_of(topic));
-  if (ended && !again)
+  if (ended && !again && !goes_on)
     change(topic, {.kind = FrameChange::Kind::reset});
-  if (status == TopicStatus::suspended || again)
+  if (status == TopicStatus::suspended || (again && !goes_on))
     run_body(context_.topic(topic).resumed, topic, script::no_id, 0, steps);
-  else if (status != TopicStatus::active && status != TopicStatus::resting)
+  else if (status != TopicStatus::active && status != TopicStatus::resting &&
+           !goes_on)
     run_body(context_.topic(topic).started, topic, script::no_id, 0, steps);
   if (status != TopicStatus::resting)
     set_status(topic, TopicStatus::active);

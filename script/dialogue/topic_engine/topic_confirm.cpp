@@ -13,7 +13,7 @@ namespace {
 // What comes of a topic when its scripts have run.
 bool concludes(StepKind kind) {
   return kind == StepKind::settle || kind == StepKind::finish ||
-         kind == StepKind::answer;
+         kind == StepKind::wind_up || kind == StepKind::answer;
 }
 
 } // namespace
@@ -32,9 +32,42 @@ void TopicEngine::confirm(std::string question, TopicId topic, SlotId slot,
   asked.level = context_.states.levels().size();
   asked.pending = false;
   asked.heard = true; // as soon as it comes to that
+  note_question_before(asked, turn);
   confirms_.push_back(asked);
   put(std::move(asked), "confirm", {}, std::move(question), OutputAct::question,
       turn);
+}
+
+// Who asks about the same words again has not answered that either.
+void TopicEngine::note_question_before(Asked& asked, TurnId turn) const {
+  if (asked.topic != script::no_id || turn == 0 || !asked_ || !asked_->heard)
+    return;
+  const bool again = asked_->wait != 0 && asked_->body == asked.body;
+  asked.before =
+      again ? asked_->before : std::make_shared<const Asked>(*asked_);
+}
+
+// A handler's, as the words that it asked about may answer that.
+void TopicEngine::back_to_question_before(const Asked& asked) {
+  if (!asked.before || context_.lane.waits(asked.wait) ||
+      !may_be_answered(*asked.before))
+    return;
+  asked_ = *asked.before;
+  asked_->interrupted |= !asked_->wants_yes_or_no(); // it comes again, if not
+}
+
+bool TopicEngine::may_be_answered(const Asked& asked) const {
+  if (asked.wait != 0)
+    return std::ranges::any_of(confirms_, [&](const Asked& confirm) {
+      return confirm.wait == asked.wait && !confirm.anew;
+    });
+  if (asked.slot == script::no_id)
+    return asked.topic == script::no_id ||
+           context_.frame(asked.topic).status == TopicStatus::suspended;
+  const auto& frame = context_.frame(asked.topic);
+  return context_.order.current() == asked.topic &&
+         frame.status == TopicStatus::active &&
+         frame.slots[asked.slot].status != SlotStatus::filled;
 }
 
 const Asked* TopicEngine::latest_confirm() const {
@@ -57,7 +90,9 @@ bool TopicEngine::confirms_first(const Step& step) {
     if (confirm.topic != step.topic)
       continue;
     any = true;
-    context_.lane.follow(confirm.wait, make_step(StepKind::settle, Step(step)));
+    auto later = make_step(StepKind::settle, Step(step));
+    later.mark = 1; // what was refused has been told, and is asked about
+    context_.lane.follow(confirm.wait, std::move(later));
     if (!std::exchange(confirm.anew, true)) {
       forget_question(confirm);
       waits_.resume(confirm.wait, Value());

@@ -12,7 +12,7 @@ ClassifierContext TopicEngine::classifier_context() const {
     context.asked = asked_->topic;
     context.asked_slot = asked_->slot;
   }
-  context.current = context_.order.current().value_or(script::no_id);
+  context.current = context_.order.current().value_or(completing());
   context.resting =
       context_.order
           .resting(context_.now,

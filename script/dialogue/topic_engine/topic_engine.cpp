@@ -21,7 +21,7 @@ bool listens_to_silence(const script::State& state) {
                      });
 }
 
-// Remembered while a script that was offered something before waits.
+// Remembered, of what is never asked for again: its utterance was dropped.
 constexpr std::size_t most_consumed = 1000;
 
 // It is for what was asked, and begins no topic.
@@ -52,7 +52,8 @@ void TopicEngine::take(Step&& step) {
   case StepKind::kind: kind(step); return;
     TAKES(take_act) TAKES(topic_act) TAKES(no_match)
     TAKES(conclude) TAKES(activate) TAKES(fill) TAKES(rule)
-    TAKES(report) TAKES(settle) TAKES(finish) TAKES(complete) TAKES(reset)
+    TAKES(report) TAKES(settle) TAKES(finish) TAKES(complete) TAKES(wind_up)
+    TAKES(reset)
     TAKES(look_up) TAKES(looked_up) TAKES(answer) TAKES(ask) TAKES(ask_next)
     TAKES(ask_still) TAKES(ask_again) TAKES(resume_topic) TAKES(cancel)
     TAKES(cancel_topic) TAKES(not_understood) TAKES(no_input)
@@ -118,9 +119,7 @@ void TopicEngine::offer_act(Step& step) {
 }
 
 void TopicEngine::offer(std::string command, Value parameter, Step otherwise) {
-  if (!context_.lane.waits()) // nothing offered before is still at work
-    consumed_.clear();
-  else if (consumed_.size() > most_consumed)
+  if (consumed_.size() > most_consumed)
     consumed_.erase(consumed_.begin());
   Message message;
   message.source = dialogue_source;
@@ -147,8 +146,12 @@ void TopicEngine::offer(std::string command, Value parameter, Step otherwise) {
   context_.lane.now(std::move(steps));
 }
 
+bool TopicEngine::was_consumed(const Step& otherwise) {
+  return consumed_.erase(otherwise.offered) > 0;
+}
+
 void TopicEngine::topic_act(Step& step) {
-  if (consumed(step.offered))
+  if (was_consumed(step))
     return;
   // Who was offered it might have known the name.
   if (const auto error = misnamed(*context_.program, *step.act)) {

@@ -128,6 +128,7 @@ private:
   void settle(Step& step);
   void finish(Step& step);
   void complete(Step& step);
+  void wind_up(Step& step);
   void reset(Step& step);
   void look_up(Step& step);
   void looked_up(Step& step);
@@ -144,6 +145,7 @@ private:
   // To the reactions that listen to source Dialogue; `otherwise` follows
   // unless one of them keeps it for itself.
   void offer(std::string command, Value parameter, Step otherwise);
+  bool was_consumed(const Step& otherwise); // who offered it asks once
   // Nothing was understood: counts on the question that was asked, which
   // comes again; without one an apology, unless somebody else made it.
   void not_understood(TurnId turn, bool apologise);
@@ -171,6 +173,11 @@ private:
   // The answer to that: what was said before, about the topic that it names.
   void complete_by_answer(Step& step);
   TopicId to_cancel() const;
+  bool can_be_cancelled(TopicId topic) const;
+  // Whether its <completed> waits for a yes and has done nothing so far: the
+  // topic is not done yet.
+  bool is_completing(TopicId topic) const;
+  TopicId completing() const; // the latest such
   std::vector<TopicId> unfinished() const;
 
   // Questions of yes or no.
@@ -199,6 +206,9 @@ private:
   bool wants_a_yes(TopicId topic) const; // a <confirm> of its waits
   bool asked_here() const;               // not below a pushed state
   bool confirms_first(const Step& step);
+  void note_question_before(Asked& asked, TurnId turn) const;
+  void back_to_question_before(const Asked& asked);
+  bool may_be_answered(const Asked& asked) const;
   void forget_question(const Asked& confirm);
   // The steps that end them, with kind Cancelled.
   StepList end_confirms(const ConfirmPredicate& wanted);
@@ -208,6 +218,8 @@ private:
   // completed after all, where the script leads there.
   void note_refusal(TopicId topic, CodeId body, std::uint64_t told);
   void doubt_earlier_value(TopicId topic, SlotId slot);
+  void heed_denial(TopicId topic, SlotId slot);
+  bool gives_up(const Refusal& refusal) const;
   std::vector<Refusal> take_refusals(TopicId topic);
   bool is_dealt_with(const Refusal& refusal) const;
   bool heeds_refusals(const Step& step);
@@ -230,6 +242,7 @@ private:
   FrameChange inherit(const Step& step) const;
   Value refusal(TopicId topic, const SlotReport& report);
   void inspect_report(TopicId topic, const SlotReport& report);
+  bool asks_for_refused(const Step& step);
   void settle_enquiry(Step& step);
   void answer_enquiry(const Step& step);
   void look_up_facts(Step& step);

@@ -194,6 +194,10 @@ void TopicEngine::filled(Step& step) {
     check.index = i;
     steps.push_back(std::move(check));
   }
+  if (step.act && step.act->kind == ActKind::deny)
+    for (const auto& report : reports)
+      if (report.outcome == SlotOutcome::cleared)
+        heed_denial(step.topic, report.slot);
   for (std::uint32_t i = 0; i < reports.size(); ++i) {
     inspect_report(step.topic, reports[i]);
     if (!leads_on(topic.slots[reports[i].slot], reports[i].outcome))

@@ -11,6 +11,8 @@ namespace parlour::dialogue {
 
 namespace {
 
+constexpr auto by_failure = std::numeric_limits<std::uint64_t>::max();
+
 // Whose <filled> the body is.
 SlotId slot_filled_by(const script::Topic& topic, CodeId body) {
   const auto found =
@@ -35,18 +37,23 @@ bool has_ended(TopicStatus status) {
 
 // What failed needs no further words.
 void TopicEngine::body_failed(TopicId topic, CodeId body) {
-  note_refusal(topic, body, std::numeric_limits<std::uint64_t>::max());
+  note_refusal(topic, body, by_failure);
 }
 
 void TopicEngine::note_refusal(TopicId id, CodeId body, std::uint64_t told) {
-  if (id == script::no_id || !leads_to_completion(context_.topic(id), body) ||
-      has_ended(context_.frame(id).status))
+  if (id == script::no_id)
+    return;
+  const auto& topic = context_.topic(id);
+  const bool on_the_way =
+      leads_to_completion(topic, body) && !has_ended(context_.frame(id).status);
+  if (!on_the_way && !(body == topic.completed && is_completing(id)))
     return;
   Refusal refusal;
   refusal.topic = id;
   refusal.body = body;
   refusal.told = told;
-  refusal.slot = slot_filled_by(context_.topic(id), body);
+  refusal.deeds = runner_.deeds();
+  refusal.slot = slot_filled_by(topic, body);
   if (refusal.slot != script::no_id)
     refusal.value = context_.frame(id).slots[refusal.slot].value;
   refusals_.push_back(std::move(refusal));
@@ -73,6 +80,25 @@ bool TopicEngine::is_dealt_with(const Refusal& refusal) const {
   return slot.status == SlotStatus::filled && slot.value != refusal.value;
 }
 
+// A no to going on with the topic, which nothing was done about.
+bool TopicEngine::gives_up(const Refusal& refusal) const {
+  return refusal.body == context_.topic(refusal.topic).resumed &&
+         refusal.told != by_failure && refusal.deeds == runner_.deeds();
+}
+
+// Who takes back the value that is asked about says no to it.
+void TopicEngine::heed_denial(TopicId topic, SlotId slot) {
+  const auto body = context_.topic(topic).slots[slot].filled;
+  const auto found = std::ranges::find_if(confirms_, [&](const Asked& confirm) {
+    return confirm.topic == topic && confirm.body == body && !confirm.anew;
+  });
+  if (found == confirms_.end())
+    return;
+  const auto asked = *found;
+  forget_question(asked);
+  answer_confirm(asked, false);
+}
+
 // A refused value is taken back. Where the topic would be completed
 // nevertheless, it ends: a no never leads there.
 bool TopicEngine::heeds_refusals(const Step& step) {
@@ -83,7 +109,11 @@ bool TopicEngine::heeds_refusals(const Step& step) {
       change(step.topic,
              {.kind = FrameChange::Kind::clear, .slot = refusal.slot});
   const auto& frame = context_.frame(step.topic);
-  if (refusals.empty() || !frame.done || has_ended(frame.status))
+  const bool ends =
+      frame.done || std::ranges::any_of(refusals, [&](const Refusal& refusal) {
+        return gives_up(refusal);
+      });
+  if (refusals.empty() || !ends || has_ended(frame.status))
     return false;
   auto ending = light_step(StepKind::cancel_topic, step);
   const bool has_spoken = output_.told() != refusals.back().told;

@@ -36,7 +36,7 @@ void TopicEngine::misunderstood(Step step) {
 }
 
 void TopicEngine::not_understood(Step& step) {
-  if (!consumed(step.offered))
+  if (!was_consumed(step))
     not_understood(step.turn, step.mark == 0);
 }
 
@@ -52,7 +52,7 @@ void TopicEngine::not_understood(TurnId turn, bool apologise) {
 }
 
 void TopicEngine::no_input(Step& step) {
-  if (!consumed(step.offered) && asked_ && asked_->heard)
+  if (!was_consumed(step) && asked_ && asked_->heard)
     reprompt(step.turn, false);
 }
 

@@ -23,6 +23,17 @@ bool refused_any(const Step& step) {
   });
 }
 
+// What was told of the refusal asks for another value.
+Asked asked_by_refusal(const Step& step) {
+  Asked asked;
+  asked.topic = step.topic;
+  asked.slot = step.slot;
+  asked.turn = step.turn;
+  asked.pending = false;
+  asked.heard = true;
+  return asked;
+}
+
 // Something was asked for that there is not: to look for the rest would answer
 // another question.
 bool refused_condition(const Step& step, const script::Topic& topic) {
@@ -53,6 +64,8 @@ void TopicEngine::settle(Step& step) {
   if (frame.status != TopicStatus::active || !frame.done ||
       doubtful(step.topic) != script::no_id)
     return;
+  if (asks_for_refused(step))
+    return;
   if (topic.filled == script::no_code) {
     complete(step);
     return;
@@ -61,6 +74,29 @@ void TopicEngine::settle(Step& step) {
   run_body(topic.filled, step.topic, script::no_id, step.turn, steps);
   steps.push_back(light_step(StepKind::finish, step));
   context_.lane.now(std::move(steps));
+}
+
+// What was wanted and does not fit is asked for, not left out; unless its
+// <invalid> has seen to that.
+bool TopicEngine::asks_for_refused(const Step& step) {
+  const auto& slots = context_.topic(step.topic).slots;
+  const auto needs_asking = [&](const SlotReport& report) {
+    const auto invalid = slots[report.slot].invalid;
+    return report.outcome == SlotOutcome::refused &&
+           (invalid == script::no_code ||
+            (!runner_.redirected(invalid) &&
+             context_.frame(step.topic).slots[report.slot].status !=
+                 SlotStatus::filled));
+  };
+  if (step.mark != 0 || !any_report(step, needs_asking))
+    return false;
+  auto ask = light_step(StepKind::ask, step);
+  ask.slot = std::ranges::find_if(step.result->reports, needs_asking)->slot;
+  if (slots[ask.slot].question == script::no_code)
+    asked_ = asked_by_refusal(ask);
+  else
+    context_.lane.at_once(std::move(ask));
+  return true;
 }
 
 void TopicEngine::settle_enquiry(Step& step) {
@@ -119,9 +155,39 @@ void TopicEngine::complete(Step& step) {
     asked_.reset();
   run_body(context_.topic(step.topic).completed, step.topic, script::no_id,
            step.turn, steps);
-  if (auto next = needed_by(step.topic); next != script::no_id)
-    steps.push_back(topic_step(StepKind::activate, next));
+  steps.push_back(light_step(StepKind::wind_up, step));
   context_.lane.now(std::move(steps));
+}
+
+// A no to all that <completed> had to do: nothing was completed.
+void TopicEngine::wind_up(Step& step) {
+  const bool refused = !take_refusals(step.topic).empty();
+  const auto& topic = context_.topic(step.topic);
+  if (refused && !runner_.acted(topic.completed) &&
+      context_.frame(step.topic).status == TopicStatus::completed) {
+    auto ending = light_step(StepKind::cancel_topic, step);
+    ending.mark = context_.ending;
+    context_.lane.at_once(std::move(ending));
+  } else if (auto next = needed_by(step.topic); next != script::no_id) {
+    context_.lane.at_once(topic_step(StepKind::activate, next));
+  }
+}
+
+bool TopicEngine::is_completing(TopicId topic) const {
+  const auto body = context_.topic(topic).completed;
+  return context_.frame(topic).status == TopicStatus::completed &&
+         !runner_.acted(body) &&
+         std::ranges::any_of(confirms_, [&](const Asked& confirm) {
+           return confirm.topic == topic && confirm.body == body;
+         });
+}
+
+TopicId TopicEngine::completing() const {
+  const auto found = std::find_if(
+      confirms_.rbegin(), confirms_.rend(), [&](const Asked& confirm) {
+        return confirm.topic != script::no_id && is_completing(confirm.topic);
+      });
+  return found == confirms_.rend() ? script::no_id : found->topic;
 }
 
 // The suspended topic that waited for this one to be completed.

@@ -202,6 +202,8 @@ void TopicEngine::answer_confirm(const Asked& asked, bool yes) {
   settle_confirmed(asked, yes);
   wait_is_over(asked.wait);
   context_.lane.now(back_to(asked.topic));
+  if (yes)
+    back_to_question_before(asked);
   waits_.resume(asked.wait, Value(yes));
 }
 

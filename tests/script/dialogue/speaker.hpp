@@ -16,6 +16,8 @@ inline Value meaning_of(const std::string& words) {
     return act(words.c_str());
   if (words == "tea" || words == "cocoa")
     return inform("Order", {{"What", slot_value(words, 1)}});
+  if (words == "order")
+    return act("request", "Order");
   if (words == "delete")
     return act("request", "Delete");
   if (words == "ping")

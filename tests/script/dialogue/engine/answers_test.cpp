@@ -104,6 +104,25 @@ TEST(Answers, OnesThatNobodyUnderstandsAreSuchWords) {
   EXPECT_EQ(world.said(), Texts{"Again, please."});
 }
 
+// What he asked about may answer what was asked before.
+TEST(Answers, TheQuestionBeforeIsNotForgotten) {
+  Listener world(heard("<confirm question='Did you say {_LPARAM1}?'><no>"
+                       "<consume/><return/></no></confirm>" +
+                       std::string(understand)));
+  const auto asked_for = [&] {
+    return world.messages.back().params.at(1)["asked"]["slot"].text();
+  };
+  world.hear("order");
+  world.hear("yes");
+  EXPECT_EQ(world.said(), (Texts{"Did you say order?", "What?"}));
+  world.hear("no");
+  world.hear("tea");
+  EXPECT_EQ(world.said(), (Texts{"Did you say no?", "Did you say tea?"}));
+  world.hear("yes");
+  EXPECT_EQ(asked_for(), "What");
+  EXPECT_EQ(world.said(), Texts{"tea it is."});
+}
+
 const std::string asks_about_acts =
     meant("<confirm question='Sure?'><yes><fire param='_LPARAM1'/></yes>"
           "</confirm>");

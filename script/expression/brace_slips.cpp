@@ -32,13 +32,15 @@ public:
   bool begins_with_known() const;
   bool is_meant(bool is_heard) const;
   std::string variable_meant() const;
-  std::string explained() const;
+  BraceSlip explained(std::size_t length) const;
 
 private:
   bool means_something(std::size_t begin, std::size_t end) const;
   bool is_known(std::size_t begin, std::size_t end) const;
   std::size_t known_word() const;
   bool compares() const;
+  std::optional<std::string>
+  mended_by(const std::vector<ExpressionSlip>& slips) const;
 
   std::string_view text_;
   const KnownNames& known_;
@@ -111,14 +113,31 @@ std::string Inside::variable_meant() const {
          "}";
 }
 
-std::string Inside::explained() const {
+// As it stands in a file, too: without what XML wants written otherwise.
+std::optional<std::string>
+Inside::mended_by(const std::vector<ExpressionSlip>& slips) const {
+  auto result = string_of(text_);
+  for (auto slip = slips.rbegin(); slip != slips.rend(); ++slip) {
+    if (!slip->replacement)
+      return {};
+    result.replace(slip->offset, slip->length, *slip->replacement);
+  }
+  if (result.find_first_of("<>&'\"") != npos || !parse_expression(result).node)
+    return {};
+  return "{" + result + "}";
+}
+
+BraceSlip Inside::explained(std::size_t length) const {
   const auto parsed = parse_expression(text_);
   const auto slips =
       parsed.node ? std::vector<ExpressionSlip>()
                   : find_slips(text_, parsed, Wanted::value, known_.variable);
   // Words behind a name tell no more.
   const bool tells = !slips.empty() && (!is_words_ || has_meaning_);
-  return tells ? slips.front().message : variable_meant();
+  if (!tells)
+    return {length, variable_meant()};
+  return {length, slips.front().message,
+          has_meaning_ ? mended_by(slips) : std::nullopt};
 }
 
 // Behind the brace that ends what begins at `at`; npos: none does. Braces and
@@ -146,7 +165,7 @@ std::optional<BraceSlip> explain_brace(std::string_view text, std::size_t at,
   const Inside inside(text.substr(at + 1, end - at - 2), known);
   if (!inside.is_meant(is_heard))
     return {};
-  return BraceSlip{end - at, inside.explained()};
+  return inside.explained(end - at);
 }
 
 } // namespace parlour::script

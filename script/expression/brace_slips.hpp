@@ -20,6 +20,8 @@ struct KnownNames {
 struct BraceSlip {
   std::size_t length = 0; // bytes of the text, with both braces; 1: not closed
   std::string message;    // what to write instead
+  // In the place of it all; nothing where no correction is sure.
+  std::optional<std::string> replacement{};
 };
 
 // Of the brace at `at`, which embeds nothing and is not doubled. Nothing where

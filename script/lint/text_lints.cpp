@@ -57,11 +57,13 @@ private:
   void look_for_foreign(const Text& text);
   void look_for_braces(const Text& text);
   void warn_at(const Text& text, std::size_t at, std::size_t length,
-               std::string message) {
+               std::string message,
+               std::optional<std::string> replacement = {}) {
     findings_.add({Severity::warning,
                    {text.position, at, length, text.collapsed},
                    std::move(message),
-                   "text-like-expression"});
+                   "text-like-expression",
+                   std::move(replacement)});
   }
 
   std::set<std::string> names_;
@@ -110,7 +112,8 @@ std::size_t TextLint::look_at_brace(const Text& text, std::size_t at) {
     warn_at(text, at, slip->length,
             "these braces are said as they are, as what is inside is no "
             "expression: " +
-                slip->message);
+                slip->message,
+            slip->replacement);
   return at + slip->length;
 }
 

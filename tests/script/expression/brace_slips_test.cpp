@@ -40,6 +40,17 @@ TEST(BraceSlips, are_none_where_text_stands_in_braces) {
     EXPECT_EQ(said(text), "") << text;
 }
 
+TEST(BraceSlips, are_corrected_where_that_is_sure) {
+  const auto mended = [](std::string_view text) {
+    return explain_brace(text, 0, known, true)->replacement.value_or("");
+  };
+  EXPECT_EQ(mended("{seats === 1}"), "{seats == 1}");
+  EXPECT_EQ(mended("{NOT seats}"), "{not seats}");
+  for (const auto* text : {"{typeof seats}", "{seats left}", "{seats is late}",
+                           "{seats.get('a')}"})
+    EXPECT_EQ(mended(text), "") << text;
+}
+
 TEST(BraceSlips, take_a_path_as_a_whole) {
   EXPECT_EQ(said("{seats.left now}"),
             "16: for the variable write {seats.left}");

@@ -77,9 +77,12 @@ private:
 
   Texts missing(const Column& column, const std::string& name) const {
     if (column.database.empty())
-      return fail(ErrorKind::settings, "the application has no database to "
-                                       "read the column '" +
-                                           name + "' from");
+      return fail(ErrorKind::settings,
+                  "the application has no database to "
+                  "read the column '" +
+                      name +
+                      "' from; name one in <Plugins> of "
+                      "settings.xml (parlour plugin list)");
     std::vector<std::string> names;
     for (const auto& [database, reader] : all_)
       names.push_back(database);

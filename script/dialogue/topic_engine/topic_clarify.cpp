@@ -22,11 +22,6 @@ const Act* reading(const script::Program& program, const Act& said,
 }
 
 void complete_from(const script::Program& program, const Act& said, Act& act) {
-  if (act.kind == ActKind::confirm && act.topic.empty()) {
-    act = said;
-    act.alternatives.clear();
-    return;
-  }
   const auto topic = program.topic(act.topic);
   const auto* meant =
       topic == script::no_id ? nullptr : reading(program, said, topic);
@@ -63,9 +58,29 @@ void TopicEngine::ask_which_again(Asked asked, OutputAct as, TurnId turn) {
       turn);
 }
 
-// A yes takes the likeliest; another topic, or a no, drops what was said.
+bool TopicEngine::asks_which() const {
+  return asked_ && asked_->purpose == Asked::For::which_topic && asked_->heard;
+}
+
+// "Do you mean A or B?" "Yes.": neither; but "yes, A" is an answer.
+bool TopicEngine::leaves_open_which(const Step& step) {
+  const auto& act = *step.act;
+  if (!asks_which() || act.kind != ActKind::confirm || !act.topic.empty() ||
+      !act.slots.empty())
+    return false;
+  const auto& ahead = context_.lane.ahead();
+  const bool says_more =
+      std::any_of(ahead.begin(), ahead.end(), [](const Step& other) {
+        return other.kind == StepKind::take_act;
+      });
+  if (!says_more)
+    misunderstood(step);
+  return true;
+}
+
+// Another topic, or a no, drops what was said.
 void TopicEngine::complete_by_answer(Step& step) {
-  if (!asked_ || asked_->purpose != Asked::For::which_topic || !asked_->heard)
+  if (!asks_which())
     return;
   const auto said = std::exchange(asked_, {})->act;
   auto act = *step.act;

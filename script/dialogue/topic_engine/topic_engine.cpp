@@ -158,7 +158,7 @@ void TopicEngine::topic_act(Step& step) {
     context_.script_failed(*error, step.turn);
     return;
   }
-  if (answer_to_question(step))
+  if (answer_to_question(step) || leaves_open_which(step))
     return;
   complete_by_answer(step);
   if (step.act->elliptical && !step.act->alternatives.empty()) {

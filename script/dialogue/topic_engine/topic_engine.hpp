@@ -172,6 +172,8 @@ private:
   void ask_which_again(Asked asked, OutputAct as, TurnId turn);
   // The answer to that: what was said before, about the topic that it names.
   void complete_by_answer(Step& step);
+  bool asks_which() const;
+  bool leaves_open_which(const Step& step);
   TopicId to_cancel() const;
   bool can_be_cancelled(TopicId topic) const;
   // Whether its <completed> waits for a yes and has done nothing so far: the

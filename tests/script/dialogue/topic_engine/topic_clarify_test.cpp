@@ -32,9 +32,11 @@ TEST(TopicClarify, AsksWhichTopicIsMeant) {
   world.say(inform("Visit", {}));
   EXPECT_EQ(world.said(), Texts{"Visiting Ho."});
   world.say(unclear(0.75));
-  world.say("confirm");
-  EXPECT_EQ(world.said(),
-            (Texts{"[clarify {topics: [Call, Visit]}]", "Calling Ho."}));
+  world.say("confirm"); // which of them is not said
+  EXPECT_EQ(world.said(), (Texts{"[clarify {topics: [Call, Visit]}]",
+                                 "[clarify {topics: [Call, Visit]}]"}));
+  world.say(List{Map{{"act", "confirm"}}, inform("Call", {})});
+  EXPECT_EQ(world.said(), Texts{"Calling Ho."});
   world.say(unclear(0.6)); // far enough behind
   EXPECT_EQ(world.said(), Texts{"Calling Ho."});
   world.say(unclear(0.75));

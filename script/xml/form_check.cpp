@@ -50,8 +50,10 @@ Given given(const Element& element, const ElementRule& rule) {
     if (!is_off && rule.is_in_a_form(attribute.name))
       all.push_back(&attribute);
   }
-  std::ranges::stable_partition(
-      all, [&](const Attribute* one) { return chooses_the_form(*one, rule); });
+  // Not that of std::ranges, which clang 14 cannot read.
+  std::stable_partition(all.begin(), all.end(), [&](const Attribute* one) {
+    return chooses_the_form(*one, rule);
+  });
   return all;
 }
 

@@ -3,10 +3,10 @@
 // Script.Error (language rule 12.19).
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <memory>
-#include <set>
 #include <vector>
 
 #include "script/dialogue/agenda/step_list.hpp"
@@ -17,6 +17,24 @@
 namespace parlour::dialogue {
 
 struct DialogueContext;
+
+// Bodies of which something is known: few, and asked for with each that starts.
+class Bodies {
+public:
+  void insert(CodeId body) {
+    if (!contains(body))
+      all_.push_back(body);
+  }
+  void erase(CodeId body) {
+    std::erase(all_, body);
+  }
+  bool contains(CodeId body) const {
+    return std::find(all_.begin(), all_.end(), body) != all_.end();
+  }
+
+private:
+  std::vector<CodeId> all_; // in no order; keeps its memory
+};
 
 class ActivationRunner {
 public:
@@ -153,8 +171,8 @@ private:
   CodeId code_ = script::no_code; // that runs
   Origin origin_;
   StepList later_;
-  std::set<CodeId> redirected_;
-  std::set<CodeId> acted_;
+  Bodies redirected_;
+  Bodies acted_;
   std::uint64_t deeds_ = 0;
   std::map<WaitId, Waiting> waiting_;
   Fifo<WaitId> slices_;

@@ -19,6 +19,10 @@ public:
   Privacy(const script::Program& program,
           const script::Interpreter& interpreter, Port& port);
 
+  // Whether anything of the program is private at all.
+  bool is_needed() const {
+    return is_needed_;
+  }
   // Private variables that have changed.
   void note_variables(Timestamp now);
   // A slot's value, where it is private.

@@ -14,7 +14,8 @@ void Conversation::Implementation::run_lane() {
       break;
     take(std::move(*step));
   }
-  drop_what_was_too_much();
+  if (!context.dropped.empty())
+    drop_what_was_too_much();
 }
 
 void Conversation::Implementation::drop_what_was_too_much() {
@@ -113,12 +114,13 @@ void Conversation::Implementation::run_body(Step&& step) {
 
 // An activation goes on in the lane where it was started.
 void Conversation::Implementation::resume(Step&& step) {
-  if (pipeline.waits(step.wait))
-    pipeline.resume(step.wait, *step.more->data);
-  else if (context.lane.waits(step.wait))
-    context.lane.wake(step.wait, std::move(step));
-  else if (runner.waiting(step.wait))
-    started(runner.resume(step.wait, *step.more->data));
+  const auto wait = step.wait;
+  if (pipeline.waits(wait))
+    pipeline.resume(wait, *step.more->data);
+  else if (context.lane.waits(wait))
+    context.lane.wake(wait, std::move(step));
+  else if (runner.waiting(wait))
+    started(runner.resume(wait, *step.more->data));
 }
 
 // What it asked for so far does not wait, and neither does the question that

@@ -72,7 +72,8 @@ void TopicEngine::take_act(Step& step) {
   context_.turns.let_go(step.turn);
   no_input_ = 0;
   refused_.reset();
-  conceal_values(*step.act);
+  if (context_.privacy.is_needed())
+    conceal_values(*step.act);
   if (std::exchange(turn_, step.turn) != step.turn)
     said_before_ = output_.spoken();
   if (context_.states.pushed() || !answer_to_question(step))

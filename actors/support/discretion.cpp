@@ -126,6 +126,9 @@ Secrets Discretion::words_of_turn(Session& session) {
   }
   while (words_.size() > most_words)
     words_.erase(words_.begin());
+  heard_ = {};
+  for (const auto& words : words_)
+    heard_.add(words);
   return secrets;
 }
 
@@ -152,10 +155,7 @@ std::string Discretion::masked(const std::string& text) const {
 std::string Discretion::masked_afterwards(const std::string& text) const {
   const auto shown = masked(text);
   const std::lock_guard lock(mutex_);
-  Secrets heard;
-  for (const auto& words : words_)
-    heard.add(words);
-  return heard.masked(shown);
+  return heard_.masked(shown);
 }
 
 bool Discretion::is_private(const std::string& words) const {

@@ -72,6 +72,7 @@ private:
   std::map<SessionId, Session> sessions_;
   std::deque<SessionId> ended_; // of which the secrets are still known
   std::set<std::string> words_; // of private turns
+  Secrets heard_;               // the same, as they are masked
 };
 
 } // namespace parlour::actors

@@ -9,14 +9,6 @@ namespace parlour::script::lint {
 
 namespace {
 
-template <class All>
-std::vector<std::string> names_in(const All& all) {
-  std::vector<std::string> names;
-  for (const auto& one : all)
-    names.push_back(one.name);
-  return names;
-}
-
 // What stands under a key; null: nothing.
 const Node* entry(const Node& map, std::string_view key) {
   for (std::size_t i = 0; i < map.keys.size(); ++i)

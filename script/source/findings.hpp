@@ -102,6 +102,15 @@ std::string nearest(std::string_view name,
 std::string same_but_case(std::string_view name,
                           const std::vector<std::string>& candidates);
 
+// The names of all, as candidates for what follows.
+template <class All>
+std::vector<std::string> names_in(const All& all) {
+  std::vector<std::string> names;
+  for (const auto& one : all)
+    names.push_back(one.name);
+  return names;
+}
+
 // ", did you mean 'x'?" or empty.
 std::string did_you_mean(std::string_view name,
                          const std::vector<std::string>& candidates);

@@ -145,10 +145,9 @@ std::vector<BuiltAct> guessed_acts(const Learned& learned,
     if (features.empty())
       features = word_features(words);
     BuiltAct act;
-    const bool enquiry = schema.at(guess.topic).enquiry;
     if (is_negated_order(utterance.tokens, utterance.negates))
       return {refusal(utterance, guess.probability)};
-    act.act = enquiry ? "request" : "inform";
+    act.act = schema.at(guess.topic).enquiry ? "request" : "inform";
     act.topic = guess.topic;
     act.fills = SlotFiller(utterance, spans, schema, guess.topic)
                     .run(learned.slots(guess.topic, features));

@@ -53,6 +53,14 @@ struct Act {
   std::vector<Act> alternatives;
 };
 
+inline bool wants_out(const Act& act) {
+  return act.kind == ActKind::cancel || act.kind == ActKind::abandon;
+}
+// Who wants out, or to start over, waits for nothing (engine rule 2).
+inline bool passes_waits(const Act& act) {
+  return wants_out(act) || act.kind == ActKind::restart;
+}
+
 using ActPointer = std::shared_ptr<const Act>;
 
 struct ParsedActs {

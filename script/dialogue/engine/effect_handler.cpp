@@ -336,9 +336,8 @@ Value EffectHandler::system(const script::Activation& activation,
   case session:
     return context_.options.session;
   case state:
-    return context_.states.active() == script::no_id
-               ? Value()
-               : Value(context_.program->states[context_.states.active()].name);
+    return context_.active_state() ? Value(context_.active_state()->name)
+                                   : Value();
   case topic:
     return in_topic ? Value(context_.topic(current).name) : Value();
   case script::SystemVariable::slot:

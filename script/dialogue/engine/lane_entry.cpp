@@ -9,11 +9,8 @@ namespace parlour::dialogue {
 
 namespace {
 
-bool wants_out(const Step& step) {
-  return step.kind == StepKind::take_act &&
-         (step.act->kind == ActKind::cancel ||
-          step.act->kind == ActKind::abandon ||
-          step.act->kind == ActKind::restart);
+bool is_in_front(const Step& step) {
+  return step.kind == StepKind::take_act && passes_waits(*step.act);
 }
 
 } // namespace
@@ -21,7 +18,7 @@ bool wants_out(const Step& step) {
 void LaneEntry::take(StepList steps, TurnId turn) {
   if (steps.empty())
     return;
-  if (std::any_of(steps.begin(), steps.end(), wants_out) &&
+  if (std::any_of(steps.begin(), steps.end(), is_in_front) &&
       context_.lane.held()) {
     context_.lane.now(topics_.cancel_waits(topics_.confirms_but_of({})));
     pushed_states_.clear_pushed();

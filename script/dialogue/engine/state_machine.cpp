@@ -183,18 +183,16 @@ bool StateMachine::was_pushed_by(TopicId topic) const {
 }
 
 bool StateMachine::agent_changed(const Message& event) {
-  const auto state = context_.states.active();
-  if (state == script::no_id || event.source != "System"sv ||
-      event.params.empty())
+  const auto* state = context_.active_state();
+  if (!state || event.source != "System"sv || event.params.empty())
     return false;
-  const auto& definition = context_.program->states[state];
   const bool came = event.command == "AgentOnline"sv;
   if (!came && event.command != "AgentOffline"sv)
     return false;
   const auto agent = event.params[0].text();
   auto shared = std::make_shared<const Message>(event);
   bool any = false;
-  for (const auto& reaction : came ? definition.online : definition.offline)
+  for (const auto& reaction : came ? state->online : state->offline)
     if (reaction.source == "*" || reaction.source == agent) {
       react(reaction, shared);
       any = true;
@@ -212,10 +210,10 @@ void StateMachine::react(const script::Reaction& reaction,
 }
 
 void StateMachine::greet_agents() {
-  const auto state = context_.states.active();
-  if (state == script::no_id)
+  const auto* state = context_.active_state();
+  if (!state)
     return;
-  for (const auto& reaction : context_.program->states[state].online) {
+  for (const auto& reaction : state->online) {
     if (reaction.source == "*" || !context_.port.reachable(reaction.source))
       continue;
     Message event;

@@ -46,9 +46,8 @@ TopicEngine::narrowing_grammar(const ClassifierContext& context) const {
             context_.topic(context.asked).slots[context.asked_slot].grammar;
         !own.empty())
       return own;
-  const auto state = context_.states.active();
-  return state == script::no_id ? none
-                                : context_.program->states[state].grammar;
+  const auto* state = context_.active_state();
+  return state ? state->grammar : none;
 }
 
 // The words of the question that a yes or no would be for; null: none.

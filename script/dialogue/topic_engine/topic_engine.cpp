@@ -30,10 +30,6 @@ bool is_answer(const Act& act) {
          (act.kind == ActKind::confirm || act.kind == ActKind::deny);
 }
 
-bool wants_out(const Act& act) {
-  return act.kind == ActKind::cancel || act.kind == ActKind::abandon;
-}
-
 } // namespace
 
 TopicEngine::TopicEngine(DialogueContext& context, ActivationRunner& runner,
@@ -103,13 +99,12 @@ void TopicEngine::conceal_values(const Act& act) {
 
 void TopicEngine::offer_act(Step& step) {
   const auto command = std::string(name_of(step.act->kind));
-  const auto state = context_.states.active();
+  const auto* state = context_.active_state();
   if (reactions_.listens(dialogue_source, command)) {
     auto parameter = to_value(*step.act); // which nobody else would read
     offer(command, std::move(parameter),
           make_step(StepKind::topic_act, std::move(step)));
-  } else if (state != script::no_id &&
-             context_.program->states[state].capture != script::Capture::none) {
+  } else if (state && state->capture != script::Capture::none) {
     // The state keeps every act for itself; this one it has no use for, unless
     // it is to a question of its own.
     if (!asked_here() || !answer_to_question(step))
@@ -203,7 +198,7 @@ void TopicEngine::topic_act(Step& step) {
 }
 
 bool TopicEngine::is_waited_for(const Act& act) const {
-  if (wants_out(act) || act.kind == ActKind::restart)
+  if (passes_waits(act))
     return true;
   if (context_.states.pushed() &&
       reactions_.state_listens(dialogue_source, name_of(act.kind)))

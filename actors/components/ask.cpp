@@ -5,20 +5,14 @@
 #include <caf/typed_event_based_actor.hpp>
 
 #include "actors/routing/outcomes.hpp"
+#include "actors/support/actor_trace.hpp"
+#include "actors/support/tell_status.hpp"
 
 namespace parlour::actors {
 
 namespace {
 
 using Self = query_actor::stateful_pointer<ask_state>;
-
-Error refusal(const RoutingTable& table, const Message& event) {
-  auto error = error_of(event);
-  if (!table.is_source("Database", event.source))
-    error.kind = ErrorKind::refused;
-  error.message = event.source + ": " + error.message;
-  return error;
-}
 
 // True where somebody took the question.
 bool send(Self self, const AskOrder& order) {
@@ -50,21 +44,19 @@ Error silence(const AskOrder& order) {
 
 ask_state::~ask_state() {
   if (bus)
-    bus->claims().forget(correlation);
+    bus->replies().forget(correlation);
 }
 
+// It ends with the host that it works for: nobody could be called back then.
 query_actor::behavior_type ask(Self self, MessageBus* bus,
                                component_host_actor host, AskOrder order) {
   self->state.bus = bus;
   self->state.correlation =
-      bus->claims().claim(query_actor(self), QueryClaims::Wants::all);
+      bus->replies().add(query_actor(self), ReplyRegistry::Wants::all);
   self->monitor(host);
   self->set_down_handler([self](const caf::down_msg&) { self->quit(); });
-  auto finish = [self, door = order.door,
-                 reaction = order.reaction](Expected<Message> outcome) {
-    if (auto open = door.lock())
-      open->after(Milliseconds::zero(),
-                  [reaction, outcome] { reaction(outcome); });
+  auto finish = [self, finished = order.finished](Expected<Message> outcome) {
+    finished(std::move(outcome));
     self->quit();
   };
   if (send(self, order))
@@ -72,17 +64,24 @@ query_actor::behavior_type ask(Self self, MessageBus* bus,
   else
     finish(tl::make_unexpected(nobody_there(order)));
   order.work.reset();
-  return {
+  return traced<query_actor::behavior_type>(
+      ActorTrace(bus->observer(), ask_state::name, order.request.source,
+                 order.request.session),
       [=](const component_event& what) {
         const auto table = bus->table();
         const auto reply = table->reply_to_request(what.event);
         if (reply == Reply::refusal)
-          finish(tl::make_unexpected(refusal(*table, what.event)));
+          finish(tl::make_unexpected(refusal_of(*table, what.event)));
         else if (reply == Reply::answer)
           finish(what.event);
       },
       [=](const give_up&) { finish(tl::make_unexpected(silence(order))); },
-  };
+      [=](const get_status& what) {
+        return tell_status(self, what,
+                           {order.request.source, "waits for " + asked(order) +
+                                                      " to answer " +
+                                                      order.request.command});
+      });
 }
 
 } // namespace parlour::actors

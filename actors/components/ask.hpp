@@ -1,11 +1,12 @@
 // What a plug-in asks of another component (PluginHost::ask): one actor for
-// each question, which sends it, waits for the event that ends it, and has the
-// plug-in called back by its own door. It goes with the plug-in's host.
+// each question, which sends it, waits for the event that ends it, and hands
+// the outcome over. It ends with the plug-in's host.
 #pragma once
 
-#include "actors/components/plugin_door.hpp"
+#include <functional>
+#include <memory>
+
 #include "actors/routing/message_bus.hpp"
-#include "runtime/plugin/plugin.hpp"
 
 namespace parlour::actors {
 
@@ -19,10 +20,10 @@ struct ask_state {
 struct AskOrder {
   Message request;
   Milliseconds patience{0};
-  PluginHost::Reaction reaction;
-  std::weak_ptr<PluginDoor> door;
+  // Called on this actor's thread, once; not at all where the host ends first.
+  std::function<void(Expected<Message>)> finished;
   std::shared_ptr<const DueTicket> due; // of the answer, at the latest
-  Work work;                            // until the component has been asked
+  InFlight work;                        // until the component has been asked
 };
 
 query_actor::behavior_type ask(query_actor::stateful_pointer<ask_state> self,

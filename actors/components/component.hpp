@@ -1,6 +1,7 @@
-// A component and its instances. The component has a name, a place among those
-// of its roles, and a mailbox, and outlives its instances; each of these is a
-// plug-in's object with an actor of its own around it (component_host).
+// Component: a name, what it runs, and a mailbox; it outlives its instances.
+// Instance: one object of its plug-in, with an actor around it
+// (component_host). The host's actor, the supervisor and, for inline calls, the
+// routing table share an instance.
 #pragma once
 
 #include <atomic>
@@ -8,35 +9,58 @@
 #include <optional>
 #include <string>
 
-#include "actors/components/component_order.hpp"
-#include "actors/components/plugin_door.hpp"
-#include "actors/support/call_watch.hpp"
+#include "actors/components/component_context.hpp"
+#include "actors/protocol/component_order.hpp"
+#include "actors/support/call_watchdog.hpp"
 
 namespace parlour::actors {
 
-struct Component {
+class Component {
+public:
   ComponentOrder order;
   std::shared_ptr<ComponentMailbox> mailbox;
-  // False before it has started and while it is down; shared with the table.
+  // Whether messages go to it: it serves, and says that it can take them.
+  // Shared with the table, which reads it on other threads.
   std::shared_ptr<std::atomic<bool>> up =
       std::make_shared<std::atomic<bool>>(false);
+
+  // It has started, and is not down.
+  void set_serving(bool is_serving) {
+    serving_ = is_serving;
+    *up = serving_ && available_;
+  }
+  // What its plug-in says of itself (PluginHost::available).
+  void set_available(bool is_available) {
+    available_ = is_available;
+    *up = serving_ && available_;
+  }
 
   const std::string& name() const {
     return order.name;
   }
+  // The limit of one call. Supervision::load has put it into the order.
+  Milliseconds deadline() const {
+    return order.policy.deadline.value_or(defaults::component_deadline);
+  }
   const PluginDescription& description() const {
     return order.factory.description;
   }
+
+private:
+  // Of the supervisor's thread.
+  bool serving_ = false;
+  bool available_ = true;
 };
 
 struct Instance {
   InstanceId id = 0;
   std::shared_ptr<const Component> component;
-  std::shared_ptr<PluginDoor> door; // before the plug-in: outlives it
-  std::shared_ptr<IPlugin> plugin;  // made by its host, on its thread
-  CallWatch watch;
-  // Set when it is to go as soon as it has nothing to do.
-  std::atomic<bool> leaves = false;
+  std::shared_ptr<ComponentContext> context; // before the plug-in: outlives it
+  std::shared_ptr<IPlugin> plugin;           // made by its host, on its thread
+  CallWatchdog watch;
+  std::string last_error; // of the one before it; set before it starts
+  // It drains: its host reports when it has nothing left to do.
+  std::atomic<bool> draining = false;
 };
 
 } // namespace parlour::actors

@@ -7,7 +7,9 @@
 
 #include <caf/typed_event_based_actor.hpp>
 
-#include "actors/support/thrown.hpp"
+#include "actors/support/actor_trace.hpp"
+#include "actors/support/exception_text.hpp"
+#include "actors/support/tell_status.hpp"
 
 namespace parlour::actors {
 
@@ -16,10 +18,10 @@ namespace {
 using Self = component_host_actor::stateful_pointer<component_host_state>;
 
 // Messages after which others on the same thread get their turn.
-constexpr int most_at_once = 30;
+constexpr int max_at_once = 30;
 // Where components hand each other much, the next message is a microsecond
-// away: to look again so often costs less than to sleep and be woken.
-constexpr int looks_before_rest = 8;
+// away: to poll so often costs less than to sleep and be woken.
+constexpr int polls_before_idle = 8;
 
 // -- calls --------------------------------------------------------------------
 
@@ -28,7 +30,7 @@ struct Called {
   How how = How::refused;
   std::optional<std::string> thrown;
 
-  bool well() const {
+  bool ok() const {
     return how == How::in_time && !thrown;
   }
 };
@@ -36,39 +38,39 @@ struct Called {
 // Calls the plug-in under the eyes of the supervisor, who holds the work while
 // it lasts.
 template <class Action>
-Called call(Self self, Timestamp now, Work& work, Action&& action) {
-  auto& [parts, instance] = self->state;
+Called call(Self self, Timestamp now, InFlight& work, Action&& action) {
+  auto& [parts, instance, trace] = self->state;
   const auto begun = instance->watch.begin(now, work);
-  if (begun == CallWatch::Begin::refused)
+  if (begun == CallWatchdog::Begin::refused)
     return {};
-  if (begun == CallWatch::Begin::unwatched)
+  if (begun == CallWatchdog::Begin::unwatched)
     self->send(parts.supervisor, watch_instance{instance->id, true});
   Called called;
-  called.thrown = thrown_by(std::forward<Action>(action));
+  called.thrown = catch_to_string(std::forward<Action>(action));
   called.how =
       instance->watch.end(work) ? Called::How::in_time : Called::How::late;
   return called;
 }
 
 void report(Self self, const std::string& reason) {
-  auto& [parts, instance] = self->state;
+  auto& [parts, instance, trace] = self->state;
   self->send(parts.supervisor,
              component_failed{instance->component->name(), instance->id, reason,
                               parts.time->work.begin()});
 }
 
-void rest(Self self) {
-  auto& [parts, instance] = self->state;
-  instance->door->drop_spare();
-  if (instance->leaves)
+void go_idle(Self self) {
+  auto& [parts, instance, trace] = self->state;
+  instance->context->drop_recycled();
+  if (instance->draining)
     self->send(parts.supervisor,
-               instance_rests{instance->id, parts.time->work.begin()});
+               instance_idle{instance->id, parts.time->work.begin()});
 }
 
 // It was given up meanwhile: nobody waits for it, and another has its place.
 void end_late(Self self) {
   auto plugin = self->state.instance->plugin;
-  thrown_by([&] {
+  catch_to_string([&] {
     if (plugin)
       plugin->stop();
   });
@@ -86,7 +88,7 @@ void judge(Self self, const Called& called) {
 
 Expected<void> make(Instance& instance) {
   const auto& factory = instance.component->order.factory;
-  auto reason = thrown_by([&] { instance.plugin = factory.create(); });
+  auto reason = catch_to_string([&] { instance.plugin = factory.create(); });
   if (instance.plugin)
     return {};
   return fail(ErrorKind::settings,
@@ -96,13 +98,13 @@ Expected<void> make(Instance& instance) {
 Expected<void> bring_up(Instance& instance) {
   if (auto made = make(instance); !made)
     return made;
-  return instance.plugin->start(*instance.door,
+  return instance.plugin->start(*instance.context,
                                 instance.component->order.options);
 }
 
 void start(Self self) {
-  auto& [parts, instance] = self->state;
-  Work expected; // of who waits for the start
+  auto& [parts, instance, trace] = self->state;
+  InFlight expected; // of who waits for the start
   Expected<void> outcome;
   const auto called = call(self, parts.time->now(), expected,
                            [&, &one = *instance] { outcome = bring_up(one); });
@@ -116,8 +118,8 @@ void start(Self self) {
 }
 
 void stop(Self self) {
-  auto& [parts, instance] = self->state;
-  Work expected;
+  auto& [parts, instance, trace] = self->state;
+  InFlight expected;
   const auto called =
       call(self, parts.time->now(), expected, [&one = *instance] {
         if (one.plugin)
@@ -135,30 +137,32 @@ void stop(Self self) {
 
 // -- its work -----------------------------------------------------------------
 
-// False where it is to take no more. `spare` is the work of what it is done
+// False where it is to take no more. `recycled` is the work of what it is done
 // with.
-bool handle(Self self, ComponentMailbox::Job job, Work& spare) {
-  auto& [parts, held] = self->state;
+bool handle(Self self, ComponentMailbox::Job job, InFlight& recycled) {
+  auto& [parts, held, trace] = self->state;
   auto& instance = *held;
   const auto& message = *job.message;
   const auto now = parts.time->now();
+  if (trace)
+    trace.took("message", to_string(message), message.session);
   Called called;
-  if (instance.door->gives(message, now, spare))
+  if (instance.context->gives(message, now, recycled))
     called =
         call(self, now, job.work, [&] { instance.plugin->receive(message); });
   if (called.how == Called::How::refused)
     instance.component->mailbox->put_back(std::move(job));
-  spare = std::move(job.work);
+  recycled = std::move(job.work);
   judge(self, called);
-  return called.well();
+  return called.ok();
 }
 
 std::optional<ComponentMailbox::Job>
 next_job(bool has_thread, ComponentMailbox& mailbox,
          const component_host_actor& host) {
-  const int looks = has_thread ? looks_before_rest : 0;
-  for (int look = 0; look < looks; ++look) {
-    if (auto job = mailbox.take(host, ComponentMailbox::IfEmpty::look_again))
+  const int polls = has_thread ? polls_before_idle : 0;
+  for (int i = 0; i < polls; ++i) {
+    if (auto job = mailbox.take(host, ComponentMailbox::IfEmpty::poll_again))
       return job;
     std::this_thread::yield();
   }
@@ -168,15 +172,30 @@ next_job(bool has_thread, ComponentMailbox& mailbox,
 void work(Self self) {
   auto& mailbox = *self->state.instance->component->mailbox;
   const component_host_actor host(self);
-  Work spare;
-  for (int i = 0; i < most_at_once; ++i) {
+  InFlight recycled;
+  for (int i = 0; i < max_at_once; ++i) {
     auto job = next_job(self->state.parts.has_thread, mailbox, host);
     if (!job)
-      return rest(self);
-    if (!handle(self, std::move(*job), spare))
-      return mailbox.leave(host);
+      return go_idle(self);
+    if (!handle(self, std::move(*job), recycled))
+      return mailbox.remove_worker(host);
   }
-  self->send(self, work_waits{});
+  self->send(self, mailbox_ready{});
+}
+
+std::string doing_of(const Instance& instance) {
+  if (instance.draining)
+    return "finishes what it has begun";
+  return instance.plugin ? "waits" : "has not started";
+}
+
+status_told tell_host_status(Self self, const get_status& what) {
+  const auto& instance = *self->state.instance;
+  const auto& component = *instance.component;
+  auto told = tell_status(
+      self, what, {component.name(), doing_of(instance), instance.last_error});
+  told.status.queue = component.mailbox->size();
+  return told;
 }
 
 void put_off(Self self, const run_after& what) {
@@ -187,14 +206,14 @@ void put_off(Self self, const run_after& what) {
 }
 
 void call_back(Self self, const run_now& what) {
-  auto& [parts, instance] = self->state;
-  if (!instance->door->calls_back(what.due->id()))
+  auto& [parts, instance, trace] = self->state;
+  if (!instance->context->calls_back(what.due->id()))
     return; // cancelled, or closed
   auto work = parts.time->work.begin();
   const auto called = call(self, parts.time->now(), work, what.action);
   parts.time->due_times.remove(what.due->id());
-  if (!called.well())
-    instance->component->mailbox->leave(self);
+  if (!called.ok())
+    instance->component->mailbox->remove_worker(self);
   judge(self, called);
 }
 
@@ -205,13 +224,17 @@ component_host_actor::behavior_type component_host(
     HostParts parts, std::shared_ptr<Instance> instance) {
   self->state.parts = std::move(parts);
   self->state.instance = std::move(instance);
-  return {
+  self->state.trace =
+      ActorTrace(*self->state.parts.observer, component_host_state::name,
+                 self->state.instance->component->name());
+  return traced<component_host_actor::behavior_type>(
+      ActorTrace(self->state.trace),
       [=](const start_component&) { start(self); },
-      [=](const work_waits&) { work(self); },
+      [=](const mailbox_ready&) { work(self); },
       [=](const run_after& what) { put_off(self, what); },
       [=](const run_now& what) { call_back(self, what); },
       [=](const stop_component&) { stop(self); },
-  };
+      [=](const get_status& what) { return tell_host_status(self, what); });
 }
 
 } // namespace parlour::actors

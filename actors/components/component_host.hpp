@@ -1,12 +1,13 @@
 // The host of one instance: the actor, and in real time mostly the thread, that
-// calls its plug-in. What the plug-in throws ends neither the actor nor the
-// house: the supervisor hears of it and puts another instance in its place.
+// calls its plug-in. An exception of the plug-in ends neither the actor nor the
+// node: the supervisor hears of it and starts another instance.
 //
-// A call that does not return is given up from outside (call_watch.hpp): when
-// it returns after all, nobody hears of it, and the actor ends.
+// A call that does not return is given up from outside (call_watchdog.hpp). If
+// it returns after all, its results are dropped and the actor quits.
 #pragma once
 
 #include "actors/components/component.hpp"
+#include "actors/support/actor_trace.hpp"
 
 namespace parlour::actors {
 
@@ -21,6 +22,7 @@ struct component_host_state {
   static inline const char* name = "component_host";
   HostParts parts;
   std::shared_ptr<Instance> instance;
+  ActorTrace trace;
 };
 
 component_host_actor::behavior_type component_host(

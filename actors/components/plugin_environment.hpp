@@ -5,8 +5,8 @@
 #include <memory>
 #include <string>
 
-#include "runtime/base/phrases.hpp"
-#include "runtime/base/understanding.hpp"
+#include "runtime/message/phrases.hpp"
+#include "runtime/message/understanding.hpp"
 #include "runtime/plugin/plugin.hpp"
 
 namespace parlour::actors {

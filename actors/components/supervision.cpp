@@ -1,307 +1,278 @@
-// The part of supervision that says what happens to running instances.
 #include "actors/components/supervision.hpp"
 
 #include <algorithm>
-#include <optional>
 #include <utility>
 
-#include <caf/typed_event_based_actor.hpp>
-
-#include "actors/components/component_host.hpp"
-#include "actors/components/supervisor.hpp"
+#include "runtime/base/call_deadline.hpp"
 
 namespace parlour::actors {
 
 namespace {
 
-bool is_called_inline(const Component& component) {
-  using enum Scope::Kind;
-  const auto scope = component.order.upkeep.scope.kind;
-  return component.description().is_inline && !component.description().blocks &&
-         (scope == usual || scope == in_turn);
+std::string_view words_for(ServiceState state) {
+  return state == ServiceState::backing_off ? "backing off" : name_of(state);
 }
 
-// Keeps its whole instance.
-std::shared_ptr<const InlinePlugin>
-direct_of(const std::shared_ptr<Instance>& instance) {
-  const auto* plugin =
-      dynamic_cast<const InlinePlugin*>(instance->plugin.get());
-  if (!plugin || !is_called_inline(*instance->component))
-    return nullptr;
-  return {instance, plugin};
-}
-
-std::size_t wanted_instances(const Component& component) {
-  return component.order.upkeep.scope.instances;
+void keep(component_promise promise, Expected<void> outcome) {
+  promise.deliver(component_done{std::move(outcome)});
 }
 
 } // namespace
 
-// -- instances ----------------------------------------------------------------
+Supervision::Supervision(supervisor_actor::pointer self, SupervisionParts parts)
+    : parts_(std::move(parts)), news_(parts_),
+      running_(self, parts_, news_, *this),
+      rules_(parts_.settings, deployments_),
+      placements_(parts_, deployments_, news_, running_),
+      departures_(self, running_, news_) {}
 
-std::vector<InstanceId> Supervision::instances_of(const Branch& branch) const {
-  std::vector<InstanceId> ids;
-  for (const auto& [id, entry] : entries_)
-    if (entry.branch.get() == &branch)
-      ids.push_back(id);
-  return ids;
+// -- what is asked for --------------------------------------------------------
+
+// One without instances is for <load> alone.
+void Supervision::load(const load_component& what, component_promise promise) {
+  if (auto may = may_load(*what.order); !may)
+    return keep(std::move(promise), may);
+  rules_.remember(*what.order);
+  if (what.order->policy.scope.instances == 0)
+    return keep(std::move(promise), {});
+  load(*what.order, what.rank, false, std::move(promise));
 }
 
-bool Supervision::is_kept(const BranchPointer& branch) const {
-  const auto found = kept_.find(branch->name());
-  return found != kept_.end() && has(*found->second, branch);
+void Supervision::load(const load_plugin& what, component_promise promise) {
+  auto order = rules_.order_for(what.plugin, what.name);
+  if (!order)
+    return keep(std::move(promise), tl::make_unexpected(order.error()));
+  if (auto may = may_load(*order); !may)
+    return keep(std::move(promise), may);
+  load(*order, 0, true, std::move(promise));
 }
 
-// What it comes with; null: it does not.
-Supervision::KeptPointer
-Supervision::is_coming(const BranchPointer& branch) const {
-  const auto found = coming_.find(branch->name());
-  return found != coming_.end() && has(*found->second, branch) ? found->second
-                                                               : nullptr;
+void Supervision::unload(const unload_component& what,
+                         component_promise promise) {
+  const auto found = deployments_.serving.extract(what.name);
+  if (!found)
+    return keep(std::move(promise),
+                tl::make_unexpected(rules_.nobody_called(what.name)));
+  news_.publish_table(deployments_.by_rank());
+  departures_.depart(found.mapped()->all(), what.name, std::move(promise));
 }
 
-bool Supervision::has(const Kept& kept, const BranchPointer& branch) {
-  const auto found = kept.branches.find(branch->place->name());
-  return found != kept.branches.end() && found->second == branch;
+void Supervision::stop_all() {
+  closing_ = true;
+  running_.close();
+  news_.stop_answering();
+  std::vector<ServicePointer> serving;
+  for (const auto& deployment : deployments_.all())
+    for (const auto& service : deployment->all()) {
+      running_.happens(service, ServiceEvent::leave);
+      if (deployments_.is_serving(deployment))
+        serving.push_back(service);
+    }
+  for (const auto& service : serving)
+    service->component->mailbox->close("stops");
+  running_.stop_all();
+  for (const auto& service : serving)
+    service->component->mailbox->take_all();
 }
 
-// Not before those that stop have stopped: both may want the same device.
-void Supervision::make_missing(const BranchPointer& branch) {
-  const auto ids = instances_of(*branch);
-  const bool one_stops = std::any_of(ids.begin(), ids.end(), [&](auto id) {
-    return entries_[id].stage == Stage::stops;
-  });
-  if (branch->pauses || one_stops || closing_)
+// -- coming -------------------------------------------------------------------
+
+Expected<void> Supervision::may_load(const ComponentOrder& order) const {
+  if (closing_)
+    return fail(ErrorKind::cancelled, "the application stops");
+  return rules_.check(order);
+}
+
+void Supervision::load(const ComponentOrder& order, std::size_t rank, bool tell,
+                       component_promise promise) {
+  using enum Scope::Kind;
+  auto deployment = std::make_shared<Deployment>();
+  deployment->order = order;
+  auto& policy = deployment->order.policy;
+  policy.deadline = call_deadline(policy, parts_.settings.request_timeout);
+  deployment->rank = rank;
+  deployment->tell = tell;
+  deployment->promise = std::move(promise);
+  if (const auto scope = policy.scope.kind; scope == seat || scope == session)
+    deployment->by_session = std::make_shared<InstanceList>();
+  deployments_.coming[order.name] = deployment;
+  placements_.settle(deployment);
+  check_activation(deployment); // nobody may be there yet to have an instance
+}
+
+void Supervision::on_instance_started(const ServicePointer& service) {
+  check_activation(deployments_.coming.at(service->name()));
+}
+
+// One of its instances works, or is not wanted any more: once all that are
+// left work, it takes over. Held by value, as it leaves those that come.
+void Supervision::check_activation(DeploymentPointer deployment) {
+  if (!all_work(*deployment))
     return;
-  for (auto i = ids.size(); i < wanted_instances(*branch->component); ++i)
-    make_instance(branch);
+  deployments_.coming.erase(deployment->name());
+  take_over(deployment);
+  placements_.settle(deployment); // who came meanwhile
+  if (deployment->tell)
+    for (const auto& service : deployment->all())
+      news_.tell_up(*service);
+  keep(std::exchange(deployment->promise, {}), {});
 }
 
-void Supervision::make_instance(const BranchPointer& branch) {
-  const auto& component = branch->component;
-  auto instance = std::make_shared<Instance>();
-  instance->id = ++last_instance_;
-  instance->component = component;
-  instance->door = std::make_shared<PluginDoor>(
-      door_parts(), component->name(), component->description(), instance->id,
-      branch->place == house_ ? nullptr : branch->place);
-  parts_.instances.add(component->name(), {instance, &instance->watch});
-  auto host = host_for(instance);
-  instance->door->belongs_to(host);
-  instance->watch.expect(parts_.time.work.begin());
-  self_->send(host, start_component{});
-  const auto id = instance->id;
-  entries_[id] = {std::move(instance), std::move(host), branch, Stage::starts};
+bool Supervision::all_work(const Deployment& deployment) const {
+  for (const auto& service : deployment.all())
+    for (auto id : running_.instances_of(*service))
+      if (running_.state_of(id) != InstanceState::working)
+        return false;
+  return true;
 }
 
-DoorParts Supervision::door_parts() const {
-  return {parts_.time, parts_.bus, parts_.observer, parts_.environment,
-          supervisor_actor(self_)};
+void Supervision::take_over(const DeploymentPointer& deployment) {
+  const auto before = replace(deployment);
+  for (const auto& service : deployment->all())
+    running_.happens(service, ServiceEvent::takes_over);
+  news_.publish_table(deployments_.by_rank());
+  take_mailboxes(*deployment, before.get());
+  if (before)
+    departures_.depart(before->all(), {}, {});
 }
 
-// In real time each has a thread of its own: one that hangs takes no other's.
-component_host_actor
-Supervision::host_for(const std::shared_ptr<Instance>& instance) {
-  auto& system = self_->home_system();
-  HostParts parts{&parts_.time, &parts_.observer, supervisor_actor(self_),
-                  parts_.settings.detaches};
-  return parts.has_thread
-             ? system.spawn<caf::detached>(component_host, std::move(parts),
-                                           instance)
-             : system.spawn(component_host, std::move(parts), instance);
+// Returns the one whose rank it takes; null where its name is new.
+DeploymentPointer Supervision::replace(const DeploymentPointer& deployment) {
+  auto& current = deployments_.serving[deployment->name()];
+  if (current)
+    deployment->rank = current->rank;
+  else if (deployment->rank == 0)
+    deployment->rank = last_rank_ + 1;
+  last_rank_ = std::max(last_rank_, deployment->rank);
+  return std::exchange(current, deployment);
 }
+
+// Where an instance of the one before still finishes what it has, the new one
+// begins after it.
+void Supervision::take_mailboxes(const Deployment& deployment,
+                                 const Deployment* before) {
+  for (const auto& [scope, service] : deployment.services) {
+    service->component->mailbox->open();
+    const auto old =
+        before ? before->services.find(scope) : deployment.services.end();
+    if (!before || old == before->services.end()) {
+      running_.begin(running_.instances_of(*service));
+      continue;
+    }
+    old->second->handed_on = true;
+    old->second->successors = running_.instances_of(*service);
+  }
+}
+
+// What was there before stays.
+void Supervision::on_activation_failed(const ServicePointer& service,
+                                       const Error& error) {
+  const auto deployment = deployments_.coming.extract(service->name()).mapped();
+  for (const auto& one : deployment->all()) {
+    running_.happens(one, ServiceEvent::leave);
+    running_.happens_to_all(*one, InstanceEvent::stop);
+  }
+  keep(std::exchange(deployment->promise, {}), tl::make_unexpected(error));
+}
+
+void Supervision::on_direct_changed() {
+  news_.publish_table(deployments_.by_rank());
+}
+
+// -- what happens -------------------------------------------------------------
 
 void Supervision::started(const instance_started& what) {
-  const auto found = entries_.find(what.instance);
-  if (found == entries_.end() || found->second.stage != Stage::starts)
-    return;
-  auto& entry = found->second;
-  const auto branch = entry.branch;
   if (what.outcome)
-    return works(entry);
-  stop(entry);
-  if (is_kept(branch))
-    count_failure(branch, what.outcome.error().message);
-  else if (const auto kept = is_coming(branch))
-    came_not(kept, what.outcome.error());
-}
-
-void Supervision::works(Entry& entry) {
-  entry.stage = Stage::works;
-  entry.instance->watch.watch_anew();
-  entry.branch->direct = direct_of(entry.instance);
-  if (const auto kept = is_coming(entry.branch))
-    came(kept);
-  else if (is_kept(entry.branch))
-    joins(entry);
+    running_.happens(what.instance, InstanceEvent::started);
   else
-    stop(entry);
-}
-
-// In the place of one that failed, or as the first of its session or seat.
-void Supervision::joins(const Entry& entry) {
-  const auto& branch = *entry.branch;
-  auto& component = *branch.component;
-  if (branch.direct)
-    publish_table(); // who asks in its own turn asks the new one
-  component.mailbox->open();
-  component.mailbox->join(entry.host);
-  *component.up = true;
-  if (branch.failures.count() != 0)
-    tell_up(component, branch.place->session());
-}
-
-void Supervision::stop(Entry& entry) {
-  entry.stage = Stage::stops;
-  entry.branch->component->mailbox->leave(entry.host);
-  entry.instance->watch.expect(parts_.time.work.begin());
-  self_->send(entry.host, stop_component{});
-}
-
-void Supervision::close(Entry& entry, const std::string& reason) {
-  answer_by_failure(*entry.branch, entry.instance->door->close(), reason);
+    running_.happens(what.instance, InstanceEvent::not_started,
+                     {what.outcome.error()});
 }
 
 void Supervision::stopped(const instance_stopped& what) {
-  remove(what.instance, "it was stopped");
+  running_.happens(what.instance, InstanceEvent::stopped,
+                   {{ErrorKind::offline, "it was stopped", {}}});
 }
-
-void Supervision::remove(InstanceId id, const std::string& reason) {
-  auto entry = entries_.extract(id);
-  if (entry.empty())
-    return;
-  close(entry.mapped(), reason);
-  after_end(entry.mapped().branch);
-}
-
-void Supervision::after_end(const BranchPointer& branch) {
-  if (is_kept(branch))
-    make_missing(branch);
-  else if (const auto departure = departure_of(branch); departure != 0)
-    gone(departure);
-}
-
-// -- failures -----------------------------------------------------------------
 
 void Supervision::failed(const component_failed& what) {
-  const auto found = entries_.find(what.instance);
-  if (what.instance == 0) {
-    if (const auto kept = kept_.find(what.name); kept != kept_.end())
-      if (const auto house = kept->second->branches.find(house_->name());
-          house != kept->second->branches.end())
-        count_failure(house->second, what.reason);
-    return;
-  }
-  if (found == entries_.end() || found->second.stage == Stage::stops)
-    return;
-  auto& entry = found->second;
-  const auto branch = entry.branch;
-  stop(entry);
-  close(entry, what.reason);
-  if (is_kept(branch))
-    count_failure(branch, what.reason);
-  else if (const auto kept = is_coming(branch))
-    came_not(kept, {ErrorKind::settings, what.reason, {}});
-  else
-    parts_.observer.log(what.name + " failed while it left: " + what.reason);
+  if (what.instance == 0)
+    return failed_inline(what);
+  running_.happens(what.instance, InstanceEvent::failed,
+                   {{ErrorKind::settings, what.reason, {}}});
 }
 
-void Supervision::count_failure(const BranchPointer& branch,
-                                const std::string& reason) {
-  if (closing_)
+// It was called in a session's own turn, and has one service: the node's.
+void Supervision::failed_inline(const component_failed& what) {
+  const auto deployment = deployments_.find(what.name);
+  if (!deployment || deployment->by_session || closing_)
     return;
-  const auto verdict = branch->failures.failed(parts_.time.now());
-  parts_.observer.log(branch->name() + " failed: " + reason);
-  tell("ComponentFailed", {branch->name(), reason, branch->failures.count()},
-       branch->place->session());
-  branch->pauses = true;
-  if (verdict.down)
-    return rest(branch, reason, verdict.pause);
-  branch->due = ticket(verdict.pause);
-  try_later(*branch, verdict.pause);
+  running_.happens(deployment->services.begin()->second, ServiceEvent::failed,
+                   {{ErrorKind::settings, what.reason, {}}});
 }
 
-void Supervision::try_later(Branch& branch, Milliseconds pause) {
-  branch.trial = ++last_number_;
-  const actors::try_again again{branch.name(), branch.place->name(),
-                                branch.trial};
-  if (pause > Milliseconds::zero())
-    self_->delayed_send(self_, pause, again);
-  else
-    self_->send(self_, again);
-}
-
-// Its role falls to the next component of it.
-void Supervision::rest(const BranchPointer& branch, const std::string& reason,
-                       Milliseconds pause) {
-  *branch->component->up = false;
-  branch->component->mailbox->close("is down");
-  parts_.observer.log(branch->name() + " is down");
-  for (auto id : instances_of(*branch))
-    if (auto& entry = entries_[id]; entry.stage != Stage::stops) {
-      stop(entry);
-      close(entry, reason);
-    }
-  answer_what_waits(*branch, reason);
-  tell("ComponentDown", {branch->name(), reason}, branch->place->session());
-  try_later(*branch, pause);
-}
-
-void Supervision::try_again(const actors::try_again& what) {
-  const auto kept = kept_.find(what.name);
-  if (kept == kept_.end())
-    return;
-  const auto found = kept->second->branches.find(what.place);
-  if (found == kept->second->branches.end() ||
-      found->second->trial != what.trial)
-    return;
-  const auto branch = found->second;
-  branch->due = {};
-  branch->pauses = false;
-  make_missing(branch);
-}
-
-// -- calls that do not return -------------------------------------------------
-
-Milliseconds Supervision::deadline_of(const Entry& entry) const {
-  const auto deadline = entry.branch->component->order.upkeep.deadline;
-  return entry.stage == Stage::starts
-             ? std::max(deadline, parts_.settings.start_time)
-             : deadline;
+void Supervision::available(const component_available& what) {
+  running_.available(what.instance, what.is_available);
 }
 
 void Supervision::watch(const watch_instance& what) {
-  const auto found = entries_.find(what.instance);
-  if (found == entries_.end())
-    return;
-  const auto& instance = found->second.instance;
-  const auto deadline = deadline_of(found->second);
-  std::optional left = deadline;
-  if (!what.begins)
-    left = instance->watch.look(parts_.time.now(), deadline);
-  if (left && *left <= Milliseconds::zero())
-    hangs(what.instance);
-  else if (left)
-    self_->delayed_send(self_, *left, watch_instance{what.instance, false});
+  running_.watch(what);
 }
 
-// Its actor and its thread are left to themselves.
-void Supervision::hangs(InstanceId id) {
-  auto node = entries_.extract(id);
-  auto& entry = node.mapped();
-  const auto branch = entry.branch;
-  const auto reason = "a call did not return within " +
-                      std::to_string(deadline_of(entry).count()) + " ms";
-  entry.instance->watch.give_up();
-  branch->component->mailbox->leave(entry.host);
-  close(entry, reason);
-  if (const auto kept = is_coming(branch))
-    came_not(kept, {ErrorKind::timeout, reason, {}});
-  else if (is_kept(branch) && entry.stage != Stage::stops)
-    count_failure(branch, reason);
-  else
-    parts_.observer.log(branch->name() + " does not stop: " + reason);
-  after_end(branch);
+void Supervision::idle(const instance_idle& what) {
+  departures_.idle(what.instance);
+}
+
+void Supervision::try_again(const actors::try_again& what) {
+  const auto deployment = deployments_.find(what.name);
+  if (!deployment)
+    return;
+  const auto found = deployment->services.find(what.scope);
+  if (found == deployment->services.end() || found->second->trial != what.trial)
+    return;
+  found->second->due = {};
+  running_.happens(found->second, ServiceEvent::retry);
+}
+
+void Supervision::drain_over(const actors::drain_over& what) {
+  departures_.drain_over(what);
+}
+
+void Supervision::on_instance_ended(const ServicePointer& service) {
+  departures_.instance_ended(service);
+}
+
+std::string Supervision::doing() const {
+  auto text = std::to_string(deployments_.serving.size()) + " components";
+  if (!deployments_.coming.empty())
+    text += ", " + std::to_string(deployments_.coming.size()) + " coming";
+  for (const auto& [name, deployment] : deployments_.serving)
+    for (const auto& service : deployment->all())
+      if (service->state != ServiceState::serving)
+        text += "; " + name + " is " + std::string(words_for(service->state));
+  return text;
+}
+
+// -- seats and sessions -------------------------------------------------------
+
+void Supervision::opened(const seat_opened& what) {
+  placements_.seat_opened(what);
+}
+
+void Supervision::begins(const session_begins& what) {
+  placements_.session_begins(what.session);
+}
+
+// What its own instances were given before it ended they still do.
+void Supervision::ended(const session_ended& what) {
+  placements_.session_ended(what);
+  for (const auto& deployment : deployments_.all()) {
+    auto service = placements_.detach(*deployment, what.session);
+    if (!service)
+      continue;
+    departures_.depart({std::move(service)}, {}, {});
+    if (deployments_.is_coming(deployment))
+      check_activation(deployment);
+  }
 }
 
 } // namespace parlour::actors

@@ -2,24 +2,42 @@
 
 #include <caf/typed_event_based_actor.hpp>
 
+#include "actors/support/actor_trace.hpp"
+#include "actors/support/tell_status.hpp"
+
 namespace parlour::actors {
 
 supervisor_actor::behavior_type
 supervisor(supervisor_actor::stateful_pointer<supervisor_state> self,
            SupervisionParts parts) {
+  auto& observer = parts.observer;
   self->state.supervision =
       std::make_unique<Supervision>(self, std::move(parts));
   auto* all = self->state.supervision.get();
-  return {
-      [=](const load_component& what) { all->load(what); },
-      [=](const load_plugin& what) { all->load(what); },
-      [=](const unload_component& what) { all->unload(what); },
+  return traced<supervisor_actor::behavior_type>(
+      ActorTrace(observer, supervisor_state::name, ""),
+      [=](const load_component& what) {
+        auto promise = self->make_response_promise<component_done>();
+        all->load(what, promise);
+        return promise;
+      },
+      [=](const load_plugin& what) {
+        auto promise = self->make_response_promise<component_done>();
+        all->load(what, promise);
+        return promise;
+      },
+      [=](const unload_component& what) {
+        auto promise = self->make_response_promise<component_done>();
+        all->unload(what, promise);
+        return promise;
+      },
       [=](const stop_components&) { all->stop_all(); },
       [=](const instance_started& what) { all->started(what); },
       [=](const instance_stopped& what) { all->stopped(what); },
       [=](const component_failed& what) { all->failed(what); },
+      [=](const component_available& what) { all->available(what); },
       [=](const watch_instance& what) { all->watch(what); },
-      [=](const instance_rests& what) { all->rests(what); },
+      [=](const instance_idle& what) { all->idle(what); },
       [=](const try_again& what) { all->try_again(what); },
       [=](const drain_over& what) { all->drain_over(what); },
       [=](const seat_opened& what) { all->opened(what); },
@@ -28,7 +46,9 @@ supervisor(supervisor_actor::stateful_pointer<supervisor_state> self,
         return session_settled{};
       },
       [=](const session_ended& what) { all->ended(what); },
-  };
+      [=](const get_status& what) {
+        return tell_status(self, what, {{}, all->doing(), all->last_error()});
+      });
 }
 
 } // namespace parlour::actors

@@ -4,16 +4,13 @@
 #include <mutex>
 #include <utility>
 
-#include <caf/send.hpp>
-
-#include "actors/node/house.hpp"
-#include "script/dialogue/engine/conversation.hpp"
+#include "actors/node/node_runtime.hpp"
 
 namespace parlour::actors {
 
 class Node::Implementation {
 public:
-  explicit Implementation(NodeOptions options) : house(std::move(options)) {}
+  explicit Implementation(NodeOptions options) : runtime(std::move(options)) {}
 
   struct Seat {
     seat_actor actor;
@@ -34,22 +31,11 @@ public:
     if (seats[seat].session == session)
       seats[seat].session.clear();
   }
-  void look_at(const SessionId& session,
-               std::function<void(const dialogue::Conversation&)> at);
 
   std::mutex mutex; // of the seats: session_over comes from their threads
   std::map<SeatId, Seat> seats;
-  House house;
+  NodeRuntime runtime;
 };
-
-void Node::Implementation::look_at(
-    const SessionId& id,
-    std::function<void(const dialogue::Conversation&)> at) {
-  if (auto session = house.sessions().find(id)) {
-    caf::anon_send(session, look{std::move(at), house.time().work.begin()});
-    house.drive().run_until_quiet();
-  }
-}
 
 Node::Node(std::unique_ptr<Implementation> implementation)
     : implementation_(std::move(implementation)) {}
@@ -74,8 +60,8 @@ Node::~Node() {
 
 Expected<std::unique_ptr<Node>> Node::start(NodeOptions options) {
   auto implementation = std::make_unique<Implementation>(std::move(options));
-  if (auto started = implementation->house.start_components(); !started) {
-    if (!implementation->house.stop())
+  if (auto started = implementation->runtime.start_components(); !started) {
+    if (!implementation->runtime.stop())
       leave_behind(std::move(implementation));
     return tl::make_unexpected(started.error());
   }
@@ -98,7 +84,7 @@ SeatId Node::open_seat(SeatCallbacks callbacks) {
   calls.on_next = [&self, id](const SessionId& session) {
     self.set_session(id, session);
   };
-  auto actor = self.house.open_seat(id, std::move(calls));
+  auto actor = self.runtime.open_seat(id, std::move(calls));
   std::lock_guard lock(self.mutex);
   self.seats[id].actor = std::move(actor);
   return id;
@@ -106,9 +92,9 @@ SeatId Node::open_seat(SeatCallbacks callbacks) {
 
 SessionId Node::open(const SeatId& seat) {
   auto& self = *implementation_;
-  auto session = self.house.open_session(self.seats[seat].actor);
+  auto session = self.runtime.open_session(self.seats[seat].actor);
   // It may be over already: a program without a beginning.
-  if (self.house.sessions().find(session))
+  if (self.runtime.sessions().find(session))
     self.set_session(seat, session);
   return session;
 }
@@ -130,29 +116,29 @@ void Node::enter(const SeatId& seat, const std::vector<std::string>& lines) {
     turn.session = session;
     turns.push_back(std::move(turn));
   }
-  implementation_->house.bus().bring_in(std::move(turns));
+  implementation_->runtime.bus().bring_in(std::move(turns));
 }
 
 void Node::inject(const SessionId& session, Message message) {
   message.session = session;
-  implementation_->house.bus().bring_in({std::move(message)});
+  implementation_->runtime.bus().bring_in({std::move(message)});
 }
 
 Expected<void> Node::load(const std::string& plugin, const std::string& name) {
-  return implementation_->house.load(plugin, name);
+  return implementation_->runtime.load(plugin, name);
 }
 
 Expected<void> Node::unload(const std::string& name) {
-  return implementation_->house.unload(name);
+  return implementation_->runtime.unload(name);
 }
 
 void Node::end(const SessionId& session) {
   if (!session.empty())
-    implementation_->house.end_session(session);
+    implementation_->runtime.end_session(session);
 }
 
 bool Node::stop() {
-  if (!implementation_->house.stop())
+  if (!implementation_->runtime.stop())
     return false;
   for (auto& [id, seat] : implementation_->seats)
     seat = {};
@@ -162,60 +148,55 @@ bool Node::stop() {
 // -- time ---------------------------------------------------------------------
 
 bool Node::run_until_quiet() {
-  return implementation_->house.drive().run_until_quiet();
+  return implementation_->runtime.scheduler().run_until_quiet();
 }
 
 bool Node::step_to_next_due(Milliseconds at_most) {
-  return implementation_->house.drive().step_to_next_due(at_most);
+  return implementation_->runtime.scheduler().step_to_next_due(at_most);
 }
 
 std::optional<Timestamp> Node::next_timer() const {
-  return implementation_->house.time().due_times.next_of_sessions();
+  return implementation_->runtime.time().due_times.next_of_sessions();
 }
 
 void Node::advance(Milliseconds time) {
-  implementation_->house.drive().advance(time);
+  implementation_->runtime.scheduler().advance(time);
 }
 
 void Node::interrupt() {
-  implementation_->house.time().work.interrupt();
+  implementation_->runtime.time().work.interrupt();
 }
 
 Timestamp Node::now() const {
-  return implementation_->house.drive().clock().now();
+  return implementation_->runtime.scheduler().clock().now();
 }
 
 // -- what can be seen ---------------------------------------------------------
 
 Value Node::slot_value(const SessionId& session, const std::string& topic,
                        const std::string& slot) {
-  auto value = std::make_shared<Value>();
-  implementation_->look_at(session, [=](const auto& conversation) {
-    *value = conversation.slot_value(topic, slot);
-  });
-  return *value;
+  return implementation_->runtime.slot_value(session, topic, slot);
 }
 
 std::string Node::state(const SessionId& session) {
-  auto state = std::make_shared<std::string>();
-  implementation_->look_at(session, [=](const auto& conversation) {
-    *state = conversation.state();
-  });
-  return *state;
+  return implementation_->runtime.state_of(session);
 }
 
 std::string Node::masked(const std::string& text) const {
-  const auto* discretion = implementation_->house.observer().discretion();
-  return discretion ? discretion->masked_afterwards(text) : text;
+  return implementation_->runtime.observer().discretion().masked_afterwards(
+      text);
 }
 
 bool Node::is_private(const std::string& words) const {
-  const auto* discretion = implementation_->house.observer().discretion();
-  return discretion && discretion->is_private(words);
+  return implementation_->runtime.observer().discretion().is_private(words);
+}
+
+std::vector<ActorStatus> Node::status(Milliseconds patience) {
+  return implementation_->runtime.status(patience);
 }
 
 NodeCounters Node::counters() const {
-  const auto& counters = implementation_->house.bus().counters();
+  const auto& counters = implementation_->runtime.bus().counters();
   return {counters.messages(), counters.relayed, counters.filtered,
           counters.dropped, counters.unhandled};
 }

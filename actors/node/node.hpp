@@ -9,68 +9,18 @@
 #pragma once
 
 #include <functional>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "actors/components/component_order.hpp"
+#include "actors/node/node_options.hpp"
+#include "actors/protocol/actor_status.hpp"
 #include "runtime/base/clock.hpp"
-#include "runtime/base/files.hpp"
-#include "runtime/base/inspection.hpp"
-#include "runtime/base/phrases.hpp"
-#include "runtime/base/sockets.hpp"
-#include "runtime/base/understanding.hpp"
-#include "runtime/plugin/catalogue.hpp"
-#include "runtime/plugin/plugin.hpp"
+#include "runtime/message/message.hpp"
 #include "script/dialogue/agenda/output_queue.hpp"
-#include "script/program/program.hpp"
 
 namespace parlour::actors {
-
-struct NodeOptions {
-  std::shared_ptr<const script::Program> program;
-  // One whose scope has 0 instances is not started: it is for <load>.
-  std::vector<ComponentOrder> components;
-  // What scripts can load; without, they are refused it.
-  std::shared_ptr<PluginCatalogue> plugins = {};
-  // Completes what is loaded, as the components above are: where it runs, say.
-  std::function<void(ComponentOrder&)> complete = {};
-  // Another name of a role: "Record" is "Microphone".
-  std::map<std::string, std::string, std::less<>> aliases;
-  std::shared_ptr<const PhraseEvaluator> phrases;
-  // Null: the program's.
-  std::shared_ptr<const UnderstandingModel> understanding;
-  ColumnReader columns;
-  // Virtual time from here; nothing: real time.
-  std::optional<Timestamp> virtual_start;
-  // Of session ids and of what is random in scripts; nothing: chance.
-  std::optional<std::uint64_t> seed;
-  std::string data_folder;        // absolute, writable
-  std::string application_folder; // absolute
-  unsigned threads = 0;           // of the scheduler; 0: as many as cores
-  // How long sessions, then components, then the rest get to end in real time.
-  Milliseconds drain_time{2'000};
-  // How long a component may take to start, in real time: libraries and models
-  // are loaded.
-  Milliseconds start_time{30'000};
-  // The files of the data folder and the network; without, scripts are refused
-  // what wants them.
-  FileAccess files = {};
-  std::shared_ptr<Sockets> sockets = {};
-  // One call at a time, from any thread; may be empty. What on_inspection
-  // throws is logged; log may not throw.
-  std::function<void(const Inspection&)> on_inspection;
-  // What is private is masked in what on_inspection and log are given, and what
-  // a user says is shown when it is understood. True: on_inspection is given
-  // all at once and as it is, and shows nothing but by Node::masked().
-  bool exact_inspections = false;
-  // False: on_inspection hears of errors, logs and unhandled messages only,
-  // and nobody pays for the rest.
-  bool inspect_all = true;
-  std::function<void(const std::string&)> log;
-};
 
 using SeatId = std::string;
 
@@ -135,6 +85,11 @@ public:
   // Whether a user's words are not to be kept.
   bool is_private(const std::string& words) const;
   NodeCounters counters() const;
+  // How every actor is; who does not answer within `patience` (real time) is
+  // told as such, with the call that it is in. In real time this may be called
+  // from any thread, as long as the node is not stopped.
+  std::vector<ActorStatus> status(Milliseconds patience = default_patience);
+  static constexpr Milliseconds default_patience{500};
 
   // Components while it runs, as <load> and <unload> do it.
   Expected<void> load(const std::string& plugin, const std::string& name = {});

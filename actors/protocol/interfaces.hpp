@@ -1,6 +1,9 @@
-// Every actor's typed mailbox on one page, a sentence for each message. Read
-// it and you know who talks to whom (architecture, "The actors"). The messages
-// stay on one node; what leaves the process is a parlour::Message.
+// Every actor's typed mailbox on one page, with a sentence for each message.
+// Read it and you know who talks to whom (architecture, "The actors"). The
+// messages stay on one node; what leaves the process is a parlour::Message. All
+// understand tells_status, too (actor_status.hpp). `work`: the node is busy
+// until the last handler that got it has returned (in_flight.hpp); what a
+// handler sends holds work of its own. The only message with code says why.
 #pragma once
 
 #include <functional>
@@ -11,195 +14,199 @@
 #include <caf/allowed_unsafe_message_type.hpp>
 #include <caf/replies_to.hpp>
 #include <caf/typed_actor.hpp>
+#include <caf/typed_response_promise.hpp>
 
-#include "actors/protocol/work.hpp"
+#include "actors/protocol/actor_status.hpp"
+#include "actors/protocol/component_order.hpp"
+#include "actors/protocol/due_times.hpp"
+#include "actors/protocol/in_flight.hpp"
 #include "runtime/base/clock.hpp"
 #include "runtime/base/error.hpp"
 #include "runtime/base/files.hpp"
-#include "runtime/base/message.hpp"
 #include "runtime/base/sockets.hpp"
-#include "runtime/base/subscription.hpp"
+#include "runtime/message/message.hpp"
+#include "runtime/message/subscription.hpp"
 
 namespace parlour::dialogue {
-class Conversation;
-struct FrameRequest;
+struct FrameRequest; // script/dialogue/frame/topic_frame.hpp
 struct FrameResult;
-struct Output;
+struct Output; // script/dialogue/agenda/output_queue.hpp
 } // namespace parlour::dialogue
 
 namespace parlour::actors {
-
-class DueTicket;       // actors/support/due_times.hpp
-struct ComponentOrder; // actors/node/node.hpp
 
 // -- a session ----------------------------------------------------------------
 
 // Session.Started: the first message that a session gets.
 struct begin_session {
-  Work work;
+  InFlight work;
 };
-// Messages for this session, together and in order.
+// Messages for this session; they are queued together and in this order.
 struct deliver {
   std::vector<Message> messages;
-  Work work;
+  InFlight work;
 };
-// Take the next queued input; the session sends it to itself.
+// Take the next queued input; the session sends this to itself.
 struct take_step {
-  Work work;
+  InFlight work;
 };
 // A timer of this session is due.
 struct timer_due {
   std::uint64_t id;
-  Work work;
+  InFlight work;
 };
-// A query's outcome.
+// The database's answer to a query of the session's script.
 struct query_outcome {
   std::uint64_t id;
-  Expected<ResultSet> outcome;
-  Work work;
+  Expected<Value> outcome; // a result set
+  InFlight work;
 };
-// What became of a file that a script wanted.
+// The outcome of a file operation of the session's script.
 struct file_outcome {
   std::uint64_t id;
   Expected<Value> outcome;
-  Work work;
+  InFlight work;
 };
-// What became of a component that a script wanted to load or unload.
-struct component_outcome {
-  std::uint64_t id;
-  Expected<void> outcome;
-  Work work;
-};
-// A socket of this session is open, has a text, or is over.
+// A socket of this session has opened, has received a text, or has closed.
 struct socket_told {
   std::uint64_t id;
   SocketEvent event;
-  Work work;
+  InFlight work;
 };
-// The speaker or page is done with an output.
+// The seat has finished an output. `played`: it was shown or spoken to its end.
 struct output_done {
   std::uint64_t id;
   bool played;
-  Work work;
+  InFlight work;
 };
-// Show your state to a test, the console or the trace.
-struct look {
-  std::function<void(const dialogue::Conversation&)> at;
-  Work work;
+// A tool looks at the conversation from outside: at a slot's value, or at the
+// name of the active state.
+struct get_slot {
+  std::string topic;
+  std::string slot;
+  InFlight work;
 };
-// End: Exit runs, Session.Ended is fired.
+struct slot_told {
+  Value value; // unknown where there is no such slot
+};
+struct get_state {
+  InFlight work;
+};
+struct state_told {
+  std::string state; // empty where none is active
+};
+// End the conversation: its Exit handlers run, and Session.Ended is fired.
 struct end_session {
-  Work work;
+  InFlight work;
 };
-// It has ended and nothing more is on its way to it: go.
+// The session has ended, and nothing is on its way to it any more: quit.
 struct leave {
-  Work work;
+  InFlight work;
 };
 
 using session_actor = caf::typed_actor<
     caf::reacts_to<begin_session>, caf::reacts_to<deliver>,
     caf::reacts_to<take_step>, caf::reacts_to<timer_due>,
     caf::reacts_to<query_outcome>, caf::reacts_to<file_outcome>,
-    caf::reacts_to<component_outcome>, caf::reacts_to<socket_told>,
-    caf::reacts_to<output_done>, caf::reacts_to<look>,
-    caf::reacts_to<end_session>, caf::reacts_to<leave>>;
+    caf::reacts_to<socket_told>, caf::reacts_to<output_done>,
+    caf::replies_to<get_slot>::with<slot_told>,
+    caf::replies_to<get_state>::with<state_told>, caf::reacts_to<end_session>,
+    caf::reacts_to<leave>, tells_status>;
 
 // -- files --------------------------------------------------------------------
 
-// A session's script wants something of a file in the data folder; file_outcome
-// follows. One actor does them all, on a thread of its own, so that no session
-// waits for the disk and no two write at once.
+// A script reads or writes a file in the data folder; file_outcome follows.
 struct file_order {
   std::uint64_t id;
   FileRequest request;
   session_actor session;
-  Work work;
+  InFlight work;
 };
 
-using file_keeper_actor = caf::typed_actor<caf::reacts_to<file_order>>;
+using file_keeper_actor =
+    caf::typed_actor<caf::reacts_to<file_order>, tells_status>;
 
 // -- the message centre -------------------------------------------------------
 
-// Messages from outside that happened together: stamped, routed and counted in
-// this order.
+// Messages from outside that happened together: stamp and route them in order.
 struct publish {
   std::vector<Message> messages;
-  Work work;
+  InFlight work;
 };
-// What is left for sessions of messages that their sender has routed itself.
+// Messages that their sender has routed itself, as far as sessions get them.
 struct distribute {
   std::vector<Message> messages;
-  Work work;
+  InFlight work;
 };
-// A session has ended and can no longer be found. What was sent to it before
-// is in its mailbox when the centre lets it go.
+// A session has ended and is in no directory any more. The centre answers with
+// `leave`, which arrives after everything that the centre sent it before.
 struct retire {
   session_actor session;
-  Work work;
+  InFlight work;
 };
 
 using message_centre_actor =
     caf::typed_actor<caf::reacts_to<publish>, caf::reacts_to<distribute>,
-                     caf::reacts_to<retire>>;
+                     caf::reacts_to<retire>, tells_status>;
 
 // -- what a session spawns ----------------------------------------------------
 
-// The topic frame's only request: what happened to it, in order.
+// The topic frame's only request: a frame, and changes to apply to it in order.
 struct apply_changes {
   std::shared_ptr<const dialogue::FrameRequest> request;
-  Work work;
+  InFlight work;
 };
-// The new frame and what became of each change.
+// The new frame, and for each change whether it was accepted.
 struct frame_changed {
   std::shared_ptr<const dialogue::FrameResult> result;
-  Work work;
+  InFlight work;
 };
 
 using topic_frame_actor =
-    caf::typed_actor<caf::replies_to<apply_changes>::with<frame_changed>>;
+    caf::typed_actor<caf::replies_to<apply_changes>::with<frame_changed>,
+                     tells_status>;
 
-// A timer's own alarm.
-struct ring {};
-// Forget it: no timer_due will come.
+// The timer's delay is over; it sends this to itself.
+struct timer_expired {};
+// Cancel the timer: it quits and sends no timer_due.
 struct cancel_timer {
-  Work work;
+  InFlight work;
 };
 
 using timer_actor =
-    caf::typed_actor<caf::reacts_to<ring>, caf::reacts_to<cancel_timer>>;
+    caf::typed_actor<caf::reacts_to<timer_expired>,
+                     caf::reacts_to<cancel_timer>, tells_status>;
 
-// The database component's answer to a query's message.
+// The event by which a component answers the query's message.
 struct component_event {
   Message event;
-  Work work;
+  InFlight work;
 };
-// No answer came within the query's time.
+// The query's time is over; it sends this to itself.
 struct give_up {};
 
-using query_actor =
-    caf::typed_actor<caf::reacts_to<component_event>, caf::reacts_to<give_up>>;
+using query_actor = caf::typed_actor<caf::reacts_to<component_event>,
+                                     caf::reacts_to<give_up>, tells_status>;
 
 // -- components ---------------------------------------------------------------
 
-// Names one instance of a component; never given again.
+// Identifies one instance of a component; never used again. 0: none.
 using InstanceId = std::uint64_t;
-// How a wish ended; called once, on the supervisor's thread.
-using Done = std::function<void(Expected<void>)>;
 
 // Make and start the plug-in; instance_started follows.
 struct start_component {};
-// Something is in the component's mailbox
-// (actors/routing/component_mailbox.hpp).
-struct work_waits {};
-// Work that the plug-in asked for later; `due` is its entry among the due
-// times, which goes with the message where nobody takes it.
+// The component_mailbox is no longer empty: take messages from it.
+struct mailbox_ready {};
+// The plug-in wants to be called back after a delay. `action` is its own code,
+// which only the host's thread may run, so it has to be a function. `due` goes
+// with the message if no host takes it.
 struct run_after {
   Milliseconds delay;
   std::shared_ptr<const DueTicket> due;
   std::function<void()> action;
-  Work work;
+  InFlight work;
 };
-// The delay of a run_after is over.
+// The delay of a run_after is over; the host sends this to itself.
 struct run_now {
   std::shared_ptr<const DueTicket> due;
   std::function<void()> action;
@@ -209,163 +216,174 @@ struct stop_component {};
 
 using component_host_actor =
     caf::typed_actor<caf::reacts_to<start_component>,
-                     caf::reacts_to<work_waits>, caf::reacts_to<run_after>,
-                     caf::reacts_to<run_now>, caf::reacts_to<stop_component>>;
+                     caf::reacts_to<mailbox_ready>, caf::reacts_to<run_after>,
+                     caf::reacts_to<run_now>, caf::reacts_to<stop_component>,
+                     tells_status>;
 
 // -- seats --------------------------------------------------------------------
 
-// The robot says something at this seat.
+// Show or speak this output; output_done follows.
 struct say {
   SessionId session;
   std::shared_ptr<const dialogue::Output> output;
-  Work work;
+  InFlight work;
 };
-// The seat's session is over; the next turn opens another.
+// The seat's session is over. The next user turn opens another.
 struct session_over {
   SessionId session;
-  Work work;
+  InFlight work;
 };
-// Another has opened by itself, for turns that the last one did not come to.
+// Another session has opened, for user turns that the last one did not read.
 struct next_session {
   SessionId session;
-  Work work;
+  InFlight work;
 };
 
 using seat_actor =
     caf::typed_actor<caf::reacts_to<say>, caf::reacts_to<session_over>,
-                     caf::reacts_to<next_session>>;
+                     caf::reacts_to<next_session>, tells_status>;
 
-// To the supervisor and the session manager: a seat is there, by this name.
+// To the supervisor and the session manager: a seat of this name has opened.
 struct seat_opened {
   std::string name;
   seat_actor seat;
-  Work work;
+  InFlight work;
 };
 
 // -- the supervisor -----------------------------------------------------------
 
-// Load a component, or put it in the place of the one of its name.
-// `rank`: its place in the order of preference, from 1; 0: after all others, or
-// that of the one whose place it takes.
+// Load a component, replacing any running one of the same name. `rank`: its
+// place in the order of preference, from 1; 0: that of the one it replaces,
+// else last.
 struct load_component {
   std::shared_ptr<const ComponentOrder> order;
   std::size_t rank;
-  Done done;
-  Work work;
+  InFlight work;
 };
-// The same by names alone, as a script does: the plug-in's and the component's.
+// The same for a script; an empty `name` is the plug-in's.
 struct load_plugin {
   std::string plugin;
   std::string name;
-  Done done;
-  Work work;
+  InFlight work;
 };
 struct unload_component {
   std::string name;
-  Done done;
-  Work work;
+  InFlight work;
 };
-// Stop all, and start none any more.
+// The answer to these three, when the instances have started, failed to, or are
+// gone. It holds no work: a session that asked is counted as one that waits.
+struct component_done {
+  Expected<void> outcome;
+};
+// Of who answers later; may be empty.
+using component_promise = caf::typed_response_promise<component_done>;
+// Stop all components and start no more: the node is being stopped.
 struct stop_components {
-  Work work;
+  InFlight work;
 };
 struct instance_started {
   InstanceId instance;
   Expected<void> outcome;
-  Work work;
+  InFlight work;
 };
 struct instance_stopped {
   InstanceId instance;
-  Work work;
+  InFlight work;
 };
-// It threw, or says itself that it is broken. Instance 0: it was called in a
-// session's turn.
+// An instance threw, flooded, or is broken. 0: one called in a session's turn.
 struct component_failed {
   std::string name;
   InstanceId instance;
   std::string reason;
-  Work work;
+  InFlight work;
 };
-// A call of it began, the first since nobody watched; else: look whether its
-// calls return in time.
+// An instance says whether it can take messages now (PluginHost::available).
+struct component_available {
+  InstanceId instance;
+  bool is_available;
+  InFlight work;
+};
+// Watch the calls of an instance. `begins`: the host has begun a call that
+// nobody watches; otherwise the supervisor reminds itself to look at it.
 struct watch_instance {
   InstanceId instance;
   bool begins;
 };
-// One that is to go has nothing to do any more.
-struct instance_rests {
+// A draining instance has finished its last message.
+struct instance_idle {
   InstanceId instance;
-  Work work;
+  InFlight work;
 };
-// A component that failed is tried again; `place`: the session or seat whose it
-// is, if it is one's.
+// The pause after a failure is over: start another instance. `scope` names the
+// session or seat, and is empty for the node's. An outdated `trial` is ignored.
 struct try_again {
   std::string name;
-  std::string place;
+  std::string scope;
   std::uint64_t trial;
 };
-// Those that are to go have had their time.
+// The time of a departure is over: stop its instances even if they are busy.
 struct drain_over {
   std::uint64_t departure;
 };
 
-// A session asks for what it has of components before it begins: answered when
-// messages for them find their way; their instances may still be starting.
+// A session asks for its own instances of components before it begins. Answered
+// when messages find their mailboxes; the instances may still be starting.
 struct session_begins {
   SessionId session;
-  Work work;
+  InFlight work;
 };
 struct session_settled {};
-// Its own instances go, once they have done what they were given.
+// A session has ended: its own instances drain and stop.
 struct session_ended {
   SessionId session;
   seat_actor seat;
-  Work work;
+  InFlight work;
 };
 
 using supervisor_actor = caf::typed_actor<
-    caf::reacts_to<load_component>, caf::reacts_to<load_plugin>,
-    caf::reacts_to<unload_component>, caf::reacts_to<stop_components>,
-    caf::reacts_to<instance_started>, caf::reacts_to<instance_stopped>,
-    caf::reacts_to<component_failed>, caf::reacts_to<watch_instance>,
-    caf::reacts_to<instance_rests>, caf::reacts_to<try_again>,
+    caf::replies_to<load_component>::with<component_done>,
+    caf::replies_to<load_plugin>::with<component_done>,
+    caf::replies_to<unload_component>::with<component_done>,
+    caf::reacts_to<stop_components>, caf::reacts_to<instance_started>,
+    caf::reacts_to<instance_stopped>, caf::reacts_to<component_failed>,
+    caf::reacts_to<component_available>, caf::reacts_to<watch_instance>,
+    caf::reacts_to<instance_idle>, caf::reacts_to<try_again>,
     caf::reacts_to<drain_over>, caf::reacts_to<seat_opened>,
     caf::replies_to<session_begins>::with<session_settled>,
-    caf::reacts_to<session_ended>>;
+    caf::reacts_to<session_ended>, tells_status>;
 
 // -- sessions of a node -------------------------------------------------------
 
-// A conversation begins at a seat, unless one is going on there; answered with
-// its session's id, which is empty when the house is closing.
+// Begin a conversation at a seat, unless one is going on there. The answer is
+// the session's id, which is empty while the node is stopping.
 struct open_session {
   seat_actor seat;
-  Work work;
+  InFlight work;
 };
 struct session_opened {
   SessionId session;
 };
-// Messages for one session that the sender found no handle of, or that has
-// ended; without a session: for all that want them.
+// Messages for one session that their sender could not find or that has ended;
+// messages without a session: for every session that wants them.
 struct forward {
   std::vector<Message> messages;
-  Work work;
+  InFlight work;
 };
-// What a session hears of messages without one: these, and no others.
+// Of messages without a session, this one wants exactly these.
 struct subscribe {
   SessionId session;
   std::vector<Subscription> to;
-  Work work;
+  InFlight work;
 };
-// End one session, or for an empty id every session: none opens afterwards.
+// End one session. An empty id ends every session, and none opens afterwards.
 struct close_session {
   SessionId session;
-  Work work;
+  InFlight work;
 };
-// A session ended. User turns that it was given and did not read begin the
-// seat's next session.
+// A session has ended. User turns that it did not read begin the next one.
 struct session_gone {
   SessionId session;
-  Work work;
+  InFlight work;
   std::vector<Message> unread = {};
 };
 
@@ -373,27 +391,10 @@ using session_manager_actor =
     caf::typed_actor<caf::replies_to<open_session>::with<session_opened>,
                      caf::reacts_to<forward>, caf::reacts_to<subscribe>,
                      caf::reacts_to<close_session>,
-                     caf::reacts_to<session_gone>, caf::reacts_to<seat_opened>>;
+                     caf::reacts_to<session_gone>, caf::reacts_to<seat_opened>,
+                     tells_status>;
 
 } // namespace parlour::actors
 
-// clang-format off
-#define PARLOUR_LOCAL_MESSAGES(X) \
-  X(publish) X(distribute) X(retire) X(begin_session) X(deliver) X(take_step) \
-  X(timer_due) X(query_outcome) X(file_outcome) X(component_outcome) \
-  X(socket_told) X(file_order) X(output_done) X(look) X(end_session) \
-  X(leave) X(apply_changes) X(frame_changed) X(ring) X(cancel_timer) \
-  X(component_event) X(give_up) X(start_component) X(work_waits) \
-  X(run_after) X(run_now) X(stop_component) X(load_component) \
-  X(load_plugin) X(unload_component) X(stop_components) X(instance_started) \
-  X(instance_stopped) X(component_failed) X(watch_instance) \
-  X(instance_rests) X(try_again) X(drain_over) X(seat_opened) \
-  X(session_begins) X(session_settled) X(session_ended) X(say) \
-  X(session_over) X(next_session) X(open_session) X(session_opened) \
-  X(forward) X(subscribe) X(close_session) X(session_gone)
-// clang-format on
-
 #define X(name) CAF_ALLOW_UNSAFE_MESSAGE_TYPE(parlour::actors::name)
-PARLOUR_LOCAL_MESSAGES(X)
-#undef X
-#undef PARLOUR_LOCAL_MESSAGES
+#include "actors/protocol/local_messages.def"

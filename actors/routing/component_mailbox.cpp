@@ -1,6 +1,7 @@
 #include "actors/routing/component_mailbox.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <iterator>
 #include <utility>
 
@@ -29,12 +30,12 @@ void ComponentMailbox::put_back(Job job) {
 
 // -- who is told --------------------------------------------------------------
 
-// One that rests, to be told outside of the locks; null: none.
+// An idle host, to be told outside of the locks; null: none.
 component_host_actor ComponentMailbox::one_to_wake() {
-  if (back_.resting.empty())
+  if (back_.idle.empty())
     return {};
-  auto host = std::move(back_.resting.back());
-  back_.resting.pop_back();
+  auto host = std::move(back_.idle.back());
+  back_.idle.pop_back();
   return host;
 }
 
@@ -49,26 +50,28 @@ void ComponentMailbox::wake_for_what_waits(Lock front) {
 
 void ComponentMailbox::wake(const component_host_actor& host) {
   if (host)
-    caf::anon_send(host, work_waits{});
+    caf::anon_send(host, mailbox_ready{});
 }
 
-void ComponentMailbox::join(const component_host_actor& host) {
+void ComponentMailbox::add_worker(const component_host_actor& host) {
   std::unique_lock lock(front_.mutex);
-  front_.members.push_back(host);
+  assert(std::ranges::count(front_.workers, host) == 0 &&
+         "it works here already");
+  front_.workers.push_back(host);
   {
     std::lock_guard back(back_.mutex);
-    back_.resting.push_back(host);
+    back_.idle.push_back(host);
   }
   wake_for_what_waits(std::move(lock));
 }
 
 // It may have been told of what it will not take: then another is.
-void ComponentMailbox::leave(const component_host_actor& host) {
+void ComponentMailbox::remove_worker(const component_host_actor& host) {
   std::unique_lock lock(front_.mutex);
-  std::erase(front_.members, host);
+  std::erase(front_.workers, host);
   {
     std::lock_guard back(back_.mutex);
-    std::erase(back_.resting, host);
+    std::erase(back_.idle, host);
   }
   wake_for_what_waits(std::move(lock));
 }
@@ -78,8 +81,8 @@ void ComponentMailbox::leave(const component_host_actor& host) {
 std::optional<ComponentMailbox::Job>
 ComponentMailbox::take(const component_host_actor& host, IfEmpty then) {
   std::lock_guard lock(front_.mutex);
-  const auto& members = front_.members;
-  if (std::find(members.begin(), members.end(), host) == members.end())
+  const auto& workers = front_.workers;
+  if (std::find(workers.begin(), workers.end(), host) == workers.end())
     return std::nullopt;
   if (front_.waiting.empty())
     bring_forward(host, then);
@@ -90,18 +93,23 @@ ComponentMailbox::take(const component_host_actor& host, IfEmpty then) {
   return job;
 }
 
-// What has arrived; where nothing has, the host may rest.
+// What has arrived; where nothing has, the host may go idle.
 void ComponentMailbox::bring_forward(const component_host_actor& host,
                                      IfEmpty then) {
   std::lock_guard lock(back_.mutex);
   front_.waiting.swap(back_.waiting);
-  if (front_.waiting.empty() && then == IfEmpty::rest)
-    back_.resting.push_back(host);
+  if (front_.waiting.empty() && then == IfEmpty::go_idle)
+    back_.idle.push_back(host);
 }
 
 bool ComponentMailbox::empty() const {
   std::scoped_lock lock(front_.mutex, back_.mutex);
   return front_.waiting.empty() && back_.waiting.empty();
+}
+
+std::size_t ComponentMailbox::size() const {
+  std::scoped_lock lock(front_.mutex, back_.mutex);
+  return front_.waiting.size() + back_.waiting.size();
 }
 
 void ComponentMailbox::close(const char* why) {

@@ -1,6 +1,7 @@
-// ComponentMailbox: what waits for a component, in order. Not an actor's own
-// mailbox: it outlives the instances, so that a fresh one goes on where another
-// broke, and several can share it.
+// ComponentMailbox: the messages that wait for a component, in order. It is no
+// actor's own mailbox, because it outlives the instances: a fresh instance goes
+// on where another one broke, and the instances of a pool share it. Owned by
+// the component's services; the routing table holds it, too.
 #pragma once
 
 #include <deque>
@@ -10,7 +11,7 @@
 #include <vector>
 
 #include "actors/protocol/interfaces.hpp"
-#include "runtime/base/message.hpp"
+#include "runtime/message/message.hpp"
 
 namespace parlour::actors {
 
@@ -20,13 +21,12 @@ using SharedMessage = std::shared_ptr<const Message>;
 // Safe to use from any thread.
 class ComponentMailbox {
 public:
-  // More that have arrived are refused; those that an instance has come to are
-  // not counted.
+  // Of messages that no instance has come to yet; further ones are refused.
   static constexpr std::size_t capacity = 10'000;
 
   struct Job {
     SharedMessage message; // never null
-    Work work;
+    InFlight work;
   };
 
   // -- senders ---------------------------------------------------------------
@@ -37,24 +37,26 @@ public:
 
   // -- instances -------------------------------------------------------------
 
-  // Takes part from now on: is sent work_waits when there is something.
-  void join(const component_host_actor& host);
-  // Takes part no more.
-  void leave(const component_host_actor& host);
-  // The next job for a host that takes part. Nothing: one that rests is told
-  // when there is one.
-  enum class IfEmpty : bool { rest, look_again };
+  // This host takes messages from now on. It is sent mailbox_ready when there
+  // is one.
+  void add_worker(const component_host_actor& host);
+  // This host takes no more messages.
+  void remove_worker(const component_host_actor& host);
+  // The next message, for a host that works here. Nothing: the mailbox is
+  // empty, and with IfEmpty::go_idle the host is told when that changes.
+  enum class IfEmpty : bool { go_idle, poll_again };
   std::optional<Job> take(const component_host_actor& host,
-                          IfEmpty then = IfEmpty::rest);
+                          IfEmpty then = IfEmpty::go_idle);
 
-  // It was taken and cannot be done: another does it, before all others.
+  // A host took this message and cannot handle it: another host takes it next.
   void put_back(Job job);
 
   // -- who keeps the component -----------------------------------------------
 
   bool empty() const;
-  // Nothing is taken in any more, for this reason, until it is opened; what
-  // waits can still be taken.
+  std::size_t size() const; // of all that waits
+  // Refuses new messages until open() is called; `why` follows the component's
+  // name in the error. What waits already can still be taken.
   void close(const char* why);
   void open();
   // All that waits.
@@ -68,20 +70,21 @@ private:
   static void wake(const component_host_actor& host);
   void bring_forward(const component_host_actor& host, IfEmpty then);
 
-  // What waits stands at two ends, on cache lines of their own, so that who
-  // puts and who takes seldom meet: when nothing is left in front, all that has
-  // arrived moves there. Who locks both locks the front first.
+  // Two queues, each on a cache line of its own, so that senders and hosts
+  // seldom wait for each other's lock: senders append to the back, hosts take
+  // from the front, and when the front is empty the whole back moves there.
+  // Whoever needs both locks takes the front's first.
   static constexpr std::size_t cache_line = 64;
   struct alignas(cache_line) Back {
     mutable std::mutex mutex;
     std::deque<Job> waiting;
-    std::vector<component_host_actor> resting;
+    std::vector<component_host_actor> idle;
     const char* closed = nullptr; // why
   };
   struct alignas(cache_line) Front {
     mutable std::mutex mutex;
     std::deque<Job> waiting;
-    std::vector<component_host_actor> members;
+    std::vector<component_host_actor> workers;
   };
   Back back_;
   Front front_;

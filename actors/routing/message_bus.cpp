@@ -10,7 +10,7 @@ namespace {
 
 // As ComponentMailbox::put says.
 const char* put(const Target& target, ComponentMailbox::Job& job) {
-  if (!target.branches)
+  if (!target.by_session)
     return target.mailbox->put(job);
   const auto mailbox = target.mailbox_of(job.message->session);
   return mailbox ? mailbox->put(job) : "has no instance for that session";
@@ -28,6 +28,14 @@ Message failure_answer(const std::string& component, const Message& message,
   event.correlation = message.correlation;
   event.rounds = message.rounds + 1;
   return event;
+}
+
+std::optional<Message> answer_for_failed(const std::string& component,
+                                         const Message& message,
+                                         const std::string& reason) {
+  if (message.correlation == 0)
+    return std::nullopt;
+  return failure_answer(component, message, reason);
 }
 
 // -- the node -----------------------------------------------------------------
@@ -84,55 +92,82 @@ bool MessageBus::is_heard(const Message& message) const {
 
 // -- messages -----------------------------------------------------------------
 
-void MessageBus::publish(Message&& message, Timestamp now, Work held) {
-  if (time_.gate.keeps_out())
+// In virtual time another thread than the node's must wait for its turn: the
+// message is queued, and its token is one of its own.
+void MessageBus::publish(Message&& message, Timestamp now, InFlight held) {
+  if (time_.main_thread.defers())
     return publish(std::vector{std::move(message)});
-  std::vector<Message> rest;
-  carry(std::move(message), now, held, rest);
-  pass_to_centre(std::move(rest));
+  std::vector<Message> for_sessions;
+  Way way{now, for_sessions, nullptr, std::move(held)};
+  carry(std::move(message), way);
+  pass_to_centre(std::move(for_sessions));
 }
 
 void MessageBus::publish(std::vector<Message> messages) {
-  time_.gate.enter([this, messages = std::move(messages),
-                    waits = time_.work.begin()]() mutable {
+  time_.main_thread.post([this, messages = std::move(messages),
+                          waits = time_.work.begin()]() mutable {
     pass_to_centre(route(std::move(messages)));
   });
 }
 
+// Not routed here: who watches the node may call this from a tap, and the
+// centre's mailbox keeps the order.
 void MessageBus::bring_in(std::vector<Message> messages) {
-  time_.gate.enter([this, messages = std::move(messages),
-                    waits = time_.work.begin()]() mutable {
+  time_.main_thread.post([this, messages = std::move(messages),
+                          waits = time_.work.begin()]() mutable {
     if (centre_)
       caf::anon_send(centre_, actors::publish{std::move(messages), waits});
   });
 }
 
 std::vector<Message> MessageBus::route(std::vector<Message> messages) {
-  std::vector<Message> rest;
-  Work held;
-  for (auto& message : messages)
-    carry(std::move(message), time_.now(), held, rest);
-  return rest;
+  std::vector<Message> for_sessions;
+  Way way{0, for_sessions};
+  for (auto& message : messages) {
+    way.now = time_.now();
+    carry(std::move(message), way);
+  }
+  return for_sessions;
 }
 
-void MessageBus::carry(Message&& message, Timestamp now, Work& held,
-                       std::vector<Message>& rest, Answers answers) {
+std::vector<Message> MessageBus::route(Message message, InlineCaller& caller) {
+  std::vector<Message> for_sessions;
+  Way way{time_.now(), for_sessions, &caller};
+  carry(std::move(message), way);
+  return for_sessions;
+}
+
+void MessageBus::carry(Message&& message, Way& way, int depth,
+                       Answers answers) {
   const auto current = table();
   if (!current)
-    return; // the house is down
-  auto routed = current->route(std::move(message), now);
+    return; // the node is down
+  auto routed = current->route(std::move(message), way.now);
   unreached(routed);
-  for (auto& [target, sent] : routed.deliveries) {
-    if (!held)
-      held = time_.work.begin();
-    auto answer = hand_over(*target, {std::move(sent), std::move(held)});
-    if (answer && answers == Answers::yes)
-      carry(std::move(*answer), now, held, rest, Answers::no);
-  }
-  if (routed.rest)
-    rest.push_back(std::move(*routed.rest));
+  for (auto& delivery : routed.deliveries)
+    deliver(delivery, way, depth, answers);
+  if (routed.for_session)
+    way.for_sessions.push_back(std::move(*routed.for_session));
 }
 
+// Each message is answered once: by its component, or for it.
+void MessageBus::deliver(Delivery& delivery, Way& way, int depth,
+                         Answers answers) {
+  auto& [target, sent] = delivery;
+  if (way.caller && target->direct && depth < inline_depth) {
+    for (auto& event : way.caller->call(*target, *sent))
+      carry(std::move(event), way, depth + 1, answers);
+    return;
+  }
+  if (!way.held)
+    way.held = time_.work.begin();
+  auto answer = hand_over(*target, {std::move(sent), std::move(way.held)});
+  if (answer && answers == Answers::yes)
+    carry(std::move(*answer), way, depth + 1, Answers::no);
+}
+
+// Sessions get their messages by one actor, so that all senders' messages have
+// one order.
 void MessageBus::pass_to_centre(std::vector<Message> messages) {
   if (!messages.empty() && centre_)
     caf::anon_send(centre_,
@@ -146,16 +181,16 @@ std::optional<Message> MessageBus::hand_over(const Target& target,
     return std::nullopt;
   const auto reason = target.name + " " + why;
   unhandled(*job.message, reason);
-  if (job.message->correlation == 0)
-    return std::nullopt;
-  return failure_answer(target.name, *job.message, reason);
+  return answer_for_failed(target.name, *job.message, reason);
 }
 
-void MessageBus::retire(session_actor session, Work work) {
+void MessageBus::retire(session_actor session, InFlight work) {
   caf::anon_send(centre_, actors::retire{std::move(session), std::move(work)});
 }
 
-bool MessageBus::ask(Message question, const Work& work) {
+// A refusal needs no answer here: the caller fails at once where nobody took
+// it.
+bool MessageBus::ask(Message question, const InFlight& work) {
   auto routed = table()->route(std::move(question));
   bool taken = false;
   for (auto& [target, sent] : routed.deliveries)

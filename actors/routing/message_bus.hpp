@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "actors/protocol/interfaces.hpp"
-#include "actors/routing/query_claims.hpp"
+#include "actors/routing/reply_registry.hpp"
 #include "actors/routing/routing_table.hpp"
 #include "actors/routing/shared_table.hpp"
 #include "actors/support/node_time.hpp"
@@ -20,13 +20,22 @@
 
 namespace parlour::actors {
 
-// The event that answers a message whose component failed.
+// The event by which a component's failure answers a message.
 Message failure_answer(const std::string& component, const Message& message,
                        const std::string& reason);
+// The same for who waits for an answer; nothing where nobody does.
+std::optional<Message> answer_for_failed(const std::string& component,
+                                         const Message& message,
+                                         const std::string& reason);
 
-// Where even the answer for a component that failed is for one that failed,
-// nobody is answered again, however the routes lead.
-enum class Answers : bool { no, yes };
+// Who calls components that answer in the caller's own turn (engine rule 1.2).
+class InlineCaller {
+public:
+  virtual ~InlineCaller() = default;
+  // The events that it answers with; `target.direct` is not null.
+  virtual std::vector<Message> call(const Target& target,
+                                    const Message& message) = 0;
+};
 
 // Safe to use from any thread once the node has started.
 class MessageBus {
@@ -52,7 +61,7 @@ public:
   // Who fills which role from now on, in order of preference; the supervisor
   // says so.
   void set_targets(std::vector<Target> targets);
-  // What senders apply; null when the house is down.
+  // What senders apply; null when the node is down.
   SharedTable::Pointer table() const {
     return table_.load();
   }
@@ -68,7 +77,7 @@ public:
   // into the components' mailboxes; by the message centre what sessions get.
   // `held` may be none; what comes of the message takes it, so that it need not
   // be counted anew.
-  void publish(Message&& message, Timestamp now, Work held);
+  void publish(Message&& message, Timestamp now, InFlight held);
   // Messages that happened together.
   void publish(std::vector<Message> messages);
   // Messages from outside that happened together: all of it by the message
@@ -76,6 +85,11 @@ public:
   void bring_in(std::vector<Message> messages);
   // Stamped and routed, in this order; returned is what sessions get.
   std::vector<Message> route(std::vector<Message> messages);
+  // The same for one message in the turn of a session, which calls inline
+  // components itself, and theirs in turn; so many deep at most: what goes
+  // deeper goes by mailbox.
+  static constexpr int inline_depth = 8;
+  std::vector<Message> route(Message message, InlineCaller& caller);
   // Puts it into the component's mailbox. Where that does not take it, it is
   // counted and shown as unhandled; returned is the event that answers it, if
   // it waits for one.
@@ -83,16 +97,20 @@ public:
                                    ComponentMailbox::Job job);
   // The centre lets a session go that nobody finds any more, once it has what
   // was sent to it before.
-  void retire(session_actor session, Work work);
+  void retire(session_actor session, InFlight work);
 
   // -- questions -------------------------------------------------------------
 
   // Sends a question by the table, as every sender may (engine rule 1); false
   // where nobody is there to take it.
-  bool ask(Message question, const Work& work);
+  bool ask(Message question, const InFlight& work);
   // Whose the answers are.
-  QueryClaims& claims() {
-    return claims_;
+  ReplyRegistry& replies() {
+    return replies_;
+  }
+
+  Observer& observer() {
+    return observer_;
   }
 
   // -- what goes wrong -------------------------------------------------------
@@ -108,8 +126,19 @@ public:
 private:
   RoutingTable::Parts parts(std::shared_ptr<const script::Program> program,
                             Aliases aliases);
-  void carry(Message&& message, Timestamp now, Work& held,
-             std::vector<Message>& rest, Answers answers = Answers::yes);
+  // On the way of one message and of all that answers it at once.
+  struct Way {
+    Timestamp now = 0;
+    std::vector<Message>& for_sessions; // what sessions get
+    InlineCaller* caller = nullptr;
+    InFlight held = {}; // for the next delivery; may be none
+  };
+  // Where even the answer for a component that failed is for one that failed,
+  // nobody is answered again, however the routes lead.
+  enum class Answers : bool { no, yes };
+  void carry(Message&& message, Way& way, int depth = 0,
+             Answers answers = Answers::yes);
+  void deliver(Delivery& delivery, Way& way, int depth, Answers answers);
   void pass_to_centre(std::vector<Message> messages);
 
   NodeTime& time_;
@@ -117,7 +146,7 @@ private:
   // What every table has in common; without targets.
   const RoutingTable::Parts parts_;
   SharedTable table_;
-  QueryClaims claims_;
+  ReplyRegistry replies_;
   message_centre_actor centre_;
 };
 

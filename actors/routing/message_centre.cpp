@@ -4,6 +4,9 @@
 
 #include <caf/typed_event_based_actor.hpp>
 
+#include "actors/support/actor_trace.hpp"
+#include "actors/support/tell_status.hpp"
+
 namespace parlour::actors {
 
 namespace {
@@ -14,20 +17,25 @@ using Self = message_centre_actor::stateful_pointer<message_centre_state>;
 struct Batch {
   SessionId session;
   std::vector<Message> messages;
+  // A message for all sessions goes by the manager. What follows takes the same
+  // way, so that no session gets it earlier.
+  bool by_manager = false;
 };
 
-void flush(Self self, Batch& batch, const Work& work) {
+void flush(Self self, Batch& batch, const InFlight& work) {
   if (batch.messages.empty())
     return;
   auto messages = std::exchange(batch.messages, {});
-  if (auto session = self->state.sessions->find(batch.session))
+  batch.by_manager |= batch.session.empty();
+  if (auto session = self->state.sessions->find(batch.session);
+      session && !batch.by_manager)
     self->send(session, deliver{std::move(messages), work});
   else
     self->send(self->state.manager, forward{std::move(messages), work});
 }
 
-void add(Self self, Batch& batch, Message message, const Work& work) {
-  if (auto query = self->state.bus->claims().take(message.correlation)) {
+void add(Self self, Batch& batch, Message message, const InFlight& work) {
+  if (auto query = self->state.bus->replies().take(message.correlation)) {
     self->send(query, component_event{std::move(message), work});
     return;
   }
@@ -37,7 +45,12 @@ void add(Self self, Batch& batch, Message message, const Work& work) {
   batch.messages.push_back(std::move(message));
 }
 
-void give(Self self, std::vector<Message> messages, const Work& work) {
+std::string counted(const Counters& counters) {
+  return std::to_string(counters.messages()) + " messages routed, " +
+         std::to_string(counters.unhandled) + " taken by nobody";
+}
+
+void give(Self self, std::vector<Message> messages, const InFlight& work) {
   Batch batch;
   for (auto& message : messages)
     add(self, batch, std::move(message), work);
@@ -51,7 +64,8 @@ message_centre_actor::behavior_type message_centre(
     MessageBus* bus, const SessionDirectory* sessions,
     session_manager_actor manager) {
   self->state = {bus, sessions, std::move(manager)};
-  return {
+  return traced<message_centre_actor::behavior_type>(
+      ActorTrace(bus->observer(), message_centre_state::name, ""),
       [=](publish& what) {
         give(self, bus->route(std::move(what.messages)), what.work);
       },
@@ -59,7 +73,9 @@ message_centre_actor::behavior_type message_centre(
         give(self, std::move(what.messages), what.work);
       },
       [=](const retire& what) { self->send(what.session, leave{what.work}); },
-  };
+      [=](const get_status& what) {
+        return tell_status(self, what, {{}, counted(bus->counters())});
+      });
 }
 
 } // namespace parlour::actors

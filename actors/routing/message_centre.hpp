@@ -1,7 +1,7 @@
 // The message centre (paper III.A; engine rule 1): its table, which every
 // sender applies itself (routing_table.hpp, MessageBus::publish), and this
 // actor, which gives to sessions what they get, and to queries what they asked
-// for. What comes from outside of the house it routes as well.
+// for. What comes from outside of the node it routes as well.
 #pragma once
 
 #include "actors/routing/message_bus.hpp"

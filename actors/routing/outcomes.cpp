@@ -21,22 +21,27 @@ std::optional<ErrorKind> kind_of(const Message& event) {
   return std::nullopt;
 }
 
-} // namespace
-
-Expected<ResultSet> outcome_of(const Message& event) {
-  const Value first = event.params.empty() ? Value() : event.params[0];
-  if (event.command == "Result") {
-    if (auto rows = first.if_result())
-      return *rows;
-    return ResultSet{};
-  }
-  return tl::make_unexpected(error_of(event));
-}
-
 Error error_of(const Message& event) {
   auto reason =
       event.params.empty() ? event.command : event.params.back().text();
   return {kind_of(event).value_or(ErrorKind::database), std::move(reason), {}};
+}
+
+} // namespace
+
+Expected<Value> outcome_of(const Message& event) {
+  if (event.command != "Result")
+    return tl::make_unexpected(error_of(event));
+  const bool has_rows = !event.params.empty() && event.params[0].if_result();
+  return has_rows ? event.params[0] : Value(ResultSet{});
+}
+
+Error refusal_of(const RoutingTable& table, const Message& event) {
+  auto error = error_of(event);
+  if (!table.is_source("Database", event.source))
+    error.kind = ErrorKind::refused;
+  error.message = event.source + ": " + error.message;
+  return error;
 }
 
 } // namespace parlour::actors

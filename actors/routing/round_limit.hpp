@@ -10,7 +10,7 @@
 #include <mutex>
 
 #include "runtime/base/clock.hpp"
-#include "runtime/base/message.hpp"
+#include "runtime/message/message.hpp"
 
 namespace parlour::actors {
 

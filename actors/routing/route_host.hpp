@@ -2,7 +2,7 @@
 // else (engine rule 1b).
 #pragma once
 
-#include "runtime/base/message.hpp"
+#include "runtime/message/message.hpp"
 #include "script/program/computing_host.hpp"
 
 namespace parlour::actors {

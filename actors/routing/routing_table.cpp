@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "actors/routing/route_host.hpp"
-#include "runtime/base/replies.hpp"
-#include "runtime/base/roles.hpp"
+#include "runtime/message/replies.hpp"
+#include "runtime/message/roles.hpp"
 
 namespace parlour::actors {
 
@@ -23,18 +23,18 @@ bool any_of(const std::vector<script::Reaction>& reactions,
 } // namespace
 
 bool Target::is_up(const SessionId& session) const {
-  if (!branches)
+  if (!by_session)
     return *up;
-  const auto branch = branches->find(session);
-  return branch && *branch->up;
+  const auto instance = by_session->find(session);
+  return instance && *instance->up;
 }
 
 std::shared_ptr<ComponentMailbox>
 Target::mailbox_of(const SessionId& session) const {
-  if (!branches)
+  if (!by_session)
     return mailbox;
-  const auto branch = branches->find(session);
-  return branch ? branch->mailbox : nullptr;
+  const auto instance = by_session->find(session);
+  return instance ? instance->mailbox : nullptr;
 }
 
 RoutingTable::RoutingTable(Parts parts)
@@ -44,6 +44,7 @@ RoutingTable::RoutingTable(Parts parts)
 
 // -- names --------------------------------------------------------------------
 
+// The role that an alias stands for; any other name stays as it is.
 std::string_view RoutingTable::role(std::string_view name) const {
   auto found = parts_.aliases.find(name);
   return found == parts_.aliases.end() ? name : std::string_view(found->second);
@@ -94,6 +95,7 @@ bool RoutingTable::is_source(std::string_view module,
          std::count(target->roles.begin(), target->roles.end(), role(module));
 }
 
+// An event that nobody has described counts as an answer.
 Reply RoutingTable::reply_to_request(const Message& event) const {
   const auto* target = named(event.source);
   const auto known =
@@ -125,16 +127,20 @@ bool RoutingTable::is_listened_to(const Message& message) const {
   for (const auto& handler : program.handlers)
     if (any_of(handler.reactions, *this, message))
       return true;
+  const bool tells_of_agent =
+      message.source == "System" &&
+      (message.command == "AgentOnline" || message.command == "AgentOffline");
   for (const auto& state : program.states)
-    if (any_of(state.messages, *this, message))
+    if (any_of(state.messages, *this, message) ||
+        (tells_of_agent && (!state.online.empty() || !state.offline.empty())))
       return true;
   return false;
 }
 
-bool RoutingTable::has_branches() const {
+bool RoutingTable::has_instances_by_session() const {
   return std::any_of(
       parts_.targets.begin(), parts_.targets.end(),
-      [](const Target& target) { return target.branches != nullptr; });
+      [](const Target& target) { return target.by_session != nullptr; });
 }
 
 // -- a message's way (engine rule 1) ------------------------------------------
@@ -150,7 +156,7 @@ Routed RoutingTable::route(Message&& message, Timestamp now) const {
     return routed;
   if (message.sinks.empty()) {
     tap(message, message.session.empty() ? "every session" : "session");
-    routed.rest = std::move(message);
+    routed.for_session = std::move(message);
     return routed;
   }
   const auto shared = std::make_shared<const Message>(std::move(message));
@@ -162,6 +168,7 @@ Routed RoutingTable::route(Message&& message, Timestamp now) const {
   return routed;
 }
 
+// Numbers are unique in a node; the order of two threads' messages is theirs.
 void RoutingTable::stamp(Message& message, Timestamp now) const {
   message.time = now;
   message.number = ++parts_.counters->numbers;
@@ -232,6 +239,7 @@ Value RoutingTable::evaluate(script::CodeId code,
   return {};
 }
 
+// A copy is routed no further: relays lead straight to components.
 void RoutingTable::send_copies(const script::Route& route,
                                const Message& message, Routed& routed) const {
   for (const auto& to : route.to) {
@@ -242,6 +250,7 @@ void RoutingTable::send_copies(const script::Route& route,
   }
 }
 
+// A copy is one round further from what came from outside (round_limit.hpp).
 Message RoutingTable::copy_for(const script::Route& route,
                                const Message& message,
                                const std::string& to) const {
@@ -260,6 +269,7 @@ Message RoutingTable::copy_for(const script::Route& route,
   return copy;
 }
 
+// One message object is shared by all who get it.
 void RoutingTable::deliver(const SharedMessage& message, const std::string& to,
                            Routed& routed) const {
   bool nobody = true;

@@ -14,18 +14,20 @@
 #include <vector>
 
 #include "actors/protocol/interfaces.hpp"
-#include "actors/routing/branches.hpp"
 #include "actors/routing/component_mailbox.hpp"
+#include "actors/routing/instance_list.hpp"
 #include "actors/routing/round_limit.hpp"
 #include "runtime/base/clock.hpp"
-#include "runtime/base/message.hpp"
-#include "runtime/base/roles.hpp"
+#include "runtime/message/message.hpp"
+#include "runtime/message/roles.hpp"
 #include "runtime/plugin/plugin.hpp"
 #include "script/run/interpreter_pool.hpp"
 
 namespace parlour::actors {
 
-// One component as the table knows it.
+// One component as the table knows it. Copied from table to table; what it
+// points to is shared with the supervisor, which changes it (all of it is safe
+// from any thread).
 struct Target {
   std::string name;
   std::vector<std::string> roles;
@@ -36,7 +38,7 @@ struct Target {
   std::shared_ptr<const std::atomic<bool>> up;
   // Where each seat or session has its own: those of the sessions, and the
   // three above are null.
-  std::shared_ptr<const Branches> branches = nullptr;
+  std::shared_ptr<const InstanceList> by_session = nullptr;
   std::vector<RoleEvent> events = {}; // of its own
 
   // For messages of that session.
@@ -56,10 +58,10 @@ struct Unreached {
   SharedMessage message;
 };
 
-// Where a message goes.
+// Where a message goes: to components, to its session, or to nobody.
 struct Routed {
   std::vector<Delivery> deliveries;
-  std::optional<Message> rest; // what its session gets
+  std::optional<Message> for_session; // what its session gets
   std::vector<Unreached> unreached;
 };
 
@@ -126,7 +128,7 @@ public:
   // Whether a handler or a state of the program takes such a message.
   bool is_listened_to(const Message& message) const;
   // Whether a component has an instance for each seat or session.
-  bool has_branches() const;
+  bool has_instances_by_session() const;
 
   Counters& counters() const {
     return *parts_.counters;

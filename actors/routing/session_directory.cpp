@@ -21,6 +21,7 @@ void SessionDirectory::clear() {
   sessions_.clear();
 }
 
+// Readers share the lock: every delivery to a session asks here.
 session_actor SessionDirectory::find(const SessionId& id) const {
   std::shared_lock lock(mutex_);
   auto found = sessions_.find(id);
@@ -32,6 +33,15 @@ std::vector<session_actor> SessionDirectory::all() const {
   std::vector<session_actor> result;
   for (const auto& [id, entry] : sessions_)
     result.push_back(entry.session);
+  return result;
+}
+
+std::vector<std::pair<SessionId, session_actor>>
+SessionDirectory::all_by_id() const {
+  std::shared_lock lock(mutex_);
+  std::vector<std::pair<SessionId, session_actor>> result;
+  for (const auto& [id, entry] : sessions_)
+    result.emplace_back(id, entry.session);
   return result;
 }
 

@@ -20,6 +20,7 @@ public:
   // Null where there is none.
   session_actor find(const SessionId& id) const;
   std::vector<session_actor> all() const;
+  std::vector<std::pair<SessionId, session_actor>> all_by_id() const;
   // Each with its seat.
   std::vector<std::pair<SessionId, seat_actor>> seats() const;
   seat_actor seat_of(const SessionId& id) const;

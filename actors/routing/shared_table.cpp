@@ -13,14 +13,14 @@ std::size_t number_of_thread() {
 } // namespace
 
 void SharedTable::store(const Pointer& table) {
-  for (auto& place : places_) {
+  for (auto& copy : copies_) {
     const auto holder = std::make_shared<const Holder>(Holder{table});
-    place.table.store(Pointer(holder, holder->table.get()));
+    copy.table.store(Pointer(holder, holder->table.get()));
   }
 }
 
 SharedTable::Pointer SharedTable::load() const {
-  return places_[number_of_thread() % places_.size()].table.load();
+  return copies_[number_of_thread() % copies_.size()].table.load();
 }
 
 } // namespace parlour::actors

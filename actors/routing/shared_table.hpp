@@ -20,7 +20,7 @@ public:
   // For who stores one after the other. A thread sees each table in its turn;
   // while one is stored, some see it earlier than others.
   void store(const Pointer& table);
-  // Null before the first one, and when the house is down.
+  // Null before the first one, and when the node is down.
   Pointer load() const;
 
 private:
@@ -28,10 +28,10 @@ private:
   struct alignas(cache_line) Holder {
     Pointer table;
   };
-  struct alignas(cache_line) Place {
+  struct alignas(cache_line) Copy {
     std::atomic<Pointer> table;
   };
-  std::array<Place, 16> places_;
+  std::array<Copy, 16> copies_;
 };
 
 } // namespace parlour::actors

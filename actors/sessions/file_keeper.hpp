@@ -4,17 +4,18 @@
 // that of the waiting scripts, each with a thread.
 #pragma once
 
-#include "actors/protocol/interfaces.hpp"
+#include "actors/support/actor_trace.hpp"
 
 namespace parlour::actors {
 
 struct file_keeper_state {
   static inline const char* name = "file_keeper";
+  std::string last_error;
 };
 
 // `files` may be empty: this run has none.
 file_keeper_actor::behavior_type
 file_keeper(file_keeper_actor::stateful_pointer<file_keeper_state> self,
-            FileAccess files);
+            FileAccess files, ActorTrace trace);
 
 } // namespace parlour::actors

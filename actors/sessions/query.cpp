@@ -5,6 +5,8 @@
 #include <caf/typed_event_based_actor.hpp>
 
 #include "actors/routing/outcomes.hpp"
+#include "actors/support/actor_trace.hpp"
+#include "actors/support/tell_status.hpp"
 
 namespace parlour::actors {
 
@@ -31,15 +33,16 @@ Message as_message(const QueryOrder& order, Correlation correlation) {
   return message;
 }
 
+// The session's token begins before this actor, and its due time, goes.
 void finish(Self self, const session_actor& session, std::uint64_t id,
-            Expected<ResultSet> outcome) {
+            Expected<Value> outcome) {
   auto work = self->state.time->work.begin();
   self->send(session, query_outcome{id, std::move(outcome), std::move(work)});
   self->quit();
 }
 
 // Nobody knows what became of a commit that was not answered.
-Expected<ResultSet> silence_of(dialogue::QueryRequest::Kind kind) {
+Expected<Value> silence_of(dialogue::QueryRequest::Kind kind) {
   if (kind == dialogue::QueryRequest::Kind::commit)
     return fail(ErrorKind::in_doubt, "the database did not answer in time; "
                                      "whether the transaction is kept is not "
@@ -51,7 +54,7 @@ Expected<ResultSet> silence_of(dialogue::QueryRequest::Kind kind) {
 
 query_state::~query_state() {
   if (bus)
-    bus->claims().forget(correlation);
+    bus->replies().forget(correlation);
 }
 
 query_actor::behavior_type
@@ -61,20 +64,27 @@ query(query_actor::stateful_pointer<query_state> self, NodeTime* time,
   state.time = time;
   state.bus = bus;
   state.ticket = DueTicket(time->due_times, order.due);
-  state.correlation = bus->claims().claim(query_actor(self));
+  state.correlation = bus->replies().add(query_actor(self));
   self->delayed_send(self, order.timeout, give_up{});
   const auto id = order.request.id;
   if (!bus->ask(as_message(order, state.correlation), order.work))
     finish(self, session, id,
            fail(ErrorKind::offline, "no database component is there"));
-  return {
+  return traced<query_actor::behavior_type>(
+      ActorTrace(bus->observer(), query_state::name, std::to_string(id),
+                 order.session_id),
       [=](const component_event& what) {
         finish(self, session, id, outcome_of(what.event));
       },
       [=](const give_up&) {
         finish(self, session, id, silence_of(order.request.kind));
       },
-  };
+      [=](const get_status& what) {
+        return tell_status(
+            self, what,
+            {std::to_string(id),
+             "waits for " + std::string(command_of(order.request.kind))});
+      });
 }
 
 } // namespace parlour::actors

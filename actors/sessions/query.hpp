@@ -1,5 +1,6 @@
-// A query: asks the database component, waits for its answer, no longer than
-// the time it is given, and tells the session. Never holds a thread.
+// A query: asks the database component, waits for its answer no longer than its
+// timeout, tells the session, and quits. While it waits it holds no thread: it
+// is an actor with an empty mailbox.
 #pragma once
 
 #include "actors/routing/message_bus.hpp"
@@ -22,7 +23,7 @@ struct QueryOrder {
   dialogue::QueryRequest request;
   Milliseconds timeout{0};
   DueTimes::Id due = 0;
-  Work work; // until the component has been asked
+  InFlight work; // until the component has been asked
 };
 
 query_actor::behavior_type

@@ -2,17 +2,23 @@
 
 #include <caf/typed_event_based_actor.hpp>
 
-#include "actors/support/thrown.hpp"
+#include "actors/support/actor_trace.hpp"
+#include "actors/support/exception_text.hpp"
+#include "actors/support/tell_status.hpp"
 
 namespace parlour::actors {
 
+// Foreign code is called here: what it throws must not end the seat, and once
+// the node is left behind nobody is called at all.
 seat_actor::behavior_type seat(seat_actor::stateful_pointer<seat_state> self,
                                SeatParts parts, SeatCalls calls) {
-  return {
+  return traced<seat_actor::behavior_type>(
+      ActorTrace(*parts.observer, seat_state::name, parts.name),
       [=](const say& what) {
         if (parts.time->left_behind)
           return;
-        const auto reason = thrown_by([&] {
+        self->state.session = what.session;
+        const auto reason = catch_to_string([&] {
           if (calls.on_say)
             calls.on_say(what.session, *what.output);
         });
@@ -22,9 +28,11 @@ seat_actor::behavior_type seat(seat_actor::stateful_pointer<seat_state> self,
           self->send(session, output_done{what.output->id, !reason, what.work});
       },
       [=](const session_over& what) {
+        if (self->state.session == what.session)
+          self->state.session.clear();
         if (!calls.on_over)
           return;
-        if (auto reason = thrown_by([&] { calls.on_over(what.session); }))
+        if (auto reason = catch_to_string([&] { calls.on_over(what.session); }))
           parts.observer->log("a seat did not take its session's end: " +
                               *reason);
       },
@@ -32,7 +40,13 @@ seat_actor::behavior_type seat(seat_actor::stateful_pointer<seat_state> self,
         if (calls.on_next)
           calls.on_next(what.session);
       },
-  };
+      [=](const get_status& what) {
+        const auto& session = self->state.session;
+        return tell_status(self, what,
+                           {parts.name, session.empty()
+                                            ? "waits"
+                                            : "shows session " + session});
+      });
 }
 
 } // namespace parlour::actors

@@ -11,6 +11,7 @@ namespace parlour::actors {
 
 struct seat_state {
   static inline const char* name = "seat";
+  SessionId session; // that spoke here last; empty: it is over
 };
 
 // Called on the seat's own actor thread, one at a time. What they throw is
@@ -26,6 +27,7 @@ struct SeatParts {
   const NodeTime* time = nullptr;
   Observer* observer = nullptr;
   const SessionDirectory* sessions = nullptr;
+  std::string name = {};
 };
 
 seat_actor::behavior_type seat(seat_actor::stateful_pointer<seat_state> self,

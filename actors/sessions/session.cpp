@@ -1,10 +1,13 @@
 #include "actors/sessions/session.hpp"
 
+#include <cassert>
 #include <utility>
 
 #include <caf/typed_event_based_actor.hpp>
 
-#include "actors/support/thrown.hpp"
+#include "actors/support/actor_trace.hpp"
+#include "actors/support/exception_text.hpp"
+#include "actors/support/tell_status.hpp"
 
 namespace parlour::actors {
 
@@ -16,42 +19,95 @@ Timestamp now(Self self) {
   return self->state.time->now();
 }
 
+dialogue::Conversation& conversation_of(Self self) {
+  return self->state.dialogue->conversation();
+}
+
+SessionPort& port_of(Self self) {
+  return self->state.dialogue->port();
+}
+
+ActorTrace trace_of(Self self) {
+  const auto& id = port_of(self).id();
+  return {self->state.parts->observer, session_state::name, id, id};
+}
+
+std::string doing_of(const session_state& state) {
+  const auto& conversation = state.dialogue->conversation();
+  if (conversation.ended())
+    return "has ended";
+  const std::string at =
+      conversation.state().empty() ? "" : " in state " + conversation.state();
+  if (conversation.awaiting_frame())
+    return "waits for a topic's frame" + at;
+  if (conversation.has_work())
+    return "takes what has come" + at;
+  return (conversation.waits_for_answer() ? "waits for an answer" : "waits") +
+         at;
+}
+
+status_told tell_session_status(Self self, const get_status& what) {
+  const auto& port = port_of(self);
+  return tell_status(
+      self, what,
+      {port.id(), doing_of(self->state), port.last_error(), port.children()});
+}
+
+slot_told tell_slot(Self self, const get_slot& what) {
+  return {conversation_of(self).slot_value(what.topic, what.slot)};
+}
+
+state_told tell_state(Self self) {
+  return {conversation_of(self).state()};
+}
+
 // Between its end and the moment when nobody can find it any more: what still
 // comes may be the seat's next session's.
 session_actor::behavior_type over(Self self) {
-  return {
-      [](const begin_session&) {},
+  return traced<session_actor::behavior_type>(
+      trace_of(self), [](const begin_session&) {},
       [=](const deliver& what) {
         self->send(self->state.parts->manager,
                    forward{what.messages, what.work});
       },
-      [](const take_step&) {},
-      [](const timer_due&) {},
-      [](const query_outcome&) {},
-      [](const file_outcome&) {},
-      [](const component_outcome&) {},
-      [](const socket_told&) {},
-      [](const output_done&) {},
-      [=](const look& what) { what.at(*self->state.conversation); },
-      [](const end_session&) {},
-      [=](const leave&) { self->quit(); },
-  };
+      [](const take_step&) {}, [](const timer_due&) {},
+      [](const query_outcome&) {}, [](const file_outcome&) {},
+      [](const socket_told&) {}, [](const output_done&) {},
+      [=](const get_slot& what) { return tell_slot(self, what); },
+      [=](const get_state&) { return tell_state(self); },
+      [](const end_session&) {}, [=](const leave&) { self->quit(); },
+      [=](const get_status& what) { return tell_session_status(self, what); });
 }
 
+// Only a change is told: the tracker counts sessions that wait.
 void tell_waiting(session_state& state, bool waits) {
   if (std::exchange(state.waits, waits) != waits)
     state.time->work.session_waits(waits);
+}
+
+// False where that ends the session.
+bool finish_input(Self self) {
+  const auto& finish = self->state.parts->after_input;
+  if (!finish)
+    return true;
+  const auto outcome = finish(*self->state.dialogue, now(self));
+  if (!outcome)
+    self->quit(
+        caf::make_error(caf::sec::runtime_error, to_string(outcome.error())));
+  return outcome.has_value();
 }
 
 // After each input: steps are taken one at a time through the mailbox, so that
 // whatever has arrived is queued before the next (engine rule 3).
 void go_on(Self self) {
   auto& state = self->state;
-  auto& conversation = *state.conversation;
+  if (!finish_input(self))
+    return;
+  auto& conversation = conversation_of(self);
   if (conversation.ended()) {
     tell_waiting(state, false);
-    state.port->close(state.asked_to_end ? std::vector<Message>()
-                                         : conversation.take_unread());
+    port_of(self).close(state.asked_to_end ? std::vector<Message>()
+                                           : conversation.take_unread());
     self->become(over(self));
     return;
   }
@@ -63,104 +119,97 @@ void go_on(Self self) {
   self->send(self, take_step{state.time->work.begin()});
 }
 
+// Session.Started is handled, up to the opening prompt.
 void begin(Self self) {
-  self->state.conversation->open(now(self));
+  conversation_of(self).open(now(self));
   go_on(self);
 }
 
 // Where components have an instance for each session, what this one says to
 // them from its first word on is to find its own.
-void settle_and_begin(Self self, const SessionId& id, const Work& work) {
+void settle_and_begin(Self self, const SessionId& id, const InFlight& work) {
   const auto& parts = *self->state.parts;
-  if (!parts.bus.table()->has_branches())
+  if (!parts.bus.table()->has_instances_by_session())
     return begin(self);
   self->request(parts.supervisor, caf::infinite, session_begins{id, work})
-      .await([=](const session_settled&) { begin(self); },
-             [=](const caf::error&) { begin(self); }); // the house stops
+      .await([self, held = work](const session_settled&) { begin(self); },
+             [=](const caf::error&) { begin(self); }); // the node stops
 }
 
 void take_one_step(Self self) {
   auto& state = self->state;
+  assert(state.stepping && "only a session asks itself for a step");
   state.stepping = false;
-  if (!state.conversation->awaiting_frame())
-    state.conversation->step(now(self));
+  if (!conversation_of(self).awaiting_frame())
+    conversation_of(self).step(now(self));
   go_on(self);
 }
 
+// Messages are queued and not handled here: the conversation decides at its
+// next step which one is its turn (engine rule 3).
 void queue(Self self, const deliver& what) {
   for (const auto& message : what.messages)
-    self->state.conversation->receive(message);
+    conversation_of(self).receive(message);
   go_on(self);
+}
+
+// The frame's answer is awaited: CAF keeps all other messages back until then.
+void expect_input(Self self) {
+  assert(!conversation_of(self).awaiting_frame());
+  (void)self;
 }
 
 void hear_timer(Self self, const timer_due& what) {
-  self->state.port->timer_is_over(what.id);
-  self->state.conversation->timer_fired(what.id, now(self));
+  expect_input(self);
+  port_of(self).timer_is_over(what.id);
+  conversation_of(self).timer_fired(what.id, now(self));
   go_on(self);
 }
 
 void hear_query(Self self, const query_outcome& what) {
-  self->state.port->query_is_over(what.id);
-  self->state.conversation->query_answered(what.id, what.outcome, now(self));
+  expect_input(self);
+  port_of(self).query_is_over(what.id);
+  conversation_of(self).query_answered(what.id, what.outcome, now(self));
   go_on(self);
 }
 
 void hear_file(Self self, const file_outcome& what) {
-  self->state.conversation->file_answered(what.id, what.outcome, now(self));
+  conversation_of(self).file_answered(what.id, what.outcome, now(self));
   go_on(self);
 }
 
-void hear_component(Self self, const component_outcome& what) {
-  self->state.conversation->component_answered(what.id, what.outcome,
-                                               now(self));
+// The supervisor's answer holds no work, and may come when all is over.
+void hear_component(Self self, dialogue::QueryId id, Expected<void> outcome) {
+  const auto work = self->state.time->work.begin();
+  if (conversation_of(self).ended())
+    return;
+  conversation_of(self).component_answered(id, std::move(outcome), now(self));
   go_on(self);
 }
 
 // Its messages go the way of all others: by the routes, then queued.
 void hear_socket(Self self, const socket_told& what) {
   using enum SocketEvent::Kind;
-  auto& state = self->state;
-  auto& conversation = *state.conversation;
+  auto& conversation = conversation_of(self);
   if (what.event.kind == opened)
     conversation.socket_opened(what.id, {}, now(self));
   else if (what.event.kind == failed)
     conversation.socket_opened(
         what.id, fail(ErrorKind::network, what.event.text), now(self));
   else
-    for (auto& message : state.port->hear_socket(what.id, what.event))
+    for (auto& message : port_of(self).hear_socket(what.id, what.event))
       conversation.receive(std::move(message));
   if (what.event.kind == closed || what.event.kind == failed)
-    state.port->socket_is_over(what.id);
+    port_of(self).socket_is_over(what.id);
   if (what.event.kind == closed)
     conversation.socket_closed(what.id);
   go_on(self);
 }
 
 void hear_seat(Self self, const output_done& what) {
-  self->state.conversation->output_finished(what.id, what.played, now(self));
+  expect_input(self);
+  conversation_of(self).output_finished(what.id, what.played, now(self));
   go_on(self);
-}
-
-void set_up(Self self, std::shared_ptr<const SessionParts> parts,
-            SessionOrder order) {
-  auto& state = self->state;
-  state.parts = std::move(parts);
-  state.time = &state.parts->time;
-  state.port = std::make_unique<SessionPort>(self, state.parts, order.id,
-                                             std::move(order.seat));
-  dialogue::Conversation::Options options;
-  options.session = std::move(order.id);
-  options.seed = order.seed;
-  options.phrases = state.parts->phrases;
-  state.conversation = std::make_unique<dialogue::Conversation>(
-      state.parts->program, std::move(options), *state.port);
-}
-
-} // namespace
-
-session_state::~session_state() {
-  if (time)
-    tell_waiting(*this, false);
 }
 
 void ask_frame(Self self, const topic_frame_actor& frame,
@@ -172,7 +221,7 @@ void ask_frame(Self self, const topic_frame_actor& frame,
           apply_changes{std::move(request), self->state.time->work.begin()})
       .await(
           [=](const frame_changed& what) {
-            self->state.conversation->frame_applied(*what.result, now(self));
+            conversation_of(self).frame_applied(*what.result, now(self));
             go_on(self);
           },
           [=](const caf::error& error) {
@@ -182,30 +231,60 @@ void ask_frame(Self self, const topic_frame_actor& frame,
           });
 }
 
+void set_up(Self self, std::shared_ptr<const SessionParts> parts,
+            SessionOrder order) {
+  auto& state = self->state;
+  state.parts = std::move(parts);
+  state.time = &state.parts->time;
+  auto make_port = [self, id = order.id, seat = std::move(order.seat)] {
+    return std::make_unique<SessionPort>(
+        self, self->state.parts, id, seat,
+        [self](const auto& frame, auto request) {
+          ask_frame(self, frame, std::move(request));
+        },
+        [self](auto query, auto outcome) {
+          hear_component(self, query, std::move(outcome));
+        });
+  };
+  state.dialogue = std::make_unique<SessionDialogue>(
+      state.parts->program,
+      dialogue::ConversationOptions{std::move(order.id), order.seed,
+                                    state.parts->phrases},
+      std::move(make_port));
+}
+
+} // namespace
+
+session_state::~session_state() {
+  if (time)
+    tell_waiting(*this, false);
+}
+
 session_actor::behavior_type
 session(session_actor::stateful_pointer<session_state> self,
         std::shared_ptr<const SessionParts> parts, SessionOrder order) {
   end_by_what_is_thrown(self);
   const auto id = order.id;
   set_up(self, std::move(parts), std::move(order));
-  return {
+  return traced<session_actor::behavior_type>(
+      trace_of(self),
       [=](const begin_session& what) { settle_and_begin(self, id, what.work); },
       [=](const deliver& what) { queue(self, what); },
       [=](const take_step&) { take_one_step(self); },
       [=](const timer_due& what) { hear_timer(self, what); },
       [=](const query_outcome& what) { hear_query(self, what); },
       [=](const file_outcome& what) { hear_file(self, what); },
-      [=](const component_outcome& what) { hear_component(self, what); },
       [=](const socket_told& what) { hear_socket(self, what); },
       [=](const output_done& what) { hear_seat(self, what); },
-      [=](const look& what) { what.at(*self->state.conversation); },
+      [=](const get_slot& what) { return tell_slot(self, what); },
+      [=](const get_state&) { return tell_state(self); },
       [=](const end_session&) {
         self->state.asked_to_end = true;
-        self->state.conversation->close(now(self));
+        conversation_of(self).close(now(self));
         go_on(self);
       },
       [](const leave&) {},
-  };
+      [=](const get_status& what) { return tell_session_status(self, what); });
 }
 
 } // namespace parlour::actors

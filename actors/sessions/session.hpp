@@ -1,11 +1,12 @@
-// A session: one conversation, its mailbox and its thread of time. The
-// dialogue is decided in script/dialogue; here is only when it is asked.
+// A session: one conversation with its mailbox, which makes it free of races:
+// one input at a time, in order. What an input means is decided in
+// script/dialogue; here is only when it is handed over. Spawned and monitored
+// by the session manager; what its handlers throw ends this session alone.
 #pragma once
 
 #include <memory>
 
-#include "actors/sessions/session_port.hpp"
-#include "script/dialogue/engine/conversation.hpp"
+#include "actors/sessions/session_dialogue.hpp"
 
 namespace parlour::actors {
 
@@ -19,8 +20,7 @@ struct session_state {
   static inline const char* name = "session";
   std::shared_ptr<const SessionParts> parts;
   NodeTime* time = nullptr;
-  std::unique_ptr<SessionPort> port; // before the conversation: outlives it
-  std::unique_ptr<dialogue::Conversation> conversation;
+  std::unique_ptr<SessionDialogue> dialogue;
   bool stepping = false;     // a take_step is in the mailbox
   bool waits = false;        // as the work count knows it
   bool asked_to_end = false; // from outside: nothing goes on after it
@@ -30,11 +30,5 @@ struct session_state {
 session_actor::behavior_type
 session(session_actor::stateful_pointer<session_state> self,
         std::shared_ptr<const SessionParts> parts, SessionOrder order);
-
-// One request to a topic's frame; its answer is the session's next input,
-// before whatever else is in the mailbox.
-void ask_frame(session_actor::stateful_pointer<session_state> self,
-               const topic_frame_actor& frame,
-               std::shared_ptr<const dialogue::FrameRequest> request);
 
 } // namespace parlour::actors

@@ -6,7 +6,9 @@
 #include <caf/typed_event_based_actor.hpp>
 
 #include "actors/sessions/session.hpp"
-#include "runtime/base/roles.hpp"
+#include "actors/support/actor_trace.hpp"
+#include "actors/support/tell_status.hpp"
+#include "runtime/message/roles.hpp"
 
 namespace parlour::actors {
 
@@ -17,7 +19,7 @@ using Self = session_manager_actor::stateful_pointer<session_manager_state>;
 // -- opening ------------------------------------------------------------------
 
 // Where sessions end faster than late turns come.
-constexpr std::size_t most_departed = 1'000;
+constexpr std::size_t max_departed = 1'000;
 
 SessionId session_at(const session_manager_state& state,
                      const seat_actor& seat) {
@@ -27,6 +29,8 @@ SessionId session_at(const session_manager_state& state,
   return {};
 }
 
+// The session is in the directory before it begins: what components say to it
+// from its first word on finds it.
 SessionId open(Self self, const open_session& what) {
   if (auto id = session_at(self->state, what.seat); !id.empty())
     return id;
@@ -55,13 +59,14 @@ seat_actor last_seat_of(const session_manager_state& state,
   return named == state.seats.end() ? seat_actor() : named->second;
 }
 
+// Nobody reads these any more; they are counted and shown.
 void leave_unhandled(MessageBus& bus, const std::vector<Message>& messages) {
   for (const auto& message : messages)
     bus.unhandled(message, "its session is over");
 }
 
 void bring(Self self, const seat_actor& seat, std::vector<Message> turns,
-           const Work& work) {
+           const InFlight& work) {
   auto& state = self->state;
   const bool opens = session_at(state, seat).empty();
   const auto id = open(self, {seat, work});
@@ -77,7 +82,7 @@ void bring(Self self, const seat_actor& seat, std::vector<Message> turns,
 // What a session that is over will not read: user turns are the next one's at
 // its seat, answers and events meant the old one.
 void take_further(Self self, const SessionId& session,
-                  std::vector<Message> messages, const Work& work) {
+                  std::vector<Message> messages, const InFlight& work) {
   auto& bus = self->state.parts->bus;
   const auto seat = last_seat_of(self->state, session);
   const auto table = bus.table();
@@ -103,7 +108,7 @@ void forget(Self self, const session_gone& what) {
   self->send(state.parts->supervisor,
              session_ended{what.session, seat, what.work});
   state.departed.emplace_back(what.session, seat);
-  if (state.departed.size() > most_departed)
+  if (state.departed.size() > max_departed)
     state.departed.pop_front();
   state.parts->bus.retire(std::move(session), what.work);
   self->send(seat, session_over{what.session, what.work});
@@ -115,8 +120,10 @@ void notice_loss(Self self, const caf::down_msg& down) {
   auto& parts = *self->state.parts;
   for (const auto& [id, entry] : self->state.sessions)
     if (entry.session.address() == down.source) {
-      parts.observer.log("session " + id +
-                         " was lost: " + self->system().render(down.reason));
+      auto& last_error = self->state.last_error;
+      last_error =
+          "session " + id + " was lost: " + self->system().render(down.reason);
+      parts.observer.log(last_error);
       forget(self, {SessionId(id), parts.time.work.begin()});
       return;
     }
@@ -135,7 +142,7 @@ bool is_subscribed(const std::vector<Subscription>& all,
 // What the platform says goes to all, if anybody listens; what a component says
 // to those who have subscribed, unless it answers somebody. From then on it
 // belongs to the session.
-void pass_to_all(Self self, Message message, const Work& work) {
+void pass_to_all(Self self, Message message, const InFlight& work) {
   auto& bus = self->state.parts->bus;
   const auto table = bus.table();
   const auto* role = find_role(message.source);
@@ -192,7 +199,8 @@ session_manager_actor::behavior_type session_manager(
   self->state.names = std::move(names);
   self->set_down_handler(
       [=](const caf::down_msg& down) { notice_loss(self, down); });
-  return {
+  return traced<session_manager_actor::behavior_type>(
+      ActorTrace(self->state.parts->observer, session_manager_state::name, ""),
       [=](const open_session& what) {
         return session_opened{open(self, what)};
       },
@@ -203,7 +211,15 @@ session_manager_actor::behavior_type session_manager(
       [=](const seat_opened& what) {
         self->state.seats[what.name] = what.seat;
       },
-  };
+      [=](const get_status& what) {
+        const auto& state = self->state;
+        return tell_status(self, what,
+                           {{},
+                            std::to_string(state.sessions.size()) +
+                                " sessions at " +
+                                std::to_string(state.seats.size()) + " seats",
+                            state.last_error});
+      });
 }
 
 } // namespace parlour::actors

@@ -33,6 +33,7 @@ struct session_manager_state {
   // Those that ended last, and where: for turns that come too late for them.
   std::deque<std::pair<SessionId, seat_actor>> departed;
   bool closing = false;
+  std::string last_error;
   std::shared_ptr<const SessionParts> parts;
   SessionDirectory* directory = nullptr;
   SessionNames names;

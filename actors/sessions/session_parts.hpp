@@ -2,15 +2,18 @@
 // manager keeps it for them.
 #pragma once
 
+#include <functional>
 #include <memory>
 
 #include "actors/routing/message_bus.hpp"
 #include "actors/support/node_time.hpp"
 #include "actors/support/observer.hpp"
-#include "runtime/base/phrases.hpp"
 #include "runtime/base/sockets.hpp"
+#include "runtime/message/phrases.hpp"
 
 namespace parlour::actors {
+
+class SessionDialogue; // which is made with these
 
 struct SessionParts {
   NodeTime& time;
@@ -24,6 +27,10 @@ struct SessionParts {
   session_manager_actor manager = {};
   supervisor_actor supervisor = {};
   file_keeper_actor file_keeper = {};
+  // Called after each input, on the session's thread; an error ends the
+  // session. May be empty.
+  std::function<Expected<void>(SessionDialogue&, Timestamp now)> after_input =
+      {};
 };
 
 } // namespace parlour::actors

@@ -7,63 +7,43 @@
 #include <caf/typed_event_based_actor.hpp>
 
 #include "actors/sessions/query.hpp"
-#include "actors/sessions/session.hpp"
 #include "actors/sessions/timer.hpp"
 #include "actors/sessions/topic_frame.hpp"
-#include "actors/support/thrown.hpp"
+#include "actors/support/exception_text.hpp"
 
 namespace parlour::actors {
 
-namespace {
-
-// Components that answer each other inline further than this go on by mailbox.
-constexpr int inline_depth = 8;
-
-} // namespace
-
-SessionPort::SessionPort(Self self, std::shared_ptr<const SessionParts> parts,
-                         SessionId id, seat_actor seat)
+SessionPort::SessionPort(session_actor::pointer self,
+                         std::shared_ptr<const SessionParts> parts,
+                         SessionId id, seat_actor seat, AskFrame ask_frame,
+                         ComponentDone component_done)
     : self_(self), parts_(std::move(parts)), time_(parts_->time),
       bus_(parts_->bus), id_(std::move(id)), seat_(std::move(seat)),
+      ask_frame_(std::move(ask_frame)),
+      component_done_(std::move(component_done)),
       sockets_(time_, parts_->sockets, session_actor(self_), id_) {}
 
 // -- messages -----------------------------------------------------------------
 
+// A message for another session leaves by the bus; one for this session comes
+// back at once, with what inline components answered.
 std::vector<Message> SessionPort::post(Message message) {
-  std::vector<Message> back;
   if (message.session.empty())
     message.session = id_;
-  if (message.session != id_) {
-    bus_.publish({std::move(message)});
-    return back;
-  }
-  carry(std::move(message), back);
-  return back;
-}
-
-void SessionPort::carry(Message message, std::vector<Message>& back, int depth,
-                        Answers answers) {
-  auto table = bus_.table();
-  auto routed = table->route(std::move(message));
-  bus_.unreached(routed);
-  for (auto& [target, sent] : routed.deliveries)
-    if (target->direct && depth < inline_depth)
-      for (auto& event : ask_directly(*target, *sent))
-        carry(std::move(event), back, depth + 1, answers);
-    else if (auto answer =
-                 bus_.hand_over(*target, {std::move(sent), time_.work.begin()});
-             answer && answers == Answers::yes)
-      carry(std::move(*answer), back, depth + 1, Answers::no);
-  if (routed.rest)
-    back.push_back(std::move(*routed.rest));
+  if (message.session == id_)
+    return bus_.route(std::move(message), *this);
+  bus_.publish({std::move(message)});
+  return {};
 }
 
 // A component without state, in the session's own turn.
-std::vector<Message> SessionPort::ask_directly(const Target& target,
-                                               const Message& message) {
+std::vector<Message> SessionPort::call(const Target& target,
+                                       const Message& message) {
+  if (parts_->observer.traces("inline", target.name))
+    trace_of("inline", target.name).took("message", to_string(message));
   std::vector<Answer> answers;
   if (auto reason =
-          thrown_by([&] { answers = target.direct->answers(message); })) {
+          catch_to_string([&] { answers = target.direct->answers(message); })) {
     self_->send(parts_->supervisor,
                 component_failed{target.name, 0, *reason, time_.work.begin()});
     return {failure_answer(target.name, message, *reason)};
@@ -110,12 +90,22 @@ Timestamp SessionPort::due_at(Milliseconds after) const {
   return time_.now() + after.count();
 }
 
-void SessionPort::start_timer(dialogue::TimerId id, Milliseconds after) {
+ActorTrace SessionPort::trace_of(const char* kind,
+                                 const std::string& name) const {
+  return {parts_->observer, kind, name, id_};
+}
+
+// A timer is an actor of its own, so that CAF's clock ends it; its due time is
+// noted first, as virtual time must not jump over it.
+void SessionPort::start_timer(dialogue::TimerId id, Timestamp due) {
   cancel_timer(id);
-  auto due = time_.due_times.add(due_at(after), DueTimes::Of::session);
-  auto actor = self_->spawn(timer, &time_, session_actor(self_),
-                            TimerOrder{id, after, due});
-  timers_.emplace(id, Timer{std::move(actor), due});
+  const auto after = std::max(due - time_.now(), Timestamp{0});
+  auto entry = time_.due_times.add(due, DueTimes::Of::session);
+  auto actor =
+      self_->spawn(timer, &time_, session_actor(self_),
+                   TimerOrder{id, Milliseconds(after), entry,
+                              trace_of(timer_state::name, std::to_string(id))});
+  timers_.emplace(id, Timer{std::move(actor), entry});
 }
 
 void SessionPort::cancel_timer(dialogue::TimerId id) {
@@ -148,21 +138,25 @@ void SessionPort::query_is_over(dialogue::QueryId id) {
 
 // -- components, files, sockets -----------------------------------------------
 
+// No deadline: the supervisor answers when it is done, or has given up.
 void SessionPort::component(dialogue::ComponentRequest request) {
-  auto work = time_.work.begin();
-  auto done = [session = session_actor(self_), id = request.id,
-               &work_count = time_.work](Expected<void> outcome) {
-    caf::anon_send(
-        session, component_outcome{id, std::move(outcome), work_count.begin()});
+  auto hear = [id = request.id, done = component_done_](auto answer) {
+    answer.then(
+        [=](const actors::component_done& what) { done(id, what.outcome); },
+        [=](const caf::error&) {
+          done(id, fail(ErrorKind::cancelled, "the application stops"));
+        });
   };
+  const auto& supervisor = parts_->supervisor;
   if (request.load)
-    self_->send(parts_->supervisor,
-                load_plugin{std::move(request.plugin), std::move(request.name),
-                            std::move(done), std::move(work)});
+    hear(self_->request(supervisor, caf::infinite,
+                        load_plugin{std::move(request.plugin),
+                                    std::move(request.name),
+                                    time_.work.begin()}));
   else
-    self_->send(parts_->supervisor,
-                unload_component{std::move(request.name), std::move(done),
-                                 std::move(work)});
+    hear(self_->request(
+        supervisor, caf::infinite,
+        unload_component{std::move(request.name), time_.work.begin()}));
 }
 
 void SessionPort::file(dialogue::QueryId id, FileRequest request) {
@@ -202,7 +196,7 @@ std::vector<Message> SessionPort::hear_socket(dialogue::SocketId id,
                                               const SocketEvent& event) {
   std::vector<Message> messages;
   if (auto message = sockets_.message(id, event))
-    carry(std::move(*message), messages);
+    messages = bus_.route(std::move(*message), *this);
   // A text that the routes ended is dealt with.
   const bool goes_on =
       std::any_of(messages.begin(), messages.end(), [](const Message& message) {
@@ -215,16 +209,19 @@ std::vector<Message> SessionPort::hear_socket(dialogue::SocketId id,
 
 // -- frames -------------------------------------------------------------------
 
+// A topic's actor is spawned when the session touches the topic first.
 const topic_frame_actor& SessionPort::frame_of(script::TopicId topic) {
   auto& frame = frames_[topic];
   if (!frame)
-    frame = self_->spawn(topic_frame, parts_->program, topic);
+    frame = self_->spawn(
+        topic_frame, parts_->program, topic,
+        trace_of(topic_frame_state::name, parts_->program->topics[topic].name));
   return frame;
 }
 
-void SessionPort::apply(script::TopicId topic, dialogue::FrameRequest request) {
-  ask_frame(self_, frame_of(topic),
-            std::make_shared<const dialogue::FrameRequest>(std::move(request)));
+void SessionPort::apply(script::TopicId topic,
+                        std::shared_ptr<const dialogue::FrameRequest> request) {
+  ask_frame_(frame_of(topic), std::move(request));
 }
 
 // -- watching, ending ---------------------------------------------------------
@@ -238,26 +235,40 @@ bool SessionPort::inspected() const {
 }
 
 void SessionPort::inspect(Inspection inspection) {
+  if (inspection.kind == InspectionKind::error)
+    last_error_ = inspection.detail;
   parts_->observer.inspect(std::move(inspection));
 }
 
 void SessionPort::conceal(const std::vector<std::string>& texts) {
-  if (auto* discretion = parts_->observer.discretion())
-    discretion->conceal(id_, texts);
+  parts_->observer.discretion().conceal(id_, texts);
 }
 
 void SessionPort::conceal_turn() {
-  if (auto* discretion = parts_->observer.discretion())
-    discretion->conceal_turn(id_);
+  parts_->observer.discretion().conceal_turn(id_);
 }
 
 void SessionPort::settled(std::uint64_t received) {
-  if (auto* discretion = parts_->observer.discretion())
-    discretion->settled(id_, received);
+  parts_->observer.discretion().settled(id_, received);
 }
 
 void SessionPort::ended() {
   // The session looks at Conversation::ended() after each input.
+}
+
+std::vector<ActorHandle> SessionPort::children() const {
+  std::vector<ActorHandle> all;
+  auto add = [&all](const char* kind, std::string name, const auto& actor) {
+    all.push_back(
+        {kind, std::move(name), caf::actor_cast<caf::strong_actor_ptr>(actor)});
+  };
+  for (const auto& [id, timer] : timers_)
+    add(timer_state::name, std::to_string(id), timer.actor);
+  for (const auto& [id, query] : queries_)
+    add(query_state::name, std::to_string(id), query.actor);
+  for (const auto& [topic, frame] : frames_)
+    add(topic_frame_state::name, parts_->program->topics[topic].name, frame);
+  return all;
 }
 
 void SessionPort::close(std::vector<Message> unread) {
@@ -268,10 +279,10 @@ void SessionPort::close(std::vector<Message> unread) {
 
 SessionPort::~SessionPort() {
   end_all();
-  if (auto* discretion = parts_->observer.discretion())
-    discretion->ended(id_);
+  parts_->observer.discretion().ended(id_);
 }
 
+// Safe to call twice: what was ended is forgotten.
 void SessionPort::end_all() {
   for (const auto& [id, timer] : std::exchange(timers_, {}))
     end_timer(timer);

@@ -1,23 +1,32 @@
 // SessionPort: carries out what a conversation wants by sending messages to
-// other actors. Lives in the session's actor and is called on its thread.
+// other actors, and keeps the actors that work for it: timers, queries, topic
+// frames, sockets. Owned by the session's actor and called on its thread only.
 #pragma once
 
+#include <functional>
 #include <map>
 
 #include "actors/sessions/session_parts.hpp"
 #include "actors/sessions/session_sockets.hpp"
+#include "actors/support/actor_trace.hpp"
 #include "script/dialogue/agenda/port.hpp"
 
 namespace parlour::actors {
 
-struct session_state;
-
-class SessionPort : public dialogue::Port {
+class SessionPort : public dialogue::Port, private InlineCaller {
 public:
-  using Self = session_actor::stateful_pointer<session_state>;
+  // One request to a topic's frame; its answer is the session's next input,
+  // before whatever else is in the mailbox.
+  using AskFrame = std::function<void(
+      const topic_frame_actor&, std::shared_ptr<const dialogue::FrameRequest>)>;
 
-  SessionPort(Self self, std::shared_ptr<const SessionParts> parts,
-              SessionId id, seat_actor seat);
+  // The outcome of a component() is an input of the session.
+  using ComponentDone = std::function<void(dialogue::QueryId, Expected<void>)>;
+
+  SessionPort(session_actor::pointer self,
+              std::shared_ptr<const SessionParts> parts, SessionId id,
+              seat_actor seat, AskFrame ask_frame = {},
+              ComponentDone component_done = {});
   ~SessionPort() override; // ends whatever still works for the session
 
   std::vector<Message> post(Message message) override;
@@ -27,7 +36,7 @@ public:
                  const std::string& source) const override;
   Reply reply_to_request(const Message& event) const override;
   void release(const dialogue::Output& output) override;
-  void start_timer(dialogue::TimerId id, Milliseconds after) override;
+  void start_timer(dialogue::TimerId id, Timestamp due) override;
   void cancel_timer(dialogue::TimerId id) override;
   void query(dialogue::QueryRequest request) override;
   void file(dialogue::QueryId id, FileRequest request) override;
@@ -37,7 +46,8 @@ public:
                              const std::string& text) override;
   void socket_taken(dialogue::SocketId id) override;
   void close_socket(dialogue::SocketId id) override;
-  void apply(script::TopicId topic, dialogue::FrameRequest request) override;
+  void apply(script::TopicId topic,
+             std::shared_ptr<const dialogue::FrameRequest> request) override;
   void unhandled(const Message& message) override;
   bool inspected() const override;
   void inspect(Inspection inspection) override;
@@ -53,6 +63,16 @@ public:
   // What a socket said as messages for the conversation, after the routes.
   std::vector<Message> hear_socket(dialogue::SocketId id,
                                    const SocketEvent& event);
+  // -- for who asks how it is
+  const SessionId& id() const {
+    return id_;
+  }
+  // Of its script; empty: none.
+  const std::string& last_error() const {
+    return last_error_;
+  }
+  // The actors that work for it.
+  std::vector<ActorHandle> children() const;
   // Says that the session is gone, and ends whatever still works for it.
   void close(std::vector<Message> unread);
 
@@ -66,21 +86,24 @@ private:
     DueTimes::Id due;
   };
 
-  void carry(Message message, std::vector<Message>& back, int depth = 0,
-             Answers answers = Answers::yes);
-  std::vector<Message> ask_directly(const Target& target,
-                                    const Message& message);
+  // -- InlineCaller
+  std::vector<Message> call(const Target& target,
+                            const Message& message) override;
   void end_timer(const Timer& timer);
   void end_all();
   const topic_frame_actor& frame_of(script::TopicId topic);
   Timestamp due_at(Milliseconds after) const;
+  ActorTrace trace_of(const char* kind, const std::string& name) const;
 
-  Self self_;
+  const session_actor::pointer self_;
   const std::shared_ptr<const SessionParts> parts_;
   NodeTime& time_;
   MessageBus& bus_;
   const SessionId id_;
   const seat_actor seat_;
+  const AskFrame ask_frame_;
+  const ComponentDone component_done_;
+  std::string last_error_;
   std::map<dialogue::TimerId, Timer> timers_;
   std::map<dialogue::QueryId, Query> queries_;
   SessionSockets sockets_;

@@ -13,7 +13,7 @@ Sockets::Tell teller(NodeTime& time, caf::weak_actor_ptr session,
                      dialogue::SocketId id) {
   return [&time, session = std::move(session), id](SocketEvent event) {
     auto work = time.work.begin();
-    time.gate.enter(
+    time.main_thread.post(
         [session, id, event = std::move(event), work = std::move(work)] {
           if (auto actor = caf::actor_cast<caf::strong_actor_ptr>(session))
             caf::anon_send(caf::actor_cast<session_actor>(actor),

@@ -1,7 +1,9 @@
-// A timer of a session: rings once, or is cancelled.
+// A timer of a session: expires once by timer_due, or is cancelled; then it
+// quits. The conversation starts another for a timer that repeats.
 #pragma once
 
 #include "actors/protocol/interfaces.hpp"
+#include "actors/support/actor_trace.hpp"
 #include "actors/support/node_time.hpp"
 
 namespace parlour::actors {
@@ -15,6 +17,7 @@ struct TimerOrder {
   std::uint64_t id = 0; // what the session calls it
   Milliseconds after{0};
   DueTimes::Id due = 0;
+  ActorTrace trace = {};
 };
 
 timer_actor::behavior_type

@@ -7,10 +7,10 @@ namespace parlour::actors {
 namespace {
 
 // More is shown, with all that was heard masked.
-constexpr std::size_t most_held = 10'000;
-constexpr std::size_t most_ended = 100;
-constexpr std::size_t most_words = 1'000;
-constexpr std::size_t most_heard = 1'000; // of one turn
+constexpr std::size_t max_held = 10'000;
+constexpr std::size_t max_ended = 100;
+constexpr std::size_t max_words = 1'000;
+constexpr std::size_t max_heard = 1'000; // of one turn
 
 constexpr const char* to_session = "session";
 
@@ -34,6 +34,8 @@ Discretion::Discretion(Show show, IsHeard is_heard)
 
 void Discretion::conceal(const SessionId& session,
                          const std::vector<std::string>& texts) {
+  if (!hides())
+    return;
   const std::lock_guard lock(mutex_);
   auto& known = sessions_[session];
   for (const auto& text : texts)
@@ -41,12 +43,16 @@ void Discretion::conceal(const SessionId& session,
 }
 
 void Discretion::conceal_turn(const SessionId& session) {
+  if (!hides())
+    return;
   const std::lock_guard lock(mutex_);
   auto& known = sessions_[session];
   known.hides_turn = known.is_open;
 }
 
 void Discretion::settled(const SessionId& session, std::uint64_t received) {
+  if (!hides())
+    return;
   const std::lock_guard lock(mutex_);
   const auto found = sessions_.find(session);
   if (found != sessions_.end() && received >= found->second.opened)
@@ -54,6 +60,8 @@ void Discretion::settled(const SessionId& session, std::uint64_t received) {
 }
 
 void Discretion::ended(const SessionId& session) {
+  if (!hides())
+    return;
   const std::lock_guard lock(mutex_);
   const auto found = sessions_.find(session);
   if (found == sessions_.end())
@@ -64,20 +72,21 @@ void Discretion::ended(const SessionId& session) {
 }
 
 void Discretion::drop_oldest() {
-  for (; ended_.size() > most_ended; ended_.pop_front())
+  for (; ended_.size() > max_ended; ended_.pop_front())
     sessions_.erase(ended_.front());
 }
 
 // -- observers ----------------------------------------------------------------
 
 void Discretion::pass(const Message& message, const std::string& way) {
-  if (message.session.empty() || way != to_session || !is_heard_(message))
+  if (!hides() || message.session.empty() || way != to_session ||
+      !is_heard_(message))
     return;
   const std::lock_guard lock(mutex_);
   auto& session = sessions_[message.session];
   session.is_open = true;
   session.opened = message.number;
-  if (session.heard.size() < most_heard)
+  if (session.heard.size() < max_heard)
     for (const auto& param : message.params)
       collect_texts(param, session.heard);
 }
@@ -85,6 +94,8 @@ void Discretion::pass(const Message& message, const std::string& way) {
 // What was heard and goes elsewhere than to its session is understood by
 // nobody that we know.
 void Discretion::show(Inspection seen) {
+  if (!hides())
+    return show_(seen);
   const std::lock_guard lock(mutex_);
   if (seen.message && seen.way != to_session && is_heard_(*seen.message)) {
     auto message = *seen.message;
@@ -101,7 +112,7 @@ void Discretion::show(Inspection seen) {
   if (!session.is_open)
     return show_masked(std::move(seen), session.secrets);
   session.held.push_back(std::move(seen));
-  if (session.held.size() > most_held) {
+  if (session.held.size() > max_held) {
     session.hides_turn = true;
     show_held(session);
   }
@@ -124,7 +135,7 @@ Secrets Discretion::words_of_turn(Session& session) {
     secrets.add(text);
     words_.insert(std::move(text));
   }
-  while (words_.size() > most_words)
+  while (words_.size() > max_words)
     words_.erase(words_.begin());
   heard_ = {};
   for (const auto& words : words_)
@@ -144,6 +155,8 @@ void Discretion::show_masked(Inspection seen, const Secrets& secrets) const {
 }
 
 std::string Discretion::masked(const std::string& text) const {
+  if (!hides())
+    return text;
   const std::lock_guard lock(mutex_);
   auto shown = text;
   for (const auto& [id, session] : sessions_)
@@ -153,6 +166,8 @@ std::string Discretion::masked(const std::string& text) const {
 }
 
 std::string Discretion::masked_afterwards(const std::string& text) const {
+  if (!hides())
+    return text;
   const auto shown = masked(text);
   const std::lock_guard lock(mutex_);
   return heard_.masked(shown);

@@ -1,5 +1,5 @@
 // Discretion: what is private="true" is masked wherever it would be shown:
-// traces, logs, reports. Stands between the house and whoever watches it.
+// traces, logs, reports. Stands between the node and whoever watches it.
 //
 // What a user says is shown when it is known what it means, as only then one
 // knows whether it was private; until then all that happens in its session is
@@ -15,8 +15,8 @@
 #include <string>
 #include <vector>
 
-#include "runtime/base/inspection.hpp"
-#include "runtime/base/masking.hpp"
+#include "runtime/message/inspection.hpp"
+#include "runtime/message/masking.hpp"
 
 namespace parlour::actors {
 
@@ -27,7 +27,12 @@ public:
   // Whether a message is what somebody was heard to say.
   using IsHeard = std::function<bool(const Message&)>;
 
+  // Without `is_heard` nothing is private: all is shown at once and as it is,
+  // and nothing is noted.
   Discretion(Show show, IsHeard is_heard);
+  bool hides() const {
+    return is_heard_ != nullptr;
+  }
 
   // -- sessions --------------------------------------------------------------
 

@@ -4,17 +4,18 @@
 
 #include <atomic>
 
-#include "actors/support/due_times.hpp"
-#include "actors/support/thread_gate.hpp"
-#include "actors/support/work_count.hpp"
+#include "actors/protocol/due_times.hpp"
+#include "actors/support/main_thread_queue.hpp"
+#include "actors/support/quiescence_tracker.hpp"
 #include "runtime/base/clock.hpp"
 
 namespace parlour::actors {
 
 // Safe to use from any thread.
 struct NodeTime {
-  NodeTime(const Clock& its_clock, ThreadGate::Kind kind)
-      : clock(its_clock), due_times([this] { work.wake(); }), gate(kind) {}
+  NodeTime(const Clock& its_clock, MainThreadQueue::Kind kind)
+      : clock(its_clock), due_times([this] { work.wake(); }),
+        main_thread(kind) {}
   NodeTime(const NodeTime&) = delete;
   NodeTime& operator=(const NodeTime&) = delete;
 
@@ -23,9 +24,9 @@ struct NodeTime {
   }
 
   const Clock& clock; // outlives it
-  WorkCount work;
+  QuiescenceTracker work;
   DueTimes due_times;
-  ThreadGate gate;
+  MainThreadQueue main_thread;
   // Something did not come to an end in time: what is left of the actors calls
   // nobody outside any more.
   std::atomic<bool> left_behind = false;

@@ -1,8 +1,9 @@
 #include "actors/support/observer.hpp"
 
+#include <algorithm>
 #include <utility>
 
-#include "actors/support/thrown.hpp"
+#include "actors/support/exception_text.hpp"
 
 namespace parlour::actors {
 
@@ -23,30 +24,33 @@ Inspection inspection_of(const Message& message, const std::string& way) {
 
 Observer::Observer(Watcher watcher, const std::atomic<bool>& left_behind)
     : watcher_(std::move(watcher)), left_behind_(left_behind),
-      discretion_(watcher_.is_heard
-                      ? std::make_unique<Discretion>(
-                            [this](const Inspection& seen) { show(seen); },
-                            watcher_.is_heard)
-                      : nullptr) {}
+      discretion_([this](const Inspection& seen) { show(seen); },
+                  watcher_.is_heard) {}
 
 void Observer::inspect(Inspection seen) {
   if (!watcher_.on_inspection)
     log_instead(seen);
-  else if (discretion_ && !watcher_.exact)
-    discretion_->show(std::move(seen));
+  else if (!watcher_.exact)
+    discretion_.show(std::move(seen));
   else
     show(seen);
 }
 
 void Observer::follow(const Message& message, const std::string& way) {
-  if (discretion_)
-    discretion_->pass(message, way);
+  discretion_.pass(message, way);
   if (watches_all())
     inspect(inspection_of(message, way));
 }
 
+bool Observer::traces(std::string_view kind, std::string_view name) const {
+  return watcher_.on_inspection &&
+         std::ranges::any_of(watcher_.actors, [&](const std::string& wanted) {
+           return wanted == kind || wanted == name;
+         });
+}
+
 void Observer::log(const std::string& line) {
-  write(discretion_ ? discretion_->masked(line) : line);
+  write(discretion_.masked(line));
 }
 
 // What is thrown is written as it is: Discretion, which calls this, cannot be
@@ -55,7 +59,7 @@ void Observer::show(const Inspection& seen) {
   if (left_behind_)
     return;
   const std::lock_guard lock(showing_);
-  if (auto reason = thrown_by([&] { watcher_.on_inspection(seen); }))
+  if (auto reason = catch_to_string([&] { watcher_.on_inspection(seen); }))
     write("who watches failed: " + *reason);
 }
 

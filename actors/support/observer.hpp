@@ -7,9 +7,11 @@
 #include <memory>
 #include <mutex>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "actors/support/discretion.hpp"
-#include "runtime/base/inspection.hpp"
+#include "runtime/message/inspection.hpp"
 
 namespace parlour::actors {
 
@@ -23,9 +25,11 @@ public:
     bool all = true;
     // It is shown what is private, too, and at once.
     bool exact = false;
+    // It is shown what these actors take: kinds, or names of their own.
+    std::vector<std::string> actors = {};
     // One call at a time; may be empty.
     std::function<void(const std::string&)> on_log = {};
-    // Empty where nothing of the program is private.
+    // Empty where nothing of the program is private: then nothing is masked.
     Discretion::IsHeard is_heard = {};
   };
 
@@ -44,13 +48,17 @@ public:
 
   // Whether it is to be given each message on its way.
   bool follows_messages() const {
-    return discretion_ || watches_all();
+    return discretion_.hides() || watches_all();
   }
   void follow(const Message& message, const std::string& way);
+  // Whether it is to be shown what this actor takes.
+  bool traces(std::string_view kind, std::string_view name) const;
 
-  // Null where nothing is private.
-  Discretion* discretion() const {
-    return discretion_.get();
+  Discretion& discretion() {
+    return discretion_;
+  }
+  const Discretion& discretion() const {
+    return discretion_;
   }
 
 private:
@@ -60,7 +68,7 @@ private:
 
   const Watcher watcher_;
   const std::atomic<bool>& left_behind_;
-  const std::unique_ptr<Discretion> discretion_;
+  Discretion discretion_;
   std::mutex showing_;
   std::mutex logging_;
 };

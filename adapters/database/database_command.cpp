@@ -14,6 +14,7 @@ Expected<DatabaseCommand> command_of(const Message& message) {
        {"Commit", Command::commit},
        {"Rollback", Command::rollback},
        {"Connect", Command::connect}}};
+  // Only Query has parameters that every database needs in the same form.
   for (const auto& [name, command] : commands) {
     if (message.command != name)
       continue;
@@ -36,6 +37,7 @@ bool is_write(const Message& query) {
 
 std::vector<Value> result_params(const Message& message,
                                  StatementAnswer answer) {
+  // Commands other than Query change nothing that a script counts.
   const bool is_change = message.command == "Query" && is_write(message);
   std::vector<Value> params;
   params.reserve(is_change ? 2 : 1);

@@ -1,4 +1,5 @@
-// The settings that every database has, described and read once.
+// The options that every database component has, whatever its product. Each
+// product derives its own options from DatabaseOptions.
 #pragma once
 
 #include <cstddef>
@@ -12,19 +13,24 @@
 namespace parlour::adapters {
 
 struct DatabaseOptions {
-  std::filesystem::path schema; // empty: none
-  std::filesystem::path seed;   // empty: none
+  // SQL files that create and fill the tables of a new database. Empty: none.
+  std::filesystem::path schema;
+  std::filesystem::path seed;
+  // How long a message waits for another's lock or for a free connection.
   Milliseconds busy_timeout{2'000};
+  // After this time an open transaction is rolled back.
   Milliseconds transaction_timeout{30'000};
-  std::size_t rows = 10'000;   // of a result
-  std::size_t bytes = 4 << 20; // of a result's cells
+  // The largest result of one query, in rows and in bytes of its cells.
+  std::size_t rows = 10'000;
+  std::size_t bytes = 4 << 20;
 };
 
-// A plug-in's own options, and these after them.
+// Returns a product's own option descriptions followed by the common ones.
 std::vector<OptionDescription>
 with_database_options(std::vector<OptionDescription> own);
 
-// `schema` and `seed` lie in the application's folder (docs/databases.md).
+// Reads the common options into `made`. `schema` and `seed` are files of the
+// application's folder and may not lie outside of it (docs/databases.md).
 Expected<void> read_database_options(const OptionValues& values,
                                      const std::string& application_folder,
                                      DatabaseOptions& made);

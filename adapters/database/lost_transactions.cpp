@@ -6,14 +6,16 @@ namespace parlour::adapters {
 
 namespace {
 
-constexpr std::size_t most = 1'000;
+// Bounds the memory: a session that ended without a further statement is never
+// removed by `forget`.
+constexpr std::size_t max_sessions = 1'000;
 
 } // namespace
 
 void LostTransactions::add(const SessionId& session) {
   forget(session);
   sessions_.push_back(session);
-  if (sessions_.size() > most)
+  if (sessions_.size() > max_sessions)
     sessions_.pop_front();
 }
 

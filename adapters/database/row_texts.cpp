@@ -11,6 +11,7 @@ namespace parlour::adapters {
 
 namespace {
 
+// ICU replaces each ill-formed sequence by U+FFFD while it converts to UTF-16.
 void append_valid(std::string& text, std::string_view bytes) {
   const auto length = static_cast<std::int32_t>(bytes.size());
   icu::UnicodeString::fromUTF8({bytes.data(), length}).toUTF8String(text);
@@ -19,14 +20,15 @@ void append_valid(std::string& text, std::string_view bytes) {
 } // namespace
 
 Value RowTexts::add(std::string_view bytes) {
-  assert(count_ < most_);
+  assert(count_ < max_count_);
   if (!texts_)
-    texts_ = std::make_shared<std::string[]>(most_);
+    texts_ = std::make_shared<std::string[]>(max_count_);
   auto& text = texts_[static_cast<std::ptrdiff_t>(count_++)];
   if (find_invalid_utf8(bytes))
     append_valid(text, bytes);
   else
     text.assign(bytes);
+  // An aliasing pointer: it points to one text and owns the whole block.
   return Value(std::shared_ptr<const std::string>(texts_, &text));
 }
 

@@ -1,5 +1,10 @@
-// RowTexts: the texts of one row share a piece of memory, as a row is mostly
-// let go of as a whole. Who keeps one of them keeps those of the same row.
+// RowTexts allocates all texts of one row of a result in one block. A row is
+// mostly released as a whole, so one allocation replaces one per cell. The
+// price: a script that keeps a single text keeps the texts of the whole row in
+// memory.
+//
+// A RowTexts may be destroyed before the values that it made: they share the
+// ownership of the block. Not thread-safe.
 #pragma once
 
 #include <cstddef>
@@ -13,14 +18,15 @@ namespace parlour::adapters {
 
 class RowTexts {
 public:
-  // Of at most so many; takes memory with the first.
-  explicit RowTexts(std::size_t most) : most_(most) {}
+  // `max_count` is the largest number of texts, usually the number of columns.
+  // Memory is allocated with the first text.
+  explicit RowTexts(std::size_t max_count) : max_count_(max_count) {}
 
-  // What is not UTF-8 becomes U+FFFD.
+  // Copies the bytes into a text. Bytes that are not valid UTF-8 become U+FFFD.
   Value add(std::string_view bytes);
 
 private:
-  std::size_t most_;
+  std::size_t max_count_;
   std::size_t count_ = 0;
   std::shared_ptr<std::string[]> texts_;
 };

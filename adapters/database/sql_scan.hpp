@@ -1,6 +1,11 @@
-// What the text of a statement is made of, as far as it matters before a
-// server sees it: quotes and comments as SQLite and MariaDB (with ANSI_QUOTES
-// and NO_BACKSLASH_ESCAPES) agree on them.
+// What must be known before MariaDB sees SQL text: its placeholders, its
+// first word, and where each statement ends (runtime/text/sql_scanner). Time is
+// linear in the length of the text.
+//
+//  scan_sql("select a from t where b = :level")
+//    .text == "select a from t where b = ?"
+//    .names == {"level"}
+//    .first_word == "select"
 #pragma once
 
 #include <cstdint>
@@ -11,20 +16,26 @@
 namespace parlour::adapters {
 
 struct ScannedSql {
-  std::string text;               // each placeholder written as `?`
-  std::vector<std::string> names; // of placeholders; empty for a `?`
-  std::string first_word;         // small letters; empty: no statement
-  bool more = false;              // something follows its ';'
+  // The statement without its ';'. Each placeholder is written as `?`.
+  std::string text;
+  // The name of each placeholder, in order; "" for a plain `?`.
+  std::vector<std::string> names;
+  // In lower case. Empty if the text has no statement.
+  std::string first_word;
+  // Whether another token follows the statement's ';'.
+  bool more = false;
 };
 
 ScannedSql scan_sql(std::string_view sql);
 
 struct SqlPart {
-  std::string_view text; // of the file's, without its ';'
-  std::uint32_t line;    // where it begins
+  // The statement without its ';'. It points into the text of the file.
+  std::string_view text;
+  // The line on which it begins, counted from 1.
+  std::uint32_t line;
 };
 
-// The statements of a file. The text outlives them.
+// Splits a file into its statements. `text` must outlive the result.
 std::vector<SqlPart> split_sql(std::string_view text);
 
 } // namespace parlour::adapters

@@ -4,23 +4,26 @@
 
 namespace parlour::adapters {
 
+// Collapses blanks while it copies and stops one byte after the limit, so that
+// only the beginning of a long statement is read.
 std::string first_words(std::string_view sql) {
-  constexpr std::size_t most = 48;
+  constexpr std::size_t max_length = 48;
   std::string words;
   for (char c : sql) {
     const bool blank = std::isspace(static_cast<unsigned char>(c)) != 0;
     if (blank && (words.empty() || words.back() == ' '))
       continue;
     words += blank ? ' ' : c;
-    if (words.size() > most)
+    if (words.size() > max_length)
       break;
   }
-  if (words.size() <= most)
+  if (words.size() <= max_length)
     return "'" + words.substr(0, words.find_last_not_of(' ') + 1) + "'";
-  // At a blank where there is one, never within a character.
+  // Cuts at the last blank. A first word longer than the limit is cut at the
+  // start of a UTF-8 sequence (continuation bytes are 10xxxxxx).
   auto end = words.rfind(' ');
   if (end == std::string::npos || end == 0)
-    for (end = most; end > 0 && (words[end] & 0xc0) == 0x80;)
+    for (end = max_length; end > 0 && (words[end] & 0xc0) == 0x80;)
       --end;
   return "'" + words.substr(0, end) + " …'";
 }

@@ -10,7 +10,8 @@ namespace parlour::adapters {
 
 namespace {
 
-// The folder that a name's last part lies in.
+// Opens the folder of the name's last part, one part at a time. Missing folders
+// are created for writing only.
 Expected<Folder> parent_of(const std::filesystem::path& data,
                            const std::vector<std::string>& parts,
                            Missing missing) {
@@ -20,26 +21,29 @@ Expected<Folder> parent_of(const std::filesystem::path& data,
   return folder;
 }
 
+// Actions without a result answer unknown.
 Expected<Value> act(const Folder& folder, const std::string& name,
                     const FileRequest& request) {
   auto nothing = [] { return Value(); };
   switch (request.action) {
   case FileAction::read:
-    return read_text(folder, name, request.most_bytes)
-        .map([](std::string text) { return Value(std::move(text)); });
+    return read_text(folder, name, request.max_bytes).map([](std::string text) {
+      return Value(std::move(text));
+    });
   case FileAction::write:
-    return write_text(folder, name, request.text, request.most_bytes)
+    return write_text(folder, name, request.text, request.max_bytes)
         .map(nothing);
   case FileAction::append:
-    return append_text(folder, name, request.text, request.most_bytes)
+    return append_text(folder, name, request.text, request.max_bytes)
         .map(nothing);
   default:
     return remove_file(folder, name).map(nothing);
   }
 }
 
-// The script knows the file by the name that it gave.
+// Messages name the file as the script did.
 Error of_request(const FileRequest& request, Error error) {
+  // In the order of FileAction.
   constexpr const char* doing[] = {"reading", "writing", "appending to",
                                    "deleting", "listing"};
   error.message = std::string(doing[static_cast<std::size_t>(request.action)]) +
@@ -56,7 +60,7 @@ Expected<Value> carry_out(const std::filesystem::path& data,
     return tl::make_unexpected(parts.error());
   Expected<Value> outcome;
   if (request.action == FileAction::list) {
-    outcome = list_files(data, *parts, request.most_bytes);
+    outcome = list_files(data, *parts, request.max_bytes);
   } else {
     const auto folder =
         parent_of(data, *parts, makes ? Missing::make : Missing::refuse);

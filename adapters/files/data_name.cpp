@@ -8,6 +8,7 @@ namespace parlour::adapters {
 
 namespace {
 
+// Limits of file systems on Linux: 255 bytes in a part, 4,096 in a path.
 constexpr std::size_t longest_part = 255;
 constexpr std::size_t longest_name = 4'000;
 constexpr std::size_t longest_shown = 80;
@@ -16,7 +17,7 @@ bool is_control(char c) {
   return static_cast<unsigned char>(c) < ' ' || c == '\x7f';
 }
 
-// What is wrong with it, or nothing.
+// What is wrong with a part, or null.
 const char* fault(std::string_view part) {
   if (part.empty())
     return "has an empty part; write it without a '/' at the beginning, at the "
@@ -60,7 +61,7 @@ Expected<std::vector<std::string>> split_name(std::string_view name) {
 
 std::string shown_name(std::string_view name) {
   std::string shown(name.substr(0, longest_shown));
-  // No half of a character at the end.
+  // A character is not cut in two.
   while (shown.size() < name.size() && !shown.empty() &&
          continues_code_point(name[shown.size()]))
     shown.pop_back();

@@ -1,6 +1,6 @@
-// Names of files as scripts write them: relative to the data folder, parts
-// separated by '/'. Text alone; what the parts are on the disk is looked at by
-// `folder`.
+// Names of files as scripts write them: relative to the data folder, with parts
+// separated by '/'. Only the text is checked here; folder.hpp checks what the
+// parts are on the disk.
 #pragma once
 
 #include <string>
@@ -11,12 +11,13 @@
 
 namespace parlour::adapters {
 
-// The parts, at least one. An error of kind File for every name that is not
-// plain: absolute, '..', '.', an empty part, a leading dot (those files are the
-// platform's own), a control character, a backslash.
+// Returns the parts, at least one. The error, of kind File, refuses a name that
+// is absolute or contains '..', '.', an empty part, a leading dot (such files
+// belong to the platform), a control character or a backslash.
 Expected<std::vector<std::string>> split_name(std::string_view name);
 
-// How a name stands in messages: quoted, shortened, control characters as '?'.
+// The name as messages show it: in quotes, shortened, with control characters
+// as '?'.
 std::string shown_name(std::string_view name);
 
 } // namespace parlour::adapters

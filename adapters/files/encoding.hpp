@@ -1,4 +1,4 @@
-// UTF-8 as scripts need it.
+// Checks whether bytes are valid UTF-8.
 #pragma once
 
 #include <string_view>

@@ -11,19 +11,20 @@ namespace parlour::adapters {
 
 namespace {
 
-// Entries of one folder.
-constexpr std::size_t most_entries = 100'000;
+// In one folder. Bounds the memory.
+constexpr std::size_t max_entries = 100'000;
 
+// Descends into the folders that fit, level by level of the pattern.
 class Search {
 public:
-  Search(const std::vector<std::string>& pattern, std::size_t most_bytes)
-      : pattern_(pattern), left_(most_bytes) {}
+  Search(const std::vector<std::string>& pattern, std::size_t max_bytes)
+      : pattern_(pattern), left_(max_bytes) {}
 
-  // Looks for the pattern's parts from `level` on; what stands before is
-  // `way`. What goes missing meanwhile is not there.
+  // Matches part `level` of the pattern in `folder`; `way` is the name of the
+  // folder. What disappears during the search is not listed.
   Expected<void> look(const Folder& folder, std::size_t level,
                       const std::string& way) {
-    auto names = folder.names(most_entries);
+    auto names = folder.names(max_entries);
     if (!names)
       return tl::make_unexpected(names.error());
     for (const auto& name : *names)
@@ -39,6 +40,7 @@ public:
   }
 
 private:
+  // The last part of the pattern names files, the others folders.
   Expected<void> take(const Folder& folder, std::size_t level,
                       const std::string& way, const std::string& name) {
     const bool last = level + 1 == pattern_.size();
@@ -66,14 +68,16 @@ private:
 
 Expected<Value> list_files(const std::filesystem::path& data,
                            const std::vector<std::string>& pattern,
-                           std::size_t most_bytes) {
+                           std::size_t max_bytes) {
   std::error_code ignored;
+  // symlink_status: a data folder that is a link is not "missing" but refused
+  // by open().
   if (!std::filesystem::exists(std::filesystem::symlink_status(data, ignored)))
     return Value(List{});
   const auto folder = Folder::open(data, Missing::refuse);
   if (!folder)
     return tl::make_unexpected(folder.error());
-  Search search(pattern, most_bytes);
+  Search search(pattern, max_bytes);
   if (auto looked = search.look(*folder, 0, ""); !looked)
     return tl::make_unexpected(looked.error());
   return search.found();

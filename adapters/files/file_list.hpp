@@ -1,4 +1,4 @@
-// The files of a folder that fit a pattern.
+// Lists the files of a folder that fit a pattern (language rule 11.8).
 #pragma once
 
 #include <cstddef>
@@ -11,11 +11,12 @@
 
 namespace parlour::adapters {
 
-// A sorted list of names; each part of the pattern is looked for in one level
-// of folders, links are passed over. Empty where the folder is not there. An
-// error of kind File where the names have more than `most_bytes` together.
+// Returns a sorted list of names. Each part of the pattern is matched in one
+// level of folders; links are ignored. The list is empty if the folder does not
+// exist. The error, of kind File, says that the names have more than
+// `max_bytes` bytes together, or that a folder cannot be read.
 Expected<Value> list_files(const std::filesystem::path& data,
                            const std::vector<std::string>& pattern,
-                           std::size_t most_bytes);
+                           std::size_t max_bytes);
 
 } // namespace parlour::adapters

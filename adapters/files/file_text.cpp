@@ -16,14 +16,16 @@ namespace parlour::adapters {
 
 namespace {
 
+// How much is read at once.
 constexpr std::size_t piece = 64 << 10;
 
-tl::unexpected<Error> too_large(std::size_t most_bytes) {
+tl::unexpected<Error> too_large(std::size_t max_bytes) {
   return fail(ErrorKind::file, "it would have more than " +
-                                   std::to_string(most_bytes) +
+                                   std::to_string(max_bytes) +
                                    " bytes; <limits result> allows more");
 }
 
+// write() may take a part only, or be interrupted by a signal.
 Expected<void> write_all(int file, std::string_view text) {
   while (!text.empty()) {
     const auto written = write(file, text.data(), text.size());
@@ -36,20 +38,23 @@ Expected<void> write_all(int file, std::string_view text) {
   return {};
 }
 
+// Waits until the disk has the data.
 Expected<void> to_disk(int file) {
   if (fsync(file) != 0)
     return system_trouble("it cannot be brought to the disk");
   return {};
 }
 
-// Of no other file, ever, of this process; of none of another one that runs.
+// Unique within the process by a counter, and among running processes by the
+// process id. The leading dot hides it from scripts.
 std::string temporary_name() {
   static std::atomic<std::uint64_t> last = 0;
   return ".parlour-" + std::to_string(getpid()) + "-" + std::to_string(++last) +
          ".new";
 }
 
-// A file of its own that takes the place of another, or goes again.
+// A temporary file that takes the place of another one. It is removed if that
+// fails.
 class Replacement {
 public:
   explicit Replacement(const Folder& folder)
@@ -62,7 +67,7 @@ public:
   }
 
   Expected<void> write(std::string_view text) {
-    // One that a process of our number left behind when it was killed.
+    // A process with the same id may have been killed and have left its file.
     unlinkat(folder_.get(), name_.c_str(), 0);
     auto file = folder_.file(name_, O_WRONLY | O_CREAT | O_EXCL);
     if (!file)
@@ -77,7 +82,7 @@ public:
         0)
       return system_trouble("it cannot be put in place");
     placed_ = true;
-    // The name, too, is to be there after a loss of power.
+    // The new entry of the folder must survive a loss of power, too.
     return to_disk(folder_.get());
   }
 
@@ -90,11 +95,13 @@ private:
 } // namespace
 
 Expected<std::string> read_text(const Folder& folder, const std::string& name,
-                                std::size_t most_bytes) {
+                                std::size_t max_bytes) {
   const auto file = folder.file(name, O_RDONLY);
   if (!file)
     return tl::make_unexpected(file.error());
   std::string text;
+  // Grows the text by one piece at a time: the size that the system reports may
+  // change while the file is read.
   for (;;) {
     const auto size = text.size();
     text.resize(size + piece);
@@ -102,9 +109,9 @@ Expected<std::string> read_text(const Folder& folder, const std::string& name,
     text.resize(size + static_cast<std::size_t>(got > 0 ? got : 0));
     if (got < 0 && errno != EINTR)
       return system_trouble("it cannot be read");
-    if (text.size() > most_bytes)
+    if (text.size() > max_bytes)
       return fail(ErrorKind::file, "it has more than " +
-                                       std::to_string(most_bytes) +
+                                       std::to_string(max_bytes) +
                                        " bytes; <limits result> allows more");
     if (got == 0)
       break;
@@ -115,9 +122,10 @@ Expected<std::string> read_text(const Folder& folder, const std::string& name,
 }
 
 Expected<void> write_text(const Folder& folder, const std::string& name,
-                          std::string_view text, std::size_t most_bytes) {
-  if (text.size() > most_bytes)
-    return too_large(most_bytes);
+                          std::string_view text, std::size_t max_bytes) {
+  if (text.size() > max_bytes)
+    return too_large(max_bytes);
+  // rename() would replace a link or a pipe as well, so they are refused first.
   const auto what = folder.what(name);
   if (what == Folder::What::folder || what == Folder::What::other)
     return fail(ErrorKind::file, what == Folder::What::folder
@@ -130,22 +138,24 @@ Expected<void> write_text(const Folder& folder, const std::string& name,
 }
 
 Expected<void> append_text(const Folder& folder, const std::string& name,
-                           std::string_view text, std::size_t most_bytes) {
-  if (text.size() > most_bytes)
-    return too_large(most_bytes);
+                           std::string_view text, std::size_t max_bytes) {
+  if (text.size() > max_bytes)
+    return too_large(max_bytes);
   const auto file = folder.file(name, O_WRONLY | O_APPEND | O_CREAT);
   if (!file)
     return tl::make_unexpected(file.error());
+  // flock() may be interrupted by a signal.
   while (flock(file->get(), LOCK_EX) != 0)
     if (errno != EINTR)
       return system_trouble("it cannot be held");
+  // The size cannot change any more while the lock is held.
   const auto size = lseek(file->get(), 0, SEEK_END);
   if (size < 0)
     return system_trouble("it cannot be written");
-  if (static_cast<std::size_t>(size) + text.size() > most_bytes)
-    return too_large(most_bytes);
+  if (static_cast<std::size_t>(size) + text.size() > max_bytes)
+    return too_large(max_bytes);
   auto written = write_all(file->get(), text);
-  // A full disk may have taken a part.
+  // A full disk may have taken a part of the text.
   if (!written)
     (void)!ftruncate(file->get(), size);
   return written ? to_disk(file->get()) : written;

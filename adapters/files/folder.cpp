@@ -1,3 +1,6 @@
+// Uses the *at functions of POSIX, which take a name relative to an open
+// folder. The kernel resolves a single part at a time, so no link can redirect
+// the rest of a path.
 #include "adapters/files/folder.hpp"
 
 #include <cerrno>
@@ -15,11 +18,12 @@ namespace parlour::adapters {
 
 namespace {
 
+// O_NOFOLLOW makes open() fail for a link.
 constexpr int folder_flags = O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC;
 constexpr mode_t folder_mode = 0755;
 constexpr mode_t file_mode = 0644;
 
-// What ELOOP and its like mean for a name whose last part may not be a link.
+// Translates the errors that O_NOFOLLOW and O_DIRECTORY cause.
 tl::unexpected<Error> not_opened(const std::string& name) {
   switch (errno) {
   case ELOOP:
@@ -82,7 +86,9 @@ Expected<Folder> Folder::folder(const std::string& name,
   return Folder(std::move(descriptor));
 }
 
-// Without waiting for the other end of a pipe.
+// O_NONBLOCK keeps open() from waiting for the other end of a pipe, and
+// O_NOCTTY from taking over a terminal. The kind of the file is checked
+// afterwards, on the descriptor, so that it cannot be exchanged in between.
 Expected<Descriptor> Folder::file(const std::string& name, int flags) const {
   Descriptor descriptor(openat(
       get(), name.c_str(),
@@ -96,6 +102,7 @@ Expected<Descriptor> Folder::file(const std::string& name, int flags) const {
     return fail(ErrorKind::file, "'" + name + "' is a folder");
   if (!S_ISREG(found.st_mode))
     return fail(ErrorKind::file, "'" + name + "' is no regular file");
+  // A hard link may be another name of a file outside of the data folder.
   if (found.st_nlink > 1)
     return fail(ErrorKind::file, "'" + name +
                                      "' is a link: the file has other names, "
@@ -104,13 +111,15 @@ Expected<Descriptor> Folder::file(const std::string& name, int flags) const {
 }
 
 Expected<std::vector<std::string>> Folder::names(std::size_t most) const {
-  // A description of its own: the position in the folder is not shared.
+  // A new descriptor for the same folder, since reading entries moves its
+  // position.
   Descriptor again(openat(get(), ".", folder_flags));
   std::unique_ptr<DIR, int (*)(DIR*)> entries(
       again ? fdopendir(again.get()) : nullptr, &closedir);
   if (!entries)
     return system_trouble("the folder");
-  again.release(); // closedir closes it
+  // closedir closes the descriptor.
+  again.release();
   std::vector<std::string> names;
   while (const auto* entry = readdir(entries.get())) {
     if (names.size() >= most)

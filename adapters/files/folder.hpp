@@ -1,6 +1,11 @@
-// Folder: an open folder of the disk, and the way down from it. Nothing here
-// follows a link: each step opens one part of a name beneath an open folder,
-// so that whoever exchanges folders for links meanwhile gains nothing.
+// Folder is an open folder of the disk, from which files and folders below it
+// are opened. No function follows a link, and each opens one part of a name
+// relative to an open folder. So a path cannot leave the data folder, even if
+// somebody replaces folders by links at the same time.
+//
+//  const auto data = Folder::open("/var/lib/app/data", Missing::refuse);
+//  const auto notes = data->folder("notes", Missing::make);
+//  const auto file = notes->file("today.txt", O_RDONLY);
 #pragma once
 
 #include <filesystem>
@@ -12,7 +17,7 @@
 
 namespace parlour::adapters {
 
-// An open file; closed when it goes.
+// Owns a file descriptor and closes it.
 class Descriptor {
 public:
   explicit Descriptor(int number = -1) : number_(number) {}
@@ -23,7 +28,8 @@ public:
   int get() const {
     return number_;
   }
-  int release(); // to whoever closes it
+  // Gives the descriptor to the caller, who closes it.
+  int release();
   explicit operator bool() const {
     return number_ >= 0;
   }
@@ -32,22 +38,28 @@ private:
   int number_;
 };
 
+// What to do about a folder that does not exist.
 enum class Missing : bool { refuse, make };
 
+// Not thread-safe with regard to errno, which tells what the system reported.
+// All errors have the kind File.
 class Folder {
 public:
-  // Errors of all functions are of kind File; `errno` says what the system
-  // said.
+  // Opens a folder by its path, or a folder inside of this one.
   static Expected<Folder> open(const std::filesystem::path& path,
                                Missing missing);
   Expected<Folder> folder(const std::string& name, Missing missing) const;
 
-  // A regular file that has no other name; never a link, a pipe or a device.
+  // Opens a regular file. Refuses links, pipes and devices, and files with a
+  // second name (hard link), which may lie outside of the data folder. `flags`
+  // are those of open().
   Expected<Descriptor> file(const std::string& name, int flags) const;
 
-  // The names in it, in no order; at most `most` of them.
+  // The names in the folder, unsorted, "." and ".." included. Fails if there
+  // are more than `most`.
   Expected<std::vector<std::string>> names(std::size_t most) const;
   enum class What : std::uint8_t { nothing, file, folder, other };
+  // What kind of thing has this name. A link counts as `other`.
   What what(const std::string& name) const;
 
   int get() const {
@@ -60,7 +72,8 @@ private:
   Descriptor descriptor_;
 };
 
-// "…: No such file or directory", of the last call that failed.
+// An error with the system's reason for the last call that failed: "…: No such
+// file or directory".
 tl::unexpected<Error> system_trouble(const std::string& what);
 
 } // namespace parlour::adapters

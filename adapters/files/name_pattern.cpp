@@ -8,7 +8,7 @@ namespace parlour::adapters {
 
 namespace {
 
-// The bytes of the character at `at`, in UTF-8.
+// The bytes of the UTF-8 character at a position.
 std::size_t character(std::string_view text, std::size_t at) {
   std::size_t size = 1;
   while (at + size < text.size() && continues_code_point(text[at + size]))
@@ -18,12 +18,16 @@ std::size_t character(std::string_view text, std::size_t at) {
 
 } // namespace
 
+// Matches from left to right. After a mismatch the last '*' takes one more
+// character and matching goes on behind it. Earlier ones need not be tried
+// again: if the rest fits behind some position, a later '*' finds it as well.
 bool fits_pattern(std::string_view pattern, std::string_view name) {
   if (name.starts_with('.'))
     return false;
   std::size_t p = 0;
   std::size_t n = 0;
-  auto star = std::string_view::npos; // the last one, which took until `taken`
+  // The position of the last '*', and the end of what it has taken so far.
+  auto star = std::string_view::npos;
   std::size_t taken = 0;
   while (n < name.size()) {
     if (p < pattern.size() && pattern[p] == '*') {

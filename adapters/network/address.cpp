@@ -6,6 +6,7 @@ namespace parlour::adapters {
 
 namespace {
 
+// A number from 1 to 65535 without sign or blanks.
 bool is_port(const std::string& text) {
   int number = 0;
   const auto* end = text.data() + text.size();
@@ -16,6 +17,8 @@ bool is_port(const std::string& text) {
 } // namespace
 
 Expected<Address> parse_address(const std::string& text) {
+  // The last colon separates the port. An IPv6 address has colons itself, so it
+  // must be in brackets.
   const auto colon = text.rfind(':');
   Address address;
   if (colon != std::string::npos) {

@@ -1,4 +1,4 @@
-// Where a TCP client connects to.
+// The address of a TCP server, as scripts write it and as the system needs it.
 #pragma once
 
 #include <string>
@@ -15,11 +15,11 @@ struct Address {
   std::string port;
 };
 
-// "host:port", "192.0.2.1:80" or "[2001:db8::1]:80"; else an error of kind
-// Network that says so.
+// Parses "host:port", "192.0.2.1:80" or "[2001:db8::1]:80" (language rule
+// 11.9). The error has the kind Network.
 Expected<Address> parse_address(const std::string& text);
 
-// As the system wants it.
+// A resolved address, as connect() takes it.
 struct Endpoint {
   sockaddr_storage address{};
   socklen_t size = 0;

@@ -13,12 +13,13 @@ namespace parlour::adapters {
 
 namespace {
 
-// Names looked up at the same time; others wait for their turn.
-constexpr int most_threads = 4;
+// How many names are looked up at the same time; others wait.
+constexpr int max_threads = 4;
 
 } // namespace
 
-// Outlives the resolver as long as a thread hangs in the system.
+// Shared with the threads: it lives until the last of them has returned from
+// the system, which may be long after the resolver.
 struct Resolver::State {
   struct Task {
     Address address;
@@ -30,6 +31,7 @@ struct Resolver::State {
   int threads = 0;
   bool over = false;
 
+  // The next task for a thread. A thread without one ends.
   bool take(Task& task) {
     std::lock_guard lock(mutex);
     if (over || tasks.empty()) {
@@ -41,7 +43,8 @@ struct Resolver::State {
     return true;
   }
 
-  // Under the lock, so that nothing is told once the resolver has gone.
+  // Calls back under the lock, so that nothing is called once the destructor
+  // has returned.
   void tell(const Task& task, Endpoints found) {
     std::lock_guard lock(mutex);
     if (!over)
@@ -60,8 +63,9 @@ Resolver::~Resolver() {
 void Resolver::resolve(Address address, Done done) {
   std::lock_guard lock(state_->mutex);
   state_->tasks.push_back({std::move(address), std::move(done)});
-  if (state_->threads >= most_threads)
+  if (state_->threads >= max_threads)
     return;
+  // Threads are started on demand and end when there is no task for them.
   ++state_->threads;
   std::thread([state = state_] {
     for (State::Task task; state->take(task);)
@@ -69,6 +73,7 @@ void Resolver::resolve(Address address, Done done) {
   }).detach();
 }
 
+// AF_UNSPEC asks for IPv4 and IPv6 addresses; the system sorts them.
 Endpoints resolve_now(const Address& address) {
   addrinfo wanted{};
   wanted.ai_family = AF_UNSPEC;

@@ -1,6 +1,7 @@
-// Resolver: names of hosts to addresses. The system's function blocks, for many
-// seconds where no name server answers, and cannot be ended: so it runs on a
-// few threads that nobody waits for.
+// Resolver looks up host names without blocking its caller. The system's
+// function getaddrinfo may block for many seconds and cannot be interrupted, so
+// it runs on a few detached threads. Destroying the resolver does not wait for
+// them.
 #pragma once
 
 #include <functional>
@@ -13,7 +14,8 @@ namespace parlour::adapters {
 
 using Endpoints = Expected<std::vector<Endpoint>>;
 
-// Safe to use from any thread. What is under way when it goes is forgotten.
+// Thread-safe. Lookups that are under way when the resolver is destroyed are
+// forgotten.
 class Resolver {
 public:
   using Done = std::function<void(Endpoints)>;
@@ -23,7 +25,8 @@ public:
   Resolver& operator=(const Resolver&) = delete;
   ~Resolver();
 
-  // Calls `done` from another thread, once, unless this is gone by then.
+  // Calls `done` once, from another thread, unless the resolver is destroyed
+  // first. `done` must not call the resolver, whose lock is held.
   void resolve(Address address, Done done);
 
 private:
@@ -31,7 +34,7 @@ private:
   std::shared_ptr<State> state_;
 };
 
-// The same at once, blocking.
+// Looks up a name on the calling thread, and blocks.
 Endpoints resolve_now(const Address& address);
 
 } // namespace parlour::adapters

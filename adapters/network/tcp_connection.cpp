@@ -1,3 +1,5 @@
+// The functions are called under the lock of TcpSockets, and report events
+// while it is held.
 #include "adapters/network/tcp_connection.hpp"
 
 #include <algorithm>
@@ -17,8 +19,9 @@ namespace {
 using namespace std::chrono_literals;
 using Kind = SocketEvent::Kind;
 
-// For what was sent before it was closed.
+// For queued bytes after close().
 constexpr auto closing_time = 2s;
+// How much read() reads at once.
 constexpr std::size_t piece = 16 << 10;
 
 std::string words(int error) {
@@ -27,7 +30,8 @@ std::string words(int error) {
 
 void set_up(int socket) {
   const int on = 1;
-  // Of use where they are known; nothing depends on them.
+  // Small texts leave at once, and a dead peer is noticed some time. The
+  // connection works without either.
   (void)setsockopt(socket, IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
   (void)setsockopt(socket, SOL_SOCKET, SO_KEEPALIVE, &on, sizeof on);
 }
@@ -45,6 +49,7 @@ TcpConnection::~TcpConnection() {
 
 // -- opening ------------------------------------------------------------------
 
+// endpoints_ is used from its end.
 void TcpConnection::connect(std::vector<Endpoint> endpoints) {
   if (state_ != State::resolving)
     return;
@@ -54,6 +59,8 @@ void TcpConnection::connect(std::vector<Endpoint> endpoints) {
   try_next();
 }
 
+// Starts to connect to the next address. A connect() that does not finish at
+// once is finished by act().
 void TcpConnection::try_next() {
   state_ = State::connecting;
   while (!endpoints_.empty()) {
@@ -103,13 +110,14 @@ void TcpConnection::be_late() {
 Expected<void> TcpConnection::send(const std::string& text) {
   if (state_ != State::open || ended_)
     return fail(ErrorKind::network, "it is closed");
-  if (unsent_.size() + text.size() > most_unsent)
+  if (unsent_.size() + text.size() > max_unsent)
     return fail(ErrorKind::network,
                 "the other side does not take what is sent");
   unsent_ += text;
   return {};
 }
 
+// Sends as much as the system takes; poll says when there is room again.
 void TcpConnection::write() {
   while (!unsent_.empty()) {
     const auto sent =
@@ -140,6 +148,7 @@ void TcpConnection::finish() {
 
 // -- reading ------------------------------------------------------------------
 
+// One read for each event of poll: other connections have their turn, too.
 void TcpConnection::read() {
   char bytes[piece];
   const auto got = recv(socket_, bytes, sizeof bytes, 0);
@@ -152,7 +161,8 @@ void TcpConnection::read() {
   deliver();
 }
 
-// What was read before is told first.
+// The connection ends from the other side. What was read before is reported
+// first, including a last line without a line break.
 void TcpConnection::end(const std::string& reason) {
   if (state_ == State::closing)
     return finish();
@@ -164,8 +174,10 @@ void TcpConnection::end(const std::string& reason) {
   deliver();
 }
 
+// Reports texts as far as flow control allows. The end is reported after the
+// last text.
 void TcpConnection::deliver() {
-  while (!texts_.empty() && untaken_ < most_untaken) {
+  while (!texts_.empty() && untaken_ < max_untaken) {
     ++untaken_;
     tell_({Kind::text, std::move(texts_.front())});
     texts_.pop_front();
@@ -183,32 +195,29 @@ void TcpConnection::taken() {
     deliver();
 }
 
-// -- polling ------------------------------------------------------------------
+// -- waiting ------------------------------------------------------------------
 
+// Reading stops while texts wait to be reported or taken.
 short TcpConnection::interest() const {
   if (state_ == State::connecting || state_ == State::closing)
     return POLLOUT;
   if (state_ != State::open || ended_)
     return 0;
-  const bool reads = texts_.empty() && untaken_ < most_untaken;
+  const bool reads = texts_.empty() && untaken_ < max_untaken;
   return static_cast<short>((reads ? POLLIN : 0) |
                             (unsent_.empty() ? 0 : POLLOUT));
-}
-
-// A socket that nothing is wanted of would be told of all the same when the
-// other side hangs up, again and again.
-int TcpConnection::descriptor() const {
-  return interest() == 0 ? -1 : socket_;
 }
 
 void TcpConnection::act(short ready) {
   if (ready == 0)
     return;
+  // SO_ERROR is the outcome of a connect() that did not finish at once.
   if (state_ == State::connecting) {
     int error = 0;
     socklen_t size = sizeof error;
-    if (getsockopt(socket_, SOL_SOCKET, SO_ERROR, &error, &size) == 0 &&
-        error == 0)
+    if (getsockopt(socket_, SOL_SOCKET, SO_ERROR, &error, &size) != 0)
+      error = errno;
+    if (error == 0)
       return connected();
     trouble_ = words(error);
     return try_next();

@@ -1,6 +1,12 @@
-// TcpConnection: one TCP client, from its opening to its end, without waiting
-// and without a thread: whoever polls tells it what can be done. Not
-// thread-safe.
+// TcpConnection is the state machine of one TCP client. It never blocks and has
+// no thread: whoever waits tells it what can be done (language rules 11.9 and
+// 11.10).
+//
+//  resolving    the host's name is being looked up
+//  connecting   one address after the other is tried
+//  open         texts go both ways
+//  closing      closed by the script; the last bytes leave
+//  over         the socket is closed
 #pragma once
 
 #include <chrono>
@@ -14,40 +20,54 @@
 
 namespace parlour::adapters {
 
+// Not thread-safe.
 class TcpConnection {
 public:
   using Moment = std::chrono::steady_clock::time_point;
 
-  // Texts that are told and not yet taken.
-  static constexpr int most_untaken = 16;
-  // Bytes that wait for the other side.
-  static constexpr std::size_t most_unsent = 1 << 20;
+  // Flow control: how many texts may be reported and not yet taken. Beyond that
+  // the socket is not read, so that TCP slows the sender down.
+  static constexpr int max_untaken = 16;
+  // How many bytes may wait to be sent. Beyond that, send() fails.
+  static constexpr std::size_t max_unsent = 1 << 20;
 
+  // `now` starts the time limit for connecting.
   TcpConnection(SocketOrder order, Sockets::Tell tell, Moment now);
   TcpConnection(const TcpConnection&) = delete;
   TcpConnection& operator=(const TcpConnection&) = delete;
   ~TcpConnection();
 
-  // Tries one address after the other.
+  // Tries the addresses one after the other until one accepts.
   void connect(std::vector<Endpoint> endpoints);
-  // It will not be opened.
+  // Reports that the connection cannot be opened.
   void give_up(const std::string& reason);
 
+  // Queues a text; act() writes it. Fails if the connection is not open.
   Expected<void> send(const std::string& text);
+  // The receiver has processed one text; the next may be reported.
   void taken();
-  // Nothing is told any more; what was sent gets a little time to leave.
+  // Closes the connection at the script's request. Nothing is reported any
+  // more; what was queued gets two seconds to leave.
   void close(Moment now);
 
-  // What to poll for; -1: nothing.
-  int descriptor() const;
-  short interest() const; // POLLIN, POLLOUT
-  // What can be done now, as poll says it.
+  // What to wait for: a descriptor, or -1 for none, and the events POLLIN and
+  // POLLOUT. Without an event nothing is to be waited for, not even a hang-up.
+  int descriptor() const {
+    return socket_;
+  }
+  short interest() const;
+  // Does what poll() says is possible; `ready` is its revents.
   void act(short ready);
-  // How long to wait at most, and what to do when that has come.
+  // When be_late() is to be called.
   Moment deadline() const {
     return deadline_;
   }
+  // The time limit for connecting or closing has passed.
   void be_late();
+  // The descriptor stays the same from now on, until the connection is over.
+  bool is_open() const {
+    return state_ == State::open || state_ == State::closing;
+  }
   bool over() const {
     return state_ == State::over;
   }
@@ -73,12 +93,16 @@ private:
   Sockets::Tell tell_;
   State state_ = State::resolving;
   int socket_ = -1;
-  std::vector<Endpoint> endpoints_; // not tried yet, the next one last
-  std::string trouble_;             // of the address tried before
+  // Addresses that were not tried yet, the next one last.
+  std::vector<Endpoint> endpoints_;
+  // Why the previous address failed, or why the connection ended.
+  std::string trouble_;
   TextFramer framer_;
-  std::deque<std::string> texts_; // read, not told
+  // Texts that were read and not reported yet.
+  std::deque<std::string> texts_;
   int untaken_ = 0;
-  bool ended_ = false; // nothing more to read; `trouble_` says why
+  // The other side has closed, or an error ended the connection.
+  bool ended_ = false;
   std::string unsent_;
   Moment deadline_;
 };

@@ -1,12 +1,7 @@
 #include "adapters/network/tcp_sockets.hpp"
 
-#include <algorithm>
 #include <chrono>
 #include <utility>
-
-#include <fcntl.h>
-#include <poll.h>
-#include <unistd.h>
 
 namespace parlour::adapters {
 
@@ -14,48 +9,36 @@ namespace {
 
 using Steady = std::chrono::steady_clock;
 
-// As poll wants it: rounded up, -1 for ever.
-int milliseconds_until(TcpConnection::Moment moment) {
-  if (moment == TcpConnection::Moment::max())
-    return -1;
-  const auto left =
-      std::chrono::ceil<std::chrono::milliseconds>(moment - Steady::now());
-  return static_cast<int>(std::clamp<std::int64_t>(left.count(), 0, 60'000));
-}
-
 } // namespace
 
-// What one sleep of the thread waits for.
-struct TcpSockets::Polled {
-  std::vector<pollfd> descriptors; // the pipe's, then those of `ids`
-  std::vector<Id> ids;
-  TcpConnection::Moment deadline = TcpConnection::Moment::max();
+// The watch and the alarm belong to the loop's thread, the connection to
+// whoever holds the mutex.
+struct TcpSockets::Entry {
+  Entry(TcpSockets& sockets, Id id, SocketOrder order, Tell tell)
+      : connection(std::move(order), std::move(tell), Steady::now()),
+        watch(*sockets.loop_,
+              [&sockets, id](short ready) { sockets.act(id, ready); }),
+        alarm(*sockets.loop_, [&sockets, id] { sockets.act(id, 0); }) {}
+
+  TcpConnection connection;
+  Watch watch;
+  Alarm alarm;
 };
 
-TcpSockets::TcpSockets() {
-  int ends[2];
-  if (pipe2(ends, O_CLOEXEC | O_NONBLOCK) == 0) {
-    wake_read_ = ends[0];
-    wake_write_ = ends[1];
-  }
-}
+TcpSockets::TcpSockets() = default;
 
 TcpSockets::~TcpSockets() {
-  {
-    std::lock_guard lock(mutex_);
-    over_ = true;
-  }
-  wake();
-  if (thread_.joinable())
-    thread_.join();
-  ::close(wake_read_);
-  ::close(wake_write_);
+  if (loop_)
+    loop_->stop();
+  std::lock_guard lock(mutex_);
+  connections_.clear();
 }
 
 Sockets::Id TcpSockets::open(SocketOrder order, Tell tell) {
   const auto address = parse_address(order.address);
   const auto id = add(std::move(order), std::move(tell));
-  // Not under the lock: the resolver calls back under its own.
+  // Without our lock: the resolver calls resolved() while it holds its own, so
+  // taking the two locks here in the other order could deadlock.
   if (address)
     resolver_.resolve(*address, [this, id](const Endpoints& endpoints) {
       resolved(id, endpoints);
@@ -67,12 +50,27 @@ Sockets::Id TcpSockets::open(SocketOrder order, Tell tell) {
 
 Sockets::Id TcpSockets::add(SocketOrder order, Tell tell) {
   std::lock_guard lock(mutex_);
-  if (!thread_.joinable())
-    thread_ = std::thread([this] { work(); });
-  connections_.emplace(
-      ++last_, std::make_unique<TcpConnection>(std::move(order),
-                                               std::move(tell), Steady::now()));
-  return last_;
+  const auto id = ++last_;
+  if (auto started = start_loop(); !started) {
+    tell({SocketEvent::Kind::failed,
+          "no connection is possible: " + started.error().message});
+    return id;
+  }
+  connections_.emplace(id, std::make_unique<Entry>(*this, id, std::move(order),
+                                                   std::move(tell)));
+  changed(id);
+  return id;
+}
+
+// The loop is started with the first connection: most runs have none.
+Expected<void> TcpSockets::start_loop() {
+  if (loop_)
+    return {};
+  auto started = Loop::start();
+  if (!started)
+    return tl::make_unexpected(started.error());
+  loop_ = std::move(*started);
+  return {};
 }
 
 void TcpSockets::resolved(Id id, const Endpoints& endpoints) {
@@ -84,12 +82,12 @@ void TcpSockets::resolved(Id id, const Endpoints& endpoints) {
     connection->connect(*endpoints);
   else
     connection->give_up(endpoints.error().message);
-  wake();
+  changed(id);
 }
 
 TcpConnection* TcpSockets::find(Id id) {
   const auto found = connections_.find(id);
-  return found == connections_.end() ? nullptr : found->second.get();
+  return found == connections_.end() ? nullptr : &found->second->connection;
 }
 
 Expected<void> TcpSockets::send(Id id, const std::string& text) {
@@ -97,72 +95,54 @@ Expected<void> TcpSockets::send(Id id, const std::string& text) {
   auto* connection = find(id);
   if (!connection)
     return fail(ErrorKind::network, "it is closed");
-  wake();
+  changed(id);
   return connection->send(text);
 }
 
 void TcpSockets::taken(Id id) {
   std::lock_guard lock(mutex_);
-  if (auto* connection = find(id))
+  if (auto* connection = find(id)) {
     connection->taken();
-  wake();
+    changed(id);
+  }
 }
 
 void TcpSockets::close(Id id) {
   std::lock_guard lock(mutex_);
-  if (auto* connection = find(id))
+  if (auto* connection = find(id)) {
     connection->close(Steady::now());
-  wake();
-}
-
-// -- the thread ---------------------------------------------------------------
-
-void TcpSockets::wake() {
-  const char byte = 0;
-  // A full pipe wakes as well.
-  (void)!write(wake_write_, &byte, 1);
-}
-
-void TcpSockets::work() {
-  std::unique_lock lock(mutex_);
-  while (!over_) {
-    Polled polled;
-    prepare(polled);
-    lock.unlock();
-    poll(polled.descriptors.data(), polled.descriptors.size(),
-         milliseconds_until(polled.deadline));
-    lock.lock();
-    act(polled);
-  }
-  connections_.clear();
-}
-
-void TcpSockets::prepare(Polled& polled) {
-  std::erase_if(connections_,
-                [](const auto& entry) { return entry.second->over(); });
-  polled.descriptors.push_back({wake_read_, POLLIN, 0});
-  for (const auto& [id, connection] : connections_) {
-    polled.deadline = std::min(polled.deadline, connection->deadline());
-    polled.descriptors.push_back(
-        {connection->descriptor(), connection->interest(), 0});
-    polled.ids.push_back(id);
+    changed(id);
   }
 }
 
-void TcpSockets::act(const Polled& polled) {
-  char bytes[256];
-  while (read(wake_read_, bytes, sizeof bytes) > 0) {
+// Another thread may have closed the connection's socket. What it posts here is
+// done before any later socket with that number is waited for.
+void TcpSockets::changed(Id id) {
+  loop_->post([this, id] { act(id, 0); });
+}
+
+// -- on the loop's thread -----------------------------------------------------
+
+// Lets the connection do what it can, and then waits for what it wants next.
+void TcpSockets::act(Id id, short ready) {
+  std::lock_guard lock(mutex_);
+  const auto found = connections_.find(id);
+  if (found == connections_.end())
+    return;
+  auto& [connection, watch, alarm] = *found->second;
+  // While it connects, it may close its socket and open another one.
+  if (!connection.is_open())
+    watch.stop();
+  if (!connection.over())
+    connection.act(ready);
+  if (!connection.over() && connection.deadline() <= Steady::now())
+    connection.be_late();
+  if (connection.over()) {
+    connections_.erase(found);
+    return;
   }
-  const auto now = Steady::now();
-  for (std::size_t i = 0; i < polled.ids.size() && !over_; ++i) {
-    auto* connection = find(polled.ids[i]);
-    if (!connection || connection->over())
-      continue;
-    if (connection->descriptor() == polled.descriptors[i + 1].fd)
-      connection->act(polled.descriptors[i + 1].revents);
-    if (!connection->over() && connection->deadline() <= now)
-      connection->be_late();
-  }
+  watch.await(connection.descriptor(), connection.interest());
+  alarm.set(connection.deadline());
 }
 
 } // namespace parlour::adapters

@@ -1,24 +1,26 @@
-// TcpSockets: all TCP clients of a run, polled by one thread, which starts with
-// the first of them.
+// TcpSockets implements the interface Sockets, through which scripts use TCP,
+// for all connections of a run. One loop waits for them; it starts with the
+// first one.
 #pragma once
 
 #include <map>
 #include <memory>
 #include <mutex>
-#include <thread>
-#include <vector>
 
+#include "adapters/loop/alarm.hpp"
+#include "adapters/loop/watch.hpp"
 #include "adapters/network/resolver.hpp"
 #include "adapters/network/tcp_connection.hpp"
 #include "runtime/base/sockets.hpp"
 
 namespace parlour::adapters {
 
-// Safe to use from any thread, but not from within a Tell.
+// Thread-safe. A Tell function must not call it: the lock is held.
 class TcpSockets : public Sockets {
 public:
   TcpSockets();
-  ~TcpSockets() override; // closes all; nothing is told any more
+  // Closes all connections; nothing is reported any more.
+  ~TcpSockets() override;
 
   Id open(SocketOrder order, Tell tell) override;
   Expected<void> send(Id id, const std::string& text) override;
@@ -26,27 +28,24 @@ public:
   void close(Id id) override;
 
 private:
-  using Connections = std::map<Id, std::unique_ptr<TcpConnection>>;
-  struct Polled;
+  // A connection, and what the loop waits for on its behalf.
+  struct Entry;
 
+  Expected<void> start_loop();
   Id add(SocketOrder order, Tell tell);
   void resolved(Id id, const Endpoints& endpoints);
   TcpConnection* find(Id id);
-  void work();
-  void prepare(Polled& polled);
-  void act(const Polled& polled);
-  void wake();
+  void changed(Id id);
+  void act(Id id, short ready);
 
-  // Held while a connection is touched and while it tells; not while the thread
-  // sleeps.
+  // Held while a connection is used and while it reports.
   std::mutex mutex_;
-  Connections connections_;
+  // Null until the first connection.
+  std::unique_ptr<Loop> loop_;
+  std::map<Id, std::unique_ptr<Entry>> connections_;
   Id last_ = 0;
-  bool over_ = false;
-  int wake_read_ = -1; // a pipe that ends the thread's sleep
-  int wake_write_ = -1;
-  std::thread thread_;
-  Resolver resolver_; // first to go
+  // The last member, destroyed first: it calls resolved().
+  Resolver resolver_;
 };
 
 } // namespace parlour::adapters

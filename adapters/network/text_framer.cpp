@@ -10,6 +10,7 @@ namespace parlour::adapters {
 
 namespace {
 
+// ICU replaces each ill-formed sequence by U+FFFD.
 std::string valid_text(std::string_view bytes) {
   std::string text;
   icu::UnicodeString::fromUTF8(
@@ -29,6 +30,8 @@ std::string_view without_return(std::string_view line) {
 std::vector<std::string> TextFramer::take(std::string_view bytes) {
   held_ += bytes;
   auto texts = lines_ ? whole_lines() : std::vector<std::string>();
+  // Whatever is complete is a text if lines do not matter, or if the current
+  // line has grown too long.
   if (const auto size = complete();
       size > 0 && (!lines_ || held_.size() > longest_text)) {
     texts.push_back(valid_text(std::string_view(held_).substr(0, size)));
@@ -50,8 +53,8 @@ std::vector<std::string> TextFramer::whole_lines() {
   return lines;
 }
 
-// A character has at most 4 bytes: only the last 3 may be the beginning of one
-// that is not whole.
+// A character has at most 4 bytes, so only the last 3 bytes can be the
+// beginning of an incomplete one. The loop looks for its lead byte.
 std::size_t TextFramer::complete() const {
   for (std::size_t back = 1; back <= 3 && back <= held_.size(); ++back) {
     const auto at = held_.size() - back;

@@ -1,6 +1,6 @@
-// TextFramer: the bytes of a stream as texts: a text for each line, without its
-// end ("\n" or "\r\n"), or texts as they came. A character is never cut in two;
-// bytes that are not UTF-8 become U+FFFD.
+// TextFramer splits a stream of bytes into texts: either one text for each
+// line, without its "\n" or "\r\n", or texts as the bytes arrive. A character
+// is never cut in two. Bytes that are not valid UTF-8 become U+FFFD.
 #pragma once
 
 #include <cstddef>
@@ -12,18 +12,21 @@ namespace parlour::adapters {
 
 class TextFramer {
 public:
-  // A longer line comes in pieces.
+  // In bytes. A longer line is delivered in pieces.
   static constexpr std::size_t longest_text = 64 << 10;
 
+  // `lines`: one text for each line.
   explicit TextFramer(bool lines) : lines_(lines) {}
 
+  // Adds bytes and returns the texts that are complete now.
   std::vector<std::string> take(std::string_view bytes);
-  // The stream is over: what is left; empty: nothing.
+  // Returns what is left at the end of the stream; empty if nothing is.
   std::string rest();
 
 private:
   std::vector<std::string> whole_lines();
-  std::size_t complete() const; // bytes up to the last whole character
+  // The number of bytes up to the end of the last complete character.
+  std::size_t complete() const;
 
   bool lines_;
   std::string held_;

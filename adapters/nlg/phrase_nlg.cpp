@@ -9,6 +9,7 @@ namespace parlour::adapters {
 
 namespace {
 
+// The act with the data of a second parameter, unless it has data of its own.
 Value with_data(const Map& act, const std::vector<Value>& params) {
   if (params.size() < 2 || act.find("data"))
     return act;
@@ -23,6 +24,8 @@ std::vector<Answer> no_phrase(const Value& say) {
 
 } // namespace
 
+// Words may come with failures, such as an expression of a phrase that failed;
+// each is reported with its place.
 std::vector<Answer> PhraseNLG::answers(const Message& message) const {
   if (message.command != "Generate")
     return {

@@ -1,18 +1,20 @@
-// The plug-in PhraseNLG (role NLG; understanding.md "Phrases"): words for what
-// the engine wants to say, from the application's and the platform's phrases.
+// PhraseNLG is the plug-in for the role NLG that makes words of what the engine
+// wants to say, from the phrases of application and platform (understanding.md,
+// "Phrases"; engine rule 3.4).
 //
-//   Generate(text)        Speak(text), as it is
-//   Generate(act, data?)  Speak(words); act is the map of PhraseEvaluator, and
-//                         `data` its entry of that name where it has none
+//  Generate(text)        Speak(text), unchanged
+//  Generate(act, data?)  Speak(words). `act` is the map that PhraseEvaluator
+//                        takes; `data` is added to it if it has none
 //
-// Where no phrase applies: Speak("") so that whoever waits goes on, and
-// NoPhrase(act, topic) so that it is seen.
+// If no phrase applies, it answers Speak(""), so that nobody waits for words,
+// and NoPhrase(act, topic), so that the missing phrase is noticed.
 #pragma once
 
 #include "runtime/plugin/plugin.hpp"
 
 namespace parlour::adapters {
 
+// Has no state; any number of threads may use it.
 class PhraseNLG : public InlinePlugin {
 public:
   std::vector<Answer> answers(const Message& message) const override;

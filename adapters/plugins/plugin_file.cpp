@@ -1,11 +1,14 @@
+// The steps of loading, each with errors of its own: copy the file, check its
+// length, load it, find its declaration, compare versions, ask for the factory.
+// A library that fails after it was loaded stays loaded, too; unloading code is
+// never safe here.
 #include "adapters/plugins/plugin_file.hpp"
 
 #include <atomic>
 #include <cerrno>
 #include <cstdlib>
-#include <cstring>
 #include <exception>
-#include <optional>
+#include <system_error>
 #include <utility>
 
 #include <dlfcn.h>
@@ -24,15 +27,19 @@ tl::unexpected<Error> unusable(const fs::path& file, const std::string& why) {
               "the plug-in " + file.string() + " cannot be used: " + why);
 }
 
-// A folder for one copy, gone with what is in it at the end of its scope.
+// A temporary folder for one copy, removed at the end of the scope. The library
+// stays loaded after its file has been removed.
 class CopyFolder {
 public:
-  static std::optional<CopyFolder> make() {
+  static tl::expected<CopyFolder, std::error_code> make() {
     std::error_code code;
     auto pattern =
         (fs::temp_directory_path(code) / "parlour-plugin-XXXXXX").string();
-    if (code || !mkdtemp(pattern.data()))
-      return std::nullopt;
+    if (code)
+      return tl::make_unexpected(code);
+    if (!mkdtemp(pattern.data()))
+      return tl::make_unexpected(
+          std::error_code(errno, std::generic_category()));
     return CopyFolder(pattern);
   }
   CopyFolder(CopyFolder&& other) noexcept : path_(std::move(other.path_)) {
@@ -44,8 +51,8 @@ public:
       fs::remove_all(path_, ignored);
   }
 
-  // No two copies of a process have one name: the loader would take the second
-  // for the first.
+  // The loader recognises a library by its name: a second copy of the same name
+  // would not be loaded. So each copy has a number.
   fs::path name_for(const fs::path& file) const {
     static std::atomic<unsigned> count = 0;
     return path_ / (std::to_string(++count) + "-" + file.filename().string());
@@ -56,7 +63,7 @@ private:
   fs::path path_;
 };
 
-// The loader's own words name the copy.
+// The loader's message names the copy, which means nothing to the user.
 std::string loader_error(const fs::path& copy, const fs::path& file) {
   const auto* said = dlerror();
   std::string text = said ? said : "the loader says nothing";
@@ -65,12 +72,14 @@ std::string loader_error(const fs::path& copy, const fs::path& file) {
   return text;
 }
 
+// RTLD_NOW reports missing symbols here instead of in a call; RTLD_LOCAL keeps
+// the symbols of plug-ins apart.
 Expected<void*> map_copy(const fs::path& file) {
   const auto folder = CopyFolder::make();
   if (!folder)
     return unusable(file, std::string("no folder for a copy of it can be made "
                                       "(TMPDIR says where): ") +
-                              std::strerror(errno));
+                              folder.error().message());
   const auto copy = folder->name_for(file);
   std::error_code code;
   if (!fs::copy_file(file, copy, code))
@@ -84,6 +93,8 @@ Expected<void*> map_copy(const fs::path& file) {
   return library;
 }
 
+// Nothing of the library may be called before interface and ABI have been
+// compared.
 Expected<const PluginLibrary*> declaration(void* library,
                                            const fs::path& file) {
   const auto* found =

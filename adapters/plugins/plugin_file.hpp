@@ -1,5 +1,5 @@
-// Opens the file of a plug-in (a shared library with the symbol of
-// runtime/plugin/export.hpp).
+// Loads a plug-in from a shared library that exports the symbol of
+// runtime/plugin/export.hpp.
 #pragma once
 
 #include <filesystem>
@@ -8,13 +8,13 @@
 
 namespace parlour::adapters {
 
-// Maps a copy of the file as it is now, so that the file can be replaced while
-// its plug-in runs, and both versions run side by side. The copy stays mapped
-// until the process ends: objects made by it may outlive everything else.
+// Loads a copy of the file. So the file can be replaced while its plug-in runs,
+// and two versions can run side by side. The copy stays loaded until the
+// process ends, since objects of its code may outlive everything else.
 //
-// Errors, of kind Settings: there is no such file, it is no plug-in, it was
-// built for another Parlour or by an unlike compiler, or it is named otherwise
-// than its plug-in.
+// The error has the kind Settings: the file does not exist, is no plug-in, was
+// built for another version of Parlour or by an incompatible compiler, or its
+// name is not that of the plug-in.
 Expected<PluginFactory> open_plugin_file(const std::filesystem::path& file);
 
 } // namespace parlour::adapters

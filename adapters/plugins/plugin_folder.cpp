@@ -13,6 +13,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
+// No slash, so that a name cannot lead out of the folder.
 bool is_name(const std::string& name) {
   return !name.empty() && name.front() != '.' &&
          std::ranges::all_of(name, [](unsigned char c) {
@@ -22,6 +23,7 @@ bool is_name(const std::string& name) {
 
 } // namespace
 
+// A replaced file differs in its inode, a changed one in size or time.
 std::optional<PluginFolder::Version>
 PluginFolder::version_of(const fs::path& file) {
   struct stat seen {};
@@ -45,6 +47,8 @@ Expected<PluginFactory> PluginFolder::find(const std::string& name) {
                     folder_.string() + " without '.so'");
   const auto file = file_of(name);
   std::lock_guard lock(mutex_);
+  // Under the lock, so that two threads do not load the same version twice. A
+  // missing file is not remembered: it may come.
   const auto now = version_of(file);
   auto known = opened_.find(name);
   if (now && known != opened_.end() && known->second.version == *now)
@@ -58,6 +62,7 @@ Expected<PluginFactory> PluginFolder::find(const std::string& name) {
 std::vector<std::string> PluginFolder::names() const {
   std::vector<std::string> names;
   std::error_code code;
+  // A missing folder gives an error code and thus no names.
   for (fs::directory_iterator entry(folder_, code), end; !code && entry != end;
        entry.increment(code))
     if (entry->path().extension() == ".so" && has(entry->path().stem()))

@@ -1,4 +1,4 @@
-// PluginFolder: the plug-ins that lie in a folder, each a file NAME.so.
+// PluginFolder finds the plug-ins of a folder, each of which is a file NAME.so.
 #pragma once
 
 #include <filesystem>
@@ -12,8 +12,8 @@
 
 namespace parlour::adapters {
 
-// Safe to use from any thread. Files are opened when they are asked for; one
-// that has not changed since is not opened again.
+// Thread-safe. Files are loaded when they are asked for. A file that has not
+// changed since is not loaded again.
 class PluginFolder {
 public:
   explicit PluginFolder(std::filesystem::path folder)
@@ -25,16 +25,16 @@ public:
   std::filesystem::path file_of(const std::string& name) const {
     return folder_ / (name + ".so");
   }
-  // Whether there is a file of that name; never for a name that would lead out
+  // Whether there is a file for this name. False for a name that would lead out
   // of the folder.
   bool has(const std::string& name) const;
-  // The file as it is now; errors as of open_plugin_file.
+  // Loads the current version of the file. Errors as those of open_plugin_file.
   Expected<PluginFactory> find(const std::string& name);
-  // Names of the files, sorted; none where the folder is missing.
+  // The names of the plug-ins, sorted; none if the folder does not exist.
   std::vector<std::string> names() const;
 
 private:
-  // What tells one version of a file from the next.
+  // What distinguishes two versions of a file.
   struct Version {
     std::uint64_t device = 0;
     std::uint64_t inode = 0;
@@ -43,6 +43,7 @@ private:
     std::int64_t nanoseconds = 0;
     bool operator==(const Version&) const = default;
   };
+  // The outcome for a version, which may be an error.
   struct Opened {
     Version version;
     Expected<PluginFactory> outcome;

@@ -14,6 +14,7 @@ namespace {
 using Header = ElfW(Ehdr);
 using Segment = ElfW(Phdr);
 
+// Reads a structure at an offset; nothing if the file is too short.
 template <class Part>
 std::optional<Part> part_at(std::ifstream& file, std::uint64_t offset) {
   Part part{};
@@ -24,6 +25,7 @@ std::optional<Part> part_at(std::ifstream& file, std::uint64_t offset) {
   return part;
 }
 
+// An ELF file with the word size of this program.
 bool is_ours(const Header& header) {
   constexpr int bits = sizeof(void*) == 8 ? ELFCLASS64 : ELFCLASS32;
   return std::memcmp(header.e_ident, ELFMAG, SELFMAG) == 0 &&
@@ -39,6 +41,8 @@ bool is_cut_off(const std::filesystem::path& path) {
   const auto header = part_at<Header>(file, 0);
   if (code || !header || !is_ours(*header))
     return false;
+  // Every segment of the program header must lie within the file. The second
+  // comparison cannot overflow because of the first.
   for (unsigned at = 0; at < header->e_phnum; ++at) {
     const auto segment = part_at<Segment>(
         file, header->e_phoff + std::uint64_t{at} * header->e_phentsize);

@@ -1,13 +1,13 @@
-// Looks at a shared library before it is mapped: the loader would run into the
-// end of one that is cut off, and the program with it (SIGBUS).
+// Checks a shared library before it is loaded. The loader maps files without
+// checking their length: a truncated one would kill the program (SIGBUS).
 #pragma once
 
 #include <filesystem>
 
 namespace parlour::adapters {
 
-// Whether it ends before what it says that it holds, as after a copy that was
-// interrupted. False for what is no shared library at all: the loader says so.
+// Whether the file is shorter than its headers say, as after an interrupted
+// copy. False for a file that is no shared library, which the loader reports.
 bool is_cut_off(const std::filesystem::path& file);
 
 } // namespace parlour::adapters

@@ -1,32 +1,35 @@
 #include "adapters/process/child_process.hpp"
 
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstring>
 #include <system_error>
 #include <utility>
 
 #include <fcntl.h>
-#include <poll.h>
 #include <spawn.h>
 #include <sys/socket.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "adapters/loop/wait_until_ready.hpp"
+
 namespace parlour::adapters {
 
 namespace {
 
-// Read without waiting by us; not the next process's to inherit.
+// Our end does not block, and no other child inherits it.
 bool make_pipe(int (&ends)[2]) {
   return pipe2(ends, O_CLOEXEC) == 0 &&
          fcntl(ends[0], F_SETFL, O_NONBLOCK) == 0;
 }
 
-// What the new process starts with: nothing of ours but its socket and where it
-// prints, signals as they are by default, and a group of its own, so that
-// Ctrl-C is ours to take.
+// The file actions and attributes for posix_spawn. The child gets its socket,
+// its output pipe and /dev/null as standard input; all other descriptors are
+// closed. Signals have their default handling. A process group of its own keeps
+// Ctrl-C away from it: the platform decides when components end.
 class Start {
 public:
   Start(int socket, int output) {
@@ -55,10 +58,11 @@ public:
     posix_spawn_file_actions_destroy(&actions_);
   }
 
-  // 0 or what is wrong.
+  // Returns 0, or the error number.
   int run(pid_t& process, const std::filesystem::path& program,
           const std::vector<std::string>& arguments) const {
-    std::vector<char*> words{const_cast<char*>("parlour")}; // what ps shows
+    // The first word is what ps shows.
+    std::vector<char*> words{const_cast<char*>("parlour")};
     for (const auto& argument : arguments)
       words.push_back(const_cast<char*>(argument.c_str()));
     words.push_back(nullptr);
@@ -77,7 +81,8 @@ tl::unexpected<Error> not_started(const std::filesystem::path& program,
                                        std::generic_category().message(error));
 }
 
-std::string words_of(int status) {
+// The exit status of waitpid as a sentence without its subject.
+std::string description_of(int status) {
   if (WIFSIGNALED(status))
     return "was killed by signal " + std::to_string(WTERMSIG(status)) + " (" +
            strsignal(WTERMSIG(status)) + ")";
@@ -94,6 +99,8 @@ ChildProcess::spawn(const std::filesystem::path& program,
     return not_started(program, errno);
   int output[2] = {-1, -1};
   pid_t process = -1;
+  // The child has its own copies, so our copies of its ends are closed in
+  // either case: only then is a closed socket noticed.
   const auto trouble =
       make_pipe(output)
           ? Start(ends[1], output[1]).run(process, program, arguments)
@@ -129,14 +136,20 @@ std::string ChildProcess::read_output() {
   const auto got =
       output_ < 0 ? 0 : ::read(output_, bytes.data(), bytes.size());
   if (got == 0 && output_ >= 0)
-    ::close(std::exchange(output_, -1)); // else we would be told for ever
+    // A pipe at its end would be readable for ever, and wait() would not block.
+    ::close(std::exchange(output_, -1));
   bytes.resize(got > 0 ? static_cast<std::size_t>(got) : 0);
   return bytes;
 }
 
+// Without a pidfd nobody knows; bury() then kills when the time is over.
+bool ChildProcess::ends_by(IpcSocket::Moment deadline) const {
+  pollfd awaited[] = {{ended_, POLLIN, 0}};
+  return wait_until_ready(awaited, deadline) == Waited::ready;
+}
+
 bool ChildProcess::has_ended() const {
-  pollfd ended{ended_, POLLIN, 0};
-  return poll(&ended, 1, 0) == 1;
+  return ends_by(std::chrono::steady_clock::now());
 }
 
 void ChildProcess::kill() {
@@ -146,10 +159,11 @@ void ChildProcess::kill() {
 }
 
 std::string ChildProcess::bury(Milliseconds patience) {
-  pollfd ended{ended_, POLLIN, 0};
-  poll(&ended, 1, static_cast<int>(patience.count()));
+  ends_by(std::chrono::steady_clock::now() + patience);
   std::lock_guard lock(mutex_);
   int status = 0;
+  // Reaping under the lock: kill() can never hit a process that got the same
+  // number.
   const bool alive = waitpid(process_, &status, WNOHANG) == 0;
   if (alive) {
     ::kill(process_, SIGKILL);
@@ -157,7 +171,7 @@ std::string ChildProcess::bury(Milliseconds patience) {
     }
   }
   process_ = -1;
-  return alive ? "hung up and did not end" : words_of(status);
+  return alive ? "hung up and did not end" : description_of(status);
 }
 
 } // namespace parlour::adapters

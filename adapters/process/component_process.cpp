@@ -8,15 +8,16 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// Said and not yet carried out; more of it waits in the socket.
-constexpr std::size_t most_said = 256;
-// For a process that hangs up, to end by itself.
+// Bounds the queue of messages. Further ones stay in the socket, which slows
+// the process down.
+constexpr std::size_t max_said = 256;
+// How long a process that has closed its socket may take to exit.
 constexpr Milliseconds last_breath = 200ms;
-// For one that is alive, to take an answer.
+// How long a process may take to read a message without an answer.
 constexpr Milliseconds time_to_read = 5s;
 
-FrameSocket::Moment in(Milliseconds time) {
-  return FrameSocket::Moment::clock::now() + time;
+IpcSocket::Moment in(Milliseconds time) {
+  return IpcSocket::Moment::clock::now() + time;
 }
 
 } // namespace
@@ -26,6 +27,8 @@ ComponentProcess::ComponentProcess(const ProcessOrder& order, Take take,
     : take_(std::move(take)), output_(std::move(print)),
       thread_([this, order] { work(order); }) {}
 
+// Shutting the socket down makes the process exit and the thread leave its
+// loop.
 ComponentProcess::~ComponentProcess() {
   {
     std::lock_guard lock(mutex_);
@@ -39,8 +42,8 @@ ComponentProcess::~ComponentProcess() {
 
 // -- the thread of the process ------------------------------------------------
 
-// The process is started here, because it is to die with the thread that did
-// (serve_component).
+// The whole life of the process. It is started on this thread because the
+// system kills it when the thread that started it ends (PR_SET_PDEATHSIG).
 void ComponentProcess::work(const ProcessOrder& order) {
   auto child = ChildProcess::spawn(order.program, order.arguments);
   if (!child)
@@ -48,32 +51,34 @@ void ComponentProcess::work(const ProcessOrder& order) {
   {
     std::lock_guard lock(mutex_);
     child_ = std::move(*child);
+    // The caller has given up while the process was being started.
     if (unwanted_ || !blame_.empty())
       child_->kill();
   }
   const auto trouble = read_all();
   const auto ending = child_->bury(trouble.empty() ? last_breath : 0ms);
-  read_output(); // why, perhaps
+  // Its last words may say why it ended.
+  read_output();
   output_.finish();
   finish(trouble.empty() ? "its process " + ending : trouble);
 }
 
-// Until nothing more comes. Empty where the process itself has seen to that,
-// else what is wrong.
+// Reads until the process closes its socket or ends. Returns an empty text
+// then; otherwise what is wrong with what it said.
 std::string ComponentProcess::read_all() {
   for (;;) {
     child_->wait();
     read_output();
-    auto frames = child_->socket().receive();
-    if (!frames)
-      return frames.error().kind == ErrorKind::offline
+    auto messages = child_->socket().receive();
+    if (!messages)
+      return messages.error().kind == ErrorKind::offline
                  ? ""
                  : "its process says what cannot be read: " +
-                       frames.error().message;
-    for (auto& frame : *frames)
-      if (auto taken = deliver(std::move(frame)); !taken)
+                       messages.error().message;
+    for (auto& message : *messages)
+      if (auto taken = deliver(std::move(message)); !taken)
         return taken.error().message;
-    if (frames->empty() && child_->has_ended())
+    if (messages->empty() && child_->has_ended())
       return "";
   }
 }
@@ -84,23 +89,28 @@ void ComponentProcess::read_output() {
               std::chrono::duration_cast<Milliseconds>(now).count());
 }
 
-Expected<void> ComponentProcess::deliver(Frame frame) {
+// Gives a message to the calling thread or, between two calls, takes it here.
+// Waits while the queue is full, and while the messages of the last call are
+// being taken: the order of messages is kept in every case.
+Expected<void> ComponentProcess::deliver(IpcMessage message) {
   std::unique_lock lock(mutex_);
   changed_.wait(lock, [this] {
-    return unwanted_ || (calling_ ? said_.size() < most_said : !settling_);
+    return unwanted_ || (calling_ ? said_.size() < max_said : !settling_);
   });
   if (unwanted_)
     return {};
   if (!calling_) {
     lock.unlock();
-    return take_(frame);
+    return take_(message);
   }
-  said_.push_back(std::move(frame));
+  said_.push_back(std::move(message));
   lock.unlock();
   changed_.notify_all();
   return {};
 }
 
+// Records the end and wakes a waiting call. A reason of ours comes first: "it
+// did not answer in time" says more than "was killed by signal 9".
 void ComponentProcess::finish(const std::string& reason) {
   Over tell;
   {
@@ -116,26 +126,26 @@ void ComponentProcess::finish(const std::string& reason) {
 
 // -- calls --------------------------------------------------------------------
 
-Expected<Frame> ComponentProcess::hello(Milliseconds within) {
-  return await(FrameKind::hello, in(within));
+Expected<IpcMessage> ComponentProcess::hello(Milliseconds within) {
+  return await(IpcKind::hello, in(within));
 }
 
-Expected<Frame> ComponentProcess::call(const Frame& frame,
-                                       Milliseconds within) {
+Expected<IpcMessage> ComponentProcess::call(const IpcMessage& message,
+                                            Milliseconds within) {
   const auto deadline = in(within);
   begin_call();
-  const auto sent = child_->socket().send(frame, deadline);
+  const auto sent = child_->socket().send(message, deadline);
   if (!sent && sent.error().kind == ErrorKind::limit) {
     end_call();
     return tl::make_unexpected(sent.error());
   }
   if (!sent && sent.error().kind == ErrorKind::timeout)
     end("its process did not read what it was sent");
-  return await(FrameKind::done, deadline);
+  return await(IpcKind::done, deadline);
 }
 
-Expected<void> ComponentProcess::tell(const Frame& frame) {
-  return child_->socket().send(frame, in(time_to_read));
+Expected<void> ComponentProcess::tell(const IpcMessage& message) {
+  return child_->socket().send(message, in(time_to_read));
 }
 
 void ComponentProcess::begin_call() {
@@ -143,21 +153,25 @@ void ComponentProcess::begin_call() {
   calling_ = true;
 }
 
-// The frame of that kind; carries out those before it.
-Expected<Frame> ComponentProcess::await(FrameKind kind, Moment deadline) {
+// Takes messages until one of the given kind arrives, or `refuse`, which can
+// only come instead of `hello`. After an error of `take` the loop goes on until
+// next() reports the end of the process.
+Expected<IpcMessage> ComponentProcess::await(IpcKind kind, Moment deadline) {
   for (;;) {
-    auto frame = next(deadline);
-    if (!frame || frame->kind == kind || frame->kind == FrameKind::refuse) {
+    auto message = next(deadline);
+    if (!message || message->kind == kind || message->kind == IpcKind::refuse) {
       end_call();
-      return frame;
+      return message;
     }
-    if (auto taken = take_(*frame); !taken)
+    if (auto taken = take_(*message); !taken)
       end(taken.error().message);
   }
 }
 
-// What was said before it was over comes before the error.
-Expected<Frame> ComponentProcess::next(Moment deadline) {
+// The next message. Messages that arrived before the process ended come first,
+// then the error. At the deadline the process is killed, and its end is waited
+// for.
+Expected<IpcMessage> ComponentProcess::next(Moment deadline) {
   auto there = [this] { return !said_.empty() || over_; };
   std::unique_lock lock(mutex_);
   changed_.wait_until(lock, deadline, there);
@@ -169,21 +183,23 @@ Expected<Frame> ComponentProcess::next(Moment deadline) {
   }
   if (said_.empty())
     return fail(ErrorKind::offline, *over_);
-  auto frame = std::move(said_.front());
+  auto message = std::move(said_.front());
   said_.pop_front();
   lock.unlock();
   changed_.notify_all();
-  return frame;
+  return message;
 }
 
+// Takes the messages that arrived after `done`. Until that is finished,
+// deliver() holds back further ones.
 void ComponentProcess::end_call() {
   std::unique_lock lock(mutex_);
   calling_ = false;
   settling_ = true;
   const auto rest = std::exchange(said_, {});
   lock.unlock();
-  for (const auto& frame : rest)
-    if (auto taken = take_(frame); !taken)
+  for (const auto& message : rest)
+    if (auto taken = take_(message); !taken)
       end(taken.error().message);
   lock.lock();
   settling_ = false;
@@ -191,6 +207,7 @@ void ComponentProcess::end_call() {
   changed_.notify_all();
 }
 
+// Kills the process. The first reason counts.
 void ComponentProcess::end(const std::string& reason) {
   std::lock_guard lock(mutex_);
   if (blame_.empty())

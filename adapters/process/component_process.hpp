@@ -1,5 +1,15 @@
-// ComponentProcess: a process and the conversation with it. One thread of its
-// own starts it, reads what it says, and buries it.
+// ComponentProcess runs a component's process and the conversation with it. A
+// thread of its own starts the process, reads its messages and reaps it.
+//
+// The caller makes calls (start a component, handle a message …) and waits for
+// the `done` of each. What the process wants meanwhile (fire an event, log a
+// line …) is given to `take`, in the order in which it was said:
+//
+//  during a call       queued, and taken by the calling thread
+//  between two calls   taken by the process's thread
+//
+// So everything that a call leads to has happened when the call returns, which
+// virtual time depends on. A process that does not answer in time is killed.
 #pragma once
 
 #include <condition_variable>
@@ -18,26 +28,28 @@
 
 namespace parlour::adapters {
 
+// How to start a process, and how long it may take.
 struct ProcessOrder {
   std::filesystem::path program = "/proc/self/exe";
-  std::vector<std::string> arguments; // such as "component", "GrammarNLU"
-  // How long it has to come up, for each message, and to stop: hangs end so.
+  // Such as "component", "GrammarNLU".
+  std::vector<std::string> arguments;
+  // The time to start, for each message, and to stop.
   Milliseconds start_within{30'000};
   Milliseconds answer_within{10'000};
   Milliseconds stop_within{1'000};
 };
 
-// One thread at a time calls; its destructor ends the process.
+// One thread at a time may call hello, call and when_over; tell may be called
+// by `take` as well. The destructor ends the process.
 class ComponentProcess {
 public:
-  // Carries out what the process wants, one at a time: on the calling thread
-  // while a call is under way, so that all of it is done when the call returns,
-  // else on the thread of the process. An error ends the process.
-  using Take = std::function<Expected<void>(const Frame&)>;
-  // Called once, on any thread: the process is over, and nobody wanted that.
+  // Carries out a message of the process. An error ends the process.
+  using Take = std::function<Expected<void>(const IpcMessage&)>;
+  // Called once, on any thread, when the process ends although nobody asked for
+  // it.
   using Over = std::function<void(const std::string& reason)>;
 
-  // A line that it prints, on its thread.
+  // Receives each line that the process prints, on the process's thread.
   using Print = OutputLines::Print;
 
   ComponentProcess(const ProcessOrder& order, Take take, Print print);
@@ -45,45 +57,57 @@ public:
   ComponentProcess& operator=(const ComponentProcess&) = delete;
   ~ComponentProcess();
 
-  // The first that it says. An error where it does not come up.
-  Expected<Frame> hello(Milliseconds within);
-  // Its `done`. An error of kind Limit: the frame is too long, nothing
-  // happened. Any other: the process is over; the message says why.
-  Expected<Frame> call(const Frame& frame, Milliseconds within);
-  // Without an answer; errors as FrameSocket::send has them.
-  Expected<void> tell(const Frame& frame);
+  // Waits for the first message of the process, `hello` or `refuse`. Call it
+  // once, before anything else. The error says why the process did not start.
+  Expected<IpcMessage> hello(Milliseconds within);
+  // Sends a message and waits for the process's `done`. An error of kind Limit
+  // means that the message is too long and was not sent. Any other error means
+  // that the process has ended; its message says why.
+  Expected<IpcMessage> call(const IpcMessage& message, Milliseconds within);
+  // Sends a message that has no answer. Errors as in IpcSocket::send.
+  Expected<void> tell(const IpcMessage& message);
 
-  // In place of the one before; called at once where it is over already.
+  // Replaces the previous function. It is called at once if the process has
+  // ended already; an empty one is never called.
   void when_over(Over over);
 
 private:
-  using Moment = FrameSocket::Moment;
+  using Moment = IpcSocket::Moment;
 
   void work(const ProcessOrder& order);
   std::string read_all();
   void read_output();
-  Expected<void> deliver(Frame frame);
+  Expected<void> deliver(IpcMessage message);
   void finish(const std::string& reason);
 
   void begin_call();
-  Expected<Frame> await(FrameKind kind, Moment deadline);
-  Expected<Frame> next(Moment deadline);
+  Expected<IpcMessage> await(IpcKind kind, Moment deadline);
+  Expected<IpcMessage> next(Moment deadline);
   void end_call();
   void end(const std::string& reason);
 
   Take take_;
-  OutputLines output_; // of the process's thread
+  // Used by the process's thread only.
+  OutputLines output_;
   std::mutex mutex_;
   std::condition_variable changed_;
-  std::unique_ptr<ChildProcess> child_; // none before it started
-  std::deque<Frame> said_;              // for the caller
-  bool calling_ = true;   // a call is under way: the first is hello
-  bool settling_ = false; // what was said in it is still being carried out
-  bool unwanted_ = false; // nobody listens any more
-  std::string blame_;     // why we end it
-  std::optional<std::string> over_; // why it is
+  // Null until the process has been started.
+  std::unique_ptr<ChildProcess> child_;
+  // Messages that wait for the calling thread.
+  std::deque<IpcMessage> said_;
+  // A call is under way. It begins as true: the first call is hello().
+  bool calling_ = true;
+  // The call has returned, but its last messages are still being taken.
+  bool settling_ = false;
+  // The destructor has begun; nothing is taken any more.
+  bool unwanted_ = false;
+  // Why we ended the process; empty if we did not.
+  std::string blame_;
+  // Why the process has ended; empty while it runs.
+  std::optional<std::string> over_;
   Over tell_over_;
-  std::thread thread_; // the last: uses all of the above
+  // The last member: the thread uses all others.
+  std::thread thread_;
 };
 
 } // namespace parlour::adapters

@@ -1,17 +1,18 @@
-// The process of a component: the plug-in's side of process_plugin.hpp.
+// The main function of a component's process: the plug-in's side of
+// process_plugin.hpp.
 #pragma once
 
 #include "runtime/plugin/plugin.hpp"
 
 namespace parlour::adapters {
 
-// Serves one instance of the plug-in to whoever holds the other end of the
-// socket, which it owns from here on, until that one has had enough. The exit
-// status. Ends the whole process, whatever the plug-in is doing, when the other
-// end goes; and as far as the system can, when the thread that started us does.
+// Serves one instance of the plug-in over the socket, which it takes over,
+// until it is told to stop. Returns the exit status. If the other end closes
+// the socket, the whole process exits at once, whatever the plug-in is doing.
+// On Linux the process is also killed when the thread that started it ends.
 int serve_component(int socket, const PluginFactory& plugin);
 
-// Says instead why there is none.
+// Reports why there is no such plug-in. Returns the exit status.
 int refuse_component(int socket, const Error& error);
 
 } // namespace parlour::adapters

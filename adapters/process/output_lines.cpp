@@ -8,7 +8,7 @@ namespace parlour::adapters {
 
 namespace {
 
-// What a terminal takes for an order, and what is no text, is not passed on.
+// Replaces control characters, which a terminal would obey, and invalid UTF-8.
 std::string plain(std::string line) {
   for (auto& byte : line)
     if (static_cast<unsigned char>(byte) < ' ' || byte == '\x7f')
@@ -20,6 +20,8 @@ std::string plain(std::string line) {
 
 } // namespace
 
+// The last piece may be the beginning of a line that goes on with the next
+// call.
 void OutputLines::add(std::string_view bytes, Timestamp now) {
   for (auto end = bytes.find('\n'); end != std::string_view::npos;
        end = bytes.find('\n')) {
@@ -30,12 +32,15 @@ void OutputLines::add(std::string_view bytes, Timestamp now) {
   add_piece(bytes);
 }
 
+// Keeps the beginning of the line only.
 void OutputLines::add_piece(std::string_view piece) {
   const auto room = longest - line_.size();
   is_cut_ |= piece.size() > room;
   line_ += piece.substr(0, room);
 }
 
+// The first line after a second starts a new count and reports what was left
+// out. Blank lines are not counted.
 void OutputLines::end_line(Timestamp now) {
   if (now - second_ >= 1'000) {
     tell_left_out();
@@ -46,7 +51,7 @@ void OutputLines::end_line(Timestamp now) {
   const bool cut = std::exchange(is_cut_, false);
   if (line.find_first_not_of(" \t\r") == std::string::npos)
     return;
-  if (printed_ == most_each_second) {
+  if (printed_ == max_each_second) {
     ++left_out_;
     return;
   }

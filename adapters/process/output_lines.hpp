@@ -1,5 +1,6 @@
-// OutputLines: what a process prints, as lines for the log: cut where they are
-// long, and left out where there are too many.
+// OutputLines turns what a process prints into lines for the log. It shortens
+// long lines and leaves lines out if there are too many, so that a component
+// cannot flood the log.
 #pragma once
 
 #include <functional>
@@ -11,17 +12,20 @@
 
 namespace parlour::adapters {
 
-// For one thread.
+// Not thread-safe.
 class OutputLines {
 public:
-  static constexpr std::size_t longest = 500; // bytes
-  static constexpr int most_each_second = 20;
+  // In bytes.
+  static constexpr std::size_t longest = 500;
+  static constexpr int max_each_second = 20;
 
   using Print = std::function<void(const std::string& line)>;
   explicit OutputLines(Print print) : print_(std::move(print)) {}
 
+  // Adds what was printed. `now` is any clock in milliseconds that does not go
+  // back.
   void add(std::string_view bytes, Timestamp now);
-  // Nothing more comes: what is left of a line is one.
+  // The output has ended: a last line without a line break is printed, too.
   void finish();
 
 private:
@@ -32,7 +36,8 @@ private:
   Print print_;
   std::string line_;
   bool is_cut_ = false;
-  Timestamp second_ = 0; // in which `printed_` and `left_out_` were counted
+  // The beginning of the second in which lines are being counted.
+  Timestamp second_ = 0;
   int printed_ = 0;
   std::size_t left_out_ = 0;
 };

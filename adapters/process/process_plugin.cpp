@@ -1,23 +1,28 @@
+// Threads: the component's supervisor calls the plug-in on one thread. Messages
+// of the process are taken on that thread during a call, and on the thread of
+// ComponentProcess between calls; PluginHost may be called from both.
 #include "adapters/process/process_plugin.hpp"
 
 #include <mutex>
 #include <stdexcept>
 #include <utility>
 
-#include "adapters/process/frame_values.hpp"
+#include "adapters/process/ipc_values.hpp"
 
 namespace parlour::adapters {
 
 namespace {
 
-// More at a time is a flood.
-constexpr std::size_t most_delays = 10'000;
+// Bounds the timers that a broken component can start.
+constexpr std::size_t max_delays = 10'000;
 
-tl::unexpected<Error> not_understood(const Frame& frame) {
+tl::unexpected<Error> not_understood(const IpcMessage& message) {
   return fail(ErrorKind::network, "its process says what is not understood: " +
-                                      std::string(name_of(frame.kind)));
+                                      std::string(name_of(message.kind)));
 }
 
+// The platform's side. Calls of the supervisor become messages to the process;
+// messages of the process become calls of the host (take).
 class ProcessPlugin : public IPlugin {
 public:
   explicit ProcessPlugin(ProcessOrder order) : order_(std::move(order)) {}
@@ -32,20 +37,21 @@ private:
   using Id = std::int64_t;
 
   Expected<void> come_up(const Options& options);
+  // The handshake: the protocol versions must be equal.
   Expected<void> meet();
-  Expected<Frame> call(FrameKind kind, List fields);
-  void is_over(const std::string& reason);
+  Expected<IpcMessage> call(IpcKind kind, List fields);
+  void report_failure(const std::string& reason);
   List start_fields(const Options& options) const;
 
-  // What the process wants.
-  Expected<void> take(const Frame& frame);
-  Expected<void> pass_on(const Frame& frame);
-  Expected<void> ask(const Frame& frame);
+  // Carries out what the process wants.
+  Expected<void> take(const IpcMessage& message);
+  Expected<void> pass_on(const IpcMessage& message);
+  Expected<void> ask(const IpcMessage& message);
   Expected<void> put_off(Id delay, Milliseconds time);
   void cancel(Id delay);
   void run(Id delay);
-  Expected<void> answer_column(const Frame& question);
-  Expected<void> answer_phrase(const Frame& question);
+  Expected<void> answer_column(const IpcMessage& question);
+  Expected<void> answer_phrase(const IpcMessage& question);
   Expected<void> reply(const Value& question, const Expected<Value>& answer);
 
   Value now() const {
@@ -54,10 +60,12 @@ private:
 
   const ProcessOrder order_;
   std::mutex mutex_;
-  std::map<Id, PluginHost::DelayId> delays_; // ours by the process's
+  // The host's timers by the numbers that the process gave them.
+  std::map<Id, PluginHost::DelayId> delays_;
   std::unique_ptr<ComponentProcess> process_;
   std::mutex telling_;
-  bool told_ = false; // that the process is over
+  // Whether the host knows that the component has failed.
+  bool told_ = false;
 };
 
 // -- calls --------------------------------------------------------------------
@@ -65,7 +73,7 @@ private:
 Expected<void> ProcessPlugin::on_start(const Options& options) {
   told_ = false;
   process_ = std::make_unique<ComponentProcess>(
-      order_, [this](const Frame& frame) { return take(frame); },
+      order_, [this](const IpcMessage& message) { return take(message); },
       [this](const std::string& line) { host().log("prints: " + line); });
   auto outcome = come_up(options);
   if (!outcome)
@@ -73,23 +81,29 @@ Expected<void> ProcessPlugin::on_start(const Options& options) {
   return outcome;
 }
 
+// From when_over on, the end of the process is a failure; before, it is an
+// error of the start.
 Expected<void> ProcessPlugin::come_up(const Options& options) {
   if (auto met = meet(); !met)
     return met;
-  auto started = process_->call({FrameKind::start, start_fields(options)},
+  auto started = process_->call({IpcKind::start, start_fields(options)},
                                 order_.start_within);
   if (!started)
     return fail(ErrorKind::settings, started.error().message);
   if (!started->at(0).is_unknown())
     return tl::make_unexpected(error_from(started->at(0)));
-  process_->when_over([this](const std::string& reason) { is_over(reason); });
+  process_->when_over(
+      [this](const std::string& reason) { report_failure(reason); });
   return {};
 }
 
-// Told once, by whoever notices first: the process's thread, or a call. What
-// comes after the call may rely on it, so that runs in virtual time are equal.
-void ProcessPlugin::is_over(const std::string& reason) {
-  std::lock_guard lock(telling_); // the other waits until it is told
+// Reports a failure once, for whoever notices it first: the plug-in itself, the
+// process's thread or a call. The end of a process that said that it has failed
+// is no second failure. The lock makes the second one wait until it has been
+// reported, so that what follows a call sees the same in every run in virtual
+// time.
+void ProcessPlugin::report_failure(const std::string& reason) {
+  std::lock_guard lock(telling_);
   if (!std::exchange(told_, true))
     host().failed(reason);
 }
@@ -98,19 +112,20 @@ Expected<void> ProcessPlugin::meet() {
   const auto hello = process_->hello(order_.start_within);
   if (!hello)
     return fail(ErrorKind::settings, hello.error().message);
-  if (hello->kind == FrameKind::refuse)
+  if (hello->kind == IpcKind::refuse)
     return tl::make_unexpected(error_from(hello->at(0)));
-  if (hello->at(0).integer_or(0) == frame_protocol)
+  if (hello->at(0).integer_or(0) == ipc_protocol)
     return {};
   return fail(ErrorKind::settings,
               "its process speaks version " + hello->at(0).text() +
                   " of what processes speak, and this program version " +
-                  std::to_string(frame_protocol) +
+                  std::to_string(ipc_protocol) +
                   "; both have to be of the same build");
 }
 
 List ProcessPlugin::start_fields(const Options& options) const {
-  // A clock that jumps is told with each call.
+  // The process reads a real clock itself. A virtual clock is told with each
+  // call.
   const bool real = dynamic_cast<const SystemClock*>(&host().clock());
   return {now(),
           real,
@@ -122,8 +137,9 @@ List ProcessPlugin::start_fields(const Options& options) const {
 }
 
 void ProcessPlugin::on_message(const Message& message) {
-  const auto done = call(FrameKind::handle, {now(), to_value(message)});
-  // That the process is over was told; whoever waits for an answer is told now.
+  const auto done = call(IpcKind::handle, {now(), to_value(message)});
+  // report_failure() has told the end of the process. Whoever waits for the
+  // answer to this message gets an answer, too.
   if (!done && message.correlation != 0)
     fire_event("Failed", {done.error().message});
 }
@@ -134,30 +150,32 @@ void ProcessPlugin::run(Id delay) {
     if (delays_.erase(delay) == 0)
       return;
   }
-  (void)call(FrameKind::run, {now(), delay});
+  (void)call(IpcKind::run, {now(), delay});
 }
 
-// Throws what the plug-in throws, and where the frame is too long. An error:
-// the process is over.
-Expected<Frame> ProcessPlugin::call(FrameKind kind, List fields) {
+// Throws what the plug-in threw, and an error if the message is too long, so
+// that the supervisor sees the same exception as without a process. An error as
+// result means that the process has ended.
+Expected<IpcMessage> ProcessPlugin::call(IpcKind kind, List fields) {
   if (!process_)
     return fail(ErrorKind::offline, "it is stopped");
   auto done = process_->call({kind, std::move(fields)}, order_.answer_within);
   if (!done && done.error().kind == ErrorKind::limit)
     throw std::runtime_error(done.error().message);
   if (!done)
-    is_over(done.error().message);
+    report_failure(done.error().message);
   if (done && !done->at(0).is_unknown())
     throw std::runtime_error(done->at(0).text());
   return done;
 }
 
+// The end of the process is wanted from here on, so it is no failure.
 void ProcessPlugin::stop() {
   if (!process_)
     return;
   process_->when_over({});
   const auto stopped =
-      process_->call({FrameKind::stop, {now()}}, order_.stop_within);
+      process_->call({IpcKind::stop, {now()}}, order_.stop_within);
   if (!stopped)
     host().log("it did not stop well: " + stopped.error().message);
   process_.reset();
@@ -168,66 +186,70 @@ void ProcessPlugin::stop() {
 
 // -- what the process wants ---------------------------------------------------
 
-Expected<void> ProcessPlugin::take(const Frame& frame) {
-  switch (frame.kind) {
-  case FrameKind::fire:
-  case FrameKind::send:
-    return pass_on(frame);
-  case FrameKind::ask:
-    return ask(frame);
-  case FrameKind::after:
-    return put_off(frame.at(0).integer_or(0),
-                   Milliseconds(frame.at(1).integer_or(0)));
-  case FrameKind::cancel:
-    cancel(frame.at(0).integer_or(0));
+Expected<void> ProcessPlugin::take(const IpcMessage& message) {
+  switch (message.kind) {
+  case IpcKind::fire:
+  case IpcKind::send:
+    return pass_on(message);
+  case IpcKind::ask:
+    return ask(message);
+  case IpcKind::after:
+    return put_off(message.at(0).integer_or(0),
+                   Milliseconds(message.at(1).integer_or(0)));
+  case IpcKind::cancel:
+    cancel(message.at(0).integer_or(0));
     return {};
-  case FrameKind::log:
-    host().log(frame.at(0).text());
+  case IpcKind::log:
+    host().log(message.at(0).text());
     return {};
-  case FrameKind::failed:
-    host().failed(frame.at(0).text());
+  case IpcKind::failed:
+    report_failure(message.at(0).text());
     return {};
-  case FrameKind::column:
-    return answer_column(frame);
-  case FrameKind::phrase:
-    return answer_phrase(frame);
+  case IpcKind::available:
+    host().available(message.at(0) == Value(true));
+    return {};
+  case IpcKind::column:
+    return answer_column(message);
+  case IpcKind::phrase:
+    return answer_phrase(message);
   default:
-    return not_understood(frame);
+    return not_understood(message);
   }
 }
 
-Expected<void> ProcessPlugin::pass_on(const Frame& frame) {
-  auto message = message_from(frame.at(0));
-  if (!message)
-    return not_understood(frame);
-  if (frame.kind == FrameKind::fire)
-    host().fire_event(std::move(*message));
+Expected<void> ProcessPlugin::pass_on(const IpcMessage& message) {
+  auto content = message_from(message.at(0));
+  if (!content)
+    return not_understood(message);
+  if (message.kind == IpcKind::fire)
+    host().fire_event(std::move(*content));
   else
-    host().send_message(std::move(*message));
+    host().send_message(std::move(*content));
   return {};
 }
 
-Expected<void> ProcessPlugin::ask(const Frame& frame) {
-  auto request = message_from(frame.at(1));
+Expected<void> ProcessPlugin::ask(const IpcMessage& message) {
+  auto request = message_from(message.at(1));
   if (!request)
-    return not_understood(frame);
+    return not_understood(message);
   auto reaction = [this,
-                   question = frame.at(0)](const Expected<Message>& answer) {
-    (void)call(FrameKind::answer,
+                   question = message.at(0)](const Expected<Message>& answer) {
+    (void)call(IpcKind::answer,
                {now(), question, answer ? Value() : to_value(answer.error()),
                 answer ? to_value(*answer) : Value()});
   };
-  host().ask(std::move(*request), Milliseconds(frame.at(2).integer_or(0)),
+  host().ask(std::move(*request), Milliseconds(message.at(2).integer_or(0)),
              std::move(reaction));
   return {};
 }
 
 Expected<void> ProcessPlugin::put_off(Id delay, Milliseconds time) {
-  std::lock_guard lock(mutex_); // until it is known, it is not run
-  if (delays_.size() >= most_delays)
+  // The lock is held until the timer is recorded: run() cannot miss it.
+  std::lock_guard lock(mutex_);
+  if (delays_.size() >= max_delays)
     return fail(ErrorKind::limit, "its process wants to be called back more "
                                   "than " +
-                                      std::to_string(most_delays) +
+                                      std::to_string(max_delays) +
                                       " times at once");
   delays_[delay] = host().after(time, [this, delay] { run(delay); });
   return {};
@@ -239,26 +261,27 @@ void ProcessPlugin::cancel(Id delay) {
     host().cancel(ours.mapped());
 }
 
-Expected<void> ProcessPlugin::answer_column(const Frame& question) {
+Expected<void> ProcessPlugin::answer_column(const IpcMessage& question) {
   const auto column = host().column(question.at(1).text());
   if (!column)
     return reply(question.at(0), tl::make_unexpected(column.error()));
   return reply(question.at(0), to_value(*column));
 }
 
-Expected<void> ProcessPlugin::answer_phrase(const Frame& question) {
+Expected<void> ProcessPlugin::answer_phrase(const IpcMessage& question) {
   const auto phrases = host().phrases();
   return reply(
       question.at(0),
       to_value(phrases ? phrases->render(question.at(1)) : Rendering{}));
 }
 
+// Answers a question. An answer that is too long is replaced by the error.
 Expected<void> ProcessPlugin::reply(const Value& question,
                                     const Expected<Value>& answer) {
   if (!answer)
     return process_->tell(
-        {FrameKind::reply, {question, to_value(answer.error())}});
-  auto told = process_->tell({FrameKind::reply, {question, {}, *answer}});
+        {IpcKind::reply, {question, to_value(answer.error())}});
+  auto told = process_->tell({IpcKind::reply, {question, {}, *answer}});
   if (!told && told.error().kind == ErrorKind::limit)
     return reply(question, tl::make_unexpected(told.error()));
   return told;
@@ -268,8 +291,9 @@ Expected<void> ProcessPlugin::reply(const Value& question,
 
 PluginFactory out_of_process(PluginDescription description,
                              ProcessOrder order) {
+  // Calls wait for the process.
   description.is_inline = false;
-  description.blocks = true; // a call waits for the process
+  description.blocks = true;
   return {std::move(description),
           [order = std::move(order)]() -> std::unique_ptr<IPlugin> {
             return std::make_unique<ProcessPlugin>(order);

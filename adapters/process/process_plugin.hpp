@@ -1,6 +1,7 @@
-// A plug-in in a process of its own: the same component to everybody else. What
-// ends or stops its process is a failure of the component (PluginHost::failed),
-// never of the platform.
+// Runs a plug-in in a process of its own, so that a crash or hang of the
+// component does not harm the platform. To everybody else it is the same
+// component. The end of its process is a failure of the component
+// (PluginHost::failed), which the supervisor deals with as with any other.
 #pragma once
 
 #include "adapters/process/component_process.hpp"
@@ -8,8 +9,8 @@
 
 namespace parlour::adapters {
 
-// The same plug-in by the same name, to be run by `order`: its program says
-// serve_component of that plug-in (component_server.hpp).
+// A factory for the same plug-in in a process. The program of `order` must call
+// serve_component for that plug-in (component_server.hpp).
 PluginFactory out_of_process(PluginDescription description, ProcessOrder order);
 
 } // namespace parlour::adapters

@@ -3,18 +3,18 @@
 #include <stdexcept>
 #include <utility>
 
-#include "adapters/process/frame_values.hpp"
+#include "adapters/process/ipc_values.hpp"
 
 namespace parlour::adapters {
 
-// Words come from the platform's own process: an expression in a phrase may be
-// any of the script language.
+// Phrases may contain any expression of the script language, so the platform's
+// process evaluates them.
 class RemoteHost::Phrases : public PhraseEvaluator {
 public:
   explicit Phrases(const RemoteHost& host) : host_(host) {}
 
   Rendering render(const Value& say) const override {
-    const auto rendering = host_.inquire(FrameKind::phrase, say);
+    const auto rendering = host_.inquire(IpcKind::phrase, say);
     return rendering ? rendering_from(*rendering) : Rendering{};
   }
 
@@ -26,7 +26,7 @@ Timestamp RemoteHost::ToldClock::now() const {
   return host_.real_time_ ? SystemClock().now() : host_.told_.load();
 }
 
-Expected<Options> RemoteHost::begin(const Frame& start) {
+Expected<Options> RemoteHost::begin(const IpcMessage& start) {
   real_time_ = static_cast<bool>(start.at(1));
   data_folder_ = start.at(3).text();
   application_folder_ = start.at(4).text();
@@ -39,8 +39,8 @@ Expected<Options> RemoteHost::begin(const Frame& start) {
   return options_from(start.at(2));
 }
 
-void RemoteHost::say(const Frame& frame) {
-  const auto sent = socket_.send(frame);
+void RemoteHost::say(const IpcMessage& message) {
+  const auto sent = socket_.send(message);
   if (!sent && sent.error().kind == ErrorKind::limit)
     throw std::length_error(sent.error().message);
 }
@@ -55,7 +55,8 @@ PluginHost::DelayId RemoteHost::after(Milliseconds delay,
     id = static_cast<DelayId>(++last_);
     delays_[id] = std::move(action);
   }
-  say({FrameKind::after,
+  // The platform measures the time, so that virtual time holds here, too.
+  say({IpcKind::after,
        {static_cast<std::int64_t>(id),
         static_cast<std::int64_t>(delay.count())}});
   return id;
@@ -67,9 +68,10 @@ void RemoteHost::cancel(DelayId delay) {
     if (delays_.erase(delay) == 0)
       return;
   }
-  say({FrameKind::cancel, {static_cast<std::int64_t>(delay)}});
+  say({IpcKind::cancel, {static_cast<std::int64_t>(delay)}});
 }
 
+// The action runs without the lock: it may start or cancel timers.
 void RemoteHost::run(std::int64_t delay) {
   std::unique_lock lock(mutex_);
   const auto found = delays_.extract(static_cast<DelayId>(delay));
@@ -80,7 +82,9 @@ void RemoteHost::run(std::int64_t delay) {
 
 // -- questions ----------------------------------------------------------------
 
-Expected<Value> RemoteHost::inquire(FrameKind kind, Value what) const {
+// The question is registered before it is sent, since the answer may arrive at
+// once on the other thread.
+Expected<Value> RemoteHost::inquire(IpcKind kind, Value what) const {
   std::unique_lock lock(mutex_);
   const auto id = ++last_;
   auto answer = questions_[id].get_future();
@@ -93,7 +97,7 @@ Expected<Value> RemoteHost::inquire(FrameKind kind, Value what) const {
   return tl::make_unexpected(asked.error());
 }
 
-void RemoteHost::answered(const Frame& reply) {
+void RemoteHost::answered(const IpcMessage& reply) {
   std::unique_lock lock(mutex_);
   auto question = questions_.extract(reply.at(0).integer_or(0));
   lock.unlock();
@@ -107,7 +111,7 @@ void RemoteHost::answered(const Frame& reply) {
 
 Expected<std::vector<std::string>>
 RemoteHost::column(const std::string& name) const {
-  return inquire(FrameKind::column, name).and_then(texts_from);
+  return inquire(IpcKind::column, name).and_then(texts_from);
 }
 
 // -- other components ---------------------------------------------------------
@@ -118,11 +122,12 @@ void RemoteHost::ask(Message request, Milliseconds patience,
   const auto id = ++last_;
   reactions_[id] = std::move(reaction);
   lock.unlock();
-  say({FrameKind::ask,
+  say({IpcKind::ask,
        {id, to_value(request), static_cast<std::int64_t>(patience.count())}});
 }
 
-void RemoteHost::react(const Frame& answer) {
+// The reaction runs without the lock: it may ask again.
+void RemoteHost::react(const IpcMessage& answer) {
   std::unique_lock lock(mutex_);
   const auto found = reactions_.extract(answer.at(1).integer_or(0));
   lock.unlock();
@@ -137,19 +142,23 @@ void RemoteHost::react(const Frame& answer) {
 // -- what it says -------------------------------------------------------------
 
 void RemoteHost::fire_event(Message event) {
-  say({FrameKind::fire, {to_value(event)}});
+  say({IpcKind::fire, {to_value(event)}});
 }
 
 void RemoteHost::send_message(Message message) {
-  say({FrameKind::send, {to_value(message)}});
+  say({IpcKind::send, {to_value(message)}});
 }
 
 void RemoteHost::failed(const std::string& reason) {
-  say({FrameKind::failed, {reason}});
+  say({IpcKind::failed, {reason}});
+}
+
+void RemoteHost::available(bool is_available) {
+  say({IpcKind::available, {is_available}});
 }
 
 void RemoteHost::log(const std::string& text) {
-  say({FrameKind::log, {text}});
+  say({IpcKind::log, {text}});
 }
 
 } // namespace parlour::adapters

@@ -1,33 +1,40 @@
-// RemoteHost: the platform as a plug-in in a process of its own sees it: what
-// it is asked goes through the socket.
+// RemoteHost is the PluginHost that a plug-in sees in a process of its own. It
+// sends each request through the socket and matches the answers to it by
+// number.
 #pragma once
 
 #include <atomic>
 #include <future>
 #include <mutex>
 
-#include "adapters/process/frame_socket.hpp"
+#include "adapters/process/ipc_socket.hpp"
 #include "runtime/plugin/plugin.hpp"
 
 namespace parlour::adapters {
 
-// Safe to use from any thread, as its contract says.
+// Thread-safe, as the contract of PluginHost demands.
 class RemoteHost : public PluginHost {
 public:
-  explicit RemoteHost(FrameSocket& socket) : socket_(socket), clock_(*this) {}
+  explicit RemoteHost(IpcSocket& socket) : socket_(socket), clock_(*this) {}
 
   // -- for whoever reads the socket and calls the plug-in ---------------------
 
-  // Keeps what the frame `start` tells; the options in it.
-  Expected<Options> begin(const Frame& start);
+  // Keeps the data of a `start` message. Returns the options in it.
+  Expected<Options> begin(const IpcMessage& start);
+  // Virtual time, told with each call.
   void set_time(Timestamp now) {
     told_ = now;
   }
+  // Calls the action of a timer, if it was not cancelled.
   void run(std::int64_t delay);
-  void react(const Frame& answer);
-  void answered(const Frame& reply);
-  // Throws where it is too long for the socket.
-  void say(const Frame& frame);
+  // Calls the reaction to another component's answer.
+  void react(const IpcMessage& answer);
+  // Wakes the thread that waits for the answer to a question. Called by the
+  // reading thread, while the plug-in's thread waits.
+  void answered(const IpcMessage& reply);
+  // Sends a message. Throws if it is too long. A closed connection is ignored:
+  // the reading thread ends the process.
+  void say(const IpcMessage& message);
 
   // -- the contract -----------------------------------------------------------
 
@@ -37,6 +44,7 @@ public:
   DelayId after(Milliseconds delay, std::function<void()> action) override;
   void cancel(DelayId delay) override;
   void failed(const std::string& reason) override;
+  void available(bool is_available) override;
   const Clock& clock() const override {
     return clock_;
   }
@@ -57,7 +65,7 @@ public:
   }
 
 private:
-  // The machine's, or where time is virtual, the one told last.
+  // The system's clock, or in virtual time the time that was told last.
   class ToldClock : public Clock {
   public:
     explicit ToldClock(const RemoteHost& host) : host_(host) {}
@@ -68,9 +76,10 @@ private:
   };
   class Phrases;
 
-  Expected<Value> inquire(FrameKind kind, Value what) const;
+  // Asks the platform and waits for the answer.
+  Expected<Value> inquire(IpcKind kind, Value what) const;
 
-  FrameSocket& socket_;
+  IpcSocket& socket_;
   const ToldClock clock_;
   std::atomic<Timestamp> told_ = 0;
   bool real_time_ = false;
@@ -80,9 +89,11 @@ private:
   std::shared_ptr<const PhraseEvaluator> phrases_;
 
   mutable std::mutex mutex_;
-  mutable std::int64_t last_ = 0; // of delays and questions
+  // The last number given to a timer, a question or a request.
+  mutable std::int64_t last_ = 0;
   std::map<DelayId, std::function<void()>> delays_;
-  std::map<std::int64_t, Reaction> reactions_; // to other components' answers
+  // Reactions to other components' answers, by request.
+  std::map<std::int64_t, Reaction> reactions_;
   mutable std::map<std::int64_t, std::promise<Expected<Value>>> questions_;
 };
 

@@ -6,13 +6,14 @@ namespace parlour::adapters {
 
 namespace {
 
-// A cell as a value: a number where it is one.
+// A cell of the table as a number, if it is one.
 Value value_of(const Value& cell) {
   const auto number = parse_number(cell.text());
   return number.is_unknown() ? cell : number;
 }
 
-// What is wrong with a new value, or empty.
+// Why the device does not take the value; empty if it does. Only a device with
+// a range restricts its values.
 std::string refusal(const Value& device, const Value& value) {
   const auto from = parse_number(device["from"].text());
   const auto to = parse_number(device["to"].text());
@@ -41,12 +42,15 @@ Expected<void> LogDevices::on_options(const Options& options) {
 }
 
 bool LogDevices::carry_out(const Message& message) {
+  // Set and Ask have the same answer.
   const bool sets = message.command == "Set";
   if (!sets && message.command != "Ask")
     return false;
-  const Place place{text_param(message, 0), text_param(message, 1)};
-  const auto& [device, room] = place;
-  const Place kept{folded(device), folded(room)};
+  const DeviceKey key{text_param(message, 0), text_param(message, 1)};
+  const auto& [device, room] = key;
+  // Names are kept in lower case, so that the spelling of a command does
+  // not matter.
+  const DeviceKey folded_key{folded(device), folded(room)};
   const auto found = table_.find({device, room});
   const Value value = message.params.size() > 2 ? message.params[2] : Value();
   if (device.empty() || room.empty() || !found)
@@ -55,16 +59,16 @@ bool LogDevices::carry_out(const Message& message) {
            !wrong.empty())
     fire_event("Failed", {wrong});
   else if (sets)
-    tell(place, values_[kept] = value);
-  else if (const auto set = values_.find(kept); set != values_.end())
-    tell(place, set->second);
+    tell(key, values_[folded_key] = value);
+  else if (const auto set = values_.find(folded_key); set != values_.end())
+    tell(key, set->second);
   else
-    tell(place, value_of(found->text));
+    tell(key, value_of(found->text));
   return true;
 }
 
-void LogDevices::tell(const Place& place, const Value& value) {
-  fire_event("State", {place.first, place.second, value});
+void LogDevices::tell(const DeviceKey& key, const Value& value) {
+  fire_event("State", {key.first, key.second, value});
 }
 
 PluginFactory log_devices_factory() {

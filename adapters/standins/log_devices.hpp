@@ -1,12 +1,12 @@
-// LogDevices (role Devices), a stand-in for what is switched and measured in a
-// house: a file of the application (report_table.hpp) says what there is.
+// LogDevices (role Devices) is a stand-in for the devices and sensors of a
+// building. A file of the application lists them (report_table.hpp):
 //
-//   device   room     value  from  to
-//   lamp     kitchen  off
-//   heating  kitchen  20     5     30
+//  device   room     value  from  to
+//  lamp     kitchen  off
+//  heating  kitchen  20     5     30
 //
-//   Set(device, room, value)  State(device, room, value), or Failed(reason)
-//   Ask(device, room)         State(device, room, value), or Failed(reason)
+//  Set(device, room, value)  State(device, room, value), or Failed(reason)
+//  Ask(device, room)         State(device, room, value), or Failed(reason)
 #pragma once
 
 #include <map>
@@ -27,12 +27,14 @@ protected:
   bool carry_out(const Message& message) override;
 
 private:
-  using Place = std::pair<std::string, std::string>; // device, room
+  // Device and room.
+  using DeviceKey = std::pair<std::string, std::string>;
 
-  void tell(const Place& place, const Value& value);
+  void tell(const DeviceKey& key, const Value& value);
 
   ReportTable table_;
-  std::map<Place, Value> values_; // what was set
+  // The values that were set; all others are those of the table.
+  std::map<DeviceKey, Value> values_;
 };
 
 PluginFactory log_devices_factory();

@@ -6,6 +6,7 @@ namespace parlour::adapters {
 
 namespace {
 
+// Both plug-ins are the same class with other names.
 PluginFactory factory(const std::string& name, const std::string& role,
                       const std::string& service, const std::string& record,
                       const std::vector<std::string>& keys) {
@@ -38,6 +39,7 @@ Expected<void> LogReports::on_options(const Options& options) {
 bool LogReports::carry_out(const Message& message) {
   if (message.command != "Ask")
     return false;
+  // One parameter for each key column.
   std::vector<std::string> asked;
   for (std::size_t i = 0; i < keys_.size(); ++i)
     asked.push_back(text_param(message, i));
@@ -48,6 +50,7 @@ bool LogReports::carry_out(const Message& message) {
   return true;
 }
 
+// Lists what can be asked for.
 void LogReports::fail_to_find(const std::string& subject) {
   std::string known;
   for (const auto& name : table_.subjects())

@@ -1,9 +1,9 @@
-// LogWeather (role Weather) and LogTraffic (role Traffic), stand-ins for the
-// services that report on either: they read out what was written beforehand in
-// the application's file of reports (report_table.hpp).
+// LogWeather (role Weather) and LogTraffic (role Traffic) are stand-ins for
+// services that report on weather and traffic. They answer from a file of the
+// application (report_table.hpp).
 //
-//   Weather: Ask(place, when)   Traffic: Ask(road)
-//   both: Report(text, data), or Failed(reason) that says what there is
+//  Weather: Ask(place, when)   Traffic: Ask(road)
+//  Report(text, data), or Failed(reason), which lists what there is
 #pragma once
 
 #include <string>
@@ -16,7 +16,7 @@ namespace parlour::adapters {
 
 class LogReports : public StandIn {
 public:
-  // `keys` are the parameters of Ask, as the file's columns name them.
+  // `keys` are the parameters of Ask, under the names of the file's columns.
   LogReports(std::string record, std::vector<std::string> keys)
       : StandIn(std::move(record)), keys_(std::move(keys)) {}
 

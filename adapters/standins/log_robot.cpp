@@ -7,6 +7,7 @@ namespace parlour::adapters {
 
 namespace {
 
+// An empty list knows every name.
 bool knows(const std::vector<std::string>& names, const std::string& name) {
   return !name.empty() &&
          (names.empty() ||
@@ -58,10 +59,12 @@ bool LogRobot::carry_out(const Message& message) {
   else if (command == "Sense")
     sense(text_param(message, 0));
   else
-    return command == "Say"; // nobody is there to hear it
+    // Say is recorded and needs no more.
+    return command == "Say";
   return true;
 }
 
+// Orders are answered later, so the answer refers to the order.
 void LogRobot::go(const Message& order) {
   const auto place = text_param(order, 0);
   if (!knows(places_, place))
@@ -88,6 +91,7 @@ void LogRobot::grasp(const Message& order) {
   });
 }
 
+// There is one sensor for each entry of the table.
 void LogRobot::sense(const std::string& sensor) {
   const std::pair<const char*, Value> sensors[] = {
       {"place", place_}, {"hand", hand_}, {"battery", parse_number(battery_)}};
@@ -108,6 +112,7 @@ void LogRobot::begin(const Message& order, Milliseconds takes,
   order_ = Order{order, due};
 }
 
+// An order that is replaced or stopped fails with the reason.
 void LogRobot::end_order(const std::string& reason) {
   if (!order_)
     return;

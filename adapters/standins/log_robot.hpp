@@ -1,12 +1,13 @@
-// LogRobot (role Robot), a stand-in for a robot that goes to places and
-// carries things, one at a time. It takes its time as a robot does; the order
-// under way ends when it is told to stop or given another one.
+// LogRobot (role Robot) is a stand-in for a robot that goes to places and
+// carries things, one at a time. Its orders take time, as a robot's do. A new
+// order, or Stop, ends the current one.
 //
-//   Goto(place)    Arrived(place), or Failed(reason)
-//   Grasp(thing)   Grasped(thing), or Failed(reason)
-//   Release        lets go of what it holds; Say(text)
-//   Stop           the order under way ends with Failed(stopped)
-//   Sense(sensor)  Sensor(name, value) of place, hand or battery
+//  Goto(place)    Arrived(place), or Failed(reason)
+//  Grasp(thing)   Grasped(thing), or Failed(reason)
+//  Release        lets go of what it holds
+//  Say(text)      has no answer
+//  Stop           the current order ends with Failed(stopped)
+//  Sense(sensor)  Sensor(name, value), of place, hand or battery
 #pragma once
 
 #include <functional>
@@ -27,7 +28,7 @@ protected:
   bool carry_out(const Message& message) override;
 
 private:
-  // What is under way.
+  // The current order and the timer of its end.
   struct Order {
     Message message;
     PluginHost::DelayId due = 0;
@@ -37,19 +38,22 @@ private:
   void go(const Message& order);
   void grasp(const Message& order);
   void sense(const std::string& sensor);
-  // `done` happens unless the order ends before.
+  // Ends the current order and starts a new one; `done` is called when its time
+  // is over.
   void begin(const Message& order, Milliseconds takes,
              std::function<void()> done);
   void end_order(const std::string& reason);
 
-  std::vector<std::string> places_; // empty: goes anywhere
-  std::vector<std::string> things_; // empty: takes anything
+  // The places and things it knows; empty: all.
+  std::vector<std::string> places_;
+  std::vector<std::string> things_;
   Milliseconds travel_{};
   Milliseconds grip_{};
   bool fails_ = false;
   std::string battery_;
   std::string place_;
-  std::string hand_; // what it holds
+  // What it holds; empty: nothing.
+  std::string hand_;
   std::optional<Order> order_;
 };
 

@@ -1,6 +1,6 @@
-// LogSMS (role SMS), a stand-in for the SMS gateway.
+// LogSMS (role SMS) is a stand-in for an SMS gateway. No message is sent.
 //
-//   Send(number, text)  Sent, or Failed(reason)
+//  Send(number, text)  Sent, or Failed(reason)
 #pragma once
 
 #include "adapters/standins/stand_in.hpp"
@@ -16,6 +16,7 @@ protected:
   bool carry_out(const Message& message) override;
 
 private:
+  // The option `answer`: every message fails.
   bool fails_ = false;
 };
 

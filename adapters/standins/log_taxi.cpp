@@ -6,15 +6,16 @@ namespace parlour::adapters {
 
 namespace {
 
-// Neighbours in, strangers out.
+// Makes an unrelated number of each number, so that successive bookings do not
+// look alike.
 std::uint64_t scattered(std::uint64_t number) {
   return Random(number).next();
 }
 
 } // namespace
 
-// The last two letters of the prefix and the four digits, each with its
-// weight, modulo 19.
+// The sum of the last two letters of the prefix (A is 1) and the four digits,
+// weighted by 9, 4, 5, 4, 3, 2, modulo 19.
 char singapore_check_letter(std::string_view prefix, std::uint64_t digits) {
   constexpr std::string_view letters = "AZYXUTSRPMLKJHGEDCB";
   auto place = [](char c) { return static_cast<std::uint64_t>(c - 'A' + 1); };
@@ -26,6 +27,7 @@ char singapore_check_letter(std::string_view prefix, std::uint64_t digits) {
 
 std::string singapore_taxi_plate(std::uint64_t number) {
   constexpr std::string_view series = "ABCDX";
+  // Different bits choose the series and the digits, 1 to 9999.
   const auto chosen = scattered(number);
   const std::string prefix = {'S', 'H', series[chosen % series.size()]};
   const auto digits = 1 + chosen / 8 % 9999;
@@ -54,6 +56,7 @@ bool LogTaxi::carry_out(const Message& message) {
   else if (text_param(message, 0).empty() || text_param(message, 1).empty())
     fire_event("Refused", {"A taxi needs to know from where and to where."});
   else {
+    // 4 to 12 minutes.
     const auto minutes = static_cast<int>(4 + scattered(~number) % 9);
     fire_event("Booked", {singapore_taxi_plate(number), minutes});
     ++bookings_;

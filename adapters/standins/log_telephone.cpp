@@ -4,6 +4,7 @@ namespace parlour::adapters {
 
 namespace {
 
+// The event that a value of the option `answer` means.
 std::string outcome_of(const std::string& answer) {
   if (answer == "busy")
     return "Busy";
@@ -35,6 +36,7 @@ bool LogTelephone::carry_out(const Message& message) {
   return true;
 }
 
+// Without ringing time the outcome follows at once, in the same call.
 void LogTelephone::ring(const Message& message) {
   fire_event("Ringing");
   if (ringing_ == Milliseconds(0))

@@ -1,8 +1,9 @@
-// LogTelephone (role Telephone), a stand-in for the telephone exchange.
+// LogTelephone (role Telephone) is a stand-in for a telephone exchange. No call
+// is made.
 //
-//   Call(number, who)  Ringing, then Answered, Busy or NoAnswer
-//   Transfer(number)   the same
-//   a number that cannot be dialled: Failed(reason)
+//  Call(number, who)  Ringing, then Answered, Busy or NoAnswer
+//  Transfer(number)   the same
+//  an invalid number  Failed(reason)
 #pragma once
 
 #include <string>
@@ -22,7 +23,9 @@ protected:
 private:
   void ring(const Message& message);
 
-  std::string outcome_; // the event that ends a call
+  // The event with which every call ends.
+  std::string outcome_;
+  // How long it rings before that.
   Milliseconds ringing_{};
 };
 

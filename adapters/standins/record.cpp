@@ -9,7 +9,7 @@ namespace parlour::adapters {
 
 namespace {
 
-// Tabs and line breaks would break the line's form.
+// Tabs and line breaks would destroy the form of the line.
 std::string in_one_line(const std::string& text) {
   std::string line;
   for (char c : text) {
@@ -25,7 +25,7 @@ std::string in_one_line(const std::string& text) {
   return line;
 }
 
-// RFC 4180: quoted where it holds a comma or a quotation mark.
+// Quotes as RFC 4180 does: only a text with a comma or a quotation mark.
 std::string csv(const Value& value) {
   const auto text = in_one_line(value.is_unknown() ? "" : value.text());
   if (text.find_first_of(",\"") == std::string::npos)
@@ -41,7 +41,8 @@ std::string csv(const Value& value) {
 Expected<void> Record::open(const std::filesystem::path& file) {
   if (auto may = check_may_be_file(file); !may)
     return may;
-  std::error_code ignored; // opening the file says it
+  // If the folder cannot be created, opening the file fails.
+  std::error_code ignored;
   std::filesystem::create_directories(file.parent_path(), ignored);
   stream_.open(file, std::ios::app | std::ios::binary);
   if (!stream_)

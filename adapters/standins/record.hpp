@@ -1,5 +1,5 @@
-// A stand-in's record: one line for each command that it was given, so that
-// what would have happened outside can be read.
+// The record of a stand-in: a file with a line for each command, from which can
+// be read what would have happened outside.
 #pragma once
 
 #include <filesystem>
@@ -7,18 +7,21 @@
 
 #include "runtime/base/clock.hpp"
 #include "runtime/base/error.hpp"
-#include "runtime/base/message.hpp"
+#include "runtime/message/message.hpp"
 
 namespace parlour::adapters {
 
+// Not thread-safe.
 class Record {
 public:
-  // Appends; makes the folder. An error of kind File names the file.
+  // Opens the file for appending and creates its folder. The error, of kind
+  // File, names the file.
   Expected<void> open(const std::filesystem::path& file);
 
-  // "2026-11-21T09:00:00<tab>Call<tab>64781001,Dr. Jeffery Ho": local time,
-  // parameters as CSV, on the disk's way when this returns. False where it
-  // could not be written.
+  // Appends a line and hands it to the system. False if that fails. The line
+  // has local time, command and parameters as CSV:
+  //
+  //  2026-11-21T09:00:00<tab>Call<tab>64781001,Dr. Jeffery Ho
   bool write(Timestamp time, const Message& message);
 
 private:

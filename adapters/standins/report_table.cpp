@@ -10,6 +10,7 @@ namespace parlour::adapters {
 
 namespace {
 
+// An empty line has one empty cell.
 std::vector<std::string> cells_of(std::string line) {
   if (line.ends_with('\r'))
     line.pop_back();
@@ -26,6 +27,7 @@ bool matches(const std::string& key, const std::string& asked) {
   return asked.empty() || key == "*" || folded(key) == folded(asked);
 }
 
+// The key columns come first, in order; the column of the answer is anywhere.
 bool has_columns(const std::vector<std::string>& columns,
                  const std::vector<std::string>& keys,
                  const std::string& said) {
@@ -61,12 +63,14 @@ Expected<ReportTable> ReportTable::read(const std::filesystem::path& file,
   ReportTable table;
   table.keys_ = keys.size();
   table.said_ = said;
+  // The line of the file, for errors.
   std::uint32_t number = 0;
   for (std::string line; std::getline(stream, line);) {
-    const Place place{file.string(), ++number, 0};
+    const SourceLocation place{file.string(), ++number, 0};
     if (line.empty() || line == "\r" || line.starts_with('#'))
       continue;
     auto cells = cells_of(std::move(line));
+    // A row with too few or too many cells is a mistake in the file.
     if (!table.columns_.empty() && cells.size() != table.columns_.size())
       return fail(ErrorKind::settings,
                   "A report has " + std::to_string(table.columns_.size()) +
@@ -91,6 +95,7 @@ Expected<ReportTable> ReportTable::read(const std::filesystem::path& file,
 
 std::optional<Report>
 ReportTable::find(const std::vector<std::string>& asked) const {
+  // Earlier rows win, so a general row (`*`) belongs at the end.
   const auto row =
       std::find_if(rows_.begin(), rows_.end(), [&](const Row& keys) {
         for (std::size_t i = 0; i < std::min(keys_, asked.size()); ++i)

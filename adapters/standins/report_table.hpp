@@ -1,9 +1,10 @@
-// Reports written beforehand: a file of tab-separated values whose first line
-// names the columns. Key columns come first; `text` is what is said.
+// A table of answers that were written in advance: a file of tab-separated
+// values. The first line names the columns: first the keys by which a row is
+// found, then, anywhere, the column with the answer.
 //
-//   place      when   text                               temperature
-//   Changi     *      Showers in the afternoon.          29
-//   *          *      Partly cloudy over the island.     31
+//  place      when   text                               temperature
+//  Changi     *      Showers in the afternoon.          29
+//  *          *      Partly cloudy over the island.     31
 #pragma once
 
 #include <filesystem>
@@ -18,26 +19,28 @@ namespace parlour::adapters {
 
 struct Report {
   std::string text;
-  Value data; // a map: every column of the row
+  // A map with every column of the row.
+  Value data;
 };
 
-// Small and capital letters are the same where reports are looked for.
+// In lower case (ASCII); keys are compared in this form.
 std::string folded(std::string text);
 
+// Immutable once read.
 class ReportTable {
 public:
-  // Empty lines and those that begin with '#' do not count. Errors: File for
-  // one that cannot be read, Settings with the line that is wrong. `said` is
-  // the column that reports take their text from.
+  // Empty lines and lines that begin with '#' are ignored. `said` is the column
+  // with the answer. The kind of an error is File if the file cannot be read,
+  // and Settings, with its line, if a line is wrong.
   static Expected<ReportTable> read(const std::filesystem::path& file,
                                     const std::vector<std::string>& keys,
                                     const std::string& said = "text");
 
-  // The first row whose keys match what is asked, spelling case aside; `*`
-  // matches everything, and so does an empty question.
+  // The first row whose keys match, without regard to capitals. The key `*`
+  // matches everything, and an empty question matches every key.
   std::optional<Report> find(const std::vector<std::string>& asked) const;
 
-  // The distinct first keys, without `*`: what can be asked for.
+  // The different first keys without `*`: what can be asked for.
   std::vector<std::string> subjects() const;
 
 private:

@@ -9,6 +9,7 @@ namespace parlour::adapters {
 
 namespace {
 
+// No slash, so that a record cannot lie elsewhere.
 bool is_file_name(const std::string& text) {
   return !text.empty() && text.front() != '.' &&
          text.find_first_of("/\\") == std::string::npos;
@@ -42,6 +43,7 @@ Expected<void> StandIn::on_start(const Options& options) {
 }
 
 void StandIn::on_message(const Message& message) {
+  // A record that cannot be written does not keep the stand-in from answering.
   if (!record_.write(host().clock().now(), message))
     host().log("The record of " + message.command + " could not be written.");
   if (!carry_out(message))
@@ -84,6 +86,7 @@ std::string text_param(const Message& message, std::size_t index) {
 bool is_phone_number(const std::string& text) {
   const auto digits = std::count_if(
       text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
+  // A plus sign is skipped at the beginning only.
   return digits >= 3 && digits <= 15 &&
          text.find_first_not_of("0123456789 -", text[0] == '+') ==
              std::string::npos;

@@ -1,6 +1,7 @@
-// What all stand-ins have in common: they take the place of a service outside,
-// do what is asked on paper only, say so, and keep a record of it in
-// <data folder>/records/<record>.log.
+// StandIn is the base class of plug-ins that take the place of an outside
+// service. A stand-in does nothing outside of this machine. It answers as the
+// service would, and records every command in the data folder, in the file
+// records/<record>.log.
 #pragma once
 
 #include <string>
@@ -10,20 +11,23 @@
 
 namespace parlour::adapters {
 
+// A derived class reads its options and carries out its commands; the base
+// class records them.
 class StandIn : public IPlugin {
 protected:
-  // `record` is the file's name unless the option `record` says another.
+  // `record` is the name of the file, unless the option `record` gives another
+  // one.
   explicit StandIn(std::string record) : record_name_(std::move(record)) {}
 
   Expected<void> on_start(const Options& options) final;
 
-  // Every message is recorded, then carried out; an unknown command answers
+  // Records the message, then carries it out. An unknown command is answered by
   // Failed(reason).
   void on_message(const Message& message) final;
 
   // Reads the stand-in's own options.
   virtual Expected<void> on_options(const Options& options) = 0;
-  // False for a command that it does not know.
+  // Returns false for an unknown command.
   virtual bool carry_out(const Message& message) = 0;
 
 private:
@@ -31,26 +35,28 @@ private:
   Record record_;
 };
 
-// The option's text, or the fallback.
+// The text of the option, or the fallback.
 std::string option_or(const Options& options, const std::string& name,
                       const std::string& fallback);
 
-// One of the texts allowed; an error of kind Settings lists them.
+// The option as one of the allowed texts, of which the first is the default.
+// The error, of kind Settings, lists them.
 Expected<std::string> option_of(const Options& options, const std::string& name,
                                 const std::vector<std::string>& allowed);
 
-// The names in an option, which commas separate.
+// The names in an option, separated by commas.
 std::vector<std::string> list_option(const Options& options,
                                      const std::string& name);
 
-// The parameter's text without blanks around; empty where there is none.
+// The parameter as a text without surrounding blanks; empty if it is missing.
 std::string text_param(const Message& message, std::size_t index);
 
-// Digits with an optional '+' and the usual blanks and hyphens between.
+// Three to fifteen digits, with blanks and hyphens between and an optional '+'
+// before them.
 bool is_phone_number(const std::string& text);
 
-// A description with what every stand-in says of itself; `service` is such as
-// "the telephone exchange".
+// A description with what all stand-ins have in common. `service` completes the
+// sentence "a stand-in for …", and `options` are the plug-in's own.
 PluginDescription describe_stand_in(std::string name, std::string role,
                                     const std::string& service,
                                     std::vector<OptionDescription> options);

@@ -1,18 +1,22 @@
+// A queue of utterances, of which the first is being spoken. A timer stands for
+// each word; when the last one has passed, the utterance is finished and the
+// next one begins.
 #include "adapters/tts/text_file_tts.hpp"
 
 #include <filesystem>
 #include <ostream>
-#include <sstream>
 #include <utility>
 
 #include "runtime/base/file_bytes.hpp"
 #include "runtime/plugin/folder.hpp"
+#include "runtime/text/words.hpp"
 
 namespace parlour::adapters {
 
 namespace {
 
-constexpr std::size_t most_waiting = 100;
+// Bounds the queue.
+constexpr std::size_t max_waiting = 100;
 
 std::string option_or(const Options& options, const std::string& name,
                       const std::string& fallback) {
@@ -29,18 +33,10 @@ std::string text_param(const Message& message, std::size_t index) {
   return value.is_unknown() ? std::string() : value.text();
 }
 
-std::vector<std::string> words_of(const std::string& text) {
-  std::istringstream stream(text);
-  std::vector<std::string> words;
-  for (std::string word; stream >> word;)
-    words.push_back(word);
-  return words;
-}
-
-// Line breaks would break the line's form.
+// A line break within the text would look like a second utterance.
 std::string in_one_line(const std::string& text) {
   std::string line;
-  for (const auto& word : words_of(text))
+  for (const auto& word : split_words(text))
     line += (line.empty() ? "" : " ") + word;
   return line;
 }
@@ -89,17 +85,19 @@ void TextFileTTS::on_message(const Message& message) {
 }
 
 void TextFileTTS::speak(const Message& order) {
-  if (waiting_.size() >= most_waiting)
+  if (waiting_.size() >= max_waiting)
     return fire_event("Failed", {"There is too much to say already."});
   waiting_.push_back({order, text_param(order, 0), param(order, 1)});
   if (waiting_.size() == 1)
     begin();
 }
 
+// Utterances without time, or without words, end at once; the loop goes on with
+// the next.
 void TextFileTTS::begin() {
   while (!waiting_.empty()) {
     write(waiting_.front());
-    words_ = words_of(waiting_.front().text);
+    words_ = split_words(waiting_.front().text);
     spoken_ = 0;
     if (word_time_ > Milliseconds::zero() && !words_.empty())
       return next_word();
@@ -109,6 +107,7 @@ void TextFileTTS::begin() {
 
 void TextFileTTS::next_word() {
   delay_ = 0;
+  // The mark is fired when a word begins, and the timer waits for its end.
   const auto& utterance = waiting_.front();
   if (spoken_ == words_.size()) {
     end();
@@ -120,21 +119,25 @@ void TextFileTTS::next_word() {
   delay_ = host().after(word_time_, [this] { next_word(); });
 }
 
-// Of the first one.
+// Ends the first utterance.
 void TextFileTTS::end() {
   const auto utterance = std::move(waiting_.front());
   waiting_.pop_front();
   finish(utterance);
 }
 
+// Ends the utterances that are meant and keeps the others in order. If the
+// first one was meant, the next one begins.
 void TextFileTTS::stop_speaking(const SessionId& session,
                                 const Value& utterance) {
+  // Only utterances of the session that asks are meant.
   auto meant = [&](const Utterance& one) {
     return one.order.session == session &&
            (utterance.is_unknown() || one.name == utterance);
   };
   if (waiting_.empty())
     return;
+  // Only the first utterance has a timer.
   const bool first = meant(waiting_.front());
   if (first && delay_ != 0)
     host().cancel(std::exchange(delay_, 0));

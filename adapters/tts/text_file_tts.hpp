@@ -1,16 +1,18 @@
-// TextFileTTS: a voice on paper (role TTS). What it speaks is written to a file
-// of the data folder, a line each, in the time that speaking it would take, so
-// that whoever waits for a voice can be tried without any sound.
+// TextFileTTS is a plug-in for the role TTS that writes to a file of the data
+// folder what a voice would speak, a line for each utterance. It takes the time
+// that speaking would take, so that an application can be tried without sound.
 //
-//   Speak(text, utterance, interruptible?)   one after the other:
-//                 Mark(utterance, word, position) as each word begins, then
-//                 Finished(utterance); Failed(reason) where too much waits
-//   Stop(utterance?)   that one, or all of the session; each of them ends with
-//                 Finished
-//   SetVoice(name)     written before what follows
+//  Speak(text, utterance, interruptible?)
+//      Mark(utterance, word, position) at the beginning of each word; position
+//      in milliseconds; then Finished(utterance). Utterances are spoken one
+//      after the other. Failed(reason) if too many wait.
+//  Stop(utterance?)
+//      Ends this utterance, or all of the session, each with Finished.
+//  SetVoice(name)
+//      Written before the lines that follow.
 //
-// Options: file (speech.txt); rate, words a minute (180; 0: in no time, without
-// marks).
+// Options: file (speech.txt); rate in words a minute (180). A rate of 0 takes
+// no time and gives no marks.
 #pragma once
 
 #include <deque>
@@ -34,11 +36,13 @@ private:
   struct Utterance {
     Message order;
     std::string text;
-    Value name; // as Speak gave it
+    // As Speak gave it.
+    Value name;
   };
 
   void speak(const Message& order);
   void stop_speaking(const SessionId& session, const Value& utterance);
+  // Writes the first utterance in the queue and starts its words.
   void begin();
   void next_word();
   void end();
@@ -48,10 +52,13 @@ private:
   std::ofstream file_;
   std::string voice_;
   Milliseconds word_time_{};
-  std::deque<Utterance> waiting_;  // the first one is being spoken
-  std::vector<std::string> words_; // of the first one
+  // The first one is being spoken.
+  std::deque<Utterance> waiting_;
+  // The words of the first utterance, and how many of them have been spoken.
+  std::vector<std::string> words_;
   std::size_t spoken_ = 0;
-  PluginHost::DelayId delay_ = 0; // 0: none
+  // The timer of the next word; 0: none.
+  PluginHost::DelayId delay_ = 0;
 };
 
 PluginFactory text_file_tts_factory();

@@ -12,6 +12,7 @@ void ByteWriter::number(std::uint64_t value) {
   byte(static_cast<std::uint8_t>(value));
 }
 
+// Zigzag encoding: small numbers of either sign stay short.
 void ByteWriter::signed_number(std::int64_t value) {
   const auto doubled = static_cast<std::uint64_t>(value) << 1;
   number(value < 0 ? ~doubled : doubled);
@@ -27,6 +28,7 @@ void ByteWriter::text(std::string_view value) {
   bytes_ += value;
 }
 
+// Moving to the end makes every later read fail as well, so loops stop.
 void ByteReader::fail(std::string what) {
   if (!ok())
     return;
@@ -48,6 +50,9 @@ std::uint8_t ByteReader::byte() {
   return static_cast<std::uint8_t>(bytes_[at_++]);
 }
 
+// Stops at the first byte whose highest bit is clear. The tenth byte may hold
+// one bit only, and a last byte of zero would mean that the number has a
+// shorter form.
 std::uint64_t ByteReader::number() {
   std::uint64_t value = 0;
   for (int shift = 0; shift < 64; shift += 7) {
@@ -71,6 +76,7 @@ std::int64_t ByteReader::signed_number() {
   return static_cast<std::int64_t>(value & 1 ? ~half : half);
 }
 
+// Reads all eight bytes even after a failure, which are then zero.
 std::uint64_t ByteReader::fixed() {
   std::uint64_t value = 0;
   for (int shift = 0; shift < 64; shift += 8)

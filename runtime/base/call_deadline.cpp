@@ -4,10 +4,10 @@
 
 namespace parlour {
 
-Milliseconds call_deadline(const Upkeep& upkeep, Milliseconds request_timeout) {
-  if (upkeep.deadline != defaults::component_deadline)
-    return upkeep.deadline;
-  return std::min(upkeep.deadline, request_timeout / 2);
+Milliseconds call_deadline(const ComponentPolicy& policy,
+                           Milliseconds request_timeout) {
+  return policy.deadline.value_or(
+      std::min(defaults::component_deadline, request_timeout / 2));
 }
 
 } // namespace parlour

@@ -1,14 +1,16 @@
-// How long one call into a component may take.
+// The time limit of one call into a component.
 #pragma once
 
 #include "runtime/base/clock.hpp"
-#include "runtime/base/upkeep.hpp"
+#include "runtime/base/component_policy.hpp"
 
 namespace parlour {
 
-// What its upkeep says; where that is the default, half of the time that a
-// request waits at most: who waits is to hear of a component that hangs, and to
-// have as long again for another.
-Milliseconds call_deadline(const Upkeep& upkeep, Milliseconds request_timeout);
+// The limit of one call into a component. A policy that sets a deadline
+// decides. Without one the limit is the default, and at most half of
+// `request_timeout`, so that a requester learns of a component that hangs while
+// there is still time to ask another one.
+Milliseconds call_deadline(const ComponentPolicy& policy,
+                           Milliseconds request_timeout);
 
 } // namespace parlour

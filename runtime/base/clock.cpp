@@ -15,7 +15,7 @@ struct Unit {
   double milliseconds;
 };
 
-// "ms" before "m" and "s", so that the longest suffix wins.
+// "ms" stands before "m" and "s" so that the longest suffix wins.
 constexpr std::array units{Unit{"ms", 1}, Unit{"s", 1000}, Unit{"m", 60'000},
                            Unit{"h", 3'600'000}};
 
@@ -35,8 +35,8 @@ Expected<Timestamp> parse_timestamp(std::string_view text) {
     parts.tm_isdst = -1;
     const auto day = parts.tm_mday;
     const auto second = parts.tm_sec;
-    // mktime would turn the 31st of November into the first of December, and a
-    // 61st second into the next minute.
+    // mktime normalises: it would turn 31 November into 1 December and second
+    // 61 into the next minute. A date that mktime changed did not exist.
     const auto time = std::mktime(&parts);
     if (end && *end == '\0' && parts.tm_mday == day && parts.tm_sec == second)
       return static_cast<Timestamp>(time) * 1000;
@@ -51,6 +51,8 @@ std::string format_timestamp(Timestamp time, const char* pattern) {
       static_cast<std::time_t>(std::floor(static_cast<double>(time) / 1000));
   std::tm parts{};
   localtime_r(&seconds, &parts);
+  // strftime does not say how much room it needs and returns 0 if the text does
+  // not fit, so the buffer doubles until it does.
   std::string text(64, '\0');
   while (text.size() <= 4096) {
     text.front() = '\0';

@@ -1,4 +1,5 @@
-// Time as a parameter: nobody asks the machine for it but the composition root.
+// Time as a parameter (architecture rule 2). Only the composition root
+// asks the machine for the time; everything else is given a Clock.
 #pragma once
 
 #include <chrono>
@@ -15,6 +16,7 @@ using Milliseconds = std::chrono::milliseconds;
 // Milliseconds since 1970-01-01 UTC.
 using Timestamp = std::int64_t;
 
+// What time it is. Owned by the composition root; outlives its readers.
 class Clock {
 public:
   virtual ~Clock() = default;
@@ -27,13 +29,15 @@ public:
   Timestamp now() const override;
 };
 
-// "2026-11-21 09:00" or "2026-11-21 09:00:30", local time.
+// Reads "2026-11-21 09:00" or "2026-11-21 09:00:30" as local time. Errors are
+// of kind Settings.
 Expected<Timestamp> parse_timestamp(std::string_view text);
 
-// strftime of the local time; "%Y-%m-%d %H:%M" unless told otherwise.
+// Formats the local time by a strftime pattern, such as "%Y-%m-%d %H:%M".
 std::string format_timestamp(Timestamp time, const char* pattern);
 
-// "1.5s", "200ms", "2m", "1h" (language rule 10.1).
+// Reads a duration such as "1.5s", "200ms", "2m" or "1h" (language rule 10.1).
+// Errors are of kind Settings.
 Expected<Milliseconds> parse_duration(std::string_view text);
 
 } // namespace parlour

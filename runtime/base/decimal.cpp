@@ -10,8 +10,8 @@ namespace parlour {
 
 namespace {
 
-// "-1.25e+07" or "12" and the like; `point` is where it stands without an
-// exponent.
+// Reads what std::to_chars wrote, such as "-1.25e+07" or "12". The mantissa's
+// point gives the position, which the exponent then moves.
 Decimal from_text(std::string_view text) {
   Decimal decimal;
   decimal.negative = text.starts_with('-');
@@ -28,6 +28,7 @@ Decimal from_text(std::string_view text) {
   return decimal;
 }
 
+// Restores the invariant of Decimal: no zero at either end of the digits.
 Decimal without_zeros(Decimal decimal) {
   auto& digits = decimal.digits;
   const auto first = std::min(digits.find_first_not_of('0'), digits.size());
@@ -37,6 +38,8 @@ Decimal without_zeros(Decimal decimal) {
   return digits.empty() ? Decimal() : decimal;
 }
 
+// The buffer is zero-initialised and one byte larger than to_chars may use, so
+// what it wrote ends with a null character.
 template <class Number, class... Format>
 Decimal written(Number number, Format... format) {
   std::array<char, 32> buffer{};
@@ -45,8 +48,8 @@ Decimal written(Number number, Format... format) {
   return without_zeros(from_text(buffer.data()));
 }
 
-constexpr int most_plain_digits = 21; // before the point
-constexpr int most_plain_zeros = 5;   // behind it
+constexpr int max_plain_digits = 21; // before the point
+constexpr int max_plain_zeros = 5;   // behind it
 
 std::string with_exponent(const Decimal& decimal) {
   auto text = decimal.digits;
@@ -61,7 +64,7 @@ std::string plain(const Decimal& decimal) {
   return whole_digits(decimal) + (fraction.empty() ? "" : "." + fraction);
 }
 
-// As many zeros as the point is before the digits.
+// The zeros between the point and the first digit.
 std::string leading_zeros(const Decimal& decimal) {
   return std::string(static_cast<std::size_t>(std::max(-decimal.point, 0)),
                      '0');
@@ -77,7 +80,10 @@ Decimal decimal_of(double number) {
   return written(number, std::chars_format::scientific);
 }
 
+// Keeps `point + places` digits and carries a one to the left where the first
+// digit that is cut is 5 or more.
 Decimal rounded(Decimal decimal, int places) {
+  // The number of digits that remain.
   const auto kept = decimal.point + places;
   if (kept >= static_cast<int>(decimal.digits.size()))
     return decimal;
@@ -86,7 +92,7 @@ Decimal rounded(Decimal decimal, int places) {
   auto& digits = decimal.digits;
   const bool up = digits[static_cast<std::size_t>(kept)] >= '5';
   digits.resize(static_cast<std::size_t>(kept));
-  digits.insert(0, 1, '0'); // room for one more digit
+  digits.insert(0, 1, '0'); // room for a carry
   ++decimal.point;
   auto last = digits.rbegin();
   for (; up && *last == '9'; ++last)
@@ -97,7 +103,7 @@ Decimal rounded(Decimal decimal, int places) {
 
 std::string decimal_text(const Decimal& decimal) {
   const bool is_plain =
-      decimal.point <= most_plain_digits && decimal.point >= -most_plain_zeros;
+      decimal.point <= max_plain_digits && decimal.point >= -max_plain_zeros;
   return (decimal.negative ? "-" : "") +
          (is_plain ? plain(decimal) : with_exponent(decimal));
 }

@@ -1,6 +1,7 @@
-// What can go wrong, as values. An Error is caused by a user's input (a file, a
-// message, a database that went away), names its place, and reads as a
-// sentence. Bugs are asserts, not Errors.
+// Error: what went wrong, as a value. A user's input causes an Error (a file, a
+// message, a database that cannot be reached). It has a kind, a message that
+// reads as a sentence and, if known, a position in a source file. Programming
+// errors are asserts, never Errors.
 #pragma once
 
 #include <cstdint>
@@ -40,31 +41,41 @@ enum class ErrorKind : std::uint8_t {
 // The kind's name as scripts see it in `.kind`.
 std::string_view name_of(ErrorKind kind);
 
-// A place in a source file; line and column count from 1, 0 is unknown.
-struct Place {
+// A position in a source file. Line and column count from 1; 0 means unknown.
+struct SourceLocation {
   std::string file;
   std::uint32_t line = 0;
   std::uint32_t column = 0;
 
-  bool operator==(const Place&) const = default;
+  bool operator==(const SourceLocation&) const = default;
 };
 
+// Immutable by convention; copied freely and sent between threads.
 struct Error {
   ErrorKind kind = ErrorKind::thrown;
   std::string message;
-  Place place;
+  SourceLocation place;
 
   bool operator==(const Error&) const = default;
 };
 
-// "file:line: message", as far as the place is known.
+// "file:line: message", with as much of the place as is known.
 std::string to_string(const Error& error);
 
+// A function that a user's input can make fail returns Expected<T>:
+//
+//   Expected<Settings> read_settings(const fs::path& path) {
+//     auto text = read_file(path);
+//     if (!text)
+//       return tl::make_unexpected(text.error());
+//     …
+//     return fail(ErrorKind::settings, "there is no <name>", {path, 3});
+//   }
 template <class T>
 using Expected = tl::expected<T, Error>;
 
 inline tl::unexpected<Error> fail(ErrorKind kind, std::string message,
-                                  Place place = {}) {
+                                  SourceLocation place = {}) {
   return tl::make_unexpected(Error{kind, std::move(message), std::move(place)});
 }
 

@@ -24,6 +24,7 @@ tl::unexpected<Error> unreadable(const fs::path& path) {
                             std::strerror(errno));
 }
 
+// The kind of a path that is not a regular file, in words.
 const char* name_of_kind(mode_t mode) {
   switch (mode & S_IFMT) {
   case S_IFDIR:
@@ -44,10 +45,11 @@ Expected<void> check_kind(const fs::path& path, const struct stat& status) {
                             name_of_kind(status.st_mode) + ", not a file");
 }
 
-// Closes what it opened.
+// Owns a file descriptor.
 class Descriptor {
 public:
-  // Whatever may lie there by now does not hold up its reader.
+  // O_NONBLOCK: the file may have been replaced by a pipe since it was checked,
+  // and opening a pipe without a writer would block.
   explicit Descriptor(const fs::path& path)
       : number_(open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {}
   Descriptor(const Descriptor&) = delete;
@@ -64,7 +66,8 @@ private:
   int number_;
 };
 
-// Appends a part to `bytes`; how much, or -1 and errno.
+// Appends the next part to `bytes`, up to `most` bytes in all. Returns its
+// size; 0 at the end; -1 and errno for an error.
 ssize_t read_part(int descriptor, std::string& bytes, std::size_t most) {
   constexpr std::size_t part = 64 << 10;
   const auto before = bytes.size();
@@ -93,12 +96,16 @@ Expected<void> check_may_be_file(const fs::path& path) {
 Expected<std::string> read_file(const fs::path& path, std::size_t most) {
   if (auto file = check_is_file(path); !file)
     return tl::make_unexpected(file.error());
+  // The file is checked again after it was opened: only what the descriptor
+  // refers to is certain not to change.
   const Descriptor descriptor(path);
   struct stat status {};
   if (descriptor.number() < 0 || fstat(descriptor.number(), &status) != 0)
     return unreadable(path);
   if (auto file = check_kind(path, status); !file)
     return tl::make_unexpected(file.error());
+  // Reads until the end rather than by the size that fstat reports, as the file
+  // may grow meanwhile. One byte more than allowed shows that it is too large.
   std::string bytes;
   while (bytes.size() <= most) {
     const auto size = read_part(descriptor.number(), bytes, most + 1);
@@ -111,6 +118,7 @@ Expected<std::string> read_file(const fs::path& path, std::size_t most) {
                             std::to_string(most >> 20) + " MB");
 }
 
+// Sorted, so that the result does not depend on the file system.
 Expected<std::vector<fs::path>> list_files(const fs::path& folder,
                                            const std::string& extension) {
   std::vector<fs::path> paths;

@@ -1,5 +1,5 @@
-// Files of an application: their bytes, and which there are. Only regular files
-// are read: a named pipe, a socket or a device may block its reader for good.
+// Reading an application's files. Only regular files are read, because opening
+// or reading a named pipe, a socket or a device could block for ever.
 #pragma once
 
 #include <cstddef>
@@ -13,24 +13,27 @@ namespace parlour {
 
 inline constexpr std::size_t largest_file = 256 << 20; // bytes
 
-// What lies at `path`, where it is something else than a regular file or a link
-// to one: "this is a named pipe, not a file"; "this file cannot be read:
-// Permission denied". Opens nothing.
+// Checks that `path` is a regular file or a link to one, without opening it.
+// Errors are of kind File and read as "this is a named pipe, not a file" or
+// "this file cannot be read: Permission denied".
 Expected<void> check_is_file(const std::filesystem::path& path);
 // The same before a file is written, which need not be there.
+// The same, but a path that does not exist is fine, too: the file may be
+// created.
 Expected<void> check_may_be_file(const std::filesystem::path& path);
 
-// Its bytes, all of them: what has more than `most` is an error. Errors are of
-// kind File, as above, and have the file for their place.
+// Reads the whole file. A file of more than `most` bytes is an error. Errors
+// are of kind File and have the file as their place.
 Expected<std::string> read_file(const std::filesystem::path& path,
                                 std::size_t most = largest_file);
 
-// The paths of a folder that end so (".xml"), in order; hidden ones, such as
-// an editor's, left out. Whatever lies there: a folder or a pipe as well.
+// The paths in a folder with that extension (".xml"), sorted. Hidden files,
+// such as an editor's backups, are left out. The entries are not checked: a
+// folder or a pipe may be among them.
 Expected<std::vector<std::filesystem::path>>
 list_files(const std::filesystem::path& folder, const std::string& extension);
 
-// Whether something lies there, a link that leads nowhere too.
+// Whether something exists at `path`; a dangling link counts.
 bool is_there(const std::filesystem::path& path);
 
 } // namespace parlour

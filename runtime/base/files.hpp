@@ -1,6 +1,6 @@
 // What scripts may do with the files of their data folder (language rules 11.5
-// to 11.8), as data, and the door by which it is done. An adapter knows how
-// (adapters/files); `script` and `actors` only ask.
+// to 11.8), as data and one function. adapters/files implements it; `script`
+// and `actors` only call it.
 #pragma once
 
 #include <cstddef>
@@ -18,15 +18,15 @@ enum class FileAction : std::uint8_t { read, write, append, remove, list };
 
 struct FileRequest {
   FileAction action = FileAction::read;
-  std::string name; // below the data folder, parts separated by '/'; of list: a
-                    // pattern
-  std::string text; // to write or append
-  std::size_t most_bytes = defaults::result_bytes; // of the whole file
+  // Below the data folder; '/' separates the parts. For `list` a pattern.
+  std::string name;
+  std::string text;                               // to write or append
+  std::size_t max_bytes = defaults::result_bytes; // of the whole file
 };
 
-// Does it at once and blocks meanwhile. Gives the text (read), a sorted list of
-// names (list), or unknown. All errors are of kind File. Safe to call from
-// several threads.
+// Carries out the request and blocks until it is done. Returns the text (read),
+// a sorted list of names (list) or unknown. All errors are of kind File. Safe
+// to call from several threads.
 using FileAccess = std::function<Expected<Value>(const FileRequest&)>;
 
 } // namespace parlour

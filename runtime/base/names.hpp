@@ -1,5 +1,4 @@
-// The names of a list of things that have one: to say what there is instead of
-// what was asked for.
+// The names of all elements of a list, as an error message lists the choices.
 #pragma once
 
 #include <string>

@@ -14,6 +14,8 @@ fs::path real_path(const fs::path& path) {
   return found.empty() ? path.lexically_normal() : found;
 }
 
+// Compares part by part, so "/data2" is not below "/data". A folder that is
+// written with a slash at its end has an empty last part.
 bool is_below(const fs::path& path, const fs::path& folder) {
   const auto [end, rest] =
       std::mismatch(folder.begin(), folder.end(), path.begin(), path.end());

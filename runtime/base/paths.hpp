@@ -1,15 +1,17 @@
-// Where a path leads, links followed: for names in files of a user, which may
-// not leave a folder. Nothing needs to be there; nothing is opened.
+// Where paths lead when links are followed. The checks that keep a user's file
+// names inside of a folder need this. Nothing has to exist, and nothing is
+// opened.
 #pragma once
 
 #include <filesystem>
 
 namespace parlour {
 
-// The path that a file has or would have, links followed.
+// The path with links resolved, as far as it exists.
 std::filesystem::path real_path(const std::filesystem::path& path);
 
-// Whether a real path lies below a real folder, which does not itself.
+// Whether `path` lies inside of `folder`. Both must be real paths. A folder is
+// not below itself.
 bool is_below(const std::filesystem::path& path,
               const std::filesystem::path& folder);
 

@@ -1,7 +1,7 @@
-// Random: numbers that look drawn by lot and are the same everywhere for the
-// same seed (SplitMix64). The state is one number, so that a session can be
-// written out and go on with the same numbers. Not for secrets. Not
-// thread-safe; each owner has its own.
+// Random: pseudo-random numbers that are the same on every machine for the same
+// seed (SplitMix64). The state is one number, so a session can be written to
+// bytes and continue with the same numbers. Not for secrets. Not thread-safe;
+// each owner has its own generator.
 #pragma once
 
 #include <cstdint>
@@ -10,10 +10,10 @@ namespace parlour {
 
 class Random {
 public:
-  // Any number will do; neighbours give unlike sequences.
+  // Any seed is good: sequences of neighbouring seeds are unrelated.
   explicit Random(std::uint64_t seed) : state_(seed) {}
 
-  // Every number of 64 bits, equally often.
+  // All 64-bit numbers are equally likely.
   std::uint64_t next() {
     state_ += 0x9e3779b97f4a7c15;
     auto mixed = state_;
@@ -22,12 +22,12 @@ public:
     return mixed ^ (mixed >> 31);
   }
 
-  // At least 0 and less than 1.
+  // At least 0 and less than 1, with 53 random bits.
   double fraction() {
     return static_cast<double>(next() >> 11) * 0x1p-53;
   }
 
-  // The seed of a generator that goes on where this one stands.
+  // The seed for a generator that continues where this one stands.
   std::uint64_t state() const {
     return state_;
   }

@@ -1,6 +1,5 @@
-// TCP clients as scripts have them (language rule 11.9): the door to the
-// adapter that knows the network (adapters/network). Data and an interface; the
-// thread is the adapter's.
+// TCP clients of scripts (language rule 11.9), as data and an interface.
+// adapters/network implements it with a thread of its own.
 #pragma once
 
 #include <cstdint>
@@ -13,12 +12,14 @@
 
 namespace parlour {
 
+// What a script asks for when it opens a socket.
 struct SocketOrder {
   std::string address; // host:port
   bool lines = true;   // a text for each line; else as it comes
   Milliseconds timeout = defaults::request_timeout; // of the opening
 };
 
+// What happened on a socket. Each event is reported once, in order.
 struct SocketEvent {
   enum class Kind : std::uint8_t {
     opened,
@@ -30,25 +31,30 @@ struct SocketEvent {
   std::string text = {};
 };
 
+// Thread-safe. Everything is asynchronous: nothing here waits for the network.
 class Sockets {
 public:
   using Id = std::uint64_t;
-  // Called from a thread of the adapter's, or from within open() or taken();
-  // one call at a time for each socket. May not block or call back.
+  // Receives the events of one socket, one call at a time, from the adapter's
+  // thread or from within open() or taken(). It must not block and must not
+  // call Sockets.
   using Tell = std::function<void(SocketEvent)>;
 
   virtual ~Sockets() = default;
 
-  // `opened` or `failed` follows; after `failed` or `closed` nothing more.
+  // Starts to connect. `opened` or `failed` follows; after `failed` or `closed`
+  // no event comes any more.
   virtual Id open(SocketOrder order, Tell tell) = 0;
-  // An error of kind Network where it is not open, or the other side does not
-  // take what was sent before.
+  // Sends the text as it is. An error of kind Network if the socket is not
+  // open, or if too much is still unsent because the other side does not read.
   virtual Expected<void> send(Id id, const std::string& text) = 0;
-  // A text was dealt with. Nothing more is read while too many are not, so that
-  // the other side has to wait.
+  // The receiver has processed one text. The adapter stops reading while too
+  // many texts are not processed, which makes the other side wait
+  // (back-pressure).
   virtual void taken(Id id) = 0;
-  // What was sent still leaves, where it is taken in time. When this returns,
-  // nothing more is told. Closing what is not there does nothing.
+  // Closes the socket after sending what is still unsent, as far as the other
+  // side takes it in time. No event comes after this returns. An id that is not
+  // open is ignored.
   virtual void close(Id id) = 0;
 };
 

@@ -4,7 +4,8 @@ namespace parlour {
 
 namespace {
 
-// Bytes of the code point that begins so; 0 where none does.
+// The length of a code point by its first byte; 0 for a byte that cannot be
+// first.
 std::size_t length_of(unsigned char first) {
   return first < 0x80   ? 1
          : first < 0xc2 ? 0
@@ -14,13 +15,15 @@ std::size_t length_of(unsigned char first) {
                         : 0;
 }
 
-// Overlong forms, surrogates, and what is beyond U+10FFFF.
+// Byte ranges of the Unicode standard, table 3-7: the second byte rules out
+// overlong forms, surrogates and code points beyond U+10FFFF.
 bool second_is_wrong(unsigned char first, unsigned char second) {
   return (first == 0xe0 && second < 0xa0) || (first == 0xed && second > 0x9f) ||
          (first == 0xf0 && second < 0x90) || (first == 0xf4 && second > 0x8f);
 }
 
-// The last eight bytes are mostly looked at twice, rather than one by one.
+// One pass over whole words. The last eight bytes may overlap the words before,
+// which is faster than a loop over the remaining bytes.
 bool is_ascii(std::string_view text) {
   std::uint64_t all = 0;
   std::uint64_t eight = 0;
@@ -39,9 +42,12 @@ bool is_ascii(std::string_view text) {
 
 } // namespace
 
+// Most texts are ASCII or nearly so: skips ASCII by words and checks each other
+// code point byte by byte.
 std::optional<std::size_t> find_invalid_utf8(std::string_view text) {
   if (is_ascii(text))
     return std::nullopt;
+  // Each round begins at a code point.
   for (auto i = ascii_up_to(text, 0); i < text.size();
        i = ascii_up_to(text, i)) {
     const auto first = static_cast<unsigned char>(text[i]);

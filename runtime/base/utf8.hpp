@@ -1,4 +1,5 @@
-// What is UTF-8: texts of sources and of everything that comes from outside.
+// Checking and writing UTF-8. Source texts and everything that comes from
+// outside are checked before use.
 #pragma once
 
 #include <cstddef>
@@ -10,22 +11,24 @@
 
 namespace parlour {
 
-// The offset of the first byte that is not UTF-8 in its shortest form without
-// surrogates, if any.
+// The offset of the first byte that is not valid UTF-8, if any. Overlong forms,
+// surrogates and code points beyond U+10FFFF are invalid.
 std::optional<std::size_t> find_invalid_utf8(std::string_view text);
 
-// Appends the code point in UTF-8.
+// Appends the code point, encoded in UTF-8.
 void append_code_point(std::string& text, std::uint32_t code);
 
-// Whether it is a further byte of a code point that began before.
+// Whether the byte is a continuation byte: not the first of its code point.
 inline bool continues_code_point(char byte) {
   return (static_cast<unsigned char>(byte) & 0xc0u) == 0x80u;
 }
 
+// The functions below scan a text eight bytes at a time, in one machine word.
 inline constexpr std::uint64_t highest_bits = 0x8080808080808080;
 
-// Where from `i` on the next eight bytes begin of which one makes `unusual`
-// true, all in one number; those that are too few for eight always count so.
+// The first offset from `i` on, in steps of eight, at which the next eight
+// bytes are `unusual` or fewer than eight bytes are left. `unusual` gets them
+// as one number.
 template <class Predicate>
 std::size_t usual_up_to(std::string_view text, std::size_t i,
                         Predicate unusual) {
@@ -38,7 +41,7 @@ std::size_t usual_up_to(std::string_view text, std::size_t i,
   return i;
 }
 
-// The same for bytes that are not ASCII.
+// The same for text that is not ASCII: the highest bit of a byte is set.
 inline std::size_t ascii_up_to(std::string_view text, std::size_t i) {
   return usual_up_to(text, i,
                      [](std::uint64_t eight) { return eight & highest_bits; });

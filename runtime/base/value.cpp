@@ -1,3 +1,6 @@
+// Value and its containers. Numbers compare exactly across types; maps keep the
+// order of their entries and find keys by a hash index once they are large.
+
 #include "runtime/base/value.hpp"
 
 #include <algorithm>
@@ -16,8 +19,9 @@ namespace {
 
 const Value unknown_value;
 
-constexpr std::size_t searched = 16; // entries; larger maps have an index
+constexpr std::size_t searched = 16; // entries; larger maps have a hash index
 
+// Column names ignore the case of ASCII letters, as most databases do.
 bool same_text(std::string_view left, std::string_view right) {
   auto lower = [](char c) {
     return std::tolower(static_cast<unsigned char>(c));
@@ -34,6 +38,8 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
 
+// A sign, digits, then optionally a point with digits and an exponent. This is
+// checked first because from_chars also accepts "inf", "nan", "5." and ".5".
 bool has_number_form(std::string_view text) {
   std::size_t position = text.starts_with('-') || text.starts_with('+');
   auto digits = [&] {
@@ -66,7 +72,8 @@ bool equal_numbers(const Value& left, const Value& right) {
     return *left.if_integer() == *right.if_integer();
   if (left.if_number() && right.if_number())
     return *left.if_number() == *right.if_number();
-  // Exact: a double that is an integer in range compares as one.
+  // Converting the integer to a double could round it. The double is converted
+  // instead, if it is integral and in range, which is exact.
   auto integer = *(left.if_integer() ? left : right).if_integer();
   auto number = *(left.if_number() ? left : right).if_number();
   return std::trunc(number) == number && std::abs(number) < 9.3e18 &&
@@ -93,6 +100,8 @@ bool Map::empty() const {
   return entries_.empty();
 }
 
+// The position of a key; size() if it is missing. Linear below `searched`
+// entries, which is faster than hashing for so few.
 std::size_t Map::position(std::string_view key) const {
   if (index_.empty()) {
     const auto found =
@@ -108,6 +117,7 @@ std::size_t Map::position(std::string_view key) const {
   return entries_.size();
 }
 
+// Enters one position into the index, which must have a free place.
 void Map::index(std::size_t position) {
   const auto mask = index_.size() - 1;
   auto at = std::hash<std::string_view>()(entries_[position].first) & mask;
@@ -116,6 +126,8 @@ void Map::index(std::size_t position) {
   index_[at] = static_cast<std::uint32_t>(position + 1);
 }
 
+// Four times as many places as entries, rounded up to a power of two so that a
+// hash is reduced by a mask. The index is rebuilt when half of it is used.
 void Map::rebuild_index() {
   index_.clear();
   if (entries_.size() <= searched)
@@ -130,6 +142,8 @@ const Value* Map::find(std::string_view key) const {
   return at < entries_.size() ? &entries_[at].second : nullptr;
 }
 
+// A new key is appended; the index is extended, or rebuilt when it is half
+// full.
 void Map::set(std::string_view key, Value value) {
   if (const auto at = position(key); at < entries_.size()) {
     entries_[at].second = std::move(value);
@@ -146,10 +160,12 @@ void Map::erase(std::string_view key) {
   const auto at = position(key);
   if (at == entries_.size())
     return;
+  // Erasing moves all later entries, so their positions in the index change.
   entries_.erase(entries_.begin() + static_cast<std::ptrdiff_t>(at));
   rebuild_index();
 }
 
+// The order of the entries does not count.
 bool Map::operator==(const Map& other) const {
   if (size() != other.size())
     return false;
@@ -167,6 +183,8 @@ Columns::Columns(std::vector<std::string> names) {
 Columns::Columns(std::initializer_list<std::string> names)
     : Columns(std::vector<std::string>(names)) {}
 
+// Results of one statement usually share their columns, so the pointers are
+// compared first.
 bool Columns::operator==(const Columns& other) const {
   return names_ == other.names_ || names() == other.names();
 }
@@ -180,6 +198,7 @@ std::size_t ResultSet::row_count() const {
   return columns.empty() ? 0 : cells.size() / columns.size();
 }
 
+// The first column of that name counts.
 const Value* ResultSet::cell(std::size_t row, std::string_view column) const {
   for (std::size_t i = 0; i < columns.size(); ++i)
     if (same_text(columns[i], column) && row < row_count())
@@ -239,6 +258,7 @@ double Value::number_or(double otherwise) const {
   return number ? *number : otherwise;
 }
 
+// Numbers beyond 64 bits have no integer and give `otherwise`.
 std::int64_t Value::integer_or(std::int64_t otherwise) const {
   if (const auto* integer = if_integer())
     return *integer;
@@ -271,6 +291,8 @@ Value::operator bool() const {
   return false;
 }
 
+// Numbers first, also against strings that are written like numbers; then
+// values of the same type; everything else is unequal (language rule 3.5).
 bool Value::operator==(const Value& other) const {
   if (is_numeric(*this) && is_numeric(other))
     return equal_numbers(*this, other);
@@ -300,6 +322,7 @@ bool Value::operator==(const Value& other) const {
   }
 }
 
+// Containers print their elements without quotes (language rule 2.2).
 namespace {
 
 std::string joined(const List& list) {
@@ -346,6 +369,7 @@ std::string number_text(double number) {
   return decimal_text(decimal_of(number));
 }
 
+// An integer if it fits into 64 bits, else a number, which rounds.
 Value parse_number(std::string_view text) {
   text = trimmed(text);
   if (!has_number_form(text))

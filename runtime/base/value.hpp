@@ -1,7 +1,8 @@
-// Value: what a message parameter, a frame's slot or a query's cell is
-// (language rule 2). Immutable and cheap to copy; safe to share between
-// threads. The interpreter works on its own mutable values and copies at this
-// border, so that no two actors ever share something that changes.
+// Value: a message's parameter, a slot's value or a cell of a query's result
+// (language rule 2). Immutable and cheap to copy: contents of variable size are
+// shared by reference counts. Safe to share between threads. The interpreter
+// works on mutable values of its own (script/values) and converts at its
+// border, so no two actors ever share anything that changes.
 #pragma once
 
 #include <cstddef>
@@ -20,8 +21,9 @@ class Value;
 
 using List = std::vector<Value>;
 
-// String keys in insertion order; found by looking, or in a large map by an
-// index, which only the changing functions touch.
+// A map with string keys in insertion order (language rule 2.10). Small maps
+// are searched linearly, larger ones by a hash index, which only set() and
+// erase() change. Concurrent readers are therefore safe.
 class Map {
 public:
   using Entry = std::pair<std::string, Value>;
@@ -29,13 +31,14 @@ public:
   Map() = default;
   Map(std::initializer_list<Entry> entries);
 
-  // Null where the key is missing.
+  // Returns null for a missing key. The pointer is valid until the map changes.
   const Value* find(std::string_view key) const;
 
-  // Setting a key that is there keeps its place.
+  // A key that exists keeps its position.
   void set(std::string_view key, Value value);
   void erase(std::string_view key);
 
+  // In insertion order.
   const std::vector<Entry>& entries() const {
     return entries_;
   }
@@ -49,12 +52,13 @@ private:
   void rebuild_index();
 
   std::vector<Entry> entries_;
-  // Positions plus one by the keys' hashes, at most half full; 0 is free.
+  // Open addressing with linear probing: position plus one by the key's hash, 0
+  // for a free place. At most half of the places are used, so probing ends.
   std::vector<std::uint32_t> index_;
 };
 
-// The names of a result's columns. Immutable, so that all results of a
-// statement share them: a copy takes no memory.
+// The names of a result's columns. Immutable, and shared by all results of a
+// statement, so a copy takes no memory.
 class Columns {
 public:
   using value_type = std::string;
@@ -91,18 +95,19 @@ private:
   std::shared_ptr<const std::vector<std::string>> names_; // null: none
 };
 
-// What a query returns; cells row by row.
+// The rows that a query returned. The cells lie row by row in one list.
 struct ResultSet {
   Columns columns;
   List cells;
 
   std::size_t row_count() const;
-  // Null where there is no such cell; column names regardless of case.
+  // Returns null if there is no such cell. Column names ignore case. Takes time
+  // linear in the number of columns.
   const Value* cell(std::size_t row, std::string_view column) const;
   bool operator==(const ResultSet& other) const;
 };
 
-// Audio and other payloads; never copied into a script.
+// Audio and other opaque bytes. A script passes them on but cannot look inside.
 struct Binary {
   std::string format; // such as "pcm_s16le;rate=16000;channels=1"
   std::vector<std::byte> bytes;
@@ -110,6 +115,7 @@ struct Binary {
   bool operator==(const Binary&) const = default;
 };
 
+// In the order of the alternatives of Value's variant.
 enum class ValueType : std::uint8_t {
   unknown,
   boolean,
@@ -122,7 +128,7 @@ enum class ValueType : std::uint8_t {
   binary,
 };
 
-// "unknown", "boolean" … as the built-in type(x) says it.
+// The name that the built-in type(x) returns: "unknown", "boolean" ….
 std::string_view name_of(ValueType type);
 
 class Value {
@@ -135,7 +141,7 @@ public:
   Value(std::string value);
   Value(std::string_view value);
   Value(const char* value) : Value(std::string_view(value)) {}
-  // A text that others share, or that is part of something larger.
+  // Shares a text that exists already.
   explicit Value(std::shared_ptr<const std::string> text)
       : data_(std::move(text)) {}
   Value(List value);
@@ -150,7 +156,8 @@ public:
     return type() == ValueType::unknown;
   }
 
-  // Null where the value is of another type.
+  // Each returns null if the value is of another type. The pointer is valid as
+  // long as the value.
   const bool* if_boolean() const {
     return std::get_if<bool>(&data_);
   }
@@ -176,22 +183,25 @@ public:
     return shared<Binary>();
   }
 
-  // Conveniences for readers of messages and frames.
+  // Lenient access for code that reads messages and frames.
+  //
   // A map's entry, or unknown for a missing key or another type.
   const Value& operator[](std::string_view key) const;
-  // A list's element, or unknown past its end or for another type.
+  // A list's element, or unknown beyond its end or for another type.
   const Value& at(std::size_t position) const;
-  // The text of a string, else what would be printed.
+  // A string as it is; any other value as it would be printed.
   std::string text() const;
-  // An integer or number as a double; `otherwise` for other types.
+  // An integer or number as a double; `otherwise` for any other type.
   double number_or(double otherwise) const;
+  // The same, with a fraction cut off.
   std::int64_t integer_or(std::int64_t otherwise) const;
 
-  // Truth (language rule 2.3): false, unknown, 0, '' and empty are false.
+  // Truth (language rule 2.3): false, unknown, 0 and everything empty are
+  // false.
   explicit operator bool() const;
 
-  // Equality of language rule 3.5 (a string equals the number that it is
-  // written like).
+  // Equality of language rule 3.5: a string equals the number that it is
+  // written like.
   bool operator==(const Value& other) const;
 
 private:
@@ -208,14 +218,15 @@ private:
       data_;
 };
 
-// As <print> shows it (language rule 2.2).
+// The value as <print> shows it (language rule 2.2).
 std::string to_string(const Value& value);
 
-// The shortest text that reads back as this number; "2" for 2.0.
+// The shortest text that reads back as this number; "2" for 2.0. It must be
+// finite.
 std::string number_text(double number);
 
-// The number that a string is written like (language rule 3.5); unknown where
-// it is like none.
+// The number that a text is written like (language rule 3.5); unknown if the
+// text has no such form. Blanks around it are ignored.
 Value parse_number(std::string_view text);
 
 } // namespace parlour

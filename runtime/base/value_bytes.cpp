@@ -1,3 +1,7 @@
+// Writing and reading of values, with the same structure on both sides: a
+// function for each kind of container, one dispatch by type or tag, and a depth
+// that is counted on the way down.
+
 #include "runtime/base/value_bytes.hpp"
 
 #include <bit>
@@ -8,6 +12,7 @@ namespace parlour {
 
 namespace {
 
+// The numbers are part of the format: append only.
 enum class Tag : std::uint8_t {
   unknown,
   no,
@@ -64,6 +69,8 @@ void write_number(ByteWriter& bytes, double number) {
   bytes.fixed(std::bit_cast<std::uint64_t>(number));
 }
 
+// Values that are nested too deep become unknown instead of an error: a value
+// that exists can always be written.
 void write(ByteWriter& bytes, const Value& value, int depth) {
   if (depth > deepest_value)
     return put(bytes, Tag::unknown);
@@ -95,7 +102,8 @@ void write(ByteWriter& bytes, const Value& value, int depth) {
 Value read(ByteReader& bytes, int depth);
 
 List read_all(ByteReader& bytes, const char* what, int depth) {
-  // Not reserved: nested lists may all tell as many as there are bytes.
+  // Nothing is reserved: each of many nested lists could claim as many elements
+  // as there are bytes left.
   List values;
   const auto count = bytes.count(what);
   for (std::size_t i = 0; i < count && bytes.ok(); ++i)
@@ -109,6 +117,8 @@ Value read_map(ByteReader& bytes, int depth) {
   for (std::size_t i = 0; i < count && bytes.ok(); ++i) {
     const auto key = bytes.text();
     map.set(key, read(bytes, depth + 1));
+    // A repeated key would not add an entry. It is rejected because a value has
+    // one form only.
     if (map.size() != i + 1)
       bytes.fail("a map has the key '" + std::string(key) + "' twice");
   }
@@ -133,6 +143,7 @@ Value read_binary(ByteReader& bytes) {
   return binary;
 }
 
+// Infinities and NaN are never written, so they mean corrupt bytes.
 Value read_number(ByteReader& bytes) {
   const auto number = std::bit_cast<double>(bytes.fixed());
   if (!std::isfinite(number))
@@ -140,6 +151,7 @@ Value read_number(ByteReader& bytes) {
   return number;
 }
 
+// The tag has been read. An unknown tag is a failure.
 Value read_tagged(ByteReader& bytes, Tag tag, int depth) {
   switch (tag) {
   case Tag::unknown:
@@ -168,6 +180,7 @@ Value read_tagged(ByteReader& bytes, Tag tag, int depth) {
   return {};
 }
 
+// After a failure every value is unknown, so callers need to check only once.
 Value read(ByteReader& bytes, int depth) {
   const auto tag = static_cast<Tag>(bytes.byte());
   if (depth > deepest_value && tag != Tag::unknown)

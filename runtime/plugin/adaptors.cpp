@@ -1,3 +1,6 @@
+// Each class registers its commands with the handlers and wraps its events. The
+// names are those of roles.def; the parameters follow from the types.
+
 #include "runtime/plugin/adaptors.hpp"
 
 #include <utility>
@@ -102,6 +105,8 @@ void TTSPlugin::fire_finished(Utterance utterance) {
 
 // -- nlu ---------------------------------------------------------------------
 
+// Inline plug-ins have no typed handlers: they answer from a const function,
+// without the state that dispatching needs.
 std::vector<Answer> NLUPlugin::answers(const Message& message) const {
   std::string text;
   if (message.command != "DoNLU")
@@ -120,6 +125,7 @@ std::vector<Answer> NLUPlugin::answers(const Message& message) const {
 
 // -- nlg ---------------------------------------------------------------------
 
+// Without words an empty text is still an answer, so that no request waits.
 std::vector<Answer> NLGPlugin::answers(const Message& message) const {
   const auto& params = message.params;
   if (message.command != "Generate")
@@ -148,6 +154,7 @@ void DatabasePlugin::fire_result(ResultSet rows) {
   fire_event("Result", {std::move(rows)});
 }
 
+// The event Error carries the kind of the error and its message.
 void DatabasePlugin::fire_error(const Error& error) {
   fire_event("Error", {name_of(error.kind), error.message});
 }

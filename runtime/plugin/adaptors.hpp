@@ -1,10 +1,11 @@
-// The tailored adaptors (paper III.D): what a plug-in of a role derives from
-// instead of IPlugin. The role's commands arrive as calls, on_ and the
-// command's name, with typed parameters; fire_ and the event's name answers.
-// What is missing or does not fit never arrives: it is refused.
+// Base classes for plug-ins of one role. A plug-in derives from the class of
+// its role instead of IPlugin: each command of the role arrives as a call of
+// on_ plus the command's name, with typed parameters, and fire_ plus an event's
+// name answers it. A command whose parameters are missing or of the wrong type
+// is refused before the plug-in sees it.
 //
-// An answer that takes longer: keep current(), and later fire within
-// as_answer_to(kept, …).
+// A plug-in that answers later keeps a copy of current(), and fires within
+// as_answer_to(kept, …). An example of a whole plug-in is in docs/plugins.md.
 #pragma once
 
 #include <cstdint>
@@ -16,63 +17,64 @@
 
 namespace parlour {
 
-// A microphone.
+// Captures audio from a device and fires it in small buffers.
 class MicrophonePlugin : public RolePlugin {
 protected:
   MicrophonePlugin();
 
-  // Ends with fire_started or fire_failed.
+  // Starts capturing. End it with fire_started or fire_failed.
   virtual void on_start_mic() = 0;
-  // Ends with fire_stopped.
+  // Stops capturing. End it with fire_stopped.
   virtual void on_stop_mic() = 0;
-  // Samples a second, and channels.
+  // Sets the sample rate in Hz and the number of channels. Refuses unless
+  // overridden.
   virtual void on_set_format(std::int64_t rate, std::int64_t channels);
 
-  // Position in ms since the microphone was started. From any thread of the
-  // plug-in: audio answers nobody.
+  // `position` is the time in ms since the microphone was started. May be
+  // called from any thread, because audio is no answer to a command.
   void fire_buffer_full(Binary audio, std::int64_t position);
   void fire_started();
   void fire_stopped();
   void fire_failed(std::string reason);
 };
 
-// A voice activity detector.
+// Detects where speech starts and ends in a stream of audio.
 class VADPlugin : public RolePlugin {
 protected:
   VADPlugin();
 
   virtual void on_process(const Binary& audio) = 0;
-  // What comes next has nothing to do with what came before.
+  // The next audio has nothing to do with what came before.
   virtual void on_reset() = 0;
 
-  // Positions in ms since the last reset.
+  // Positions are in ms since the last reset.
   void fire_speech_started(std::int64_t position);
   void fire_speech_ended(std::int64_t position);
 };
 
-// A recogniser.
+// A speech recogniser: turns audio into text.
 class ASRPlugin : public RolePlugin {
 protected:
   ASRPlugin();
 
-  // The next piece of what is said.
+  // The next piece of the utterance.
   virtual void on_do_recognition(const Binary& audio) = 0;
-  // That was all: ends with fire_result or fire_rejected.
+  // The utterance is complete. End it with fire_result or fire_rejected.
   virtual void on_finish() = 0;
-  // Nobody wants to know it any more.
+  // The result is no longer needed.
   virtual void on_cancel() = 0;
-  // Names of grammars, the only ones from now on.
+  // Uses only these grammars from now on. Refuses unless overridden.
   virtual void on_set_grammar(const List& names);
 
-  // What it has heard so far; revisions count from 1.
+  // The text recognised so far; revisions count from 1.
   void fire_partial(std::string text, std::int64_t revision);
-  // Confidence from 0 to 1, or unknown.
+  // The confidence is between 0 and 1, or unknown.
   void fire_result(std::string text, Value confidence, List alternatives = {},
                    List words = {});
   void fire_rejected(std::string reason);
 };
 
-// A synthesiser.
+// A speech synthesiser: turns text into audio.
 class TTSPlugin : public RolePlugin {
 public:
   using Utterance = std::int64_t;
@@ -80,52 +82,56 @@ public:
 protected:
   TTSPlugin();
 
-  // Ends with fire_finished, at once or later.
+  // Starts to speak. End it with fire_finished, at once or later.
   virtual void on_speak(const std::string& text, Utterance utterance,
                         std::optional<bool> interruptible) = 0;
-  // That utterance, or all; one that is stopped is finished, too.
+  // Stops one utterance, or all. An utterance that is stopped is finished, too:
+  // fire_finished is due for it.
   virtual void on_stop(std::optional<Utterance> utterance) = 0;
   virtual void on_set_voice(const std::string& name);
 
   void fire_audio(Binary audio, Utterance utterance);
-  // The word begins at that position in the audio, in ms.
+  // The word begins at this position of the utterance's audio, in ms.
   void fire_mark(Utterance utterance, std::string word, std::int64_t position);
   void fire_finished(Utterance utterance);
 };
 
-// An understanding, asked in a session's own turn, by several threads at once,
-// where its description says that it is inline.
+// Language understanding: turns text into dialogue acts. It is called in the
+// session's own turn and by several threads at once if its description says
+// is_inline; what it reads must not change.
 class NLUPlugin : public InlinePlugin {
 public:
   std::vector<Answer> answers(const Message& message) const final;
 
 protected:
-  // The acts in what was said, the most certain first; none: it was not
-  // understood. `context` is what the dialogue expects (understanding.md).
+  // The acts in the text, the most certain first; empty if nothing was
+  // understood. runtime/message/understanding.hpp describes an act and
+  // `context`, which is what the dialogue expects.
   virtual std::vector<Value> understand(const std::string& text,
                                         const Map& context) const = 0;
 };
 
-// Words for acts; inline like an NLU.
+// Language generation: turns acts into words. Called like an NLUPlugin.
 class NLGPlugin : public InlinePlugin {
 public:
   std::vector<Answer> answers(const Message& message) const final;
 
 protected:
-  // The words for an act (a map) or for a text; nothing where it has none.
+  // The words for an act (a map) or for a text; nothing if it has none.
   virtual std::optional<std::string> generate(const Value& what,
                                               const Value& data) const = 0;
 };
 
-// A database. Each command ends with fire_result or fire_error. A transaction
-// belongs to the session of the message that begins it (current()).
+// A database. End each command with fire_result or fire_error. A transaction
+// belongs to the session of the message that begins it (current().session).
 class DatabasePlugin : public RolePlugin {
 protected:
   DatabasePlugin();
 
-  // Is it there?
+  // Checks that the database can be reached.
   virtual void on_connect(std::optional<Value> options) = 0;
-  // Values are bound, never pasted; `write` where it may change something.
+  // Runs one statement. The values must be bound as parameters, never pasted
+  // into the text. `write` tells whether the statement may change data.
   virtual void on_query(const std::string& sql, const List& values,
                         std::optional<bool> write) = 0;
   virtual void on_begin() = 0;
@@ -136,17 +142,17 @@ protected:
   void fire_error(const Error& error);
 };
 
-// A source of answers that is no database.
+// A source of answers that is not a database.
 class KnowledgePlugin : public RolePlugin {
 protected:
   KnowledgePlugin();
 
-  // Ends with fire_result. `question` is a text, or the slots that are asked
-  // by as a map.
+  // Ends with fire_result. `question` is a text, or a map of the slots that the
+  // question gives.
   virtual void on_ask(const std::string& source, const Value& question) = 0;
 
-  // What it knows, what was asked for in the end, and what was left out to
-  // find anything at all.
+  // The rows found, the question that was answered in the end, and the
+  // conditions that were left out to find any rows.
   void fire_result(ResultSet rows, Value asked = {}, List relaxed = {});
 };
 

@@ -1,5 +1,5 @@
-// The plug-ins that can be had by name: those of the program, and those of the
-// plug-in folder (engine rule 7.3).
+// The plug-ins that are available by name: those of the program and those in
+// the plug-in folder (engine rule 7.3).
 #pragma once
 
 #include <string>
@@ -10,19 +10,21 @@
 
 namespace parlour {
 
-// Safe to use from any thread.
+// Implemented by tools/parlour/application/catalogue. Safe to use from any
+// thread.
 class PluginCatalogue {
 public:
   virtual ~PluginCatalogue() = default;
 
-  // The program's plug-in of that name, else the one of the file NAME.so in the
-  // plug-in folder, as that file is now: a changed file is opened again, and
-  // what came from the old one goes on beside it. What a factory and its
-  // instances need stays mapped until the process ends. Errors are of kind
+  // Finds a plug-in of the program by name, else loads NAME.so from the plug-in
+  // folder. A file that has changed is loaded again; instances of the old file
+  // go on beside the new ones. A library stays mapped until the process ends,
+  // so factories and instances never outlive their code. Errors are of kind
   // Settings and say what to do.
   virtual Expected<PluginFactory> find(const std::string& name) = 0;
 
-  // All that can be found, the program's first, then by name.
+  // Descriptions of all plug-ins that can be found: the program's first, then
+  // the folder's by name.
   virtual std::vector<PluginDescription> all() = 0;
 };
 

@@ -5,10 +5,10 @@
 #include <exception>
 #include <utility>
 
-#include "runtime/base/replies.hpp"
+#include "runtime/message/replies.hpp"
 #include "runtime/plugin/description_check.hpp"
 #include "runtime/plugin/parameters.hpp"
-#include "runtime/plugin/trial_host.hpp"
+#include "runtime/plugin/test_host.hpp"
 
 namespace parlour {
 
@@ -17,33 +17,37 @@ namespace {
 constexpr const char* trial_session = "trial";
 constexpr const char* unknown_command = "NoSuchCommand";
 
-// One instance on trial.
-class Trial {
+// One instance under test. Appends what is wrong to `findings`.
+class TestedInstance {
 public:
-  Trial(const PluginFactory& factory, const TrialTerms& terms,
-        std::vector<std::string>& findings)
-      : description_(factory.description), terms_(terms), findings_(findings) {
-    host_.data = terms.data_folder;
-    host_.application = terms.application_folder;
+  TestedInstance(const PluginFactory& factory, const TestOptions& options,
+                 std::vector<std::string>& findings)
+      : description_(factory.description), options_(options),
+        findings_(findings) {
+    host_.data = options.data_folder;
+    host_.application = options.application_folder;
     call("making it", [&] { plugin_ = factory.create(); });
     if (!plugin_)
       report("its factory makes nothing");
   }
-  ~Trial() {
+  ~TestedInstance() {
     if (plugin_)
       call("stop", [&] { plugin_->stop(); });
   }
 
+  // An instance that does not start is not tested further.
   bool start() {
     Expected<void> started = fail(ErrorKind::settings, "");
     if (plugin_ &&
         call("start",
-             [&] { started = plugin_->start(host_, terms_.options); }) &&
+             [&] { started = plugin_->start(host_, options_.options); }) &&
         !started)
       report("it does not start: " + started.error().message);
     return started.has_value();
   }
 
+  // A component that is asked in a session's own turn is called by another
+  // interface (InlinePlugin), so the description and the class have to agree.
   void check_kind() {
     const bool is = dynamic_cast<const InlinePlugin*>(plugin_.get()) != nullptr;
     if (description_.is_inline && !is)
@@ -51,6 +55,7 @@ public:
              "InlinePlugin");
   }
 
+  // Sends the command with sample parameters, then without any.
   void check_command(const Role& role, const RoleCommand& command) {
     const auto parameters = read_parameters(command.parameters);
     std::vector<Value> samples;
@@ -76,7 +81,8 @@ public:
   }
 
 private:
-  // Without its parameters.
+  // Sends the command without its parameters, which must be refused if the role
+  // has an event for refusals.
   void check_bare(const Role& role, const RoleCommand& command) {
     const auto no =
         std::ranges::find(role.events, Reply::refusal, &RoleEvent::reply);
@@ -90,7 +96,8 @@ private:
              " instead of " + no->name);
   }
 
-  // The event that ends the request; empty where none comes in time.
+  // Sends the command and returns the name of the event that ends the request;
+  // empty if none comes in time.
   std::string tell(const std::string& command, std::vector<Value> params,
                    bool is_answered) {
     Message message;
@@ -109,13 +116,14 @@ private:
       return !answer.empty();
     };
     if (is_answered)
-      call(command, [&] { host_.wait(answered, terms_.deadline); });
+      call(command, [&] { host_.wait(answered, options_.deadline); });
     else
       answered();
     return answer;
   }
 
-  // True where it ends the request that was made last.
+  // Checks an event that was fired during a command. Returns true if it ends
+  // the request that was made last.
   bool check_event(const std::string& command, const Message& event) {
     const auto reply = reply_of(event.command);
     if (!reply)
@@ -127,7 +135,7 @@ private:
     return event.correlation == correlation_ && reply != Reply::none;
   }
 
-  // Nothing where nobody says what the event is.
+  // Nothing if neither a role nor the description knows the event.
   std::optional<Reply> reply_of(const std::string& event) const {
     return find_reply(event, description_.roles, description_.events);
   }
@@ -136,6 +144,7 @@ private:
     return reply_of(event) == Reply::refusal;
   }
 
+  // The events that would have ended the request, for the message.
   static std::string endings(const Role& role) {
     std::string names;
     for (const auto& event : role.events)
@@ -144,11 +153,14 @@ private:
     return names;
   }
 
-  // Calls the plug-in; false where it throws.
+  // Calls into the plug-in. Returns false if it throws, and reports what took
+  // much longer than allowed.
   template <class Action>
   bool call(const std::string& what, Action action) {
-    if (terms_.on_step)
-      terms_.on_step(what);
+    if (options_.on_step)
+      options_.on_step(what);
+    // Real time is measured here: a call that takes long blocks its caller,
+    // whatever the clock says.
     const auto begin = std::chrono::steady_clock::now();
     try {
       action();
@@ -159,7 +171,7 @@ private:
       report(what + ": it throws something");
       return false;
     }
-    if (std::chrono::steady_clock::now() - begin > 2 * terms_.deadline)
+    if (std::chrono::steady_clock::now() - begin > 2 * options_.deadline)
       report(what + " takes too long");
     return true;
   }
@@ -173,40 +185,45 @@ private:
   }
 
   const PluginDescription& description_;
-  const TrialTerms& terms_;
+  const TestOptions& options_;
   std::vector<std::string>& findings_;
-  TrialHost host_;
+  TestHost host_;
   std::unique_ptr<IPlugin> plugin_;
   Correlation correlation_ = 0;
 };
 
-void try_commands(Trial& trial, const PluginDescription& description) {
+// Commands of the description itself are tested like those of a role.
+void try_commands(TestedInstance& instance,
+                  const PluginDescription& description) {
   for (const auto& name : description.roles)
     if (const auto* role = find_role(name))
       for (const auto& command : role->commands)
-        trial.check_command(*role, command);
+        instance.check_command(*role, command);
   Role own;
   own.events = description.events;
   for (const auto& command : description.commands)
-    trial.check_command(own, command);
-  trial.check_unknown_command();
+    instance.check_command(own, command);
+  instance.check_unknown_command();
 }
 
 } // namespace
 
-std::vector<std::string> nonconformities(const PluginFactory& factory,
-                                         const TrialTerms& terms) {
+// Three instances: one that is tested, a second one beside it (state that
+// instances share by mistake shows here), and one after both have stopped (so
+// do resources that were not released).
+std::vector<std::string> conformance_errors(const PluginFactory& factory,
+                                            const TestOptions& options) {
   auto findings = check_description(factory.description);
   {
-    Trial first(factory, terms, findings);
+    TestedInstance first(factory, options, findings);
     if (!first.start())
       return findings;
     first.check_kind();
-    Trial beside(factory, terms, findings);
+    TestedInstance beside(factory, options, findings);
     beside.start();
     try_commands(first, factory.description);
   }
-  Trial again(factory, terms, findings);
+  TestedInstance again(factory, options, findings);
   again.start();
   return findings;
 }

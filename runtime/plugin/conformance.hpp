@@ -1,5 +1,6 @@
-// The conformance test that every plug-in of a role passes: what roles.def says
-// of the role, and the contract of plugin.hpp.
+// The conformance test for plug-ins: checks the description, the commands and
+// events of its roles (roles.def), and the contract of plugin.hpp. `parlour
+// plugin test` runs it, and so can a plug-in's own unit tests.
 #pragma once
 
 #include <functional>
@@ -10,26 +11,28 @@
 
 namespace parlour {
 
-struct TrialTerms {
+struct TestOptions {
   Options options;
-  // How long an answer may take; also one call.
+  // The longest time for one call, and for an answer.
   Milliseconds deadline{2'000};
   std::string data_folder;        // absolute, writable
   std::string application_folder; // absolute
-  // Told what comes before each call: "start", or the command's name. So who
-  // watches knows where a plug-in crashes or hangs.
+  // Called before each call into the plug-in, with "start" or the command's
+  // name. It tells where a plug-in crashes or hangs.
   std::function<void(const std::string& step)> on_step = {};
 };
 
-// What is wrong with the plug-in, a sentence each; empty where it conforms.
-// Makes, starts and stops several instances in the calling thread; a call that
-// never returns is not ended.
+// Runs the test and returns one sentence per fault; empty if the plug-in
+// conforms. Creates, starts and stops several instances in the calling thread.
+// A call that never returns cannot be ended: watch it from outside (on_step).
 //
-// It describes itself and its options; it starts, stops and starts again, two
-// at a time; each command that is always answered is, with the session and the
-// correlation of the message; what lacks its parameters, and a command that
-// nobody knows, is refused; nothing is thrown; it fires what it says it fires.
-std::vector<std::string> nonconformities(const PluginFactory& factory,
-                                         const TrialTerms& terms);
+// It checks that the plug-in and its options are described; that it starts,
+// stops and starts again, and that two instances can run at a time; that each
+// REQUEST of its roles is answered with the session and correlation of the
+// message; that a command with missing parameters and an unknown command are
+// refused; that nothing is thrown; and that it fires only events that it has
+// described.
+std::vector<std::string> conformance_errors(const PluginFactory& factory,
+                                            const TestOptions& terms);
 
 } // namespace parlour

@@ -1,4 +1,4 @@
-// What is wrong with a plug-in's description of itself.
+// Checks of a plug-in's description of itself.
 #pragma once
 
 #include <string>
@@ -8,9 +8,9 @@
 
 namespace parlour {
 
-// A sentence each: without a name, a sentence or a known role; an option that
-// is described twice, without a sentence, or by a default that does not fit its
-// type.
+// One sentence per fault: a missing name, sentence or known role; an option
+// that is described twice or without a sentence; a default that does not fit
+// its option's type.
 std::vector<std::string> check_description(const PluginDescription& plugin);
 
 } // namespace parlour

@@ -1,10 +1,9 @@
-// What makes a shared library a plug-in: one line behind the class.
+// The macro that turns a shared library into a plug-in. Write one line below
+// the class; the file must have the plug-in's name (here EchoTTS.so):
 //
 //   PARLOUR_PLUGIN(EchoTTS, {.name = "EchoTTS",
 //                            .roles = {"TTS"},
 //                            .sentence = "says what it is to say"})
-//
-// The file is called as the plug-in: EchoTTS.so.
 #pragma once
 
 #include <cstddef>
@@ -16,11 +15,12 @@
 
 namespace parlour {
 
-// Raised with each change that a plug-in built before would not survive.
-inline constexpr std::uint32_t plugin_interface = 2;
+// Raised with each change that breaks plug-ins built before it.
+inline constexpr std::uint32_t plugin_interface = 3;
 
-// By what program and plug-in know that they mean the same by the same types:
-// compilers, libraries and settings that differ in one of these cannot talk.
+// Sizes of the types that cross the border between the program and a plug-in.
+// Both are C++, so they must be built with compatible compilers, libraries and
+// settings; if one of these sizes differs, they are not.
 struct PluginAbi {
   std::uint32_t pointer = sizeof(void*);
   std::uint32_t string = sizeof(std::string);
@@ -32,8 +32,8 @@ struct PluginAbi {
   bool operator==(const PluginAbi&) const = default;
 };
 
-// What the symbol `parlour_plugin` is. The interface stands first in every
-// version, and nothing behind it is looked at where it is another.
+// The type of the exported symbol `parlour_plugin`. `interface` stays the first
+// member in every version; the loader reads nothing else if it differs.
 struct PluginLibrary {
   std::uint32_t interface = plugin_interface;
   PluginAbi abi;

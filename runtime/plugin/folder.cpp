@@ -18,6 +18,8 @@ Expected<fs::path> inside(const fs::path& folder, const std::string& name,
     return wrong("there is no name");
   if (path.is_absolute())
     return wrong("'" + name + "' is an absolute path");
+  // Compares the real paths, so a link inside of the folder cannot lead out of
+  // it.
   const auto base = fs::current_path() / folder;
   auto full = (base / path).lexically_normal();
   if (!is_below(real_path(full), real_path(base)))

@@ -1,5 +1,5 @@
-// Files that a plug-in's options name: below the one folder that is meant, the
-// run's data or the application's, and never out of it.
+// File names in a plug-in's options: each must stay inside of one folder, the
+// run's data folder or the application's folder.
 #pragma once
 
 #include <filesystem>
@@ -9,9 +9,9 @@
 
 namespace parlour {
 
-// The file `name` of `folder`, which need not be there. An error of kind
-// Settings, for a name that is empty or absolute, or that leaves the folder, by
-// ".." or by a link, names the option and the way out.
+// The path of `name` in `folder`; the file need not exist. An error of kind
+// Settings if the name is empty or absolute, or leaves the folder by ".." or by
+// a link. The error names the option and says what to write.
 Expected<std::filesystem::path> inside(const std::filesystem::path& folder,
                                        const std::string& name,
                                        const std::string& option);

@@ -1,3 +1,5 @@
+// The table of option types is in the header; here are its checks.
+
 #include "runtime/plugin/options.hpp"
 
 #include <algorithm>
@@ -18,6 +20,7 @@ std::string_view sentence_of(OptionType type) {
   return sentences[static_cast<std::size_t>(type)];
 }
 
+// Each type has one way of being written.
 bool fits(const OptionDescription& option, const std::string& value) {
   switch (option.type) {
   case OptionType::text:
@@ -36,6 +39,7 @@ bool fits(const OptionDescription& option, const std::string& value) {
   return false;
 }
 
+// What the option takes, for messages: the sentence of its type, or its words.
 std::string what_fits(const OptionDescription& option) {
   if (option.type != OptionType::choice)
     return std::string(sentence_of(option.type));
@@ -65,6 +69,7 @@ Expected<void> check_option(const OptionDescription& option,
                                        "': " + option.sentence);
 }
 
+// An empty value counts as not given.
 std::string option_value(const Options& options,
                          const std::vector<OptionDescription>& descriptions,
                          const std::string& name) {

@@ -1,6 +1,6 @@
-// Options of a plug-in: what the settings may say to it. Each is described by
-// the plug-in (name, type, default, sentence), so that `check` finds what it
-// would refuse before anything starts.
+// Options of a plug-in: what the settings of a component may configure. The
+// plug-in describes each option (name, type, default, sentence), so that
+// `parlour check` finds wrong values before anything starts.
 #pragma once
 
 #include <cstdint>
@@ -29,26 +29,28 @@ enum class OptionType : std::uint8_t {
 #undef X
 };
 
+// The word for the type in listings of options.
 std::string_view name_of(OptionType type);
 
 struct OptionDescription {
   std::string name;
-  std::string fallback; // what holds where the settings say nothing
+  std::string fallback; // used if the settings say nothing
   std::string sentence;
   bool required = false;
   OptionType type = OptionType::text;
   std::vector<std::string> choices = {}; // of a choice
 };
 
+// Values by name, as the settings have them.
 using Options = std::map<std::string, std::string>;
 
-// Whether the option takes such a value. An error of kind Settings says what
-// it takes instead. An empty value is as good as none.
+// Whether the option takes this value. An error of kind Settings says what it
+// takes instead. An empty value counts as not given.
 Expected<void> check_option(const OptionDescription& option,
                             const std::string& value);
 
-// The value, or else what the description falls back on; empty for an option
-// that is not described.
+// The value, or the described default if it is missing or empty; empty for an
+// option that is not described.
 std::string option_value(const Options& options,
                          const std::vector<OptionDescription>& descriptions,
                          const std::string& name);

@@ -1,3 +1,6 @@
+// Reading the notation of roles.def ("text, context?", "act...") and converting
+// values to the types that handlers take.
+
 #include "runtime/plugin/parameters.hpp"
 
 #include <algorithm>
@@ -8,6 +11,8 @@ namespace parlour {
 
 namespace {
 
+// The kind of a parameter by its name (parameters.def); any value if it is not
+// listed.
 ParameterKind kind_of(std::string_view parameter) {
   using Entry = std::pair<std::string_view, ParameterKind>;
   constexpr Entry table[] = {
@@ -21,6 +26,7 @@ ParameterKind kind_of(std::string_view parameter) {
   return ParameterKind::value;
 }
 
+// Removes a suffix and tells whether it was there.
 bool take_end(std::string_view& text, std::string_view end) {
   if (!text.ends_with(end))
     return false;
@@ -28,6 +34,7 @@ bool take_end(std::string_view& text, std::string_view end) {
   return true;
 }
 
+// A name with its marks: `?` for optional, `...` for repeated.
 Parameter read_parameter(std::string_view text) {
   while (text.starts_with(' '))
     text.remove_prefix(1);
@@ -39,7 +46,7 @@ Parameter read_parameter(std::string_view text) {
   return parameter;
 }
 
-// A fiftieth of a second of silence.
+// 20 ms of silence.
 Binary silence() {
   return {"pcm_s16le;rate=16000;channels=1", std::vector<std::byte>(640)};
 }
@@ -72,6 +79,8 @@ std::vector<Parameter> read_parameters(std::string_view text) {
   return parameters;
 }
 
+// Statements of SQL need a text that a database accepts; for all others any
+// text will do.
 Value sample_of(const Parameter& parameter) {
   switch (parameter.kind) {
   case ParameterKind::value:
@@ -95,6 +104,7 @@ Value sample_of(const Parameter& parameter) {
   return {};
 }
 
+// Numbers and booleans are accepted as text; lists and maps are not.
 bool read(const Value& value, std::string& to) {
   switch (value.type()) {
   case ValueType::string:
@@ -108,6 +118,7 @@ bool read(const Value& value, std::string& to) {
   }
 }
 
+// A text that is written like a number counts as one.
 bool read(const Value& value, double& to) {
   const auto number =
       value.if_string() ? parse_number(*value.if_string()) : value;
@@ -117,10 +128,11 @@ bool read(const Value& value, double& to) {
   return true;
 }
 
+// Numbers without a fraction count as integers as far as doubles are exact.
 bool read(const Value& value, std::int64_t& to) {
   if (copy(value.if_integer(), to))
     return true;
-  constexpr double largest = 9e15; // counted exactly
+  constexpr double largest = 9e15; // integers beyond are not exact in a double
   double number = 0;
   if (!read(value, number) || std::trunc(number) != number ||
       std::abs(number) > largest)
@@ -149,6 +161,7 @@ bool read(const Value& value, ResultSet& to) {
   return copy(value.if_result(), to);
 }
 
+// Unknown means that the parameter is missing.
 bool read(const Value& value, Value& to) {
   to = value;
   return !value.is_unknown();

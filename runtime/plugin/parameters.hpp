@@ -1,6 +1,5 @@
-// Parameters of commands and events as data: what roles.def says of them for
-// people, read. Tailored adaptors, the conformance test and the skeletons of
-// new plug-ins come from it.
+// Parameters of commands and events as data, read from the texts in roles.def.
+// Role plug-ins, the conformance test and the skeletons of new plug-ins use it.
 #pragma once
 
 #include <cstdint>
@@ -40,14 +39,16 @@ struct Parameter {
   bool repeats = false;  // "act..."
 };
 
-// Of a table's text such as "text, context?".
+// Reads a text of the table, such as "text, context?" or "act...".
 std::vector<Parameter> read_parameters(std::string_view text);
 
-// One that fits, for trying a command out; the same for each call.
+// A value of the parameter's kind for trying a command; the same for each call.
 Value sample_of(const Parameter& parameter);
 
-// Reads a parameter as what a handler wants; false where it is something else.
-// A number is also a whole number or a text that reads as one.
+// Read a parameter as the type that a handler wants. They return false, and
+// leave `to` unspecified, if the value is something else. Conversions are
+// lenient where speech needs it: a text that reads as a number is a number, and
+// a number is a text.
 bool read(const Value& value, std::string& to);
 bool read(const Value& value, std::int64_t& to);
 bool read(const Value& value, double& to);

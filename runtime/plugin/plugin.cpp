@@ -17,6 +17,8 @@ void IPlugin::receive(const Message& message) {
 
 void IPlugin::as_answer_to(const Message& earlier,
                            const std::function<void()>& action) {
+  // Restores the previous message on return and when an exception passes, as
+  // calls may be nested: a reaction may run within another message.
   struct Restore {
     const Message*& slot;
     const Message* previous;

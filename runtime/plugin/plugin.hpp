@@ -1,9 +1,10 @@
-// The one public door for plug-in authors: the generic component contract
-// (paper III.D: IPlugin with OnMessage, FireEvent, SendMessage). No CAF type
-// appears here.
+// The public interface for authors of plug-ins. A plug-in derives from IPlugin,
+// or from the class of its role in adaptors.hpp; the platform gives it a
+// PluginHost. No type of the actor framework appears here (docs/plugins.md).
 //
 // Threads: the platform calls one instance from one thread at a time.
-// PluginHost may be called from any thread, also later than on_message.
+// PluginHost may be called from any thread, also outside of a call, except
+// where a function says otherwise.
 #pragma once
 
 #include <cstdint>
@@ -16,86 +17,103 @@
 
 #include "runtime/base/clock.hpp"
 #include "runtime/base/error.hpp"
-#include "runtime/base/message.hpp"
-#include "runtime/base/phrases.hpp"
-#include "runtime/base/roles.hpp"
-#include "runtime/base/understanding.hpp"
+#include "runtime/message/message.hpp"
+#include "runtime/message/phrases.hpp"
+#include "runtime/message/roles.hpp"
+#include "runtime/message/understanding.hpp"
 #include "runtime/plugin/options.hpp"
 
 namespace parlour {
 
+// What a plug-in says of itself: checked when it is loaded, shown by `parlour
+// plugin`.
 struct PluginDescription {
   std::string name;               // "SQLiteDatabase"
   std::vector<std::string> roles; // "Database"
   std::string sentence;
   std::vector<OptionDescription> options = {};
-  // Derives from InlinePlugin, and answers within 50 µs.
+  // It derives from InlinePlugin and answers within 50 µs.
   bool is_inline = false;
-  // Calls libraries that block: never called inline.
+  // It calls functions that block, so it is never called inline.
   bool blocks = false;
-  // What it understands and fires beyond its roles.
+  // Commands and events beyond those of its roles.
   std::vector<RoleCommand> commands = {};
   std::vector<RoleEvent> events = {};
 };
 
-// What the platform offers to a plug-in.
+// What the platform offers to one instance. The platform owns it; it lives
+// longer than the instance.
 class PluginHost {
 public:
   virtual ~PluginHost() = default;
 
-  // Hands an event to the message centre. source is filled in when empty.
+  // Hands an event to the message centre. An empty source is filled in.
   virtual void fire_event(Message event) = 0;
 
-  // To a remote agent, or to another component, by role or name (the message's
-  // sinks).
+  // Sends a message to other components, by role or name (the message's sinks).
   virtual void send_message(Message message) = 0;
 
-  // Asks another component, by role or name (the request's only sink). Calls
-  // back once, on the plug-in's own thread, with the first event that ends the
-  // request (roles.def), or an error: of kind Refused or Database when the
-  // component says no, Offline when nobody is there, Timeout after `patience`.
-  // A plug-in that has stopped is not called.
+  // Asks another component, by role or name (the request's only sink). The
+  // callback runs once, on the plug-in's own thread, with the first event that
+  // ends the request (roles.def) or with an error: Refused or Database if the
+  // component refuses, Offline if no component is there, Timeout after
+  // `patience`. It does not run after stop().
   using Reaction = std::function<void(Expected<Message>)>;
   virtual void ask(Message request, Milliseconds patience,
                    Reaction reaction) = 0;
 
-  // Calls back on the plug-in's own thread, unless it is cancelled before. An
-  // empty line of a run by pipe waits for it, its end does not: cancel what has
-  // lost its purpose.
+  // Runs `action` on the plug-in's own thread after the delay, unless it is
+  // cancelled. When a user is simulated by piped input, an empty line waits for
+  // it, but the end of the input does not: cancel a delay that has lost its
+  // purpose.
   using DelayId = std::uint64_t;
   virtual DelayId after(Milliseconds delay, std::function<void()> action) = 0;
-  // From the plug-in's own thread: no call comes any more. Nothing happens
-  // where it has come already.
+  // Cancels a delay. Call it from the plug-in's own thread; the action will not
+  // run afterwards. Does nothing if it has run already.
   virtual void cancel(DelayId delay) = 0;
 
-  // This very instance is broken and cannot go on: its device is gone, its
-  // process has died. Whoever waits for its answers is told; what it says from
-  // now on is dropped, and another instance takes its place. From any thread.
+  // Declares that this instance is broken and cannot go on, for example because
+  // its device is gone or its process has died. Requests that wait for it end
+  // with an error, its later messages are dropped, and the supervisor starts
+  // another instance. May be called from any thread.
   virtual void failed(const std::string& reason) = 0;
+
+  // Declares whether this instance can take messages now; it can unless it says
+  // otherwise, also while it starts. One that cannot, for example because what
+  // it stands for is switched off, stays as it is: requests that wait for it
+  // end with an error, and its role falls to the next component. Conversations
+  // hear System.AgentOffline and AgentOnline, and their <Offline> and <Online>
+  // run. May be called from any thread.
+  virtual void available(bool is_available) = 0;
 
   virtual const Clock& clock() const = 0;
   virtual void log(const std::string& text) = 0;
 
-  // Resources shared by the platform (paper III.D); empty where there is none.
+  // Shared resources of the application; null if there is none.
   virtual std::shared_ptr<const UnderstandingModel> understanding() const = 0;
   virtual std::shared_ptr<const PhraseEvaluator> phrases() const = 0;
+  // The values of a database column, such as "db:staff.name". May block.
   virtual Expected<std::vector<std::string>>
   column(const std::string& name) const = 0;
-  // The run's own writable folder, absolute.
+  // Absolute path of the run's own writable folder.
   virtual std::string data_folder() const = 0;
-  // The application's folder, absolute.
+  // Absolute path of the application's folder.
   virtual std::string application_folder() const = 0;
 };
 
+// The base class of all plug-ins. A supervisor owns each instance and calls
+// start(), then receive() for each message, then stop(), always from one thread
+// at a time.
 class IPlugin {
 public:
   virtual ~IPlugin() = default;
 
-  // Once, before any message. An error keeps the component from coming up.
+  // Called once, before any message. If it returns an error, the component does
+  // not come up.
   Expected<void> start(PluginHost& host, const Options& options);
 
-  // A message from an agent, a component, a script or the console. Exceptions
-  // are caught by the component's supervisor.
+  // Handles a message from an agent, a component, a script or the console. If
+  // it throws, the supervisor replaces the instance.
   void receive(const Message& message);
 
   virtual void stop() {}
@@ -106,21 +124,21 @@ protected:
   }
   virtual void on_message(const Message& message) = 0;
 
-  // Fires an event as the answer to the message being handled: its session and
-  // correlation are copied.
+  // Fires an event that answers the message being handled: session and
+  // correlation are copied from it.
   void fire_event(std::string command, std::vector<Value> params = {});
   // The same for a message that was handled earlier.
   void answer(const Message& to, std::string command,
               std::vector<Value> params = {});
   void send_message(Message message);
-  // Runs `action`, whose events are answers to a message that was handled
-  // earlier.
+  // Runs `action`; the events that it fires answer `earlier`.
   void as_answer_to(const Message& earlier,
                     const std::function<void()>& action);
-  // The message being handled, for later; one without a session between two.
+  // A copy of the message being handled, to answer it later. Outside of a call
+  // it is an empty message without a session.
   Message current() const;
-  // Asks a service of another component, in the session of the message being
-  // handled (PluginHost::ask).
+  // Asks another component in the session of the message being handled
+  // (PluginHost::ask), with the default request timeout.
   void ask(std::string module, std::string command, std::vector<Value> params,
            PluginHost::Reaction reaction);
 
@@ -130,17 +148,18 @@ protected:
 
 private:
   PluginHost* host_ = nullptr;
-  const Message* current_ = nullptr; // while it is handled
+  const Message* current_ = nullptr; // set while it is handled
 };
 
+// An event with which an InlinePlugin answers a message.
 struct Answer {
   std::string command;
   std::vector<Value> params;
 };
 
-// A plug-in whose answers follow from the message alone, without input, output
-// or state that changes: the platform may ask it in a session's own turn, from
-// several threads at once (engine rule 1).
+// A plug-in whose answers depend on the message alone: no input or output, and
+// no state that changes. The platform may call answers() in a session's own
+// turn, from several threads at once (engine rule 1.2).
 class InlinePlugin : public IPlugin {
 public:
   virtual std::vector<Answer> answers(const Message& message) const = 0;
@@ -149,7 +168,8 @@ protected:
   void on_message(const Message& message) final;
 };
 
-// A plug-in that is part of the program, or of a library that was loaded.
+// How to create instances of a plug-in that is part of the program or of a
+// loaded library.
 struct PluginFactory {
   PluginDescription description;
   std::function<std::unique_ptr<IPlugin>()> create;

@@ -24,6 +24,7 @@ std::vector<std::string> RolePlugin::commands() const {
   return names;
 }
 
+// A handler returns the index of the parameter that does not fit, if any.
 void RolePlugin::on_message(const Message& message) {
   const auto found = handlers_.find(message.command);
   if (found == handlers_.end())
@@ -36,6 +37,8 @@ void RolePlugin::on_other(const Message& message) {
   refuse(role_.name + " does not know the command '" + message.command + "'");
 }
 
+// The role's own refusal takes a reason, or a kind and a message; a role
+// without a refusal has Failed.
 void RolePlugin::refuse(const std::string& reason) {
   const auto said_no =
       std::ranges::find(role_.events, Reply::refusal, &RoleEvent::reply);

@@ -1,7 +1,6 @@
-// RolePlugin: what the tailored adaptors have in common (paper III.D). Commands
-// of the role arrive as calls with typed parameters; what is missing or does
-// not fit is refused in the role's own words, by the table roles.def, before
-// the plug-in sees it.
+// RolePlugin: what the role classes of adaptors.hpp have in common. It
+// dispatches commands to typed handlers, and refuses a command whose parameters
+// do not fit by the refusal of the role (roles.def).
 #pragma once
 
 #include <functional>
@@ -19,28 +18,32 @@
 
 namespace parlour {
 
-// One that may be missing.
+// Reads a parameter that may be missing.
 template <class T>
 bool read(const Value& value, std::optional<T>& to) {
   return value.is_unknown() || read(value, to.emplace());
 }
 
+// Handlers are registered in the constructor and run on the plug-in's own
+// thread.
 class RolePlugin : public IPlugin {
 public:
   const Role& role() const {
     return role_;
   }
-  // What it has handlers for.
+  // The commands that have a handler.
   std::vector<std::string> commands() const;
 
 protected:
-  // `role` is in the table.
+  // The role must exist in roles.def.
   explicit RolePlugin(std::string_view role);
 
-  // The command calls the handler, whose parameters say what it takes:
-  // std::string, std::int64_t, double, bool, List, Map, Binary, ResultSet,
-  // Value, or std::optional of one of them. Given in the constructor; a plug-in
-  // may add commands of its own.
+  // Registers a handler for a command. Its parameter types say what the command
+  // takes: std::string, std::int64_t, double, bool, List, Map, Binary,
+  // ResultSet, Value, or std::optional of one of them. Call it in the
+  // constructor; a plug-in may add commands of its own:
+  //
+  //   on("SetSpeed", &MyRobot::on_set_speed); // void on_set_speed(double)
   template <class Self, class... Parameters>
   void on(std::string command, void (Self::*handler)(Parameters...)) {
     handlers_[std::move(command)] = [this, handler](const Message& message) {
@@ -57,14 +60,15 @@ protected:
   }
 
   void on_message(const Message& message) override;
-  // A command that nobody handles.
+  // Called for a command without a handler; refuses it.
   virtual void on_other(const Message& message);
 
-  // The event that says no in this role: Failed(reason), Error(kind, message).
+  // Fires the role's refusal: Failed(reason) or Error(kind, message).
   void refuse(const std::string& reason);
 
 private:
-  // The first parameter that does not fit.
+  // Reads the parameters in order; returns the index of the first that does not
+  // fit.
   template <class Values, std::size_t... Index>
   static std::optional<std::size_t> read_all(const Message& message,
                                              Values& values,
@@ -81,6 +85,7 @@ private:
     return wrong;
   }
 
+  // The reason for refusing a message because of a parameter.
   std::string complaint(const Message& message, std::size_t index) const;
 
   using Handler =

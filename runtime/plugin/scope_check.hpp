@@ -1,12 +1,12 @@
-// Which scopes a plug-in can have: for `check`, and for who loads it.
+// Which scopes a plug-in supports: for `parlour check` and for <load>.
 #pragma once
 
-#include "runtime/base/upkeep.hpp"
+#include "runtime/base/component_policy.hpp"
 #include "runtime/plugin/plugin.hpp"
 
 namespace parlour {
 
-// An error of kind Settings says why not.
+// An error of kind Settings says why the plug-in cannot have this scope.
 Expected<void> check_scope(const Scope& scope, const PluginDescription& plugin);
 
 } // namespace parlour

@@ -1,4 +1,5 @@
-// The figures of a built-in's argument.
+// Converts the number of an argument to decimal digits.
+// Numbers of built-in functions as decimal digits.
 #pragma once
 
 #include "runtime/base/decimal.hpp"

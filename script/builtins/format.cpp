@@ -1,4 +1,5 @@
-// The built-in function format (language rule 8.13).
+// The built-in function format (language rule 8.13). The pattern is parsed for
+// each call; script/spoken does the work.
 #include "script/builtins/builtin_numbers.hpp"
 #include "script/spoken/format_pattern.hpp"
 #include "script/vm/builtin_call.hpp"
@@ -8,9 +9,10 @@ namespace parlour::script::builtins {
 
 namespace {
 
+// Appends a value by its format. Texts that are written like numbers count as
+// numbers only if the format needs one.
 bool add_value(BuiltinCall& call, const Box& value, const Format& format,
                std::string& text) {
-  const auto limit = call.machine.program->settings.limits.result;
   const auto number = numeric(value);
   const bool is_number = numeric(value, false) || format.needs_number();
   if (format.needs_number() && !number)
@@ -19,8 +21,8 @@ bool add_value(BuiltinCall& call, const Box& value, const Format& format,
   std::string printed;
   if (is_number)
     printed = formatted(decimal_of(*number), format);
-  else if (!print(printed, value, limit))
-    return call.room(limit + 1);
+  else if (!call.print(printed, value))
+    return false;
   text += laid_out(std::move(printed), format, is_number);
   return call.room(text.size());
 }

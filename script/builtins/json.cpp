@@ -1,4 +1,4 @@
-// JSON (language rule 8.9): compact, in insertion order.
+// JSON (language rule 8.9). It is written compactly and in insertion order.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,8 +12,10 @@ namespace parlour::script::builtins {
 
 namespace {
 
+// Deeper text is rejected, as the reader is recursive.
 constexpr int deepest = 200;
 
+// Escapes what JSON requires; other characters are written in UTF-8.
 void quote(std::string& json, std::string_view text) {
   constexpr std::string_view digits = "0123456789abcdef";
   json += '"';
@@ -35,11 +37,13 @@ void quote(std::string& json, std::string_view text) {
   json += '"';
 }
 
-// Bounded by the size of a result; what has no JSON is null or its text.
+// Writes a value as JSON up to the limit of a result. Unknown becomes null, and
+// a binary its printed form.
 class Writer {
 public:
   explicit Writer(std::size_t limit) : limit_(limit) {}
 
+  // Returns false if the limit or the depth is exceeded.
   bool write(const Value& value, int depth = 0) {
     if (depth > deepest_nesting || json.size() > limit_)
       return false;
@@ -89,6 +93,7 @@ private:
     return true;
   }
 
+  // A result set becomes a list of objects.
   bool write_result(const ResultSet& result, int depth) {
     List rows;
     for (std::size_t row = 0; row < result.row_count(); ++row) {
@@ -103,18 +108,21 @@ private:
   std::size_t limit_;
 };
 
+// A recursive descent parser that builds boxes. The first error ends it: all
+// functions then return without reading further.
 class Reader {
 public:
   Reader(Heap& heap, std::string_view text) : heap_(heap), text_(text) {}
 
+  // The value, and nothing but blanks behind it.
   bool whole(Box& result) {
     result = value(0);
     skip();
-    return well_ && at_ == text_.size();
+    return ok_ && at_ == text_.size();
   }
-  // Where it went wrong, in code points.
+  // The position of the first error, in code points.
   std::size_t position() const {
-    return count_code_points(text_.substr(0, well_ ? at_ : wrong_));
+    return count_code_points(text_.substr(0, ok_ ? at_ : wrong_));
   }
 
 private:
@@ -124,10 +132,11 @@ private:
   void skip() {
     at_ = std::min(text_.find_first_not_of(" \t\r\n", at_), text_.size());
   }
+  // Remembers the first error and makes the callers return.
   Box fail() {
-    if (well_)
+    if (ok_)
       wrong_ = at_;
-    well_ = false;
+    ok_ = false;
     return {};
   }
   bool accept(std::string_view word) {
@@ -137,9 +146,10 @@ private:
     return true;
   }
 
+  // Any value; blanks before it are skipped.
   Box value(int depth) {
     skip();
-    if (depth > deepest || !well_)
+    if (depth > deepest || !ok_)
       return fail();
     if (accept("["))
       return list(depth);
@@ -158,6 +168,8 @@ private:
     return number();
   }
 
+  // Accepts the characters of numbers and lets parse_number decide, which
+  // accepts slightly more than JSON does: only a leading plus is refused here.
   Box number() {
     const auto end =
         std::min(text_.find_first_not_of("+-.eE0123456789", at_), text_.size());
@@ -169,6 +181,7 @@ private:
     return to_box(heap_, value);
   }
 
+  // The opening bracket has been read.
   Box list(int depth) {
     auto box = make_list(heap_);
     skip();
@@ -176,10 +189,11 @@ private:
       return box;
     do
       box.list()->elements.push_back(value(depth + 1));
-    while (well_ && (skip(), accept(",")));
+    while (ok_ && (skip(), accept(",")));
     return accept("]") ? box : fail();
   }
 
+  // The opening brace has been read. A repeated key sets its value again.
   Box map(int depth) {
     auto box = make_map(heap_);
     skip();
@@ -191,10 +205,11 @@ private:
       if (!string(key) || (skip(), !accept(":")))
         return fail();
       box.map()->set(make_string(heap_, key), value(depth + 1));
-    } while (well_ && (skip(), accept(",")));
+    } while (ok_ && (skip(), accept(",")));
     return accept("}") ? box : fail();
   }
 
+  // A string up to its closing quote. Control characters must be escaped.
   bool string(std::string& text) {
     if (!accept("\""))
       return false;
@@ -207,6 +222,7 @@ private:
     return accept("\"");
   }
 
+  // An escape; code points beyond 16 bits are written as two surrogates.
   bool escape(std::string& text) {
     constexpr std::string_view from = "\"\\/bfnrt";
     constexpr std::string_view to = "\"\\/\b\f\n\r\t";
@@ -221,6 +237,7 @@ private:
     if (!unit(code))
       return false;
     std::uint32_t low = 0;
+    // The first half of a pair; the second half must follow.
     if (code >= 0xd800 && code < 0xdc00) {
       if (!accept("\\") || !unit(low) || low < 0xdc00 || low > 0xdfff)
         return false;
@@ -232,7 +249,7 @@ private:
     return true;
   }
 
-  // "u" and four digits.
+  // "u" and four hexadecimal digits.
   bool unit(std::uint32_t& code) {
     if (peek() != 'u' || text_.size() - at_ < 5)
       return false;
@@ -251,27 +268,31 @@ private:
   Heap& heap_;
   std::string_view text_;
   std::size_t at_ = 0;
-  std::size_t wrong_ = 0; // where it failed first
-  bool well_ = true;
+  std::size_t wrong_ = 0; // offset of the first error
+  bool ok_ = true;
 };
 
 } // namespace
 
+// The value is converted first, so that the writer sees no interpreter and no
+// bound parameters.
 bool to_json(BuiltinCall& call) {
-  bool truncated = false;
   const auto limit = call.machine.program->settings.limits.result;
-  // Each value takes a letter at least.
-  const auto value = to_value(
-      call[0], std::min(call.machine.walk_budget(), limit), &truncated);
+  // Each value takes at least one character of the result.
+  auto budget = call.machine.walk_budget(limit * WalkBudget::bytes_per_value);
+  const auto value = to_value(call[0], budget);
+  if (!call.machine.charge(budget.price()))
+    return false;
   Writer writer(limit);
-  if (truncated || !writer.write(value))
+  if (budget.exhausted() || !writer.write(value))
     return call.room(limit + 1);
   return call.give_text(writer.json);
 }
 
+// Each byte can be a value.
 bool from_json(BuiltinCall& call) {
   std::string text;
-  if (!call.text(0, text) || !call.work(text.size() * 4))
+  if (!call.text(0, text) || !call.values(text.size()))
     return false;
   Reader reader(call.heap(), text);
   Box value;

@@ -1,4 +1,5 @@
-// Built-in functions of lists, maps and results (language rules 8.4 to 8.6).
+// Built-in functions for lists, maps and results (language rules 8.4 to 8.6).
+// Each charges fuel for the elements that it visits or copies.
 #include <algorithm>
 #include <bit>
 
@@ -8,6 +9,7 @@
 
 namespace parlour::script::builtins {
 
+// Characters, elements, entries or rows; 0 for unknown (language rule 8.11).
 bool length(BuiltinCall& call) {
   const auto& box = call[0];
   if (box.is_unknown())
@@ -28,30 +30,27 @@ bool length(BuiltinCall& call) {
          call.give_integer(static_cast<std::int64_t>(text.size()));
 }
 
+// The same as the operator `in`, with the sides exchanged.
 bool contains(BuiltinCall& call) {
-  auto budget = call.machine.walk_budget();
-  const auto before = budget;
-  bool found = false;
   if (!call[0].is_unknown() && !call[0].is_object())
     return call.wrong_type(0, "a string, list or map");
-  auto outcome = is_in(call[1], call[0], found, budget);
-  if (outcome)
-    return call.wrong_type(0, "a string, list or map");
-  if (budget == 0)
-    return call.fail(ErrorKind::limit, "too much to compare");
-  if (call[0].is_string() && !call.work(call[0].string()->size))
+  auto budget = call.machine.walk_budget();
+  bool found = false;
+  const auto outcome = is_in(call[1], call[0], found, budget);
+  if (!call.pay(budget))
     return false;
-  return call.machine.charge(before - budget) && call.give_flag(found);
+  return outcome ? call.wrong_type(0, "a string, list or map")
+                 : call.give_flag(found);
 }
 
+// Changes the list in place and returns it (language rule 8.4).
 bool append(BuiltinCall& call) {
   if (!call[0].is_list())
     return call.wrong_type(0, "a list");
-  std::size_t work = 0;
-  return call.machine.check(script::append(call[0], call[1], work)) &&
-         call.looked_at(work) && call.give(call[0]);
+  return call.machine.append(call[0], call[1]) && call.give(call[0]);
 }
 
+// The position may be the size of the list: then it appends.
 bool insert(BuiltinCall& call) {
   ListObject* list = nullptr;
   std::int64_t at = 0;
@@ -64,19 +63,21 @@ bool insert(BuiltinCall& call) {
     return call.fail(ErrorKind::range, "position " + std::to_string(at) +
                                            " is outside of a list of " +
                                            std::to_string(size));
-  std::size_t work = 0;
-  if (!call.machine.check(refuse_ring(call[0], call[2], work)) ||
-      !call.looked_at(work))
+  auto budget = call.machine.walk_budget();
+  auto ring = refuse_ring(call[0], call[2], budget);
+  if (!call.machine.charge(budget.price()) ||
+      !call.machine.check(std::move(ring)))
     return false;
   list->elements.insert(list->elements.begin() + at, call[2]);
   return call.give(call[0]);
 }
 
+// Removes a key of a map or a position of a list, and returns the value.
 bool remove(BuiltinCall& call) {
   Box removed;
   if (call[0].is_map()) {
     std::string key;
-    return call.text(1, key) && call.work(call[0].map()->entries.size() * 4) &&
+    return call.text(1, key) && call.values(call[0].map()->entries.size()) &&
            (call[0].map()->remove(key, removed), call.give(removed));
   }
   ListObject* list = nullptr;
@@ -97,8 +98,8 @@ bool remove(BuiltinCall& call) {
 
 namespace {
 
-// Most lists that are sorted are of integers alone, and equal ones are the
-// same.
+// The fast path for lists of small integers, which are the most frequent. Equal
+// integers cannot be told apart, so the sort need not be stable.
 bool sort_integers(Boxes& elements, bool descending) {
   if (!std::all_of(elements.begin(), elements.end(),
                    [](const Box& box) { return box.is_small(); }))
@@ -115,23 +116,25 @@ bool sort_integers(Boxes& elements, bool descending) {
   return true;
 }
 
-// Each text is compared about as often as the list can be halved.
-bool charge_texts(BuiltinCall& call, const Boxes& elements) {
-  std::size_t bytes = 0;
+// Each element is compared about log2(n) times.
+bool charge_sort(BuiltinCall& call, const Boxes& elements) {
+  std::size_t bytes = elements.size() * WalkBudget::bytes_per_value;
   for (const auto& element : elements)
-    bytes += element.string()->size;
-  return call.work(bytes / 8 * std::bit_width(elements.size()));
+    bytes += digits_of(element);
+  return call.bytes(bytes * std::bit_width(elements.size()));
 }
 
 } // namespace
 
-// Numbers with numbers, or strings with strings.
+// Sorts in place, and stably. The elements must be all numbers or all strings
+// (language rule 8.5).
 bool sort(BuiltinCall& call) {
   ListObject* list = nullptr;
   std::string direction;
   if (!call.list(0, list) || (call.has(1) && !call.text(1, direction)))
     return false;
   auto& elements = list->elements;
+  // Sorting starts only when all elements are known to be comparable.
   const auto all = [&](auto is) {
     return std::all_of(elements.begin(), elements.end(), is);
   };
@@ -144,8 +147,7 @@ bool sort(BuiltinCall& call) {
     return call.fail(ErrorKind::type, "the order is 'ascending' or "
                                       "'descending', not '" +
                                           direction + "'");
-  if (!call.machine.charge(elements.size() * 2) ||
-      (!numbers && !charge_texts(call, elements)))
+  if (!charge_sort(call, elements))
     return false;
   if (sort_integers(elements, direction == "descending"))
     return call.give(call[0]);
@@ -161,6 +163,7 @@ bool sort(BuiltinCall& call) {
   return call.give(call[0]);
 }
 
+// In place, like sort.
 bool reverse(BuiltinCall& call) {
   ListObject* list = nullptr;
   if (!call.list(0, list))
@@ -169,6 +172,7 @@ bool reverse(BuiltinCall& call) {
   return call.give(call[0]);
 }
 
+// Compares like ==.
 bool index_of(BuiltinCall& call) {
   ListObject* list = nullptr;
   if (call[0].is_unknown())
@@ -176,20 +180,18 @@ bool index_of(BuiltinCall& call) {
   if (!call.list(0, list))
     return false;
   auto budget = call.machine.walk_budget();
-  const auto before = budget;
   const auto& elements = list->elements;
   const auto found =
       std::find_if(elements.begin(), elements.end(), [&](const Box& element) {
-        return budget > 0 && equal(element, call[1], budget);
+        return equal(element, call[1], budget) || budget.exhausted();
       });
-  if (budget == 0)
-    return call.fail(ErrorKind::limit, "too much to compare");
-  return call.looked_at(before - budget) &&
+  return call.pay(budget) &&
          call.give_integer(found == elements.end() ? -1
                                                    : found - elements.begin());
 }
 
-// A list or a string, from included, to excluded.
+// A part of a list or string, `from` included and `to` excluded. Positions
+// outside are moved to the ends.
 bool slice(BuiltinCall& call) {
   const auto& box = call[0];
   if (!box.is_list() && !box.is_string())
@@ -200,11 +202,15 @@ bool slice(BuiltinCall& call) {
   std::int64_t to = size;
   if (!call.integer(1, from) || (call.has(2) && !call.integer(2, to)))
     return false;
+  // Negative positions count from the end; all others are moved inside.
   from = std::clamp<std::int64_t>(from < 0 ? from + size : from, 0, size);
   to = std::clamp<std::int64_t>(to < 0 ? to + size : to, from, size);
-  if (!call.work(static_cast<std::size_t>(to - from) * 16))
+  // Finding a code point means counting from the start.
+  if (!call.bytes(digits_of(box)))
     return false;
   if (box.is_list()) {
+    if (!call.values(static_cast<std::size_t>(to - from)))
+      return false;
     auto part = make_list(call.heap());
     const auto begin = box.list()->elements.begin();
     part.list()->elements.assign(begin + from, begin + to);
@@ -217,6 +223,7 @@ bool slice(BuiltinCall& call) {
       make_string(call.heap(), box.text().substr(first, last - first)));
 }
 
+// The element at a position that always exists, or unknown for an empty list.
 namespace {
 
 bool at_end(BuiltinCall& call, std::int64_t position) {
@@ -224,8 +231,7 @@ bool at_end(BuiltinCall& call, std::int64_t position) {
       !call[0].is(ObjectType::result))
     return call.wrong_type(0, "a list");
   Box element;
-  return call.machine.check(
-             get_index(call.heap(), call[0], Box::small(position), element)) &&
+  return call.machine.get_index(call[0], Box::small(position), element) &&
          call.give(std::move(element));
 }
 
@@ -239,7 +245,8 @@ bool last(BuiltinCall& call) {
   return at_end(call, -1);
 }
 
-// Counts as <for> does.
+// Counts exactly as <for> does, as it uses the same machine functions; see
+// Machine::for_prepare for the registers.
 bool range(BuiltinCall& call) {
   Numeric bound;
   for (std::size_t i = 0; i < call.count; ++i)
@@ -255,8 +262,10 @@ bool range(BuiltinCall& call) {
     return false;
   if (!enters)
     return call.give(std::move(list));
+  // The size is known before anything is made, so it is charged and checked
+  // first.
   const auto count = static_cast<std::size_t>(loop[0].as_small()) + 1;
-  if (!call.room(count * sizeof(Box)) || !call.machine.charge(count))
+  if (!call.room(count * sizeof(Box)) || !call.values(count))
     return false;
   auto& elements = list.list()->elements;
   elements.push_back(loop[4]);
@@ -268,23 +277,26 @@ bool range(BuiltinCall& call) {
   return call.give(std::move(list));
 }
 
+// The keys and the values of a map, in insertion order.
 bool keys(BuiltinCall& call) {
   if (!call[0].is_map())
     return call.wrong_type(0, "a map");
-  return call.work(call[0].map()->entries.size() * 16) &&
+  return call.values(call[0].map()->entries.size()) &&
          call.give(keys_of(call.heap(), *call[0].map()));
 }
 
 bool values(BuiltinCall& call) {
   if (!call[0].is_map())
     return call.wrong_type(0, "a map");
+  if (!call.values(call[0].map()->entries.size()))
+    return false;
   auto list = make_list(call.heap());
   for (const auto& entry : call[0].map()->entries)
     list.list()->elements.push_back(entry.value);
-  return call.work(list.list()->elements.size() * 16) &&
-         call.give(std::move(list));
+  return call.give(std::move(list));
 }
 
+// Unknown has no keys (language rule 8.11).
 bool has(BuiltinCall& call) {
   std::string key;
   if (call[0].is_unknown())
@@ -294,6 +306,7 @@ bool has(BuiltinCall& call) {
   return call.text(1, key) && call.give_flag(call[0].map()->find(key));
 }
 
+// One column of a result set as a list.
 bool column(BuiltinCall& call) {
   std::string name;
   if (!call.text(1, name))
@@ -304,14 +317,14 @@ bool column(BuiltinCall& call) {
   if (!call[0].is(ObjectType::result))
     return call.wrong_type(0, "a result");
   const auto& table = *call[0].result()->value.if_result();
-  if (!call.work(table.row_count() * 16))
+  if (!call.values(table.cells.size())) // each row is searched for the column
     return false;
   for (std::size_t row = 0; row < table.row_count(); ++row) {
     const auto* cell = table.cell(row, name);
     if (!cell)
       return call.fail(ErrorKind::range,
                        "the result has no column '" + name + "'");
-    list.list()->elements.push_back(to_box(call.heap(), *cell));
+    list.list()->elements.push_back(call.machine.taken_in(*cell));
   }
   return call.give(std::move(list));
 }

@@ -1,4 +1,4 @@
-// Built-in functions of numbers and types (language rules 8.7 and 8.9).
+// Built-in functions for numbers and types (language rules 8.7 and 8.9).
 #include <algorithm>
 #include <cmath>
 
@@ -9,13 +9,14 @@ namespace parlour::script::builtins {
 
 namespace {
 
-// An integer where it fits into one.
+// The value as an integer if it fits, else as a number.
 bool give_whole(BuiltinCall& call, double value) {
   if (value >= -9223372036854775808.0 && value < 9223372036854775808.0)
     return call.give_integer(static_cast<std::int64_t>(value));
   return call.give_number(value);
 }
 
+// floor, ceil and round: integers stay as they are.
 bool rounded(BuiltinCall& call, double (*round)(double)) {
   Numeric value;
   if (!call.number(0, value))
@@ -25,6 +26,8 @@ bool rounded(BuiltinCall& call, double (*round)(double)) {
   return give_whole(call, round(value.number));
 }
 
+// min (sign -1) and max (sign 1), of the arguments or of a single list. Two
+// small integers are the most frequent case.
 bool extreme(BuiltinCall& call, int sign) {
   if (call.count == 2 && Box::both_small(call[0], call[1])) {
     const bool less = call[0].as_small() < call[1].as_small();
@@ -41,14 +44,12 @@ bool extreme(BuiltinCall& call, int sign) {
   }
   const Box* best = nullptr;
   for (std::size_t i = 0; i < count; ++i) {
-    Order found = Order::none;
-    if (begin[i].is_string() && !call.work(begin[i].string()->size))
-      return false;
     if (begin[i].is_unknown() || (!begin[i].is_string() && !numeric(begin[i])))
       return call.fail(ErrorKind::type, "only numbers or strings have an order,"
                                         " not " +
                                             a_type(begin[i]));
-    if (best && !call.machine.check(order(begin[i], *best, found)))
+    Order found = Order::none;
+    if (best && !call.machine.order(begin[i], *best, found))
       return false;
     if (!best || found == (sign < 0 ? Order::less : Order::greater))
       best = &begin[i];
@@ -58,6 +59,8 @@ bool extreme(BuiltinCall& call, int sign) {
 
 } // namespace
 
+// The smallest integer has no opposite, so negative values take the operator's
+// way, which makes it a number.
 bool absolute(BuiltinCall& call) {
   Numeric value;
   if (!call.number(0, value))
@@ -89,6 +92,8 @@ bool round(BuiltinCall& call) {
   return rounded(call, std::round);
 }
 
+// The result is always a number with a fraction, also for perfect squares: it
+// prints as an integer all the same.
 bool square_root(BuiltinCall& call) {
   Numeric value;
   if (!call.number(0, value))
@@ -100,7 +105,7 @@ bool square_root(BuiltinCall& call) {
 
 namespace {
 
-// Nothing where it does not fit.
+// Exponentiation by squaring; nothing if the result does not fit into 64 bits.
 std::optional<std::int64_t> integer_power(std::int64_t base,
                                           std::int64_t exponent) {
   std::int64_t result = 1;
@@ -115,6 +120,7 @@ std::optional<std::int64_t> integer_power(std::int64_t base,
 
 } // namespace
 
+// Integers stay exact as long as they fit; otherwise doubles are used.
 bool power(BuiltinCall& call) {
   Numeric base;
   Numeric exponent;
@@ -129,6 +135,8 @@ bool power(BuiltinCall& call) {
   return call.give_number(value);
 }
 
+// Both ends are included. The range may span more than 63 bits, so the offset
+// is added unsigned.
 bool random(BuiltinCall& call) {
   const auto chance = call.machine.host->random();
   if (call.count == 0)
@@ -141,6 +149,7 @@ bool random(BuiltinCall& call) {
     return false;
   if (from > to)
     return call.fail(ErrorKind::range, "the first end is above the second");
+  // As doubles, since the number of possible results may exceed 64 bits.
   const auto size = static_cast<double>(to) - static_cast<double>(from) + 1;
   const auto offset =
       static_cast<std::int64_t>(std::min(std::floor(chance * size), 9.2e18));
@@ -149,16 +158,23 @@ bool random(BuiltinCall& call) {
                                     static_cast<std::uint64_t>(offset))));
 }
 
+// The number that a text is written like; unknown for other texts (language
+// rule 8.7).
 bool number(BuiltinCall& call) {
-  const auto value = numeric(call[0]);
+  std::optional<Numeric> value;
+  if (!call.perhaps_number(0, value))
+    return false;
   if (!value)
     return call.give(Box());
   return value->is_integer ? call.give_integer(value->integer)
                            : call.give_number(value->number);
 }
 
+// The same, cut towards zero.
 bool integer(BuiltinCall& call) {
-  const auto value = numeric(call[0]);
+  std::optional<Numeric> value;
+  if (!call.perhaps_number(0, value))
+    return false;
   if (!value)
     return call.give(Box());
   return value->is_integer ? call.give_integer(value->integer)
@@ -173,6 +189,7 @@ bool is_known(BuiltinCall& call) {
   return call.give_flag(!call[0].is_unknown());
 }
 
+// Whether a remote agent is connected; the host knows.
 bool online(BuiltinCall& call) {
   std::string agent;
   return call.text(0, agent) &&

@@ -1,5 +1,5 @@
-// Built-in functions for phrases: how numbers, lists, times and levels are
-// said in English.
+// Built-in functions for phrases (language rules 8.10 and 8.12): how numbers,
+// lists, times and levels are spoken in English. script/spoken makes the words.
 #include "script/builtins/builtin_numbers.hpp"
 #include "script/spoken/spoken.hpp"
 #include "script/spoken/spoken_number.hpp"
@@ -10,21 +10,23 @@ namespace parlour::script::builtins {
 
 namespace {
 
-// Numbers are said as numbers, also where nothing tells their kind.
+// Speaks one value, which costs as much as a built-in. A number without a kind
+// is spoken as a number.
 bool say(BuiltinCall& call, const Box& value, const std::string& kind,
          std::string& words) {
   ToSay what;
-  const auto limit = call.machine.program->settings.limits.result;
-  if (!print(what.text, value, limit))
-    return call.room(limit + 1);
+  if (!call.print(what.text, value) ||
+      !call.machine.charge(Machine::builtin_cost))
+    return false;
   if (const auto number = numeric(value))
     what.number = decimal_of(*number);
   what.now = call.machine.host->now();
   const bool is_number = numeric(value, false).has_value();
   words = script::spoken(what, kind.empty() && is_number ? "number" : kind);
-  return call.work(what.text.size());
+  return true;
 }
 
+// Speaks each element and joins them: "A, B and C".
 bool say_all(BuiltinCall& call, const ListObject& list, const std::string& kind,
              const std::string& link) {
   std::vector<std::string> parts;
@@ -34,7 +36,7 @@ bool say_all(BuiltinCall& call, const ListObject& list, const std::string& kind,
   return call.give_text(series(parts, link));
 }
 
-// False: raised. Empty where it is not given.
+// Reads an optional text; unknown counts as not given. False after an error.
 bool optional_text(BuiltinCall& call, std::size_t index, std::string& value) {
   return !call.has(index) || call[index].is_unknown() ||
          call.text(index, value);
@@ -46,6 +48,7 @@ bool is_vowel(char c) {
 
 } // namespace
 
+// count(2, 'box') is "two boxes"; the plural may be given.
 bool count(BuiltinCall& call) {
   Numeric number;
   std::string noun;
@@ -55,11 +58,13 @@ bool count(BuiltinCall& call) {
          call.give_text(counted(decimal_of(number), noun, several));
 }
 
+// ordinal(2) is "second".
 bool ordinal(BuiltinCall& call) {
   std::int64_t number = 0;
   return call.integer(0, number) && call.give_text(ordinal_words(number));
 }
 
+// list(['A', 'B']) is "A and B": elements as they are, or by a kind.
 bool list(BuiltinCall& call) {
   ListObject* elements = nullptr;
   std::string link = "and";
@@ -70,6 +75,7 @@ bool list(BuiltinCall& call) {
          optional_text(call, 2, kind) && say_all(call, *elements, kind, link);
 }
 
+// The article goes by the first letter; "an hour" has to be written.
 bool an(BuiltinCall& call) {
   std::string noun;
   if (!call.text(0, noun))
@@ -78,6 +84,8 @@ bool an(BuiltinCall& call) {
   return call.give_text((vowel ? "an " : "a ") + noun);
 }
 
+// spoken(x, kind): the words for a value, or for each element of a list;
+// nothing is said for unknown.
 bool spoken(BuiltinCall& call) {
   std::string kind;
   std::string words;

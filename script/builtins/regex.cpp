@@ -1,4 +1,5 @@
-// Regular expressions: RE2, linear in the text (language rule 8.3).
+// Regular expressions (language rule 8.3) by RE2, whose time is linear in the
+// text.
 #include <list>
 #include <memory>
 
@@ -11,10 +12,11 @@ namespace parlour::script::builtins {
 
 namespace {
 
-constexpr std::size_t kept = 32; // compiled expressions of a thread
+constexpr std::size_t kept = 32; // compiled expressions kept for each thread
 constexpr int64_t largest_program = 1 << 20;
 
-// The most recently used first.
+// A small cache with the most recently used expression first, since scripts
+// match the same few expressions again and again.
 const RE2& compiled(const std::string& pattern) {
   static thread_local std::list<std::unique_ptr<RE2>> cache;
   for (auto each = cache.begin(); each != cache.end(); ++each)
@@ -42,13 +44,15 @@ const RE2* expression(BuiltinCall& call, std::string& text) {
                   "' is not a regular expression: " + found.error());
     return nullptr;
   }
-  // In the worst case each letter meets each step of the expression.
+  // In the worst case each character is matched against each step of the
+  // program, so the fuel charged is their product.
   const auto steps = static_cast<std::size_t>(found.ProgramSize()) / 2;
-  return call.work(steps + text.size() * (4 + steps)) ? &found : nullptr;
+  return call.bytes(steps + text.size() * (4 + steps)) ? &found : nullptr;
 }
 
 } // namespace
 
+// The expression may match anywhere in the text.
 bool matches(BuiltinCall& call) {
   std::string text;
   if (call[0].is_unknown())
@@ -57,6 +61,8 @@ bool matches(BuiltinCall& call) {
   return regex && call.give_flag(RE2::PartialMatch(text, *regex));
 }
 
+// The whole match and its groups as a list; unknown if nothing matches. A group
+// that took no part in the match is unknown, too.
 bool capture(BuiltinCall& call) {
   std::string text;
   if (call[0].is_unknown())

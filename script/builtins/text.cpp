@@ -1,4 +1,6 @@
-// Built-in functions of strings (language rule 8.2).
+// Built-in functions for strings (language rule 8.2). Positions count
+// characters, strings are stored in UTF-8: ASCII strings, whose two lengths are
+// equal, take the fast paths in script/values.
 #include <algorithm>
 
 #include "script/spoken/letter_case.hpp"
@@ -13,6 +15,7 @@ constexpr std::string_view blanks = " \t\r\n";
 
 using Mapping = std::optional<std::string> (*)(std::string_view);
 
+// No character grows to more than three times its bytes.
 bool map_case(BuiltinCall& call, Mapping mapping) {
   std::string text;
   if (!call.text(0, text) || !call.room(text.size() * 3))
@@ -26,8 +29,8 @@ std::size_t code_points_before(std::string_view text, std::size_t byte) {
   return count_code_points(text.substr(0, byte));
 }
 
-// A position in a string, counted from the end where it is negative, never
-// outside of it.
+// A position within a string; negative ones count from its end, and positions
+// outside move to the nearest end.
 std::size_t clamped(std::int64_t position, std::size_t size) {
   const auto signed_size = static_cast<std::int64_t>(size);
   if (position < 0)
@@ -36,6 +39,7 @@ std::size_t clamped(std::int64_t position, std::size_t size) {
       std::clamp<std::int64_t>(position, 0, signed_size));
 }
 
+// The characters [from, to) of a string.
 Box part_of(BuiltinCall& call, const StringObject& string, std::size_t from,
             std::size_t to) {
   const auto first = byte_position(string, from);
@@ -44,6 +48,7 @@ Box part_of(BuiltinCall& call, const StringObject& string, std::size_t from,
                      static_cast<std::uint32_t>(to - from));
 }
 
+// Occurrences do not overlap.
 std::size_t occurrences(std::string_view text, std::string_view part) {
   std::size_t count = 0;
   for (auto at = find_text(text, part); at != std::string_view::npos;
@@ -52,7 +57,7 @@ std::size_t occurrences(std::string_view text, std::string_view part) {
   return count;
 }
 
-// Fills a string that is as large as the result.
+// Writes the result into `target`, which has exactly the size of the result.
 void replace_all(std::string_view text, std::string_view part,
                  std::string_view with, char* target) {
   std::size_t at = 0;
@@ -67,6 +72,7 @@ void replace_all(std::string_view text, std::string_view part,
 
 } // namespace
 
+// By Unicode, so the length can change: 'ß' becomes 'SS'.
 bool upper(BuiltinCall& call) {
   return map_case(call, capitals);
 }
@@ -75,6 +81,7 @@ bool lower(BuiltinCall& call) {
   return map_case(call, small_letters);
 }
 
+// Removes blanks, tabs and line ends at both ends.
 bool trim(BuiltinCall& call) {
   std::string text;
   if (!call.text(0, text))
@@ -84,6 +91,7 @@ bool trim(BuiltinCall& call) {
   return call.give_text(text);
 }
 
+// A start or count beyond the end is no error: the result is shorter.
 bool substring(BuiltinCall& call) {
   const auto* string = call.string(0);
   std::int64_t start = 0;
@@ -100,6 +108,7 @@ bool substring(BuiltinCall& call) {
   return call.give(part_of(call, *string, from, from + length));
 }
 
+// Searches in bytes and returns a position in characters; -1 if absent.
 bool find(BuiltinCall& call) {
   const auto* string = call.string(0);
   const auto* part = string ? call.string(1) : nullptr;
@@ -115,6 +124,7 @@ bool find(BuiltinCall& call) {
           : static_cast<std::int64_t>(code_points_before(text, found)));
 }
 
+// The occurrences are counted first, so that the result is allocated once.
 bool replace(BuiltinCall& call) {
   const auto* text = call.string(0);
   const auto* part = text ? call.string(1) : nullptr;
@@ -126,13 +136,14 @@ bool replace(BuiltinCall& call) {
   if (count == 0)
     return call.give(call[0]);
   const auto size = text->size - count * part->size + count * with->size;
-  if (!call.room(size) || !call.work(size))
+  if (!call.room(size) || !call.bytes(size))
     return false;
   auto* replaced = raw_string(call.heap(), size);
   replace_all(text->text(), part->text(), with->text(), replaced->data());
   return call.give(finish_string(replaced));
 }
 
+// Three ways to split: at runs of blanks, into characters, at a separator.
 namespace {
 
 void split_blanks(Heap& heap, std::string_view text, Boxes& parts) {
@@ -152,6 +163,7 @@ void split_code_points(Heap& heap, std::string_view text, Boxes& parts) {
   }
 }
 
+// A separator at an end gives an empty part there.
 void split_at(Heap& heap, std::string_view text, std::string_view separator,
               Boxes& parts) {
   std::size_t at = 0;
@@ -165,11 +177,12 @@ void split_at(Heap& heap, std::string_view text, std::string_view separator,
 
 } // namespace
 
+// Each byte can be a part, which costs an allocation: as much as four values.
 bool split(BuiltinCall& call) {
   std::string text;
   std::string separator;
   if (!call.text(0, text) || (call.has(1) && !call.text(1, separator)) ||
-      !call.work(text.size() * 16))
+      !call.values(text.size() * 4))
     return false;
   auto list = make_list(call.heap());
   auto& parts = list.list()->elements;
@@ -182,18 +195,19 @@ bool split(BuiltinCall& call) {
   return call.give(std::move(list));
 }
 
+// Elements are printed, so any list can be joined. The limit is checked between
+// elements, before the text grows further.
 bool join(BuiltinCall& call) {
   ListObject* list = nullptr;
   std::string separator;
   if (!call.list(0, list) || (call.has(1) && !call.text(1, separator)))
     return false;
   std::string text;
-  const auto limit = call.machine.program->settings.limits.result;
   for (const auto& element : list->elements) {
     if (&element != list->elements.data())
       text += separator;
-    if (!print(text, element, limit))
-      return call.room(limit + 1);
+    if (!call.print(text, element))
+      return false;
   }
   return call.give_text(text);
 }
@@ -212,12 +226,10 @@ bool ends_with(BuiltinCall& call) {
          call.give_flag(text.ends_with(part));
 }
 
+// The printed form (language rule 2.2).
 bool string(BuiltinCall& call) {
   std::string text;
-  const auto limit = call.machine.program->settings.limits.result;
-  if (!print(text, call[0], limit))
-    return call.room(limit + 1);
-  return call.give_text(text);
+  return call.print(text, call[0]) && call.give_text(text);
 }
 
 } // namespace parlour::script::builtins

@@ -1,4 +1,5 @@
-// Built-in functions of time (language rule 8.8): the host's clock only.
+// Built-in functions for time (language rule 8.8). They use the clock of the
+// host only.
 #include <cmath>
 
 #include "runtime/base/clock.hpp"
@@ -11,6 +12,8 @@ namespace {
 
 constexpr double latest = 253402300799; // the end of the year 9999
 
+// The first argument is a pattern, the second a time in seconds since 1970;
+// both are optional.
 bool formatted(BuiltinCall& call, const char* pattern) {
   std::string given;
   if (call.has(0) && !call[0].is_unknown()) {
@@ -18,6 +21,7 @@ bool formatted(BuiltinCall& call, const char* pattern) {
       return false;
     pattern = given.c_str();
   }
+  // Without a time the present one.
   auto at = call.machine.host->now();
   if (call.has(1)) {
     Numeric seconds;
@@ -33,6 +37,7 @@ bool formatted(BuiltinCall& call, const char* pattern) {
 
 } // namespace
 
+// An integer if there are no milliseconds.
 bool now(BuiltinCall& call) {
   const auto milliseconds = call.machine.host->now();
   if (milliseconds % 1000 == 0)
@@ -40,6 +45,7 @@ bool now(BuiltinCall& call) {
   return call.give_number(static_cast<double>(milliseconds) / 1000);
 }
 
+// date() and time() differ in their default pattern only.
 bool date(BuiltinCall& call) {
   return formatted(call, "%Y-%m-%d");
 }

@@ -1,3 +1,7 @@
+// Files by three ways: scripts of the application, libraries of the platform
+// (parlour:name), and a tree that exists already. All of them end in add(),
+// which follows the includes first.
+
 #include "script/compiler/application_loader.hpp"
 
 #include <algorithm>
@@ -24,6 +28,7 @@ ApplicationLoader::ApplicationLoader(fs::path folder, fs::path platform,
     : folder_(std::move(folder)), platform_(std::move(platform)),
       findings_(findings), texts_(texts) {}
 
+// An editor's text counts instead of the file that it belongs to.
 Expected<std::string> ApplicationLoader::text_of(const fs::path& path) const {
   if (texts_)
     if (const auto found = texts_->find(path.string()); found != texts_->end())
@@ -31,6 +36,7 @@ Expected<std::string> ApplicationLoader::text_of(const fs::path& path) const {
   return read_bytes(path);
 }
 
+// Both paths are compared as real paths, so that a link cannot lead out.
 Expected<fs::path> ApplicationLoader::inside(const std::string& name) const {
   const fs::path path(name);
   if (name.empty())
@@ -51,6 +57,7 @@ Expected<fs::path> ApplicationLoader::inside(const std::string& name) const {
 }
 
 std::optional<Element>
+// A file that is named somewhere is reported there; otherwise at its own path.
 ApplicationLoader::read(const fs::path& path,
                         const std::vector<std::string>& roots,
                         Position position) {
@@ -82,6 +89,7 @@ void ApplicationLoader::add(const fs::path& path, Element root) {
   add(real_path(path), std::move(root), false);
 }
 
+// Two files of the platform's folder are no libraries.
 std::vector<std::string> ApplicationLoader::libraries() const {
   std::vector<std::string> names;
   for (const auto& file :
@@ -91,6 +99,7 @@ std::vector<std::string> ApplicationLoader::libraries() const {
   return names;
 }
 
+// A library is a file of the platform's folder; its includes are followed, too.
 void ApplicationLoader::load_library(const std::string& name,
                                      Position position) {
   const auto known = libraries();
@@ -101,6 +110,7 @@ void ApplicationLoader::load_library(const std::string& name,
   load(platform_ / (name + ".xml"), true, position);
 }
 
+// Where an application without `start` begins (language rule 1.8).
 std::string ApplicationLoader::first_state() const {
   for (const auto& document : documents_)
     for (const auto& child : document.root.children)
@@ -117,6 +127,9 @@ void ApplicationLoader::include(const Element& element) {
     load_script(href.value, href.value_position);
 }
 
+// `open_` is the chain of includes that are being followed: a file in it closes
+// a ring. `read_` has every file that was read, also a broken one, so that its
+// errors are reported once.
 void ApplicationLoader::load(const fs::path& path, bool platform,
                              Position position) {
   const auto found = real_path(path);
@@ -131,6 +144,7 @@ void ApplicationLoader::load(const fs::path& path, bool platform,
   read_.insert(found);
 }
 
+// Included documents are added before the document that includes them.
 void ApplicationLoader::add(const fs::path& real_path, Element root,
                             bool platform) {
   read_.insert(real_path);

@@ -1,7 +1,7 @@
-// ApplicationLoader: which files an application consists of, read and
-// validated (language rules 1.6 and 1.8). A file included twice is read once;
-// files that include each other are an error; no path leaves the application's
-// folder.
+// ApplicationLoader: finds, reads and validates the files of an application
+// (language rules 1.6 and 1.8). Each file is read once, however often it is
+// included; files that include each other are an error; no path may leave the
+// application's folder, also not by a link.
 #pragma once
 
 #include <filesystem>
@@ -17,42 +17,45 @@
 
 namespace parlour::script {
 
-// Texts that are read in the place of files, by the paths of these.
+// Unsaved texts of an editor, by path, which are read in the place of the
+// files.
 using SourceTexts = std::map<std::string, std::string>;
 
+// One script as a validated tree.
 struct Document {
   Element root;
   bool platform = false; // one of the platform's libraries
 };
 
+// Every problem becomes a finding; nothing throws. Used by one compilation.
 class ApplicationLoader {
 public:
-  // `texts`, which may be null, must outlive it.
+  // `texts` may be null; otherwise it must outlive the loader.
   ApplicationLoader(std::filesystem::path folder,
                     std::filesystem::path platform, Findings& findings,
                     const SourceTexts* texts = nullptr);
 
-  // A script and what it includes, which comes before it; `position` is where
-  // it was asked for.
+  // Loads a script and everything that it includes, which comes before it in
+  // the list of documents. `position` is where the script is named.
   void load_script(const std::string& name, Position position);
-  // "names" of <include href="parlour:names"/>.
+  // Loads the library "names" for <include href="parlour:names"/>.
   void load_library(const std::string& name, Position position);
-  // A script that was read already, and what it includes.
+  // Adds a script whose tree exists already, and loads what it includes.
   void add(const std::filesystem::path& path, Element root);
 
-  // Registers, reads and validates one file; nothing where that failed.
+  // Registers, reads and validates one file; nothing if that failed.
   std::optional<Element> read(const std::filesystem::path& path,
                               const std::vector<std::string>& roots,
                               Position position);
 
-  // A file inside of the application's folder, by its name relative to it; an
-  // error's message is a whole sentence.
+  // The path of a file in the application's folder. The message of an error is
+  // a complete sentence.
   Expected<std::filesystem::path> inside(const std::string& name) const;
 
-  // Of what has been read; empty where there is none.
+  // The name of the first state in the scripts so far; empty if there is none.
   std::string first_state() const;
 
-  // In the order of inclusion; those that cannot be read are left out.
+  // The documents in the order of inclusion, without those that cannot be read.
   std::vector<Document> take_documents() {
     return std::move(documents_);
   }

@@ -1,3 +1,5 @@
+// Helpers of the compilers of declarations.
+
 #include "script/compiler/compilation.hpp"
 
 #include <algorithm>
@@ -50,7 +52,7 @@ void compile_functions(const Element& holder, const FunctionNames& functions,
     const auto name = element.value("name");
     const auto found = functions.find(name);
     if (found == functions.end() || found->second.position != element.position)
-      return; // the second of that name, or named like a built-in: reported
+      return; // a duplicate or a built-in's name: reported
     context.name = "function " + name;
     compilation.bodies.function(element, found->second.code, context);
   });

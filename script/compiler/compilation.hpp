@@ -1,4 +1,4 @@
-// Compilation: what the parts of the declarations' compiler share while an
+// Compilation: what the compilers of the various declarations share while one
 // application is compiled.
 #pragma once
 
@@ -12,22 +12,23 @@
 
 namespace parlour::script {
 
+// References into the objects of one compilation; short-lived.
 struct Compilation {
   Program& program;
   const Names& names;
   Findings& findings;
   BodyCompiler& bodies;
-  // Every source that a message can come from: roles, aliases, components,
-  // agents.
+  // Every name that can be the source of a message: roles, aliases, components
+  // and agents.
   std::vector<std::string> sources;
   std::vector<std::string> grammars;
-  std::vector<std::string> raised{}; // events, by <fire>
+  std::vector<std::string> raised{}; // events that a <fire> raises
 };
 
-// "a, b" without the blanks.
+// Splits "a, b" at commas and trims the parts.
 std::vector<std::string> split_names(const std::string& text);
 
-// The keys of a map.
+// The keys of a map, as candidates for "did you mean".
 template <class Map>
 std::vector<std::string> keys_of(const Map& map) {
   std::vector<std::string> keys;
@@ -36,20 +37,20 @@ std::vector<std::string> keys_of(const Map& map) {
   return keys;
 }
 
-// Wordings: each <value> of `parent`, as text with {expr} or an expression.
+// Compiles each <value> of `parent`: a text with {expr}, or an expression.
 std::vector<CodeId> compile_values(const Element* parent,
                                    const BodyContext& context,
                                    Compilation& compilation);
 
-// The body of a child element; no_code where there is none.
+// Compiles the body of a child element; no_code if there is none.
 CodeId compile_child(const Element& parent, const char* name,
                      const BodyContext& context, Compilation& compilation);
 
-// The body of `holder`'s functions, into the code that was reserved for them.
+// Compiles the functions of `holder` into the code that was reserved for them.
 void compile_functions(const Element& holder, const FunctionNames& functions,
                        BodyContext context, Compilation& compilation);
 
-// The grammar that a state or slot names must exist.
+// Reports a `grammar` attribute that names no grammar.
 void check_grammar(const Element& element, Compilation& compilation);
 
 } // namespace parlour::script

@@ -1,3 +1,8 @@
+// The order of a compilation: settings, then scripts, then the platform's
+// libraries, and finally declarations (finish). Each step goes on after errors
+// of the previous one as far as that makes sense, so that all findings are
+// reported at once (language rule 1.3).
+
 #include "script/compiler/compiler.hpp"
 
 #include <algorithm>
@@ -14,13 +19,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// All scripts of a folder, sorted by name.
 std::vector<fs::path> scripts_in(const fs::path& folder) {
   auto scripts = list_files(folder, ".xml").value_or(std::vector<fs::path>());
   std::erase(scripts, folder / "settings.xml");
   return scripts;
 }
 
-// One compilation, from files to a program.
+// One compilation. The public functions are called once.
 class Compiler {
 public:
   Compiler(const fs::path& folder, const CompileOptions& options)
@@ -47,6 +53,7 @@ private:
   std::optional<Element> settings_;
 };
 
+// Other names of plug-ins that the platform knows.
 Aliases Compiler::aliases() {
   const auto path = options_.platform / "aliases.xml";
   std::error_code ignored;
@@ -62,6 +69,7 @@ void Compiler::take_settings(Element root) {
   settings_ = std::move(root);
 }
 
+// The scripts that the settings name, in that order.
 void Compiler::load_scripts() {
   for (const auto& child : settings_->children)
     if (child.is("Scripts"))
@@ -71,8 +79,7 @@ void Compiler::load_scripts() {
     findings_.error(settings_->position, "<Scripts> names no script");
 }
 
-// Where nothing chooses: every script, in the order of their names, and the
-// first state of them.
+// All scripts in the order of their names; the first state begins.
 void Compiler::load_all_scripts(const std::vector<fs::path>& scripts) {
   for (const auto& script : scripts) {
     program_->settings.scripts.push_back(script.filename().string());
@@ -87,8 +94,8 @@ void Compiler::load_all_scripts(const std::vector<fs::path>& scripts) {
                     "<Scripts><Script>file.xml</Script></Scripts>");
 }
 
-// Settings that name neither scripts nor plug-ins say a few things besides the
-// platform's.
+// Settings without scripts and plug-ins only adjust a few things; the rest is
+// the platform's (language rule 1.8).
 void Compiler::add_usual_plugins(Element& settings) {
   if (settings.child("Scripts") || settings.child("Plugins") ||
       options_.platform.empty())
@@ -100,8 +107,8 @@ void Compiler::add_usual_plugins(Element& settings) {
       settings.children.push_back(std::move(child));
 }
 
-// The words of what the engine says by itself, and what it does about the
-// conversation itself, after the application's own.
+// The phrases and repairs of the platform come after the application's own,
+// which therefore take precedence.
 void Compiler::load_libraries() {
   if (options_.platform.empty())
     return;
@@ -111,6 +118,7 @@ void Compiler::load_libraries() {
   }
 }
 
+// Warnings are filtered after sorting, as sorting removes duplicates.
 Compiled Compiler::finish() {
   auto documents = loader_.take_documents();
   compile_declarations(documents, {settings_ ? &*settings_ : nullptr}, loader_,
@@ -118,12 +126,14 @@ Compiled Compiler::finish() {
   program_->files = findings_.files();
   findings_.sort();
   take_allowed(findings_);
+  // Trees and findings are returned in any case: editors need them.
   if (findings_.has_errors())
     program_ = nullptr;
   return {std::move(program_), std::move(findings_), std::move(documents),
           std::move(settings_)};
 }
 
+// Without readable settings nothing else is known, so compiling ends there.
 Compiled Compiler::application(const fs::path& folder) {
   auto root =
       loader_.read(settings_file(folder, options_.platform), {"settings"}, {});
@@ -140,6 +150,7 @@ Compiled Compiler::application(const fs::path& folder) {
   return finish();
 }
 
+// The root tells what kind of file it is; a settings file can be checked alone.
 Compiled Compiler::file(const fs::path& path) {
   program_->single_file = true;
   program_->settings.folder = path.parent_path().string();

@@ -1,6 +1,12 @@
-// Compiler: from an application's folder (or one file) to a Program. Reports
-// every finding in one go; gives no program when there are errors (language
-// rule 1.3).
+// Compiler: turns an application's folder, or a single file, into a Program. It
+// reports all findings at once and returns no program if any of them is an
+// error (language rule 1.3). The steps, each in a file of its own:
+//
+//   settings_reader         settings.xml as data
+//   application_loader      files, validated trees
+//   name_collector          everything with a name, before any code exists
+//   declaration_compiler    topics, states, handlers … and their bodies (code/)
+//   understanding_builder   what language understanding needs
 #pragma once
 
 #include <filesystem>
@@ -14,34 +20,36 @@
 
 namespace parlour::script {
 
+// How to compile. The pointers must stay valid during the call.
 struct CompileOptions {
-  std::filesystem::path platform; // the folder of config/platform
-  // Replaced in ${NAME} of options; null: none is set.
+  std::filesystem::path platform; // the folder config/platform
+  // Returns the value for ${NAME} in options of components; null: all are
+  // empty.
   std::string (*environment)(const std::string& name) = nullptr;
-  const SourceTexts* texts = nullptr; // read in the place of files
+  const SourceTexts* texts = nullptr; // unsaved texts of an editor
 };
 
+// The result. Findings may include warnings even if there is a program.
 struct Compiled {
-  std::shared_ptr<const Program> program; // null where there are errors
+  std::shared_ptr<const Program> program; // null if there are errors
   Findings findings;
-  // What it was made of, for those that look further; mended by the validator
-  // where there are errors.
+  // The trees that were compiled, for lints and editors. They were repaired by
+  // the validator if there are errors.
   std::vector<Document> documents{};
   std::optional<Element> settings{}; // of an application
 };
 
-// The settings that an application has: its own, or those of the platform where
-// it is a folder of scripts only.
+// The settings file that applies: the application's own, or the platform's if
+// the folder has scripts only.
 std::filesystem::path settings_file(const std::filesystem::path& folder,
                                     const std::filesystem::path& platform);
 
-// An application's folder with its settings.xml; without one, all scripts of
-// the folder, beginning in their first state.
+// Compiles the application in a folder. Without settings.xml all scripts of the
+// folder are compiled, and the first state begins (language rule 1.8).
 Compiled compile_application(const std::filesystem::path& folder,
                              const CompileOptions& options);
 
-// One script file, for `exec` and `check`: default settings, the platform's
-// libraries by <include href="parlour:…"/>.
+// Compiles one script file for `exec` and `check`, with default settings.
 Compiled compile_file(const std::filesystem::path& file,
                       const CompileOptions& options);
 

@@ -1,3 +1,7 @@
+// The second pass over all documents. Each kind of declaration has a file of
+// its own (topic_compiler, state_compiler …); here is the order in which they
+// are called, and what has no file: variables, the ladder, the start.
+
 #include "script/compiler/declaration_compiler.hpp"
 
 #include "script/compiler/compilation.hpp"
@@ -15,16 +19,8 @@ namespace parlour::script {
 
 namespace {
 
-// The names of the settings' remote agents.
-std::vector<std::string> agents_of(SettingsSource settings) {
-  std::vector<std::string> names;
-  const auto* agents = settings.root ? settings.root->child("agents") : nullptr;
-  if (agents)
-    for (const auto& agent : agents->children)
-      names.push_back(agent.value("name"));
-  return names;
-}
-
+// The constructor runs the first pass (collect_names); compile() runs the
+// second.
 class DeclarationCompiler {
 public:
   DeclarationCompiler(const std::vector<Document>& documents, Program& program,
@@ -37,13 +33,14 @@ public:
   void compile(SettingsSource settings);
 
 private:
-  // Functions that a document's bodies see besides the session-wide ones: a
-  // library keeps its own, whatever an application calls the same.
+  // Additional functions that the bodies of a document see. A library of the
+  // platform keeps its own functions even if the application has one of the
+  // same name.
   const FunctionNames* functions_of(std::size_t document) const {
     return documents_[document].platform ? &collected_.functions[document]
                                          : nullptr;
   }
-  void prepare(SettingsSource settings);
+  void prepare();
   void compile_document(std::size_t document);
   void compile_declaration(const Element& element,
                            const FunctionNames* functions);
@@ -54,8 +51,8 @@ private:
   void compile_ladder(const Element& ladder);
   void check_start(const Element& settings);
 
-  // The declaration that the first pass made of this element; null for the
-  // second of a name.
+  // The declaration that the first pass made of this element; null for a
+  // duplicate, which has been reported.
   template <class T>
   T* declared(std::vector<T>& all, const Element& element) {
     for (auto& one : all)
@@ -71,8 +68,10 @@ private:
   Compilation compilation_;
 };
 
-void DeclarationCompiler::prepare(SettingsSource settings) {
-  compilation_.sources = known_sources(program_, agents_of(settings));
+// What bodies and queries refer to must be complete before these are compiled:
+// sources, events, grammars, facts and the reserved functions.
+void DeclarationCompiler::prepare() {
+  compilation_.sources = known_sources(program_);
   for (const auto& document : documents_) {
     add_names_made(document.root, compilation_.sources);
     add_events_raised(document.root, compilation_.raised);
@@ -94,6 +93,7 @@ void DeclarationCompiler::compile_all_facts(const Element& holder,
       compile_all_facts(child, program_.topic(child.value("name")));
 }
 
+// A duplicate is skipped: the first one has its initial value already.
 void DeclarationCompiler::compile_variable(const Element& element) {
   const auto found = collected_.names.variables.find(element.value("name"));
   const auto* expression = element.attribute("expr");
@@ -105,6 +105,7 @@ void DeclarationCompiler::compile_variable(const Element& element) {
   variable.initial = bodies_.expression(*expression, context);
 }
 
+// Elements without code, such as <facts> and <include>, were dealt with before.
 void DeclarationCompiler::compile_declaration(const Element& element,
                                               const FunctionNames* functions) {
   if (element.is("var") || element.is("const"))
@@ -123,6 +124,7 @@ void DeclarationCompiler::compile_declaration(const Element& element,
   }
 }
 
+// Functions first, as their bodies are the largest part of most scripts.
 void DeclarationCompiler::compile_document(std::size_t document) {
   const auto& root = documents_[document].root;
   const auto* functions = functions_of(document);
@@ -134,7 +136,7 @@ void DeclarationCompiler::compile_document(std::size_t document) {
     compile_declaration(child, functions);
 }
 
-// The application's before the platform's, whose words they override.
+// The application's phrases come first, as the first that applies is used.
 void DeclarationCompiler::compile_all_phrases() {
   for (const bool platform : {false, true})
     for (std::size_t i = 0; i < documents_.size(); ++i)
@@ -147,6 +149,7 @@ void DeclarationCompiler::compile_all_phrases() {
         }
 }
 
+// In the same order as phrases, and for the same reason.
 void DeclarationCompiler::compile_all_repairs() {
   for (const bool platform : {false, true})
     for (std::size_t i = 0; i < documents_.size(); ++i)
@@ -155,6 +158,7 @@ void DeclarationCompiler::compile_all_repairs() {
           compile_repair(child, platform, functions_of(i), compilation_);
 }
 
+// The steps of <ladder> in the settings (engine rule 5.10).
 void DeclarationCompiler::compile_ladder(const Element& ladder) {
   BodyContext context;
   context.name = "ladder";
@@ -162,6 +166,7 @@ void DeclarationCompiler::compile_ladder(const Element& ladder) {
     program_.ladder.push_back(bodies_.body(step, context));
 }
 
+// `start` names a state or a topic; without it engine rule 4.6 decides.
 void DeclarationCompiler::check_start(const Element& settings) {
   const auto* start = settings.attribute("start");
   const auto& names = collected_.names;
@@ -177,8 +182,9 @@ void DeclarationCompiler::check_start(const Element& settings) {
                                   did_you_mean(start->value, known));
 }
 
+// The checks at the end need all bodies.
 void DeclarationCompiler::compile(SettingsSource settings) {
-  prepare(settings);
+  prepare();
   for (std::size_t i = 0; i < documents_.size(); ++i)
     compile_document(i);
   compile_all_phrases();

@@ -1,5 +1,8 @@
-// DeclarationCompiler: from an application's documents to its program, in two
-// passes: names, then bodies (language rules 1.3 and 1.7).
+// DeclarationCompiler: turns an application's documents into its program in two
+// passes (language rules 1.3 and 1.7). The first collects all names, the second
+// compiles bodies. Two passes are needed because a body may mention what is
+// declared later or in another file, and a wrong name should be answered with
+// the nearest right one.
 #pragma once
 
 #include <vector>
@@ -10,12 +13,13 @@
 
 namespace parlour::script {
 
-// What the settings' tree says beyond Settings; null for a file by itself.
+// What only the tree of the settings has, such as the ladder; null for a single
+// file.
 struct SettingsSource {
   const Element* root = nullptr;
 };
 
-// `program` holds the settings. Whatever is wrong is a finding.
+// `program` must have the settings already. Mistakes become findings.
 void compile_declarations(const std::vector<Document>& documents,
                           SettingsSource settings,
                           const ApplicationLoader& loader, Program& program,

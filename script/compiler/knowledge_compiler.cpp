@@ -1,9 +1,19 @@
+// Compiles such elements:
+//
+//   <query source="facts:Shops" order="level, name">
+//     <by slot="Product" column="sells" match="contains"/>
+//     <by slot="Level" relax="1"/>
+//   </query>
+//   <facts name="Shops"><fact name="…" sells="…" level="…"/></facts>
+//
+// All names are resolved here: the table, its columns and the slots.
+
 #include "script/compiler/knowledge_compiler.hpp"
 
 #include <algorithm>
 
+#include "runtime/text/sql_check.hpp"
 #include "script/compiler/slot_compiler.hpp"
-#include "script/compiler/sql_check.hpp"
 #include "script/xml/attribute_check.hpp"
 #include "script/xml/element_table.hpp"
 
@@ -13,6 +23,7 @@ namespace {
 
 const std::vector<std::string> source_kinds{"db", "facts", "aiml", "ontology"};
 
+// Compiles one <query>.
 class QueryCompiler {
 public:
   QueryCompiler(const Element& element, const Topic& topic,
@@ -42,6 +53,7 @@ private:
   KnowledgeSource source_;
 };
 
+// `source` is a kind, optionally with a name: "db", "facts:Shops".
 void QueryCompiler::read_source() {
   const auto& attribute = *element_.attribute("source");
   const auto colon =
@@ -60,6 +72,8 @@ void QueryCompiler::read_source() {
           "queries of the kind '" + source_.kind + "' are not available yet");
 }
 
+// A query of a database needs one select statement, which the database itself
+// checks later (`parlour check` asks it).
 void QueryCompiler::check_statement() {
   const auto* statement = element_.attribute("param");
   if (!statement)
@@ -72,8 +86,8 @@ void QueryCompiler::check_statement() {
     error(statement->value_position, std::move(wrong));
 }
 
-// The table of that name that stands in the topic, or in none; without a name
-// the only one that does.
+// The table with the name of this query among the facts of `topic` (no_id: of
+// all topics). Without a name it is the only table there.
 std::uint32_t QueryCompiler::table_of(TopicId topic) const {
   const auto& tables = compilation_.program.facts;
   std::vector<std::uint32_t> all;
@@ -86,10 +100,12 @@ std::uint32_t QueryCompiler::table_of(TopicId topic) const {
   return source_.name.empty() && all.size() == 1 ? all.front() : no_id;
 }
 
-// The topic's own hide the others.
+// The topic's own tables hide the others, so a query without a name does not
+// look further if the topic has any.
 void QueryCompiler::find_facts() {
   const auto& tables = compilation_.program.facts;
   const auto own = compilation_.program.topic(topic_.name);
+  // The topic's tables first, then those of all topics.
   const bool has_own = std::ranges::count(tables, own, &FactTable::topic) != 0;
   source_.facts = table_of(own);
   if (source_.facts == no_id && !(has_own && source_.name.empty()))
@@ -110,6 +126,7 @@ void QueryCompiler::report_no_facts(TopicId own) {
                                    "'" + did_you_mean(source_.name, names));
 }
 
+// Facts have no SQL, so `param` would do nothing.
 void QueryCompiler::check_facts() {
   if (const auto* statement = element_.attribute("param"))
     error(statement->position, "'param' is of <query source=\"db\">; <facts> "
@@ -117,7 +134,8 @@ void QueryCompiler::check_facts() {
   find_facts();
 }
 
-// A column that facts do not have; what a database has, it says itself.
+// A column must occur in some <fact>. The columns of a database are known to it
+// alone, so its own errors report them.
 void QueryCompiler::check_column(const std::string& name, Position position) {
   if (source_.facts == no_id)
     return;
@@ -132,6 +150,7 @@ void QueryCompiler::check_column(const std::string& name, Position position) {
                            : did_you_mean(name, known)));
 }
 
+// The columns to sort by must exist.
 void QueryCompiler::check_order() {
   const auto* order = element_.attribute("order");
   if (!order || order->value.empty())
@@ -146,6 +165,7 @@ void QueryCompiler::check_order() {
     check_column(column.name, order->value_position);
 }
 
+// The column is named as the slot if nothing else is said.
 std::string QueryCompiler::column_of(const Element& by) {
   const auto* column = by.attribute("column");
   const auto& name = column ? *column : *by.attribute("slot");
@@ -156,6 +176,7 @@ std::string QueryCompiler::column_of(const Element& by) {
   return name.value;
 }
 
+// A <by> refers to a slot of the topic and a column of the source.
 void QueryCompiler::add_by(const Element& by) {
   const auto& slot = *by.attribute("slot");
   QueryBy result;
@@ -173,6 +194,7 @@ void QueryCompiler::add_by(const Element& by) {
   source_.by.push_back(std::move(result));
 }
 
+// Each step reports its own mistakes; the result is complete if there are none.
 KnowledgeSource QueryCompiler::compile() {
   source_.position = element_.position;
   read_source();
@@ -193,6 +215,8 @@ void compile_query(const Element& element, Topic& topic,
   topic.queries.push_back(QueryCompiler(element, topic, compilation).compile());
 }
 
+// The columns of a table are all attributes that any <fact> has; a fact without
+// one of them has an unknown cell.
 void compile_facts(const Element& element, TopicId topic,
                    Compilation& compilation) {
   FactTable table;

@@ -1,3 +1,7 @@
+// The first pass. It makes an entry for each declaration, so that the second
+// pass finds all names and can compare elements with entries by their
+// positions.
+
 #include "script/compiler/name_collector.hpp"
 
 #include "script/expression/builtins.hpp"
@@ -11,15 +15,17 @@ std::string quoted(const std::string& name) {
   return "'" + name + "'";
 }
 
+// The message about a duplicate, with the place of the first declaration.
 std::string there_already(const char* what, const std::string& name,
-                          const Place& first, const Place& second) {
+                          const SourceLocation& first,
+                          const SourceLocation& second) {
   const auto slash = first.file.rfind('/') + 1; // npos + 1 is 0
   return std::string("there is a ") + what + " " + quoted(name) +
          " already, in line " + std::to_string(first.line) +
          (first.file == second.file ? "" : " of " + first.file.substr(slash));
 }
 
-// The parameters of a <function>; the body compiler judges them.
+// The parameters of a <function>. The body compiler checks them.
 FunctionName signature_of(const Element& element) {
   FunctionName function;
   for (const auto& child : element.children) {
@@ -58,6 +64,8 @@ private:
   std::map<std::string, Position> variable_positions_;
 };
 
+// Adds an empty entry of this name, or reports a duplicate. `all` is a list of
+// the program; `names` has where each name was declared.
 template <class T>
 bool NameCollector::add(std::map<std::string, Position, std::less<>>& names,
                         std::vector<T>& all, const Element& element,
@@ -77,6 +85,7 @@ bool NameCollector::add(std::map<std::string, Position, std::less<>>& names,
   return true;
 }
 
+// Session variables get consecutive indices in the order of the files.
 void NameCollector::add_variable(const Element& element) {
   const auto name = element.value("name");
   if (const auto fault = variable_fault(name); !fault.empty())
@@ -96,6 +105,8 @@ void NameCollector::add_variable(const Element& element) {
   program_.variables.push_back(std::move(variable));
 }
 
+// The slots are collected with their topic, so that other topics' queries and
+// phrases can refer to them.
 void NameCollector::add_topic(const Element& element) {
   if (!add(names_.topics, program_.topics, element, "topic"))
     return;
@@ -106,6 +117,7 @@ void NameCollector::add_topic(const Element& element) {
       add(slots, topic.slots, child, "slot");
 }
 
+// Everything that a document declares directly, except functions.
 void NameCollector::collect(const Element& root) {
   for (const auto& child : root.children) {
     if (child.is("var") || child.is("const"))
@@ -119,6 +131,7 @@ void NameCollector::collect(const Element& root) {
   }
 }
 
+// Documents of the platform are added last and yield silently.
 void NameCollector::add_functions(const FunctionNames& functions,
                                   bool platform) {
   for (const auto& [name, function] : functions) {
@@ -133,6 +146,8 @@ void NameCollector::add_functions(const FunctionNames& functions,
 
 } // namespace
 
+// Functions are added in a second round: the application's names must be known
+// before the platform's are.
 Collected collect_names(const std::vector<Document>& documents,
                         Program& program, Findings& findings) {
   NameCollector collector(program, findings);
@@ -150,6 +165,8 @@ Collected collect_names(const std::vector<Document>& documents,
   return collected;
 }
 
+// A reserved Code is empty until the second pass fills it; calls refer to it by
+// its index already.
 FunctionNames collect_functions(const Element& holder, Program& program,
                                 Findings& findings) {
   FunctionNames functions;

@@ -1,8 +1,15 @@
+// Compiles such elements:
+//
+//   <phrase act="confirm" topic="Taxi" if="data.value">A taxi at
+//     {data.value}?</phrase>
+//
+// into code with the parameters act, topic, slot and data.
+
 #include "script/compiler/phrase_compiler.hpp"
 
 #include <algorithm>
 
-#include "script/expression/brace_slips.hpp"
+#include "script/expression/brace_mistakes.hpp"
 #include "script/expression/plain_brace.hpp"
 
 namespace parlour::script {
@@ -11,7 +18,7 @@ namespace {
 
 const std::vector<std::string> parameters{"act", "topic", "slot", "data"};
 
-// An application may say acts of its own; a near miss is a slip.
+// An application may have acts of its own, so only a similar name is a mistake.
 void check_act(const Attribute& act, Findings& findings) {
   const auto& known = say_acts();
   if (std::find(known.begin(), known.end(), act.value) != known.end())
@@ -33,7 +40,8 @@ void check_topic(const Element& phrase, const Compilation& compilation) {
                                    did_you_mean(name->value, keys_of(topics)));
 }
 
-// A slot of whichever topic; one that is wrong was told of.
+// Without a topic any topic's slot will do. An unknown topic was reported
+// before.
 void check_slot_of_any(const Attribute& name, const Element& phrase,
                        const Compilation& compilation) {
   std::vector<std::string> known;
@@ -48,6 +56,7 @@ void check_slot_of_any(const Attribute& name, const Element& phrase,
                                  did_you_mean(name.value, known));
 }
 
+// With a topic the slot must be one of that topic.
 void check_slot(const Element& phrase, const Compilation& compilation) {
   const auto* name = phrase.attribute("slot");
   const auto topic = compilation.program.topic(phrase.value("topic"));
@@ -63,8 +72,8 @@ void check_slot(const Element& phrase, const Compilation& compilation) {
                                    did_you_mean(name->value, known));
 }
 
-// Elsewhere such braces are text (language rule 4.4); here somebody would hear
-// them.
+// Such braces are text elsewhere (language rule 4.4), but a phrase would be
+// spoken with them (language rule 12.7).
 void check_braces(const Element& phrase, std::string_view text,
                   const Compilation& compilation) {
   const auto at = plain_brace(text);
@@ -77,16 +86,16 @@ void check_braces(const Element& phrase, std::string_view text,
                          [&](const auto& name) {
                            return compilation.names.functions.count(name) > 0;
                          }};
-  const auto slip =
+  const auto mistake =
       text[at] == '{' ? explain_brace(text, at, known, true) : std::nullopt;
   compilation.findings.add(
       {Severity::error,
-       {phrase.text_position, at, slip ? slip->length : 1, true},
-       slip ? "this brace would be said aloud, as what is inside is no "
-              "expression: " +
-                  slip->message
-            : "this brace would be said aloud, as it embeds no expression; "
-              "for a brace that is said write '{{' or '}}'",
+       {phrase.text_position, at, mistake ? mistake->length : 1, true},
+       mistake ? "this brace would be said aloud, as what is inside is no "
+                 "expression: " +
+                     mistake->message
+               : "this brace would be said aloud, as it embeds no expression; "
+                 "for a brace that is said write '{{' or '}}'",
        "expression"});
 }
 

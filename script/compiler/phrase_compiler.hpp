@@ -1,12 +1,12 @@
-// <phrases>: the words of what the engine itself says (understanding.md,
-// "Phrases").
+// Compiles <phrases>: the words for what the engine says by itself
+// (docs/understanding.md, "Phrases").
 #pragma once
 
 #include "script/compiler/compilation.hpp"
 
 namespace parlour::script {
 
-// Every act that the engine says, a sentence each.
+// Every act that the engine says, with a sentence for each.
 // clang-format off
 #define PARLOUR_SAY_ACTS(X) \
   X(question, "asks for a slot") \
@@ -39,6 +39,8 @@ namespace parlour::script {
 
 const std::vector<std::string>& say_acts();
 
+// `functions`: those that the phrases see besides the session-wide ones; may be
+// null.
 void compile_phrases(const Element& phrases, const FunctionNames* functions,
                      Compilation& compilation);
 

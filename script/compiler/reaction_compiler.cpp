@@ -1,15 +1,22 @@
+// Compiles both notations of a reaction:
+//
+//   <messages>
+//     <component><ASR><Rejected>…</Rejected></ASR></component>
+//     <on source="ASR" event="*">…</on>
+//   </messages>
+
 #include "script/compiler/reaction_compiler.hpp"
 
 #include <algorithm>
 
-#include "runtime/base/roles.hpp"
+#include "runtime/message/roles.hpp"
 #include "script/xml/element_table.hpp"
 
 namespace parlour::script {
 
 namespace {
 
-// The candidate that is the name but for the first letter's case.
+// The candidate that equals the name except for the case of its first letter.
 std::string spelt_as(const std::string& name,
                      const std::vector<std::string>& candidates) {
   if (std::find(candidates.begin(), candidates.end(), name) != candidates.end())
@@ -20,8 +27,8 @@ std::string spelt_as(const std::string& name,
   return {};
 }
 
-// A file checked by itself does not know which components there will be: only
-// what looks like a slip is worth a word.
+// A file that is checked alone does not know the application's components, so
+// there only a name that is similar to a known one is reported.
 void warn_of_source(const std::string& name, Position position,
                     Compilation& compilation) {
   auto hint = did_you_mean(name, compilation.sources);
@@ -33,6 +40,7 @@ void warn_of_source(const std::string& name, Position position,
          "unknown-module"});
 }
 
+// The source as the table spells it, after a warning if it is unknown.
 std::string checked_source(const std::string& name, Position position,
                            Compilation& compilation) {
   if (name == "*")
@@ -44,7 +52,7 @@ std::string checked_source(const std::string& name, Position position,
   return name;
 }
 
-// Those of the role, and what the scripts raise themselves.
+// The events of the role and, for Script, those that scripts raise.
 std::vector<std::string> events_of(const Role& role,
                                    const Compilation& compilation) {
   auto events = names_of(role.events);
@@ -54,6 +62,8 @@ std::vector<std::string> events_of(const Role& role,
   return events;
 }
 
+// Events of Script are raised by scripts. Nothing is said if that script may be
+// in another file, or if a raised name is computed.
 void warn_of_event(const EventName& name, Position position,
                    const std::vector<std::string>& events,
                    Compilation& compilation) {
@@ -76,6 +86,8 @@ void warn_of_event(const EventName& name, Position position,
        "unknown-event"});
 }
 
+// Both notations: <component><Source><Event>, and <on source event> for names
+// that cannot be element names.
 class MessagesCompiler {
 public:
   MessagesCompiler(const BodyContext& context, Compilation& compilation)
@@ -96,6 +108,7 @@ public:
   }
 
 private:
+  // <component>: an element for each source, which holds one for each event.
   void compile_sources(const Element& component) {
     for (const auto& source : component.children) {
       if (source.is("on"))
@@ -106,6 +119,7 @@ private:
               event);
     }
   }
+  // <on source="…" event="…">.
   void compile_on(const Element& on) {
     const auto& source = *on.attribute("source");
     const auto& event = *on.attribute("event");
@@ -123,7 +137,7 @@ private:
                           body.position});
   }
 
-  // Each event has one reaction here.
+  // An event can have one reaction here only.
   void check_first(const EventName& name, Position event) {
     for (const auto& reaction : reactions_)
       if (reaction.source == name.source && reaction.event == name.event)
@@ -149,9 +163,11 @@ std::vector<Reaction> compile_messages(const Element& messages,
   return compiler.take();
 }
 
-std::vector<std::string> known_sources(const Program& program,
-                                       const std::vector<std::string>& agents) {
-  std::vector<std::string> names = agents;
+// Remote agents, roles with their aliases, components and their plug-ins.
+std::vector<std::string> known_sources(const Program& program) {
+  std::vector<std::string> names;
+  for (const auto& agent : program.settings.agents.agents)
+    names.push_back(agent.name);
   for (const auto& role : roles()) {
     names.push_back(role.name);
     names.insert(names.end(), role.aliases.begin(), role.aliases.end());
@@ -183,6 +199,7 @@ void add_events_raised(const Element& root, std::vector<std::string>& events) {
   }
 }
 
+// Events of components without a role cannot be checked.
 EventName checked_event(EventName name, Position source, Position event,
                         Compilation& compilation) {
   name.source = checked_source(name.source, source, compilation);

@@ -1,15 +1,21 @@
+// Compiles such elements, into one Repair for each act:
+//
+//   <repair act="no_match, no_input" topic="Taxi" slot="Time" count="2">
+//     <say act="help"/>
+//   </repair>
+
 #include "script/compiler/repair_compiler.hpp"
 
 #include <algorithm>
 
-#include "runtime/base/roles.hpp"
+#include "runtime/message/roles.hpp"
 #include "script/xml/attribute_check.hpp"
 
 namespace parlour::script {
 
 namespace {
 
-// The acts of the user, as source Dialogue raises them.
+// The acts of the user, which are the events of the source Dialogue.
 std::vector<std::string> known_acts() {
   std::vector<std::string> acts;
   if (const auto* dialogue = find_role("Dialogue"))
@@ -18,7 +24,7 @@ std::vector<std::string> known_acts() {
   return acts;
 }
 
-// The ones that come again and again.
+// Acts that can happen several times in a row.
 bool is_counted(const std::string& act) {
   return act == "no_match" || act == "no_input";
 }
@@ -67,6 +73,7 @@ private:
     return acts;
   }
 
+  // Only acts that can be repeated have a count.
   void check_count(const std::vector<std::string>& acts) {
     const auto* count = element_.attribute("count");
     const auto other = std::find_if_not(acts.begin(), acts.end(), is_counted);

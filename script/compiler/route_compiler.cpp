@@ -1,3 +1,9 @@
+// Compiles such elements:
+//
+//   <relay source="ASR" command="RecognitionResult" to="LogRobot" as="Heard"/>
+//   <filter source="ASR" command="RecognitionResult" if="_LPARAM2 lt 0.3"
+//           drop="true"/>
+
 #include "script/compiler/route_compiler.hpp"
 
 #include "script/compiler/reaction_compiler.hpp"
@@ -6,7 +12,7 @@ namespace parlour::script {
 
 namespace {
 
-// What the message centre knows: no variable of a session.
+// The message centre has no session, so it sees constants only.
 Names without_variables(const Names& names, const Program& program) {
   auto result = names;
   std::erase_if(result.variables, [&](const auto& entry) {
@@ -15,6 +21,7 @@ Names without_variables(const Names& names, const Program& program) {
   return result;
 }
 
+// Routes have a body compiler of their own, which knows fewer names.
 class RouteCompiler {
 public:
   explicit RouteCompiler(Compilation& compilation)
@@ -36,6 +43,7 @@ private:
   BodyContext context_;
 };
 
+// Without any parameter the message keeps its own; `param=""` removes them.
 void RouteCompiler::compile_params(const Element& element, Route& route) {
   if (const auto* param = element.attribute("param")) {
     route.has_params = true;

@@ -1,23 +1,29 @@
+// From the validated tree of settings.xml to Settings. Kinds and forms of
+// values were checked by the element table; here are the checks that need
+// several elements: names that are free, plug-ins that are listed, options that
+// are given once.
+
 #include "script/compiler/settings_reader.hpp"
 
 #include <algorithm>
 #include <utility>
 
-#include "runtime/base/roles.hpp"
+#include "runtime/message/roles.hpp"
+#include "script/compiler/agents_reader.hpp"
 #include "script/xml/attribute_check.hpp"
 
 namespace parlour::script {
 
 namespace {
 
-using Environment = std::string (*)(const std::string&);
-
+// Durations that are missing or wrong leave the default.
 void read_duration(const Element& element, const char* name,
                    Milliseconds& target) {
   if (const auto* attribute = element.attribute(name))
     target = parse_duration(attribute->value).value_or(target);
 }
 
+// <sessions>: attributes that are missing keep their defaults.
 void read_sessions(const Element& element, SessionSettings& sessions) {
   read_duration(element, "resume-after", sessions.resume_after);
   read_duration(element, "no-input-after", sessions.no_input_after);
@@ -27,7 +33,7 @@ void read_sessions(const Element& element, SessionSettings& sessions) {
   read_duration(element, "closes-after", sessions.closes_after);
 }
 
-// What the language has and nothing carries out yet.
+// Attributes that the language has but that have no effect yet.
 void warn_of_later(const Element& element, Findings& findings) {
   for (const auto* name : {"rest-after", "journal", "keep"})
     if (const auto* attribute = element.attribute(name))
@@ -39,12 +45,14 @@ void warn_of_later(const Element& element, Findings& findings) {
                     "not-available-yet"});
 }
 
+// Wrong values were reported by the validator; they leave the default.
 template <class T>
 void read_number(const Element& element, const char* name, T& target) {
   if (const auto* attribute = element.attribute(name))
     target = static_cast<T>(parse_size(attribute->value).value_or(target));
 }
 
+// <limits>; sizes may have a unit, plain numbers are read the same way.
 void read_limits(const Element& element, Limits& limits) {
   read_number(element, "instructions", limits.instructions);
   read_number(element, "depth", limits.depth);
@@ -52,6 +60,7 @@ void read_limits(const Element& element, Limits& limits) {
   read_number(element, "result", limits.result);
 }
 
+// Reads <Plugins> first, because a <component> may configure one of them.
 class SettingsReader {
 public:
   SettingsReader(const Aliases& aliases, Environment environment,
@@ -63,14 +72,12 @@ public:
 private:
   void read_plugins(const Element& element);
   void read_component(const Element& element);
-  void read_upkeep(const Element& element, Upkeep& upkeep);
+  void read_policy(const Element& element, ComponentPolicy& policy);
   void read_scripts(const Element& element);
-  void check_agents(const Element& element);
-  std::string replaced(const Attribute& attribute);
-  std::string variable(const std::string& name, Position position);
+  void check_agents(const Element& root);
   std::string own_name(const std::string& name) const;
   ComponentSettings* find(const std::string& name);
-  Place place(const Element& element) const {
+  SourceLocation place(const Element& element) const {
     return findings_.place(element.position);
   }
 
@@ -81,11 +88,13 @@ private:
   std::map<std::string, std::uint32_t> described_; // components: their lines
 };
 
+// The plug-in's own name for one of its aliases.
 std::string SettingsReader::own_name(const std::string& name) const {
   const auto found = aliases_.find(name);
   return found == aliases_.end() ? name : found->second;
 }
 
+// A component by its name; null if there is none yet.
 ComponentSettings* SettingsReader::find(const std::string& name) {
   for (auto& component : settings_.components)
     if (component.name == name)
@@ -93,6 +102,8 @@ ComponentSettings* SettingsReader::find(const std::string& name) {
   return nullptr;
 }
 
+// Each <Plugin> is a component of the plug-in's name. Their order is the order
+// of preference within a role.
 void SettingsReader::read_plugins(const Element& element) {
   for (const auto& plugin : element.children) {
     const auto name = own_name(collapsed(plugin.text));
@@ -110,38 +121,8 @@ void SettingsReader::read_plugins(const Element& element) {
   }
 }
 
-std::string SettingsReader::variable(const std::string& name,
-                                     Position position) {
-  auto value = environment_ ? environment_(name) : std::string();
-  if (value.empty())
-    findings_.add(
-        {Severity::warning,
-         {position},
-         "the environment has no '" + name + "'; ${" + name + "} is empty",
-         "missing-environment"});
-  return value;
-}
-
-std::string SettingsReader::replaced(const Attribute& attribute) {
-  const auto& value = attribute.value;
-  std::string result;
-  std::size_t done = 0;
-  for (auto at = value.find("${"); at != std::string::npos;
-       at = value.find("${", done)) {
-    const auto end = value.find('}', at);
-    if (end == std::string::npos) {
-      findings_.error(attribute.value_position, "${ without its }");
-      return {};
-    }
-    result += value.substr(done, at - done);
-    result +=
-        variable(value.substr(at + 2, end - at - 2), attribute.value_position);
-    done = end + 1;
-  }
-  return result + value.substr(done);
-}
-
-// Options of a listed plug-in, or a further instance of one.
+// A <component> either configures a listed plug-in or, with `plugin`, adds a
+// further instance of one under its own name.
 void SettingsReader::read_component(const Element& element) {
   const auto* plugin = element.attribute("plugin");
   const auto name =
@@ -176,47 +157,51 @@ void SettingsReader::read_component(const Element& element) {
                                           "\">, after the one in line " +
                                           std::to_string(first->second) +
                                           "; put both into one");
-  read_upkeep(element, component->upkeep);
-  for (const auto& option : element.children)
-    if (!component->options
-             .emplace(option.value("name"),
-                      replaced(*option.attribute("value")))
-             .second)
-      findings_.error(option.position, "the option '" + option.value("name") +
-                                           "' of '" + name +
-                                           "' is given twice");
+  read_policy(element, component->policy);
+  read_options(element, name, environment_, findings_, component->options);
 }
 
-void SettingsReader::read_upkeep(const Element& element, Upkeep& upkeep) {
-  read_duration(element, "deadline", upkeep.deadline);
-  if (upkeep.deadline <= Milliseconds::zero())
+// How the component is operated: deadline, host process and scope.
+void SettingsReader::read_policy(const Element& element,
+                                 ComponentPolicy& policy) {
+  if (const auto* deadline = element.attribute("deadline"))
+    if (const auto time = parse_duration(deadline->value))
+      policy.deadline = *time;
+  if (policy.deadline && *policy.deadline <= Milliseconds::zero())
     findings_.error(element.attribute("deadline")->value_position,
                     "deadline=\"" + element.value("deadline") +
                         "\": no call can be that short");
-  upkeep.host = element.value("host");
+  policy.host = element.value("host");
   const auto* scope = element.attribute("scope");
   if (!scope)
     return;
   if (auto parsed = parse_scope(scope->value))
-    upkeep.scope = *parsed;
+    policy.scope = *parsed;
   else
     findings_.error(scope->value_position, "scope=\"" + scope->value +
                                                "\": " + parsed.error().message);
 }
 
+// Only the names; the loader reads the files.
 void SettingsReader::read_scripts(const Element& element) {
   for (const auto& script : element.children)
     settings_.scripts.push_back(collapsed(script.text));
 }
 
-// They speak under their own names, too.
-void SettingsReader::check_agents(const Element& element) {
-  for (const auto& agent : element.children)
-    if (const auto* name = agent.attribute("name"))
-      if (const auto fault = wrong_source_name(name->value); !fault.empty())
-        findings_.error(name->value_position, fault);
+// A message for a name must have one receiver.
+void SettingsReader::check_agents(const Element& root) {
+  const auto* agents = root.child("agents");
+  if (!agents)
+    return;
+  for (const auto& agent : agents->children)
+    if (find(agent.value("name")))
+      findings_.error(agent.attribute("name")->value_position,
+                      "there is a component '" + agent.value("name") +
+                          "' already");
 }
 
+// Two rounds, as a <component> may stand before the <Plugins> that it refers
+// to.
 Settings SettingsReader::read(const Element& root) {
   settings_.name = root.value("name");
   settings_.start = root.value("start");
@@ -230,18 +215,20 @@ Settings SettingsReader::read(const Element& root) {
     else if (child.is("Scripts"))
       read_scripts(child);
     else if (child.is("agents"))
-      check_agents(child);
+      settings_.agents = read_agents(child, environment_, findings_);
     else if (child.is("sessions")) {
       read_sessions(child, settings_.sessions);
       warn_of_later(child, findings_);
     } else if (child.is("limits"))
       read_limits(child, settings_.limits);
   }
+  check_agents(root);
   return std::move(settings_);
 }
 
 } // namespace
 
+// The first of two equal aliases counts.
 Aliases read_aliases(const Element& root) {
   Aliases aliases;
   for (const auto& alias : root.children)

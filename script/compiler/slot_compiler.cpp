@@ -1,16 +1,25 @@
+// Compiles such elements:
+//
+//   <slot name="Time" type="Functional" question="When?">
+//     <cardinality type="time"/>
+//     <help><value>Say a time such as three pm.</value></help>
+//     <nomatch count="2">…</nomatch>
+//   </slot>
+
 #include "script/compiler/slot_compiler.hpp"
 
 #include <map>
 
 #include <re2/re2.h>
 
-#include "script/compiler/sql_check.hpp"
+#include "runtime/text/sql_check.hpp"
 #include "script/xml/attribute_check.hpp"
 
 namespace parlour::script {
 
 namespace {
 
+// Compiles one <slot>; the members follow its attributes and children.
 class SlotCompiler {
 public:
   SlotCompiler(const Element& element, Slot& slot, const BodyContext& context,
@@ -43,6 +52,7 @@ private:
   Compilation& compilation_;
 };
 
+// Attributes that are words: type, private, confirm, match, grammar.
 void SlotCompiler::read_words() {
   slot_.functional = element_.value("type") == "Functional";
   slot_.is_private = element_.value("private") == "true";
@@ -59,6 +69,7 @@ CodeId SlotCompiler::optional(const Element& element, const char* name) {
                    : no_code;
 }
 
+// The initial value, the question, its further wordings and explanations.
 void SlotCompiler::compile_texts() {
   slot_.initial = optional(element_, "expr");
   if (const auto* question = element_.attribute("question"))
@@ -69,6 +80,7 @@ void SlotCompiler::compile_texts() {
       compile_values(element_.child("explain"), context_, compilation_);
 }
 
+// <noinput> and <nomatch>: one body for each count.
 std::vector<CountedBody> SlotCompiler::counted(const char* name) {
   std::vector<CountedBody> bodies;
   std::map<std::uint64_t, std::uint32_t> lines;
@@ -91,6 +103,8 @@ std::vector<CountedBody> SlotCompiler::counted(const char* name) {
   return bodies;
 }
 
+// What runs when a value is accepted, refused or ambiguous, and when nothing
+// was said or understood.
 void SlotCompiler::compile_bodies() {
   auto child = [&](const char* name) {
     return compile_child(element_, name, context_, compilation_);
@@ -102,7 +116,7 @@ void SlotCompiler::compile_bodies() {
   slot_.no_match = counted("nomatch");
 }
 
-// Only a set is made of values.
+// Only type="set" has values, and it must have some.
 void SlotCompiler::check_values(const Element& cardinality) {
   const auto& values = cardinality.children;
   if (cardinality.value("type") == "set") {
@@ -119,6 +133,7 @@ void SlotCompiler::check_values(const Element& cardinality) {
   }
 }
 
+// Compiled once here only to check it; matching compiles it again.
 void SlotCompiler::check_pattern(const Attribute& pattern) {
   const re2::RE2 compiled(pattern.value, re2::RE2::Quiet);
   if (!compiled.ok())
@@ -135,6 +150,8 @@ void SlotCompiler::check_source(const Attribute& source) {
                                     "expected db:table.column");
 }
 
+// <cardinality>: the kind of values and its limits. Which attributes belong to
+// which type was checked by the forms of the element table.
 void SlotCompiler::compile_cardinality(const Element& cardinality) {
   auto& target = slot_.cardinality;
   target.type = cardinality.value("type");

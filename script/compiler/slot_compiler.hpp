@@ -1,14 +1,15 @@
-// One slot of a topic (engine rule 5).
+// Compiles a slot of a topic (engine rule 5.6).
 #pragma once
 
 #include "script/compiler/compilation.hpp"
 
 namespace parlour::script {
 
+// `slot` has its name already.
 void compile_slot(const Element& element, Slot& slot,
                   const BodyContext& context, Compilation& compilation);
 
-// The word of an attribute as an enumerator; the first where it is missing.
+// The enumerator for the word of an attribute; the first one if it is missing.
 template <class Enum>
 Enum choice_of(const Element& element, const char* attribute,
                const std::vector<std::string>& words) {
@@ -19,7 +20,7 @@ Enum choice_of(const Element& element, const char* attribute,
   return Enum{};
 }
 
-// equal, prefix, contains.
+// The attribute `match`: equal, prefix or contains.
 Match match_of(const Element& element);
 
 } // namespace parlour::script

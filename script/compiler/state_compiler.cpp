@@ -1,3 +1,12 @@
+// Compiles such elements:
+//
+//   <state name="Welcome" capture="true">
+//     <Entrance>…</Entrance>
+//     <Messages><component><Door><Opens>…</Opens></Door></component></Messages>
+//     <Online><agent name="Robot2">…</agent></Online>
+//     <Exit>…</Exit>
+//   </state>
+
 #include "script/compiler/state_compiler.hpp"
 
 #include <iterator>
@@ -18,9 +27,10 @@ Capture capture_of(const Element& element) {
                           : Capture::none;
 }
 
-// Each agent has one.
+// An agent can have one entry only.
 void check_first(const Element& agent, const Element& holder,
                  Compilation& compilation) {
+  // Only the children before this one can be its predecessors.
   for (const auto& other : holder.children) {
     if (&other == &agent)
       return;
@@ -34,7 +44,8 @@ void check_first(const Element& agent, const Element& holder,
   }
 }
 
-// <Online> and <Offline>: statements for any agent, or <agent> children.
+// <Online> and <Offline> hold statements for any agent, or <agent> children for
+// a particular one.
 void compile_agents(const Element& element, const BodyContext& context,
                     std::vector<Reaction>& reactions,
                     Compilation& compilation) {
@@ -62,6 +73,7 @@ void append(std::vector<Reaction>& all, std::vector<Reaction> more) {
 
 } // namespace
 
+// insert() keeps existing entries, so inner functions hide outer ones.
 FunctionNames local_functions(const Element& holder,
                               const FunctionNames* around,
                               Compilation& compilation) {
@@ -81,6 +93,7 @@ void compile_handler(const Element& element, Handler& handler,
     append(handler.reactions, compile_messages(child, context, compilation));
 }
 
+// The functions of the state come first, so that its other parts can call them.
 void compile_state(const Element& element, State& state,
                    const FunctionNames* functions, Compilation& compilation) {
   const auto local = local_functions(element, functions, compilation);
@@ -105,6 +118,7 @@ void compile_state(const Element& element, State& state,
 
 namespace {
 
+// The line of another place, with its file if that is a different one.
 std::string place_text(Position there, Position here,
                        const Findings& findings) {
   const auto place = findings.place(there);
@@ -113,7 +127,7 @@ std::string place_text(Position there, Position here,
          (there.file == here.file ? "" : " of " + place.file.substr(slash));
 }
 
-// `what` the code is: "an Exit".
+// `what` is the code in words, such as "an Exit".
 void check_way_out(CodeId code, const char* what, Compilation& compilation) {
   auto& findings = compilation.findings;
   const auto found = find_effect(compilation.program, code, leads_elsewhere);
@@ -133,6 +147,7 @@ void check_way_out(CodeId code, const char* what, Compilation& compilation) {
 
 } // namespace
 
+// Searches the compiled code, because the effect may be in a function.
 void check_ways_out(Compilation& compilation) {
   const auto& program = compilation.program;
   for (const auto& state : program.states)

@@ -1,3 +1,13 @@
+// Compiles such elements:
+//
+//   <topic name="Taxi">
+//     <examples><value>I need a taxi at [three](Time)</value></examples>
+//     <slot name="Time" …/>
+//     <constraint cond="this.Time ge '06:00'" message="We open at six."/>
+//     <filled><confirm question="A taxi at {this.Time}?"/></filled>
+//     <completed>…</completed>
+//   </topic>
+
 #include "script/compiler/topic_compiler.hpp"
 
 #include <algorithm>
@@ -11,6 +21,7 @@ namespace parlour::script {
 
 namespace {
 
+// Whether an element of this name is anywhere below.
 bool holds(const Element& element, std::string_view name) {
   return std::any_of(element.children.begin(), element.children.end(),
                      [&](const Element& child) {
@@ -18,6 +29,7 @@ bool holds(const Element& element, std::string_view name) {
                      });
 }
 
+// Compiles one <topic>. Its bodies see its slots by `this`.
 class TopicCompiler {
 public:
   TopicCompiler(const Element& element, Topic& topic, Compilation& compilation)
@@ -47,6 +59,7 @@ private:
   BodyContext context_;
 };
 
+// The attributes that are words: kind, initiative, resume, needs.
 void TopicCompiler::read_words() {
   topic_.kind = choice_of<TopicKind>(element_, "kind", {"task", "enquiry"});
   topic_.initiative = Initiative::mixed;
@@ -64,15 +77,17 @@ void TopicCompiler::read_words() {
               did_you_mean(need, keys_of(compilation_.names.topics)));
 }
 
+// The slot exists already, with its name; the element fills it.
 void TopicCompiler::compile_own_slot(const Element& element) {
   const auto id = topic_.slot(element.value("name"));
   if (id == no_id || topic_.slots[id].position != element.position)
-    return; // the second of that name: reported
+    return; // a duplicate, reported before
   auto inside = context_;
   inside.name += "." + topic_.slots[id].name;
   compile_slot(element, topic_.slots[id], inside, compilation_);
 }
 
+// A <constraint>: a condition, and what is said if it does not hold.
 void TopicCompiler::add_constraint(const Element& element) {
   auto& bodies = compilation_.bodies;
   Constraint constraint;
@@ -84,6 +99,7 @@ void TopicCompiler::add_constraint(const Element& element) {
   topic_.constraints.push_back(constraint);
 }
 
+// A <rule> runs when slots change and its condition holds.
 void TopicCompiler::add_rule(const Element& element) {
   Rule rule;
   rule.condition =
@@ -95,7 +111,7 @@ void TopicCompiler::add_rule(const Element& element) {
   topic_.rules.push_back(rule);
 }
 
-// An example's `[words](Slot)` names slots of its topic.
+// The marks [words](Slot) of an example must name slots of the topic.
 void TopicCompiler::check_marks(const Element& example) {
   const auto& text = example.text;
   const auto known = names_of(topic_.slots);
@@ -117,6 +133,7 @@ void TopicCompiler::check_marks(const Element& example) {
   }
 }
 
+// Examples are for understanding and never run, so they must be literal.
 void TopicCompiler::check_examples(const Element& examples) {
   for (const auto& example : examples.children) {
     if (example.attribute("expr"))
@@ -139,6 +156,7 @@ void TopicCompiler::compile_child_of(const Element& child) {
     check_examples(child);
 }
 
+// What runs when the topic's status changes.
 void TopicCompiler::compile_bodies() {
   auto body = [&](const char* name) {
     return compile_child(element_, name, context_, compilation_);
@@ -151,6 +169,7 @@ void TopicCompiler::compile_bodies() {
   topic_.cancelled = body("cancelled");
 }
 
+// The topic's functions come first, as all its other parts may call them.
 void TopicCompiler::compile(const FunctionNames* functions) {
   const auto local = local_functions(element_, functions, compilation_);
   context_.functions = &local;
@@ -162,7 +181,8 @@ void TopicCompiler::compile(const FunctionNames* functions) {
   warn_of_enquiry();
 }
 
-// What an enquiry lacks, and what it has no use for (engine rule 5).
+// Warns of an enquiry that nothing answers, and of a <completed> that never
+// runs (language rule 12.22).
 void TopicCompiler::warn_of_enquiry() {
   if (topic_.kind != TopicKind::enquiry)
     return;
@@ -191,8 +211,11 @@ void compile_topic(const Element& element, Topic& topic,
   TopicCompiler(element, topic, compilation).compile(functions);
 }
 
+// A depth-first search: a topic that is reached again while it is open is part
+// of a ring.
 void check_needs(Compilation& compilation) {
   const auto& program = compilation.program;
+  // `open` marks the topics on the current path.
   enum class Mark { fresh, open, done };
   std::vector<Mark> marks(program.topics.size(), Mark::fresh);
   const std::function<void(TopicId)> visit = [&](TopicId id) {

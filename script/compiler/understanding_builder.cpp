@@ -1,3 +1,7 @@
+// Builds the model from two sources: the program, which knows the slots'
+// properties, and the trees, which have the literal values and examples as
+// text.
+
 #include "script/compiler/understanding_builder.hpp"
 
 #include <algorithm>
@@ -33,7 +37,8 @@ private:
   UnderstandingModel model_;
 };
 
-// Wordings as they are written; computed ones are known at run time only.
+// The values that are written literally. Computed ones are known at run time
+// only.
 std::vector<std::string> literal_values(const Element* parent) {
   std::vector<std::string> values;
   if (parent)
@@ -50,6 +55,7 @@ const Element* slot_element(const Element& topic, const std::string& name) {
   return nullptr;
 }
 
+// Whether a <by> of the topic uses the slot.
 bool narrows_query(const Topic& topic, std::size_t slot) {
   for (const auto& query : topic.queries)
     for (const auto& by : query.by)
@@ -58,6 +64,7 @@ bool narrows_query(const Topic& topic, std::size_t slot) {
   return false;
 }
 
+// Values that are computed are missing here; the slot itself checks them.
 SlotModel UnderstandingBuilder::slot_model(const Slot& slot,
                                            const Element* element) const {
   SlotModel model;
@@ -70,6 +77,7 @@ SlotModel UnderstandingBuilder::slot_model(const Slot& slot,
   return model;
 }
 
+// The tree of a duplicate topic is skipped; positions tell which one counts.
 void UnderstandingBuilder::add_topic(const Element& element) {
   const auto id = program_.topic(element.value("name"));
   if (id == no_id || program_.topics[id].position != element.position)
@@ -90,6 +98,8 @@ void UnderstandingBuilder::add_topic(const Element& element) {
   model_.topics.push_back(std::move(model));
 }
 
+// The file is registered in the findings, so that mistakes in it can be shown
+// with their lines.
 void UnderstandingBuilder::read_grammar(GrammarModel& grammar,
                                         const Attribute& file) {
   const auto path = loader_.inside(file.value);
@@ -107,13 +117,15 @@ void UnderstandingBuilder::read_grammar(GrammarModel& grammar,
                     "this is not UTF-8; save the file as UTF-8");
 }
 
+// A grammar is text in the element or in a file.
 void UnderstandingBuilder::add_grammar(const Element& element) {
   GrammarModel grammar;
   grammar.name = element.value("name");
   if (const auto* file = element.attribute("file"))
     read_grammar(grammar, *file);
   else {
-    // So that lines of the text and of the file are the same distance apart.
+    // Only leading blanks are removed, so that each line of the text is as far
+    // from the next as in the file, and errors of the grammar find their line.
     const auto first = element.text.find_first_not_of(" \t\r\n");
     grammar.text = first == std::string::npos ? "" : element.text.substr(first);
     grammar.place = findings_.place(element.text_position);

@@ -1,3 +1,5 @@
+// The table as an array, with an index by name that is made at first use.
+
 #include "script/expression/builtins.hpp"
 
 #include <array>

@@ -1,5 +1,5 @@
-// The built-in functions by their names (language rule 8): one table,
-// builtins.def. What they do stands in script/builtins.
+// The names and argument counts of the built-in functions (language rule 8),
+// from builtins.def. script/builtins implements them.
 #pragma once
 
 #include <cstdint>
@@ -10,6 +10,7 @@
 
 namespace parlour::script {
 
+// One entry of the table; lives as long as the process.
 struct Builtin {
   const char* name;
   std::uint8_t minimum; // arguments
@@ -18,9 +19,10 @@ struct Builtin {
 };
 
 bool is_builtin(std::string_view name);
-// For did-you-mean.
+// All names, as candidates for "did you mean".
 const std::vector<std::string>& builtin_names();
-// What an instruction holds; nothing where there is none of that name.
+// The position in the table, which the call instruction holds; nothing if there
+// is no such function. Takes constant time.
 std::optional<std::uint16_t> builtin_index(std::string_view name);
 const Builtin& builtin(std::uint16_t index);
 

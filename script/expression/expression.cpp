@@ -1,5 +1,14 @@
-// The parser: one function for each level of precedence, loosest first
-// (language rule 3).
+// A recursive descent parser with one function for each level of precedence,
+// the loosest first (language rule 3.2).
+//
+//   choice  a ? b : c         logical     or, and      inversion  not
+//   sum     + -               comparison  == < in …    product    * / %
+//   access  a[i], a.name      negation    the sign
+//   primary literals, names, calls, brackets
+//
+// There is no recovery: the first error ends the parsing, and the mistake rules
+// explain it (expression_mistakes.hpp). After an error the functions return
+// null or incomplete nodes quickly, and the loops check failed().
 #include "script/expression/expression.hpp"
 
 #include <limits>
@@ -12,23 +21,20 @@ namespace parlour::script {
 
 namespace {
 
-// Signs of operators are numbered as operators.
+// The operators have the same numbers as signs of the lexer, so a sign is
+// converted by a cast.
 static_assert(static_cast<int>(Sign::modulo) ==
               static_cast<int>(Operator::modulo));
 
-constexpr int deepest = 200;
+constexpr int deepest = 200; // nested brackets, choices, signs
 
-constexpr int longest_row = 2000; // of operators; a tree as deep as that
+constexpr int longest_row = 2000; // operators, each a level of the tree
 
 NodePointer make(NodeKind kind, std::uint32_t offset) {
   auto node = std::make_unique<Node>();
   node->kind = kind;
   node->offset = offset;
   return node;
-}
-
-std::string unexpected(const Token& token) {
-  return "'" + std::string(token.text) + "' is not expected here";
 }
 
 class Parser {
@@ -53,27 +59,30 @@ public:
 private:
   using Level = NodePointer (Parser::*)();
 
-  // What can be no token is told first, wherever it stands.
+  // Ends the parsing. An error of the lexer comes first, wherever it is: a text
+  // with an unknown character would otherwise be explained by its consequences.
+  // The rest of the tokens is read to find such an error.
   Parsed finish(NodePointer node) {
     if (peek().kind != TokenKind::end)
-      fail(unexpected(peek()), peek().offset);
+      unexpected(peek());
     while (peek().kind != TokenKind::end)
       take();
     if (!lexer_.error().empty())
-      return {nullptr, lexer_.error(), lexer_.error_offset()};
-    if (failed())
-      return {nullptr, std::move(error_), error_offset_};
-    return {std::move(node), {}, 0};
+      return {nullptr, lexer_.error(), lexer_.error_offset(), lexer_.fault()};
+    return failed() ? std::move(failure_) : Parsed{std::move(node), {}};
   }
 
   bool failed() const {
-    return !error_.empty();
+    return failure_.fault != SyntaxFault::none;
   }
-  void fail(std::string message, std::uint32_t offset) {
-    if (!failed()) {
-      error_ = std::move(message);
-      error_offset_ = offset;
-    }
+  void fail(std::string message, std::uint32_t offset,
+            SyntaxFault fault = SyntaxFault::other, char sign = '\0') {
+    if (!failed())
+      failure_ = {nullptr, std::move(message), offset, fault, sign};
+  }
+  void unexpected(const Token& token) {
+    fail("'" + std::string(token.text) + "' is not expected here", token.offset,
+         SyntaxFault::unexpected, token.text.empty() ? '\0' : token.text[0]);
   }
   const Token& peek() const {
     return token_;
@@ -93,13 +102,16 @@ private:
   }
   void expect(Sign sign) {
     if (!accept(sign))
-      fail("'" + std::string(spelling_of(sign)) + "' is missing",
-           peek().offset);
+      fail("'" + std::string(spelling_of(sign)) + "' is missing", peek().offset,
+           SyntaxFault::missing, spelling_of(sign)[0]);
   }
+  // Called for each operator that makes the tree one level deeper to the left.
   void count_link() {
     if (++links_ > longest_row)
       fail("the expression is too long", peek().offset);
   }
+  // Keeps the number of children right even where an operand is missing after
+  // an error.
   static void add(NodePointer& node, NodePointer child) {
     node->children.push_back(child ? std::move(child)
                                    : make(NodeKind::unknown, 0));
@@ -124,7 +136,7 @@ private:
     return condition;
   }
 
-  // `or`, then `and`.
+  // Level 0 is `or`, level 1 is `and`; both are left-associative.
   NodePointer logical(int level) {
     if (level == 2)
       return inversion();
@@ -152,7 +164,7 @@ private:
     return node;
   }
 
-  // The operator that stands here, of a row of them.
+  // The operator at this place, if it is one of [first, last].
   std::optional<Operator> one_of(Sign first, Sign last) const {
     if (token_.sign < first || token_.sign > last)
       return {};
@@ -171,6 +183,8 @@ private:
     return node;
   }
 
+  // A second comparison in a row gets an error of its own, since authors expect
+  // chains from mathematics and Python (language rule 3.3).
   NodePointer comparison() {
     auto left = sum();
     const auto operation = comparing();
@@ -204,6 +218,9 @@ private:
     return left;
   }
 
+  // The sign of a literal is folded into the literal here, so that -5 is one
+  // constant. Also only this way the smallest integer can be written: its
+  // digits without the sign do not fit and were read as a number.
   NodePointer negation() {
     if (!is(Sign::subtract))
       return access();
@@ -218,7 +235,7 @@ private:
       return operand;
     }
     if (operand && operand->kind == NodeKind::number) {
-      // The least integer, whose digits alone are too many for one.
+      // The smallest integer; its digits alone do not fit.
       if (operand->text == "9223372036854775808") {
         operand->kind = NodeKind::integer;
         operand->integer = std::numeric_limits<std::int64_t>::min();
@@ -231,6 +248,8 @@ private:
     return node;
   }
 
+  // Any number of [i] and .name behind a primary expression. Calls are no part
+  // of this: only a plain name can be called.
   NodePointer access() {
     auto node = primary();
     while (!failed()) {
@@ -269,7 +288,8 @@ private:
     case TokenKind::symbol:
       return bracketed();
     case TokenKind::end:
-      fail("the expression ends too early", token.offset);
+      fail("the expression ends too early", token.offset,
+           SyntaxFault::ends_early);
     }
     return nullptr;
   }
@@ -296,7 +316,7 @@ private:
       return node;
     }
     if (token.sign != Sign::none)
-      fail(unexpected(token), token.offset);
+      unexpected(token);
     auto node = make(NodeKind::name, token.offset);
     node->text = token.text;
     if (accept(Sign::open_round)) {
@@ -306,7 +326,8 @@ private:
     return node;
   }
 
-  // A trailing comma is allowed (language rule 3.12).
+  // Elements up to the closing bracket. A comma behind the last one is allowed
+  // (language rule 3.12).
   void elements(NodePointer& node, Sign close) {
     while (!failed() && !accept(close)) {
       add(node, choice());
@@ -329,10 +350,12 @@ private:
     }
     if (accept(Sign::open_curly))
       return map(offset);
-    fail(unexpected(peek()), offset);
+    unexpected(peek());
     return nullptr;
   }
 
+  // Keys are strings, words (also reserved ones, language rule 3.12) or
+  // integers.
   NodePointer map(std::uint32_t offset) {
     auto node = make(NodeKind::map, offset);
     while (!failed() && !accept(Sign::close_curly)) {
@@ -351,11 +374,10 @@ private:
   }
 
   Lexer lexer_;
-  Token token_; // the next one
+  Token token_; // the next token
   int depth_ = 0;
   int links_ = 0;
-  std::string error_;
-  std::uint32_t error_offset_ = 0;
+  Parsed failure_;
 };
 
 } // namespace

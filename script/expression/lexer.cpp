@@ -1,3 +1,7 @@
+// The tokens of language rule 3: numbers, strings, words and symbols. Text is
+// UTF-8; only blanks, digits and symbols of ASCII have a meaning, and every
+// other character belongs to a word.
+
 #include "script/expression/lexer.hpp"
 
 #include <algorithm>
@@ -5,6 +9,8 @@
 #include <charconv>
 #include <cmath>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include "runtime/base/utf8.hpp"
 
@@ -31,7 +37,9 @@ bool is_blank(char c) {
   return c == ' ' || c == '\t' || c == '\n' || c == '\r';
 }
 
-// They are letters to nobody, but beyond ASCII.
+// The offset of a typographic quotation mark in a word; npos if there is none.
+// These characters lie beyond ASCII, where every other character counts as a
+// letter, so they would become part of a name.
 std::size_t find_typographic_quote(std::string_view word) {
   for (std::size_t i = 0; i + 2 < word.size(); ++i)
     if (word[i] == '\xe2' && word[i + 1] == '\x80' &&
@@ -46,7 +54,7 @@ struct Spelling {
   Sign sign;
 };
 
-// The longest first.
+// Longer symbols stand before their prefixes.
 constexpr std::array symbols{
     Spelling{"==", Sign::equal},      Spelling{"!=", Sign::unequal},
     Spelling{"<=", Sign::less_equal}, Spelling{">=", Sign::greater_equal},
@@ -80,6 +88,7 @@ Sign sign_of_word(std::string_view word) {
   return Sign::none;
 }
 
+// For messages such as "')' is missing".
 std::string_view spelling_of(Sign sign) {
   for (const auto& spelling : symbols)
     if (spelling.sign == sign)
@@ -87,6 +96,7 @@ std::string_view spelling_of(Sign sign) {
   return {};
 }
 
+// After an error no token has a meaning, so every further one is `end`.
 Token Lexer::next() {
   while (at_ < text_.size() && is_blank(text_[at_]))
     ++at_;
@@ -99,11 +109,14 @@ Token Lexer::next() {
   return token;
 }
 
-void Lexer::fail(std::string message, std::size_t at) {
+// The first error wins, as next() reads nothing afterwards.
+void Lexer::fail(std::string message, std::size_t at, SyntaxFault fault) {
+  fault_ = fault;
   error_ = std::move(message);
   error_offset_ = static_cast<std::uint32_t>(at);
 }
 
+// The first character decides the kind of token.
 void Lexer::read(Token& token) {
   const auto c = text_[at_];
   if (is_digit(c))
@@ -116,6 +129,8 @@ void Lexer::read(Token& token) {
     symbol(token);
 }
 
+// A word may hold any characters beyond ASCII: names in any language need no
+// tables of Unicode.
 void Lexer::word(Token& token) {
   const auto start = at_;
   bool ascii = true;
@@ -126,6 +141,7 @@ void Lexer::word(Token& token) {
   token.kind = TokenKind::word;
   token.text = text_.substr(start, at_ - start);
   token.sign = sign_of_word(token.text);
+  // Only a word with characters beyond ASCII can contain one.
   if (const auto quote = ascii ? npos : find_typographic_quote(token.text);
       quote != npos)
     fail("a typographic quotation mark has no meaning here", start + quote);
@@ -136,6 +152,8 @@ void Lexer::digits() {
     ++at_;
 }
 
+// An exponent belongs to the number only if digits follow, and so does a point:
+// 1.length is an error about a field, not about digits.
 void Lexer::number(Token& token) {
   const auto start = at_;
   digits();
@@ -154,10 +172,13 @@ void Lexer::number(Token& token) {
   }
   token.text = text_.substr(start, at_ - start);
   if (at_ < text_.size() && starts_word(text_[at_]))
-    return fail("a number is followed by letters", at_);
+    return fail("a number is followed by letters", at_,
+                SyntaxFault::letters_behind_number);
   value(token, start);
 }
 
+// Digits that do not fit into 64 bits are read as a number (language rule 2.4).
+// The parser relies on this for the smallest integer.
 void Lexer::value(Token& token, std::size_t start) {
   const auto* first = token.text.data();
   const auto* last = first + token.text.size();
@@ -171,6 +192,8 @@ void Lexer::value(Token& token, std::size_t start) {
     fail("the number is too large", start);
 }
 
+// A string without escapes is a view into the source; the first escape switches
+// to a copy.
 void Lexer::string(Token& token, char quote) {
   const auto start = at_++;
   token.kind = TokenKind::string;
@@ -182,11 +205,12 @@ void Lexer::string(Token& token, char quote) {
   if (!error_.empty())
     return;
   if (at_ == text_.size())
-    return fail("the string has no closing quote", start);
+    return fail("the string has no closing quote", start,
+                SyntaxFault::open_text);
   ++at_;
 }
 
-// Goes on up to the quote or a fault.
+// Continues behind `begun` up to the closing quote or an error.
 std::string_view Lexer::with_escapes(std::string_view begun, char quote) {
   auto& value = unescaped_.emplace_front(begun);
   while (at_ < text_.size() && text_[at_] != quote && error_.empty())
@@ -197,6 +221,7 @@ std::string_view Lexer::with_escapes(std::string_view begun, char quote) {
   return value;
 }
 
+// Language rule 3.1 lists the escapes.
 void Lexer::escape(std::string& text) {
   const auto start = at_++;
   const auto c = at_ < text_.size() ? text_[at_++] : '\0';
@@ -218,26 +243,30 @@ void Lexer::escape(std::string& text) {
   case 'u':
     return unicode(text, start);
   default:
-    fail("an escape is one of \\' \\\" \\\\ \\n \\t \\r \\u{…}", start);
+    fail("an escape is one of \\' \\\" \\\\ \\n \\t \\r \\u{…}", start,
+         SyntaxFault::escape);
   }
 }
 
+// \u{e9}: up to six hexadecimal digits; surrogates are no characters.
 void Lexer::unicode(std::string& text, std::size_t start) {
   std::uint32_t code = 0;
   const auto close = text_.find('}', at_);
   if (at_ >= text_.size() || text_[at_] != '{' ||
       close == std::string_view::npos)
-    return fail("\\u is followed by hexadecimal digits in braces", start);
+    return fail("\\u is followed by hexadecimal digits in braces", start,
+                SyntaxFault::escape);
   const auto* first = text_.data() + at_ + 1;
   const auto* last = text_.data() + close;
   auto [end, error] = std::from_chars(first, last, code, 16);
   if (error != std::errc{} || end != last || code > 0x10ffff ||
       (code >= 0xd800 && code < 0xe000))
-    return fail("\\u{…} is not a character", start);
+    return fail("\\u{…} is not a character", start, SyntaxFault::escape);
   append_code_point(text, code);
   at_ = close + 1;
 }
 
+// '=' gets a message of its own, because it is the most frequent mistake.
 void Lexer::symbol(Token& token) {
   for (const auto& [text, sign] : symbols)
     if (text[0] == text_[at_] && text_.substr(at_).starts_with(text)) {
@@ -249,7 +278,7 @@ void Lexer::symbol(Token& token) {
     }
   if (text_[at_] == '=')
     return fail("'=' does not compare; write '=='", at_);
-  fail(std::string("'") + text_[at_] + "' has no meaning here", at_);
+  fail(fmt::format("'{}' has no meaning here", text_[at_]), at_);
 }
 
 } // namespace parlour::script

@@ -1,4 +1,5 @@
-// Lexer: an expression's tokens, one after the other (language rule 3).
+// Lexer: splits an expression into tokens (language rule 3). It makes tokens on
+// demand, as the parser looks only one token ahead.
 #pragma once
 
 #include <cstdint>
@@ -6,8 +7,11 @@
 #include <string>
 #include <string_view>
 
+#include "script/expression/syntax_fault.hpp"
+
 namespace parlour::script {
 
+// `end` also follows an error.
 enum class TokenKind : std::uint8_t {
   end,
   integer,
@@ -17,7 +21,8 @@ enum class TokenKind : std::uint8_t {
   symbol,
 };
 
-// What a symbol or a reserved word means; the operators as Operator has them.
+// The meaning of a symbol or reserved word. `and` and `&&` are the same sign.
+// The first ones are the operators, in the order of Operator.
 enum class Sign : std::uint8_t {
   equal,
   unequal,
@@ -50,35 +55,43 @@ enum class Sign : std::uint8_t {
   none,
 };
 
+// A view into the source where possible. A string with escapes refers to a copy
+// that the lexer owns.
 struct Token {
   TokenKind kind = TokenKind::end;
   Sign sign = Sign::none;
-  std::string_view text; // of a string: its value; lives as long as the lexer
+  std::string_view text; // of a string: its value. Valid as long as the lexer
   std::uint32_t offset = 0;
   std::int64_t integer = 0;
   double number = 0;
 };
 
+// Reports at most one error and then only `end` tokens. Not thread-safe.
 class Lexer {
 public:
   // The text must outlive the lexer.
   explicit Lexer(std::string_view text) : text_(text) {}
 
-  // `end` where nothing is left or something is wrong.
+  // The next token; `end` at the end of the text and after an error.
   Token next();
-  // Empty: well-formed so far.
+  // The message of the error; empty if there is none so far.
   const std::string& error() const {
     return error_;
   }
   std::uint32_t error_offset() const {
     return error_offset_;
   }
+  SyntaxFault fault() const {
+    return fault_;
+  }
 
 private:
   std::uint32_t offset() const {
     return static_cast<std::uint32_t>(at_);
   }
-  void fail(std::string message, std::size_t at);
+  void fail(std::string message, std::size_t at,
+            SyntaxFault fault = SyntaxFault::other);
+  // Each reads one kind of token from at_ on and moves behind it.
   void read(Token& token);
   void word(Token& token);
   void digits();
@@ -92,14 +105,15 @@ private:
 
   std::string_view text_;
   std::size_t at_ = 0;
-  std::forward_list<std::string> unescaped_; // values of strings with escapes
+  std::forward_list<std::string> unescaped_; // strings with escapes
   std::string error_;
   std::uint32_t error_offset_ = 0;
+  SyntaxFault fault_ = SyntaxFault::none;
 };
 
-// None where the word is a name.
+// The sign of a reserved word; `none` for a name.
 Sign sign_of_word(std::string_view word);
-// Of a symbol.
+// How a symbol is written.
 std::string_view spelling_of(Sign sign);
 
 } // namespace parlour::script

@@ -1,3 +1,6 @@
+// The layout is written from the layout tree; afterwards format_source proves
+// that the result has the same meaning and the same comments.
+
 #include "script/format/format.hpp"
 
 #include <algorithm>
@@ -15,13 +18,15 @@ namespace {
 constexpr std::size_t width = 80; // code points
 constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
 
+// The width of a text in characters.
 std::size_t columns(std::string_view text) {
   return static_cast<std::size_t>(
       std::count_if(text.begin(), text.end(),
                     [](char byte) { return !continues_code_point(byte); }));
 }
 
-// Where blanks alone may mean something.
+// Whether blanks alone can have a meaning inside of the element. For unknown
+// elements they may.
 bool may_hold_text(std::string_view name) {
   bool known = false;
   for (const auto& rule : element_table()) {
@@ -34,6 +39,9 @@ bool may_hold_text(std::string_view name) {
   return !known;
 }
 
+// Writes a layout tree. Each element gets a line of its own with two blanks for
+// each level; an element that was written in one line stays so if it fits. Text
+// and comments are never touched.
 class Layout {
 public:
   explicit Layout(std::string_view line_end) : line_end_(line_end) {}
@@ -54,6 +62,7 @@ private:
       out_ += line_end_;
     out_.append(indent, ' ');
   }
+  // The column of the next character, in characters.
   std::size_t column() const {
     const auto line = out_.rfind('\n') + 1; // npos + 1 is 0
     return columns(std::string_view(out_).substr(line));
@@ -64,15 +73,17 @@ private:
 };
 
 bool is_comment(const LayoutNode& node) {
-  return node.raw.starts_with("<!--"); // and no instruction
+  return node.raw.starts_with("<!--"); // not an instruction
 }
 
+// Whether it can be written as <a/>: nothing inside, or blanks without a
+// meaning.
 bool is_empty(const LayoutNode& node) {
   return node.children.empty() &&
          (node.inside.empty() || !may_hold_text(node.name));
 }
 
-// What stands before its children, in one line.
+// The start tag in one line.
 std::string tag_in_one_line(const LayoutNode& node, std::string_view close) {
   auto text = "<" + std::string(node.name);
   for (std::size_t i = 0; i < node.names.size(); ++i)
@@ -80,6 +91,7 @@ std::string tag_in_one_line(const LayoutNode& node, std::string_view close) {
   return text.append(close);
 }
 
+// The whole element in one line, if it was written so.
 std::string in_one_line(const LayoutNode& node) {
   if (node.kind != LayoutNode::Kind::element)
     return std::string(node.raw);
@@ -94,7 +106,8 @@ std::string in_one_line(const LayoutNode& node) {
   return text + "</" + std::string(node.name) + ">";
 }
 
-// As many attributes in a line as fit, each line's below the first.
+// Writes the start tag with as many attributes in each line as fit, aligned
+// below the first attribute.
 void Layout::start_tag(const LayoutNode& node, std::string_view close) {
   const auto line = tag_in_one_line(node, close);
   if (column() + columns(line) <= width &&
@@ -118,6 +131,7 @@ void Layout::start_tag(const LayoutNode& node, std::string_view close) {
   out_ += close;
 }
 
+// Three cases: empty, with text inside (kept as it is), or with child elements.
 void Layout::element(const LayoutNode& node, std::size_t indent) {
   if (is_empty(node))
     return start_tag(node, "/>");
@@ -140,6 +154,7 @@ void Layout::element(const LayoutNode& node, std::size_t indent) {
   out_.append("</").append(node.name).append(">");
 }
 
+// Comments and texts are copied as they are.
 void Layout::node(const LayoutNode& node, std::size_t indent) {
   if (node.kind == LayoutNode::Kind::element)
     element(node, indent);
@@ -147,12 +162,14 @@ void Layout::node(const LayoutNode& node, std::size_t indent) {
     out_ += node.raw;
 }
 
-// Comments stay behind what they stood behind, and elements behind a comment;
-// so does all on a line where a warning is allowed.
+// A comment stays behind what it followed in its line, and an element stays
+// behind a comment. On a line where a warning is allowed everything stays
+// together, because the allowance counts by line.
 void Layout::children(const std::vector<LayoutNode>& nodes,
                       std::size_t indent) {
   const LayoutNode* previous = nullptr;
   for (const auto& one : nodes) {
+    // Whether it stays in the line of the previous node.
     const bool beside = one.on_same_line && !out_.empty() &&
                         (one.keeps_line || is_comment(one) ||
                          (previous && is_comment(*previous)));
@@ -169,6 +186,7 @@ void Layout::children(const std::vector<LayoutNode>& nodes,
 
 } // namespace
 
+// All comments in order, to prove that none was lost.
 namespace {
 
 std::vector<std::string_view>
@@ -185,6 +203,7 @@ comments_of(const std::vector<LayoutNode>& nodes) {
 
 } // namespace
 
+// Positions do not count.
 bool means_the_same(const Element& a, const Element& b) {
   const auto same_attribute = [](const Attribute& one, const Attribute& other) {
     return one.name == other.name && one.value == other.value;
@@ -196,6 +215,8 @@ bool means_the_same(const Element& a, const Element& b) {
                     b.children.end(), means_the_same);
 }
 
+// The result is read again and compared with the original, so a mistake in the
+// layout can never change a script.
 std::optional<std::string>
 format_source(const std::string& text, std::uint16_t file, Findings& findings) {
   const auto before = read_source(text, file, findings);

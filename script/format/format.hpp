@@ -1,5 +1,9 @@
-// Format: the canonical layout of a script (language rule 14.4). The formatted
-// text means the same, and formatting it again changes nothing.
+// Format: the canonical layout of a script (language rule 14.4). The result
+// means the same as the original, and formatting it again changes nothing.
+//
+//   <if   cond = "a" ><print param="x"/></if>      as it is written
+//
+//   <if cond="a"><print param="x"/></if>           formatted
 #pragma once
 
 #include <optional>
@@ -9,13 +13,12 @@
 
 namespace parlour::script {
 
-// Nothing, and findings of the registered file `file`, where the text is not
-// well-formed.
+// The formatted text. Returns nothing if the text is not well-formed; findings
+// of the registered file `file` say why.
 std::optional<std::string>
 format_source(const std::string& text, std::uint16_t file, Findings& findings);
 
-// Whether two trees are the same but for their places and for blanks between
-// elements.
+// Whether two trees are equal except for positions and blanks between elements.
 bool means_the_same(const Element& a, const Element& b);
 
 } // namespace parlour::script

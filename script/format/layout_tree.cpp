@@ -1,3 +1,6 @@
+// A recursive parser over the text. The depth is limited, because only texts
+// that read_source has accepted come here.
+
 #include "script/format/layout_tree.hpp"
 
 #include <algorithm>
@@ -13,7 +16,7 @@ namespace {
 constexpr auto npos = std::string_view::npos;
 constexpr std::string_view blanks = " \t\r\n";
 
-// What is no element, and its end.
+// Constructs other than elements, with what ends them.
 struct Special {
   std::string_view begin;
   std::string_view end;
@@ -25,12 +28,15 @@ constexpr Special specials[] = {
     {"<?", "?>", LayoutNode::Kind::comment},
 };
 
-// The text is well-formed: what is looked for is there.
+// A parser for text that is known to be well-formed: every end that it looks
+// for exists, so it needs no errors.
 class Reader {
 public:
   explicit Reader(std::string_view text)
       : text_(text), allowances_(read_allowances(text)) {}
 
+  // Siblings up to an end tag or the end of the text. What lies between two
+  // nodes (blanks, line ends) is recorded in the second one.
   std::vector<LayoutNode> nodes() {
     std::vector<LayoutNode> nodes;
     for (;;) {
@@ -38,6 +44,7 @@ public:
       at_ = std::min(text_.find_first_not_of(blanks, at_), text_.size());
       if (at_ == text_.size() || text_.substr(at_).starts_with("</"))
         return nodes;
+      // One line end means a new line, more than one an empty line between.
       const auto lines = line_ends(from, at_);
       const auto begin = at_;
       const bool kept = is_kept();
@@ -56,7 +63,8 @@ private:
     return std::count(text_.begin() + static_cast<std::ptrdiff_t>(from),
                       text_.begin() + static_cast<std::ptrdiff_t>(to), '\n');
   }
-  // Whether a comment allows a warning on the line of this place.
+  // Whether a comment allows a warning on the line of the current offset. Lines
+  // are counted as far as the offset only, since offsets only grow.
   bool is_kept() {
     line_ += static_cast<std::uint32_t>(line_ends(counted_, at_));
     counted_ = at_;
@@ -66,6 +74,7 @@ private:
         });
   }
 
+  // One node, by its first characters.
   LayoutNode read() {
     const auto rest = text_.substr(at_);
     for (const auto& special : specials)
@@ -76,6 +85,7 @@ private:
     return plain(LayoutNode::Kind::text, std::min(rest.find('<'), rest.size()));
   }
 
+  // A node of this many bytes without structure.
   LayoutNode plain(LayoutNode::Kind kind, std::size_t length) {
     LayoutNode node;
     node.kind = kind;
@@ -84,6 +94,7 @@ private:
     return node;
   }
 
+  // Reads up to one of the characters `ends`.
   std::string_view take_until(std::string_view ends) {
     const auto end = std::min(text_.find_first_of(ends, at_), text_.size());
     const auto taken = text_.substr(at_, end - at_);
@@ -91,6 +102,7 @@ private:
     return taken;
   }
 
+  // The value is kept with its quotes and entities.
   void attribute(LayoutNode& node) {
     node.names.push_back(take_until("= \t\r\n"));
     at_ = std::min(text_.find_first_of("\"'", at_), text_.size() - 1);
@@ -100,6 +112,7 @@ private:
     at_ = end + 1;
   }
 
+  // Attributes, then the children up to the end tag, which nodes() leaves.
   LayoutNode element() {
     LayoutNode node;
     const auto begin = at_++;

@@ -1,4 +1,8 @@
-// unknown-lint: comments that allow what nobody warns of.
+// unknown-lint: a comment allows a warning that does not exist.
+//
+//   <!-- check: allow unred-variable -->    did you mean 'unread-variable'?
+//
+// An allowance that is not needed is no mistake: it may be needed again.
 #include "script/lint/lints.hpp"
 #include "script/lint/passes.hpp"
 #include "script/xml/allowances.hpp"
@@ -16,7 +20,7 @@ Position place_of(const std::string& name, const Allowance& allowance,
 
 } // namespace
 
-void lint_allowances(const Subject&, Findings& findings) {
+void lint_allowances(const LintContext&, Findings& findings) {
   std::vector<std::string> known;
   for (const auto& one : lints())
     known.push_back(one.name);

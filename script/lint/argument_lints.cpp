@@ -1,5 +1,13 @@
-// odd-argument: an argument that is written out and that the function takes
-// otherwise than it looks, or not at all.
+// odd-argument: a literal argument that the function does not take the way it
+// looks, such as a pattern of another language.
+//
+//   format('%s of %s', a, b)      write '{} of {}'
+//   date('dd.MM.yyyy')            write '%d.%m.%Y'
+//   sort(list, 'desc')            did you mean 'descending'?
+//   matches(text, '[0-9')         no regular expression
+//   type(x) == 'str'              no such type
+//
+// Mistakes that are certain are errors of the compiler (literal_arguments.hpp).
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -15,6 +23,7 @@ namespace {
 
 constexpr auto npos = std::string::npos;
 
+// The literal string at this position; null if it is missing or computed.
 const std::string* text_argument(const Node& call, std::size_t number) {
   if (number >= call.children.size() ||
       call.children[number]->kind != NodeKind::string)
@@ -22,7 +31,7 @@ const std::string* text_argument(const Node& call, std::size_t number) {
   return &call.children[number]->text;
 }
 
-// How many arguments a pattern of format() takes.
+// The number of values that a pattern of format() takes.
 std::size_t placeholders(std::string_view pattern) {
   std::size_t count = 0;
   for (std::size_t at = 0; at + 1 < pattern.size(); ++at) {
@@ -39,13 +48,15 @@ std::string number_of(std::size_t count, const char* what) {
          (count == 1 ? "" : "s");
 }
 
-// "{0}", "{name}" and "%s" as {}.
+// Replaces the placeholders of other languages, such as "{0}", "{name}" and
+// "%s", by {}.
 std::string with_placeholders(std::string pattern) {
   static const RE2 foreign(R"(\{\w+(?::[^{}]*)?\}|%[-+ 0-9.]*[sdifxgeu])");
   RE2::GlobalReplace(&pattern, foreign, "{}");
   return pattern;
 }
 
+// A pattern whose number of places differs from the number of values.
 std::string odd_format(const Node& call) {
   const auto* pattern = text_argument(call, 0);
   if (!pattern)
@@ -62,8 +73,8 @@ std::string odd_format(const Node& call) {
          number_of(given, "value") + " follow" + (given == 1 ? "s" : "");
 }
 
-// Letters of other languages' patterns and what strftime has for them; the
-// longest first.
+// Letters that stand for parts of a date in patterns of other languages, with
+// their signs in strftime. Longer ones come before their prefixes.
 constexpr std::array<std::pair<const char*, const char*>, 17> letters{{
     {"YYYY", "%Y"},
     {"yyyy", "%Y"},
@@ -84,6 +95,7 @@ constexpr std::array<std::pair<const char*, const char*>, 17> letters{{
     {"ss", "%S"},
 }};
 
+// Translates letter by letter; everything unknown is kept.
 std::string as_strftime(std::string_view pattern) {
   std::string meant;
   while (!pattern.empty()) {
@@ -101,6 +113,7 @@ std::string as_strftime(std::string_view pattern) {
   return meant;
 }
 
+// A pattern of date() or time() without any sign of strftime.
 std::string odd_time(const Node& call) {
   const auto* pattern = text_argument(call, 0);
   if (!pattern || pattern->empty() || pattern->find('%') != npos)
@@ -112,6 +125,7 @@ std::string odd_time(const Node& call) {
                             : quoted_text(meant));
 }
 
+// A word that is not one of the words a function knows.
 std::string odd_word(const Node& call, std::size_t number,
                      const std::vector<std::string>& words) {
   const auto* word = text_argument(call, number);
@@ -122,6 +136,7 @@ std::string odd_word(const Node& call, std::size_t number,
          (hint.empty() ? "; it knows " + alternatives(words) : hint);
 }
 
+// Compiled by the same library that runs it.
 std::string odd_regex(const Node& call) {
   const auto* pattern = text_argument(call, 1);
   if (!pattern)
@@ -132,6 +147,7 @@ std::string odd_regex(const Node& call) {
                           " is no regular expression: " + regex.error();
 }
 
+// The functions whose literal arguments can be judged.
 std::string odd_argument(const Node& call) {
   if (call.text == "format")
     return odd_format(call);
@@ -144,7 +160,7 @@ std::string odd_argument(const Node& call) {
   return {};
 }
 
-// type(x) == 'str'
+// Explains type(x) == 'str', a comparison with a word that is not a type.
 std::string odd_type(const Node& comparison) {
   static const std::vector<std::string> types{
       "unknown", "boolean", "integer", "number", "string",
@@ -160,7 +176,7 @@ std::string odd_type(const Node& comparison) {
          alternatives(types);
 }
 
-// <object class="array" size="-1">
+// Explains <object class="array" size="-1">.
 void lint_size(const Element& element, Findings& findings) {
   const auto* size = element.is("object") ? element.attribute("size") : nullptr;
   const auto parsed = parse_expression(size ? size->value : "");
@@ -175,19 +191,19 @@ void lint_size(const Element& element, Findings& findings) {
 
 } // namespace
 
-void lint_arguments(const Subject& subject, Findings& findings) {
+void lint_arguments(const LintContext& context, Findings& findings) {
   const auto report = [&](const Node& node, const Source& source,
                           std::string message) {
     if (!message.empty())
       warn(findings, "odd-argument", source.spot(node.offset),
            std::move(message));
   };
-  walk(subject, false, [&](const Element& element, const ElementRule& rule) {
+  walk(context, false, [&](const Element& element, const ElementRule& rule) {
     lint_size(element, findings);
     visit_nodes(element, rule, [&](const Node& whole, const Source& source) {
       visit_below(whole, [&](const Node& node) {
         if (node.kind == NodeKind::call &&
-            !subject.program.functions.count(node.text))
+            !context.program.functions.count(node.text))
           report(node, source, odd_argument(node));
         else if (node.kind == NodeKind::binary)
           report(node, source, odd_type(node));

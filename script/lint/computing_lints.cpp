@@ -1,5 +1,8 @@
-// querying-text: what may only compute, and calls a function that wants
-// something from outside: such a phrase is dropped when it would be said.
+// querying-text: code that may only compute calls a function with effects. It
+// would fail when it runs; a phrase would silently be skipped.
+//
+//   <function name="staff"><querydb … return="r"/>…</function>
+//   <phrase act="greet">Ask {staff()}.</phrase>       never spoken
 #include "script/lint/passes.hpp"
 #include "script/program/effect_names.hpp"
 #include "script/program/effect_search.hpp"
@@ -12,6 +15,7 @@ bool any_effect(EffectKind) {
   return true;
 }
 
+// Goes over every kind of code that runs under a ComputingHost.
 class ComputingLint {
 public:
   ComputingLint(const Program& program, Findings& findings)
@@ -69,7 +73,8 @@ void ComputingLint::check(const Topic& topic) {
     check(rule.condition, rule.position, "the condition of a <rule>");
 }
 
-// The session has not begun yet: nothing can be waited for.
+// Variables are initialised before the session begins, so nothing can wait
+// there.
 void ComputingLint::check(const Variable& variable) {
   const auto found = find_effect(program_, variable.initial, waits);
   if (found && found->is_called)
@@ -100,8 +105,8 @@ void ComputingLint::run() {
 
 } // namespace
 
-void lint_computing(const Subject& subject, Findings& findings) {
-  ComputingLint(subject.program, findings).run();
+void lint_computing(const LintContext& context, Findings& findings) {
+  ComputingLint(context.program, findings).run();
 }
 
 } // namespace parlour::script::lint

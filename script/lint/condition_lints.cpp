@@ -1,4 +1,7 @@
-// constant-condition: what decides does not depend on anything.
+// constant-condition: a condition, or a part of it, that depends on nothing.
+//
+//   <if cond="x == 1 or 2">       2 always counts as true
+//   <if cond="[]">                an empty list always counts as false
 #include <algorithm>
 #include <optional>
 
@@ -13,7 +16,7 @@ bool compares(const Node& node) {
   return node.kind == NodeKind::binary && node.operation <= Operator::in;
 }
 
-// What is written as it stands; `true` and `false` are meant where they stand.
+// A literal other than `true` and `false`, which are written deliberately.
 bool is_literal(const Node& node) {
   using enum NodeKind;
   return node.kind == integer || node.kind == number || node.kind == string ||
@@ -27,7 +30,7 @@ bool counts_as_true(const Node& node) {
                                          : !node.children.empty();
 }
 
-// As its author wrote it, brackets aside.
+// The literal as its author wrote it; containers are abbreviated.
 std::string written(const Node& node) {
   switch (node.kind) {
   case NodeKind::integer:
@@ -41,6 +44,8 @@ std::string written(const Node& node) {
   }
 }
 
+// The leftmost offset of the whole subtree: a binary node's own is its
+// operator's.
 std::size_t begin_of(const Node& node) {
   std::size_t begin = node.offset;
   for (const auto& child : node.children)
@@ -48,6 +53,7 @@ std::size_t begin_of(const Node& node) {
   return begin;
 }
 
+// Examines the truth values in one expression.
 class ConditionLint {
 public:
   explicit ConditionLint(Findings& findings) : findings_(findings) {}
@@ -63,7 +69,8 @@ private:
   Findings& findings_;
 };
 
-// "x == 1 or x == 2", where "x == 1 or 2" stands; else empty.
+// The correction "x == 1 or x == 2" for "x == 1 or 2"; empty if the expression
+// has another form.
 std::string ConditionLint::compared_again(const Node& joined,
                                           const Node& literal,
                                           const Source& source) const {
@@ -73,7 +80,7 @@ std::string ConditionLint::compared_again(const Node& joined,
     return {};
   const auto begin = begin_of(first);
   const auto end = source.text.find_first_not_of(
-      "=!<>", first.offset); // a word such as eq: it goes on with letters
+      "=!<>", first.offset); // eq continues with letters
   const auto sign = source.text.substr(
       first.offset, end == first.offset ? 2 : end - first.offset);
   const auto left = source.text.substr(begin, first.offset - begin);
@@ -84,6 +91,7 @@ std::string ConditionLint::compared_again(const Node& joined,
          written(literal);
 }
 
+// Shows how the comparison was probably meant, if that can be said.
 void ConditionLint::report(const Node& literal, const Source& source,
                            const Node* joined) {
   const auto shown = written(literal);
@@ -96,7 +104,7 @@ void ConditionLint::report(const Node& literal, const Source& source,
                           : "; compare each time: " + again));
 }
 
-// A node whose truth counts.
+// A node of which only the truth counts.
 void ConditionLint::decides(const Node& node, const Source& source) {
   if (is_literal(node))
     return report(node, source, nullptr);
@@ -111,7 +119,8 @@ void ConditionLint::decides(const Node& node, const Source& source) {
       decides(*child, source);
 }
 
-// Where a value is wanted, `x or 'nothing'` gives one; a comparison does not.
+// If a value is expected, `x or 'nothing'` is a usual way to write a default,
+// so there only comparisons beside the literal are suspicious.
 void ConditionLint::look_at(const Node& node, const Source& source) {
   if (source.wanted == Wanted::condition)
     decides(node, source);
@@ -131,11 +140,11 @@ void ConditionLint::look_at(const Node& node, const Source& source) {
 
 } // namespace
 
-void lint_conditions(const Subject& subject, Findings& findings) {
+void lint_conditions(const LintContext& context, Findings& findings) {
   ConditionLint lint(findings);
-  walk(subject, false, [&](const Element& element, const ElementRule& rule) {
+  walk(context, false, [&](const Element& element, const ElementRule& rule) {
     visit_nodes(element, rule, [&](const Node& node, const Source& source) {
-      // What never ends is told by another lint.
+      // Loops that never end have a lint of their own.
       if (!element.is("while") || !is_literal(node))
         lint.look_at(node, source);
     });

@@ -1,4 +1,6 @@
-// unhandled-event: events that a script raises and nothing takes.
+// unhandled-event: a script raises an event that nothing handles.
+//
+//   <fire event="Greeted"/>       no <Script><Greeted> anywhere
 #include <algorithm>
 
 #include "script/lint/passes.hpp"
@@ -7,6 +9,7 @@ namespace parlour::script::lint {
 
 namespace {
 
+// Whether a reaction to source.event takes an event that a script raised.
 bool takes(const std::string& source, const std::string& event,
            const std::string& raised) {
   return (source == "Script" || source == "*") &&
@@ -36,16 +39,17 @@ bool is_taken(const Program& program, const std::string& raised) {
 
 } // namespace
 
-// A part of an application does not know who takes what it raises.
-void lint_events(const Subject& subject, Findings& findings) {
-  if (!subject.settings)
+// Only for whole applications: a single file does not know who handles its
+// events.
+void lint_events(const LintContext& context, Findings& findings) {
+  if (!context.settings)
     return;
-  walk(subject, false, [&](const Element& element, const ElementRule& rule) {
+  walk(context, false, [&](const Element& element, const ElementRule& rule) {
     const auto* event = is_statement(rule) && element.is("fire")
                             ? element.attribute("event")
                             : nullptr;
     if (!event || is_computed(event->value) ||
-        is_taken(subject.program, event->value))
+        is_taken(context.program, event->value))
       return;
     warn(findings, "unhandled-event", event->value_position,
          "nothing takes the event '" + event->value +

@@ -1,4 +1,8 @@
-// same-example: what is said in these words may be about two topics.
+// same-example: two topics have the same example, so nobody can tell which is
+// meant.
+//
+//   <topic name="Taxi"><examples><value>I want to go</value>…
+//   <topic name="Room"><examples><value>I want to go!</value>…
 #include <cctype>
 #include <map>
 
@@ -8,7 +12,8 @@ namespace parlour::script::lint {
 
 namespace {
 
-// "I want [David](Host)!" as it is said: "i want david".
+// The words of an example without marks and punctuation: "I want
+// [David](Host)!" becomes "i want david".
 std::string words_of(std::string_view example) {
   std::string words;
   bool in_slot_name = false;
@@ -27,6 +32,7 @@ std::string words_of(std::string_view example) {
   return words;
 }
 
+// Remembers the topic of each example seen so far.
 class ExampleLint {
 public:
   explicit ExampleLint(Findings& findings) : findings_(findings) {}
@@ -40,6 +46,7 @@ public:
   }
 
 private:
+  // The same words twice in one topic are harmless.
   void look_at(const Element& example, const std::string& topic) {
     const auto words = words_of(example.text);
     const auto [known, fresh] = topics_.try_emplace(words, topic);
@@ -57,9 +64,9 @@ private:
 
 } // namespace
 
-void lint_examples(const Subject& subject, Findings& findings) {
+void lint_examples(const LintContext& context, Findings& findings) {
   ExampleLint lint(findings);
-  walk(subject, false, [&](const Element& element, const ElementRule& rule) {
+  walk(context, false, [&](const Element& element, const ElementRule& rule) {
     if (element.is("topic") && !is_statement(rule))
       lint.look_at(element);
   });

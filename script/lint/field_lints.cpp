@@ -1,4 +1,7 @@
-// unknown-field: fields of what is known to have others or none.
+// unknown-field: a field of a value that is known to have no such field.
+//
+//   <querydb param="select name from staff" return="r"/>
+//   <print param="{r.name}"/>             write r.rows[0].name
 #include <algorithm>
 #include <map>
 #include <optional>
@@ -10,7 +13,7 @@ namespace parlour::script::lint {
 
 namespace {
 
-// What a variable holds, as far as the statements say that write it.
+// What a variable certainly holds, judging by all statements that write it.
 enum class Content : unsigned char {
   anything,
   result,
@@ -21,13 +24,15 @@ enum class Content : unsigned char {
 };
 using Contents = std::map<std::string, Content>;
 
+// The fields of a kind of content, and what to write instead of others.
 struct Fields {
   Content content;
   const char* what;
   std::vector<std::string> names;
-  const char* otherwise; // behind the variable's name
+  const char* otherwise; // suggested behind the name
 };
 
+// The table of contents with fixed fields.
 const Fields& fields_of(Content content) {
   static const Fields table[] = {
       {Content::result,
@@ -47,6 +52,7 @@ const Fields& fields_of(Content content) {
       [content](const Fields& one) { return one.content == content; });
 }
 
+// The kind of an expression's value, as far as its form shows.
 Content content_of(const Node& node) {
   if (node.kind == NodeKind::list)
     return Content::list;
@@ -61,6 +67,7 @@ Content content_of(const Node& node) {
   return Content::anything;
 }
 
+// What a statement puts into the variable that it names.
 Content content_of(const Element& element) {
   if (element.is("querydb"))
     return Content::result;
@@ -80,13 +87,14 @@ Content content_of(const Element& element) {
   return parsed.node ? content_of(*parsed.node) : Content::anything;
 }
 
+// A variable that is written with different contents may hold anything.
 void note(Contents& contents, const std::string& name, Content content) {
   const auto [known, is_new] = contents.emplace(name, content);
   if (!is_new && known->second != content)
     known->second = Content::anything;
 }
 
-// What the statements inside of the element write.
+// The contents of all variables that statements inside of the element write.
 Contents contents_of(const Element& owner, const ElementRule& rule) {
   Contents contents;
   walk(owner, rule, [&](const Element& element, const ElementRule&) {
@@ -95,7 +103,7 @@ Contents contents_of(const Element& owner, const ElementRule& rule) {
         note(contents, element.value(attribute), content_of(element));
     for (const auto* attribute : {"each", "index"})
       note(contents, element.value(attribute), Content::anything);
-    // What is lent to a function may be anything afterwards.
+    // A variable that is passed by reference may hold anything afterwards.
     if (element.is("call"))
       for (const auto& argument : element.children)
         note(contents, argument.value("expr"), Content::anything);
@@ -103,6 +111,7 @@ Contents contents_of(const Element& owner, const ElementRule& rule) {
   return contents;
 }
 
+// Whether the field would be a count in another language.
 bool counts(std::string_view field) {
   return field == "length" || field == "size" || field == "count" ||
          field == "len";
@@ -128,6 +137,7 @@ private:
   Findings& findings_;
 };
 
+// A misspelling, a count, or an example of what can be written.
 void FieldLint::field(const Node& node, const Source& source) {
   const auto& variable = node.children[0]->text;
   const auto found = contents_.find(variable);
@@ -148,6 +158,8 @@ void FieldLint::field(const Node& node, const Source& source) {
        std::string(known.what) + " has no field '" + node.text + "'" + hint);
 }
 
+// Each top-level element (a handler, a state, a topic …) is examined by itself;
+// session variables are left out, as anything may write them.
 void lint_owner(const Element& owner, const ElementRule& rule,
                 const std::set<std::string>& session, Findings& findings) {
   auto contents = contents_of(owner, rule);
@@ -163,11 +175,11 @@ void lint_owner(const Element& owner, const ElementRule& rule,
 
 } // namespace
 
-void lint_fields(const Subject& subject, Findings& findings) {
+void lint_fields(const LintContext& context, Findings& findings) {
   std::set<std::string> session; // anything may write them
-  for (const auto& variable : subject.program.variables)
+  for (const auto& variable : context.program.variables)
     session.insert(variable.name);
-  for (const auto& document : subject.documents) {
+  for (const auto& document : context.documents) {
     const auto& rule = rule_of(document.root);
     for (const auto& child : document.root.children)
       if (const auto* inside = find_rule(child.name, rule.holds);

@@ -1,15 +1,17 @@
-// unknown-frame: frames that a script hands over as they are written, and that
-// name an act, a topic or a slot that there is not.
+// unknown-frame: a script hands over frames whose act, topic or slot does not
+// exist. Only literal frames can be judged.
+//
+//   <fire param="{'act': 'inform', 'topic': 'Taxy'}"/>    no such topic
 #include <algorithm>
 
-#include "runtime/base/roles.hpp"
+#include "runtime/message/roles.hpp"
 #include "script/lint/passes.hpp"
 
 namespace parlour::script::lint {
 
 namespace {
 
-// What stands under a key; null: nothing.
+// The value for a key; null if the map does not have it.
 const Node* entry(const Node& map, std::string_view key) {
   for (std::size_t i = 0; i < map.keys.size(); ++i)
     if (map.keys[i] == key)
@@ -21,7 +23,7 @@ bool contains(const std::vector<std::string>& all, const std::string& one) {
   return std::ranges::find(all, one) != all.end();
 }
 
-// Who reacts to an act of Dialogue may know names that no topic has.
+// A handler that reacts to acts of Dialogue may use names that no topic has.
 bool is_reacted_to(const Program& program, const std::string& act) {
   const auto takes = [&](const auto& reactions) {
     return std::ranges::any_of(reactions, [&](const Reaction& one) {
@@ -37,10 +39,11 @@ bool is_reacted_to(const Program& program, const std::string& act) {
          });
 }
 
+// Examines the maps in one expression.
 class FrameLint {
 public:
-  FrameLint(const Subject& subject, Position position, Findings& findings)
-      : program_(subject.program), position_(position), findings_(findings) {}
+  FrameLint(const LintContext& context, Position position, Findings& findings)
+      : program_(context.program), position_(position), findings_(findings) {}
 
   void look_at(const Node& node);
 
@@ -57,6 +60,7 @@ private:
   Findings& findings_;
 };
 
+// The keys of `slots` must be slots of the topic.
 void FrameLint::slots(const Topic& topic, const Node& map) {
   const auto known = names_in(topic.slots);
   for (const auto& name : map.keys)
@@ -64,6 +68,7 @@ void FrameLint::slots(const Topic& topic, const Node& map) {
       tell("the topic '" + topic.name + "' has no slot", name, known);
 }
 
+// A list of frames, or one frame. Computed acts and topics are skipped.
 void FrameLint::look_at(const Node& node) {
   if (node.kind == NodeKind::list)
     for (const auto& child : node.children)
@@ -88,10 +93,10 @@ void FrameLint::look_at(const Node& node) {
 
 } // namespace
 
-void lint_frames(const Subject& subject, Findings& findings) {
-  if (!subject.settings)
+void lint_frames(const LintContext& context, Findings& findings) {
+  if (!context.settings)
     return;
-  walk(subject, false, [&](const Element& element, const ElementRule& rule) {
+  walk(context, false, [&](const Element& element, const ElementRule& rule) {
     const auto* param =
         is_statement(rule) && element.is("fire") && !element.attribute("event")
             ? element.attribute("param")
@@ -99,7 +104,7 @@ void lint_frames(const Subject& subject, Findings& findings) {
     if (!param)
       return;
     if (const auto parsed = parse_expression(param->value); parsed.node)
-      FrameLint(subject, param->value_position, findings).look_at(*parsed.node);
+      FrameLint(context, param->value_position, findings).look_at(*parsed.node);
   });
 }
 

@@ -1,4 +1,6 @@
-// unused-function.
+// unused-function: nothing calls a function.
+//
+// `main` counts as called, and a function does not by calling itself.
 #include "script/compiler/name_collector.hpp"
 #include "script/lint/passes.hpp"
 
@@ -6,8 +8,9 @@ namespace parlour::script::lint {
 
 namespace {
 
+// The functions that are called anywhere.
 struct Calls {
-  std::multiset<std::string> names; // once for each body that calls it
+  std::multiset<std::string> names; // one for each calling element
   bool computed = false;
 };
 
@@ -15,18 +18,19 @@ bool is_computed_call(const Element& element) {
   return element.is("call") && is_computed(element.value("function"));
 }
 
-// A function's calls of itself do not count.
-Calls calls_of(const Subject& subject) {
+// Collects all calls, except those by which a function calls itself.
+Calls calls_of(const LintContext& context) {
   Calls calls;
   std::vector<std::pair<const Element*, std::string>> functions;
-  walk(subject, true, [&](const Element& element, const ElementRule& rule) {
+  walk(context, true, [&](const Element& element, const ElementRule& rule) {
     calls.computed |= is_computed_call(element);
     Mentions mentions;
     mentions_of(element, rule, mentions);
     calls.names.insert(mentions.calls.begin(), mentions.calls.end());
     if (!element.is("function"))
       return;
-    // Taken off again: what it calls by its own name.
+    // Collects the functions that call themselves; one call of each is removed
+    // again below.
     const auto name = element.value("name");
     walk(element, rule, [&](const Element& one, const ElementRule& its) {
       Mentions own;
@@ -43,11 +47,12 @@ Calls calls_of(const Subject& subject) {
 
 } // namespace
 
-void lint_functions(const Subject& subject, Findings& findings) {
-  const auto calls = calls_of(subject);
-  if (!subject.is_whole() || calls.computed)
+// A call by a computed name may call anything, so nothing is certain then.
+void lint_functions(const LintContext& context, Findings& findings) {
+  const auto calls = calls_of(context);
+  if (!context.is_whole() || calls.computed)
     return;
-  walk(subject, false, [&](const Element& element, const ElementRule&) {
+  walk(context, false, [&](const Element& element, const ElementRule&) {
     const auto name = element.value("name");
     if (element.is("function") && name != "main" && !calls.names.count(name))
       warn(findings, "unused-function", element.position,

@@ -1,6 +1,10 @@
-// always-true, unreachable-statement, lost-transit, case-without-effect: what
-// those write who know other languages, and what is taken here as something
-// else.
+// always-true, unreachable-statement, lost-transit, case-without-effect: habits
+// from other languages that mean something else here.
+//
+//   <if cond="find(text, 'a')">           also true for -1
+//   <return/><print param="never"/>       unreachable
+//   <case value="1, 2">                   one value only
+//   <transit state="A"/><transit state="B"/>   only the last counts
 #include <algorithm>
 #include <array>
 
@@ -12,7 +16,7 @@ namespace {
 
 // -- conditions ---------------------------------------------------------------
 
-// A place counts as true wherever it is, and where there is none.
+// find() and indexof() return -1 if there is no match, which counts as true.
 std::string always_true_in(const Node& node) {
   if (node.kind == NodeKind::call &&
       (node.text == "find" || node.text == "indexof"))
@@ -39,6 +43,7 @@ void lint_condition(const Attribute& attribute, Findings& findings) {
 
 // -- what comes behind --------------------------------------------------------
 
+// Statements behind which the block does not continue.
 bool leaves_its_block(const Element& element) {
   static constexpr std::array<const char*, 4> names{"return", "break",
                                                     "continue", "throw"};
@@ -46,7 +51,8 @@ bool leaves_its_block(const Element& element) {
       names, [&](const char* name) { return element.is(name); });
 }
 
-// The statements of one block; its <else>, <catch> and such are none.
+// The statements of one block. Parts such as <else> and <catch> are no
+// statements.
 void lint_block(const Element& block, const ElementRule& rule,
                 Findings& findings) {
   const Element* left = nullptr;
@@ -79,7 +85,7 @@ bool is_literal(const Node& node) {
          node.kind == NodeKind::number;
 }
 
-// "'a' or 'b'", "1, 2": meant as several values.
+// Whether the value is written as if it were several: "'a' or 'b'" or "1, 2".
 bool is_several(const std::string& value) {
   const auto whole = parse_expression(value);
   if (whole.node)
@@ -94,6 +100,8 @@ bool is_several(const std::string& value) {
          });
 }
 
+// A <case> takes one value and does not run on into the next (language rule
+// 6.2).
 void lint_switch(const Element& element, Findings& findings) {
   const auto& arms = element.children;
   for (std::size_t i = 0; i < arms.size(); ++i) {
@@ -111,8 +119,8 @@ void lint_switch(const Element& element, Findings& findings) {
 
 } // namespace
 
-void lint_habits(const Subject& subject, Findings& findings) {
-  walk(subject, false, [&](const Element& element, const ElementRule& rule) {
+void lint_habits(const LintContext& context, Findings& findings) {
+  walk(context, false, [&](const Element& element, const ElementRule& rule) {
     for (const auto* name : {"cond", "if"})
       if (const auto* condition = element.attribute(name))
         lint_condition(*condition, findings);

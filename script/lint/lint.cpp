@@ -1,8 +1,11 @@
+// The list of passes, and running them over a compiled application.
+
 #include "script/lint/lint.hpp"
 
 #include "script/lint/passes.hpp"
 #include "script/xml/allowances.hpp"
 
+// The order does not matter: findings are sorted afterwards.
 namespace parlour::script::lint {
 
 namespace {
@@ -21,11 +24,11 @@ constexpr Pass passes[] = {
 void lint(Compiled& compiled, const Options& options) {
   if (!compiled.program)
     return;
-  const Subject subject{*compiled.program, compiled.documents,
-                        compiled.settings ? &*compiled.settings : nullptr,
-                        options};
+  const LintContext context{*compiled.program, compiled.documents,
+                            compiled.settings ? &*compiled.settings : nullptr,
+                            options};
   for (const auto pass : passes)
-    pass(subject, compiled.findings);
+    pass(context, compiled.findings);
   compiled.findings.sort();
   take_allowed(compiled.findings);
 }

@@ -1,5 +1,10 @@
-// Looks at an application that compiles for what is probably not meant
-// (lints.def). Pure: reads the compiled application, adds findings.
+// Lints: warnings about an application that compiles but probably does not do
+// what was meant (lints.def; language rule 14.1). Pure: reads the compiled
+// application and adds findings.
+//
+// Errors of the language are found by the compiler; here is only what is
+// allowed and suspicious. Authors silence a warning by a comment
+// (script/xml/allowances.hpp).
 #pragma once
 
 #include <map>
@@ -10,15 +15,16 @@
 
 namespace parlour::script::lint {
 
+// What is known of the application's components.
 struct Options {
-  // Of each component of the settings, the roles that it fills.
+  // The roles that each component of the settings fills.
   std::map<std::string, std::vector<std::string>> component_roles{};
-  // And what it understands beyond them.
+  // The commands that each component understands beyond its roles.
   std::map<std::string, std::vector<std::string>> component_commands{};
 };
 
-// Adds warnings to `compiled.findings`, without those that their files allow.
-// Does nothing where there are errors, which would only cause more.
+// Adds warnings to `compiled.findings` and removes those that comments allow.
+// Does nothing if there are errors, which would cause misleading warnings.
 void lint(Compiled& compiled, const Options& options);
 
 } // namespace parlour::script::lint

@@ -1,3 +1,5 @@
+// The table lints.def as a list.
+
 #include "script/lint/lints.hpp"
 
 #include <algorithm>

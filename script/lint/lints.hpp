@@ -1,4 +1,4 @@
-// The table of lints (lints.def) as data. Immutable; any thread.
+// The table of lints (lints.def) as data. Immutable; safe from any thread.
 #pragma once
 
 #include <string>

@@ -1,5 +1,9 @@
-// list-as-text and text-like-expression: lists and maps where a text or one
-// value is meant, and the other way round.
+// list-as-text and text-like-expression: a list or map where a text or a single
+// value is meant, or the other way round.
+//
+//   <speak param="[name]"/>               said with its brackets
+//   <for each="x" in="[list]">            one round only
+//   <post … param="[1, 2]"/>              sent as a text (language rule 4.2)
 #include "script/lint/passes.hpp"
 
 namespace parlour::script::lint {
@@ -10,7 +14,8 @@ bool is_collection(const Node& node) {
   return node.kind == NodeKind::list || node.kind == NodeKind::map;
 }
 
-// "[count]": brackets around a name.
+// The name in "[count]", a list that probably was meant as a placeholder; else
+// null.
 const Node* only_name(const Node& node) {
   return node.kind == NodeKind::list && node.children.size() == 1 &&
                  node.children[0]->kind == NodeKind::name
@@ -18,7 +23,8 @@ const Node* only_name(const Node& node) {
              : nullptr;
 }
 
-// Whether it is an expression where a text might stand (language rule 4).
+// Whether the tree counts as an expression where text is possible, too
+// (language rule 4.2).
 bool is_expression(const Node& node, const std::set<std::string>& declared) {
   bool found = false;
   visit_below(node, [&](const Node& one) {
@@ -29,12 +35,13 @@ bool is_expression(const Node& node, const std::set<std::string>& declared) {
   return found;
 }
 
+// Whether `param` of the element becomes the parameter of a message.
 bool takes_params(const Element& element) {
   return element.is("post") || element.is("request") ||
          (element.is("fire") && element.attribute("event"));
 }
 
-// What somebody hears or reads.
+// Whether somebody will hear or read the attribute.
 bool is_said(const Element& element, const Attribute& attribute) {
   const auto& name = attribute.name;
   return (name == "param" &&
@@ -42,6 +49,7 @@ bool is_said(const Element& element, const Attribute& attribute) {
          name == "question" || name == "message";
 }
 
+// A list or map where words are expected.
 void said(const Element& element, const Attribute& attribute, const Node& node,
           Findings& findings) {
   const auto source = source_of(attribute);
@@ -60,7 +68,7 @@ void said(const Element& element, const Attribute& attribute, const Node& node,
              "each value");
 }
 
-// What decides that it is a text is that nothing in it is known or quoted.
+// A map or list that is text because nothing in it is declared or quoted.
 void handed_over(const Attribute& attribute, const Node& node,
                  Findings& findings) {
   warn(findings, "text-like-expression", source_of(attribute).spot(),
@@ -69,6 +77,7 @@ void handed_over(const Attribute& attribute, const Node& node,
            " write <param expr=\"" + attribute.value + "\"/> inside");
 }
 
+// A <for each> over a list that consists of one name only.
 void gone_through(const Attribute& attribute, const Node& node,
                   Findings& findings) {
   if (const auto* name = only_name(node))
@@ -79,9 +88,10 @@ void gone_through(const Attribute& attribute, const Node& node,
 
 } // namespace
 
-void lint_lists(const Subject& subject, Findings& findings) {
-  const auto declared = declared_names(subject);
-  walk(subject, false, [&](const Element& element, const ElementRule& rule) {
+// Whether the value counts as an expression decides which mistake it is.
+void lint_lists(const LintContext& context, Findings& findings) {
+  const auto declared = declared_names(context);
+  walk(context, false, [&](const Element& element, const ElementRule& rule) {
     for (const auto& attribute : element.attributes) {
       const auto parsed = parse_expression(attribute.value);
       if (!rule.attribute(attribute.name) || !parsed.node ||

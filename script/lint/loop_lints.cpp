@@ -1,4 +1,7 @@
-// endless-loop and empty-loop.
+// endless-loop and empty-loop: a loop that cannot end or never runs.
+//
+//   <while cond="i lt 3"> without <set name="i">      never ends
+//   <for name="i" from="3" to="1">                    never runs
 #include <algorithm>
 #include <array>
 #include <optional>
@@ -9,8 +12,8 @@ namespace parlour::script::lint {
 
 namespace {
 
-// Statements after which a loop may go no further, or that let time pass so
-// that something else may end it.
+// Statements that may end a loop, or that let time pass so that something else
+// can end it.
 bool may_end(const Element& element) {
   static constexpr std::array<const char*, 11> names{
       "break", "return",  "throw",   "end",     "transit", "wait",
@@ -19,14 +22,14 @@ bool may_end(const Element& element) {
                      [&](const char* name) { return element.is(name); });
 }
 
-// What a loop's statements may change.
+// What the statements of a loop may change.
 struct Changes {
   std::set<std::string> names;
-  bool anything = false; // a function of the script is called
+  bool anything = false; // it calls a function
   bool ends = false;
 };
 
-// "list" of "list[2].key".
+// The variable of a target: "list" of "list[2].key".
 std::string root_name(std::string_view target) {
   const auto parsed = parse_expression(target);
   const auto* node = parsed.node.get();
@@ -36,7 +39,8 @@ std::string root_name(std::string_view target) {
   return node && node->kind == NodeKind::name ? node->text : std::string();
 }
 
-Changes changes_of(const Subject& subject, const Element& loop,
+// The condition itself is left out: only the body can change it.
+Changes changes_of(const LintContext& context, const Element& loop,
                    const ElementRule& rule) {
   Changes changes;
   Mentions mentions;
@@ -54,13 +58,14 @@ Changes changes_of(const Subject& subject, const Element& loop,
         changes.names.insert(root_name(argument.value("expr")));
   });
   for (const auto& call : mentions.calls)
-    changes.anything |= subject.program.functions.count(call) > 0;
-  // Built-ins that change the list or map that they are given.
+    changes.anything |= context.program.functions.count(call) > 0;
+  // Built-in functions that change their argument.
   for (const auto* name : {"append", "insert", "remove", "sort", "reverse"})
     changes.anything |= mentions.calls.count(name) > 0;
   return changes;
 }
 
+// The truth of a literal condition.
 std::optional<bool> certain_truth(const Node& node) {
   switch (node.kind) {
   case NodeKind::boolean:
@@ -82,16 +87,17 @@ bool reads_what_may_change(const Mentions& condition, const Changes& changes) {
       std::any_of(names.begin(), names.end(), [&](const std::string& name) {
         return changes.names.count(name) > 0 || name.starts_with('_');
       });
-  // A function may look at anything, a slot may be filled from outside.
+  // A function may read anything, and a slot can be filled from outside.
   return changed || !condition.calls.empty() || !condition.slots.empty();
 }
 
-void lint_while(const Subject& subject, const Element& loop,
+// Warns only if nothing in the loop can change its condition or leave it.
+void lint_while(const LintContext& context, const Element& loop,
                 const ElementRule& rule, Findings& findings) {
   const auto* condition = loop.attribute("cond");
   const auto parsed =
       parse_expression(condition ? condition->value : std::string());
-  const auto changes = changes_of(subject, loop, rule);
+  const auto changes = changes_of(context, loop, rule);
   if (!parsed.node || changes.ends)
     return;
   const auto truth = certain_truth(*parsed.node);
@@ -113,6 +119,7 @@ void lint_while(const Subject& subject, const Element& loop,
            "'; <set> it, or leave by <break>");
 }
 
+// A literal bound; the default of `step` is 1.
 std::optional<double> bound(const Element& loop, const char* attribute) {
   const auto* given = loop.attribute(attribute);
   if (!given)
@@ -128,6 +135,8 @@ std::optional<double> bound(const Element& loop, const char* attribute) {
              : std::nullopt;
 }
 
+// A counting loop whose literal bounds and step lead nowhere (language rule
+// 6.3).
 void lint_for(const Element& loop, Findings& findings) {
   const auto from = bound(loop, "from"), to = bound(loop, "to"),
              step = bound(loop, "step");
@@ -146,12 +155,13 @@ void lint_for(const Element& loop, Findings& findings) {
 
 } // namespace
 
-void lint_loops(const Subject& subject, Findings& findings) {
-  walk(subject, false, [&](const Element& element, const ElementRule& rule) {
+// A <for each> always ends, as it walks over a copy.
+void lint_loops(const LintContext& context, Findings& findings) {
+  walk(context, false, [&](const Element& element, const ElementRule& rule) {
     if (!is_statement(rule))
       return;
     if (element.is("while"))
-      lint_while(subject, element, rule, findings);
+      lint_while(context, element, rule, findings);
     else if (element.is("for") && !element.attribute("each"))
       lint_for(element, findings);
   });

@@ -1,8 +1,13 @@
-// unknown-module, unknown-command, unknown-event and unfilled-role, from the
-// table of roles; unknown-act of what is said.
+// unknown-module, unknown-command, unknown-event, unfilled-role and
+// missing-parameter, judged by the table of roles; and unknown-act about what
+// is said.
+//
+//   <post module="Telefone" …/>           did you mean 'Telephone'?
+//   <post module="TTS" command="Say"/>    no such command of the role
+//   <request module="Taxi" …/>            no component fills the role
 #include <algorithm>
 
-#include "runtime/base/roles.hpp"
+#include "runtime/message/roles.hpp"
 #include "script/compiler/compilation.hpp"
 #include "script/compiler/phrase_compiler.hpp"
 #include "script/compiler/reaction_compiler.hpp"
@@ -12,27 +17,21 @@ namespace parlour::script::lint {
 
 namespace {
 
-std::vector<std::string> agents_of(const Element* settings) {
-  std::vector<std::string> names;
-  if (const auto* agents = settings ? settings->child("agents") : nullptr)
-    for (const auto& agent : agents->children)
-      names.push_back(agent.value("name"));
-  return names;
-}
-
+// Examines messages and routes. A component that a script loads can fill any
+// role later, so where one does (comes_later_) nothing is said about unfilled
+// roles.
 class MessageLint {
 public:
-  MessageLint(const Subject& subject, Findings& findings)
-      : subject_(subject), findings_(findings),
-        modules_(known_sources(subject.program, agents_of(subject.settings))) {
-    const auto agents = agents_of(subject.settings);
+  MessageLint(const LintContext& context, Findings& findings)
+      : context_(context), findings_(findings),
+        modules_(known_sources(context.program)) {
     const auto known = modules_.size();
-    for (const auto& document : subject.documents)
+    for (const auto& document : context.documents)
       add_names_made(document.root, modules_);
-    comes_later_ = !agents.empty() || modules_.size() > known;
+    comes_later_ = modules_.size() > known;
   }
 
-  // The element and all inside of it.
+  // Examines the element and everything inside of it.
   void look_at(const Element& element, const ElementRule& rule);
 
 private:
@@ -54,14 +53,14 @@ private:
   std::vector<std::string> roles_of(const std::string& module) const;
   std::vector<std::string> own_commands(const std::string& module) const;
 
-  const Subject& subject_;
+  const LintContext& context_;
   Findings& findings_;
   std::vector<std::string> modules_;
-  bool comes_later_ = false; // what nobody knows before
+  bool comes_later_ = false; // roles may be filled later
 };
 
-// A file by itself does not know which components there will be: only what
-// looks like a slip is worth a word.
+// A single file does not know the application's components, so there only a
+// name that is similar to a known one is reported.
 bool MessageLint::check_module(std::string name, Position position) {
   if (name.ends_with('*'))
     name.pop_back();
@@ -69,7 +68,7 @@ bool MessageLint::check_module(std::string name, Position position) {
       std::find(modules_.begin(), modules_.end(), name) != modules_.end())
     return true;
   const auto hint = did_you_mean(name, modules_);
-  if (!hint.empty() || subject_.settings)
+  if (!hint.empty() || context_.settings)
     warn(findings_, "unknown-module", position,
          "no component, role or agent is called '" + name + "'" +
              (hint.empty() ? "; name a role such as ASR, or a component of "
@@ -82,13 +81,14 @@ std::vector<std::string>
 MessageLint::roles_of(const std::string& module) const {
   if (find_role(module))
     return {module};
-  const auto& known = subject_.options.component_roles;
+  const auto& known = context_.options.component_roles;
   const auto found = known.find(module);
   return found == known.end() ? std::vector<std::string>() : found->second;
 }
 
+// Whether any component of the settings fills the role.
 bool MessageLint::is_filled(std::string_view role) const {
-  const auto& known = subject_.options.component_roles;
+  const auto& known = context_.options.component_roles;
   return std::any_of(known.begin(), known.end(), [role](const auto& component) {
     const auto& roles = component.second;
     return std::any_of(roles.begin(), roles.end(), [role](const auto& one) {
@@ -97,15 +97,15 @@ bool MessageLint::is_filled(std::string_view role) const {
   });
 }
 
-// Where nothing comes later: a plug-in that a script loads, a remote agent.
+// Whether certainly no component fills the role of this name.
 bool MessageLint::is_missing(const std::string& name) const {
   const auto* role = find_role(name);
-  return role && !role->reserved && !comes_later_ && subject_.settings &&
-         !subject_.options.component_roles.empty() && !is_filled(role->name);
+  return role && !role->reserved && !comes_later_ && context_.settings &&
+         !context_.options.component_roles.empty() && !is_filled(role->name);
 }
 
-// What happens on an event of such a role does not happen; but what is typed is
-// an event of the recogniser.
+// Events of such a role never come, so reactions to them are skipped. An
+// exception is ASR: typed input is an event of the recogniser.
 bool MessageLint::never_comes(const Element& source) const {
   const auto name = source.is("on") ? source.value("source") : source.name;
   return canonical_role(name) != "ASR" && is_missing(name);
@@ -122,11 +122,11 @@ void MessageLint::check_role(const std::string& name, Position position) {
            "settings (parlour plugin list)");
 }
 
-// Those that components so called, or that fill the role so called, add.
+// The additional commands of components with this name or role.
 std::vector<std::string>
 MessageLint::own_commands(const std::string& module) const {
   std::vector<std::string> commands;
-  for (const auto& [component, own] : subject_.options.component_commands) {
+  for (const auto& [component, own] : context_.options.component_commands) {
     const auto roles = roles_of(component);
     if (component == module || std::find(roles.begin(), roles.end(),
                                          canonical_role(module)) != roles.end())
@@ -135,8 +135,8 @@ MessageLint::own_commands(const std::string& module) const {
   return commands;
 }
 
-// A component by its own name may understand more than its roles say: there,
-// again, only slips are told.
+// A component may understand more than its roles say, so there again only a
+// name that is similar to a known one is reported.
 void MessageLint::check_command(const std::string& module,
                                 const Attribute& command) {
   std::vector<std::string> commands;
@@ -159,6 +159,7 @@ void MessageLint::check_command(const std::string& module,
           (hint.empty() ? "; it understands " + alternatives(commands) : hint));
 }
 
+// <post> and <request>: the receiver, then its command, then the parameters.
 void MessageLint::message(const Element& element) {
   const auto* module = element.attribute("module");
   const auto* command = element.attribute("command");
@@ -171,7 +172,7 @@ void MessageLint::message(const Element& element) {
   check_parameters(element, module->value, *command);
 }
 
-// How many of "number, who, text?" there must be.
+// The number of required parameters in "number, who, text?".
 std::size_t needed(const std::string& parameters) {
   const auto all = split_names(parameters);
   return static_cast<std::size_t>(
@@ -180,7 +181,7 @@ std::size_t needed(const std::string& parameters) {
       }));
 }
 
-// A <post> that gives nothing forwards what there is.
+// A <post> without parameters forwards those of the message being handled.
 void MessageLint::check_parameters(const Element& element,
                                    const std::string& module,
                                    const Attribute& command) {
@@ -199,6 +200,7 @@ void MessageLint::check_parameters(const Element& element,
              ", and this gives nothing; write a <param expr=\"…\"/> for each");
 }
 
+// <subscribe> and <unsubscribe>: the source, then its event.
 void MessageLint::subscription(const Element& element) {
   const auto* source = element.attribute("source");
   const auto* event = element.attribute("command");
@@ -214,13 +216,13 @@ void MessageLint::subscription(const Element& element) {
            did_you_mean(event->value, names_of(role->events)));
 }
 
-// What <say> says, somebody has to have words for.
+// An act of <say> needs a phrase.
 void MessageLint::said_act(const Element& element) {
   const auto& act = *element.attribute("act");
   std::vector<std::string> known;
-  for (const auto& phrase : subject_.program.phrases)
+  for (const auto& phrase : context_.program.phrases)
     known.push_back(phrase.act);
-  if (!subject_.settings || is_computed(act.value) ||
+  if (!context_.settings || is_computed(act.value) ||
       std::ranges::count(known, act.value) != 0)
     return;
   const auto hint = did_you_mean(act.value, known);
@@ -231,11 +233,11 @@ void MessageLint::said_act(const Element& element) {
                          : hint));
 }
 
-// What a <phrase> words, the engine or a <say> has to say. Near misses were
-// told when it was compiled.
+// An act of a <phrase> must be said by the engine or by a <say>. Similar names
+// were reported when the phrase was compiled.
 void MessageLint::worded_act(const Element& element) {
   const auto& act = *element.attribute("act");
-  if (!subject_.settings || is_said(act.value) ||
+  if (!context_.settings || is_said(act.value) ||
       !did_you_mean(act.value, say_acts()).empty())
     return;
   const auto begun = std::ranges::find_if(say_acts(), [&](const auto& known) {
@@ -248,16 +250,17 @@ void MessageLint::worded_act(const Element& element) {
                 : "; a script does by <say act=\"" + act.value + "\"/>"));
 }
 
-// By the engine, or by a script, which may compute the act.
+// Whether the engine says the act, or a script, which may compute it.
 bool MessageLint::is_said(const std::string& act) const {
   bool said = std::ranges::count(say_acts(), act) > 0;
-  walk(subject_, true, [&](const Element& element, const ElementRule& rule) {
+  walk(context_, true, [&](const Element& element, const ElementRule& rule) {
     if (is_statement(rule) && element.is("say"))
       said |= is_computed(element.value("act")) || element.value("act") == act;
   });
   return said;
 }
 
+// The sinks of a relay or filter, and the command under which they get it.
 void MessageLint::route(const Element& element) {
   if (const auto* to = element.attribute("to"))
     for (const auto& name : split_names(to->value))
@@ -268,6 +271,7 @@ void MessageLint::route(const Element& element) {
       }
 }
 
+// Which statements name a component, an event or an act.
 void MessageLint::statement(const Element& element) {
   if (element.is("post") || element.is("request"))
     message(element);
@@ -280,6 +284,7 @@ void MessageLint::statement(const Element& element) {
     said_act(element);
 }
 
+// Reactions to events that never come are not examined.
 void MessageLint::look_at(const Element& element, const ElementRule& rule) {
   if (is_statement(rule))
     statement(element);
@@ -297,13 +302,13 @@ void MessageLint::look_at(const Element& element, const ElementRule& rule) {
 
 } // namespace
 
-void lint_messages(const Subject& subject, Findings& findings) {
-  MessageLint lint(subject, findings);
-  for (const auto& document : subject.documents)
+void lint_messages(const LintContext& context, Findings& findings) {
+  MessageLint lint(context, findings);
+  for (const auto& document : context.documents)
     if (!document.platform)
       lint.look_at(document.root, rule_of(document.root));
-  if (subject.settings)
-    lint.look_at(*subject.settings, rule_of(*subject.settings));
+  if (context.settings)
+    lint.look_at(*context.settings, rule_of(*context.settings));
 }
 
 } // namespace parlour::script::lint

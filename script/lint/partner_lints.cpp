@@ -1,11 +1,14 @@
-// missing-partner: statements that need another one, which is nowhere in the
-// application: a <pop> a <push>, a <cancel timer> its timer, a query that
-// writes a connection that may.
+// missing-partner: a statement needs another one that is nowhere in the
+// application: a <pop> needs a <push>, a <cancel timer> its <timer>, and a
+// query that writes a connection that may write.
+//
+//   <cancel timer="tee"/>                 no <timer> has this name
+//   <querydb param="insert into …"/>      no connection with write="true"
 #include <algorithm>
 #include <array>
 #include <cctype>
 
-#include "runtime/base/roles.hpp"
+#include "runtime/message/roles.hpp"
 #include "script/lint/passes.hpp"
 #include "script/xml/attribute_check.hpp"
 
@@ -13,7 +16,7 @@ namespace parlour::script::lint {
 
 namespace {
 
-// Names that statements give to something; `any` where one is computed.
+// The names that statements give to something; `any` if one is computed.
 struct Given {
   std::set<std::string> names;
   bool any = false;
@@ -22,6 +25,7 @@ struct Given {
     any |= is_computed(name);
     names.insert(name);
   }
+  // Whether certainly nothing has this name.
   bool lacks(const std::string& name) const {
     return !any && !is_computed(name) && names.count(name) == 0;
   }
@@ -30,6 +34,7 @@ struct Given {
   }
 };
 
+// Ignores case, and blanks and brackets before the word.
 bool begins_with_word(std::string_view text, std::string_view word) {
   const auto first = text.find_first_not_of(" \t\r\n(");
   if (first == std::string_view::npos)
@@ -44,7 +49,7 @@ bool begins_with_word(std::string_view text, std::string_view word) {
          std::isspace(static_cast<unsigned char>(text[word.size()])) != 0;
 }
 
-// A statement that is written as it is, not computed.
+// Whether a literal SQL statement changes data.
 bool writes(const std::string& sql) {
   constexpr std::array words{"insert", "update", "delete", "replace",
                              "create", "drop",   "alter"};
@@ -52,11 +57,12 @@ bool writes(const std::string& sql) {
       words, [&](const char* word) { return begins_with_word(sql, word); });
 }
 
+// note() collects over the whole application first; look_at() then reports.
 class PartnerLint {
 public:
-  PartnerLint(const Subject& subject, Findings& findings)
-      : findings_(findings), variables_(declared_names(subject)) {
-    for (const auto& [component, roles] : subject.options.component_roles)
+  PartnerLint(const LintContext& context, Findings& findings)
+      : findings_(findings), variables_(declared_names(context)) {
+    for (const auto& [component, roles] : context.options.component_roles)
       if (std::ranges::any_of(roles, [](const auto& role) {
             return canonical_role(role) == "Database";
           }))
@@ -81,6 +87,7 @@ private:
   bool pushes_ = false;
 };
 
+// Collects what statements open, start or connect.
 void PartnerLint::note(const Element& element) {
   pushes_ |= element.is("push");
   if (element.is("timer"))
@@ -101,6 +108,7 @@ void PartnerLint::missing(const Attribute& name, const std::string& what,
            did_you_mean(name.value, known));
 }
 
+// Reports a name that no statement gives.
 void PartnerLint::look_at_name(const Element& element, const char* attribute,
                                const Given& known, const std::string& what) {
   const auto* name = element.attribute(attribute);
@@ -108,12 +116,14 @@ void PartnerLint::look_at_name(const Element& element, const char* attribute,
     missing(*name, what, known.all());
 }
 
-// A part of an application does not know which there are.
+// Without known components nothing is certain.
 bool PartnerLint::is_no_database(const std::string& name) const {
   return !databases_.names.empty() && databases_.lacks(name) &&
          !find_role(name);
 }
 
+// <connectdb param="Name">: a database of that name must exist. The parameter
+// is a name only if no variable is called so.
 void PartnerLint::look_at_connection(const Element& element) {
   const auto* database = element.attribute("param");
   if (database && is_identifier(database->value) &&
@@ -121,6 +131,8 @@ void PartnerLint::look_at_connection(const Element& element) {
     missing(*database, "no database", databases_.all());
 }
 
+// The connection must exist, and for a statement that writes be opened for it
+// (language rule 11.12).
 void PartnerLint::look_at_query(const Element& element) {
   const auto* db = element.attribute("db");
   if (db && connections_.lacks(db->value) && is_no_database(db->value)) {
@@ -140,6 +152,7 @@ void PartnerLint::look_at_query(const Element& element) {
           name + "param=\"\" write=\"true\"/> before it does");
 }
 
+// Which statements need which partner.
 void PartnerLint::look_at(const Element& element) {
   if (element.is("pop") && !pushes_)
     warn(findings_, "missing-partner", element.position,
@@ -157,15 +170,15 @@ void PartnerLint::look_at(const Element& element) {
 
 } // namespace
 
-void lint_partners(const Subject& subject, Findings& findings) {
-  if (!subject.settings)
+void lint_partners(const LintContext& context, Findings& findings) {
+  if (!context.settings)
     return;
-  PartnerLint lint(subject, findings);
-  walk(subject, true, [&](const Element& element, const ElementRule& rule) {
+  PartnerLint lint(context, findings);
+  walk(context, true, [&](const Element& element, const ElementRule& rule) {
     if (is_statement(rule))
       lint.note(element);
   });
-  walk(subject, false, [&](const Element& element, const ElementRule& rule) {
+  walk(context, false, [&](const Element& element, const ElementRule& rule) {
     if (is_statement(rule))
       lint.look_at(element);
   });

@@ -1,5 +1,8 @@
-// repeated: what stands somewhere before, where only the first counts.
-// empty-text: what would be said and has no words.
+// repeated: something stands a second time where only the first counts.
+// empty-text: something would be said without words.
+//
+//   <cardinality type="set"><value>tea</value><value>tea</value>
+//   <speak param=""/>
 #include <map>
 
 #include "script/lint/passes.hpp"
@@ -8,6 +11,7 @@ namespace parlour::script::lint {
 
 namespace {
 
+// Reports an element that repeats an earlier one.
 void warn_of_second(const Element& element, const Element& first,
                     const std::string& what, Findings& findings) {
   warn(findings, "repeated", element.position,
@@ -15,7 +19,7 @@ void warn_of_second(const Element& element, const Element& first,
            " already; take this one out");
 }
 
-// Values of a set.
+// The values of a set.
 void lint_set(const Element& cardinality, Findings& findings) {
   std::map<std::string, const Element*> seen;
   for (const auto& value : cardinality.children)
@@ -27,7 +31,8 @@ void lint_set(const Element& cardinality, Findings& findings) {
                        "the value '" + first->first + "'", findings);
 }
 
-// The same act under the same conditions: the first is taken always.
+// Repairs with equal keys have the same act and the same conditions, so only
+// the first is ever used.
 std::string key_of(const Element& repair) {
   std::string key;
   for (const auto* name : {"act", "topic", "slot", "count", "if"})
@@ -35,6 +40,7 @@ std::string key_of(const Element& repair) {
   return key;
 }
 
+// An attribute that is to be spoken, and is empty.
 void lint_silence(const Element& element, const char* attribute,
                   Findings& findings) {
   const auto* words = element.attribute(attribute);
@@ -45,9 +51,10 @@ void lint_silence(const Element& element, const char* attribute,
 
 } // namespace
 
-void lint_repetitions(const Subject& subject, Findings& findings) {
+// Repairs are compared over all files, as the first of all of them counts.
+void lint_repetitions(const LintContext& context, Findings& findings) {
   std::map<std::string, const Element*> repairs;
-  walk(subject, false, [&](const Element& element, const ElementRule& rule) {
+  walk(context, false, [&](const Element& element, const ElementRule& rule) {
     if (element.is("cardinality") && element.value("type") == "set")
       lint_set(element, findings);
     if (is_statement(rule) && element.is("speak"))

@@ -1,4 +1,8 @@
-// unfillable-slot, joined-values.
+// unfillable-slot: nothing can fill a slot. joined-values: several values in
+// one <value>.
+//
+//   <slot name="Time"/>                   no question, no values, no example
+//   <value>tea, coffee</value>            one value with a comma
 #include <algorithm>
 #include <optional>
 
@@ -8,7 +12,7 @@ namespace parlour::script::lint {
 
 namespace {
 
-// "[David](Host)" in one of the topic's examples.
+// Whether an example of the topic marks the slot: "[David](Host)".
 bool is_marked(const Element& topic, const std::string& slot) {
   const auto* examples = topic.child("examples");
   return examples &&
@@ -19,9 +23,9 @@ bool is_marked(const Element& topic, const std::string& slot) {
                      });
 }
 
-// A grammar's tags name slots in ways of their own: the bare word will do.
-bool is_in_grammar(const Subject& subject, const std::string& slot) {
-  const auto& model = subject.program.understanding;
+// Tags of a grammar name slots in several ways, so finding the word is enough.
+bool is_in_grammar(const LintContext& context, const std::string& slot) {
+  const auto& model = context.program.understanding;
   return model &&
          std::any_of(model->grammars.begin(), model->grammars.end(),
                      [&](const GrammarModel& grammar) {
@@ -29,6 +33,7 @@ bool is_in_grammar(const Subject& subject, const std::string& slot) {
                      });
 }
 
+// Whether a statement of the topic assigns the slot.
 bool is_set(const Element& topic, const ElementRule& rule,
             const std::string& slot) {
   bool found = false;
@@ -40,6 +45,7 @@ bool is_set(const Element& topic, const ElementRule& rule,
   return found;
 }
 
+// Whether a statement of the topic asks for the slot.
 bool is_asked(const Element& topic, const ElementRule& rule,
               const std::string& slot) {
   bool found = false;
@@ -50,16 +56,17 @@ bool is_asked(const Element& topic, const ElementRule& rule,
   return found;
 }
 
-// Frames that a script makes by itself may fill anything.
-bool fires_frames(const Subject& subject) {
+// A script that makes frames itself can fill any slot.
+bool fires_frames(const LintContext& context) {
   bool found = false;
-  walk(subject, false, [&](const Element& element, const ElementRule& rule) {
+  walk(context, false, [&](const Element& element, const ElementRule& rule) {
     found |= is_statement(rule) && element.is("fire") &&
              element.value("param").find('{') != std::string::npos;
   });
   return found;
 }
 
+// A literal number.
 std::optional<double> constant(const Element& element, const char* attribute) {
   const auto parsed = parse_expression(element.value(attribute));
   if (parsed.node && parsed.node->kind == NodeKind::integer)
@@ -69,6 +76,7 @@ std::optional<double> constant(const Element& element, const char* attribute) {
   return {};
 }
 
+// A range with literal bounds that are in the wrong order.
 void lint_range(const Element& slot, Findings& findings) {
   const auto* cardinality = slot.child("cardinality");
   if (!cardinality || cardinality->value("type") != "range")
@@ -82,7 +90,7 @@ void lint_range(const Element& slot, Findings& findings) {
              " and ends at " + cardinality->value("to"));
 }
 
-// "<value>a, b, c</value>".
+// Explains "<value>a, b, c</value>".
 void lint_values(const Element& slot, Findings& findings) {
   const auto* cardinality = slot.child("cardinality");
   if (!cardinality || cardinality->children.size() != 1)
@@ -93,7 +101,9 @@ void lint_values(const Element& slot, Findings& findings) {
          "this is one value, with its commas; write a <value> for each");
 }
 
-void lint_slot(const Subject& subject, const Element& topic,
+// A slot can be filled by a question, a value set, an example, a grammar or a
+// script.
+void lint_slot(const LintContext& context, const Element& topic,
                const ElementRule& rule, const Element& slot,
                Findings& findings) {
   lint_range(slot, findings);
@@ -103,7 +113,7 @@ void lint_slot(const Subject& subject, const Element& topic,
       slot.attribute("question") || slot.attribute("expr") ||
       slot.attribute("grammar") || slot.child("cardinality") ||
       slot.child("help") || is_marked(topic, name) ||
-      is_in_grammar(subject, name) || is_set(topic, rule, name) ||
+      is_in_grammar(context, name) || is_set(topic, rule, name) ||
       is_asked(topic, rule, name);
   if (!can_be_filled)
     warn(findings, "unfillable-slot", slot.position,
@@ -113,10 +123,10 @@ void lint_slot(const Subject& subject, const Element& topic,
              name + ")");
 }
 
-// What another understanding than the platform's own finds is not known here.
-bool has_foreign_understanding(const Subject& subject) {
-  const auto& known = subject.options.component_roles;
-  const auto& components = subject.program.settings.components;
+// An understanding component other than the platform's may find anything.
+bool has_foreign_understanding(const LintContext& context) {
+  const auto& known = context.options.component_roles;
+  const auto& components = context.program.settings.components;
   return std::any_of(
       components.begin(), components.end(), [&](const auto& component) {
         const auto found = known.find(component.name);
@@ -128,16 +138,17 @@ bool has_foreign_understanding(const Subject& subject) {
 
 } // namespace
 
-void lint_slots(const Subject& subject, Findings& findings) {
-  if (fires_frames(subject) || has_foreign_understanding(subject))
+// Nothing is certain if frames or acts come from elsewhere.
+void lint_slots(const LintContext& context, Findings& findings) {
+  if (fires_frames(context) || has_foreign_understanding(context))
     return;
-  walk(subject, false, [&](const Element& topic, const ElementRule& rule) {
+  walk(context, false, [&](const Element& topic, const ElementRule& rule) {
     if (!topic.is("topic") || std::find(rule.holds.begin(), rule.holds.end(),
                                         "topic") == rule.holds.end())
       return;
     for (const auto& slot : topic.children)
       if (slot.is("slot"))
-        lint_slot(subject, topic, rule, slot, findings);
+        lint_slot(context, topic, rule, slot, findings);
   });
 }
 

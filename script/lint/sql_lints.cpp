@@ -1,34 +1,32 @@
-// joined-sql, where the statement is built in a variable first. (What stands
-// in <querydb> itself, the compiler tells.)
+// joined-sql, if the statement is built in a variable first. The compiler
+// reports what is built in the <querydb> itself.
+//
+//   <var name="q" expr="'select * from staff where id=' + id"/>
+//   <querydb param="q"/>
+#include <algorithm>
 #include <array>
-#include <cctype>
 #include <map>
 
+#include "runtime/text/sql_scanner.hpp"
 #include "script/lint/passes.hpp"
 
 namespace parlour::script::lint {
 
 namespace {
 
+// Whether the text begins with a word of SQL, in any case.
 bool begins_like_sql(const std::string& text) {
   static constexpr std::array<std::string_view, 5> words{
-      "select ", "insert ", "update ", "delete ", "with "};
-  std::string small;
-  for (const char letter : text.substr(0, 12))
-    small +=
-        static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-  const auto first = small.find_first_not_of(' ');
-  for (const auto word : words)
-    if (first != std::string::npos && small.substr(first).starts_with(word))
-      return true;
-  return false;
+      "select", "insert", "update", "delete", "with"};
+  return std::ranges::count(words, first_sql_word(text)) > 0;
 }
 
+// The first operand of a chain of operators.
 const Node& leftmost(const Node& node) {
   return node.kind == NodeKind::binary ? leftmost(*node.children[0]) : node;
 }
 
-// 'select …' + x, whatever x is.
+// Whether the expression has the form 'select …' + x.
 bool is_joined_sql(const std::string& expression) {
   const auto parsed = parse_expression(expression);
   if (!parsed.node || parsed.node->kind != NodeKind::binary ||
@@ -38,6 +36,7 @@ bool is_joined_sql(const std::string& expression) {
   return first.kind == NodeKind::string && begins_like_sql(first.text);
 }
 
+// Remembers variables with joined statements until a <querydb> uses one.
 void lint_body(const Element& body, const ElementRule& rule,
                Findings& findings) {
   std::map<std::string, const Attribute*> joined;
@@ -63,10 +62,10 @@ void lint_body(const Element& body, const ElementRule& rule,
 
 } // namespace
 
-void lint_joined_sql(const Subject& subject, Findings& findings) {
-  if (subject.program.settings.unsafe_sql)
+void lint_joined_sql(const LintContext& context, Findings& findings) {
+  if (context.program.settings.unsafe_sql)
     return;
-  for (const auto& document : subject.documents)
+  for (const auto& document : context.documents)
     for (const auto& child : document.root.children)
       if (const auto* rule =
               find_rule(child.name, rule_of(document.root).holds);

@@ -1,5 +1,8 @@
-// unreachable-state, state-without-exit, and states whose entrances lead to
-// each other (endless-loop).
+// unreachable-state, state-without-exit, and endless-loop for states whose
+// entrances lead to each other.
+//
+// A <transit> with a computed name may lead anywhere; then no state counts as
+// unreachable.
 #include <map>
 
 #include "script/lint/passes.hpp"
@@ -8,10 +11,10 @@ namespace parlour::script::lint {
 
 namespace {
 
-// Where statements lead to.
+// Where statements lead.
 struct Ways {
   std::set<std::string> targets; // of <transit> and <push>
-  bool computed = false;         // one whose name is computed
+  bool computed = false;         // one has a computed name
   bool leaves = false;           // a <pop> or <end>
 
   bool any() const {
@@ -19,6 +22,7 @@ struct Ways {
   }
 };
 
+// Adds the way that a statement opens, if any.
 void add_way(const Element& element, Ways& ways) {
   if (element.is("pop") || element.is("end"))
     ways.leaves = true;
@@ -42,6 +46,7 @@ struct Map {
   void add(const Element& root, const ElementRule& rule);
 };
 
+// Sorts all statements by the state that they belong to.
 void Map::add(const Element& root, const ElementRule& rule) {
   for (const auto& child : root.children) {
     const auto* inside = find_rule(child.name, rule.holds);
@@ -59,16 +64,17 @@ void Map::add(const Element& root, const ElementRule& rule) {
   }
 }
 
-Map map_of(const Subject& subject) {
+Map map_of(const LintContext& context) {
   Map map;
-  for (const auto& document : subject.documents)
-    if (!document.platform) // its goodbye is no way that a state was given
+  for (const auto& document : context.documents)
+    if (!document.platform) // its goodbye is not a state's way out
       map.add(document.root, rule_of(document.root));
-  if (subject.settings)
-    map.add(*subject.settings, rule_of(*subject.settings));
+  if (context.settings)
+    map.add(*context.settings, rule_of(*context.settings));
   return map;
 }
 
+// Adds all states that can be reached from this one.
 void reach(const std::string& state, const Map& map,
            std::set<std::string>& reached) {
   std::vector<std::string> waiting{state};
@@ -82,12 +88,13 @@ void reach(const std::string& state, const Map& map,
   }
 }
 
-void lint_reachable(const Subject& subject, const Map& map,
+// A state is reachable from the start, or from anywhere by what stands outside.
+void lint_reachable(const LintContext& context, const Map& map,
                     Findings& findings) {
-  if (!subject.settings || map.computed)
+  if (!context.settings || map.computed)
     return;
   std::set<std::string> reached;
-  reach(subject.program.settings.start, map, reached);
+  reach(context.program.settings.start, map, reached);
   for (const auto& target : map.elsewhere.targets)
     reach(target, map, reached);
   for (const auto& [name, element] : map.elements)
@@ -98,8 +105,10 @@ void lint_reachable(const Subject& subject, const Map& map,
                "\"/> or by 'start' of the settings, or take it out");
 }
 
-void lint_exits(const Subject& subject, const Map& map, Findings& findings) {
-  if (!subject.settings || map.elements.size() < 2 || map.elsewhere.any())
+// Only if nothing outside of the states leads anywhere.
+void lint_exits(const LintContext& context, const Map& map,
+                Findings& findings) {
+  if (!context.settings || map.elements.size() < 2 || map.elsewhere.any())
     return;
   for (const auto& [name, element] : map.elements)
     if (!map.of_state.at(name).any() && !element->children.empty())
@@ -109,7 +118,7 @@ void lint_exits(const Subject& subject, const Map& map, Findings& findings) {
                "by <transit>");
 }
 
-// The state that an entrance goes to whatever happens; empty: none.
+// The state to which an entrance goes unconditionally; empty if there is none.
 std::string certain_target(const Element& state) {
   const auto* entrance = state.child("Entrance");
   if (entrance)
@@ -119,6 +128,8 @@ std::string certain_target(const Element& state) {
   return {};
 }
 
+// Follows certain targets from each state. A state met twice on the same way
+// closes a circle; states of earlier ways are not followed again.
 void lint_circles(const Map& map, Findings& findings) {
   std::set<std::string> done;
   for (const auto& [name, element] : map.elements) {
@@ -137,10 +148,11 @@ void lint_circles(const Map& map, Findings& findings) {
 
 } // namespace
 
-void lint_states(const Subject& subject, Findings& findings) {
-  const auto map = map_of(subject);
-  lint_reachable(subject, map, findings);
-  lint_exits(subject, map, findings);
+// The three checks share one map of ways.
+void lint_states(const LintContext& context, Findings& findings) {
+  const auto map = map_of(context);
+  lint_reachable(context, map, findings);
+  lint_exits(context, map, findings);
   lint_circles(map, findings);
 }
 

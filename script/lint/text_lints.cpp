@@ -1,10 +1,14 @@
-// text-like-expression: braces that embed nothing although a variable stands
-// in them. (What no braces are needed for, the compiler tells.)
+// text-like-expression: braces that embed nothing although a variable is in
+// them. The compiler reports texts without braces that look like expressions.
+//
+//   <speak param="Hello {name"/>          not closed
+//   <speak param="Hello ${name}"/>        the $ is spoken, too
+//   <speak param="Hello {{name}}"/>       spoken with its braces
 #include <algorithm>
 #include <cctype>
 #include <map>
 
-#include "script/expression/brace_slips.hpp"
+#include "script/expression/brace_mistakes.hpp"
 #include "script/expression/plain_brace.hpp"
 #include "script/lint/passes.hpp"
 
@@ -14,6 +18,7 @@ namespace {
 
 constexpr auto npos = std::string_view::npos;
 
+// The first word, behind blanks only.
 std::string first_word(std::string_view text) {
   std::string word;
   for (const char letter : text) {
@@ -26,23 +31,29 @@ std::string first_word(std::string_view text) {
   return word;
 }
 
+// A text to examine, and who will get it.
 struct Text {
   std::string_view text;
   Position position;
   bool collapsed = false;
-  bool is_spoken = false;    // a brace in it is hardly meant
-  bool may_be_heard = false; // or read; not SQL, names of files and the like
+  bool is_spoken = false;    // braces are hardly meant
+  bool may_be_heard = false; // or read; not SQL or a file's name
 };
 
+// Examines one text after the other. The names are those declared anywhere in
+// the application: which of them are visible at a place is the compiler's
+// business.
 class TextLint {
 public:
   TextLint(const TextLint&) = delete;
-  TextLint(const Subject& subject, Findings& findings)
-      : names_(declared_names(subject)), functions_(subject.program.functions),
+  TextLint(const LintContext& context, Findings& findings)
+      : names_(declared_names(context)), functions_(context.program.functions),
         known_{[this](const auto& name) { return names_.count(name) > 0; },
                [this](const auto& name) { return functions_.count(name) > 0; }},
         findings_(findings) {}
 
+  // Variables in braces first; if there is none, any brace that would be
+  // spoken.
   void look_at(const Text& text) {
     if (!look_for_variables(text) && text.is_spoken)
       look_for_braces(text);
@@ -72,6 +83,7 @@ private:
   Findings& findings_;
 };
 
+// The first brace that embeds nothing, if nothing more specific was found.
 void TextLint::look_for_braces(const Text& text) {
   const auto at = plain_brace(text.text);
   if (at != std::string_view::npos)
@@ -80,7 +92,7 @@ void TextLint::look_for_braces(const Text& text) {
             "brace that is meant write '{{' or '}}'");
 }
 
-// {{name}} is said with its braces.
+// Explains {{name}}, which is said with its braces.
 void TextLint::look_at_doubled(const Text& text, std::size_t at) {
   const auto inner = text.text.substr(at + 2);
   const auto close = inner.find('}');
@@ -97,27 +109,28 @@ void TextLint::look_at_doubled(const Text& text, std::size_t at) {
               mended(inner.substr(0, close)).value_or(word) + "}");
 }
 
-// Behind what was looked at.
+// Returns the offset behind what was examined.
 std::size_t TextLint::look_at_brace(const Text& text, std::size_t at) {
   const auto all = text.text;
-  if (const auto end = embedded_end(all, at); end != npos)
+  if (const auto end = embedded(all, at).end; end > 0)
     return end;
-  const auto slip = explain_brace(all, at, known_, text.may_be_heard);
-  if (!slip)
+  const auto mistake = explain_brace(all, at, known_, text.may_be_heard);
+  if (!mistake)
     return at + 1;
-  if (slip->length == 1)
+  if (mistake->length == 1)
     warn_at(text, at, 1,
-            "this brace embeds nothing, as it is not closed; " + slip->message);
+            "this brace embeds nothing, as it is not closed; " +
+                mistake->message);
   else
-    warn_at(text, at, slip->length,
+    warn_at(text, at, mistake->length,
             "these braces are said as they are, as what is inside is no "
             "expression: " +
-                slip->message,
-            slip->replacement);
-  return at + slip->length;
+                mistake->message,
+            mistake->replacement);
+  return at + mistake->length;
 }
 
-// Whether there was anything to warn of.
+// Returns whether there was anything to warn of.
 bool TextLint::look_for_variables(const Text& text) {
   const auto all = text.text;
   const auto before = findings_.all().size();
@@ -130,7 +143,8 @@ bool TextLint::look_for_variables(const Text& text) {
   return findings_.all().size() > before;
 }
 
-// $name, ${name}, #{name}, %name% and {% … %}, as other languages embed.
+// Explains $name, ${name}, #{name}, %name% and {% … %}, the ways in which other
+// languages embed values.
 void TextLint::look_for_foreign(const Text& text) {
   const auto all = text.text;
   for (std::size_t at = 0; at + 1 < all.size(); ++at) {
@@ -156,7 +170,7 @@ void TextLint::look_for_foreign(const Text& text) {
   }
 }
 
-// What is said as it stands there.
+// Whether the attribute is spoken as it is.
 bool is_spoken(const Element& element, const std::string& attribute) {
   return (element.is("speak") && attribute == "param") ||
          ((element.is("slot") || element.is("confirm")) &&
@@ -164,6 +178,7 @@ bool is_spoken(const Element& element, const std::string& attribute) {
          (element.is("constraint") && attribute == "message");
 }
 
+// Whether somebody hears or reads the attribute.
 bool may_be_heard(const Element& element, const std::string& attribute) {
   return is_spoken(element, attribute) ||
          ((element.is("print") || element.is("log")) && attribute == "param");
@@ -171,10 +186,12 @@ bool may_be_heard(const Element& element, const std::string& attribute) {
 
 } // namespace
 
-void lint_texts(const Subject& subject, Findings& findings) {
-  TextLint lint(subject, findings);
+// Attributes that are text, or that could be an expression and are none; and
+// the texts of phrases, wordings and examples.
+void lint_texts(const LintContext& context, Findings& findings) {
+  TextLint lint(context, findings);
   std::set<const Element*> wordings; // of questions and explanations
-  walk(subject, false, [&](const Element& element, const ElementRule& rule) {
+  walk(context, false, [&](const Element& element, const ElementRule& rule) {
     using enum AttributeKind;
     for (const auto& attribute : element.attributes) {
       const auto* known = rule.attribute(attribute.name);

@@ -1,4 +1,10 @@
-// lost-timer: one that is over before it rings.
+// lost-timer: a timer ends before it rings.
+//
+//   <Entrance>
+//     <timer name="t" after="1s">…</timer>    ends with the state …
+//     <transit state="B"/>                    … which is left here
+//
+// Both are about timers that end quietly (language rules 10.5 and 10.6).
 #include <algorithm>
 
 #include "runtime/base/clock.hpp"
@@ -14,10 +20,11 @@ bool leaves_state(const Element& element) {
 
 class TimeLint {
 public:
-  TimeLint(const Subject& subject, Findings& findings)
-      : sessions_(subject.program.settings.sessions), findings_(findings) {}
+  TimeLint(const LintContext& context, Findings& findings)
+      : sessions_(context.program.settings.sessions), findings_(findings) {}
 
-  // One that repeats keeps no session open, and would ring when it is over.
+  // A repeating timer keeps no session open (language rule 10.6), so one whose
+  // period is longer than the session's silence would never ring.
   void timer(const Element& element) {
     const auto after = parse_duration(element.value("after"));
     if (after && *after >= sessions_.closes_after &&
@@ -28,7 +35,8 @@ public:
            "\"false\" if that is right");
   }
 
-  // Statements that leave the state, and so end the timers beside them.
+  // Statements that leave the state end the timers that are set beside them
+  // (language rule 10.5).
   void block(const Element& element) {
     const auto& statements = element.children;
     if (!std::any_of(statements.begin(), statements.end(), leaves_state))
@@ -47,11 +55,12 @@ private:
 
 } // namespace
 
-void lint_time(const Subject& subject, Findings& findings) {
-  if (!subject.settings)
+// Blocks are examined in states only, as other timers outlive a <transit>.
+void lint_time(const LintContext& context, Findings& findings) {
+  if (!context.settings)
     return;
-  TimeLint lint(subject, findings);
-  walk(subject, false, [&](const Element& element, const ElementRule& rule) {
+  TimeLint lint(context, findings);
+  walk(context, false, [&](const Element& element, const ElementRule& rule) {
     if (element.is("timer") && is_statement(rule))
       lint.timer(element);
     else if (element.is("state"))

@@ -1,4 +1,8 @@
-// unread-variable.
+// unread-variable: nothing reads a variable.
+//
+//   <var name="total" expr="a + b"/>      and `total` occurs nowhere else
+//
+// Names that are only assigned count as not read.
 #include "script/lint/passes.hpp"
 #include "script/xml/attribute_check.hpp"
 
@@ -6,7 +10,7 @@ namespace parlour::script::lint {
 
 namespace {
 
-// The variable that a statement declares, where that is a plain name.
+// The variable that a statement declares, if it is a plain name.
 const Attribute* written(const Element& element) {
   const Attribute* attribute = nullptr;
   if (element.is("var") || element.is("const") || element.is("object") ||
@@ -21,11 +25,11 @@ void report(const Element& element, const Attribute& name, Findings& findings) {
            "'; use it, or take the <" + element.name + "> out");
 }
 
-// Variables of one body: whatever happens to them happens in there.
+// Local variables: everything that happens to them happens in the same body.
 void lint_locals(const Element& owner, const ElementRule& rule,
                  const std::set<std::string>& session, Findings& findings) {
   auto read = all_mentions(owner, rule).names;
-  // What takes the result of a statement may be there for that alone.
+  // A variable that takes a statement's result may be there only for that.
   walk(owner, rule, [&](const Element& element, const ElementRule&) {
     read.insert(element.value("return"));
   });
@@ -37,9 +41,10 @@ void lint_locals(const Element& owner, const ElementRule& rule,
   });
 }
 
-std::set<std::string> read_anywhere(const Subject& subject) {
+// The names that any expression of the application mentions.
+std::set<std::string> read_anywhere(const LintContext& context) {
   Mentions mentions;
-  walk(subject, true, [&](const Element& element, const ElementRule& rule) {
+  walk(context, true, [&](const Element& element, const ElementRule& rule) {
     mentions_of(element, rule, mentions);
   });
   return mentions.names;
@@ -47,12 +52,13 @@ std::set<std::string> read_anywhere(const Subject& subject) {
 
 } // namespace
 
-void lint_variables(const Subject& subject, Findings& findings) {
+// Session variables are judged by the whole application, locals by their body.
+void lint_variables(const LintContext& context, Findings& findings) {
   std::set<std::string> session;
-  for (const auto& variable : subject.program.variables)
+  for (const auto& variable : context.program.variables)
     session.insert(variable.name);
-  const auto read = read_anywhere(subject);
-  for (const auto& document : subject.documents) {
+  const auto read = read_anywhere(context);
+  for (const auto& document : context.documents) {
     const auto& rule = rule_of(document.root);
     for (const auto& child : document.root.children) {
       const auto* inside = find_rule(child.name, rule.holds);
@@ -61,7 +67,7 @@ void lint_variables(const Subject& subject, Findings& findings) {
       if (!child.is("var") && !child.is("const"))
         lint_locals(child, *inside, session, findings);
       else if (const auto* name = written(child);
-               name && subject.is_whole() && !read.count(name->value))
+               name && context.is_whole() && !read.count(name->value))
         report(child, *name, findings);
     }
   }

@@ -1,5 +1,5 @@
-// Hosts for where there is no conversation. Those who know more (a frame, a
-// message) override what they know.
+// Hosts for scripts that run without a conversation. A subclass overrides what
+// it knows, such as a frame or a message.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace parlour::script {
 
-// The world without a conversation: no slots, nothing of the system, no agents.
+// A host without slots, system variables and agents.
 class LonelyHost : public Host {
 public:
   Value slot(TopicId, SlotId) const override {
@@ -24,21 +24,23 @@ public:
   }
 };
 
-// The world of a script that may only compute: a condition, a text, a
-// constraint. It has a time, and everything else is unknown or refused.
+// A host for scripts that may only compute: conditions, texts, constraints. It
+// has a time; every effect is refused.
 class ComputingHost : public LonelyHost {
 public:
-  // `who` begins the refusal's sentence: "a phrase".
+  // `who` begins the sentence of the refusal: "a phrase". It must outlive the
+  // host.
   ComputingHost(std::string_view who, Timestamp now) : who_(who), now_(now) {}
 
   Performed perform(Activation&, const Effect&) override {
     return Error{
         ErrorKind::refused, std::string(who_) + " can only compute", {}};
   }
+  // Constant, as it is given once.
   Timestamp now() const override {
     return now_;
   }
-  // A condition gives the same answer whenever it is asked.
+  // A condition must give the same answer each time.
   double random() override {
     return 0;
   }

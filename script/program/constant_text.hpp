@@ -1,5 +1,5 @@
-// The text of code that consists of nothing else, as most questions do: nothing
-// need be run for it.
+// Recognises code that only returns a constant, as most questions do, so that
+// its text can be used without running the interpreter.
 #pragma once
 
 #include <optional>
@@ -9,10 +9,11 @@
 
 namespace parlour::script {
 
-// What code that gives a constant gives; null for any other.
+// The constant that the code returns; null if it does anything else.
 const Box* constant_of(const Code& code);
 
-// The text lives as long as the program; nothing where it must be worked out.
+// The text of such code, which lives as long as the program; nothing if the
+// code must be run.
 std::optional<std::string_view> constant_text(const Program& program,
                                               CodeId code);
 

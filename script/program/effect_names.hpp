@@ -1,20 +1,27 @@
-// What effects are called in a script.
+// The names of effects in scripts, and questions about them, answered by
+// effects.def.
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "script/program/host.hpp"
 
 namespace parlour::script {
 
-// The name of the element that makes the effect, as the author wrote it.
+// Whether an effect cannot be taken back, or is heard (language rule 12.20).
+enum class Deed : std::uint8_t { yes, no, by_statement };
+
+// The name of the element that makes the effect.
 std::string element_of(EffectKind kind);
 
-// Whether a script that wants it goes on later only.
+// Whether the effect suspends its script until an answer comes.
 bool waits(EffectKind kind);
 
-// Whether it leads to another state: nothing for a script that runs on the way
-// to one, an Exit or what stands in a <transit>.
+Deed deed_of(EffectKind kind);
+
+// Whether it chooses another state. Scripts that run on the way to a state (an
+// Exit, or the body of a <transit>) may not do that (language rule 12.1).
 bool leads_elsewhere(EffectKind kind);
 
 } // namespace parlour::script

@@ -9,6 +9,8 @@ namespace parlour::script {
 
 namespace {
 
+// A breadth-first search over calls, so that the effect found is the nearest
+// and its message the easiest to understand.
 class EffectSearch {
 public:
   EffectSearch(const Program& program,
@@ -28,11 +30,11 @@ public:
 private:
   struct Callee {
     CodeId code = no_code;
-    Position call; // in the code that the search began with
+    Position call; // in the first code
     bool is_called = false;
   };
 
-  // Each once: functions may call each other in a ring.
+  // Each function is searched once, as functions may call each other in a ring.
   void add(Callee callee) {
     if (callee.code < program_.code.size() && seen_.insert(callee.code).second)
       waiting_.push_back(callee);
@@ -51,6 +53,7 @@ private:
     }
   }
 
+  // The first effect found is the nearest.
   void take(const EffectShape& effect, Position position, const Callee& one) {
     const auto kind = static_cast<EffectKind>(effect.kind);
     if (!found_ && wanted_(kind))

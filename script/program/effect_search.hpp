@@ -1,6 +1,6 @@
-// EffectSearch: which effects a piece of code leads to, by itself or by the
-// functions that it calls. A call whose name is computed may lead anywhere and
-// is not followed; nor is what runs later or elsewhere (a timer's body).
+// Finds out which effects a piece of code may perform, itself or through the
+// functions that it calls. It does not follow calls by a computed name, which
+// may lead anywhere, nor bodies that run later (timers).
 #pragma once
 
 #include <functional>
@@ -11,14 +11,16 @@
 
 namespace parlour::script {
 
+// Where an effect was found.
 struct EffectFound {
   EffectKind kind = {};
   Position position;      // of the effect
-  Position call;          // in the code itself: of the call that leads there
-  bool is_called = false; // else it is the code's own
+  Position call;          // in the code itself: the call that leads there
+  bool is_called = false; // false: the code itself performs it
 };
 
-// The nearest effect that is `wanted`; nothing where there is none.
+// The nearest effect for which `wanted` is true, in calls; nothing if there is
+// none.
 std::optional<EffectFound>
 find_effect(const Program& program, CodeId code,
             const std::function<bool(EffectKind)>& wanted);

@@ -24,11 +24,11 @@ std::optional<FileAction> action_of(EffectKind kind) {
 } // namespace
 
 std::optional<FileRequest> file_request(const Effect& effect,
-                                        std::size_t most_bytes) {
+                                        std::size_t max_bytes) {
   const auto action = action_of(effect.kind);
   if (!action)
     return {};
-  return FileRequest{*action, effect.text(0), effect.text(1), most_bytes};
+  return FileRequest{*action, effect.text(0), effect.text(1), max_bytes};
 }
 
 } // namespace parlour::script

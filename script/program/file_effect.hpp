@@ -1,4 +1,4 @@
-// The effects of <readfile> and its like as requests for whoever has the disk.
+// Translates the effects of <readfile> and the other file elements to requests.
 #pragma once
 
 #include <optional>
@@ -8,8 +8,8 @@
 
 namespace parlour::script {
 
-// Nothing for an effect that is about something else.
+// The request for an effect; nothing if the effect is not about files.
 std::optional<FileRequest> file_request(const Effect& effect,
-                                        std::size_t most_bytes);
+                                        std::size_t max_bytes);
 
 } // namespace parlour::script

@@ -1,3 +1,6 @@
+// Operands of effects as values of the runtime. They are converted on demand,
+// because many effects need only some of their operands.
+
 #include "script/program/host.hpp"
 
 #include <limits>
@@ -9,9 +12,10 @@ namespace parlour::script {
 
 namespace {
 
-// What can be too large was weighed before the effect was performed.
+// The sizes were checked before the effect was performed.
 Value copied(const Box& box) {
-  return to_value(box, std::numeric_limits<std::size_t>::max());
+  WalkBudget any(std::numeric_limits<std::size_t>::max());
+  return to_value(box, any);
 }
 
 } // namespace

@@ -1,4 +1,4 @@
-// The operations as an enumeration (instructions.def).
+// The operations as an enumeration, from instructions.def.
 #pragma once
 
 #include <cstdint>

@@ -6,6 +6,7 @@ namespace parlour::script {
 
 namespace {
 
+// Multiplying by the golden ratio spreads consecutive integers.
 std::uint32_t hash_of_constant(const Box& value) {
   constexpr std::uint32_t golden = 0x9e3779b9;
   return value.is_string()
@@ -20,7 +21,7 @@ bool same(const Box& a, const Box& b) {
 
 } // namespace
 
-// Of the value's entry, or of the free one where it would be.
+// The place of the value, or the free place where it would be added.
 std::size_t JumpTable::slot_of(const Box& value) const {
   const auto mask = entries_.size() - 1;
   auto slot = hash_of_constant(value) & mask;

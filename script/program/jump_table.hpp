@@ -1,6 +1,7 @@
-// JumpTable: where the arms of a switch, or of a chain of conditions, begin
-// whose values are constants; found by the value itself instead of by one test
-// after another. Either all strings or all integers. Immutable once compiled.
+// JumpTable: finds the arm of a <switch>, or of a chain of conditions on one
+// variable, by the value itself instead of testing one constant after the
+// other. The constants are either all strings or all integers. Immutable once
+// compiled, so all sessions share it.
 #pragma once
 
 #include <cstdint>
@@ -10,21 +11,23 @@
 
 namespace parlour::script {
 
+// A hash table with open addressing.
 class JumpTable {
 public:
   static bool may_hold(const Box& constant) {
     return constant.is_string() || constant.is_small();
   }
-  // A constant of the type of all others, and an instruction's number; the
-  // first of equal constants counts.
+  // Adds an arm. The constant must be of the same type as the others. Of equal
+  // constants the first counts. `target` is the index of an instruction.
   void add(const Box& constant, std::uint32_t target);
-  // Where a value that no arm has goes on.
+  // Where a value without an arm continues.
   void otherwise(std::uint32_t target) {
     otherwise_ = target;
   }
 
-  // The arm of a value that is no reference; null where it is not of the
-  // table's type, so that only the tests know ('5' == 5).
+  // The target for a value, which must not be a bound parameter. Null if the
+  // value is not of the table's type: then only the tests themselves can
+  // decide, as '5' equals 5.
   const std::uint32_t* find(const Box& value) const;
 
   struct Entry {
@@ -42,7 +45,7 @@ private:
   std::size_t slot_of(const Box& value) const;
   void grow();
 
-  // A power of two of them, at most half in use.
+  // The number of places is a power of two, and at most half of them are used.
   std::vector<Entry> entries_ = std::vector<Entry>(8);
   std::size_t used_ = 0;
   bool of_strings_ = false;

@@ -1,3 +1,6 @@
+// Lookups by name, for the compiler and for names that are computed at run
+// time.
+
 #include "script/program/program.hpp"
 
 #include <algorithm>
@@ -6,6 +9,7 @@ namespace parlour::script {
 
 namespace {
 
+// Linear, as applications are small and names are resolved while compiling.
 template <class T>
 std::uint32_t index_of(const std::vector<T>& all, std::string_view name) {
   for (std::size_t i = 0; i < all.size(); ++i)
@@ -33,7 +37,7 @@ StateId Program::state(std::string_view name) const {
   return index_of(states, name);
 }
 
-Place Program::place(Position position) const {
+SourceLocation Program::place(Position position) const {
   if (position.file >= files.size())
     return {"", position.line, position.column};
   return {files[position.file], position.line, position.column};

@@ -13,9 +13,9 @@ std::size_t remembered(const std::vector<Value>& locals) {
 
 std::optional<Error> refuse_timers(std::size_t count, std::size_t bytes,
                                    std::size_t limit) {
-  if (count > most_timers)
+  if (count > max_timers)
     return Error{ErrorKind::limit,
-                 "more than " + std::to_string(most_timers) + " timers at once",
+                 "more than " + std::to_string(max_timers) + " timers at once",
                  {}};
   if (bytes > limit)
     return Error{ErrorKind::limit,

@@ -1,5 +1,5 @@
-// What a session's timers may take: so many at once, and as many bytes of
-// remembered locals as the session's values may hold.
+// Limits on a session's timers (language rule 9.6): their number, and the bytes
+// of the local variables that they keep.
 #pragma once
 
 #include <optional>
@@ -9,12 +9,14 @@
 
 namespace parlour::script {
 
-inline constexpr std::size_t most_timers = 1000;
+// At once, waits included.
+inline constexpr std::size_t max_timers = 1000;
 
-// Bytes of the locals that a timer's body remembers.
+// The bytes of the local variables that a timer's body keeps.
 std::size_t remembered(const std::vector<Value>& locals);
 
-// Why there cannot be so many timers that remember so much, if so.
+// An error of kind Limit if there are too many timers or they keep more than
+// `limit` bytes.
 std::optional<Error> refuse_timers(std::size_t count, std::size_t bytes,
                                    std::size_t limit);
 

@@ -1,3 +1,6 @@
+// One activation runs at a time. It ends, yields (and goes on with the next
+// step) or waits (and is put into the list of what is due).
+
 #include "script/run/exec_run.hpp"
 
 #include <algorithm>
@@ -16,11 +19,14 @@ ExecRun::ExecRun(std::shared_ptr<const Program> program, ExecOptions options)
 
 // -- effects ------------------------------------------------------------------
 
+// A timer that has rung is not in the list any more; waits have no name.
 void ExecRun::cancel(const std::string& timer) {
   std::erase_if(
       due_, [&](const Due& due) { return !due.waiting && due.timer == timer; });
 }
 
+// A timer replaces one of its name (language rule 10.3). The period of a
+// repeating timer is at least 1 ms, so that time passes.
 Performed ExecRun::add_timer(const Effect& effect) {
   const Milliseconds after(effect.operand(1).integer_or(0));
   Due due;
@@ -51,9 +57,10 @@ Performed ExecRun::access_file(const FileRequest& request) {
   return std::move(*outcome);
 }
 
+// File effects are carried out at once, as nothing else can run meanwhile.
 Performed ExecRun::perform(Activation&, const Effect& effect) {
-  const auto most_bytes = interpreter_.program().settings.limits.result;
-  if (const auto request = file_request(effect, most_bytes);
+  const auto max_bytes = interpreter_.program().settings.limits.result;
+  if (const auto request = file_request(effect, max_bytes);
       request && options_.files)
     return access_file(*request);
   switch (effect.kind) {
@@ -86,6 +93,7 @@ void ExecRun::begin_event() {
   interpreter_.new_event();
 }
 
+// Deals with how the current activation stopped.
 void ExecRun::go_on(RunResult result) {
   if (result.status == RunStatus::yielded)
     return;
@@ -101,6 +109,7 @@ void ExecRun::go_on(RunResult result) {
   current_.reset();
 }
 
+// The session variables are initialised first, within main's event.
 void ExecRun::start_main() {
   started_ = true;
   const auto& program = interpreter_.program();
@@ -125,6 +134,7 @@ void ExecRun::start_main() {
   go_on(interpreter_.run(*current_, *this));
 }
 
+// The earliest; of several at one time the one that was set first.
 ExecRun::Due ExecRun::take_next() {
   const auto next = std::min_element(
       due_.begin(), due_.end(), [](const Due& a, const Due& b) {
@@ -135,6 +145,8 @@ ExecRun::Due ExecRun::take_next() {
   return due;
 }
 
+// A repeating timer is set again before its body runs, counted from the time at
+// which it was due, so that its period does not drift.
 void ExecRun::run_due(Due due) {
   options_.wait_until(due.at);
   begin_event();
@@ -143,6 +155,7 @@ void ExecRun::run_due(Due due) {
     return go_on(interpreter_.resume(*current_, Value(), *this));
   }
   current_ = interpreter_.start(due.body, due.arguments, {});
+  // The body was started, so the timer's entry can be moved.
   if (due.every.count() > 0) {
     due.at = later(due.at, due.every);
     due.order = ++order_;
@@ -151,6 +164,8 @@ void ExecRun::run_due(Due due) {
   go_on(interpreter_.run(*current_, *this));
 }
 
+// What has yielded goes on first, so one event is finished before the next one
+// begins.
 bool ExecRun::step() {
   if (failure_)
     return false;

@@ -2,15 +2,15 @@
 //
 //   version      a byte, exec_state_version
 //   clock        signed, the time of the event
-//   dice         fixed
-//   order        number, of what became due last
+//   random       fixed, the generator's state
+//   order        number, of what was set last
 //   started      a byte
 //   running      a byte: an activation has yielded
-//   interpreter  a block (interpreter_state.hpp), with the activation that
-//                yielded, then those that wait in their order below
-//   due          count, each: its time (signed) and order, a byte: it waits;
-//                where not, the timer's name, its period, body, and arguments
-//                as the value of a list
+//   interpreter  a block (interpreter_state.hpp): the activation that yielded,
+//                then those that wait, in the order below
+//   due          count; for each its time (signed), its order, and a byte that
+//                tells whether it waits; if not, the timer's name, period, body
+//                and arguments (the value of a list)
 #include <algorithm>
 
 #include "runtime/base/value_bytes.hpp"
@@ -23,6 +23,7 @@ namespace {
 
 constexpr std::uint8_t exec_state_version = 1;
 
+// Times are limited so that adding durations cannot overflow.
 Timestamp read_time(ByteReader& bytes, Timestamp latest) {
   const auto time = bytes.signed_number();
   if (time > latest || time < -latest)
@@ -69,6 +70,7 @@ void ExecRun::write(ByteWriter& bytes, const Due& due) {
 
 // -- reading ------------------------------------------------------------------
 
+// The header is checked before the interpreter's part is read.
 Expected<std::unique_ptr<ExecRun>>
 ExecRun::restore(std::shared_ptr<const Program> program, ExecOptions options,
                  std::string_view bytes) {
@@ -93,10 +95,12 @@ ExecRun::restore(std::shared_ptr<const Program> program, ExecOptions options,
   return run;
 }
 
+// The activations are in one list; each `due` that waits takes the next.
 void ExecRun::read_activations(ByteReader& bytes, Restored state,
                                bool running) {
   interpreter_ = std::move(state.interpreter);
-  interpreter_.limit_instructions(options_.instructions); // not the writer's
+  interpreter_.limit_instructions(
+      options_.instructions); // the reader's limit counts
   auto next = state.activations.begin();
   const auto take = [&]() -> std::unique_ptr<Activation> {
     if (next != state.activations.end())

@@ -7,6 +7,7 @@ namespace parlour::script {
 InterpreterPool::InterpreterPool(std::shared_ptr<const Program> program)
     : program_(std::move(program)) {}
 
+// The interpreter returns to the pool also after an error.
 Expected<Value> InterpreterPool::evaluate(CodeId code,
                                           const std::vector<Value>& arguments,
                                           ActivationContext context,

@@ -1,6 +1,7 @@
-// InterpreterPool: interpreters for scripts that only compute and belong to no
-// session: phrases, the conditions of routes. They see the program's constants,
-// and are kept, so that these are computed once. Safe from any thread.
+// InterpreterPool: interpreters for code that only computes and belongs to no
+// session, such as phrases and conditions of routes. Each interpreter has
+// computed the program's constants, so the pool keeps interpreters for reuse.
+// Safe from any thread.
 #pragma once
 
 #include <memory>
@@ -11,12 +12,13 @@
 
 namespace parlour::script {
 
+// As many interpreters are made as threads compute at the same time.
 class InterpreterPool {
 public:
   explicit InterpreterPool(std::shared_ptr<const Program> program);
 
-  // Runs it to the end as an event of its own. Constants that cannot be
-  // computed are unknown: the session, which has them too, reports that.
+  // Runs the code to its end, as an event of its own. A constant that cannot be
+  // computed is unknown here; sessions, which have it too, report the error.
   Expected<Value> evaluate(CodeId code, const std::vector<Value>& arguments,
                            ActivationContext context, Host& host) const;
 
@@ -25,6 +27,8 @@ public:
   }
 
 private:
+  // The lock is held only while an interpreter is taken or put back, never
+  // while code runs.
   std::unique_ptr<Interpreter> take(Host& host) const;
 
   const std::shared_ptr<const Program> program_;

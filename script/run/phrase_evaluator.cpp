@@ -12,6 +12,7 @@ namespace parlour::script {
 
 namespace {
 
+// The host of a phrase: it has the time of the utterance and random numbers.
 class PhraseHost : public ComputingHost {
 public:
   explicit PhraseHost(const Value& say)
@@ -32,11 +33,12 @@ public:
   explicit Evaluator(std::shared_ptr<const Program> program)
       : pool_(std::move(program)) {}
 
-  // One that fails leaves its turn to the next.
+  // A phrase that fails leaves its turn to the next one (language rule 12.7).
   Rendering render(const Value& say) const override {
     Rendering rendering;
     const auto turn = static_cast<std::uint64_t>(say["rotation"].integer_or(0));
-    for (int wanted = most_specific; wanted > 0; --wanted) {
+    // From the most specific rank down, until a phrase gives words.
+    for (int wanted = max_specific; wanted > 0; --wanted) {
       const auto found = that_hold(say, wanted, rendering);
       for (std::size_t i = 0; i < found.size() && !rendering.words; ++i) {
         const auto& phrase = *found[(turn + i) % found.size()];
@@ -50,10 +52,10 @@ public:
   }
 
 private:
-  static constexpr int most_specific = 16;
+  static constexpr int max_specific = 16;
 
-  // 0: does not apply; higher is more specific: slot, then topic, then the
-  // application before the platform, then a condition before none.
+  // How specific a phrase is; 0 if it does not apply. A topic counts most, then
+  // a slot, then belonging to the application, then having a condition.
   static int rank(const Phrase& phrase, const Value& say) {
     auto fits = [&](const std::string& wanted, const char* key) {
       return wanted.empty() ||
@@ -66,6 +68,7 @@ private:
            4 * (2 * !phrase.topic.empty() + !phrase.slot.empty());
   }
 
+  // The phrases of one rank whose conditions hold.
   std::vector<const Phrase*> that_hold(const Value& say, int wanted,
                                        Rendering& rendering) const {
     std::vector<const Phrase*> found;
@@ -79,6 +82,7 @@ private:
     return found;
   }
 
+  // Computes code of a phrase; errors are collected in `rendering`.
   std::optional<Value> computed(CodeId code, const Value& say,
                                 Rendering& rendering) const {
     PhraseHost host(say);

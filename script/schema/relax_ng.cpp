@@ -1,3 +1,12 @@
+// The schema has a pattern for each row of the element table:
+//
+//   <define name="e12.speak">
+//     <element>
+//       <choice><name>speak</name><name>Speak</name></choice>
+//       … attributes, children by <ref name="…"/>
+//     </element>
+//   </define>
+
 #include "script/schema/relax_ng.hpp"
 
 #include "script/schema/schema_names.hpp"
@@ -8,6 +17,8 @@ namespace parlour::script {
 
 namespace {
 
+// Writes the schema row by row: each row of the table becomes a named pattern,
+// to which the patterns of its parents refer.
 class RelaxNg {
 public:
   std::string schema();
@@ -31,7 +42,7 @@ private:
   XmlWriter xml_;
 };
 
-// "*" stands for every name that no other row of its place has.
+// "*" stands for every name without a row of its own at that place.
 void RelaxNg::name_class(const ElementRule& rule) {
   if (rule.name != "*")
     return xml_.element("choice", {}, [&] {
@@ -53,6 +64,7 @@ void RelaxNg::name_class(const ElementRule& rule) {
   });
 }
 
+// "*" stands for every attribute that the row does not name.
 void RelaxNg::attribute_name(const AttributeRule& attribute,
                              const ElementRule& rule) {
   if (attribute.name != "*")
@@ -67,6 +79,7 @@ void RelaxNg::attribute_name(const AttributeRule& attribute,
   });
 }
 
+// A choice of words, a pattern of the kind, or any text.
 void RelaxNg::value(const AttributeRule& attribute) {
   const auto pattern = pattern_of(attribute.kind);
   const auto words = words_of(attribute);
@@ -82,6 +95,7 @@ void RelaxNg::value(const AttributeRule& attribute) {
   });
 }
 
+// An attribute is required, optional or, for "*", repeated.
 void RelaxNg::attribute(const WayAttribute& one, const ElementRule& rule) {
   const auto& attribute = one.rule;
   const auto write = [&] {
@@ -101,7 +115,7 @@ void RelaxNg::attribute(const WayAttribute& one, const ElementRule& rule) {
 
 namespace {
 
-// What an element holds in one of its ways.
+// What an element holds when it is written in one of its ways.
 struct Content {
   std::vector<const ElementRule*> often;
   std::vector<const ElementRule*> once;
@@ -113,6 +127,7 @@ struct Content {
   }
 };
 
+// Sorts the possible children by how often they may occur.
 Content content_of(const ElementRule& rule, const Way& way) {
   Content content;
   content.text = rule.holds_text() && !way.leaves_out("text");
@@ -129,10 +144,14 @@ Content content_of(const ElementRule& rule, const Way& way) {
 
 } // namespace
 
+// Children that occur once are interleaved with the others, as order does not
+// matter; the last ones follow. A part may be followed by the statements that
+// belong to it.
 void RelaxNg::content(const ElementRule& rule, const Way& way) {
   const auto holds = content_of(rule, way);
   if (holds.empty())
     return xml_.empty("empty");
+  // Text and children that may be repeated, in any order.
   const auto often = [&] {
     if (holds.often.empty() && !holds.text)
       return xml_.empty("empty");
@@ -162,12 +181,14 @@ void RelaxNg::content(const ElementRule& rule, const Way& way) {
                  });
 }
 
+// Attributes first; in RELAX NG their order does not matter.
 void RelaxNg::write(const ElementRule& rule, const Way& way) {
   for (const auto& one : way.attributes)
     attribute(one, rule);
   content(rule, way);
 }
 
+// An element with several ways is a choice between groups.
 void RelaxNg::define(const ElementRule& rule) {
   xml_.element("define", {{"name", schema_name(rule)}}, [&] {
     xml_.element("element", {}, [&] {
@@ -184,6 +205,7 @@ void RelaxNg::define(const ElementRule& rule) {
   });
 }
 
+// A document begins with one of the roots.
 std::string RelaxNg::schema() {
   xml_.element(
       "grammar",

@@ -1,4 +1,5 @@
-// The language as a RELAX NG schema (XML syntax).
+// The language as a RELAX NG schema in XML syntax, for editors. Made from the
+// element table.
 #pragma once
 
 #include <string>

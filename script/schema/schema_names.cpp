@@ -1,3 +1,5 @@
+// Names and texts that both schemas use in the same form.
+
 #include "script/schema/schema_names.hpp"
 
 #include <algorithm>
@@ -35,6 +37,7 @@ bool is_free(const ElementRule& rule) {
          rule.holds.end();
 }
 
+// The same forms as attribute_check.cpp, as far as a pattern can say them.
 std::string_view pattern_of(AttributeKind kind) {
   switch (kind) {
   case AttributeKind::name:
@@ -50,6 +53,7 @@ std::string_view pattern_of(AttributeKind kind) {
   }
 }
 
+// A boolean is a choice of two words.
 std::vector<std::string> words_of(const AttributeRule& rule) {
   if (rule.kind == AttributeKind::boolean)
     return {"true", "false"};

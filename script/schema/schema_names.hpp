@@ -9,25 +9,26 @@
 
 namespace parlour::script {
 
-// A row's own name in a schema; "e12.speak".
+// A unique name for a row, such as "e12.speak": several rows may have the same
+// element name.
 std::string schema_name(const ElementRule& rule);
 
-// "speak" and "Speak": both are right (language rule 1.4).
+// Both spellings of a name, "speak" and "Speak" (language rule 1.4).
 std::vector<std::string> spellings(const std::string& name);
 
-// The rows that may stand within these contents, in the table's order.
+// The rows that may stand within these contents, in the order of the table.
 std::vector<const ElementRule*>
 rows_within(const std::vector<std::string>& within);
 
-bool is_free(const ElementRule& rule); // holds whatever one likes
+bool is_free(const ElementRule& rule); // holds anything
 
-// A regular expression of XML Schema for values of that kind; empty: any text.
+// A regular expression of XML Schema for values of this kind; empty: any text.
 std::string_view pattern_of(AttributeKind kind);
 
-// The words of a choice, "true" and "false" of a boolean; else empty.
+// The words of a choice; "true" and "false" for a boolean; empty for others.
 std::vector<std::string> words_of(const AttributeRule& rule);
 
-// The row's sentence, with what it needs to be said besides.
+// The row's sentence, with a note if the element is not available yet.
 std::string documentation(const ElementRule& rule);
 std::string documentation(const AttributeRule& rule);
 

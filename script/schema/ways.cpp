@@ -6,6 +6,7 @@ namespace parlour::script {
 
 namespace {
 
+// The way of one form: its attributes and all that are in no form.
 Way way_of(const ElementRule& rule, const AttributeForm& form) {
   Way way;
   for (const auto& attribute : rule.attributes) {
@@ -20,7 +21,8 @@ Way way_of(const ElementRule& rule, const AttributeForm& form) {
   return way;
 }
 
-// With the attribute and without the children; the other way about.
+// Divides a way by an EITHER: without the attribute, and with it but without
+// the children.
 std::vector<Way> divided(Way way, const Either& either) {
   const auto found =
       std::ranges::find_if(way.attributes, [&](const auto& attribute) {
@@ -46,6 +48,7 @@ bool Way::leaves_out(const std::string& child) const {
   return std::ranges::count(without, child) != 0;
 }
 
+// One way for each form, divided by each EITHER in turn.
 std::vector<Way> ways_of(const ElementRule& rule) {
   std::vector<Way> ways;
   for (const auto& form : rule.forms)

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-#include "runtime/base/roles.hpp"
+#include "runtime/message/roles.hpp"
 #include "script/schema/schema_names.hpp"
 #include "script/schema/xml_writer.hpp"
 
@@ -18,6 +18,8 @@ bool has_wildcard(const Rows& rows) {
                      [](const ElementRule* row) { return row->name == "*"; });
 }
 
+// Writes a type for each row. XSD fixes an element's type by its name and
+// parent, which suits the table except for rows for any name (see globals).
 class XmlSchema {
 public:
   std::string schema();
@@ -38,17 +40,19 @@ private:
   std::set<std::string> global_;
 };
 
-// The first of a name: an element has one type only.
+// A global element has one type, so the first row with the name counts.
 void XmlSchema::global(const std::string& name, const ElementRule& rule) {
   if (global_.insert(name).second)
     xml_.empty("xs:element", {{"name", name}, {"type", schema_name(rule)}});
 }
 
-// What stands where elements of any name may, as a wildcard looks its elements
-// up among these, and the roots: <Dialogue> is the source, <dialogue> a root.
+// Wildcards stand for elements of any name, and a validator looks their
+// elements up among the global ones. These are the sources and events of all
+// roles, and the roots: <Dialogue> is a source, <dialogue> a root.
 void XmlSchema::globals() {
   for (const auto& place : {"sources", "events"})
     for (const auto* row : rows_within({place})) {
+      // A row for any name stands for all roles, or for all their events.
       if (row->name != "*") {
         for (const auto& name : spellings(row->name))
           global(name, *row);
@@ -70,6 +74,8 @@ void XmlSchema::globals() {
       global(name, *row);
 }
 
+// XSD cannot limit how often single children occur in any order, so every child
+// may be repeated.
 void XmlSchema::content(const ElementRule& rule) {
   const auto rows = rows_within(rule.holds);
   if (rows.empty())
@@ -86,6 +92,7 @@ void XmlSchema::content(const ElementRule& rule) {
       });
 }
 
+// Words are enumerated, and other kinds have a pattern if there is one.
 void XmlSchema::value(const AttributeRule& attribute) {
   xml_.element("xs:simpleType", {}, [&] {
     xml_.element("xs:restriction", {{"base", "xs:string"}}, [&] {
@@ -97,6 +104,7 @@ void XmlSchema::value(const AttributeRule& attribute) {
   });
 }
 
+// Attributes of any name are allowed by xs:anyAttribute instead.
 void XmlSchema::attribute(const AttributeRule& attribute) {
   if (attribute.name == "*")
     return;
@@ -109,6 +117,7 @@ void XmlSchema::attribute(const AttributeRule& attribute) {
                });
 }
 
+// Text between the children is allowed by mixed content.
 void XmlSchema::type(const ElementRule& rule) {
   xml_.element("xs:complexType",
                {{"name", schema_name(rule)},
@@ -123,6 +132,7 @@ void XmlSchema::type(const ElementRule& rule) {
                });
 }
 
+// Global elements come first, then a type for each row.
 std::string XmlSchema::schema() {
   xml_.element("xs:schema", {{"xmlns:xs", "http://www.w3.org/2001/XMLSchema"}},
                [&] {

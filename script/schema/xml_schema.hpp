@@ -1,4 +1,5 @@
-// The language as an XML Schema (XSD 1.0).
+// The language as an XML Schema (XSD 1.0), for editors without RELAX NG. It
+// says less: see docs/editors.md.
 #pragma once
 
 #include <string>

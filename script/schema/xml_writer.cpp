@@ -2,6 +2,7 @@
 
 namespace parlour::script {
 
+// Enough for texts and for values in double quotes.
 void XmlWriter::escaped(std::string_view content) {
   for (const char letter : content)
     if (letter == '&')

@@ -1,4 +1,4 @@
-// XmlWriter: elements as indented text.
+// XmlWriter: writes elements as indented text.
 #pragma once
 
 #include <initializer_list>
@@ -8,6 +8,7 @@
 
 namespace parlour::script {
 
+// Escapes attribute values and texts. Depth follows the nesting of element().
 class XmlWriter {
 public:
   using Attributes =
@@ -15,7 +16,7 @@ public:
 
   XmlWriter() : text_("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n") {}
 
-  // <name a="b">, what `inside` writes, </name>.
+  // Writes <name a="b">, what `inside` writes, and </name>.
   template <class Inside>
   void element(std::string_view name, Attributes attributes, Inside inside) {
     start(name, attributes, ">\n");
@@ -25,13 +26,15 @@ public:
     indent();
     text_.append("</").append(name).append(">\n");
   }
+  // Writes <name a="b"/>.
   void empty(std::string_view name, Attributes attributes = {}) {
     start(name, attributes, "/>\n");
   }
-  // <name>text</name>
+  // Writes <name>text</name> in one line.
   void text(std::string_view name, std::string_view content,
             Attributes attributes = {});
 
+  // The document written so far.
   std::string take() {
     return std::move(text_);
   }

@@ -2,7 +2,8 @@
 
 namespace parlour::script {
 
-// As quick as names are short.
+// The multiplicative hash of Java's String: fast for names, which are short.
+// The first letter is hashed as if it were small, to agree with NameEqual.
 std::size_t NameHash::operator()(std::string_view name) const {
   constexpr std::size_t letter_case = 0x20;
   std::size_t hash = 0;

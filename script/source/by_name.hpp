@@ -1,5 +1,7 @@
-// What is known by the names of elements, which are equal without regard to
-// the case of their first letter (language rule 1.4).
+// ByName: a hash map whose keys are names of elements. Two names are the same
+// if they differ in the case of the first letter only (language rule 1.4).
+//
+// <Print> and <print> are one key; <PRINT> is another.
 #pragma once
 
 #include <string>
@@ -15,6 +17,7 @@ struct NameHash {
   std::size_t operator()(std::string_view name) const;
 };
 
+// Both functors are transparent, so a lookup by string_view makes no string.
 struct NameEqual {
   using is_transparent = void;
   bool operator()(std::string_view a, std::string_view b) const {

@@ -8,12 +8,12 @@ namespace parlour::script {
 
 namespace {
 
-constexpr std::size_t widest = 100;     // code points of a line that are shown
-constexpr std::size_t longest = 10'000; // bytes; nobody wrote such a line
+constexpr std::size_t widest = 100;     // code points that are shown of a line
+constexpr std::size_t longest = 10'000; // bytes; such a line is generated
 constexpr std::size_t before_place = 60;
 constexpr std::size_t narrowest_number = 5;
 
-// The line's code points, each as its bytes.
+// Splits a line into its code points, each as its bytes.
 std::vector<std::string> code_points(std::string_view line) {
   std::vector<std::string> points;
   for (const char byte : line)
@@ -24,6 +24,7 @@ std::vector<std::string> code_points(std::string_view line) {
   return points;
 }
 
+// The line that contains the offset, without its end and a byte order mark.
 std::string_view line_around(std::string_view text, std::size_t offset) {
   const auto begin = text.rfind('\n', offset == 0 ? 0 : offset - 1);
   const auto first =
@@ -34,12 +35,15 @@ std::string_view line_around(std::string_view text, std::size_t offset) {
   return line.starts_with("\xef\xbb\xbf") ? line.substr(3) : line;
 }
 
-// The underlined code points: [first, last) of the line.
+// The underlined part of the line, as code points [first, last).
 struct Mark {
   std::size_t first = 0;
   std::size_t last = 0;
 };
 
+// The finding's own range if it has one, else the word or tag that begins
+// there. A range that ends on a later line is underlined to the end of its
+// first line.
 Mark mark_of(const SourceText& source, const Finding& finding,
              std::size_t offset, std::size_t length) {
   const auto end = finding.range.end > finding.range.begin
@@ -51,6 +55,7 @@ Mark mark_of(const SourceText& source, const Finding& finding,
   return {first, std::max(last, first + 1)};
 }
 
+// The code points [first, last) as text.
 std::string joined(const std::vector<std::string>& points, std::size_t first,
                    std::size_t last) {
   std::string text;
@@ -59,7 +64,8 @@ std::string joined(const std::vector<std::string>& points, std::size_t first,
   return text;
 }
 
-// Tabs stay tabs, so that the mark stands where the text does.
+// Tabs are kept before the mark, so that it stands below the text however wide
+// the terminal shows a tab.
 std::string underline(const std::vector<std::string>& points, std::size_t first,
                       const Mark& mark, std::size_t last) {
   std::string text;
@@ -73,6 +79,8 @@ std::string underline(const std::vector<std::string>& points, std::size_t first,
 
 } // namespace
 
+// The place of a finding may come from another version of the file, so it is
+// checked against the text before anything is shown.
 std::string excerpt(const SourceText& source, const Finding& finding) {
   const auto& place = finding.place;
   if (place.line == 0 || place.column == 0 || source.text().empty())
@@ -87,6 +95,7 @@ std::string excerpt(const SourceText& source, const Finding& finding) {
   const auto mark = mark_of(source, finding, offset, points.size());
   std::size_t first = 0;
   auto last = points.size();
+  // Shows the part around the mark, with an ellipsis where it is cut.
   if (points.size() > widest) {
     first = mark.first > before_place ? mark.first - before_place : 0;
     last = std::min(first + widest, points.size());

@@ -1,5 +1,4 @@
-// What a reader sees of a finding: its line in the file and a mark under the
-// place.
+// Excerpt: the source line of a finding with its place underlined.
 #pragma once
 
 #include <string>
@@ -9,10 +8,13 @@
 
 namespace parlour::script {
 
-//    4 |   <speek param="Hello"/>
-//      |   ^^^^^^
-// Two lines, each with its end; empty where the place is not in the text. Of
-// long lines, what stands around the place.
+// Two lines, each with a line end, such as
+//
+//      4 |   <speek param="Hello"/>
+//        |   ^^^^^^
+//
+// Empty if the place is not in the text. A long line is cut to the part around
+// the place.
 std::string excerpt(const SourceText& source, const Finding& finding);
 
 } // namespace parlour::script

@@ -5,11 +5,13 @@
 #include <tuple>
 #include <utility>
 
+#include "runtime/text/edit_distance.hpp"
+
 namespace parlour::script {
 
 namespace {
 
-// Files in the order in which they were read.
+// The key for sorting. Files keep the order in which they were read.
 auto order_of(const Finding& finding, const std::vector<std::string>& files) {
   const auto file = std::find(files.begin(), files.end(), finding.place.file);
   return std::tuple(file - files.begin(), finding.place.line,
@@ -21,44 +23,36 @@ char lower(char letter) {
   return static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
 }
 
-// Edits (insert, remove, replace, swap neighbours) between two names, in
-// tenths; another case of a letter costs little.
-std::size_t distance(std::string_view a, std::string_view b) {
-  const auto width = b.size() + 1;
-  std::vector<std::size_t> table((a.size() + 1) * width);
-  auto at = [&](std::size_t i, std::size_t j) -> std::size_t& {
-    return table[i * width + j];
-  };
-  for (std::size_t i = 0; i <= a.size(); ++i)
-    for (std::size_t j = 0; j <= b.size(); ++j) {
-      if (i == 0 || j == 0) {
-        at(i, j) = (i + j) * 10;
-        continue;
-      }
-      const auto x = a[i - 1], y = b[j - 1];
-      const std::size_t change = x == y ? 0 : lower(x) == lower(y) ? 1 : 10;
-      at(i, j) = std::min(
-          {at(i - 1, j) + 10, at(i, j - 1) + 10, at(i - 1, j - 1) + change});
-      if (i > 1 && j > 1 && x == b[j - 2] && a[i - 2] == y)
-        at(i, j) = std::min(at(i, j), at(i - 2, j - 2) + 10);
-    }
-  return table.back();
-}
+constexpr std::size_t longest = 64; // longer names are no misspellings
 
-// A third of the letters may be wrong, one of a short name; of a name of one
-// letter only its size.
+// Of the edit distance, in tenths: to insert, remove or replace a letter or to
+// swap two neighbours costs 10; to change a letter's case costs 1.
+struct LetterCosts {
+  using Number = std::size_t;
+  static constexpr Number swapped = 10;
+  static Number change(char left, char right) {
+    return left == right ? 0 : lower(left) == lower(right) ? 1 : 10;
+  }
+  static constexpr Number extra(char, char) {
+    return 10;
+  }
+};
+
+// The largest distance that counts as a misspelling: a third of the letters,
+// but at least one letter. A name of one letter matches only in another case.
 std::size_t tolerance(std::string_view name) {
   if (name.size() == 1)
     return 1;
   return std::max<std::size_t>(10, name.size() * 10 / 3);
 }
 
-// More help nobody; and each costs time.
-constexpr std::size_t most_findings = 1000;
+// More findings help nobody, and each costs time.
+constexpr std::size_t max_findings = 1000;
 
-// How a piece of a value is written in the file, where `delimiter` stands
-// before the value. Strings in it get the other quotes where these end it and
-// nothing in them is escaped.
+// Writes a correction as it must stand in the file. `delimiter` is the
+// character before the value: the attribute's quote, or anything else for a
+// text. If the correction contains that quote as its own string quotes, the
+// other kind of quotes is used where this is possible without escapes.
 std::string as_in_file(std::string text, char delimiter) {
   const char other = delimiter == '"' ? '\'' : '"';
   if ((delimiter == '"' || delimiter == '\'') &&
@@ -80,6 +74,7 @@ std::string as_in_file(std::string text, char delimiter) {
 
 } // namespace
 
+// The format that editors and compilers use.
 std::string to_string(const Finding& finding) {
   auto text = finding.place.file;
   if (finding.place.line > 0)
@@ -103,16 +98,20 @@ void Findings::warning(Position position, std::string message) {
   add({Severity::warning, {position}, std::move(message)});
 }
 
+// When the limit is reached, one last finding says that there are more. Later
+// errors only make sure that it counts as an error, because compiling fails by
+// has_errors().
 void Findings::add(Report report) {
-  if (findings_.size() > most_findings) {
+  if (findings_.size() > max_findings) {
     if (report.severity == Severity::error)
       findings_.back().severity = Severity::error;
     return;
   }
-  if (findings_.size() == most_findings)
+  if (findings_.size() == max_findings)
     report = {report.severity, report.spot,
               "there is more; this is the last "
               "place that is told"};
+  // The place as far as it is known without the file's text.
   const auto& spot = report.spot;
   Finding finding{report.severity, place(spot.start), std::move(report.message),
                   std::move(report.name)};
@@ -120,8 +119,12 @@ void Findings::add(Report report) {
   finding.place.column += static_cast<std::uint32_t>(spot.skip);
   if (spot.start.line > 0 && file < texts_.size() &&
       !texts_[file].text().empty()) {
+    // From the place in the value to bytes of the file, and from these back to
+    // line and column: only this way entities, line ends and characters of
+    // several bytes are counted right.
     const auto& source = texts_[file];
     const auto start = source.offset_of(spot.start);
+    // The range in the file, and from it the exact place.
     auto& [begin, end] = finding.range;
     begin = start;
     if (spot.skip > 0 || spot.collapsed)
@@ -153,17 +156,20 @@ bool Findings::has_errors() const {
   });
 }
 
-Place Findings::place(Position position) const {
+SourceLocation Findings::place(Position position) const {
   if (position.file >= files_.size())
     return {"", position.line, position.column};
   return {files_[position.file], position.line, position.column};
 }
 
+// Stable, so that findings about the same place keep the order of the passes.
 void Findings::sort() {
   std::stable_sort(findings_.begin(), findings_.end(),
                    [this](const auto& a, const auto& b) {
                      return order_of(a, files_) < order_of(b, files_);
                    });
+  // Neighbours that are equal in file, place, severity and message are the
+  // same.
   auto last = std::unique(findings_.begin(), findings_.end(),
                           [this](const auto& a, const auto& b) {
                             return order_of(a, files_) == order_of(b, files_);
@@ -173,7 +179,6 @@ void Findings::sort() {
 
 std::string nearest(std::string_view name,
                     const std::vector<std::string>& candidates) {
-  constexpr std::size_t longest = 64; // names longer than that are no slips
   auto best = tolerance(name) + 1;
   std::string found;
   if (name.empty() || name.size() > longest)
@@ -181,7 +186,8 @@ std::string nearest(std::string_view name,
   for (const auto& candidate : candidates) {
     if (candidate.empty() || candidate.size() > longest)
       continue;
-    const auto edits = distance(name, candidate);
+    const auto edits =
+        edit_distance<longest, LetterCosts>(name, std::string_view(candidate));
     if (edits < best) {
       best = edits;
       found = candidate;
@@ -200,6 +206,7 @@ std::string same_but_case(std::string_view name,
   return {};
 }
 
+// A name that is right already gets no hint.
 std::string did_you_mean(std::string_view name,
                          const std::vector<std::string>& candidates) {
   auto near = nearest(name, candidates);

@@ -32,7 +32,7 @@ std::size_t end_of_word(std::string_view text, std::size_t offset) {
   return offset;
 }
 
-// The closing quote of a value that begins there; npos where none does.
+// The closing quote if an attribute's value begins at this offset; else npos.
 std::size_t end_of_value(std::string_view text, std::size_t begin) {
   if (begin == 0 || (text[begin - 1] != '"' && text[begin - 1] != '\''))
     return npos;
@@ -42,13 +42,13 @@ std::size_t end_of_value(std::string_view text, std::size_t begin) {
              : npos;
 }
 
-// One piece of the file and how many bytes of the value it makes.
+// A piece of the file and the number of bytes of the value that it makes.
 struct Piece {
   std::size_t length = 1;
   std::size_t value = 1;
 };
 
-// "&#233;" or "&#xe9;" as bytes of UTF-8.
+// How many bytes of UTF-8 "&#233;" or "&#xe9;" stands for.
 std::size_t bytes_of_reference(std::string_view entity) {
   const bool hexadecimal = entity.starts_with("&#x");
   const auto* first = entity.data() + (hexadecimal ? 3 : 2);
@@ -60,6 +60,9 @@ std::size_t bytes_of_reference(std::string_view entity) {
   return bytes.size();
 }
 
+// The first piece of the text: a line end, a comment or CDATA mark (which add
+// nothing to the value), an entity (the named ones stand for one byte), or a
+// single byte. An entity has at most ten characters before its semicolon.
 Piece piece_at(std::string_view text) {
   constexpr std::string_view section = "<![CDATA[";
   if (text.starts_with("\r\n"))
@@ -82,6 +85,7 @@ Piece piece_at(std::string_view text) {
 SourceText::SourceText(std::string text)
     : text_(std::move(text)),
       mark_(text_.starts_with(byte_order_mark) ? byte_order_mark.size() : 0) {}
+// The cached positions point into the text, so they are not moved along.
 SourceText::SourceText(SourceText&& other) noexcept
     : text_(std::move(other.text_)), mark_(other.mark_) {}
 SourceText& SourceText::operator=(SourceText&& other) noexcept {
@@ -99,6 +103,7 @@ const TextPositions& SourceText::positions() const {
   return *positions_;
 }
 
+// Positions do not count the byte order mark; offsets do.
 std::size_t SourceText::offset_of(Position position) const {
   return positions().offset_of(position.line, position.column) + mark_;
 }
@@ -107,11 +112,14 @@ Position SourceText::at(std::size_t offset) const {
   return positions().at(std::max(offset, mark_) - mark_);
 }
 
+// Walks over the pieces and counts the bytes of the value until `skip` of them
+// lie behind. Pieces without bytes are passed, so that the result is at visible
+// text.
 std::size_t SourceText::inside(std::size_t start, std::size_t skip,
                                bool collapsed) const {
   const auto text = std::string_view(text_);
   auto offset = start;
-  bool after_blank = collapsed; // blanks at the beginning count for nothing
+  bool after_blank = collapsed; // leading blanks are dropped
   for (std::size_t done = 0; offset < text.size();) {
     const auto piece = piece_at(text.substr(offset));
     auto value = piece.value;
@@ -120,6 +128,7 @@ std::size_t SourceText::inside(std::size_t start, std::size_t skip,
       value = blank && after_blank ? 0 : value;
       after_blank = blank;
     }
+    // This piece contains the byte that was asked for.
     if (value > 0 && done + value > skip)
       break;
     done += value;
@@ -141,7 +150,7 @@ std::size_t SourceText::end_of(std::size_t begin) const {
   }
   auto end = end_of_word(text, begin);
   while (end > begin && end < text.size() && text[end] == '-' &&
-         is_word_byte(text[begin])) // names of attributes have hyphens
+         is_word_byte(text[begin])) // attribute names have hyphens
     end = end_of_word(text, end + 1);
   return end > begin ? end : begin + 1;
 }

@@ -1,5 +1,5 @@
-// SourceText: one file as it was read, for places inside of attributes and for
-// what a finding underlines. Offsets count the bytes of the file.
+// SourceText: the text of one file. It translates between line and column,
+// offsets in bytes of the file, and positions inside of attribute values.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@ namespace parlour::script {
 
 class TextPositions;
 
-// Bytes of a file, from `begin` up to `end`.
+// Bytes [begin, end) of a file.
 struct TextRange {
   std::size_t begin = 0;
   std::size_t end = 0;
@@ -21,6 +21,8 @@ struct TextRange {
   bool operator==(const TextRange&) const = default;
 };
 
+// Owns the text. Line starts are computed at the first question, so a file
+// without findings costs nothing. Not thread-safe.
 class SourceText {
 public:
   explicit SourceText(std::string text);
@@ -31,24 +33,25 @@ public:
   const std::string& text() const {
     return text_;
   }
+  // Translations between offsets and positions; both are clamped to the text.
   std::size_t offset_of(Position position) const;
   Position at(std::size_t offset) const;
 
-  // Where the byte `skip` of a value stands that begins at `start`. The value
-  // is what the parser made of the file: entities replaced, line ends as one
-  // byte; with `collapsed`, blanks too as script::collapsed does, and comments
-  // inside of it gone.
+  // The offset of byte `skip` of a value whose first character is at `start`.
+  // The value is what the parser made of the file: entities replaced and each
+  // line end one byte. With `collapsed`, runs of blanks count once, as in
+  // script::collapsed, and comments inside count nothing.
   std::size_t inside(std::size_t start, std::size_t skip, bool collapsed) const;
 
-  // The end of what a reader would point at there: a tag with its name, a
-  // whole value behind its quote, a word, or one character.
+  // The end of what should be underlined at this offset: a tag up to its name,
+  // a whole attribute value, a word, or one character.
   std::size_t end_of(std::size_t begin) const;
 
 private:
   const TextPositions& positions() const;
 
   std::string text_;
-  std::size_t mark_ = 0; // bytes of a byte order mark
+  std::size_t mark_ = 0; // length of a byte order mark
   mutable std::unique_ptr<TextPositions> positions_; // made when first needed
 };
 

@@ -22,6 +22,8 @@ bool is_control(char letter) {
 
 } // namespace
 
+// Searches line feeds with find(), which is fast, and carriage returns within
+// each line. A carriage return before a line feed ends no line of its own.
 TextPositions::TextPositions(std::string_view text, std::uint16_t file)
     : text_(text), file_(file), is_ascii_(is_ascii(text)), starts_{0} {
   constexpr auto npos = std::string_view::npos;
@@ -37,8 +39,12 @@ TextPositions::TextPositions(std::string_view text, std::uint16_t file)
   }
 }
 
+// Starts from the last answer if the offset lies behind it in the same line or
+// in the next; otherwise finds the line by binary search. Columns of ASCII text
+// are bytes; otherwise continuation bytes do not count.
 Position TextPositions::at(std::size_t offset) const {
   offset = std::min(offset, text_.size());
+  // The offset behind a line's end.
   const auto ends = [this](std::size_t line) {
     return line + 1 < starts_.size() ? starts_[line + 1] : text_.size() + 1;
   };
@@ -74,7 +80,10 @@ std::size_t TextPositions::offset_of(std::uint32_t line,
   return offset;
 }
 
-// What a subtraction borrows from is less than a blank.
+// Tests eight bytes at a time: subtracting a blank from each byte sets the
+// highest bit of those below it (of the others only if it was set before, or by
+// a borrow). The words found are candidates, whose bytes are then tested one by
+// one.
 std::optional<std::size_t> find_control_character(std::string_view text) {
   const auto low = [](std::uint64_t eight) {
     return (eight - 0x2020202020202020) & ~eight & highest_bits;

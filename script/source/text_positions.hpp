@@ -1,5 +1,8 @@
-// TextPositions: from an offset in a source text to its line and column
+// TextPositions: translates between offsets in a text and lines and columns
 // (counted in code points; language rule 1.3).
+//
+// Offsets count bytes, columns count characters as editors do; a text in ASCII
+// needs no counting.
 #pragma once
 
 #include <cstddef>
@@ -12,28 +15,31 @@
 
 namespace parlour::script {
 
+// Finds the line starts once; a question then costs a binary search, or less if
+// questions come in the order of the text. Not thread-safe: it remembers the
+// last answer.
 class TextPositions {
 public:
-  // The text must outlive this. A line ends with LF, CR LF or CR.
+  // The text must outlive this object. A line ends with LF, CR LF or CR.
   TextPositions(std::string_view text, std::uint16_t file);
 
-  // Quickest in the order of the text.
+  // Fastest for offsets in ascending order.
   Position at(std::size_t offset) const;
-  // The offset of a line's column; the text's end where there is none.
+  // The offset of a column in a line; the text's end if it does not exist.
   std::size_t offset_of(std::uint32_t line, std::uint32_t column) const;
 
 private:
   std::string_view text_;
   std::uint16_t file_;
   bool is_ascii_;
-  std::vector<std::size_t> starts_; // of the lines
-  // Where it was asked for last.
+  std::vector<std::size_t> starts_; // offsets at which the lines begin
+  // The last answer, from which the next one is counted.
   mutable std::size_t line_ = 0;
   mutable std::size_t offset_ = 0;
-  mutable std::size_t column_ = 0; // code points before it
+  mutable std::size_t column_ = 0; // code points of the line before it
 };
 
-// The offset of the first control character that is no white space, if any.
+// The offset of the first control character other than white space, if any.
 std::optional<std::size_t> find_control_character(std::string_view text);
 
 } // namespace parlour::script

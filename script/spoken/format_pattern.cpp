@@ -1,3 +1,6 @@
+// Parsing of patterns, and applying a format to one value. Two readers:
+// PatternReader finds the places, Reader reads the format of one place.
+
 #include "script/spoken/format_pattern.hpp"
 
 #include <algorithm>
@@ -11,13 +14,15 @@ namespace parlour::script {
 
 namespace {
 
-constexpr std::size_t most_width = 1000;
-constexpr int most_decimals = 20;
+constexpr std::size_t max_width = 1000;
+constexpr int max_decimals = 20;
+// Larger numbers are all reported alike, so reading stops growing here.
 constexpr std::size_t out_of_bounds = 1'000'000;
 constexpr std::string_view aligns = "<>^";
 constexpr std::string_view cases = "ulc";
 
-// Reads one Format; what it does not know is left over.
+// Reads a format from left to right. Every part is optional; what remains
+// unread is an error of the caller.
 class Reader {
 public:
   explicit Reader(std::string_view text) : rest_(text) {}
@@ -42,6 +47,8 @@ public:
   }
 
 private:
+  // A fill character is recognised by the align sign behind it, so it may be
+  // any character, also one of <>^ itself.
   void read_align(Format& format) {
     const auto size = rest_.empty() ? 0 : character_size(rest_[0]);
     if (size < rest_.size() && aligns.find(rest_[size]) != std::string::npos) {
@@ -58,7 +65,8 @@ private:
     return !rest_.empty() && rest_[0] >= '0' && rest_[0] <= '9';
   }
 
-  // 0 where there is none; larger than all limits where it is too long.
+  // Reads digits; 0 if there are none. The value is capped far above all
+  // limits, so that it cannot overflow.
   std::size_t number() {
     std::size_t value = 0;
     for (; digits(); rest_.remove_prefix(1))
@@ -80,24 +88,28 @@ std::string quoted(std::string_view text) {
   return "'{:" + std::string(text) + "}'";
 }
 
+// What is wrong with a format; empty if nothing is.
 std::string wrong(const Format& format, bool understood,
                   std::string_view text) {
   if (!understood || format.decimals == -1)
     return quoted(text) +
            " is no format; write for example {:05} {:>8} {:.2} {:,} {:u}, and "
            "{{ for a brace";
-  if (format.width > most_width)
-    return quoted(text) + " is wider than " + std::to_string(most_width);
-  if (format.decimals.value_or(0) > most_decimals)
-    return quoted(text) + " has more than " + std::to_string(most_decimals) +
+  if (format.width > max_width)
+    return quoted(text) + " is wider than " + std::to_string(max_width);
+  if (format.decimals.value_or(0) > max_decimals)
+    return quoted(text) + " has more than " + std::to_string(max_decimals) +
            " decimals";
   return {};
 }
 
+// Splits a pattern into pieces. "{{" and "}}" are braces; a single brace that
+// opens no place is text.
 class PatternReader {
 public:
   explicit PatternReader(std::string_view pattern) : pattern_(pattern) {}
 
+  // The last piece has the text behind the last place.
   FormatPattern read() {
     while (at_ < pattern_.size() && result_.error.empty())
       step();
@@ -119,6 +131,7 @@ private:
     }
   }
 
+  // {:…} with a format; an error names the whole place.
   void described() {
     const auto end = std::min(pattern_.find('}', at_), pattern_.size());
     const auto text = pattern_.substr(at_ + 2, end - at_ - 2);
@@ -129,6 +142,7 @@ private:
     take(format);
   }
 
+  // Ends a piece: the text before, and this place.
   void take(const Format& format) {
     result_.pieces.push_back({std::move(text_), format});
     text_.clear();
@@ -141,6 +155,7 @@ private:
   FormatPattern result_;
 };
 
+// A comma before each group of three digits, from the right.
 std::string with_commas(std::string whole) {
   for (auto at = whole.size(); at > 3;) {
     at -= 3;
@@ -149,6 +164,7 @@ std::string with_commas(std::string whole) {
   return whole;
 }
 
+// Applies u, l or c; text that is not valid UTF-8 stays as it is.
 std::string in_letters(std::string text, char letters) {
   if (letters == 'u')
     return capitals(text).value_or(text);
@@ -173,9 +189,12 @@ FormatPattern parse_format(std::string_view pattern) {
   return PatternReader(pattern).read();
 }
 
+// Works on decimal digits, so no digit is lost by binary rounding: 2.675 with
+// two decimals is 2.68.
 std::string formatted(const Decimal& given, const Format& format) {
   if (!format.needs_number())
     return decimal_text(given);
+  // Rounded first: rounding can add a digit before the point.
   const auto number =
       format.decimals ? rounded(given, *format.decimals) : given;
   auto whole = whole_digits(number);
@@ -193,6 +212,7 @@ std::string formatted(const Decimal& given, const Format& format) {
   return sign + std::string(zeros, '0') + whole + fraction;
 }
 
+// The width counts characters, not bytes.
 std::string laid_out(std::string text, const Format& format, bool is_number) {
   text = in_letters(std::move(text), format.letters);
   const auto size = count_code_points(text);

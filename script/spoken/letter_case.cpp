@@ -1,3 +1,5 @@
+// ICU does the mapping; the root locale is used.
+
 #include "script/spoken/letter_case.hpp"
 
 #include <unicode/ucasemap.h>
@@ -10,11 +12,12 @@ using Mapping = int32_t (*)(const UCaseMap*, char*, int32_t, const char*,
                             int32_t, UErrorCode*);
 
 std::optional<std::string> mapped(std::string_view text, Mapping mapping) {
-  // Never changed, so that all threads may share it.
+  // It is never changed, so all threads may share it.
   static const icu::LocalUCaseMapPointer casemap([] {
     auto error = U_ZERO_ERROR;
     return ucasemap_open("", 0, &error);
   }());
+  // No mapping makes a character more than three times as long.
   std::string result(text.size() * 3 + 1, '\0');
   auto error = U_ZERO_ERROR;
   const auto size = mapping(casemap.getAlias(), result.data(),

@@ -1,4 +1,4 @@
-// Capital and small letters, by Unicode, of no particular language.
+// Upper and lower case by the rules of Unicode, for no particular language.
 #pragma once
 
 #include <optional>
@@ -7,7 +7,7 @@
 
 namespace parlour::script {
 
-// Nothing where the text is not well-formed.
+// Return nothing if the text is not valid UTF-8.
 std::optional<std::string> capitals(std::string_view text);
 std::optional<std::string> small_letters(std::string_view text);
 

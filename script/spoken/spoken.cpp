@@ -1,3 +1,6 @@
+// One function for each kind. A function that cannot speak its value falls back
+// to the number, and that to the printed form.
+
 #include "script/spoken/spoken.hpp"
 
 #include <algorithm>
@@ -10,7 +13,8 @@ namespace parlour::script {
 
 namespace {
 
-// Nothing where it has a fraction or is beyond what anybody would say.
+// The value as an integer; nothing if it has a fraction or is too large to be
+// spoken.
 std::optional<std::int64_t> whole(const ToSay& value) {
   if (!value.number || value.number->point > 15 ||
       !fraction_digits(*value.number).empty())
@@ -27,10 +31,12 @@ std::string number(const ToSay& value) {
   return value.number ? cardinal_words(*value.number) : value.text;
 }
 
+// Amounts of money and the like: to two decimals.
 std::string amount(const ToSay& value) {
   return value.number ? cardinal_words(rounded(*value.number, 2)) : value.text;
 }
 
+// Fractions have no ordinal and are spoken as numbers.
 std::string ordinal(const ToSay& value) {
   const auto place = whole(value);
   return place ? ordinal_words(*place) : number(value);
@@ -41,6 +47,8 @@ std::string year(const ToSay& value) {
   return year ? year_words(*year) : number(value);
 }
 
+// Floors in British counting: 0 is the ground floor, negative ones are
+// basements.
 std::string level(const ToSay& value) {
   const auto level = whole(value);
   if (!level)
@@ -63,7 +71,7 @@ std::string duration(const ToSay& value) {
   return value.number ? spoken_duration(*value.number) : value.text;
 }
 
-// Fewer digits than three are no telephone number.
+// With fewer than three digits it is not a telephone number.
 std::string phone(const ToSay& value) {
   const auto digits = std::ranges::count_if(
       value.text, [](char c) { return c >= '0' && c <= '9'; });

@@ -1,3 +1,6 @@
+// English numbers. A cardinal is built in groups of three digits from the
+// largest scale down; all other forms start from the cardinal's words.
+
 #include "script/spoken/spoken_number.hpp"
 
 #include <array>
@@ -8,6 +11,7 @@ namespace parlour::script {
 
 namespace {
 
+// The tables and rules of English.
 constexpr std::array<const char*, 20> small{
     "zero",    "one",     "two",       "three",    "four",
     "five",    "six",     "seven",     "eight",    "nine",
@@ -28,10 +32,11 @@ constexpr std::array<Scale, 4> scales{{{1'000'000'000'000, " trillion"},
                                        {1'000'000, " million"},
                                        {1'000, " thousand"}}};
 
-// A double has no more digits that mean anything.
-constexpr int most_digits = 15;
-constexpr int most_zeros = 5;
+// A double has no more significant digits.
+constexpr int max_digits = 15;
+constexpr int max_zeros = 5;
 
+// "forty two", without a hyphen: the words are for a voice.
 std::string below_hundred(std::int64_t number) {
   const auto n = static_cast<std::size_t>(number);
   if (n < small.size())
@@ -40,6 +45,7 @@ std::string below_hundred(std::int64_t number) {
   return n % 10 ? text + " " + small[n % 10] : text;
 }
 
+// "two hundred and five": the British "and".
 std::string below_thousand(std::int64_t number) {
   if (number < 100)
     return below_hundred(number);
@@ -47,7 +53,8 @@ std::string below_thousand(std::int64_t number) {
   return number % 100 ? text + " and " + below_hundred(number % 100) : text;
 }
 
-// Of at most fifteen digits, and not negative.
+// For non-negative numbers of at most fifteen digits. The British "and" stands
+// before the last group if that is below a hundred: one thousand and five.
 std::string whole_words(std::int64_t number) {
   std::string text;
   for (const auto& scale : scales)
@@ -62,6 +69,7 @@ std::string whole_words(std::int64_t number) {
   return text + (number < 100 ? " and " : " ") + below_thousand(number);
 }
 
+// Digits after the point are spoken one by one.
 std::string fraction_words(const std::string& digits) {
   std::string text;
   for (const char digit : digits)
@@ -69,7 +77,7 @@ std::string fraction_words(const std::string& digits) {
   return text.empty() ? text : " point" + text;
 }
 
-// "twenty" is "twentieth", "five" is "fifth".
+// "twenty" becomes "twentieth" and "five" becomes "fifth".
 std::string ordinal_word(std::string word) {
   static constexpr std::array<std::pair<std::string_view, const char*>, 7>
       irregular{{{"one", "first"},
@@ -91,7 +99,7 @@ bool is_vowel(char c) {
   return std::string_view("aeiou").find(c) != std::string_view::npos;
 }
 
-// The last word's regular plural, and the irregular ones of everyday.
+// The regular plural of the last word, and a few frequent irregular ones.
 std::string plural(const std::string& noun) {
   static constexpr std::array<std::pair<std::string_view, std::string_view>, 7>
       irregular{{{"person", "people"},
@@ -120,10 +128,11 @@ std::string plural(const std::string& noun) {
 
 } // namespace
 
+// Digits beyond the fifteenth are rounded away.
 std::string cardinal_words(const Decimal& number) {
-  if (number.point > most_digits || number.point < -most_zeros)
+  if (number.point > max_digits || number.point < -max_zeros)
     return decimal_text(number);
-  const auto said = rounded(number, most_digits - number.point);
+  const auto said = rounded(number, max_digits - number.point);
   return (said.negative ? "minus " : "") +
          whole_words(std::stoll(whole_digits(said))) +
          fraction_words(fraction_digits(said));
@@ -133,12 +142,14 @@ std::string cardinal_words(std::int64_t number) {
   return cardinal_words(decimal_of(number));
 }
 
+// Only the last word becomes an ordinal: "twenty third".
 std::string ordinal_words(std::int64_t number) {
   const auto words = cardinal_words(number);
-  const auto last = words.rfind(' ') + 1; // 0 where there is no blank
+  const auto last = words.rfind(' ') + 1; // 0 if there is no blank
   return words.substr(0, last) + ordinal_word(words.substr(last));
 }
 
+// 1938 is read in pairs; 2005 and years outside of 1000 to 9999 as numbers.
 std::string year_words(std::int64_t year) {
   const auto rest = year % 100;
   if (year < 1000 || year > 9999 || year % 1000 < 10)
@@ -149,6 +160,7 @@ std::string year_words(std::int64_t year) {
   return century + (rest < 10 ? " oh " : " ") + below_hundred(rest);
 }
 
+// The last groups have four digits, so a number of six begins with two.
 std::string digit_words(std::string_view text) {
   constexpr std::size_t group = 4;
   constexpr std::string_view between = " -.()/";
@@ -167,6 +179,7 @@ std::string digit_words(std::string_view text) {
   return words;
 }
 
+// Zero is "no boxes"; only exactly 1 takes the singular.
 std::string counted(const Decimal& number, const std::string& noun,
                     const std::string& several) {
   const bool is_one = number.digits == "1" && number.point == 1;
@@ -177,6 +190,7 @@ std::string counted(const Decimal& number, const std::string& noun,
                             : several);
 }
 
+// No comma before the link: "A, B and C".
 std::string series(const std::vector<std::string>& parts,
                    std::string_view link) {
   std::string text;

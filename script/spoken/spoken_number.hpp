@@ -1,4 +1,4 @@
-// Numbers as English says them (language rule 8.12).
+// Numbers in English words (language rule 8.12).
 #pragma once
 
 #include <cstdint>
@@ -10,8 +10,8 @@
 
 namespace parlour::script {
 
-// "minus two point five", "one thousand and five"; from a quadrillion on, and
-// below a millionth, as it is printed.
+// "minus two point five", "one thousand and five". Numbers of more than fifteen
+// digits or below a millionth are given as they are printed.
 std::string cardinal_words(const Decimal& number);
 std::string cardinal_words(std::int64_t number);
 
@@ -21,16 +21,16 @@ std::string ordinal_words(std::int64_t number);
 // "nineteen thirty eight", "two thousand and five".
 std::string year_words(std::int64_t year);
 
-// Digit by digit, in groups of four: "one two, three four five six"; as it is
-// where it has letters.
+// Digit by digit in groups of four from the right: "one two, three four five
+// six". A text with letters is returned unchanged.
 std::string digit_words(std::string_view text);
 
-// "two boxes": the number and what it counts; `several` may be empty, then the
-// regular plural is taken.
+// The number and what it counts: "two boxes". If `several` is empty, the
+// regular plural of the noun is used.
 std::string counted(const Decimal& number, const std::string& noun,
                     const std::string& several = {});
 
-// "A, B and C".
+// "A, B and C", with `link` as the last word between them.
 std::string series(const std::vector<std::string>& parts,
                    std::string_view link);
 

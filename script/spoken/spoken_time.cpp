@@ -1,3 +1,5 @@
+// Times in the twelve-hour clock, days by strftime, durations by unit.
+
 #include "script/spoken/spoken_time.hpp"
 
 #include <array>
@@ -13,6 +15,8 @@ namespace {
 constexpr Timestamp day = 86'400'000;
 constexpr Timestamp half_a_year = 183 * day;
 
+// Noon is used for a day, so that no change of the clock moves it to another
+// one.
 std::string year_of(Timestamp time) {
   return format_timestamp(time, "%Y");
 }
@@ -27,6 +31,7 @@ constexpr std::array<Unit, 4> units{
 
 } // namespace
 
+// Seconds are accepted and not spoken.
 std::string spoken_time(const std::string& text) {
   char* end = nullptr;
   const auto hour = std::strtol(text.c_str(), &end, 10);
@@ -57,12 +62,14 @@ std::string spoken_date(const std::string& text, Timestamp now) {
   return words;
 }
 
-// Parts of a second only where there is nothing longer.
+// Fractions of a second are spoken only if the whole duration is below a
+// minute.
 std::string spoken_duration(const Decimal& seconds) {
   if (seconds.negative || seconds.point > 15)
     return cardinal_words(seconds);
   if (std::stoll(whole_digits(seconds)) < 60)
     return seconds.digits.empty() ? "zero seconds" : counted(seconds, "second");
+  // From the largest unit down; units with a count of zero are left out.
   auto left = std::stoll(whole_digits(rounded(seconds, 0)));
   std::vector<std::string> parts;
   for (const auto& unit : units) {

@@ -1,4 +1,4 @@
-// Times, days and durations as English says them (language rule 8.12).
+// Times, dates and durations in English words (language rule 8.12).
 #pragma once
 
 #include <string>
@@ -8,15 +8,15 @@
 
 namespace parlour::script {
 
-// "10:30" or "10:30:00" as "10:30am"; as it is where it is no time.
+// "10:30" or "10:30:00" as "10:30am"; any other text unchanged.
 std::string spoken_time(const std::string& text);
 
-// "2026-11-21" as "Saturday, 21 November"; with its year where that is not the
-// present one, and so far away without its weekday that nobody would know it.
-// As it is where it is no day.
+// "2026-11-21" as "Saturday, 21 November". The year is added if it is not the
+// present one, and replaces the weekday if the date is more than half a year
+// away. Any other text is returned unchanged.
 std::string spoken_date(const std::string& text, Timestamp now);
 
-// Seconds as "one hour and thirty minutes".
+// A number of seconds as "one hour and thirty minutes".
 std::string spoken_duration(const Decimal& seconds);
 
 } // namespace parlour::script

@@ -1,5 +1,6 @@
-// Fifo: what comes first goes first. Unlike std::deque it takes no memory until
-// it is used, and none again and again: most sessions' queues are empty.
+// Fifo: a queue in one block of memory. Unlike std::deque it allocates nothing
+// while it is empty, and an element that comes and goes costs no allocation.
+// Most queues of a session are empty most of the time.
 #pragma once
 
 #include <cstddef>
@@ -9,6 +10,9 @@
 
 namespace parlour::dialogue {
 
+// Elements before `first_` were taken already; their memory is reused or given
+// up by tidy(). push_back and take are O(1) amortised; taking from the middle
+// is linear. Not thread-safe.
 template <class T>
 class Fifo {
 public:
@@ -20,6 +24,7 @@ public:
   std::size_t size() const {
     return items_.size() - first_;
   }
+  // The queue must not be empty.
   T& front() {
     return items_[first_];
   }
@@ -42,17 +47,19 @@ public:
   void push_back(T item) {
     items_.push_back(std::move(item));
   }
+  // Uses the space of an element that was taken, if there is any.
   void push_front(T item) {
     if (first_ > 0)
       items_[--first_] = std::move(item);
     else
       items_.insert(items_.begin(), std::move(item));
   }
-  T take() { // the first one
+  T take() { // the first element
     auto item = std::move(items_[first_++]);
     tidy();
     return item;
   }
+  // Takes an element out of the middle.
   template <class Iterator>
   T take(Iterator which) {
     if (which == begin())
@@ -66,8 +73,15 @@ public:
     first_ = 0;
   }
 
+  template <class Archive>
+  void serialize(Archive& archive) {
+    items_.erase(items_.begin(), begin());
+    first_ = 0;
+    archive(items_);
+  }
+
 private:
-  // The taken ones in front are given up when they are more than the rest.
+  // Gives up the space in front when it exceeds the rest of the queue.
   void tidy() {
     if (empty())
       clear();
@@ -78,7 +92,7 @@ private:
   }
 
   ShortLivedList<T> items_;
-  std::size_t first_ = 0; // those before were taken
+  std::size_t first_ = 0; // the index of the front; what lies before was taken
 };
 
 } // namespace parlour::dialogue

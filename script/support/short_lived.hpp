@@ -1,5 +1,8 @@
-// Memory of small things that come and go with each turn: from the thread's
-// cache of blocks.
+// Allocators for small objects that live for a turn or less. Their memory comes
+// from the thread's BlockCache.
+//
+// What outlives a turn, or moves between threads a lot, is better off with the
+// standard allocator.
 #pragma once
 
 #include <cstddef>
@@ -12,6 +15,7 @@
 
 namespace parlour::dialogue {
 
+// A standard allocator; stateless, so all instances are interchangeable.
 template <class T>
 struct ShortLived {
   using value_type = T;
@@ -32,6 +36,7 @@ struct ShortLived {
 template <class T>
 using ShortLivedList = std::vector<T, ShortLived<T>>;
 
+// Like std::make_shared, with object and reference count in one cached block.
 template <class T, class... Arguments>
 std::shared_ptr<T> make_short_lived(Arguments&&... arguments) {
   return std::allocate_shared<T>(ShortLived<std::remove_const_t<T>>(),

@@ -1,13 +1,31 @@
-// Box: a value inside the interpreter, eight bytes (language rule 2). Doubles
-// stand for themselves; everything else hides in the space of negative NaNs,
-// which never arise. Strings and containers are counted references; counts are
-// not atomic, as a session is run by one thread at a time. Objects of a
-// program's constants are immortal and immutable, so that sessions share them.
-// Containers never contain themselves (refused when set), so counting frees
-// everything.
+// Box: a value inside of the interpreter in eight bytes (language rule 2). It
+// uses NaN boxing: a double is stored as it is, and all other values are stored
+// in the bit patterns of negative NaNs, which no calculation produces (language
+// rule 2.5).
+//
+//    63       48 47                                  0
+//   +-----------+------------------------------------+
+//   | below fff9  a double                           |
+//   |   fff9    | integer of 48 bits, plus 2^47      |
+//   |   fffa    | unknown 0, false 2, true 3,        |
+//   |           | missing argument 4                 |
+//   |   fffb    | Box*: a variable bound to a        |
+//   |           | parameter                          |
+//   |   fffc    | StringObject*                      |
+//   |   fffd    | ListObject*                        |
+//   |   fffe    | MapObject*                         |
+//   |   ffff    | another Object*: see its `type`    |
+//   +-----------+------------------------------------+
+//
+// Objects are reference counted. The counts are not atomic, because a session
+// is run by one thread at a time. Objects in a program's pool of constants are
+// immortal and immutable, so sessions share them without counting. A container
+// can never contain itself (this is refused when it is set), so counting alone
+// frees everything and no garbage collector is needed.
 #pragma once
 
 #include <bit>
+#include <cassert>
 #include <cstdint>
 #include <memory>
 #include <string_view>
@@ -27,6 +45,7 @@ enum class ObjectType : std::uint8_t {
   integer, // beyond 48 bits
 };
 
+// The head of every object on a session's heap or in a pool of constants.
 struct Object {
   Heap* heap; // null: immortal
   std::uint32_t count;
@@ -39,8 +58,10 @@ struct MapObject;
 struct ResultObject;
 struct ErrorObject;
 
+// Frees an object whose count has become 0, and what it held.
 void destroy(Object* object) noexcept;
 
+// Copying costs a test and, for objects, a count; moving costs no count.
 class Box {
 public:
   Box() = default; // unknown
@@ -61,17 +82,21 @@ public:
     release(bits_);
   }
 
-  // Moves `other` in here, where nothing was that is counted.
+  // Moves `other` into this box, which must not hold an object: unlike an
+  // assignment it need not release anything.
   void take(Box& other) {
     bits_ = std::exchange(other.bits_, unknown_bits);
   }
 
-  // -- small integers: what the instructions do with them -------------------
+  // -- small integers: fast paths of the instructions ------------------------
   static bool both_small(const Box& left, const Box& right) {
     constexpr auto tag = integer_tag << 48;
     return (((left.bits_ ^ tag) | (right.bits_ ^ tag)) >> 48) == 0;
   }
-  // Takes their sum; false: it does not fit, and nothing is taken.
+  // Sets this box to the sum of two small integers. Returns false and changes
+  // nothing if the sum does not fit into 48 bits. Because integers are stored
+  // with an offset, adding the bits adds the integers, and an overflow shows as
+  // a changed tag. The two functions below work likewise.
   bool take_sum(const Box& left, const Box& right) {
     return take_small(left.bits_ + (right.bits_ - zero_bits));
   }
@@ -84,48 +109,52 @@ public:
                                    &product) &&
            take_small(zero_bits + static_cast<std::uint64_t>(product));
   }
-  // By the order of small integers.
+  // The bits of small integers compare in the same order as the integers.
   std::uint64_t ordered_bits() const {
     return bits_;
   }
 
-  // Takes the value of `other`, where neither is counted.
+  // Copies `other`. Neither box may hold an object, so nothing is counted.
   void set_uncounted(const Box& other) {
     bits_ = other.bits_;
   }
 
+  // Makes boxes of values that need no object.
   static Box boolean(bool value) {
     return Box(value ? true_bits : false_bits);
   }
   static Box number(double value) {
     return Box(std::bit_cast<std::uint64_t>(value));
   }
-  // The caller knows that it fits (see fits).
+  // The value must fit into 48 bits (see fits).
   static Box small(std::int64_t value) {
+    assert(fits(value));
     return Box(zero_bits + static_cast<std::uint64_t>(value));
   }
   static bool fits(std::int64_t value) {
     return value >= -(std::int64_t{1} << 47) && value < std::int64_t{1} << 47;
   }
-  // Takes over one count.
+  // Makes a box of an object and takes over one count of it.
   static Box adopt(Object* object) {
     return Box(tag_of(object->type) << 48 |
                (reinterpret_cast<std::uint64_t>(object) & payload_mask));
   }
+  // Makes a box of an object and adds a count.
   static Box share(Object* object) {
+    assert(object);
     auto box = adopt(object);
     box.retain();
     return box;
   }
-  // A by-reference parameter's register (language rule 7.3): points to
-  // the variable that it is bound to; lives no longer than that.
+  // The register of a parameter that is passed by reference (language rule
+  // 7.3). It points to the caller's variable and must not outlive it.
   static Box reference(Box* target) {
     return Box(reference_tag << 48 |
                (reinterpret_cast<std::uint64_t>(target) & payload_mask));
   }
 
-  // An argument that the call leaves to the parameter's default; nothing that
-  // a script ever sees.
+  // Stands for an argument that the caller left out; the callee replaces it by
+  // the default before its body runs. Scripts never see it.
   static Box missing() {
     return Box(missing_bits);
   }
@@ -157,7 +186,8 @@ public:
   bool is_string() const {
     return bits_ >> 48 == string_tag;
   }
-  // Neither holds others nor is bound to one: may be put anywhere.
+  // Neither a container nor a bound parameter: it can be stored anywhere
+  // without a search for rings.
   bool is_simple() const {
     return bits_ < list_tag << 48 && !is_reference();
   }
@@ -167,29 +197,37 @@ public:
   bool is_map() const {
     return bits_ >> 48 == map_tag;
   }
+  // Whether it refers to an object of this type; for strings, lists and maps
+  // the functions above are faster.
   bool is(ObjectType type) const {
     return is_object() && object()->type == type;
   }
 
+  // Each may be called only if the box is of that kind; debug builds assert it.
   double as_number() const {
+    assert(is_number());
     return std::bit_cast<double>(bits_);
   }
   std::int64_t as_small() const {
+    assert(is_small());
     return static_cast<std::int64_t>(bits_ - zero_bits);
   }
   Object* object() const {
+    assert(is_object());
     return reinterpret_cast<Object*>(bits_ & payload_mask);
   }
   Box* target() const {
+    assert(is_reference());
     return reinterpret_cast<Box*>(bits_ & payload_mask);
   }
-  // The value itself, where this may be a bound parameter.
+  // The value itself: looks through a bound parameter.
   const Box& resolved() const {
     return is_reference() ? *target() : *this;
   }
   Box& resolved() {
     return is_reference() ? *target() : *this;
   }
+  // The object by its type; the caller must have checked the type.
   StringObject* string() const;
   ListObject* list() const;
   MapObject* map() const;
@@ -208,8 +246,8 @@ public:
 private:
   static constexpr std::uint64_t payload_mask = 0xffffffffffff;
   static constexpr std::uint64_t integer_tag = 0xfff9;
-  // Small integers count from the middle of their range, so that sums and
-  // differences of the bits are those of the integers.
+  // Small integers are stored with an offset of 2^47, so that sums, differences
+  // and the order of the bits are those of the integers.
   static constexpr std::uint64_t zero_bits =
       integer_tag << 48 | std::uint64_t{1} << 47;
   static constexpr std::uint64_t special_tag = 0xfffa;
@@ -230,6 +268,7 @@ private:
            : type == ObjectType::map  ? map_tag
                                       : other_tag;
   }
+  // Constants have no heap and are not counted.
   void retain() const {
     if (is_object() && object()->heap)
       ++object()->count;
@@ -240,6 +279,8 @@ private:
     replace(bits);
     return true;
   }
+  // Releases the old value last, as freeing it may run any number of
+  // destructors.
   void replace(std::uint64_t bits) {
     const auto old = bits_;
     bits_ = bits;
@@ -249,6 +290,7 @@ private:
     if (bits < string_tag << 48) [[likely]]
       return;
     auto* object = reinterpret_cast<Object*>(bits & payload_mask);
+    assert(!object->heap || object->count > 0);
     if (object->heap && --object->count == 0)
       destroy(object);
   }

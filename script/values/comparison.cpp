@@ -1,4 +1,4 @@
-// Equality and order (language rules 3.5 and 3.6).
+// Equality and order of values (language rules 3.5 and 3.6).
 #include <algorithm>
 #include <cmath>
 
@@ -12,12 +12,13 @@ int sign(bool less, bool greater) {
   return less ? -1 : greater ? 1 : 0;
 }
 
-// Exact: no integer is rounded on the way.
+// Compares exactly: converting the integer to a double could round it.
 int compare_mixed(std::int64_t integer, double number) {
   if (number >= 9223372036854775808.0)
     return -1;
   if (number < -9223372036854775808.0)
     return 1;
+  // Whole parts decide first, then the fraction of the number.
   const auto whole = static_cast<std::int64_t>(number);
   if (integer != whole)
     return integer < whole ? -1 : 1;
@@ -25,8 +26,17 @@ int compare_mixed(std::int64_t integer, double number) {
   return sign(rest > 0, rest < 0);
 }
 
+// Only texts of the same length are looked into.
+bool equal_texts(const StringObject& left, const StringObject& right,
+                 WalkBudget& budget) {
+  return left.size == right.size &&
+         (&left == &right || budget.bytes(left.size)) &&
+         equal_strings(left, right);
+}
+
+// Lists are equal if their elements are, one by one.
 bool equal_lists(const ListObject& left, const ListObject& right,
-                 std::size_t& budget, int depth) {
+                 WalkBudget& budget, int depth) {
   if (left.elements.size() != right.elements.size())
     return false;
   for (std::size_t i = 0; i < left.elements.size(); ++i)
@@ -35,19 +45,23 @@ bool equal_lists(const ListObject& left, const ListObject& right,
   return true;
 }
 
-bool equal_maps(const MapObject& left, MapObject& right, std::size_t& budget,
+// The order of the entries does not matter.
+bool equal_maps(const MapObject& left, MapObject& right, WalkBudget& budget,
                 int depth) {
   if (left.entries.size() != right.entries.size())
     return false;
-  return std::all_of(left.entries.begin(), left.entries.end(),
-                     [&](const MapObject::Entry& entry) {
-                       const auto* other = right.find(*entry.key.string());
-                       return other &&
-                              equal(entry.value, *other, budget, depth + 1);
-                     });
+  return std::all_of(
+      left.entries.begin(), left.entries.end(),
+      [&](const MapObject::Entry& entry) {
+        const auto& key = *entry.key.string();
+        const auto* other = budget.bytes(key.size) ? right.find(key) : nullptr;
+        return other && equal(entry.value, *other, budget, depth + 1);
+      });
 }
 
-bool equal_objects(const Box& left, const Box& right, std::size_t& budget,
+// Identical objects are equal without a look inside. Containers compare by
+// content.
+bool equal_objects(const Box& left, const Box& right, WalkBudget& budget,
                    int depth) {
   if (left.same_bits(right))
     return true;
@@ -55,16 +69,17 @@ bool equal_objects(const Box& left, const Box& right, std::size_t& budget,
     return false;
   switch (left.object()->type) {
   case ObjectType::string:
-    return equal_strings(*left.string(), *right.string());
+    return equal_texts(*left.string(), *right.string(), budget);
   case ObjectType::list:
     return equal_lists(*left.list(), *right.list(), budget, depth);
   case ObjectType::map:
     return equal_maps(*left.map(), *right.map(), budget, depth);
   case ObjectType::result:
   case ObjectType::binary:
-    return left.result()->value == right.result()->value;
+    return budget.bytes(left.result()->bytes) &&
+           left.result()->value == right.result()->value;
   default:
-    return false; // errors are themselves only; integers were compared
+    return false; // an error equals only itself
   }
 }
 
@@ -75,6 +90,7 @@ Failure incomparable(const Box& left, const Box& right) {
 
 } // namespace
 
+// Integers and doubles are compared without rounding either of them.
 int compare(const Numeric& left, const Numeric& right) {
   if (left.is_integer && right.is_integer)
     return sign(left.integer<right.integer, left.integer> right.integer);
@@ -85,15 +101,16 @@ int compare(const Numeric& left, const Numeric& right) {
   return sign(left.number<right.number, left.number> right.number);
 }
 
-bool equal(const Box& left, const Box& right, std::size_t& budget, int depth) {
-  if (budget == 0 || depth > deepest_nesting) {
-    budget = 0;
+bool equal(const Box& left, const Box& right, WalkBudget& budget, int depth) {
+  if (depth > deepest_nesting)
+    budget.exhaust();
+  if (!budget.values())
     return false;
-  }
-  --budget;
   if (left.is_string() && right.is_string())
-    return equal_strings(*left.string(), *right.string());
-  // '5' == 5 compares as numbers; two strings never do.
+    return equal_texts(*left.string(), *right.string(), budget);
+  // A string is compared as a number only with a number.
+  if (!budget.bytes(digits_of(left) + digits_of(right)))
+    return false;
   const auto l = numeric(left, !right.is_string());
   const auto r = l ? numeric(right) : std::nullopt;
   if (l && r && (numeric(left, false) || numeric(right, false)))
@@ -103,7 +120,10 @@ bool equal(const Box& left, const Box& right, std::size_t& budget, int depth) {
   return left.same_bits(right);
 }
 
-Outcome order(const Box& left, const Box& right, Order& result) {
+// Language rule 3.6: unknown has no order with anything, and that is no error;
+// other mixed pairs are an error.
+Outcome order(const Box& left, const Box& right, Order& result,
+              WalkBudget& budget) {
   auto from_sign = [](int value) {
     return value < 0 ? Order::less : value > 0 ? Order::greater : Order::equal;
   };
@@ -111,10 +131,14 @@ Outcome order(const Box& left, const Box& right, Order& result) {
   if (left.is_unknown() || right.is_unknown())
     return {};
   if (left.is_string() && right.is_string()) {
-    // The bytes of UTF-8 are in the order of the code points.
+    if (!budget.bytes(std::min(left.string()->size, right.string()->size)))
+      return {};
+    // Bytes of UTF-8 sort in the order of their code points.
     result = from_sign(left.text().compare(right.text()));
     return {};
   }
+  if (!budget.bytes(digits_of(left) + digits_of(right)))
+    return {};
   const auto l = numeric(left);
   const auto r = numeric(right);
   if (!l || !r)
@@ -124,18 +148,22 @@ Outcome order(const Box& left, const Box& right, Order& result) {
 }
 
 Outcome is_in(const Box& element, const Box& container, bool& result,
-              std::size_t& budget) {
+              WalkBudget& budget) {
   result = false;
   if (container.is_unknown())
     return {};
+  // In maps `in` looks for a key and in strings for a part, both of the printed
+  // form of the element (language rule 3.11).
   if (container.is_list()) {
     for (const auto& candidate : container.list()->elements)
-      if ((result = equal(candidate, element, budget)))
+      if ((result = equal(candidate, element, budget)) || budget.exhausted())
         break;
     return {};
   }
   std::string text;
   print(text, element, 1 << 20);
+  if (!budget.bytes(text.size() + digits_of(container)))
+    return {};
   if (container.is_map())
     result = container.map()->find(text) != nullptr;
   else if (container.is_string())

@@ -1,4 +1,4 @@
-// Indexing, fields and elements (language rules 2.8 to 2.11).
+// Access to elements and fields (language rules 2.8 to 2.11).
 #include <algorithm>
 #include <cstring>
 #include <unordered_set>
@@ -14,7 +14,8 @@ Failure type_failure(std::string message) {
   return {ErrorKind::type, std::move(message)};
 }
 
-// Whole numbers count as integers: 2.0 is a position.
+// The integer that a key stands for, if any. Numbers without a fraction count:
+// 2.0 is a position.
 std::optional<std::int64_t> position_of(const Box& key) {
   if (key.is_small())
     return key.as_small();
@@ -30,6 +31,7 @@ std::optional<std::int64_t> position_of(const Box& key) {
   return static_cast<std::int64_t>(value);
 }
 
+// The message shows what was given instead of an integer.
 Failure position_failure(const Box& container, const Box& key) {
   return type_failure(
       "a position in " + a_type(container) + " must be an integer, not " +
@@ -38,11 +40,13 @@ Failure position_failure(const Box& container, const Box& key) {
 
 Box character_at(Heap& heap, const StringObject& string, std::size_t position) {
   const auto rest = string.text().substr(byte_position(string, position));
-  // Bytes from outside that are no UTF-8 may be fewer than they seemed.
+  // The text may come from outside and be invalid, so its end may come earlier
+  // than its first byte says.
   const auto size = rest.empty() ? 0 : character_size(rest.front());
   return make_string(heap, rest.substr(0, size));
 }
 
+// The fields of a caught error (language rule 9.1).
 Outcome error_field(Heap& heap, const ErrorObject& error, std::string_view name,
                     Box& result) {
   if (name == "message")
@@ -61,6 +65,7 @@ Outcome error_field(Heap& heap, const ErrorObject& error, std::string_view name,
   return {};
 }
 
+// The fields of a query's result: count, columns and rows.
 Outcome result_field(Heap& heap, const Box& box, std::string_view name,
                      Box& result) {
   const auto& value = box.result()->value;
@@ -80,6 +85,7 @@ Outcome result_field(Heap& heap, const Box& box, std::string_view name,
   return {};
 }
 
+// The number of positions in a list, a string or a result.
 std::size_t size_of(const Box& container) {
   if (container.is_list())
     return container.list()->elements.size();
@@ -88,6 +94,7 @@ std::size_t size_of(const Box& container) {
   return container.result()->value.if_result()->cells.size();
 }
 
+// Of a result set the cells count one by one, row after row.
 Box element_at(Heap& heap, const Box& container, std::size_t at) {
   if (container.is_list())
     return container.list()->elements[at];
@@ -96,27 +103,21 @@ Box element_at(Heap& heap, const Box& container, std::size_t at) {
   return to_box(heap, container.result()->value.if_result()->cells[at]);
 }
 
-Box key_text(Heap& heap, const Box& key) {
-  if (key.is_string())
-    return key;
-  std::string text;
-  print(text, key, 1 << 20);
-  return make_string(heap, text);
-}
-
 bool contains_others(const Box& box) {
   return box.is_list() || box.is_map() || box.is(ObjectType::error) ||
          box.is(ObjectType::result);
 }
 
-// Looks for one object below another; each object once, with its own stack.
+// Searches for an object in everything that a value holds. It uses a stack of
+// its own and visits each object once, so neither deep nor heavily shared
+// structures are a problem.
 class Search {
 public:
-  Search(const Object* wanted, std::size_t& work)
-      : wanted_(wanted), work_(work) {}
+  Search(const Object* wanted, WalkBudget& budget)
+      : wanted_(wanted), budget_(budget) {}
   bool below(const Box& from) {
     visit(from);
-    while (!found_ && !open_.empty()) {
+    while (!found_ && !open_.empty() && !budget_.exhausted()) {
       const auto* object = open_.back();
       open_.pop_back();
       look_into(object);
@@ -126,10 +127,9 @@ public:
 
 private:
   void visit(const Box& box) {
-    ++work_;
-    if (!contains_others(box) || found_)
+    if (!budget_.values() || !contains_others(box) || found_)
       return;
-    work_ += boxes_of_a_mark;
+    budget_.values(values_of_a_mark);
     found_ = box.object() == wanted_;
     if (seen_.insert(box.object()).second)
       open_.push_back(box.object());
@@ -148,16 +148,17 @@ private:
       visit(static_cast<const ResultObject*>(object)->rows);
   }
 
-  // To remember an object costs as much as to look at so many boxes.
-  static constexpr std::size_t boxes_of_a_mark = 16;
+  // Remembering an object costs as much as visiting this many values.
+  static constexpr std::size_t values_of_a_mark = 16;
 
   const Object* wanted_;
-  std::size_t& work_;
+  WalkBudget& budget_;
   bool found_ = false;
   std::vector<const Object*> open_;
   std::unordered_set<const Object*> seen_;
 };
 
+// Setting the position behind the end appends (language rule 2.9).
 Outcome set_element(const Box& list, const Box& key, Box value) {
   const auto position = position_of(key);
   if (!position)
@@ -179,6 +180,15 @@ Outcome set_element(const Box& list, const Box& key, Box value) {
 
 } // namespace
 
+Box key_text(Heap& heap, const Box& key) {
+  if (key.is_string())
+    return key;
+  std::string text;
+  print(text, key, 1 << 20);
+  return make_string(heap, text);
+}
+
+// -1 is the last position (language rule 2.8).
 std::optional<std::size_t> place_in(std::int64_t position, std::size_t size) {
   if (position < 0)
     position += static_cast<std::int64_t>(size);
@@ -187,6 +197,7 @@ std::optional<std::size_t> place_in(std::int64_t position, std::size_t size) {
   return static_cast<std::size_t>(position);
 }
 
+// By the first byte of valid UTF-8; other bytes count as one character.
 std::size_t character_size(char first) {
   const auto byte = static_cast<unsigned char>(first);
   return byte < 0x80 ? 1 : byte < 0xe0 ? 2 : byte < 0xf0 ? 3 : 4;
@@ -194,7 +205,7 @@ std::size_t character_size(char first) {
 
 std::size_t find_text(std::string_view text, std::string_view part,
                       std::size_t from) {
-  // Whose size times its part's is small anyhow; memmem begins by a table.
+  // For a short text the naive search is faster: memmem first builds a table.
   constexpr std::size_t short_text = 64;
   if (text.size() <= short_text)
     return text.find(part, from);
@@ -206,6 +217,7 @@ std::size_t find_text(std::string_view text, std::string_view part,
                : std::string_view::npos;
 }
 
+// In ASCII text, where both counts are equal, a position is an offset.
 std::size_t byte_position(const StringObject& string, std::size_t code_point) {
   if (string.code_points == string.size)
     return std::min<std::size_t>(code_point, string.size);
@@ -216,6 +228,8 @@ std::size_t byte_position(const StringObject& string, std::size_t code_point) {
   return std::min(at, text.size());
 }
 
+// The rows are converted when they are first asked for and kept with the
+// result.
 Box rows_of(Heap& heap, const Box& result) {
   auto& object = *result.result();
   if (!object.rows.is_unknown())
@@ -235,6 +249,7 @@ Box rows_of(Heap& heap, const Box& result) {
   return object.rows;
 }
 
+// The key objects are shared, not copied.
 Box keys_of(Heap& heap, const MapObject& map) {
   auto keys = make_list(heap, map.entries.size());
   for (const auto& entry : map.entries)
@@ -242,6 +257,7 @@ Box keys_of(Heap& heap, const MapObject& map) {
   return keys;
 }
 
+// Missing elements and unknown containers give unknown (language rule 2.8).
 Outcome get_index(Heap& heap, const Box& container, const Box& key,
                   Box& result) {
   if (container.is_unknown()) {
@@ -264,6 +280,7 @@ Outcome get_index(Heap& heap, const Box& container, const Box& key,
   return {};
 }
 
+// Maps first, as they are by far the most frequent.
 Outcome get_field(Heap& heap, const Box& container, const Box& name,
                   Box& result) {
   if (container.is_map()) {
@@ -283,17 +300,24 @@ Outcome get_field(Heap& heap, const Box& container, const Box& name,
                       std::string(name.text()) + "'");
 }
 
-// What only one variable refers to is held by no value.
-Outcome refuse_ring(const Box& container, const Box& value, std::size_t& work) {
-  if (!contains_others(value) || container.object()->count == 1 ||
-      !Search(container.object(), work).below(value))
+// A container in only one box is held by a variable alone, so no value can
+// contain it and the search is not needed. This is the usual case of a list
+// that is built in a loop.
+Outcome refuse_ring(const Box& container, const Box& value,
+                    WalkBudget& budget) {
+  if (!contains_others(value) || container.object()->count == 1)
     return {};
-  return Failure{ErrorKind::range,
-                 "a list or map cannot be put inside of itself"};
+  if (Search(container.object(), budget).below(value))
+    return Failure{ErrorKind::range,
+                   "a list or map cannot be put inside of itself"};
+  if (budget.exhausted())
+    return Failure{ErrorKind::limit, "too much to put into a list or map"};
+  return {};
 }
 
+// Setting in something unknown is an error of kind Range (language rule 2.9).
 Outcome set_index(Heap& heap, const Box& container, const Box& key, Box value,
-                  std::size_t& work) {
+                  WalkBudget& budget) {
   if (container.is_unknown())
     return Failure{ErrorKind::range,
                    "there is no list or map to set '" +
@@ -301,7 +325,7 @@ Outcome set_index(Heap& heap, const Box& container, const Box& key, Box value,
                        "' in: it is unknown"};
   if (!container.is_list() && !container.is_map())
     return type_failure("nothing can be set inside of " + a_type(container));
-  if (auto ring = refuse_ring(container, value, work))
+  if (auto ring = refuse_ring(container, value, budget))
     return ring;
   if (container.is_list())
     return set_element(container, key, std::move(value));
@@ -309,10 +333,10 @@ Outcome set_index(Heap& heap, const Box& container, const Box& key, Box value,
   return {};
 }
 
-Outcome append(const Box& list, Box value, std::size_t& work) {
+Outcome append(const Box& list, Box value, WalkBudget& budget) {
   if (!list.is_list())
     return type_failure("append needs a list, not " + a_type(list));
-  if (auto ring = refuse_ring(list, value, work))
+  if (auto ring = refuse_ring(list, value, budget))
     return ring;
   list.list()->elements.push_back(std::move(value));
   return {};

@@ -1,3 +1,6 @@
+// Conversion in both directions. Outwards it is limited by a budget, inwards by
+// the heap's limit, which the interpreter checks afterwards.
+
 #include "script/values/convert.hpp"
 
 #include <algorithm>
@@ -15,6 +18,7 @@ Box list_of(Heap& heap, const List& values) {
   return box;
 }
 
+// Keys become strings of their own; only constants are interned.
 Box map_of(Heap& heap, const Map& map) {
   auto box = make_map(heap);
   for (const auto& [key, value] : map.entries())
@@ -22,19 +26,18 @@ Box map_of(Heap& heap, const Map& map) {
   return box;
 }
 
-// Copies outwards; a structure may be shared inside so that its copy is far
-// larger than itself, hence the budget.
+// Copies outwards. A small structure that shares parts can have an
+// exponentially large copy (each level holding the previous one twice), hence
+// the budget.
 class Copier {
 public:
-  explicit Copier(std::size_t budget) : left_(budget) {}
+  explicit Copier(WalkBudget& budget) : budget_(budget) {}
 
+  // One value, and all below it.
   Value copy(const Box& box, int depth) {
-    if (left_ == 0 || depth > deepest) {
-      truncated = true;
-      return {};
-    }
-    --left_;
-    if (box.is_unknown())
+    if (depth > deepest)
+      budget_.exhaust();
+    if (!budget_.values() || box.is_unknown())
       return {};
     if (box.is_boolean())
       return box.is_true();
@@ -46,8 +49,6 @@ public:
       return copy(*box.target(), depth);
     return object(box, depth);
   }
-
-  bool truncated = false;
 
 private:
   Value object(const Box& box, int depth) {
@@ -69,12 +70,8 @@ private:
     return {};
   }
 
-  // A long text counts for as many values as would take its memory.
   Value string(std::string_view text) {
-    const auto cost = text.size() / sizeof(Value);
-    truncated |= cost > left_;
-    left_ -= std::min(left_, cost);
-    return truncated ? Value() : Value(text);
+    return budget_.bytes(text.size()) ? Value(text) : Value();
   }
 
   Value list(const ListObject& list, int depth) {
@@ -88,10 +85,12 @@ private:
   Value map(const MapObject& map, int depth) {
     Map copied;
     for (const auto& entry : map.entries)
-      copied.set(entry.key.text(), copy(entry.value, depth + 1));
+      if (budget_.bytes(entry.key.string()->size))
+        copied.set(entry.key.text(), copy(entry.value, depth + 1));
     return copied;
   }
 
+  // Outside of scripts an error is a map with the same fields.
   Value error(const ErrorObject& error, int depth) {
     return Map{{"message", error.message},
                {"kind", name_of(error.kind)},
@@ -100,32 +99,36 @@ private:
                {"value", copy(error.value, depth + 1)}};
   }
 
-  std::size_t left_;
+  WalkBudget& budget_;
 };
 
-// The same walk without the copy: false where it would be truncated.
-class Scales {
+// Computes the cost of the copy without making it. It must agree with Copier.
+class SizeMeter {
 public:
-  explicit Scales(std::size_t& left) : left_(left) {}
+  explicit SizeMeter(WalkBudget& budget) : budget_(budget) {}
 
+  // Whether the budget suffices for the value and all below it.
   bool holds(const Box& given, int depth) {
     const auto& box = given.resolved();
-    if (left_ == 0 || depth > deepest)
+    if (depth > deepest)
+      budget_.exhaust();
+    if (!budget_.values())
       return false;
-    --left_;
     if (!box.is_object())
       return true;
     switch (box.object()->type) {
     case ObjectType::string:
-      return take(box.text().size() / sizeof(Value));
+      return budget_.bytes(box.text().size());
     case ObjectType::list:
       return std::all_of(
           box.list()->elements.begin(), box.list()->elements.end(),
           [&](const Box& element) { return holds(element, depth + 1); });
     case ObjectType::map:
-      return std::all_of(
-          box.map()->entries.begin(), box.map()->entries.end(),
-          [&](const auto& entry) { return holds(entry.value, depth + 1); });
+      return std::all_of(box.map()->entries.begin(), box.map()->entries.end(),
+                         [&](const auto& entry) {
+                           return budget_.bytes(entry.key.string()->size) &&
+                                  holds(entry.value, depth + 1);
+                         });
     case ObjectType::error:
       return holds(box.error()->value, depth + 1);
     default:
@@ -134,18 +137,12 @@ public:
   }
 
 private:
-  bool take(std::size_t cost) {
-    if (cost > left_)
-      return false;
-    left_ -= cost;
-    return true;
-  }
-
-  std::size_t& left_;
+  WalkBudget& budget_;
 };
 
 } // namespace
 
+// The heap's limit is not checked here; the machine does so afterwards.
 Box to_box(Heap& heap, const Value& value) {
   switch (value.type()) {
   case ValueType::unknown:
@@ -169,17 +166,17 @@ Box to_box(Heap& heap, const Value& value) {
   return {};
 }
 
-Value to_value(const Box& box, std::size_t budget, bool* truncated) {
-  Copier copier(budget);
-  auto value = copier.copy(box, 0);
-  if (truncated)
-    *truncated = copier.truncated;
-  return value;
+Value to_value(const Box& box, WalkBudget& budget) {
+  return Copier(budget).copy(box, 0);
 }
 
-void weigh(const Box& box, std::size_t& budget) {
-  if (!Scales(budget).holds(box, 0))
-    budget = 0;
+Value to_value(const Box& box) {
+  WalkBudget ample(std::size_t{1} << 25);
+  return to_value(box, ample);
+}
+
+void measure(const Box& box, WalkBudget& budget) {
+  SizeMeter(budget).holds(box, 0);
 }
 
 Error to_error(const ErrorObject& error) {

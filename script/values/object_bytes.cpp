@@ -1,3 +1,6 @@
+// Writing numbers the objects in an order in which every object follows those
+// that it holds (a post-order walk); reading makes them in that order.
+
 #include "script/values/object_bytes.hpp"
 
 #include <bit>
@@ -50,7 +53,8 @@ const T& as(const Object* object) {
   return *static_cast<const T*>(object);
 }
 
-// The boxes that an object holds, one after the other; null after the last.
+// The boxes that an object holds, by index; null after the last. Keys and
+// values of a map alternate.
 const Box* child(const Object* object, std::size_t at) {
   switch (object->type) {
   case ObjectType::list: {
@@ -72,6 +76,7 @@ const Box* child(const Object* object, std::size_t at) {
   }
 }
 
+// The capacity that is stored with an array.
 template <class Array>
 std::size_t room_for_more(const Array& array) {
   return array.capacity() - array.size();
@@ -81,12 +86,15 @@ std::size_t room_for_more(const Array& array) {
 
 // -- writing ------------------------------------------------------------------
 
+// Objects that the box refers to are written to the part of the objects, if
+// they are new; the box itself is written here.
 void ObjectWriter::write(ByteWriter& bytes, const Box& box) {
   if (box.is_object())
     number(box);
   mention(bytes, box);
 }
 
+// The object that represents this one in the bytes.
 const Object* ObjectWriter::the_one(const Box& box) {
   const auto* object = box.object();
   if (object->heap || object->type != ObjectType::integer)
@@ -95,7 +103,8 @@ const Object* ObjectWriter::the_one(const Box& box) {
   return constants_.try_emplace(value, object).first->second;
 }
 
-// Without recursion, as values may be nested deeper than the stack is.
+// Numbers an object after all that it holds, with a stack of its own, because
+// values can be nested deeper than the native stack allows.
 void ObjectWriter::number(const Box& box) {
   const auto open = [this](const Object* object) {
     if (!numbers_.contains(object))
@@ -114,6 +123,7 @@ void ObjectWriter::number(const Box& box) {
   }
 }
 
+// Writes a box whose object is numbered already.
 void ObjectWriter::mention(ByteWriter& bytes, const Box& box) {
   if (box.is_object()) {
     put(bytes, BoxTag::object);
@@ -131,6 +141,7 @@ void ObjectWriter::mention(ByteWriter& bytes, const Box& box) {
   }
 }
 
+// Writes an object whose children are all numbered.
 void ObjectWriter::complete(const Object* object) {
   numbers_.emplace(object, numbers_.size());
   const bool constant = !object->heap;
@@ -165,6 +176,7 @@ void ObjectWriter::write_list(const ListObject& list) {
   objects_.number(room_for_more(list.elements));
 }
 
+// The entries in their order; the index is rebuilt from them when reading.
 void ObjectWriter::write_map(const MapObject& map) {
   put(objects_, ObjectTag::map);
   objects_.number(map.entries.size());
@@ -177,6 +189,7 @@ void ObjectWriter::write_map(const MapObject& map) {
   objects_.number(room_for_more(map.index));
 }
 
+// Errors keep their place, so a restored one reports the same line.
 void ObjectWriter::write_error(const ErrorObject& error) {
   put(objects_, ObjectTag::error);
   objects_.byte(static_cast<std::uint8_t>(error.kind));
@@ -194,6 +207,7 @@ void ObjectWriter::write_objects(ByteWriter& bytes) const {
 
 // -- reading ------------------------------------------------------------------
 
+// Each object may refer to those before it only.
 void ObjectReader::read_objects() {
   const auto count = bytes_.count("objects");
   for (std::size_t i = 0; i < count && bytes_.ok(); ++i)
@@ -233,12 +247,13 @@ Box ObjectReader::number() {
   return bytes_.ok() ? Box::number(value) : Box();
 }
 
-// One that was read before.
+// Only objects that were read before can be referred to, so no ring can arise.
 Box ObjectReader::object() {
   const auto at = bytes_.below(objects_.size(), "object");
   return bytes_.ok() ? objects_[at] : Box();
 }
 
+// One object by its tag.
 Box ObjectReader::read_object() {
   switch (static_cast<ObjectTag>(bytes_.byte())) {
   case ObjectTag::string:
@@ -264,6 +279,8 @@ Box ObjectReader::read_object() {
   return {};
 }
 
+// Every value has one form, so an integer that fits into a box must not be an
+// object.
 Box ObjectReader::read_integer() {
   const auto value = bytes_.signed_number();
   if (Box::fits(value))
@@ -271,6 +288,7 @@ Box ObjectReader::read_integer() {
   return make_integer(heap_, value);
 }
 
+// Constants are found in the program, so that they stay shared with its code.
 Box ObjectReader::read_constant_string() {
   const auto text = bytes_.text();
   if (auto constant = constants_.find(text))
@@ -286,16 +304,18 @@ Box ObjectReader::read_constant_integer() {
   return {};
 }
 
+// The limit is checked first, as a corrupt number could be huge.
 std::size_t ObjectReader::room_for_more(std::size_t size_of_each) {
   const auto count = bytes_.number();
-  const auto most = heap_.limit() / size_of_each;
-  return bytes_.ok() && count <= most && heap_.has_room(count * size_of_each)
+  const auto max = heap_.limit() / size_of_each;
+  return bytes_.ok() && count <= max && heap_.has_room(count * size_of_each)
              ? count
              : 0;
 }
 
 Box ObjectReader::read_list() {
-  // Gathered first, so that the list takes just the memory that it is told.
+  // The elements are collected first, so that the list is allocated once with
+  // exactly the stored capacity.
   std::vector<Box> elements;
   const auto count = bytes_.count("elements of a list");
   for (std::size_t i = 0; i < count && bytes_.ok(); ++i)
@@ -306,6 +326,7 @@ Box ObjectReader::read_list() {
   return list;
 }
 
+// The index is not stored, only its size: it follows from the keys.
 Box ObjectReader::read_map() {
   std::vector<MapObject::Entry> entries;
   const auto count = bytes_.count("entries of a map");
@@ -330,6 +351,8 @@ Box ObjectReader::read_key() {
   return key;
 }
 
+// The size must be one that set() could have made; the entries are then entered
+// again, which also finds repeated keys.
 void ObjectReader::read_index(MapObject& map) {
   constexpr auto size_of_each = sizeof(std::uint32_t);
   const auto places = bytes_.number();
@@ -340,6 +363,8 @@ void ObjectReader::read_index(MapObject& map) {
     bytes_.fail("a map has a key twice");
 }
 
+// A result or binary: a value of the runtime, and for a result the rows that
+// were converted already.
 Box ObjectReader::read_foreign(ValueType type) {
   auto value = read_value(bytes_);
   if (value.type() != type) {
@@ -357,10 +382,11 @@ Box ObjectReader::read_foreign(ValueType type) {
   return box;
 }
 
+// The kind is an index into the table of kinds and is checked like any index.
 Box ObjectReader::read_error() {
   const auto kind = bytes_.below(error_kinds, "kind of error");
   std::string message(bytes_.text());
-  Place place;
+  SourceLocation place;
   place.file = bytes_.text();
   place.line = static_cast<std::uint32_t>(bytes_.below(end_of_lines, "line"));
   place.column =

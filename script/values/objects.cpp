@@ -1,16 +1,20 @@
+// The layout of objects in memory: a head (heap, count, type), then the members
+// of the type. A string has its bytes behind the members, in the same block;
+// lists and maps own arrays from the same heap; errors and results own memory
+// of the standard library, which is only accounted for.
+
 #include "script/values/objects.hpp"
 
 #include <cstring>
 
 #include "runtime/base/utf8.hpp"
 #include "script/support/block_cache.hpp"
-#include "script/support/footprint.hpp"
+#include "script/support/estimated_size.hpp"
 
 namespace parlour::script {
-
 namespace {
 
-// Adopts the memory as an object with a count of one.
+// Constructs an object with a count of one in memory of the heap.
 template <class T, class... Arguments>
 T* create(Heap& heap, ObjectType type, Arguments&&... arguments) {
   auto* memory = heap.allocate(sizeof(T));
@@ -25,7 +29,7 @@ void remove(Object* object, std::size_t bytes = sizeof(T)) {
   heap->release(object, bytes);
 }
 
-// What an object holds beside what it has allocated from the heap.
+// The bytes that an object holds outside of the heap's blocks.
 std::size_t held(const ErrorObject& error) {
   return error.message.size() + error.place.file.size();
 }
@@ -46,6 +50,7 @@ Box account(T* object) {
   return Box::adopt(object);
 }
 
+// Runs the destructor of the object's type and returns its block.
 void remove(Object* object) {
   switch (object->type) {
   case ObjectType::string:
@@ -80,18 +85,21 @@ StringObject* new_string(void* memory, Heap* heap, std::string_view text) {
 
 } // namespace
 
+// The limit is not checked here, but when an instruction has finished
+// (Machine::within_limits); what may be large is checked before (has_room).
 void* Heap::allocate(std::size_t bytes) {
   used_ += bytes;
   return BlockCache::take(bytes);
 }
 
 void Heap::release(void* block, std::size_t bytes) {
-  used_ -= bytes;
+  discount(bytes);
   BlockCache::give(block, bytes);
 }
 
-// A long chain of lists would need as deep a stack: what falls to zero while
-// another object is being taken down waits for its turn.
+// Destroying a list can make the counts of its elements 0. These are queued
+// instead of destroyed at once, so that a long chain of objects needs no deep
+// native stack. Strings hold nothing and are freed directly.
 void destroy(Object* object) noexcept {
   auto& heap = *object->heap;
   if (object->type == ObjectType::string) {
@@ -123,8 +131,10 @@ std::uint32_t hash_of(const StringObject& string) {
   return string.hash;
 }
 
-// All bytes but those that continue one, which have the highest bit and not the
-// next: of eight at a time, their highest bits are added up by a product.
+// Counts all bytes but continuation bytes. These have the highest bit set and
+// the second highest clear; shifting by one brings the second bit below the
+// first. Of eight bytes at a time, the marked bits are summed by a
+// multiplication into the topmost byte.
 std::uint32_t count_code_points(std::string_view text) {
   auto count = static_cast<std::uint32_t>(text.size());
   std::uint64_t eight = 0;
@@ -195,10 +205,11 @@ Box make_foreign(Heap& heap, const Value& value) {
   const auto type = value.type() == ValueType::result ? ObjectType::result
                                                       : ObjectType::binary;
   return account(
-      create<ResultObject>(heap, type, value, footprint(value), Box()));
+      create<ResultObject>(heap, type, value, estimated_size(value), Box()));
 }
 
-Box make_error(Heap& heap, ErrorKind kind, std::string message, Place place) {
+Box make_error(Heap& heap, ErrorKind kind, std::string message,
+               SourceLocation place) {
   return account(create<ErrorObject>(heap, ObjectType::error, kind,
                                      std::move(message), std::move(place),
                                      Box()));
@@ -219,7 +230,7 @@ namespace {
 constexpr std::size_t none = static_cast<std::size_t>(-1);
 constexpr std::size_t indexed_from = 9;
 
-// Of a few entries, which need no index.
+// Compares all pairs, as a map without an index is small.
 template <class Entries>
 bool are_distinct(const Entries& entries) {
   for (auto one = entries.begin(); one != entries.end(); ++one)
@@ -231,6 +242,7 @@ bool are_distinct(const Entries& entries) {
 
 } // namespace
 
+// `same` is the key as an object, if known: comparing pointers comes first.
 std::size_t MapObject::position(std::string_view key, std::uint32_t hash,
                                 const StringObject* same) const {
   if (index.empty()) {
@@ -255,6 +267,7 @@ void MapObject::rebuild_index() {
   if (entries.size() < indexed_from)
     index.clear();
   else
+    // Between three and six places for each entry; set() rebuilds at two.
     rebuild_index(std::bit_ceil(entries.size() * 3));
 }
 
@@ -265,6 +278,7 @@ bool MapObject::fits_index(std::size_t places) const {
          places < entries.size() * 6;
 }
 
+// Returns false as soon as a key is found twice. Only a corrupt state has that.
 bool MapObject::rebuild_index(std::size_t places) {
   index.clear();
   index.resize(places);
@@ -282,7 +296,8 @@ bool MapObject::rebuild_index(std::size_t places) {
   return true;
 }
 
-// Mostly the very string that was put in: then no text is looked at.
+// Usually the key is the very constant that was put in, so comparing pointers
+// finds it without reading any text.
 Box* MapObject::look_up(const StringObject& key) {
   if (index.empty()) {
     const auto at = position(key.text(), 0, &key);
@@ -346,15 +361,17 @@ ConstantPool::~ConstantPool() {
     delete integer;
 }
 
+// Equal texts are one object, so constants are compared by their addresses.
 Box ConstantPool::string(std::string_view text) {
   if (auto there = strings_.find(text); there != strings_.end())
     return Box::adopt(there->second);
+  // Not from the cache of blocks, whose lists belong to a thread.
   auto* memory = std::malloc(sizeof(StringObject) + text.size());
   if (!memory)
     throw std::bad_alloc();
   auto* string = new_string(memory, nullptr, text);
   string->interned = true;
-  string->hash = hash_of(text); // now: readers in other threads never write
+  string->hash = hash_of(text); // now: readers in other threads must not write
   strings_.emplace(string->text(), string);
   return Box::adopt(string);
 }

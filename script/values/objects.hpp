@@ -1,8 +1,13 @@
-// The objects that a Box refers to, the heap that accounts for them (one for
-// each session, with its interpreter), and the pool of a program's constants.
+// The objects that boxes refer to; the heap that accounts for them, one for
+// each session; and the pool of a program's constants.
+//
+// Life of an object: make_… creates it with one count inside of a Box; boxes
+// share it by counting; the last box frees it, and its memory returns to the
+// session's account at once.
 #pragma once
 
 #include <atomic>
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -18,25 +23,32 @@
 
 namespace parlour::script {
 
-// Counts the bytes that a session's values hold. Owned by the interpreter and
-// its activations; keeps the program alive, as boxes point into its constants.
+// Counts the bytes that a session's values hold (language rule 9.6). It does
+// not enforce the limit: the interpreter asks over_limit() and has_room().
+// Owned by the interpreter and its activations. It keeps the program alive,
+// because boxes point to the program's constants. Used by one thread at a time.
 class Heap {
 public:
+  // `keep` is whatever must live as long as the boxes: the program.
   Heap(std::shared_ptr<const void> keep, std::size_t limit)
       : keep_(std::move(keep)), limit_(limit) {}
   Heap(const Heap&) = delete;
   Heap& operator=(const Heap&) = delete;
 
+  // Memory from the thread's cache of blocks, which is accounted for.
   void* allocate(std::size_t bytes);
   void release(void* block, std::size_t bytes);
-  // What an object holds beside its block: texts and values of the runtime.
+  // Counts what an object holds outside of its own block, such as texts of
+  // errors and values of the runtime.
   void account(std::size_t bytes) {
     used_ += bytes;
   }
   void discount(std::size_t bytes) {
+    assert(bytes <= used_);
     used_ -= bytes;
   }
 
+  // Whether this many bytes more would still be within the limit.
   bool has_room(std::size_t bytes) const {
     return bytes <= limit_ && used_ <= limit_ - bytes;
   }
@@ -56,11 +68,12 @@ private:
   std::shared_ptr<const void> keep_;
   std::size_t limit_;
   std::size_t used_ = 0;
-  std::vector<Object*> doomed_; // so that deep structures need no deep stack
+  std::vector<Object*> doomed_; // objects to destroy; see destroy()
   bool destroying_ = false;
 };
 
-// An allocator for the containers' arrays, so that they are accounted too.
+// The standard allocator of the containers' arrays, so that these are accounted
+// for, too.
 template <class T>
 struct HeapAllocator {
   using value_type = T;
@@ -82,11 +95,13 @@ struct HeapAllocator {
 
 using Boxes = std::vector<Box, HeapAllocator<Box>>;
 
+// The bytes of the text follow the object in the same block. Immutable once
+// finished.
 struct StringObject : Object {
   std::uint32_t size;         // bytes
   std::uint32_t code_points;  // equal to size: plain ASCII
   mutable std::uint32_t hash; // 0: not computed yet
-  bool interned;              // two interned strings are equal if identical
+  bool interned; // two interned strings are equal only if identical
 
   char* data() {
     return reinterpret_cast<char*>(this + 1);
@@ -96,11 +111,14 @@ struct StringObject : Object {
   }
 };
 
+// A list (language rule 2.6): shared by all boxes that refer to it.
 struct ListObject : Object {
   Boxes elements;
 };
 
-// String keys in insertion order; an index of hashes once it is not small.
+// A map with string keys in insertion order (language rule 2.10). From nine
+// entries on an index of hashes is used: open addressing, position plus one, 0
+// for free.
 struct MapObject : Object {
   struct Entry {
     Box key;
@@ -108,19 +126,23 @@ struct MapObject : Object {
   };
   std::vector<Entry, HeapAllocator<Entry>> entries;
   std::vector<std::uint32_t, HeapAllocator<std::uint32_t>> index;
-  std::size_t found = 0; // the entry found last: what is read is often written
+  std::size_t found = 0; // the entry found last, which is often the next one
 
+  // Looks at the entry found last first: m.x = m.x + 1 finds it twice.
   Box* find(const StringObject& key) {
     if (found < entries.size() && entries[found].key.object() == &key)
       return &entries[found].value;
     return look_up(key);
   }
+  // The same by text, for keys that are not constants.
   Box* find(std::string_view key);
   void set(const Box& key, Box value);
+  // Takes an entry out; false if the key is missing. Linear in the map.
   bool remove(std::string_view key, Box& removed);
-  // Whether set() may have left an index of so many places.
+  // Whether set() could have made an index with this number of places.
   bool fits_index(std::size_t places) const;
-  // With such an index. False where a key is there twice.
+  // Rebuilds the index with this number of places. Returns false if a key
+  // occurs twice.
   bool rebuild_index(std::size_t places);
 
 private:
@@ -130,45 +152,53 @@ private:
   void rebuild_index();
 };
 
-// A result set, which is immutable, or a binary.
+// A result set or a binary: an immutable value of the runtime.
 struct ResultObject : Object {
   Value value;
-  std::size_t bytes; // that the value holds
-  Box rows;          // list of maps, made when first asked for
+  std::size_t bytes; // held by the value
+  Box rows;          // list of maps; made when first asked for
 };
 
+// An error as <catch> gets it (language rule 9.1).
 struct ErrorObject : Object {
   ErrorKind kind;
   std::string message;
-  Place place;
+  SourceLocation place;
   Box value; // of <throw>
 };
 
+// An integer that does not fit into 48 bits.
 struct IntegerObject : Object {
   std::int64_t value;
 };
 
+// The FNV-1a hash; never 0.
 std::uint32_t hash_of(std::string_view text);
 std::uint32_t hash_of(const StringObject& string);
+// Linear in the text, eight bytes at a time.
 std::uint32_t count_code_points(std::string_view text);
 
 Box make_string(Heap& heap, std::string_view text);
-// The same, where the number of code points is known.
+// The same if the number of code points is known, which saves counting them.
 Box make_string(Heap& heap, std::string_view text, std::uint32_t code_points);
-// Room for `size` bytes, to be filled in before anything else; then finish.
+// Allocates a string of `size` bytes to be filled in. Call finish_string before
+// anything else is done with it.
 StringObject* raw_string(Heap& heap, std::size_t size);
 Box finish_string(StringObject* string);
 Box finish_string(StringObject* string, std::uint32_t code_points);
+// Small if the integer fits into 48 bits, else an object.
 Box make_integer(Heap& heap, std::int64_t value);
 Box make_list(Heap& heap, std::size_t reserve = 0);
 Box make_map(Heap& heap);
-Box make_foreign(Heap& heap, const Value& value); // result set or binary
-Box make_error(Heap& heap, ErrorKind kind, std::string message, Place place);
+Box make_foreign(Heap& heap, const Value& value); // a result set or a binary
+Box make_error(Heap& heap, ErrorKind kind, std::string message,
+               SourceLocation place);
 
+// Compares pointers if both strings are interned, bytes otherwise.
 bool equal_strings(const StringObject& left, const StringObject& right);
 
-// The interned strings and large integers of one program. Filled by the
-// compiler, then read by any thread.
+// The interned strings and the large integers of one program. The compiler
+// fills it; afterwards it is immutable and read by any thread.
 class ConstantPool {
 public:
   ConstantPool() = default;
@@ -176,14 +206,15 @@ public:
   ConstantPool& operator=(const ConstantPool&) = delete;
   ~ConstantPool();
 
+  // Returns the constant that is equal, or makes one.
   Box string(std::string_view text);
   Box integer(std::int64_t value);
-  // Nothing where there is no such constant.
+  // Return nothing if the program has no such constant.
   std::optional<Box> find(std::string_view text) const;
   std::optional<Box> find(std::int64_t value) const;
 
-  // Of the program that they belong to, 0 until it is asked for; see
-  // program_identity.hpp.
+  // The identity of the program, computed when first asked for; 0 until then.
+  // See program_identity.hpp.
   mutable std::atomic<std::uint64_t> identity = 0;
 
 private:
@@ -192,24 +223,30 @@ private:
 };
 
 inline StringObject* Box::string() const {
+  assert(is_string());
   return static_cast<StringObject*>(object());
 }
 inline ListObject* Box::list() const {
+  assert(is_list());
   return static_cast<ListObject*>(object());
 }
 inline MapObject* Box::map() const {
+  assert(is_map());
   return static_cast<MapObject*>(object());
 }
 inline ResultObject* Box::result() const {
+  assert(is(ObjectType::result) || is(ObjectType::binary));
   return static_cast<ResultObject*>(object());
 }
 inline ErrorObject* Box::error() const {
+  assert(is(ObjectType::error));
   return static_cast<ErrorObject*>(object());
 }
 inline std::string_view Box::text() const {
   return string()->text();
 }
 inline std::int64_t Box::as_integer() const {
+  assert(is_integer());
   return is_small() ? as_small() : static_cast<IntegerObject*>(object())->value;
 }
 

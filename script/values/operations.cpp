@@ -1,3 +1,7 @@
+// Operators in the slow but complete form. The interpreter has inline fast
+// paths for small integers and doubles (script/vm/handlers_values.hpp) and
+// comes here for everything else: large integers, strings, lists, errors.
+
 #include "script/values/operations.hpp"
 
 #include <algorithm>
@@ -15,6 +19,7 @@ Failure type_failure(std::string message) {
 
 constexpr std::array<const char*, 4> symbols{"-", "*", "/", "%"};
 
+// Names the side that is wrong; the left one if both are.
 Failure operand_failure(const char* symbol, const Box& left, const Box& right) {
   const bool left_wrong = !numeric(left);
   return type_failure(std::string("'") + symbol + "' needs numbers, but its " +
@@ -26,11 +31,12 @@ Failure division_by_zero() {
   return {ErrorKind::arithmetic, "division by zero"};
 }
 
+// An exact division gives an integer, any other a number (language rule 3.8).
 Outcome divide_integers(Heap& heap, std::int64_t left, std::int64_t right,
                         Box& result) {
   if (right == 0)
     return division_by_zero();
-  if (right == -1) // the least integer has no opposite
+  if (right == -1) // the smallest has no opposite
     return negate(heap, make_integer(heap, left), result);
   if (left % right == 0)
     result = make_integer(heap, left / right);
@@ -40,6 +46,8 @@ Outcome divide_integers(Heap& heap, std::int64_t left, std::int64_t right,
   return {};
 }
 
+// The remainder has the sign of the right side (language rule 3.8), while C++
+// gives it the sign of the left side.
 Outcome modulo_integers(Heap& heap, std::int64_t left, std::int64_t right,
                         Box& result) {
   if (right == 0)
@@ -60,6 +68,7 @@ Outcome modulo_numbers(double left, double right, Box& result) {
   return number_result(rest, result);
 }
 
+// If the result overflows, it is computed again in doubles.
 Outcome integers(Heap& heap, Arithmetic operation, std::int64_t left,
                  std::int64_t right, Box& result) {
   std::int64_t value = 0;
@@ -83,6 +92,7 @@ Outcome integers(Heap& heap, Arithmetic operation, std::int64_t left,
   return {};
 }
 
+// Arithmetic on doubles; a result that is not finite is an error.
 Outcome numbers(Arithmetic operation, double left, double right, Box& result) {
   switch (operation) {
   case Arithmetic::subtract:
@@ -116,7 +126,8 @@ Outcome too_large(Heap& heap) {
                      std::to_string(heap.limit()) + " bytes"};
 }
 
-// What a value is printed as; a string as it stands, without a copy.
+// The printed form of a value. A string is not copied and a small integer needs
+// no allocation, since these are what a script joins most of the time.
 class Printed {
 public:
   Printed(const Box& box, std::size_t limit) {
@@ -156,6 +167,7 @@ private:
   bool fits_ = true;
 };
 
+// The size is known before the string is allocated, so it is written once.
 Outcome join(Heap& heap, const Box& left, const Box& right, Box& result) {
   const Printed first(left, heap.limit());
   const Printed second(right, heap.limit());
@@ -170,6 +182,7 @@ Outcome join(Heap& heap, const Box& left, const Box& right, Box& result) {
   return {};
 }
 
+// A new list; the elements are shared.
 Outcome join_lists(Heap& heap, const ListObject& left, const ListObject& right,
                    Box& result) {
   const auto size = left.elements.size() + right.elements.size();
@@ -199,6 +212,7 @@ std::string_view type_name(const Box& box) {
   return names[static_cast<std::size_t>(box.object()->type)];
 }
 
+// The type with its article, for messages: "an integer".
 std::string a_type(const Box& box) {
   if (box.is_unknown())
     return "unknown";
@@ -207,6 +221,7 @@ std::string a_type(const Box& box) {
   return (vowel ? "an " : "a ") + std::string(name);
 }
 
+// Numbers, then objects by their content; binaries and errors count as true.
 bool truth(const Box& box) {
   if (box.is_boolean())
     return box.is_true();
@@ -230,6 +245,7 @@ bool truth(const Box& box) {
   }
 }
 
+// The most frequent kinds come first.
 std::optional<Numeric> numeric(const Box& box, bool from_text) {
   if (box.is_small())
     return Numeric{true, box.as_small(), 0};
@@ -245,6 +261,10 @@ std::optional<Numeric> numeric(const Box& box, bool from_text) {
   if (const auto* number = value.if_number(); number && std::isfinite(*number))
     return Numeric{false, 0, *number};
   return {};
+}
+
+std::size_t digits_of(const Box& box) {
+  return box.is_string() ? box.string()->size : 0;
 }
 
 Outcome number_result(double value, Box& result) {
@@ -266,6 +286,8 @@ Outcome arithmetic(Heap& heap, Arithmetic operation, const Box& left,
   return numbers(operation, l->as_number(), r->as_number(), result);
 }
 
+// A string on either side joins texts; two lists make a new list; everything
+// else must be numbers (language rule 3.7).
 Outcome add(Heap& heap, const Box& left, const Box& right, Box& result) {
   if (left.is_string() || right.is_string())
     return join(heap, left, right, result);
@@ -279,6 +301,7 @@ Outcome add(Heap& heap, const Box& left, const Box& right, Box& result) {
                       a_type(right));
 }
 
+// As 0 - operand, so the smallest integer becomes a number.
 Outcome negate(Heap& heap, const Box& operand, Box& result) {
   const auto number = numeric(operand);
   if (!number)
@@ -322,6 +345,7 @@ bool print_map(std::string& text, const MapObject& map, std::size_t limit,
   return true;
 }
 
+// A string inside of a container is printed without quotes.
 bool print_object(std::string& text, const Box& box, std::size_t limit,
                   int depth) {
   switch (box.object()->type) {
@@ -348,6 +372,8 @@ bool print_object(std::string& text, const Box& box, std::size_t limit,
 
 } // namespace
 
+// Checks the limit between elements, so the text exceeds it by one element at
+// most.
 bool print(std::string& text, const Box& box, std::size_t limit, int depth) {
   if (text.size() > limit || depth > deepest_nesting)
     return false;

@@ -1,9 +1,12 @@
+// Arguments of built-in functions: conversions, errors and limits.
+
 #include "script/vm/builtin_call.hpp"
 
 #include <utility>
 
 namespace parlour::script {
 
+// Each message begins with the function's name (language rule 8.1).
 bool BuiltinCall::fail(ErrorKind kind, const std::string& message) {
   return machine.raise(kind, std::string(name) + ": " + message);
 }
@@ -14,20 +17,23 @@ bool BuiltinCall::wrong_type(std::size_t index, const char* wanted) {
                                    a_type(arguments[index]));
 }
 
+// Lists, maps and the like are not converted: their printed form is hardly ever
+// what was meant.
 bool BuiltinCall::text(std::size_t index, std::string& value) {
   const auto& box = arguments[index];
   if (!box.is_string() && !box.is_boolean() && !numeric(box, false))
     return wrong_type(index, "a string");
   value.clear();
-  print(value, box, heap().limit());
-  return work(value.size());
+  script::print(value, box, heap().limit());
+  return bytes(value.size());
 }
 
+// The argument's register keeps the new string alive during the call.
 const StringObject* BuiltinCall::string(std::size_t index) {
   auto& argument = arguments[index];
   if (argument.is_string()) {
     const auto* string = argument.string();
-    return work(string->size) ? string : nullptr;
+    return bytes(string->size) ? string : nullptr;
   }
   std::string printed;
   if (!text(index, printed))
@@ -36,48 +42,68 @@ const StringObject* BuiltinCall::string(std::size_t index) {
   return argument.string();
 }
 
+bool BuiltinCall::perhaps_number(std::size_t index,
+                                 std::optional<Numeric>& value) {
+  value = numeric(arguments[index]);
+  return bytes(digits_of(arguments[index]));
+}
+
 bool BuiltinCall::number(std::size_t index, Numeric& value) {
-  const auto found = numeric(arguments[index]);
+  std::optional<Numeric> found;
+  if (!perhaps_number(index, found))
+    return false;
   if (!found)
     return wrong_type(index, "a number");
   value = *found;
   return true;
 }
 
+// Numbers without a fraction count as integers.
 bool BuiltinCall::integer(std::size_t index, std::int64_t& value) {
   if (arguments[index].is_small()) {
     value = arguments[index].as_small();
     return true;
   }
-  Numeric found;
-  if (!numeric(arguments[index]))
-    return wrong_type(index, "an integer");
-  if (!number(index, found))
+  std::optional<Numeric> found;
+  if (!perhaps_number(index, found))
     return false;
-  if (!found.is_integer) {
+  if (!found)
+    return wrong_type(index, "an integer");
+  if (!found->is_integer) {
     const auto whole =
-        static_cast<double>(found.number < 9e15 && found.number > -9e15
-                                ? static_cast<std::int64_t>(found.number)
+        static_cast<double>(found->number < 9e15 && found->number > -9e15
+                                ? static_cast<std::int64_t>(found->number)
                                 : 0);
-    if (whole != found.number)
+    if (whole != found->number)
       return wrong_type(index, "an integer");
-    found.integer = static_cast<std::int64_t>(whole);
+    found->integer = static_cast<std::int64_t>(whole);
   }
-  value = found.integer;
+  value = found->integer;
   return true;
 }
 
+// The elements count as work, since almost every function visits them.
 bool BuiltinCall::list(std::size_t index, ListObject*& value) {
   if (!arguments[index].is_list())
     return wrong_type(index, "a list");
   value = arguments[index].list();
-  return work(value->elements.size());
+  return values(value->elements.size());
 }
 
-bool BuiltinCall::work(std::size_t bytes) {
-  return machine.charge(bytes / 16);
+bool BuiltinCall::print(std::string& text, const Box& value) {
+  const auto limit = machine.program->settings.limits.result;
+  const auto before = text.size();
+  if (!script::print(text, value, limit))
+    return room(limit + 1);
+  return bytes(text.size() - before);
 }
 
+bool BuiltinCall::pay(const WalkBudget& budget) {
+  return machine.charge(budget.price()) &&
+         (!budget.exhausted() || fail(ErrorKind::limit, "too much to compare"));
+}
+
+// Two limits: of a single result, and of all values of the session.
 bool BuiltinCall::room(std::size_t bytes) {
   const auto limit = machine.program->settings.limits.result;
   if (bytes > limit)
@@ -96,7 +122,7 @@ bool BuiltinCall::give(Box value) {
 }
 
 bool BuiltinCall::give_text(const std::string& value) {
-  return room(value.size()) && work(value.size()) &&
+  return room(value.size()) && bytes(value.size()) &&
          give(make_string(heap(), value));
 }
 
@@ -104,6 +130,7 @@ bool BuiltinCall::give_integer(std::int64_t value) {
   return give(make_integer(heap(), value));
 }
 
+// Infinite results are errors (language rule 2.5).
 bool BuiltinCall::give_number(double value) {
   return machine.check(number_result(value, result));
 }

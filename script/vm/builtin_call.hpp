@@ -1,6 +1,15 @@
-// What a built-in gets, and the helpers that most of them need: arguments by
-// type, with errors that name the function and the argument (language
-// rule 8.1).
+// BuiltinCall: what a built-in function receives, with helpers that most of
+// them need. Arguments are read by type; an error names the function and the
+// argument (language rule 8.1).
+//
+//   bool repeat(BuiltinCall& call) { // repeat(text, count)
+//     std::string text;
+//     std::int64_t count = 0;
+//     if (!call.text(0, text) || !call.integer(1, count))
+//       return false; // the error was raised
+//     …
+//     return call.give_text(repeated);
+//   }
 #pragma once
 
 #include <cstdint>
@@ -10,6 +19,7 @@
 
 namespace parlour::script {
 
+// Valid during the call only. The arguments are registers of the caller.
 struct BuiltinCall {
   Machine& machine;
   const char* name;
@@ -27,33 +37,44 @@ struct BuiltinCall {
     return machine.heap();
   }
 
-  // Always false: the built-in has failed.
+  // Raise an error; they always return false, as does a built-in that failed.
   bool fail(ErrorKind kind, const std::string& message);
   bool wrong_type(std::size_t index, const char* wanted);
 
-  // False: raised. Numbers and booleans become text where it is wanted.
+  // Read an argument, which costs fuel by its size. They return false after
+  // raising an error. Numbers and booleans become text where text is wanted.
   bool text(std::size_t index, std::string& value);
-  // The same as a string, which stands in the argument's place then; null:
-  // raised.
+  // Reads an argument as a string object without copying it. Another value is
+  // printed into a string that replaces the argument. Null after an error.
   const StringObject* string(std::size_t index);
   bool integer(std::size_t index, std::int64_t& value);
   bool number(std::size_t index, Numeric& value);
+  // Nothing if it is no number.
+  bool perhaps_number(std::size_t index, std::optional<Numeric>& value);
   bool list(std::size_t index, ListObject*& value);
 
-  // Ends the built-in well.
+  // Appends the printed form of any value, up to limits.result.
+  bool print(std::string& text, const Box& value);
+
+  // Return the result; the built-in ends with `return call.give…`.
   bool give(Box value);
   bool give_text(const std::string& value); // checks limits.result
   bool give_integer(std::int64_t value);
   bool give_number(double value);
   bool give_flag(bool value);
 
-  // Work of this many bytes or elements; false: out of fuel, raised.
-  bool work(std::size_t bytes);
-  // The same of boxes compared or searched.
-  bool looked_at(std::size_t boxes) {
-    return machine.charge(boxes / Machine::boxes_per_unit);
+  // Charge fuel by the price of WalkBudget (language rule 9.6). False after
+  // raising an error: the fuel is used up.
+  bool bytes(std::size_t number) {
+    return machine.charge_bytes(number);
   }
-  // Room for a result of this many bytes; false: raised.
+  bool values(std::size_t number) {
+    return machine.charge_values(number);
+  }
+  // The same for a walk; an exhausted budget is an error, too.
+  bool pay(const WalkBudget& budget);
+  // Checks that a result of this many bytes is within the limits; false after
+  // raising an error.
   bool room(std::size_t bytes);
 };
 

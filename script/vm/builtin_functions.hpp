@@ -1,5 +1,9 @@
-// The functions of builtins.def; each in the file of script/builtins that has
-// its subject.
+// The functions of builtins.def. Each is defined in the file of script/builtins
+// that has its subject.
+//
+// A new built-in function needs a row in builtins.def and a function of that
+// name in script/builtins; the compiler then knows its name and its number of
+// arguments.
 #pragma once
 
 #include <cstdint>
@@ -17,9 +21,10 @@ namespace builtins {
 
 } // namespace builtins
 
-// False: an error was raised.
+// Returns false after raising an error.
 using BuiltinFunction = bool (*)(BuiltinCall& call);
-// By the index that an instruction holds (script/expression/builtins.hpp).
+// The function for the index in an instruction
+// (script/expression/builtins.hpp).
 BuiltinFunction builtin_function(std::uint16_t index);
 
 } // namespace parlour::script

@@ -8,6 +8,14 @@
 
 namespace parlour::script {
 
+// One pass over all instructions. For each kind it relies on how the compiler
+// lays out code:
+//
+//   a default    jump_if_given over the instructions that compute it
+//   a <for>      for_next jumps back to the first instruction of the body
+//   <for each>   each_next jumps over the body
+//   a call       its arguments are prepared before it, in registers that
+//                the call names
 FrameCheck::FrameCheck(const Code& code, std::uint32_t at)
     : code_(code), at_(at) {
   for (std::uint32_t i = 0; i < code.instructions.size(); ++i) {
@@ -25,15 +33,15 @@ FrameCheck::FrameCheck(const Code& code, std::uint32_t at)
     case Operation::call_named:
       pass(instruction.a + std::size_t{1}, instruction.c, i);
       break;
-    case Operation::jump_if_given: // over what computes the default
+    case Operation::jump_if_given: // skips what computes the default
       if (at < i + instruction.wide())
         defaults_.push_back(instruction.a);
       break;
-    case Operation::for_next: // back to the body's first instruction
+    case Operation::for_next: // jumps back to the body
       if (at + instruction.wide() >= i && at <= i)
         counting_.push_back(instruction.a);
       break;
-    case Operation::each_next: // over the body
+    case Operation::each_next: // skips the body
       if (at >= i && at < i + instruction.wide())
         walking_.push_back(instruction.a);
       break;
@@ -43,7 +51,7 @@ FrameCheck::FrameCheck(const Code& code, std::uint32_t at)
   }
 }
 
-// An argument that is put where a call will take it.
+// Notes an argument that is put in place before the instruction at_.
 void FrameCheck::prepare(const Instruction& instruction, std::uint32_t index) {
   if (index >= at_)
     return;
@@ -53,7 +61,8 @@ void FrameCheck::prepare(const Instruction& instruction, std::uint32_t index) {
     prepared_.push_back({instruction.a, bound});
 }
 
-// The call takes them; if it comes no sooner than our place, they wait there.
+// The call takes its arguments. If the call is at or behind at_, they are
+// waiting in their registers at that moment.
 void FrameCheck::pass(std::size_t first, std::size_t count,
                       std::uint32_t index) {
   std::erase_if(prepared_, [&](const Argument& argument) {
@@ -83,8 +92,9 @@ bool FrameCheck::may_be_missing(std::uint16_t reg) const {
 
 namespace {
 
-// Whether a count stays an integer. A whole way may be longer than the largest
-// one: from the smallest to the largest.
+// Whether a count of `times` steps stays within 64 bits. The distances are
+// computed unsigned, as from the smallest to the largest integer they do not
+// fit otherwise.
 bool can_step(std::int64_t from, std::int64_t step, std::int64_t times) {
   using Limits = std::numeric_limits<std::int64_t>;
   const auto apart = [](std::int64_t high, std::int64_t low) {
@@ -92,12 +102,14 @@ bool can_step(std::int64_t from, std::int64_t step, std::int64_t times) {
   };
   if (step == 0)
     return true;
-  const auto most = step > 0 ? apart(Limits::max(), from) / apart(step, 0)
-                             : apart(from, Limits::min()) / apart(0, step);
-  return static_cast<std::uint64_t>(times) <= most;
+  // How many steps fit between `from` and the end of the range of integers.
+  const auto max_times = step > 0 ? apart(Limits::max(), from) / apart(step, 0)
+                                  : apart(from, Limits::min()) / apart(0, step);
+  return static_cast<std::uint64_t>(times) <= max_times;
 }
 
-// Machine::for_prepare: left, current, step, from, variable.
+// The registers are those of Machine::for_prepare: left, current, step, from,
+// variable.
 bool can_count(const Box* loop) {
   if (!loop[0].is_small() || loop[0].as_small() < 0)
     return false;
@@ -108,7 +120,7 @@ bool can_count(const Box* loop) {
                   loop[0].as_small());
 }
 
-// Machine::each_prepare: a list, a position.
+// Those of Machine::each_prepare: the list and the position.
 bool can_walk(const Box* loop) {
   return loop[0].is_list() && loop[1].is_small() && loop[1].as_small() >= 0;
 }

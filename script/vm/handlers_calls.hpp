@@ -1,5 +1,5 @@
-// Handlers of containers, loops, calls and effects.
-// Included by dispatch.cpp only, see handlers_values.hpp.
+// Handlers for containers, loops, calls and effects. Included by dispatch.cpp
+// only; handlers_flow.hpp explains their form.
 #pragma once
 
 #include "script/vm/handlers_flow.hpp"
@@ -16,6 +16,8 @@ PARLOUR_INLINE bool get_entry(Machine& m, Cursor& c, MapObject& map,
   return next(c);
 }
 
+// The common cases are an existing element of a list and a string key of a map;
+// everything else, and every error, is Machine's.
 PARLOUR_INLINE bool get_index(Machine& m, Cursor& c) {
   const auto& container = c.r[c.pc->b];
   const auto& key = c.r[c.pc->c];
@@ -41,7 +43,8 @@ PARLOUR_INLINE bool get_field(Machine& m, Cursor& c) {
   return m.get_field(container, c.k[c.pc->c], c.r[c.pc->a]) && next(c);
 }
 
-// What is there already takes a simple value at once.
+// Sets an element that exists already, if the value is simple (so no ring can
+// arise) and no memory is needed; otherwise Machine does it.
 PARLOUR_INLINE bool set(Machine& m, Cursor& c, const Box& key) {
   const auto& container = c.r[c.pc->a];
   const auto& value = c.r[c.pc->c];
@@ -71,14 +74,17 @@ PARLOUR_INLINE bool set_field(Machine& m, Cursor& c) {
   return set(m, c, c.k[c.pc->b]);
 }
 
+// These allocate, so they go to the machine at once.
 PARLOUR_INLINE bool new_list(Machine& m, Cursor& c) {
   save(m, c);
-  return m.new_list(&c.r[c.pc->b], c.pc->c, c.r[c.pc->a]) && next(c);
+  return m.new_list(c.r.range(c.pc->b, c.pc->c), c.pc->c, c.r[c.pc->a]) &&
+         next(c);
 }
 
 PARLOUR_INLINE bool new_map(Machine& m, Cursor& c) {
   save(m, c);
-  return m.new_map(&c.r[c.pc->b], c.pc->c, c.r[c.pc->a]) && next(c);
+  return m.new_map(c.r.range(c.pc->b, 2 * c.pc->c), c.pc->c, c.r[c.pc->a]) &&
+         next(c);
 }
 
 PARLOUR_INLINE bool new_array(Machine& m, Cursor& c) {
@@ -86,6 +92,7 @@ PARLOUR_INLINE bool new_array(Machine& m, Cursor& c) {
   return m.new_array(c.r[c.pc->b], c.r[c.pc->a]) && next(c);
 }
 
+// The fast path needs spare capacity, so the heap's limit is not affected.
 PARLOUR_INLINE bool append(Machine& m, Cursor& c) {
   const auto& list = c.r[c.pc->a];
   const auto& value = c.r[c.pc->b];
@@ -102,7 +109,8 @@ PARLOUR_INLINE bool append(Machine& m, Cursor& c) {
 
 PARLOUR_INLINE bool concatenate(Machine& m, Cursor& c) {
   save(m, c);
-  return m.concatenate(&c.r[c.pc->b], c.pc->c, c.r[c.pc->a]) && next(c);
+  return m.concatenate(c.r.range(c.pc->b, c.pc->c), c.pc->c, c.r[c.pc->a]) &&
+         next(c);
 }
 
 PARLOUR_INLINE bool milliseconds(Machine& m, Cursor& c) {
@@ -110,6 +118,7 @@ PARLOUR_INLINE bool milliseconds(Machine& m, Cursor& c) {
   return m.milliseconds(c.r[c.pc->b], c.r[c.pc->a]) && next(c);
 }
 
+// The registers of a <for> loop are described at Machine::for_prepare.
 // -- loops --------------------------------------------------------------------
 
 PARLOUR_INLINE bool for_prepare(Machine& m, Cursor& c) {
@@ -121,6 +130,9 @@ PARLOUR_INLINE bool for_prepare(Machine& m, Cursor& c) {
   return true;
 }
 
+// The fast path counts in small integers. The variable gets a copy of the
+// current value: what the body assigns to it changes no round (language rule
+// 6.4).
 PARLOUR_INLINE bool for_next(Machine& m, Cursor& c) {
   auto* loop = &c.r[c.pc->a];
   const auto left = loop[0].as_small();
@@ -136,11 +148,13 @@ PARLOUR_INLINE bool for_next(Machine& m, Cursor& c) {
   return m.for_next(loop) && back(m, c);
 }
 
+// Preparing copies the list, so it is not worth a fast path.
 PARLOUR_INLINE bool each_prepare(Machine& m, Cursor& c) {
   save(m, c);
   return m.each_prepare(c.r[c.pc->b], &c.r[c.pc->a]) && next(c);
 }
 
+// loop: the list, the position of the next element, the element and its index.
 PARLOUR_INLINE bool each_next(Machine&, Cursor& c) {
   auto* loop = &c.r[c.pc->a];
   const auto position = loop[1].as_small();
@@ -157,34 +171,43 @@ PARLOUR_INLINE bool each_next(Machine&, Cursor& c) {
 
 // -- calls --------------------------------------------------------------------
 
+// Moves the arguments to the callee's frame and continues there. The frame is
+// usually the one that the previous call at this depth has left.
 PARLOUR_INLINE bool call(Machine& m, Cursor& c) {
   save(m, c);
   const auto& callee = m.code[c.pc->wide()];
-  auto* frame = m.enter(Frame::of(c.r), callee, &c.r[c.pc->a], c.pc->flag);
+  auto* frame =
+      m.enter(&c.r.frame(), callee, c.r.range(c.pc->a, c.pc->flag), c.pc->flag);
   if (!frame) [[unlikely]]
     return false;
-  c = {frame->pc, frame->registers(), callee.constants.data()};
+  c = {frame->pc, Registers(*frame), callee.constants.data()};
   m.fuel -= callee.cost;
   if (m.fuel > 0) [[likely]]
     return true;
   return m.within_limits() && m.refuel();
 }
 
+// The current instruction is saved, because a built-in may raise an error.
 PARLOUR_INLINE bool call_builtin(Machine& m, Cursor& c) {
   save(m, c);
-  return m.call_builtin(c.pc->b, &c.r[c.pc->a], c.pc->flag, c.r[c.pc->c]) &&
+  return m.call_builtin(c.pc->b, c.r.range(c.pc->a, c.pc->flag), c.pc->flag,
+                        c.r[c.pc->c]) &&
          next(c);
 }
 
+// The function is looked up at run time; the frame may have changed afterwards.
 PARLOUR_INLINE bool call_named(Machine& m, Cursor& c) {
   save(m, c);
-  const auto well = m.call_named(&c.r[c.pc->a], c.pc->c);
+  const auto ok = m.call_named(c.r.range(c.pc->a, c.pc->c), c.pc->c);
   c = at_top(*m.execution);
-  return well;
+  return ok;
 }
 
+// Ends the top frame. The fast path returns to a caller: the value goes to
+// register `a` of its call instruction, where it stopped. The slow path ends
+// the activation, or copies parameters back to variables first.
 PARLOUR_INLINE bool leave(Machine& m, Cursor& c, Box& value) {
-  auto* frame = Frame::of(c.r);
+  auto* frame = &c.r.frame();
   auto* caller = frame->caller;
   if (!caller || m.execution->copy_outs) [[unlikely]] {
     if (!m.give_back(value.resolved()))
@@ -200,7 +223,7 @@ PARLOUR_INLINE bool leave(Machine& m, Cursor& c, Box& value) {
     result = std::move(value);
   frame->clear();
   m.execution->top = caller;
-  c = {pc + 1, caller->registers(), caller->code->constants.data()};
+  c = {pc + 1, Registers(*caller), caller->code->constants.data()};
   return true;
 }
 
@@ -213,17 +236,21 @@ PARLOUR_INLINE bool give_unknown(Machine& m, Cursor& c) {
   return leave(m, c, unknown);
 }
 
+// Returning false sends the dispatch loop to recover(), which finds the
+// <catch>.
 PARLOUR_INLINE bool raise(Machine& m, Cursor& c) {
   save(m, c);
   return m.raise_box(c.r[c.pc->a]);
 }
 
+// The result arrives in register `a`, now or when the activation is resumed.
 PARLOUR_INLINE bool effect(Machine& m, Cursor& c) {
   save(m, c);
   const auto& shape = m.execution->top->code->effects[c.pc->c];
-  return m.perform(shape, &c.r[c.pc->b], c.r[c.pc->a]) && next(c);
+  return m.perform(shape, c.r.range(c.pc->b, 0), c.r[c.pc->a]) && next(c);
 }
 
+// Coverage is decided once for each run, so unwatched runs only test a flag.
 PARLOUR_INLINE bool reached(Machine& m, Cursor& c) {
   if (m.watched) {
     const auto* code = m.execution->top->code;

@@ -1,7 +1,11 @@
-// Handlers of the instructions that compare and jump.
-// Included by dispatch.cpp only: each is inlined at its label there. What is
-// not quick goes to Machine's slow ways, out of line. A handler gives false
-// when the loop must look around: an error, a wait, the end.
+// Handlers for instructions that compare and jump. Included by dispatch.cpp
+// only, which inlines each handler at its label.
+//
+// The form of all handlers: the fast path handles small integers, doubles and
+// other frequent cases inline and touches the cursor only. Everything else
+// calls a function of Machine, out of line, after save() has stored the current
+// instruction in the frame, where errors and suspended calls need it. A handler
+// returns false if the loop must stop: for an error, a wait, or the end.
 #pragma once
 
 #include "script/vm/handlers_values.hpp"
@@ -10,13 +14,14 @@ namespace parlour::script::handlers {
 
 // -- comparing ----------------------------------------------------------------
 
-// Long texts cost by their size.
+// A long text costs fuel by its size.
 PARLOUR_INLINE void charge_text(Machine& m, const StringObject& text) {
-  constexpr std::uint32_t bytes_per_unit = 128; // of a plain comparison
-  if (text.size > bytes_per_unit) [[unlikely]]
-    m.fuel -= text.size / bytes_per_unit;
+  if (text.size >= WalkBudget::bytes_per_instruction) [[unlikely]]
+    m.take(WalkBudget::price_of_bytes(text.size));
 }
 
+// Identical bits are equal values, except that no box holds a NaN (language
+// rule 2.5). Small integers with different bits are unequal.
 PARLOUR_INLINE bool are_equal(Machine& m, Cursor& c, const Box& left,
                               const Box& right, bool& result) {
   if (left.same_bits(right)) {
@@ -36,6 +41,7 @@ PARLOUR_INLINE bool are_equal(Machine& m, Cursor& c, const Box& left,
   return m.equal(left, right, result);
 }
 
+// A template parameter of the handlers, so each is compiled for its relation.
 enum class Relation { less, less_equal, greater, greater_equal };
 
 template <class T>
@@ -65,6 +71,7 @@ inline bool holds(Relation relation, Order order) {
   }
 }
 
+// Small integers compare by their bits (box.hpp).
 template <Relation relation>
 PARLOUR_INLINE bool compared(Machine& m, Cursor& c, const Box& left,
                              const Box& right, bool& result) {
@@ -78,11 +85,12 @@ PARLOUR_INLINE bool compared(Machine& m, Cursor& c, const Box& left,
   }
   save(m, c);
   Order found = Order::none;
-  const bool well = m.order(left, right, found);
+  const bool ok = m.order(left, right, found);
   result = holds(relation, found);
-  return well;
+  return ok;
 }
 
+// The flag makes it serve != as well.
 PARLOUR_INLINE bool equal(Machine& m, Cursor& c) {
   bool result = false;
   if (!are_equal(m, c, c.r[c.pc->b], c.r[c.pc->c], result))
@@ -108,6 +116,7 @@ PARLOUR_INLINE bool less_equal(Machine& m, Cursor& c) {
   return put_compared<Relation::less_equal>(m, c);
 }
 
+// Searching takes as long as the container is large, so it has no fast path.
 PARLOUR_INLINE bool contained(Machine& m, Cursor& c) {
   save(m, c);
   return m.contained(c.r[c.pc->b], c.r[c.pc->c], c.r[c.pc->a]) && next(c);
@@ -120,7 +129,9 @@ PARLOUR_INLINE bool jump(Machine&, Cursor& c) {
   return true;
 }
 
-// Saves the place to go on at: a slice may end here.
+// Jumps back and charges fuel for the loop's body. Fuel is checked here and at
+// calls only: between them code runs forward and ends. The frame stores the
+// instruction to go on at, as the slice may end here.
 PARLOUR_INLINE bool back(Machine& m, Cursor& c) {
   const auto distance = c.pc->distance();
   c.pc -= distance;
@@ -135,6 +146,7 @@ PARLOUR_INLINE bool loop(Machine& m, Cursor& c) {
   return back(m, c);
 }
 
+// `flag` is the truth for which the jump is taken.
 PARLOUR_INLINE bool jump_if(Machine&, Cursor& c) {
   const auto& box = c.r[c.pc->a];
   const bool is_true = box.is_boolean() ? box.is_true()
@@ -144,11 +156,14 @@ PARLOUR_INLINE bool jump_if(Machine&, Cursor& c) {
   return true;
 }
 
+// Skips the code that computes a default (language rule 7.4).
 PARLOUR_INLINE bool jump_if_given(Machine&, Cursor& c) {
   c.pc += c.r[c.pc->a].is_missing() ? 1 : c.pc->distance();
   return true;
 }
 
+// A compare-and-jump has its distance in `c` alone, as `a` and `b` are
+// operands.
 PARLOUR_INLINE void branch(Cursor& c, bool result) {
   c.pc += result == (c.pc->flag != 0) ? static_cast<std::int16_t>(c.pc->c) : 1;
 }
@@ -202,8 +217,10 @@ PARLOUR_INLINE bool jump_if_greater_equal_constant(Machine& m, Cursor& c) {
   return branch_order<Relation::greater_equal>(m, c, c.k[c.pc->b]);
 }
 
+// A value without an arm goes to the default. A value of another type than the
+// table's falls through to the tests that follow.
 PARLOUR_INLINE bool jump_by_table(Machine&, Cursor& c) {
-  const auto& code = *Frame::of(c.r)->code;
+  const auto& code = *c.r.frame().code;
   const auto* target = code.tables[c.pc->b].find(c.r[c.pc->a].resolved());
   c.pc = target ? code.instructions.data() + *target : c.pc + 1;
   return true;

@@ -1,3 +1,6 @@
+// The public interface over Machine: it hides the machine's headers, computes
+// initial values, and shortens code that only returns a constant.
+
 #include "script/vm/interpreter.hpp"
 
 #include "script/program/constant_text.hpp"
@@ -7,6 +10,8 @@
 
 namespace parlour::script {
 
+// Hides the machine from users of the interpreter, who need none of its
+// headers.
 struct Interpreter::Implementation : Machine {
   using Machine::Machine;
 };
@@ -25,11 +30,13 @@ Expected<void> Interpreter::initialise(Host& host) {
   return {};
 }
 
+// Errors are ignored: the value stays unknown.
 void Interpreter::initialise_what_computes(Host& host) {
   for (std::size_t i = 0; i < program().variables.size(); ++i)
     static_cast<void>(initialise(i, host));
 }
 
+// A variable without `expr` stays unknown.
 Expected<void> Interpreter::initialise(std::size_t index, Host& host) {
   const auto code = program().variables[index].initial;
   if (code == no_code)
@@ -70,6 +77,7 @@ RunResult Interpreter::resume(Activation& activation, Expected<Value> outcome,
 Expected<Value> Interpreter::evaluate(CodeId code,
                                       const std::vector<Value>& arguments,
                                       ActivationContext context, Host& host) {
+  // Constant texts, which are frequent, need no activation.
   if (const auto* constant = constant_of(program().code[code]))
     return to_value(*constant);
   auto activation = implementation_->start(code, arguments, std::move(context));

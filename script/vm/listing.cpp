@@ -1,3 +1,10 @@
+// A listing looks like this:
+//
+//   function double: 1 of 1 parameters needed, 3 registers
+//     app/main.xml:4
+//       0  multiply_constant            r1 = r0 * 2
+//       1  give_back                    end with r1
+
 #include "script/vm/listing.hpp"
 
 #include <array>
@@ -21,13 +28,15 @@ constexpr std::array sentences{
 #undef INSTRUCTION
 };
 
-constexpr std::size_t most_text = 40;
+constexpr std::size_t max_text = 40;
 
 bool is_letter(char c) {
   return std::isalpha(static_cast<unsigned char>(c)) != 0;
 }
 
-// The instruction's sentence with its operands in their places.
+// Formats one instruction by its sentence: operands, constants and distances
+// are replaced by what they stand for. The sentence is read from left to right;
+// what an operand means follows from the words before and behind it.
 class Line {
 public:
   Line(const Program& program, const Code& code, std::size_t at)
@@ -42,6 +51,8 @@ public:
   }
 
 private:
+  // The longest patterns come first: "by `wide`" is a target, "`wide`" alone is
+  // not.
   void take() {
     if (skip("by `wide`"))
       text_ += target(text_.ends_with("back ") ? -distance() : distance());
@@ -64,15 +75,17 @@ private:
     return true;
   }
 
+  // Strings are quoted and cut, so that each instruction fits into a line.
   void take_constant() {
     const auto index = operand(sentence_[place_]);
     place_ += 2; // and the bracket
     std::string shown;
     const auto& constant = code_.constants[index];
-    const bool fits = print(shown, constant, most_text);
+    const bool fits = print(shown, constant, max_text);
     text_ += constant.is_string() ? '"' + shown + (fits ? "\"" : "…\"") : shown;
   }
 
+  // A single letter a, b or c is an operand; any other word is copied.
   void take_word() {
     const auto begin = place_;
     while (place_ < sentence_.size() && is_letter(sentence_[place_]))
@@ -93,7 +106,7 @@ private:
                            : instruction_.c;
   }
 
-  // By what it is an index of; most are registers.
+  // An operand by the kind of thing it is an index of; mostly a register.
   std::string named(std::uint16_t index) const {
     if (text_.ends_with("session variable "))
       return program_.variables[index].name;
@@ -113,6 +126,7 @@ private:
     return "r" + std::to_string(index);
   }
 
+  // Of a call the function's name; otherwise a number.
   std::string wide() const {
     return text_.ends_with("code ")
                ? "'" + program_.code[instruction_.wide()].name + "'"
@@ -123,6 +137,7 @@ private:
     return instruction_.distance();
   }
 
+  // Distances count from the jump itself.
   std::string target(std::int64_t distance) const {
     return "to " + std::to_string(static_cast<std::int64_t>(at_) + distance);
   }

@@ -1,6 +1,6 @@
-// Listings of compiled code, for whoever works on the compiler or wonders what
-// a statement costs: each instruction with its line and, from the table of
-// instructions, what it does to which register.
+// Listings of compiled code, for work on the compiler and to see what a
+// statement costs. Each instruction is shown with its source line and, by its
+// sentence in instructions.def, with what it does to which registers.
 #pragma once
 
 #include <string>
@@ -9,10 +9,10 @@
 
 namespace parlour::script {
 
-// One line an instruction, the source's lines in between where it is another.
+// One line for each instruction, and a source line where it changes.
 std::string listing(const Program& program, const Code& code);
 
-// Of all bodies, in the order in which they were compiled.
+// All bodies, in the order in which they were compiled.
 std::string listing(const Program& program);
 
 } // namespace parlour::script

@@ -1,3 +1,5 @@
+// Call frames, errors, fuel, and running an activation from start to stop.
+
 #include "script/vm/machine.hpp"
 
 #include <algorithm>
@@ -8,14 +10,15 @@ namespace parlour::script {
 
 namespace {
 
+// Lines of a script's stack in an error, and the fuel for cleaning up.
 constexpr std::size_t stack_lines = 20;
 constexpr std::uint64_t clean_up_fuel = 1000;
 
-std::size_t index_of(const Frame& frame) {
+std::size_t index_of(const CallFrame& frame) {
   return static_cast<std::size_t>(frame.pc - frame.code->instructions.data());
 }
 
-Position position_of(const Frame& frame) {
+Position position_of(const CallFrame& frame) {
   const auto at = index_of(frame);
   return at < frame.code->positions.size() ? frame.code->positions[at]
                                            : Position{};
@@ -30,12 +33,12 @@ Execution::~Execution() {
     pop();
 }
 
-// In place of a smaller one that may be there.
-Frame* Execution::make_above(std::uint32_t registers) {
+// Replaces the frame above, which may be missing or too small.
+CallFrame* Execution::make_above(std::uint32_t registers) {
   release_above();
-  auto* memory = heap_->allocate(sizeof(Frame) + registers * sizeof(Box));
+  auto* memory = heap_->allocate(sizeof(CallFrame) + registers * sizeof(Box));
   auto* frame =
-      new (memory) Frame{nullptr, top, nullptr, nullptr, registers, 1};
+      new (memory) CallFrame{nullptr, top, nullptr, nullptr, registers, 1};
   std::uninitialized_default_construct_n(frame->registers(), registers);
   if (top) {
     top->above = frame;
@@ -44,16 +47,21 @@ Frame* Execution::make_above(std::uint32_t registers) {
   return frame;
 }
 
-Frame* Execution::push(const Code& code, std::uint32_t room) {
+// Reuses the frame that an earlier call at this depth has left, if it is large
+// enough for the code.
+CallFrame* Execution::push(const Code& code, std::uint32_t room) {
   auto* frame = top ? top->above : nullptr;
   if (!frame || frame->capacity < code.register_count)
     frame = make_above(code.register_count + room);
+  assert(frame->caller == top && frame->depth == (top ? top->depth + 1 : 1));
   frame->code = &code;
   frame->pc = code.instructions.data();
   top = frame;
   return frame;
 }
 
+// The frame stays above its caller, except the last one, which is freed with
+// everything above it.
 void Execution::pop() {
   auto* frame = std::exchange(top, top->caller);
   frame->clear();
@@ -66,18 +74,19 @@ void Execution::release_above() {
     release(std::exchange(top->above, nullptr));
 }
 
-void Execution::release(Frame* frame) {
+void Execution::release(CallFrame* frame) {
   while (frame) {
     auto* next = frame->above;
-    heap_->release(frame, sizeof(Frame) + frame->capacity * sizeof(Box));
+    heap_->release(frame, sizeof(CallFrame) + frame->capacity * sizeof(Box));
     frame = next;
   }
 }
 
 // -- errors -------------------------------------------------------------------
 
+// The place of the error is that of the top frame's current instruction.
 bool Machine::raise(ErrorKind kind, std::string message) {
-  Place place;
+  SourceLocation place;
   if (execution && execution->top)
     place = program->place(position_of(*execution->top));
   error_ = make_error(*heap_, kind, std::move(message), std::move(place));
@@ -90,7 +99,8 @@ bool Machine::raise(Failure failure) {
   return raise(failure.kind, std::move(failure.message));
 }
 
-// A caught error thrown again keeps its place (language rule 9.2).
+// An error that was caught and is thrown again keeps its place (language rule
+// 9.2); any other value becomes an error of kind Thrown.
 bool Machine::raise_box(const Box& error_or_value) {
   const Box value = error_or_value.resolved();
   if (value.is(ObjectType::error)) {
@@ -102,6 +112,7 @@ bool Machine::raise_box(const Box& error_or_value) {
   std::string text;
   if (!print(text, value, program->settings.limits.result))
     text = "a value too large to print";
+  take(WalkBudget::price_of_bytes(text.size()));
   raise(ErrorKind::thrown, std::move(text));
   error_.error()->value = value;
   return false;
@@ -118,6 +129,7 @@ bool Machine::within_limits() {
                                      std::to_string(heap_->limit()) + " bytes");
 }
 
+// The script's call stack for the error message, innermost call first.
 void Machine::note_stack() {
   stack_.clear();
   if (!execution)
@@ -133,7 +145,9 @@ void Machine::note_stack() {
   }
 }
 
-const CatchRange* Machine::find_catch(const Frame& frame) const {
+// The ranges are sorted from the innermost. A limit can be taken by clean-up
+// code only (language rule 9.6).
+const CatchRange* Machine::find_catch(const CallFrame& frame) const {
   const auto at = index_of(frame);
   const bool limit = error_.error()->kind == ErrorKind::limit;
   for (const auto& range : frame.code->catches)
@@ -142,12 +156,15 @@ const CatchRange* Machine::find_catch(const Frame& frame) const {
   return nullptr;
 }
 
+// Unwinds frame by frame. When a limit is reached, clean-up code such as a
+// rollback gets a small extra amount of fuel, once for an event.
 bool Machine::recover() {
   if (!raised_)
     return false;
   raised_ = false;
   for (; execution->top; execution->pop()) {
     auto& frame = *execution->top;
+    // The error becomes a value in the handler's register.
     if (const auto* range = find_catch(frame)) {
       if (error_.error()->kind == ErrorKind::limit && !grace_given_) {
         grace_given_ = true; // for a rollback
@@ -164,6 +181,9 @@ bool Machine::recover() {
   return false;
 }
 
+// Fuel is kept in two parts: `fuel` counts down within the slice, and `left_`
+// is the rest of the event's. Only when `fuel` is used up does anything more
+// expensive than a subtraction happen.
 // -- fuel ---------------------------------------------------------------------
 
 void Machine::new_event() {
@@ -173,12 +193,13 @@ void Machine::new_event() {
 
 void Machine::set_event_fuel(const EventFuel& event_fuel) {
   instructions = event_fuel.instructions;
-  left_ = event_fuel.left; // from bytes: never more than an event may have
+  left_ = event_fuel.left; // may come from a forged state
   if (left_ > instructions && left_ - instructions > clean_up_fuel)
     left_ = instructions;
   grace_given_ = event_fuel.grace_given;
 }
 
+// Returns what is left of the old slice to the event and takes a new one.
 void Machine::take_slice() {
   give_back_fuel();
   const auto taken = std::min(left_, slice);
@@ -186,7 +207,8 @@ void Machine::take_slice() {
   fuel = static_cast<std::int64_t>(taken);
 }
 
-// What the run left of its slice is the event's, and what it took beyond it.
+// What is unused of the slice belongs to the event, and what was used beyond
+// the slice is taken from it.
 std::uint64_t Machine::fuel_left() const {
   const auto overdrawn = static_cast<std::uint64_t>(fuel < 0 ? -fuel : 0);
   return left_ - std::min(left_, overdrawn) +
@@ -198,6 +220,7 @@ void Machine::give_back_fuel() {
   fuel = 0;
 }
 
+// Takes the next slice. Returns true only for a run that must not yield.
 bool Machine::refuel() {
   take_slice();
   if (fuel == 0)
@@ -211,6 +234,7 @@ bool Machine::refuel() {
   return false;
 }
 
+// The overdraft is fine as long as the event's fuel covers it.
 bool Machine::goes_on_beyond_slice() {
   if (static_cast<std::uint64_t>(-fuel) < left_) [[likely]]
     return true;
@@ -218,15 +242,11 @@ bool Machine::goes_on_beyond_slice() {
   return refuel();
 }
 
-std::size_t Machine::walk_budget() const {
-  const auto most = heap_->limit() / sizeof(Box);
-  return 2 * std::min<std::size_t>(fuel_left(), most / 2) + 1000;
-}
-
 // -- running ------------------------------------------------------------------
 
-// What belongs to the run in progress; a host may let another activation run
-// while it performs an effect.
+// Saves the members that belong to a run and sets those of the new one. Runs
+// can be nested, because a host may run another activation while it performs an
+// effect.
 class RunScope {
 public:
   RunScope(Machine& machine, Execution& execution, Host& host, bool to_the_end)
@@ -273,6 +293,7 @@ Machine::Machine(std::shared_ptr<const Program> shared_program)
   new_event();
 }
 
+// Arguments that are not given are marked as missing if the code has defaults.
 std::unique_ptr<Execution> Machine::start(CodeId body,
                                           const std::vector<Value>& values,
                                           ActivationContext context) {
@@ -297,12 +318,14 @@ std::unique_ptr<Execution> Machine::adopt(ActivationContext context) {
   return std::make_unique<Execution>(heap_, std::move(context));
 }
 
+// Translates the reason for stopping into a result for the caller.
 RunResult Machine::outcome() {
   RunResult result;
   switch (stop_) {
   case Stop::finished: {
-    bool truncated = false;
-    result.value = to_value(value_, walk_budget(), &truncated);
+    auto budget = walk_budget();
+    result.value = to_value(value_, budget);
+    take(budget.price());
     value_ = Box();
     break;
   }
@@ -326,7 +349,7 @@ RunResult Machine::run(Execution& activation, Host& current_host,
   RunScope scope(*this, activation, current_host, to_the_end);
   if (!activation.top)
     return {};
-  if (activation.waiting) // only resume() ends that
+  if (activation.waiting) // only resume() ends a wait
     return {RunStatus::waiting, {}, {}, {}};
   dispatch();
   return outcome();
@@ -342,6 +365,8 @@ std::optional<RunResult> Machine::run_body(Execution& activation,
   return std::nullopt;
 }
 
+// The frame still stands at its effect instruction, whose register `a` takes
+// the outcome.
 RunResult Machine::resume(Execution& activation,
                           const Expected<Value>& outcome_of_wait,
                           Host& current_host) {
@@ -353,7 +378,7 @@ RunResult Machine::resume(Execution& activation,
   if (!frame)
     return {};
   if (outcome_of_wait) {
-    frame->registers()[frame->pc->a] = to_box(*heap_, *outcome_of_wait);
+    frame->registers()[frame->pc->a] = taken_in(*outcome_of_wait);
     ++frame->pc;
     if (!within_limits() && !recover())
       return outcome();

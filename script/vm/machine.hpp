@@ -1,8 +1,24 @@
-// Machine: the inside of an interpreter. Frames live on the heap, exactly as
-// large as their code needs, so that suspending is to keep a pointer. One
-// session's machine is used by one thread at a time.
+// Machine: the implementation of the interpreter. handlers_*.hpp have the fast
+// paths of the instructions; this class has everything else: frames, errors,
+// fuel, slow paths, effects.
+//
+// The call stack of an activation is a list of frames on the session's heap:
+//
+//   Execution::top --> frame --caller--> frame --caller--> null
+//                        |
+//                      above --> left from an earlier call, to be reused
+//
+// Each frame is as large as its code needs: a head, then its registers.
+// Suspending an activation keeps the pointer to its top frame and costs nothing
+// else. The price, a linked list instead of one array, is small because frames
+// are reused.
+//
+// One session's machine is used by one thread at a time.
 #pragma once
 
+#include <algorithm>
+#include <cassert>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -19,22 +35,24 @@
 
 namespace parlour::script {
 
-// One call in progress. The frame above stays for the next call when its own
-// call ends; its registers are unknown then.
-struct Frame {
+// A call in progress. When it ends, the frame stays above its caller for the
+// next call; its registers are then unknown.
+struct CallFrame {
   const Code* code;
-  Frame* caller;
-  const Instruction* pc;  // the one being carried out
-  Frame* above;           // null: not made yet
-  std::uint32_t capacity; // registers that there is room for
+  CallFrame* caller;
+  const Instruction* pc;  // being executed
+  CallFrame* above;       // null: not made yet
+  std::uint32_t capacity; // registers that fit
   std::uint32_t depth;    // from 1
 
   Box* registers() {
     return reinterpret_cast<Box*>(this + 1);
   }
-  static Frame* of(Box* registers) {
-    return reinterpret_cast<Frame*>(registers) - 1;
+  // The frame that has these registers.
+  static CallFrame* of(Box* registers) {
+    return reinterpret_cast<CallFrame*>(registers) - 1;
   }
+  // Releases what the registers hold.
   void clear() {
     const auto* end = registers() + code->register_count;
     for (auto* box = registers(); box != end; ++box)
@@ -42,103 +60,132 @@ struct Frame {
   }
 };
 
-// A by-reference parameter whose callee waited: its value goes back to the
-// session variable when that frame ends (language rule 7.3).
+// A parameter by reference whose callee has waited: it became a copy, which is
+// stored back to the session variable when its frame ends (language rule 7.3).
 struct CopyOut {
-  Frame* frame;
+  CallFrame* frame;
   std::uint16_t parameter;
   std::uint32_t variable;
 };
 
+// The machine's side of an Activation: its call stack. It shares the ownership
+// of the heap, so it can be destroyed after the machine.
 class Execution : public Activation {
 public:
   Execution(std::shared_ptr<Heap> heap, ActivationContext context)
       : Activation(std::move(context)), heap_(std::move(heap)) {}
   ~Execution() override;
 
-  void begin(ActivationContext context) { // one that has finished
+  void begin(ActivationContext context) { // reuses a finished one
     set_context(std::move(context));
   }
-  // A new top frame; its registers are unknown. Not deeper than the caller
-  // of this checks. A new one has room for so many more registers.
-  Frame* push(const Code& code, std::uint32_t room = 0);
+  // Pushes a frame whose registers are unknown. The caller has checked the
+  // depth. A frame that has to be made gets `room` for further registers.
+  CallFrame* push(const Code& code, std::uint32_t room = 0);
   void pop(); // the top frame
-  // While it waits or has yielded it holds no frames but those in use, so that
-  // what it holds is the same once its state was written and read back.
+  // Frees the frames above the top. While an activation waits or has yielded it
+  // holds only frames in use, so that its size is the same after it was written
+  // to bytes and read back.
   void release_above();
 
-  Frame* top = nullptr;
+  CallFrame* top = nullptr;
   bool waiting = false;
   std::unique_ptr<std::vector<CopyOut>> copy_outs; // null: none
 
 private:
-  Frame* make_above(std::uint32_t registers);
-  void release(Frame* frame); // and those above
+  CallFrame* make_above(std::uint32_t registers);
+  void release(CallFrame* frame); // and those above
 
   std::shared_ptr<Heap> heap_;
 };
 
-// Why the dispatch loop was left.
+// Why the dispatch loop has ended.
 enum class Stop : std::uint8_t { none, finished, waiting, yielded, failed };
 
-// What an event may still use.
+// The fuel of an event (language rule 9.6), as a stored state has it.
 struct EventFuel {
   std::uint64_t instructions = 0; // of one event
   std::uint64_t left = 0;
-  bool grace_given = false; // the cleaning up after a limit
+  bool grace_given = false; // for cleaning up after a limit
 };
 
+// Public members are used by the handlers and built-ins, which are part of the
+// machine; nothing outside of script/vm and script/builtins sees it.
 class Machine {
-  std::shared_ptr<Heap> heap_; // first: it outlives every box below
+  std::shared_ptr<Heap> heap_; // first: outlives all boxes below
 
 public:
   explicit Machine(std::shared_ptr<const Program> shared_program);
 
-  // Runs the activation until it stops.
+  // Runs an activation until it stops.
   RunResult run(Execution& activation, Host& current_host, bool to_the_end);
-  // One that was just started; nothing where it finished.
+  // Runs an activation that was just started; returns nothing if it finished.
   std::optional<RunResult> run_body(Execution& activation, Host& current_host);
   RunResult resume(Execution& activation,
                    const Expected<Value>& outcome_of_wait, Host& current_host);
   std::unique_ptr<Execution> start(CodeId body,
                                    const std::vector<Value>& values,
                                    ActivationContext context);
-  // One that has finished is used again.
+  // Keeps a finished activation for the next start().
   void keep_spare(std::unique_ptr<Execution> finished) {
-    finished->begin({}); // what it belonged to is let go
+    finished->begin({}); // releases its message
     spare_ = std::move(finished);
   }
 
+  // Makes an activation without frames, for a state that is read.
   std::unique_ptr<Execution> adopt(ActivationContext context);
 
   void new_event();
+  // Fuel as part of a stored state.
   EventFuel event_fuel() const {
     return {instructions, left_, grace_given_};
   }
   void set_event_fuel(const EventFuel& event_fuel);
 
-  // -- for operations and built-ins -------------------------------------------
+  // -- for operations and built-ins; false: an error was raised ---------------
   bool raise(ErrorKind kind, std::string message); // always false
   bool raise(Failure failure);
   bool raise_box(const Box& error_or_value);
   bool check(Outcome outcome); // false: raised
   bool within_limits();        // false: raised
-  // Counts work beyond the instruction's own; false: raised.
-  bool charge(std::size_t units) {
-    fuel -= static_cast<std::int64_t>(units);
+  // Charges fuel for work beyond that of the instruction itself, in
+  // instructions or by the price of WalkBudget. The slice may be overdrawn
+  // here; the next loop or call then yields.
+  bool charge(std::size_t price) {
+    take(price);
     return fuel > 0 || goes_on_beyond_slice();
   }
-  // Boxes looked at that count as one instruction.
-  static constexpr std::size_t boxes_per_unit = 4;
-  // How many boxes may still be compared or copied: as many as the fuel allows,
-  // and no more than a session may hold.
-  std::size_t walk_budget() const;
+  // Charges without looking whether the fuel is used up; the next loop or call
+  // does.
+  void take(std::size_t price) {
+    fuel -= static_cast<std::int64_t>(price);
+  }
+  bool charge_bytes(std::size_t count) {
+    return charge(WalkBudget::price_of_bytes(count));
+  }
+  bool charge_values(std::size_t count) {
+    return charge(WalkBudget::price_of_values(count));
+  }
+  // How far an operation may walk: as the fuel allows, but through no more than
+  // `max_bytes` bytes and no more than a session may hold.
+  WalkBudget walk_budget(
+      std::size_t max_bytes = std::numeric_limits<std::size_t>::max()) const;
+  // Charges what was taken from it. Raises an error if it is exhausted.
+  bool pay(const WalkBudget& budget,
+           const char* too_much = "too much to compare");
+  // Charges the memory that was made since the heap held `before` bytes.
+  bool charge_made(std::size_t before) {
+    return charge_bytes(std::max(heap_->used(), before) - before);
+  }
 
   Heap& heap() {
     return *heap_;
   }
 
-  // -- slow ways of the instructions (machine_operations.cpp) -----------------
+  // -- slow paths of the instructions: machine_operations.cpp ----------------
+
+  // Operands may be bound parameters; results never are. All of these return
+  // false after raising an error.
   bool add(const Box& left, const Box& right, Box& result);
   bool arithmetic(Arithmetic operation, const Box& left, const Box& right,
                   Box& result);
@@ -155,14 +202,17 @@ public:
   bool new_array(const Box& size, Box& result);
   bool concatenate(const Box* parts, std::size_t count, Box& result);
   bool milliseconds(const Box& text, Box& result);
+  // Loops: `loop` is the first of the registers that control one.
   bool for_prepare(Box* loop, bool& enters);
   bool for_next(Box* loop);
   bool each_prepare(const Box& collection, Box* loop);
 
-  // -- calls, effects, the world (machine_calls.cpp) --------------------------
-  // The callee's frame; null: raised.
-  PARLOUR_INLINE Frame* enter(Frame* caller, const Code& callee, Box* arguments,
-                              std::size_t count) {
+  // -- calls, effects, the world: machine_calls.cpp --------------------------
+  // Makes the callee's frame and moves the arguments into its first registers.
+  // Null after an error. A reused frame has cleared registers, so those behind
+  // the arguments are unknown.
+  PARLOUR_INLINE CallFrame* enter(CallFrame* caller, const Code& callee,
+                                  Box* arguments, std::size_t count) {
     auto* frame = caller->above;
     if (!frame || frame->capacity < callee.register_count) [[unlikely]] {
       if (!may_call(callee))
@@ -172,6 +222,8 @@ public:
     frame->code = &callee;
     frame->pc = callee.instructions.data();
     execution->top = frame;
+    assert(frame->caller == caller && frame->depth == caller->depth + 1);
+    assert(count <= frame->capacity);
     auto* registers = frame->registers();
     for (std::size_t i = 0; i < count; ++i)
       registers[i].take(arguments[i]);
@@ -180,29 +232,40 @@ public:
         registers[i] = Box::missing();
     return frame;
   }
+  // Calls compiled code; the callee's result arrives at give_back().
   bool call(const Code& callee, Box* arguments, std::size_t count);
+  // A built-in takes about as long as this many instructions.
+  static constexpr std::size_t builtin_cost = 10;
+  // Built-ins run to their end at once; they have no frame.
   bool call_builtin(std::uint16_t index, Box* arguments, std::size_t count,
                     Box& result);
   bool call_named(Box* named, std::size_t count);
   bool give_back(Box value); // false: the activation has finished
+  // Hands an effect to the host. If it waits, the activation stops here.
   bool perform(const EffectShape& shape, const Box* operands, Box& result);
+  // Values from the host are copied into the session's heap.
   void load_slot(SlotId slot, Box& result);
   void store_slot(SlotId slot, const Box& value);
   void load_system(SystemVariable variable, Box& result);
   void load_message_parameter(std::size_t index, Box& result);
   void load_message_parameters(Box& result);
   bool refuel(); // false: yielded or raised
+  // Converts a value from outside, which costs fuel by its size.
+  Box taken_in(const Value& value);
 
-  // After a false: to the catching frame; false: the loop must be left.
+  // Continues after a handler returned false: finds the <catch> of a raised
+  // error and unwinds to its frame. Returns false if the dispatch loop must
+  // end.
   bool recover();
 
   std::shared_ptr<const Program> program;
   const Code* code; // of the program
+  // The session variables, by their index in Program::variables.
   std::vector<Box> variables;
-  // Of the run in progress.
+  // The run in progress. RunScope saves and restores these members.
   Host* host = nullptr;
   Execution* execution = nullptr;
-  std::int64_t fuel = 0; // of this slice
+  std::int64_t fuel = 0; // left of this slice
   bool watched = false;
   std::uint64_t instructions = 0; // of one event
   std::uint64_t slice = defaults::slice;
@@ -211,18 +274,21 @@ private:
   friend class RunScope;
 
   void dispatch();
+  bool key_for(const Box& container, const Box& key, Box& result);
   bool may_call(const Code& callee); // false: too deep, raised
+  // Of the event, slice included.
   std::uint64_t fuel_left() const;
   void take_slice();
   void give_back_fuel();
   bool goes_on_beyond_slice(); // false: raised
+  // Remembers the call stack of the error just raised.
   void note_stack();
-  Box taken_in(const Value& value); // copied from outside
-  void release_bindings();          // before a wait
-  void copy_out(Frame& frame);
+  void release_bindings(); // see CopyOut
+  void copy_out(CallFrame& frame);
   RunResult outcome();
-  const CatchRange* find_catch(const Frame& frame) const;
+  const CatchRange* find_catch(const CallFrame& frame) const;
 
+  // The error being raised, until a <catch> or the end of the run.
   Box error_;
   bool raised_ = false;
   bool grace_given_ = false;

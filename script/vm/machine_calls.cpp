@@ -1,4 +1,4 @@
-// Calls, effects and what a machine asks the world for.
+// Calls, effects, and what a machine asks of the world.
 #include <algorithm>
 #include <span>
 
@@ -12,8 +12,8 @@ namespace parlour::script {
 
 namespace {
 
-// Instructions that take about as long as a call of a built-in.
-constexpr std::int64_t builtin_cost = 10;
+// An effect takes about as long as this many instructions.
+constexpr std::size_t effect_cost = 5;
 
 std::string arguments(std::size_t count) {
   return std::to_string(count) + (count == 1 ? " argument" : " arguments");
@@ -21,6 +21,7 @@ std::string arguments(std::size_t count) {
 
 } // namespace
 
+// Called only when a new frame is needed, so the depth costs nothing otherwise.
 bool Machine::may_call(const Code& callee) {
   if (execution->top->depth < program->settings.limits.depth)
     return true;
@@ -37,20 +38,25 @@ bool Machine::call(const Code& callee, Box* arguments, std::size_t count) {
   return fuel > 0 || (within_limits() && refuel());
 }
 
+// The result goes through a local box, because it may be the register of an
+// argument that the function still reads.
 bool Machine::call_builtin(std::uint16_t index, Box* arguments,
                            std::size_t count, Box& result) {
   Box value;
   BuiltinCall made{*this, builtin(index).name, arguments, count, value};
-  fuel -= builtin_cost;
+  take(builtin_cost);
   if (!builtin_function(index)(made))
     return false;
   result = std::move(value);
   return within_limits();
 }
 
+// <call> with a computed name: the arguments are prepared as for a call by
+// reference, so for a built-in the references are replaced by their values.
 bool Machine::call_named(Box* named, std::size_t count) {
   std::string name;
   print(name, named[0], 1000);
+  // The arguments follow the register of the name.
   auto* given = named + 1;
   if (auto there = program->functions.find(name);
       there != program->functions.end()) {
@@ -75,6 +81,7 @@ bool Machine::call_named(Box* named, std::size_t count) {
   return true;
 }
 
+// The slow path of `leave` (handlers_calls.hpp).
 bool Machine::give_back(Box value) {
   auto* caller = execution->top->caller;
   copy_out(*execution->top);
@@ -89,11 +96,12 @@ bool Machine::give_back(Box value) {
   return true;
 }
 
-// -- by-reference parameters across a wait (language rule 7.3) ----------------
+// -- parameters by reference across a wait (language rule 7.3) ----------------
 
 namespace {
 
-bool has_bound_parameter(Frame& frame) {
+// Only parameters can be bound.
+bool has_bound_parameter(CallFrame& frame) {
   for (std::uint16_t i = 0; i < frame.code->parameter_count; ++i)
     if (frame.registers()[i].is_reference())
       return true;
@@ -102,18 +110,26 @@ bool has_bound_parameter(Frame& frame) {
 
 } // namespace
 
+// While an activation waits, other scripts may set the session variables, and
+// the state may be written to bytes. A parameter that is bound to a session
+// variable therefore becomes a copy of it before the wait, and the copy is
+// stored back when its frame ends. Several parameters may be bound to one
+// variable: the outermost gets the copy and the others are bound to it, so that
+// they still see each other's changes.
 void Machine::release_bindings() {
   bool bound = false;
   for (auto* frame = execution->top; frame; frame = frame->caller)
     bound = bound || has_bound_parameter(*frame);
   if (!bound)
     return;
-  std::vector<Frame*> frames;
+  std::vector<CallFrame*> frames;
   for (auto* frame = execution->top; frame; frame = frame->caller)
     frames.push_back(frame);
+  // The parameter that holds the copy of each variable, if any.
   std::vector<Box*> held(variables.size(), nullptr);
   const std::less<const Box*> before;
   auto& pending = execution->copy_outs;
+  // From the outermost frame in, so that the outermost gets the copy.
   for (auto each = frames.rbegin(); each != frames.rend(); ++each)
     for (std::uint16_t i = 0; i < (*each)->code->parameter_count; ++i) {
       auto& parameter = (*each)->registers()[i];
@@ -122,7 +138,7 @@ void Machine::release_bindings() {
       auto* target = parameter.target();
       if (before(target, variables.data()) ||
           !before(target, variables.data() + variables.size()))
-        continue; // a caller's register waits along with us
+        continue; // a register waits with us
       const auto variable = static_cast<std::size_t>(target - variables.data());
       if (held[variable]) {
         parameter = Box::reference(held[variable]);
@@ -136,7 +152,8 @@ void Machine::release_bindings() {
     }
 }
 
-void Machine::copy_out(Frame& frame) {
+// Called whenever a frame ends, also by an error.
+void Machine::copy_out(CallFrame& frame) {
   auto& pending = execution->copy_outs;
   if (!pending) [[likely]]
     return;
@@ -156,19 +173,17 @@ bool Machine::perform(const EffectShape& shape, const Box* operands,
                       Box& result) {
   const std::span given(operands, shape.operands);
   const std::span captured(operands + shape.operands, shape.captured);
-  // No more than the session could hold, and at the cost of its size.
-  const auto most = std::min(walk_budget(), heap_->limit() / sizeof(Box)) + 1;
-  auto left = most;
+  // A value that leaves may be as large as a session's values, and costs fuel
+  // by its size.
+  auto budget = walk_budget();
   for (const auto& box : std::span(operands, given.size() + captured.size()))
     if (box.is_object() || box.is_reference())
-      weigh(box, left);
-    else if (left > 0)
-      --left; // one value, whatever it is
-  if (left == 0)
-    return raise(ErrorKind::limit, "a value is too large to leave the script");
-  if (!charge(most - left))
+      measure(box, budget);
+    else
+      budget.values();
+  if (!pay(budget, "a value is too large to leave the script"))
     return false;
-  fuel -= 5;
+  take(effect_cost);
   Effect effect(static_cast<EffectKind>(shape.kind), given, captured);
   effect.body = shape.body;
   effect.target = shape.target;
@@ -177,7 +192,7 @@ bool Machine::perform(const EffectShape& shape, const Box* operands,
       frame.pc - frame.code->instructions.data())];
   const auto performed = host->perform(*execution, effect);
   if (const auto* value = std::get_if<Value>(&performed)) {
-    result = to_box(*heap_, *value);
+    result = taken_in(*value);
     return within_limits();
   }
   if (const auto* error = std::get_if<Error>(&performed))
@@ -191,12 +206,10 @@ bool Machine::perform(const EffectShape& shape, const Box* operands,
   return false;
 }
 
-// What comes in costs by its size.
 Box Machine::taken_in(const Value& value) {
-  constexpr std::size_t bytes_per_unit = 32;
   const auto before = heap_->used();
   auto box = to_box(*heap_, value);
-  fuel -= static_cast<std::int64_t>((heap_->used() - before) / bytes_per_unit);
+  take(WalkBudget::price_of_bytes(heap_->used() - before));
   return box;
 }
 
@@ -205,10 +218,14 @@ void Machine::load_slot(SlotId slot, Box& result) {
 }
 
 void Machine::store_slot(SlotId slot, const Box& value) {
-  host->set_slot(execution->context().topic, slot,
-                 to_value(value, walk_budget()));
+  auto budget = walk_budget();
+  auto copy = to_value(value, budget);
+  take(budget.price());
+  host->set_slot(execution->context().topic, slot, std::move(copy));
 }
 
+// What concerns the message comes from the activation; only the rest is asked
+// of the host.
 void Machine::load_system(SystemVariable variable, Box& result) {
   const auto* message = execution->context().message.get();
   auto text = [&](const std::string* of_message) {
@@ -225,7 +242,7 @@ void Machine::load_system(SystemVariable variable, Box& result) {
   case SystemVariable::params:
     return load_message_parameters(result);
   default:
-    result = to_box(*heap_, host->system(*execution, variable));
+    result = taken_in(host->system(*execution, variable));
   }
 }
 
@@ -236,7 +253,7 @@ void Machine::load_message_parameter(std::size_t index, Box& result) {
                : Box();
 }
 
-// An empty list where no message is handled.
+// The list is empty if no message is being handled.
 void Machine::load_message_parameters(Box& result) {
   const auto* message = execution->context().message.get();
   result = make_list(*heap_);

@@ -1,4 +1,8 @@
-// The slow ways of the instructions: operators, containers, loops.
+// The slow paths of the instructions: operators, containers, loops.
+//
+// Each charges fuel by the size of the data that it touches, so that a script
+// cannot hide long work in few instructions (language rule 9.6), and checks the
+// heap's limit after it has allocated.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,109 +14,120 @@ namespace parlour::script {
 
 namespace {
 
-// Work of this many bytes counts as one instruction.
-constexpr std::size_t bytes_per_unit = 32;
-
-std::size_t size_of(const Box& box) {
-  return box.is_string() ? box.string()->size / bytes_per_unit
-         : box.is_list() ? box.list()->elements.size()
-                         : 0;
-}
-
-// What is no text is printed to be a key.
-std::size_t key_size(const Box& key) {
-  if (!key.is_object() || key.is_string())
-    return size_of(key);
-  std::string printed;
-  print(printed, key, 1 << 20);
-  return 2 * printed.size() / bytes_per_unit;
+// The bytes of a result that was made.
+std::size_t bytes_of(const Box& made) {
+  return made.is_string() ? made.string()->size
+         : made.is_list() ? made.list()->elements.size() * sizeof(Box)
+                          : 0;
 }
 
 } // namespace
 
+// A little more than the fuel left, so that a walk that is too long uses it up.
+WalkBudget Machine::walk_budget(std::size_t max_bytes) const {
+  constexpr std::size_t beyond = 1000 * WalkBudget::bytes_per_instruction;
+  max_bytes = std::min(max_bytes, heap_->limit());
+  const auto fuel_holds = std::min<std::uint64_t>(
+      fuel_left(), max_bytes / WalkBudget::bytes_per_instruction);
+  return WalkBudget(fuel_holds * WalkBudget::bytes_per_instruction + beyond);
+}
+
+bool Machine::pay(const WalkBudget& budget, const char* too_much) {
+  return charge(budget.price()) &&
+         (!budget.exhausted() || raise(ErrorKind::limit, too_much));
+}
+
+// Texts and lists are printed or copied into the result, whose size is limited.
 bool Machine::add(const Box& left, const Box& right, Box& result) {
-  const auto& l = left.resolved();
-  const auto& r = right.resolved();
-  return charge(size_of(l) + size_of(r)) &&
-         check(script::add(*heap_, l, r, result)) && within_limits();
+  return check(
+             script::add(*heap_, left.resolved(), right.resolved(), result)) &&
+         charge_bytes(bytes_of(result)) && within_limits();
 }
 
 bool Machine::arithmetic(Arithmetic operation, const Box& left,
                          const Box& right, Box& result) {
   const auto& l = left.resolved();
   const auto& r = right.resolved();
-  return charge(size_of(l) + size_of(r)) &&
+  return charge_bytes(digits_of(l) + digits_of(r)) &&
          check(script::arithmetic(*heap_, operation, l, r, result));
 }
 
 bool Machine::negate(const Box& operand, Box& result) {
-  return charge(size_of(operand.resolved())) &&
+  return charge_bytes(digits_of(operand.resolved())) &&
          check(script::negate(*heap_, operand.resolved(), result));
 }
 
 bool Machine::equal(const Box& left, const Box& right, bool& result) {
-  const auto& l = left.resolved();
-  const auto& r = right.resolved();
-  // A text may be a number.
-  if (l.is_string() != r.is_string() && !charge(size_of(l.is_string() ? l : r)))
-    return false;
   auto budget = walk_budget();
-  const auto before = budget;
-  result = script::equal(l, r, budget);
-  return budget == 0 ? raise(ErrorKind::limit, "too much to compare")
-                     : charge((before - budget) / 2);
+  result = script::equal(left.resolved(), right.resolved(), budget);
+  return pay(budget);
 }
 
 bool Machine::order(const Box& left, const Box& right, Order& result) {
-  const auto& l = left.resolved();
-  const auto& r = right.resolved();
-  return charge(std::min(size_of(l), size_of(r))) &&
-         check(script::order(l, r, result));
+  auto budget = walk_budget();
+  auto outcome =
+      script::order(left.resolved(), right.resolved(), result, budget);
+  return pay(budget) && check(std::move(outcome));
 }
 
 bool Machine::contained(const Box& element, const Box& container, Box& result) {
   auto budget = walk_budget();
-  const auto before = budget;
   bool found = false;
-  const auto& within = container.resolved();
-  if (!within.is_list() && !charge(key_size(element.resolved())))
-    return false;
-  auto outcome = is_in(element.resolved(), within, found, budget);
+  auto outcome = is_in(element.resolved(), container.resolved(), found, budget);
   result = Box::boolean(found);
-  if (budget == 0)
-    return raise(ErrorKind::limit, "too much to compare");
-  return check(std::move(outcome)) &&
-         charge(before - budget + (within.is_string() ? size_of(within) : 0));
+  return pay(budget) && check(std::move(outcome));
 }
 
+// Reads or sets an element by a key that is paid for: a text is looked up or
+// read as a number, and for a map any other value is printed.
+bool Machine::key_for(const Box& container, const Box& key, Box& result) {
+  result = container.is_map() || container.is_unknown()
+               ? key_text(*heap_, key.resolved())
+               : key.resolved();
+  return charge_bytes(digits_of(result));
+}
+
+// Finding a code point means counting from the start. A cell of a result is
+// converted, and so are its rows when they are first asked for.
 bool Machine::get_index(const Box& container, const Box& key, Box& result) {
-  const auto& from = container.resolved();
-  // A code point's place is found by counting.
-  if (from.is_string() && !charge(size_of(from)))
+  const Box from = container.resolved();
+  Box wanted;
+  if (!charge_bytes(digits_of(from)) || !key_for(from, key, wanted))
     return false;
-  return charge(key_size(key.resolved())) &&
-         check(script::get_index(*heap_, from, key.resolved(), result));
+  Box element;
+  const auto before = heap_->used();
+  if (!check(script::get_index(*heap_, from, wanted, element)) ||
+      !charge_made(before))
+    return false;
+  result = std::move(element);
+  return true;
 }
 
 bool Machine::get_field(const Box& container, const Box& name, Box& result) {
-  const Box from = container.resolved();
-  return check(script::get_field(*heap_, from, name, result)) &&
-         within_limits();
+  Box field;
+  const auto before = heap_->used();
+  if (!check(script::get_field(*heap_, container.resolved(), name, field)) ||
+      !charge_made(before))
+    return false;
+  result = std::move(field);
+  return within_limits();
 }
 
 bool Machine::set_index(const Box& container, const Box& key,
                         const Box& value) {
-  std::size_t work = 0;
-  return charge(key_size(key.resolved())) &&
-         check(script::set_index(*heap_, container.resolved(), key.resolved(),
-                                 value.resolved(), work)) &&
-         charge(work / boxes_per_unit) && within_limits();
+  Box place;
+  if (!key_for(container.resolved(), key, place))
+    return false;
+  auto budget = walk_budget();
+  auto outcome = script::set_index(*heap_, container.resolved(), place,
+                                   value.resolved(), budget);
+  return charge(budget.price()) && check(std::move(outcome)) && within_limits();
 }
 
 bool Machine::append(const Box& list, const Box& value) {
-  std::size_t work = 0;
-  return check(script::append(list.resolved(), value.resolved(), work)) &&
-         charge(work / boxes_per_unit) && within_limits();
+  auto budget = walk_budget();
+  auto outcome = script::append(list.resolved(), value.resolved(), budget);
+  return charge(budget.price()) && check(std::move(outcome)) && within_limits();
 }
 
 bool Machine::new_list(const Box* elements, std::size_t count, Box& result) {
@@ -120,22 +135,23 @@ bool Machine::new_list(const Box* elements, std::size_t count, Box& result) {
   for (std::size_t i = 0; i < count; ++i)
     list.list()->elements.push_back(elements[i].resolved());
   result = std::move(list);
-  return charge(count) && within_limits();
+  return charge_values(count) && within_limits();
 }
 
 bool Machine::new_map(const Box* pairs, std::size_t count, Box& result) {
   auto map = make_map(*heap_);
   for (std::size_t i = 0; i < count; ++i) {
-    const auto& key = pairs[2 * i]; // a constant, or what a state had there
+    const auto& key = pairs[2 * i]; // a constant, or read from a state
     if (!key.is_string()) [[unlikely]]
       return raise(ErrorKind::type, "the key of a map must be a string, not " +
                                         a_type(key.resolved()));
     map.map()->set(key, pairs[2 * i + 1].resolved());
   }
   result = std::move(map);
-  return charge(count) && within_limits();
+  return charge_values(2 * count) && within_limits();
 }
 
+// The size is checked before anything is allocated.
 bool Machine::new_array(const Box& size, Box& result) {
   const auto number = numeric(size.resolved());
   if (!number || !number->is_integer || number->integer < 0)
@@ -150,9 +166,10 @@ bool Machine::new_array(const Box& size, Box& result) {
   auto list = make_list(*heap_, count);
   list.list()->elements.resize(count);
   result = std::move(list);
-  return charge(count);
+  return charge_values(count);
 }
 
+// Joins the parts of a text with embedded values in one allocation.
 bool Machine::concatenate(const Box* parts, std::size_t count, Box& result) {
   std::string text;
   for (std::size_t i = 0; i < count; ++i)
@@ -161,7 +178,7 @@ bool Machine::concatenate(const Box* parts, std::size_t count, Box& result) {
   if (!heap_->has_room(text.size()))
     return raise(ErrorKind::limit, "the text would be too long");
   result = make_string(*heap_, text);
-  return charge(text.size() / bytes_per_unit);
+  return charge_bytes(text.size());
 }
 
 bool Machine::milliseconds(const Box& text, Box& result) {
@@ -174,14 +191,15 @@ bool Machine::milliseconds(const Box& text, Box& result) {
   return true;
 }
 
-// -- for (language rule 6.3): the number of iterations is known at the start --
+// -- for (language rule 6.3) --------------------------------------------------
 
 namespace {
 
-// The tolerance of the end, in steps: 0 to 1 by 0.1 includes 1.
+// The tolerance at the end, in steps: a loop from 0 to 1 by 0.1 includes 1,
+// although ten times 0.1 is not exactly 1.
 constexpr double hair = 1e-9;
 
-// The last integer that a fraction lets an integer count reach.
+// The last integer that a count in integers can reach if the end is a fraction.
 std::int64_t whole_end(double end, std::int64_t step) {
   end += static_cast<double>(step) * hair;
   const auto whole = step < 0 ? std::ceil(end) : std::floor(end);
@@ -191,7 +209,10 @@ std::int64_t whole_end(double end, std::int64_t step) {
                            : static_cast<std::int64_t>(whole);
 }
 
-// How often; 0 where it never arrives.
+// The number of rounds; 0 if the step leads away from the end. Integers are
+// counted exactly, with unsigned distances, as the span may exceed 63 bits. The
+// count is capped so that it fits into a small integer; no script can run that
+// long.
 std::int64_t iterations(const Numeric& from, Numeric to, const Numeric& step) {
   if (from.is_integer && step.is_integer) {
     if (!to.is_integer)
@@ -206,6 +227,7 @@ std::int64_t iterations(const Numeric& from, Numeric to, const Numeric& step) {
     auto apart = [](std::int64_t high, std::int64_t low) {
       return static_cast<std::uint64_t>(high) - static_cast<std::uint64_t>(low);
     };
+    // Exact: doubles would round long distances.
     const auto steps =
         step.integer > 0
             ? apart(to.integer, from.integer) /
@@ -222,11 +244,19 @@ std::int64_t iterations(const Numeric& from, Numeric to, const Numeric& step) {
 
 } // namespace
 
+// The number of rounds is computed at the start (language rule 6.3). Five
+// registers control the loop:
+//
+//   before:  1 from      2 step   3 to
+//   after:   0 left      1 current    2 step   3 from   4 variable
+//
+// In a loop over fractions `current` is the number of steps made.
 bool Machine::for_prepare(Box* loop, bool& enters) {
-  // In: 1 from, 2 step, 3 to.
   std::optional<Numeric> bounds[3];
   constexpr const char* names[] = {"from", "step", "to"};
   for (std::size_t i = 0; i < 3; ++i) {
+    if (!charge_bytes(digits_of(loop[i + 1].resolved())))
+      return false;
     bounds[i] = numeric(loop[i + 1].resolved());
     if (!bounds[i])
       return raise(ErrorKind::type, std::string("'") + names[i] +
@@ -245,11 +275,13 @@ bool Machine::for_prepare(Box* loop, bool& enters) {
   loop[0] = Box::small(count - 1);
   loop[2] = box(*step);
   loop[3] = loop[4] = box(*from);
-  // Fractions count steps, so that they do not drift.
+  // Fractions are computed from the number of steps, so that rounding errors do
+  // not add up.
   loop[1] = from->is_integer && step->is_integer ? loop[3] : Box::number(0);
   return true;
 }
 
+// The slow path of the handler: fractions and large integers.
 bool Machine::for_next(Box* loop) {
   loop[0] = Box::small(loop[0].as_small() - 1);
   if (!loop[1].is_number()) {
@@ -263,8 +295,11 @@ bool Machine::for_next(Box* loop) {
   return check(number_result(value, loop[4]));
 }
 
+// The loop walks over a copy of the elements, so that changes in its body have
+// no effect (language rule 6.5).
 bool Machine::each_prepare(const Box& collection, Box* loop) {
   const Box from = collection.resolved();
+  const auto before = heap_->used();
   Box list;
   if (from.is_list()) {
     list = make_list(*heap_, from.list()->elements.size());
@@ -290,10 +325,10 @@ bool Machine::each_prepare(const Box& collection, Box* loop) {
     return raise(ErrorKind::type,
                  "<for each> cannot walk over " + a_type(from));
   }
-  const auto size = list.list()->elements.size();
+  const bool paid = charge_made(before);
   loop[0] = std::move(list);
   loop[1] = Box::small(0);
-  return charge(size) && within_limits();
+  return paid && within_limits();
 }
 
 } // namespace parlour::script

@@ -1,3 +1,6 @@
+// Everything that a stored state refers to by number goes into the hash: if an
+// index meant something else, a restored session would go wrong silently.
+
 #include "script/vm/program_identity.hpp"
 
 #include <bit>
@@ -11,12 +14,13 @@ namespace parlour::script {
 
 namespace {
 
-// The names that codes in instructions stand for, in their order.
+// The names behind the numbers in instructions, in their order.
 constexpr const char* vocabulary[] = {
 #define INSTRUCTION(name, sentence) #name,
 #include "script/program/instructions.def"
 #undef INSTRUCTION
-#define EFFECT(name, waits, operands, sentence) #name " " operands,
+#define EFFECT(name, element, part, waits, deed, leads, operands, sentence)    \
+#name " " operands,
 #include "script/program/effects.def"
 #undef EFFECT
 #define X(name, text) text,
@@ -24,8 +28,8 @@ constexpr const char* vocabulary[] = {
 #undef X
 };
 
-// Eight bytes at a time; not meant to withstand someone who looks for two
-// programs of the same hash.
+// A fast hash of words of eight bytes. It does not protect against somebody who
+// constructs two programs with the same hash.
 class Hash {
 public:
   void add(std::uint64_t value) {
@@ -49,7 +53,7 @@ public:
   }
 
 private:
-  // Lowest byte first, whatever the machine.
+  // Lowest byte first on every machine.
   static std::uint64_t word(std::string_view text) {
     std::uint64_t value = 0;
     for (std::size_t i = 0; i < text.size(); ++i)
@@ -60,6 +64,7 @@ private:
   std::uint64_t state_ = 0x243f6a8885a308d3;
 };
 
+// An instruction has eight bytes, which are hashed as one number.
 void add(Hash& hash, const Instruction& instruction) {
   hash.add(std::uint64_t{instruction.operation} |
            std::uint64_t{instruction.flag} << 8 |
@@ -81,6 +86,7 @@ void add(Hash& hash, const Box& constant) {
                                    : "false");
 }
 
+// Positions count because error messages of a restored session show them.
 void add(Hash& hash, const Position& position) {
   hash.add(std::uint64_t{position.file} << 32 | position.line);
   hash.add(position.column);
@@ -115,6 +121,7 @@ void add(Hash& hash, const JumpTable& table) {
   hash.add(table.otherwise());
 }
 
+// Everything that influences how a frame of this code continues.
 void add(Hash& hash, const Code& code) {
   hash.add(code.name);
   hash.add(std::uint64_t{code.parameter_count} |
@@ -130,6 +137,7 @@ void add(Hash& hash, const Code& code) {
   add(hash, code.tables);
 }
 
+// Names are referred to by their indices, so their order matters.
 void add_names(Hash& hash, const Program& program) {
   hash.add_names(program.variables);
   hash.add_names(program.handlers);
@@ -146,6 +154,7 @@ void add_names(Hash& hash, const Program& program) {
 } // namespace
 
 std::uint64_t identity_of(const Program& program) {
+  // Two threads may compute it at once; they store the same number.
   auto& kept = program.pool->identity;
   if (const auto known = kept.load(std::memory_order_relaxed))
     return known;

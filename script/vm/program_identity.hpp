@@ -1,7 +1,11 @@
-// What tells one compiled program from another: a hash of all that a stored
-// state refers to, that is of its code, of the names of its variables, topics,
-// slots and states, and of the instruction set and built-ins that it was
-// compiled for. Where its files lie does not count.
+// The identity of a compiled program: a hash of everything that a stored state
+// refers to, which is its code, the names of its variables, topics, slots and
+// states, and the instruction set and built-ins for which it was compiled. The
+// location of its files does not count.
+//
+// Two compilations of the same files with the same version of the program have
+// the same identity; any change of a script, or of the instruction set, gives
+// another one, and stored states are then refused.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +14,8 @@
 
 namespace parlour::script {
 
-// Computed when first asked for, then kept with the constants; any thread.
+// Computed when first asked for and kept with the constants. Safe from any
+// thread.
 std::uint64_t identity_of(const Program& program);
 
 } // namespace parlour::script

@@ -1,3 +1,6 @@
+// Reads the format of interpreter_state.hpp. A state may come from a file that
+// was damaged or forged, so each number is checked before it is used.
+
 #include <algorithm>
 #include <limits>
 
@@ -12,6 +15,8 @@ namespace parlour::script {
 
 namespace {
 
+// Reads a state in the order in which StateWriter wrote it. Every index is
+// checked against what it indexes, and every register by FrameCheck.
 class StateReader {
 public:
   StateReader(Machine& machine, std::string_view bytes)
@@ -29,12 +34,12 @@ private:
   ActivationContext read_context();
   void read_frames(Execution& execution);
   void read_frame(Execution& execution);
-  void read_registers(Frame& frame);
+  void read_registers(CallFrame& frame);
   Box read_register(std::uint16_t reg, const FrameCheck& check);
   Box read_bound_register(std::uint16_t reg);
   void check_frames(const Execution& execution);
-  void check_bindings(Frame& frame);
-  bool goes_on_with(const Frame& caller, const Frame& callee) const;
+  void check_bindings(CallFrame& frame);
+  bool goes_on_with(const CallFrame& caller, const CallFrame& callee) const;
   void read_copy_outs(Execution& execution);
 
   Machine& machine_;
@@ -42,17 +47,18 @@ private:
   ByteReader bytes_;
   ObjectReader objects_;
   std::vector<std::shared_ptr<const Message>> messages_;
-  std::vector<Frame*> frames_;     // of the execution being read
+  std::vector<CallFrame*> frames_; // of the execution being read
   std::vector<FrameCheck> checks_; // of these
 };
 
-// Of a frame that a larger code used before.
-constexpr std::size_t most_room = std::numeric_limits<std::uint16_t>::max();
+// A frame that was made for a larger code has unused registers.
+constexpr std::size_t max_room = std::numeric_limits<std::uint16_t>::max();
 
-Operation operation_at(const Frame& frame) {
+Operation operation_at(const CallFrame& frame) {
   return static_cast<Operation>(frame.pc->operation);
 }
 
+// Everything is read into a new machine; after an error it is thrown away.
 Expected<Executions> StateReader::read() {
   Executions executions;
   read_header();
@@ -71,6 +77,7 @@ Expected<Executions> StateReader::read() {
   return executions;
 }
 
+// A state of another program would fit neither code nor constants.
 void StateReader::read_header() {
   const auto version = bytes_.byte();
   if (version != state_version)
@@ -90,12 +97,14 @@ void StateReader::read_fuel() {
   machine_.set_event_fuel(fuel);
 }
 
+// Activations share the messages by pointer, as before.
 void StateReader::read_messages() {
   const auto count = bytes_.count("messages");
   for (std::size_t i = 0; i < count && bytes_.ok(); ++i)
     messages_.push_back(std::make_shared<const Message>(read_message()));
 }
 
+// The message that an activation handles, with all that scripts can see of it.
 Message StateReader::read_message() {
   Message message;
   message.time = bytes_.signed_number();
@@ -110,9 +119,13 @@ Message StateReader::read_message() {
     message.sinks.emplace_back(bytes_.text());
   message.session = bytes_.text();
   message.correlation = bytes_.number();
+  message.rounds =
+      static_cast<std::uint32_t>(bytes_.below(std::uint64_t{1} << 32, "round"));
   return message;
 }
 
+// The frames are checked only when all of them have been read, as bindings lead
+// from one to another.
 std::unique_ptr<Execution> StateReader::read_execution() {
   auto execution = machine_.adopt(read_context());
   execution->waiting = bytes_.below(2, "a flag");
@@ -123,12 +136,14 @@ std::unique_ptr<Execution> StateReader::read_execution() {
   return execution;
 }
 
+// Topics and slots are stored plus one, so that 0 is no_id.
 ActivationContext StateReader::read_context() {
   ActivationContext context;
   if (const auto message = bytes_.below(messages_.size() + 1, "message"))
     context.message = messages_[message - 1];
   const auto topic = bytes_.below(program_.topics.size() + 1, "topic");
   context.topic = static_cast<TopicId>(topic) - 1; // 0: no_id
+  // Without a topic there can be no slot.
   const auto slots = context.topic == no_id || !bytes_.ok()
                          ? std::size_t{0}
                          : program_.topics[context.topic].slots.size();
@@ -140,15 +155,17 @@ ActivationContext StateReader::read_context() {
   return context;
 }
 
+// No deeper than calls may be; the frames are pushed from the outermost in.
 void StateReader::read_frames(Execution& execution) {
-  const auto most = program_.settings.limits.depth + std::uint64_t{2};
-  const auto count = bytes_.below(most, "depth of calls");
+  const auto max_depth = program_.settings.limits.depth + std::uint64_t{2};
+  const auto count = bytes_.below(max_depth, "depth of calls");
   frames_.clear();
   checks_.clear();
   for (std::size_t i = 0; i < count && bytes_.ok(); ++i)
     read_frame(execution);
 }
 
+// The instruction is an index, so it is known to exist before pc is set.
 void StateReader::read_frame(Execution& execution) {
   const auto id = bytes_.below(program_.code.size(), "code");
   if (!bytes_.ok())
@@ -157,13 +174,15 @@ void StateReader::read_frame(Execution& execution) {
   const auto at = bytes_.below(code.instructions.size(), "instruction");
   if (!bytes_.ok())
     return;
-  const auto room = std::min(objects_.room_for_more(sizeof(Box)), most_room);
+  const auto room = std::min(objects_.room_for_more(sizeof(Box)), max_room);
   frames_.push_back(execution.push(code, static_cast<std::uint32_t>(room)));
   frames_.back()->pc += at;
   read_registers(*frames_.back());
 }
 
-void StateReader::read_registers(Frame& frame) {
+// Unknown is left in the registers behind an error; the machine is not used
+// then.
+void StateReader::read_registers(CallFrame& frame) {
   const auto at = frame.pc - frame.code->instructions.data();
   const auto& check =
       checks_.emplace_back(*frame.code, static_cast<std::uint32_t>(at));
@@ -175,6 +194,8 @@ void StateReader::read_registers(Frame& frame) {
     bytes_.fail(broken);
 }
 
+// Bound parameters and missing arguments are accepted only where the compiler
+// could have put them.
 Box StateReader::read_register(std::uint16_t reg, const FrameCheck& check) {
   const auto tag = bytes_.byte();
   switch (static_cast<RegisterTag>(tag)) {
@@ -198,9 +219,10 @@ Box StateReader::read_register(std::uint16_t reg, const FrameCheck& check) {
   return {};
 }
 
-// Of an outer frame, which lives longer, or an earlier one of the same: a
-// variable is there before what is computed for a call. Never what a loop of
-// that frame counts with.
+// A parameter may be bound to a register of an outer frame, which lives longer,
+// or to an earlier register of its own frame, because variables lie before the
+// arguments that are prepared for a call. It may not be bound to a register
+// that controls a loop.
 Box StateReader::read_bound_register(std::uint16_t reg) {
   const auto at = bytes_.below(frames_.size(), "frame");
   if (!bytes_.ok())
@@ -214,7 +236,8 @@ Box StateReader::read_bound_register(std::uint16_t reg) {
   return bytes_.ok() ? Box::reference(&frame.registers()[target]) : Box();
 }
 
-// A result comes back to a call, or to the effect that is waited for.
+// Each frame but the top must stand at the call of the frame above; a waiting
+// activation must stand at an effect.
 void StateReader::check_frames(const Execution& execution) {
   for (std::size_t i = 1; i < frames_.size(); ++i)
     if (!goes_on_with(*frames_[i - 1], *frames_[i]))
@@ -226,8 +249,8 @@ void StateReader::check_frames(const Execution& execution) {
     bytes_.fail("an activation waits for no effect");
 }
 
-// No chain of them.
-void StateReader::check_bindings(Frame& frame) {
+// A binding leads to a value directly, never to another binding.
+void StateReader::check_bindings(CallFrame& frame) {
   for (std::uint16_t i = 0; i < frame.code->register_count; ++i) {
     const auto& box = frame.registers()[i];
     if (box.is_reference() &&
@@ -236,13 +259,16 @@ void StateReader::check_bindings(Frame& frame) {
   }
 }
 
-bool StateReader::goes_on_with(const Frame& caller, const Frame& callee) const {
+// A call by name may have any callee; another one has that of its instruction.
+bool StateReader::goes_on_with(const CallFrame& caller,
+                               const CallFrame& callee) const {
   if (operation_at(caller) == Operation::call_named)
     return true;
   return operation_at(caller) == Operation::call &&
          &program_.code[caller.pc->wide()] == callee.code;
 }
 
+// The parameter must hold a copy, not a binding: it is stored to the variable.
 void StateReader::read_copy_outs(Execution& execution) {
   const auto count = bytes_.count("parameters to be copied out");
   for (std::size_t i = 0; i < count && bytes_.ok(); ++i) {

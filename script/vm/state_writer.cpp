@@ -1,3 +1,5 @@
+// Writes the format of interpreter_state.hpp.
+
 #include <algorithm>
 
 #include "runtime/base/value_bytes.hpp"
@@ -10,6 +12,8 @@ namespace parlour::script {
 
 namespace {
 
+// Writes everything that refers to objects into a buffer first, as the objects
+// that are found on the way must stand before it.
 class StateWriter {
 public:
   StateWriter(const Machine& machine,
@@ -24,7 +28,7 @@ private:
   void write_message(const Message& message);
   void write(const Execution& execution);
   void write(const ActivationContext& context);
-  void write(Frame& frame);
+  void write(CallFrame& frame);
   void write(const CopyOut& copy_out);
   void write_register(const Box& box, const FrameCheck& check,
                       std::uint16_t reg);
@@ -38,9 +42,11 @@ private:
   ByteWriter bytes_;
   ObjectWriter objects_;
   std::vector<const Message*> messages_;
-  std::vector<Frame*> frames_; // of the execution being written
+  std::vector<CallFrame*> frames_; // of the execution being written
 };
 
+// The parts that refer to objects are written first, and put behind the objects
+// in the end.
 std::string StateWriter::write() {
   write_fuel();
   for (const auto& variable : machine_.variables)
@@ -57,6 +63,7 @@ std::string StateWriter::write() {
   return whole.take();
 }
 
+// A restored event has as much fuel left as it had.
 void StateWriter::write_fuel() {
   const auto fuel = machine_.event_fuel();
   bytes_.number(fuel.instructions);
@@ -64,7 +71,7 @@ void StateWriter::write_fuel() {
   bytes_.byte(fuel.grace_given);
 }
 
-// Each once, as all that an event started have the same.
+// Each message is written once; all activations that an event started share it.
 void StateWriter::write_messages() {
   for (const auto* execution : executions_) {
     const auto* message = execution->context().message.get();
@@ -89,8 +96,10 @@ void StateWriter::write_message(const Message& message) {
     bytes_.text(sink);
   bytes_.text(message.session);
   bytes_.number(message.correlation);
+  bytes_.number(message.rounds);
 }
 
+// Frames are linked from the top, and written from the outermost.
 void StateWriter::write(const Execution& execution) {
   write(execution.context());
   bytes_.byte(execution.waiting);
@@ -107,6 +116,7 @@ void StateWriter::write(const Execution& execution) {
       write(copy_out);
 }
 
+// The message by its position among the messages, plus one.
 void StateWriter::write(const ActivationContext& context) {
   const auto message =
       std::find(messages_.begin(), messages_.end(), context.message.get());
@@ -122,7 +132,8 @@ void StateWriter::write(const ActivationContext& context) {
   bytes_.byte(context.leaves_state);
 }
 
-void StateWriter::write(Frame& frame) {
+// Code and instruction are written as indices into the program.
+void StateWriter::write(CallFrame& frame) {
   const auto at = frame.pc - frame.code->instructions.data();
   bytes_.number(
       static_cast<std::size_t>(frame.code - machine_.program->code.data()));
@@ -133,7 +144,8 @@ void StateWriter::write(Frame& frame) {
     write_register(frame.registers()[i], check, i);
 }
 
-// What a call that failed has left behind is nothing that is read again.
+// A binding or missing argument that a failed call has left behind is never
+// read again; it is written as unknown.
 void StateWriter::write_register(const Box& box, const FrameCheck& check,
                                  std::uint16_t reg) {
   if (box.is_reference() && check.may_be_bound(reg))
@@ -143,6 +155,7 @@ void StateWriter::write_register(const Box& box, const FrameCheck& check,
   objects_.write(bytes_, box.is_reference() || box.is_missing() ? Box() : box);
 }
 
+// Finds out by its address what a parameter is bound to.
 void StateWriter::write_binding(const Box* target) {
   const auto within = [&](const Box* first, std::size_t count) {
     const std::less<const Box*> before;
@@ -154,16 +167,17 @@ void StateWriter::write_binding(const Box* target) {
     return bytes_.number(static_cast<std::size_t>(target - variables.data()));
   }
   const auto frame =
-      std::find_if(frames_.begin(), frames_.end(), [&](Frame* candidate) {
+      std::find_if(frames_.begin(), frames_.end(), [&](CallFrame* candidate) {
         return within(candidate->registers(), candidate->code->register_count);
       });
   if (frame == frames_.end())
-    return put(RegisterTag::missing); // cannot be: it lives as long as we do
+    return put(RegisterTag::missing); // impossible: targets outlive bindings
   put(RegisterTag::bound_register);
   bytes_.number(static_cast<std::size_t>(frame - frames_.begin()));
   bytes_.number(static_cast<std::size_t>(target - (*frame)->registers()));
 }
 
+// The frame is one of those just written.
 void StateWriter::write(const CopyOut& copy_out) {
   const auto frame = std::find(frames_.begin(), frames_.end(), copy_out.frame);
   bytes_.number(static_cast<std::size_t>(frame - frames_.begin()));

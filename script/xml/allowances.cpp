@@ -1,3 +1,6 @@
+// Finds the comments, works out which lines each one covers, and removes the
+// warnings on these lines.
+
 #include "script/xml/allowances.hpp"
 
 #include <algorithm>
@@ -21,6 +24,7 @@ bool is_blank(std::string_view text) {
   return text.find_first_not_of(" \t\r") == npos;
 }
 
+// The names in a comment: runs of letters, digits and hyphens.
 std::vector<std::string> names_in(std::string_view text) {
   std::vector<std::string> names(1);
   for (const char letter : text)
@@ -33,6 +37,7 @@ std::vector<std::string> names_in(std::string_view text) {
   return names;
 }
 
+// Whether the allowance names the finding's lint and covers its line.
 bool allows(const Allowance& allowance, const Finding& finding) {
   const auto& names = allowance.names;
   if (std::find(names.begin(), names.end(), finding.name) == names.end())
@@ -42,7 +47,7 @@ bool allows(const Allowance& allowance, const Finding& finding) {
          (allowance.first <= line && line <= allowance.last);
 }
 
-// Where lines begin.
+// The offsets at which lines begin, for a text of any line length.
 class Lines {
 public:
   explicit Lines(std::string_view text) : text_(text) {
@@ -54,7 +59,7 @@ public:
         std::upper_bound(begins_.begin(), begins_.end(), offset) -
         begins_.begin());
   }
-  // What stands on the line of `offset`, up to it and behind it.
+  // The part of the line that lies before the offset, and the part behind it.
   std::string_view before(std::size_t offset) const {
     const auto begin = begins_[number(offset) - 1];
     return text_.substr(begin, offset - begin);
@@ -68,8 +73,8 @@ private:
   std::vector<std::size_t> begins_{0};
 };
 
-// The end of the last comment of those that stand one below the other from the
-// one that ends there.
+// The end of the last of the comments that stand on consecutive lines, starting
+// from the comment that ends at `end`.
 std::size_t end_of_comments(std::string_view text, std::size_t end) {
   for (;;) {
     const auto next = text.find_first_not_of(blanks, end);
@@ -84,8 +89,8 @@ std::size_t end_of_comments(std::string_view text, std::size_t end) {
   }
 }
 
-// The line of a comment and, where it stands alone, the next one that is no
-// comment.
+// Sets the lines of a comment: its own line, and if nothing else stands there,
+// also the first line behind it that is not a comment.
 void set_lines(Allowance& allowance, std::size_t begin, std::size_t end,
                std::string_view text, const Lines& lines) {
   allowance.first = allowance.last = lines.number(end);
@@ -94,10 +99,10 @@ void set_lines(Allowance& allowance, std::size_t begin, std::size_t end,
     allowance.last = lines.number(end_of_comments(text, end)) + 1;
 }
 
-// Tags of which a line is meant are meant as a whole.
+// Extends an allowance to all lines of each tag that it touches.
 void add_lines_of_tags(std::vector<Allowance>& allowances,
                        std::string_view text, const Lines& lines) {
-  std::vector<XmlSlip> ignored;
+  std::vector<XmlMistake> ignored;
   const auto meant = allowances;
   for (auto at = text.find('<'); at != npos; at = text.find('<', at)) {
     const auto tag = scan_tag(text, at, ignored);
@@ -113,6 +118,8 @@ void add_lines_of_tags(std::vector<Allowance>& allowances,
 
 } // namespace
 
+// Searches for the mark rather than for comments, as most files have no
+// allowance at all. The mark counts only at the beginning of a comment.
 std::vector<Allowance> read_allowances(std::string_view text) {
   std::vector<Allowance> allowances;
   auto at = text.find(mark);
@@ -126,6 +133,7 @@ std::vector<Allowance> read_allowances(std::string_view text) {
         !is_blank(
             text.substr(begin + opening.size(), at - begin - opening.size())))
       continue;
+    // What follows the mark: names, and perhaps "in this file".
     const auto said = text.substr(at + mark.size(), end - at - mark.size());
     const auto whole = said.find(everywhere);
     auto& one = allowances.emplace_back();
@@ -138,6 +146,7 @@ std::vector<Allowance> read_allowances(std::string_view text) {
   return allowances;
 }
 
+// The files are searched only if there is a warning.
 void take_allowed(Findings& findings) {
   const auto& all = findings.all();
   if (std::none_of(all.begin(), all.end(), [](const Finding& finding) {

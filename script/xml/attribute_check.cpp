@@ -1,3 +1,6 @@
+// Checks by kind. For names the message also says what the author may have
+// meant, since a wrong name is often an expression or a list of parameters.
+
 #include "script/xml/attribute_check.hpp"
 
 #include <algorithm>
@@ -14,6 +17,7 @@ namespace parlour::script {
 
 namespace {
 
+// Bytes of characters beyond ASCII count as letters, so no tables are needed.
 bool is_name_start(char letter) {
   return std::isalpha(static_cast<unsigned char>(letter)) || letter == '_' ||
          static_cast<unsigned char>(letter) >= 0x80;
@@ -24,7 +28,7 @@ bool is_name_part(char letter) {
          std::isdigit(static_cast<unsigned char>(letter));
 }
 
-// Names given at run time hold `{expr}` and are judged then.
+// A value with `{expr}` is computed at run time and checked then.
 bool is_right(AttributeKind kind, const std::string& value) {
   switch (kind) {
   case AttributeKind::name:
@@ -43,12 +47,14 @@ bool is_right(AttributeKind kind, const std::string& value) {
   }
 }
 
+// The beginning of each message: the attribute as it is written.
 std::string shown(const ElementRule& element, const AttributeRule& rule,
                   const std::string& value) {
   return rule.name + "=\"" + value + "\" of <" + element.name + ">: expected ";
 }
 
-// <for each="x in list">; empty: that is not what stands there.
+// The correction of <for each="x in list">; empty if the value has another
+// form.
 std::string loop_meant(const ElementRule& element, const std::string& value) {
   const auto in = value.find(" in ");
   if (!element.attribute("each") || in == std::string::npos)
@@ -57,7 +63,8 @@ std::string loop_meant(const ElementRule& element, const std::string& value) {
          collapsed(value.substr(in + 4)) + "\"";
 }
 
-// <function name="f(a, b)">; the same.
+// The correction of <function name="f(a, b)">; empty if the value has another
+// form.
 std::string head_meant(const ElementRule& element, const AttributeRule& rule,
                        const std::string& value) {
   const auto open = value.find('(');
@@ -78,7 +85,8 @@ std::string head_meant(const ElementRule& element, const AttributeRule& rule,
   return params.empty() ? meant : meant + ", and inside of it " + params;
 }
 
-// "; write name="a" expr="1"" or a name that would do; empty: nobody knows.
+// The correction of a value that is not a name: the attributes that were meant,
+// or a similar name; empty if there is none.
 std::string name_meant(const ElementRule& element, const AttributeRule& rule,
                        const std::string& value) {
   const auto write = "; write " + rule.name + "=\"";
@@ -101,6 +109,7 @@ std::string name_meant(const ElementRule& element, const AttributeRule& rule,
 
 } // namespace
 
+// A choice lists its words; other kinds have a sentence in the table.
 std::string wrong_value(const ElementRule& element, const AttributeRule& rule,
                         const std::string& value) {
   if (rule.kind == AttributeKind::choice) {
@@ -122,6 +131,7 @@ bool is_identifier(std::string_view text) {
          std::all_of(text.begin(), text.end(), is_name_part);
 }
 
+// Language rule 5.9 reserves names that begin with '_'.
 std::string variable_fault(std::string_view name) {
   const auto quoted = "'" + std::string(name) + "'";
   if (name.starts_with('_'))
@@ -131,6 +141,7 @@ std::string variable_fault(std::string_view name) {
   return {};
 }
 
+// The limit of a terabyte keeps the product from overflowing.
 std::optional<std::size_t> parse_size(std::string_view text) {
   std::size_t unit = 1;
   for (const auto& [suffix, shift] :
@@ -146,6 +157,7 @@ std::optional<std::size_t> parse_size(std::string_view text) {
   return static_cast<std::size_t>(*count) * unit;
 }
 
+// Digits only: no sign, no blanks.
 std::optional<std::uint64_t> parse_count(std::string_view text) {
   std::uint64_t number = 0;
   const auto* end = text.data() + text.size();

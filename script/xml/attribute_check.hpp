@@ -1,4 +1,4 @@
-// Whether an attribute's value is of the kind that the element table wants.
+// Checks an attribute's value against the kind that the element table wants.
 #pragma once
 
 #include <cstdint>
@@ -10,21 +10,24 @@
 
 namespace parlour::script {
 
-// What is wrong with the value, as a sentence; empty where nothing is. Kinds
-// that only a compiler can judge (expressions, references) are right here.
+// What is wrong with the value, as a sentence; empty if nothing is. Kinds that
+// need knowledge of the application (expressions, references to states and so
+// on) pass here; the compiler judges them.
 std::string wrong_value(const ElementRule& element, const AttributeRule& rule,
                         const std::string& value);
 
-// A letter or _, then letters, digits or _; letters beyond ASCII included.
+// Whether the text is a letter or _, followed by letters, digits or _.
+// Characters beyond ASCII count as letters.
 bool is_identifier(std::string_view text);
 
-// Why a variable or parameter cannot be called so; empty where it can.
+// Why this cannot be the name of a variable or parameter; empty if it can.
 std::string variable_fault(std::string_view name);
 
-// "500", "64KB", "16MB", "1GB"; nothing where it is none of these.
+// Reads "500", "64KB", "16MB" or "1GB" as a number of bytes; nothing if the
+// text has another form.
 std::optional<std::size_t> parse_size(std::string_view text);
 
-// A whole number, 0 or more.
+// Reads a whole number, 0 or more.
 std::optional<std::uint64_t> parse_count(std::string_view text);
 
 } // namespace parlour::script

@@ -1,3 +1,13 @@
+// An <if> in both notations, which gather_parts makes equal:
+//
+//   <if cond="a">                      <if cond="a">
+//     <print param="one"/>               <print param="one"/>
+//     <elseif cond="b"/>                 <elseif cond="b">
+//     <print param="two"/>                 <print param="two"/>
+//     <else/>                            </elseif>
+//     <print param="three"/>             <else><print param="three"/></else>
+//   </if>                              </if>
+
 #include "script/xml/content_check.hpp"
 
 #include <optional>
@@ -15,13 +25,16 @@ void error(Findings& findings, Position position, std::string message) {
   findings.add({Severity::error, {position}, std::move(message), "element"});
 }
 
-// An element that is divided into parts, while its children are gone through.
+// Collects the children of an element that has parts, one after the other. A
+// statement behind an empty part moves into that part; a statement behind a
+// part that holds its own belongs to none and is a mistake.
 class Parts {
 public:
   Parts(const ElementRule& rule, Findings& findings)
       : rule_(rule), findings_(findings) {}
 
   void take(Element&& child) {
+    // A part begins; otherwise the child belongs to what came before.
     if (rule_.last_place(child.name) != 0)
       begin(std::move(child));
     else if (part_ == Part::none)
@@ -32,6 +45,7 @@ public:
       stray_ = Stray{std::move(child), children_.back().name};
   }
 
+  // Reports at most one mistake of this kind for an element.
   std::vector<Element> finish() {
     if (!in_front_.empty() && around_)
       error(findings_, around_->position,
@@ -56,6 +70,7 @@ private:
     std::string behind;
   };
 
+  // A part without children is written in front of its statements.
   void begin(Element&& part) {
     part_ = part.children.empty() ? Part::in_front : Part::around;
     if (part_ == Part::around && !around_)
@@ -70,13 +85,13 @@ private:
   const ElementRule& rule_;
   Findings& findings_;
   std::vector<Element> children_;
-  Part part_ = Part::none;      // how the last one is written
-  std::string in_front_;        // one that stands in front of its statements
-  std::optional<Named> around_; // the first that stands around them
-  std::optional<Stray> stray_;  // the first that belongs to none
+  Part part_ = Part::none;      // how the latest part is written
+  std::string in_front_;        // a part in front of its statements
+  std::optional<Named> around_; // the first part around its statements
+  std::optional<Stray> stray_;  // the first statement in no part
 };
 
-// The children of one element, in their order.
+// Checks the children of one element in their order.
 class Children {
 public:
   Children(const Element& parent, const ElementRule& rule, Findings& findings)
@@ -87,6 +102,8 @@ public:
   }
 
 private:
+  // The last children have places in order (LAST of the table); all others have
+  // place 0. Places may only grow.
   bool is_behind_the_last(const Element& child) {
     const auto place = rule_.last_place(child.name);
     if (place >= place_) {
@@ -100,6 +117,7 @@ private:
     return true;
   }
 
+  // A child that the table allows only once and that was seen before.
   bool is_second(const Element& child) {
     if (!rule_.holds_once(child.name))
       return false;
@@ -116,7 +134,7 @@ private:
   const Element& parent_;
   const ElementRule& rule_;
   Findings& findings_;
-  std::size_t place_ = 0; // of the last one, among those behind all others
+  std::size_t place_ = 0; // the highest place so far
   std::string last_;
   ByName<Position> seen_;
 };

@@ -1,7 +1,11 @@
+// Reads elements.def into rules at the first use and links each rule to the
+// rules of its possible children.
+
 #include "script/xml/element_table.hpp"
 
 #include <algorithm>
-#include <sstream>
+
+#include "runtime/text/words.hpp"
 
 namespace parlour::script {
 
@@ -9,15 +13,7 @@ namespace {
 
 constexpr std::string_view any_name = "*";
 
-std::vector<std::string> words_of(const char* text) {
-  std::istringstream stream(text);
-  std::vector<std::string> words;
-  for (std::string word; stream >> word;)
-    words.push_back(word);
-  return words;
-}
-
-// "name?" or "name=word|word".
+// Reads a word of a form: "name", "name?" or "name=word|word".
 FormWord form_word(std::string text) {
   FormWord word;
   if (text.ends_with('?')) {
@@ -28,39 +24,40 @@ FormWord form_word(std::string text) {
   word.attribute = text.substr(0, values);
   std::replace(text.begin(), text.end(), '|', ' ');
   if (values < text.size())
-    word.values = words_of(text.c_str() + values + 1);
+    word.values = split_words(text.c_str() + values + 1);
   return word;
 }
 
 AttributeForm form_of(const char* text) {
   AttributeForm form;
-  for (auto& word : words_of(text))
+  for (auto& word : split_words(text))
     form.push_back(form_word(std::move(word)));
   return form;
 }
 
+// The macros of the table append to the element that was added last.
 std::vector<ElementRule> read_table() {
   std::vector<ElementRule> all;
   enum { later, ready };
   enum { optional, required };
 #define ELEMENT(name, in, holds, availability, sentence)                       \
   all.push_back({name,                                                         \
-                 words_of(in),                                                 \
-                 words_of(holds),                                              \
+                 split_words(in),                                              \
+                 split_words(holds),                                           \
                  availability == ready,                                        \
                  sentence,                                                     \
                  {}});
 #define ATTRIBUTE(name, kind, need, words, sentence)                           \
   all.back().attributes.push_back({name, AttributeKind::kind,                  \
-                                   need == required, words_of(words),          \
+                                   need == required, split_words(words),       \
                                    sentence});
 #define FORM(words) all.back().forms.push_back(form_of(words));
 #define EITHER(attribute, child)                                               \
   all.back().either.push_back({attribute, child});
-#define ONCE(names) all.back().once = words_of(names);
-#define LAST(names) all.back().last = words_of(names);
+#define ONCE(names) all.back().once = split_words(names);
+#define LAST(names) all.back().last = split_words(names);
 #define PARTS(names)                                                           \
-  all.back().last = words_of(names);                                           \
+  all.back().last = split_words(names);                                        \
   all.back().in_parts = true;
 #include "script/xml/elements.def"
 #undef ELEMENT
@@ -73,6 +70,8 @@ std::vector<ElementRule> read_table() {
   return all;
 }
 
+// Whether the lists have a word in common: a parent's `holds` and a child's
+// `in`.
 bool overlap(const std::vector<std::string>& a,
              const std::vector<std::string>& b) {
   return std::any_of(a.begin(), a.end(), [&](const auto& one) {
@@ -80,6 +79,7 @@ bool overlap(const std::vector<std::string>& a,
   });
 }
 
+// Adds a name unless it is there already or stands for any.
 void add_once(std::vector<std::string>& names, const std::string& name) {
   if (name != any_name &&
       std::find(names.begin(), names.end(), name) == names.end())
@@ -136,6 +136,7 @@ bool ElementRule::holds_once(std::string_view child_name) const {
   return find_name(once, child_name) != once.end();
 }
 
+// Positions count from 1, so that 0 can stand for all other children.
 std::size_t ElementRule::last_place(std::string_view child_name) const {
   const auto found = find_name(last, child_name);
   return found == last.end()
@@ -150,6 +151,8 @@ std::vector<std::string> ElementRule::attribute_names() const {
   return names;
 }
 
+// Links parents to the rules of their children once, so that validating a
+// document needs one hash lookup for each element.
 const std::vector<ElementRule>& element_table() {
   static const std::vector<ElementRule> table = [] {
     auto all = read_table();
@@ -162,6 +165,7 @@ const std::vector<ElementRule>& element_table() {
   return table;
 }
 
+// A rule "*" takes every name that no other rule of the parent has.
 const ElementRule* ElementRule::child(std::string_view child_name) const {
   auto found = inside.find(child_name);
   if (found == inside.end())
@@ -169,6 +173,7 @@ const ElementRule* ElementRule::child(std::string_view child_name) const {
   return found == inside.end() ? nullptr : found->second;
 }
 
+// A rule with the name is preferred to a rule for any name.
 const ElementRule* find_rule(std::string_view name,
                              const std::vector<std::string>& within) {
   const ElementRule* any = nullptr;
@@ -191,6 +196,7 @@ std::vector<std::string> names_within(const std::vector<std::string>& within) {
   return names;
 }
 
+// Searches the whole table: used for messages only.
 std::vector<std::string> parents_of(std::string_view name) {
   std::vector<std::string> parents;
   for (const auto& rule : element_table()) {
@@ -209,6 +215,7 @@ bool is_element_name(std::string_view name) {
       [name](const auto& rule) { return same_name(rule.name, name); });
 }
 
+// As a sentence lists choices.
 std::string alternatives(const std::vector<std::string>& words) {
   std::string text;
   for (std::size_t i = 0; i < words.size(); ++i) {

@@ -1,3 +1,10 @@
+// An example: <for> has the forms "name from to step?" and "each in index?".
+//
+//   <for name="i" from="1" to="3">     the first form
+//   <for each="x" in="list">           the second form
+//   <for each="x" from="1" to="3">     'from' contradicts 'each'
+//   <for each="x">                     'in' is missing
+
 #include "script/xml/form_check.hpp"
 
 #include <algorithm>
@@ -7,15 +14,18 @@ namespace parlour::script {
 
 namespace {
 
+// The forms that are still possible, as pointers into the table.
 using Forms = std::vector<const AttributeForm*>;
 using Given = std::vector<const Attribute*>;
 
+// Whether the form has the attribute with this value.
 bool allows(const AttributeForm& form, const Attribute& attribute) {
   const auto* word = find_word(form, attribute.name);
   return word && (word->values.empty() ||
                   std::ranges::count(word->values, attribute.value) != 0);
 }
 
+// The forms that remain possible once the attribute is given.
 Forms that_allow(const Attribute& attribute, const Forms& forms) {
   Forms allowing;
   for (const auto* form : forms)
@@ -36,12 +46,15 @@ AttributeKind kind_of(const Attribute& attribute, const ElementRule& rule) {
   return known ? known->kind : AttributeKind::literal;
 }
 
+// Whether the forms differ by the words of this attribute, as <cardinality
+// type>.
 bool chooses_the_form(const Attribute& attribute, const ElementRule& rule) {
   const auto* word = find_word(rule.forms.front(), attribute.name);
   return word && !word->values.empty();
 }
 
-// Those that the forms are about; first the one by whose words they differ.
+// The attributes that any form mentions; first the one whose words choose the
+// form, as errors are best explained by it.
 Given given(const Element& element, const ElementRule& rule) {
   Given all;
   for (const auto& attribute : element.attributes) {
@@ -50,7 +63,7 @@ Given given(const Element& element, const ElementRule& rule) {
     if (!is_off && rule.is_in_a_form(attribute.name))
       all.push_back(&attribute);
   }
-  // Not that of std::ranges, which clang 14 cannot read.
+  // Not std::ranges::stable_partition, which clang 14 cannot compile.
   std::stable_partition(all.begin(), all.end(), [&](const Attribute* one) {
     return chooses_the_form(*one, rule);
   });
@@ -59,7 +72,7 @@ Given given(const Element& element, const ElementRule& rule) {
 
 // -- words --------------------------------------------------------------------
 
-// "'each'", or "drop=\"true\"".
+// "'each'", or "drop=\"true\"" for a boolean.
 std::string shown(const Attribute& attribute, const ElementRule& rule) {
   return kind_of(attribute, rule) == AttributeKind::boolean
              ? attribute.name + "=\"" + attribute.value + "\""
@@ -81,7 +94,7 @@ std::string ways_of(const ElementRule& rule) {
   return text;
 }
 
-// "that belongs to type=\"range\"".
+// "that belongs to type=\"range\"", where `chooser` is the attribute `type`.
 std::string place_of(const Attribute& attribute, const std::string& chooser,
                      const ElementRule& rule) {
   for (const auto& form : rule.forms)
@@ -93,7 +106,7 @@ std::string place_of(const Attribute& attribute, const std::string& chooser,
 
 // -- what excludes each other -------------------------------------------------
 
-// Each by itself is in some form.
+// Whether some form allows both. Each alone is in some form.
 bool go_together(const Attribute& one, const Attribute& other,
                  const ElementRule& rule) {
   return std::ranges::any_of(rule.forms, [&](const auto& form) {
@@ -101,6 +114,8 @@ bool go_together(const Attribute& one, const Attribute& other,
   });
 }
 
+// The message: by the word that chose the form, if there is one, else by both
+// attributes and the possible ways.
 std::string conflict(const Attribute& attribute, const Attribute& before,
                      const ElementRule& rule) {
   const auto tag = "<" + rule.name;
@@ -128,18 +143,22 @@ void erase(Element& element, const std::vector<std::string>& names) {
   });
 }
 
-// The first that does not go with those before it is told of.
+// Narrows the possible forms attribute by attribute. An attribute that leaves
+// no form contradicts the ones before; only the first such attribute is
+// reported, and all are removed.
 bool check_excluding(Element& element, const ElementRule& rule,
                      Findings& findings) {
   auto forms = forms_of(rule);
   Given fitting;
   std::vector<std::string> wrong;
   for (const auto* attribute : given(element, rule)) {
+    // The attribute fits at least one form that fits all before it.
     if (auto left = that_allow(*attribute, forms); !left.empty()) {
       forms = std::move(left);
       fitting.push_back(attribute);
       continue;
     }
+    // The earlier attribute with which it never goes together.
     const auto before =
         std::ranges::find_if(fitting, [&](const Attribute* other) {
           return !go_together(*attribute, *other, rule);
@@ -163,6 +182,7 @@ bool has(const Element& element, const std::string& child) {
                          : element.child(child) != nullptr;
 }
 
+// Removes an attribute that says the same as a child (EITHER); the child stays.
 void check_doubled(Element& element, const ElementRule& rule,
                    Findings& findings) {
   for (const auto& either : rule.either) {
@@ -181,6 +201,7 @@ void check_doubled(Element& element, const ElementRule& rule,
 
 // -- what is missing ----------------------------------------------------------
 
+// The first required attribute of a form that is not given.
 const FormWord* missing_word(const AttributeForm& form, const Given& given) {
   for (const auto& word : form)
     if (word.required &&
@@ -199,6 +220,8 @@ bool check_forms(Element& element, const ElementRule& rule,
   return rule.forms.empty() || check_excluding(element, rule, findings);
 }
 
+// Every form that fits the given attributes lacks at least one; these are the
+// choices. If one form lacks nothing, the element is complete.
 std::vector<const AttributeRule*> missing_of_form(const Element& element,
                                                   const ElementRule& rule) {
   if (rule.forms.empty())

@@ -1,5 +1,8 @@
-// FormCheck: which attributes of an element go together, and which of them say
-// what a child says (FORM and EITHER of elements.def).
+// Checks which attributes of an element go together (FORM), and that nothing is
+// said by both an attribute and a child (EITHER of elements.def).
+//
+// For example <for> either counts (name, from, to) or walks over a collection
+// (each, in); attributes of both are a contradiction.
 #pragma once
 
 #include <vector>
@@ -10,12 +13,13 @@
 
 namespace parlour::script {
 
-// What excludes another one, or says the same as a child, is told and taken
-// out; false: who knows in which form it was meant to be.
+// Reports and removes attributes that contradict earlier ones or repeat what a
+// child says. Returns false if an attribute contradicted another: it is then
+// unknown which form was meant.
 bool check_forms(Element& element, const ElementRule& rule, Findings& findings);
 
-// What the element still needs to have one of its forms: one of these. Empty:
-// nothing.
+// The attributes of which one is needed to complete a form; empty if some form
+// is complete.
 std::vector<const AttributeRule*> missing_of_form(const Element& element,
                                                   const ElementRule& rule);
 

@@ -1,3 +1,7 @@
+// Reading XML by pugixml, which is fast and lenient. It parses in place, into
+// `buffer_`, and keeps no positions; offsets are recovered from the addresses
+// of names and values, which point into the buffer.
+
 #include "script/xml/source_reader.hpp"
 
 #include <cstring>
@@ -16,11 +20,13 @@ namespace {
 
 constexpr auto npos = std::string_view::npos;
 constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
-// As a fragment, so that text outside of the root element is kept and told.
+// Parsed as a fragment, so that text outside of the root is kept and can be
+// reported.
 constexpr auto parse_options =
     pugi::parse_default | pugi::parse_doctype | pugi::parse_fragment;
 
-// What the parser expected where it gave up, tags that do not match aside.
+// What the parser expected where it gave up. Tags that do not match are
+// explained elsewhere (xml_mistakes.hpp).
 const char* sentence_of(pugi::xml_parse_status status) {
   switch (status) {
   case pugi::status_bad_pi:
@@ -45,7 +51,10 @@ const char* sentence_of(pugi::xml_parse_status status) {
   }
 }
 
-// One reading of one file.
+// Reads one file, in this order: characters, pugixml, what stands outside of
+// the root, faults that pugixml accepts, and then the tree. Offsets found in
+// the buffer are offsets in the text, as pugixml parses in place and never
+// moves a byte to the right.
 class Reader {
 public:
   Reader(std::string text, std::uint16_t file, Findings& findings)
@@ -66,36 +75,37 @@ private:
   void read_text(pugi::xml_node node, Element& element);
   void check_name(const char* name, std::size_t offset);
   void error(std::size_t offset, std::string message);
-  // What is wrong and does not keep the rest from being read.
-  void tell(const XmlSlip& slip);
+  // Reports a mistake after which reading can go on.
+  void tell(const XmlMistake& mistake);
   std::size_t offset_of(const char* inside) const {
     return static_cast<std::size_t>(inside - buffer_.data());
   }
 
-  std::string text_;   // as it stands in the file
-  std::string buffer_; // the same, which the parser overwrites in place
+  std::string text_;   // as in the file
+  std::string buffer_; // a copy, which the parser overwrites in place
   TextPositions positions_;
   Findings& findings_;
   pugi::xml_document document_;
   bool failed_ = false;
 };
 
+// A mistake after which no tree is returned.
 void Reader::error(std::size_t offset, std::string message) {
   failed_ = true;
   tell({offset, 0, std::move(message)});
 }
 
-void Reader::tell(const XmlSlip& slip) {
+void Reader::tell(const XmlMistake& mistake) {
   findings_.add({Severity::error,
-                 {.start = positions_.at(slip.offset),
-                  .length = slip.length,
+                 {.start = positions_.at(mistake.offset),
+                  .length = mistake.length,
                   .raw = true},
-                 slip.message,
+                 mistake.message,
                  "xml",
-                 slip.replacement});
+                 mistake.replacement});
 }
 
-// Behind the one that counts for nothing.
+// The first byte order mark was removed already; further ones are mistakes.
 void Reader::check_byte_order_marks() {
   std::size_t end = 0;
   while (std::string_view(text_).substr(end).starts_with(byte_order_mark))
@@ -106,6 +116,8 @@ void Reader::check_byte_order_marks() {
   tell({0, end, "a second byte order mark begins this file; take it out", ""});
 }
 
+// Problems of the characters come first, since the parser would stumble over
+// them at misleading places.
 void Reader::check_text() {
   check_byte_order_marks();
   if (const auto invalid = find_invalid_utf8(text_))
@@ -118,8 +130,8 @@ void Reader::check_text() {
       return error(found, "what stands here is no character; take it out");
 }
 
-// The terminating null is given too: the parser overwrites the last character,
-// and would lose a text of one behind the root element.
+// The terminating null is part of the buffer: the parser overwrites the last
+// character, and would otherwise lose a text of one character behind the root.
 pugi::xml_parse_result Reader::parse() {
   auto result = document_.load_buffer_inplace(
       buffer_.data(), buffer_.size() + 1, parse_options, pugi::encoding_utf8);
@@ -130,7 +142,8 @@ pugi::xml_parse_result Reader::parse() {
   return result;
 }
 
-// What does not end is told where it begins.
+// Something without an end is reported where it begins, not at the end of the
+// file, where the parser notices.
 std::size_t Reader::beginning(pugi::xml_parse_status status,
                               std::size_t offset) const {
   const char* opening = status == pugi::status_bad_comment   ? "<!--"
@@ -142,16 +155,19 @@ std::size_t Reader::beginning(pugi::xml_parse_status status,
   return found == npos ? offset : found;
 }
 
+// The scanner of our own finds all mistakes and their corrections. If it finds
+// none, the parser's single error is translated.
 void Reader::explain(const pugi::xml_parse_result& result) {
   const auto offset = static_cast<std::size_t>(result.offset);
-  const auto slips = find_xml_slips(text_);
-  for (const auto& slip : slips)
-    tell(slip);
+  const auto mistakes = find_xml_mistakes(text_);
+  for (const auto& mistake : mistakes)
+    tell(mistake);
   failed_ = true;
-  if (slips.empty())
+  if (mistakes.empty())
     error(beginning(result.status, offset), sentence_of(result.status));
 }
 
+// Namespaces have no meaning here, so a prefix is a mistake.
 void Reader::check_name(const char* name, std::size_t offset) {
   if (std::strchr(name, ':'))
     error(offset, "'" + std::string(name) +
@@ -159,6 +175,8 @@ void Reader::check_name(const char* name, std::size_t offset) {
                       "none");
 }
 
+// A repeated attribute is reported, but it does not keep the file from being
+// read: the first one counts.
 void Reader::read_attributes(pugi::xml_node node, Element& element) {
   std::size_t count = 0;
   for (auto attribute = node.first_attribute(); attribute;
@@ -179,6 +197,7 @@ void Reader::read_attributes(pugi::xml_node node, Element& element) {
   }
 }
 
+// Several texts between children are joined; the position is that of the first.
 void Reader::read_text(pugi::xml_node node, Element& element) {
   const auto offset = offset_of(node.value());
   if (element.text.empty()) {
@@ -188,6 +207,9 @@ void Reader::read_text(pugi::xml_node node, Element& element) {
   element.text += node.value();
 }
 
+// Recursion is safe: `deepest_elements` limits it, and pugixml itself parses
+// without recursion. Children are counted first, because growing a vector of
+// elements would move whole subtrees.
 void Reader::build(pugi::xml_node node, Element& element, std::size_t depth) {
   const auto offset = offset_of(node.name()) - 1; // of the `<`
   element.name = node.name();
@@ -212,6 +234,8 @@ void Reader::build(pugi::xml_node node, Element& element, std::size_t depth) {
   }
 }
 
+// A fragment may have several roots and text between them; both are reported
+// here.
 void Reader::check_document() {
   int roots = 0;
   auto outside = npos;
@@ -219,6 +243,7 @@ void Reader::check_document() {
     if (node.type() == pugi::node_doctype)
       error(beginning(pugi::status_bad_doctype, offset_of(node.value())),
             sentence_of(pugi::status_bad_doctype));
+    // Further roots are consequences of the second one.
     if (node.type() == pugi::node_element && ++roots == 2)
       error(offset_of(node.name()) - 1,
             "a second root element; a file has one");
@@ -231,6 +256,7 @@ void Reader::check_document() {
     error(outside, "text outside of the root element");
 }
 
+// Errors of the characters end reading at once; later ones are collected.
 std::optional<Element> Reader::read() {
   check_text();
   if (failed_)
@@ -258,7 +284,7 @@ std::optional<Element> read_source(std::string text, std::uint16_t file,
     findings.error({file, 0, 0}, "the file is larger than 16 MB");
     return std::nullopt;
   }
-  if (text.starts_with(byte_order_mark)) // counts for nothing
+  if (text.starts_with(byte_order_mark)) // has no meaning
     text.erase(0, byte_order_mark.size());
   return Reader(std::move(text), file, findings).read();
 }

@@ -1,5 +1,5 @@
-// The edits that give an element another name: in its start tag and, where it
-// has one, in its end tag.
+// The edits that rename an element: in its start tag and, if it has one, in its
+// end tag. Quick fixes use them.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace parlour::script {
 
-// `begin` is the offset of the start tag's '<'. Empty where no such tag stands
-// there or the text is not well-formed.
+// `begin` is the offset of the start tag's '<'. The result is empty if no tag
+// begins there or its text is not well-formed.
 std::vector<Edit> rename_tags(const std::string& text, std::size_t begin,
                               const std::string& name);
 

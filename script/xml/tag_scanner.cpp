@@ -25,7 +25,7 @@ bool is_name_part(char letter) {
          std::string_view("-.:").find(letter) != npos;
 }
 
-// The bytes of a typographic quotation mark; 0: none.
+// The length of a typographic quotation mark; 0 if there is none.
 std::size_t typographic_quote(std::string_view text) {
   return text.size() > 2 && text[0] == '\xe2' && text[1] == '\x80' &&
                  static_cast<unsigned char>(text[2]) >= 0x98 &&
@@ -34,13 +34,13 @@ std::size_t typographic_quote(std::string_view text) {
              : 0;
 }
 
-// In double quotes where that is possible.
+// In double quotes if the value has none itself.
 std::string in_quotes(std::string_view value) {
   const char quote = value.find('"') == npos ? '"' : '\'';
   return quote + std::string(value) + quote;
 }
 
-// The attribute that a value without a name was meant for.
+// The attribute that a value without a name probably belongs to.
 std::string likely_attribute(std::string_view element) {
   for (const auto& rule : element_table())
     if (same_name(rule.name, element))
@@ -53,8 +53,8 @@ std::string likely_attribute(std::string_view element) {
 class TagScanner {
 public:
   TagScanner(std::string_view text, std::size_t offset,
-             std::vector<XmlSlip>& slips)
-      : text_(text), begin_(offset), at_(offset), slips_(slips) {}
+             std::vector<XmlMistake>& mistakes)
+      : text_(text), begin_(offset), at_(offset), mistakes_(mistakes) {}
 
   ScannedTag scan();
 
@@ -89,13 +89,13 @@ private:
       ++at_;
     return text_.substr(begin, at_ - begin);
   }
-  void slip(std::size_t begin, std::size_t end, std::string message,
+  void tell(std::size_t begin, std::size_t end, std::string message,
             std::optional<std::string> replacement = {}) {
-    slips_.push_back(
+    mistakes_.push_back(
         {begin, end - begin, std::move(message), std::move(replacement)});
   }
-  // Where the tag was meant to end if a quote of it does not: its line's last
-  // '>', or the line's end.
+  // Where the tag probably ends if one of its quotes is not closed: at the last
+  // '>' of the line, else at the line's end.
   std::size_t end_on_line(std::size_t from) const {
     const auto line = std::min(text_.find('\n', from), text_.size());
     const auto close = text_.substr(0, line).rfind('>');
@@ -108,7 +108,7 @@ private:
   std::size_t begin_;
   std::size_t at_;
   std::string_view name_;
-  std::vector<XmlSlip>& slips_;
+  std::vector<XmlMistake>& mistakes_;
 };
 
 ScannedTag TagScanner::special() {
@@ -120,19 +120,19 @@ ScannedTag TagScanner::special() {
     const auto found = text_.find(close, at_ + open.size());
     const auto end = found == npos ? text_.size() : found + close.size();
     if (found == npos)
-      slip(at_, at_ + open.size(),
+      tell(at_, at_ + open.size(),
            (open == "<!--" ? "this comment" : "what begins here") +
                std::string(" does not end; expected ") + std::string(close));
     return {TagKind::other, {}, end};
   }
-  slip(at_, at_ + 1,
+  tell(at_, at_ + 1,
        "a '<' that begins no tag is written &lt; (in an expression: lt)",
        is_less_than() ? std::optional<std::string>("&lt;") : std::nullopt);
   return {TagKind::other, {}, at_ + 1};
 }
 
-// Of a '<': whether it compares, or stands in a text: words before it, no tag
-// behind it.
+// Whether the '<' compares or is part of a text: there are words before it, and
+// no tag begins with it.
 bool TagScanner::is_less_than() const {
   const auto before = text_.find_last_not_of(blanks, at_ - 1);
   const auto behind = text_.find_first_not_of(blanks, at_ + 1);
@@ -147,7 +147,7 @@ ScannedTag TagScanner::end_tag() {
   name_ = take_name();
   skip_blanks();
   if (here() != '>') {
-    slip(begin_, at_, "'>' is missing: expected </" + std::string(name_) + ">");
+    tell(begin_, at_, "'>' is missing: expected </" + std::string(name_) + ">");
     if (const auto close = end_on_line(at_);
         close < text_.size() && text_[close] == '>')
       at_ = close + 1;
@@ -156,12 +156,12 @@ ScannedTag TagScanner::end_tag() {
   return {TagKind::end, name_, at_ + 1};
 }
 
-// name"value", name=value, name …
+// An attribute that consists of its name only.
 void TagScanner::without_value(std::string_view name, std::size_t begin) {
   const auto end = begin + name.size();
   if (name == "if" && name_ == "else")
-    return slip(begin_, end, "'else if' is one element: <elseif cond=\"…\">");
-  slip(begin, end,
+    return tell(begin_, end, "'else if' is one element: <elseif cond=\"…\">");
+  tell(begin, end,
        "the attribute '" + std::string(name) + "' has no value; expected " +
            std::string(name) + "=\"…\"");
 }
@@ -176,15 +176,15 @@ void TagScanner::typographic() {
   const auto inner = text_.substr(from, at_ - from);
   const bool closed = typographic_quote(text_.substr(at_)) > 0;
   at_ += closed ? 3 : 0;
-  slip(begin, at_,
+  tell(begin, at_,
        "these are typographic quotation marks; a value stands in straight "
        "ones: " +
            in_quotes(inner),
        closed ? std::optional(in_quotes(inner)) : std::nullopt);
 }
 
-// Whether what stands there may follow a value: the tag's end or another
-// attribute.
+// Whether a value can end before this offset: the tag ends there, or another
+// attribute follows.
 bool TagScanner::ends_value(std::size_t behind) const {
   const auto next = text_.find_first_not_of(blanks, behind);
   if (next == npos || text_[next] == '>' ||
@@ -196,7 +196,7 @@ bool TagScanner::ends_value(std::size_t behind) const {
   return next > behind && end > next && text_.substr(end).starts_with("=");
 }
 
-// A value of several words whose closing quote stands on the same line.
+// A value without its opening quote; the closing one is on the same line.
 bool TagScanner::lost_quote(std::string_view name, std::size_t begin) {
   const auto line = std::min(text_.find_first_of("\n<", begin), text_.size());
   const auto end = text_.find('"', begin);
@@ -206,7 +206,7 @@ bool TagScanner::lost_quote(std::string_view name, std::size_t begin) {
   if (value.empty() || value.find('>') != npos)
     return false;
   at_ = end + 1;
-  slip(begin, at_,
+  tell(begin, at_,
        "the value of '" + std::string(name) +
            "' has no opening quote; expected " + std::string(name) + "=\"…\"",
        in_quotes(value));
@@ -221,7 +221,7 @@ void TagScanner::unquoted(std::string_view name) {
          text_[at_] != '>' && !starts("/>") && text_[at_] != '<')
     ++at_;
   const auto value = text_.substr(begin, at_ - begin);
-  slip(begin, std::max(at_, begin + 1),
+  tell(begin, std::max(at_, begin + 1),
        "a value stands in quotes: " + std::string(name) + "=" +
            in_quotes(value),
        value.empty() || value.find_first_of("\"'`") != npos
@@ -229,8 +229,8 @@ void TagScanner::unquoted(std::string_view name) {
            : std::optional(in_quotes(value)));
 }
 
-// What stands behind a value's closing quote is no part of a tag: the value
-// has that quote inside, as in Fig. 7 as printed.
+// More of the value follows its closing quote, because the value contains the
+// same quotes: param="say "hello" to him".
 bool TagScanner::mixed_quotes(std::string_view name, std::size_t begin,
                               std::size_t end) {
   const char next = end + 1 < text_.size() ? text_[end + 1] : '>';
@@ -243,13 +243,13 @@ bool TagScanner::mixed_quotes(std::string_view name, std::size_t begin,
       ++behind;
     if (text_.substr(behind).starts_with("=\"") ||
         text_.substr(behind).starts_with("='")) {
-      slip(end, end + 1, "a blank is missing behind this quote",
+      tell(end, end + 1, "a blank is missing behind this quote",
            std::string(1, text_[end]) + " ");
       return false;
     }
   }
   const auto quote = std::string(1, text_[begin]);
-  slip(end, end + 1,
+  tell(end, end + 1,
        "the value of '" + std::string(name) + "' ends at this " + quote +
            ", and more follows; inside of " + quote + "…" + quote +
            " texts stand in " +
@@ -264,13 +264,13 @@ void TagScanner::quoted(std::string_view name) {
   const auto end = text_.find(quote, at_ + 1);
   const auto value = text_.substr(begin + 1, end - begin - 1);
   const auto line = value.find('\n');
-  // A value that runs on over a tag's end and into the next tag.
+  // The value runs on beyond the tag's end and into the next tag.
   const bool swallows =
       end == npos || (value.substr(0, line).find('>') != npos && line != npos &&
                       value.find('<', line) != npos);
   if (swallows) {
     at_ = end_on_line(begin + 1);
-    return slip(begin, begin + 1,
+    return tell(begin, begin + 1,
                 "the value of '" + std::string(name) +
                     "' has no closing quote; expected another " +
                     std::string(1, quote));
@@ -291,7 +291,7 @@ void TagScanner::value(std::string_view name) {
     unquoted(name);
 }
 
-// What can be no attribute.
+// Something that cannot be an attribute.
 void TagScanner::stray() {
   const auto begin = at_;
   const char sign = here();
@@ -300,20 +300,20 @@ void TagScanner::stray() {
     const auto close = end_on_line(at_);
     at_ = end == npos || end > close ? close : end + 1;
     const auto name = likely_attribute(name_);
-    return slip(begin, at_,
+    return tell(begin, at_,
                 "a value without the name of its attribute; expected " + name +
                     "=" + std::string(text_.substr(begin, at_ - begin)));
   }
   ++at_;
   if (sign == ',' || sign == ';')
-    return slip(begin, at_,
+    return tell(begin, at_,
                 "attributes are separated by blanks; leave out the '" +
                     std::string(1, sign) + "'",
                 "");
   while (at_ < text_.size() && blanks.find(text_[at_]) == npos &&
          text_[at_] != '>' && text_[at_] != '<')
     ++at_;
-  slip(begin, at_,
+  tell(begin, at_,
        "'" + std::string(text_.substr(begin, at_ - begin)) +
            "' is not expected in a tag; attributes are name=\"value\"");
 }
@@ -328,7 +328,7 @@ void TagScanner::attribute() {
   if (here() == '=')
     return value(name);
   if (here() == ':' || here() == '"' || here() == '\'') {
-    slip(begin, behind, "'=' is missing behind '" + std::string(name) + "'");
+    tell(begin, behind, "'=' is missing behind '" + std::string(name) + "'");
     if (here() == ':')
       return value(name);
     return quoted(name);
@@ -347,13 +347,13 @@ ScannedTag TagScanner::start_tag() {
     if (here() == '>')
       return {TagKind::start, name_, at_ + 1};
     if (here() == '\0' || here() == '<') {
-      slip(begin_, begin_ + 1 + name_.size(),
+      tell(begin_, begin_ + 1 + name_.size(),
            "this tag is not closed: '>' or '/>' is missing");
       return {holds_nothing(name_) ? TagKind::empty : TagKind::start, name_,
               at_};
     }
     if (here() == '/') {
-      slip(at_, at_ + 1, "'/' stands directly before the '>': />");
+      tell(at_, at_ + 1, "'/' stands directly before the '>': />");
       ++at_;
       continue;
     }
@@ -362,17 +362,17 @@ ScannedTag TagScanner::start_tag() {
 }
 
 ScannedTag TagScanner::scan() {
-  const auto told = static_cast<std::ptrdiff_t>(slips_.size());
+  const auto told = static_cast<std::ptrdiff_t>(mistakes_.size());
   const char next = at_ + 1 < text_.size() ? text_[at_ + 1] : '\0';
   auto tag = next == '/'           ? end_tag()
              : is_name_start(next) ? start_tag()
                                    : special();
-  tag.is_certain =
-      std::all_of(slips_.begin() + told, slips_.end(),
-                  [](const XmlSlip& slip) { return slip.replacement; });
+  tag.is_certain = std::all_of(
+      mistakes_.begin() + told, mistakes_.end(),
+      [](const XmlMistake& mistake) { return mistake.replacement; });
   if (!tag.is_certain)
-    std::for_each(slips_.begin() + told, slips_.end(),
-                  [](XmlSlip& slip) { slip.replacement.reset(); });
+    std::for_each(mistakes_.begin() + told, mistakes_.end(),
+                  [](XmlMistake& mistake) { mistake.replacement.reset(); });
   return tag;
 }
 
@@ -392,8 +392,8 @@ bool holds_nothing(std::string_view name) {
 }
 
 ScannedTag scan_tag(std::string_view text, std::size_t offset,
-                    std::vector<XmlSlip>& slips) {
-  return TagScanner(text, offset, slips).scan();
+                    std::vector<XmlMistake>& mistakes) {
+  return TagScanner(text, offset, mistakes).scan();
 }
 
 } // namespace parlour::script

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "script/expression/expression_slips.hpp"
-#include "script/expression/slips.hpp"
+#include "script/expression/common_mistakes.hpp"
+#include "script/expression/expression_mistakes.hpp"
 #include "script/xml/attribute_check.hpp"
 #include "script/xml/content_check.hpp"
 #include "script/xml/form_check.hpp"
@@ -26,12 +26,12 @@ std::string tags(std::vector<std::string> names) {
   return alternatives(names);
 }
 
-// An element without a row of its own is called what it is called.
+// The table's spelling; of the rule "*" the written name.
 const std::string& name_of(const Element& element, const ElementRule& rule) {
   return rule.name == "*" ? element.name : rule.name;
 }
 
-// ", did you mean …" or what there is to choose from.
+// ", did you mean …", or the list of possible names if it is short.
 std::string hint(const std::string& name,
                  const std::vector<std::string>& candidates,
                  const std::string& otherwise) {
@@ -46,19 +46,20 @@ bool holds(const ElementRule& rule, const char* what) {
          rule.holds.end();
 }
 
-// A statement that holds no statements itself, such as <switch>.
+// A statement with children of its own kind, such as <switch>.
 bool holds_its_own(const ElementRule& rule) {
   return std::find(rule.in.begin(), rule.in.end(), "statements") !=
              rule.in.end() &&
          !holds(rule, "statements");
 }
 
-// Where other languages have words of their own: not in the settings.
+// Whether words of other programming languages may be meant. In the settings
+// they are more likely to be misspellings.
 bool is_of_script(const ElementRule& rule) {
   return holds(rule, "statements") || rule.name == "dialogue";
 }
 
-// The attribute that a text was meant for; null: there is none.
+// The attribute that a text in the element was meant for; null if none.
 const char* attribute_of_text(const ElementRule& rule) {
   for (const auto* name : {"param", "expr"})
     if (rule.attribute(name) && !holds(rule, "statements"))
@@ -66,7 +67,7 @@ const char* attribute_of_text(const ElementRule& rule) {
   return nullptr;
 }
 
-// What the text in an element that takes none was meant to be.
+// Advice for text in an element that holds none.
 std::string instead_of_text(const ElementRule& rule, const std::string& text) {
   const auto* name = attribute_of_text(rule);
   if (!name && holds(rule, "statements"))
@@ -86,7 +87,8 @@ public:
   bool validate_root(Element& root, const std::vector<std::string>& roots);
 
 private:
-  // False where the element must be taken out. `inside` names its parent.
+  // Checks an element with all that is in it. Returns false if the parent must
+  // remove it. `inside` is the parent's name for messages.
   bool validate(Element& element, const ElementRule& parent,
                 const std::string& inside);
   void validate_inside(Element& element, const ElementRule& rule);
@@ -100,10 +102,11 @@ private:
   std::string report_unknown(const Attribute& attribute, const Element& element,
                              const ElementRule& rule);
   void check_text(const Element& element, const ElementRule& rule);
-  // The names of those that were taken out for their values.
+  // Returns the names of the attributes that were removed for their values;
+  // they are not missing.
   std::vector<std::string> check_attributes(Element& element,
                                             const ElementRule& rule);
-  // `missing`: one of them is needed.
+  // One of `missing` is needed. Silent if one of them is in `told`.
   void report_missing(const Element& element, const ElementRule& rule,
                       const std::vector<const AttributeRule*>& missing,
                       const std::vector<std::string>& told);
@@ -121,10 +124,10 @@ void Validator::add(const Element& element, std::string message,
       {Severity::error, {element.position}, std::move(message), name});
 }
 
-// Another name for the element is sure enough to be put in its place.
+// Adds a correction that renames the element. Only for names that are certain.
 void Validator::rename(const Element& element, const std::string& name) {
-  constexpr std::size_t most = 100; // each looks for its end tag
-  if (findings_.all().size() > most)
+  constexpr std::size_t max_findings = 100; // each searches for its end tag
+  if (findings_.all().size() > max_findings)
     return;
   const auto& source = findings_.text(element.position.file);
   for (auto& edit :
@@ -132,21 +135,24 @@ void Validator::rename(const Element& element, const std::string& name) {
     findings_.add_edit(std::move(edit));
 }
 
-// What it was meant to be; empty: nobody knows.
+// Reports a known element at a place where it may not stand. Returns the name
+// of the element that was meant; empty if that is unknown.
 std::string Validator::report_misplaced(const Element& element,
                                         const ElementRule& parent,
                                         const std::string& inside) {
   auto text = tag(element.name) + " may not stand in " + tag(inside) + "; ";
   const auto parents = parents_of(element.name);
   const auto allowed = names_within(parent.holds);
-  const auto* slip = is_of_script(parent)
-                         ? find_slip(SlipPlace::element, element.name, &allowed)
-                         : nullptr;
-  if (slip && slip->meant.empty())
-    text += slip->sentence;
-  else if (slip)
-    text += "here it is called " + tag(std::string(slip->meant)) +
-            (slip->sentence.empty() ? "" : " ") + std::string(slip->sentence);
+  const auto* mistake =
+      is_of_script(parent)
+          ? find_mistake(MistakePlace::element, element.name, &allowed)
+          : nullptr;
+  if (mistake && mistake->meant.empty())
+    text += mistake->sentence;
+  else if (mistake)
+    text += "here it is called " + tag(std::string(mistake->meant)) +
+            (mistake->sentence.empty() ? "" : " ") +
+            std::string(mistake->sentence);
   else if (holds_its_own(parent) && !allowed.empty())
     text += "expected " + tags(allowed);
   else if (parents.size() > 6)
@@ -155,10 +161,12 @@ std::string Validator::report_misplaced(const Element& element,
   else
     text += "it belongs in " + tags(parents);
   add(element, text, "element");
-  return slip ? std::string(slip->meant) : std::string();
+  return mistake ? std::string(mistake->meant) : std::string();
 }
 
-// What it was meant to be is how it goes on; empty: nobody knows.
+// Reports an element that the language does not have. Returns the name that was
+// meant, as which it is checked on; empty if that is unknown. Tries another
+// case, then the words of other languages, then similar names.
 std::string Validator::report_unknown(const Element& element,
                                       const ElementRule& parent,
                                       const std::string& inside) {
@@ -169,20 +177,20 @@ std::string Validator::report_unknown(const Element& element,
   const auto allowed = names_within(parent.holds);
   auto text = "unknown element " + tag(element.name) + " in " + tag(inside);
   auto right = same_but_case(element.name, allowed);
-  const auto* slip = right.empty()
-                         ? find_slip(SlipPlace::element, element.name, &allowed)
-                         : nullptr;
+  const auto* mistake = right.empty() ? find_mistake(MistakePlace::element,
+                                                     element.name, &allowed)
+                                      : nullptr;
   bool sure = !right.empty();
   if (sure) {
     text +=
         ", did you mean " + tag(right) + "? Small and capital letters differ";
-  } else if (slip && !slip->meant.empty()) {
-    right = slip->meant;
-    sure = slip->sentence.empty();
+  } else if (mistake && !mistake->meant.empty()) {
+    right = mistake->meant;
+    sure = mistake->sentence.empty();
     text += "; here it is called " + tag(right) + (sure ? "" : " ") +
-            std::string(slip->sentence);
-  } else if (slip) {
-    text += "; " + std::string(slip->sentence);
+            std::string(mistake->sentence);
+  } else if (mistake) {
+    text += "; " + std::string(mistake->sentence);
   } else {
     right = nearest(element.name, allowed);
     text += allowed.empty() ? "; it holds no elements"
@@ -219,12 +227,12 @@ std::string Validator::report_unknown(const Attribute& attribute,
   bool sure = !right.empty();
   if (sure) {
     text += ", did you mean '" + right + "'? Small and capital letters differ";
-  } else if (const auto* slip =
-                 find_slip(SlipPlace::attribute, attribute.name, &names)) {
-    right = slip->meant;
-    sure = slip->sentence.empty();
+  } else if (const auto* mistake = find_mistake(MistakePlace::attribute,
+                                                attribute.name, &names)) {
+    right = mistake->meant;
+    sure = mistake->sentence.empty();
     text += "; here it is called '" + right + "'" + (sure ? "" : ", and ") +
-            std::string(slip->sentence);
+            std::string(mistake->sentence);
   } else {
     right = nearest(attribute.name, names);
     text += hint(attribute.name, names, "; it has ");
@@ -240,13 +248,14 @@ std::string Validator::report_unknown(const Attribute& attribute,
   return right;
 }
 
+// An unknown attribute whose right name is certain or likely is renamed and
+// then checked like any other, so one misspelling causes one finding.
 std::vector<std::string> Validator::check_attributes(Element& element,
                                                      const ElementRule& rule) {
   std::vector<std::string> told;
   std::erase_if(element.attributes, [&](Attribute& attribute) {
     const auto* found = rule.attribute(attribute.name);
     if (!found) {
-      // What it was meant to be is how it goes on.
       auto right = report_unknown(attribute, element, rule);
       found = right.empty() || element.attribute(right) ? nullptr
                                                         : rule.attribute(right);
@@ -271,7 +280,7 @@ std::vector<std::string> Validator::check_attributes(Element& element,
 
 namespace {
 
-// False where nothing can stand for it.
+// Adds `unknown` for a missing expression. False for other kinds.
 bool fill(Element& element, const AttributeRule& attribute) {
   using enum AttributeKind;
   if (attribute.kind != expression && attribute.kind != text_or_expression)
@@ -298,6 +307,7 @@ void Validator::report_missing(const Element& element, const ElementRule& rule,
       "attribute");
 }
 
+// Returns false if the element is useless without what is missing.
 bool Validator::fill_missing(Element& element, const ElementRule& rule,
                              const std::vector<std::string>& told) {
   bool usable = true;
@@ -310,7 +320,7 @@ bool Validator::fill_missing(Element& element, const ElementRule& rule,
   return usable && fill_form(element, rule, told);
 }
 
-// What it lacks to have one of its forms.
+// Completes a form, as long as there is no choice between attributes.
 bool Validator::fill_form(Element& element, const ElementRule& rule,
                           const std::vector<std::string>& told) {
   for (auto missing = missing_of_form(element, rule); !missing.empty();
@@ -331,6 +341,10 @@ void Validator::validate_inside(Element& element, const ElementRule& rule) {
   check_children(element, rule, findings_);
 }
 
+// The order matters: the name first, as everything else depends on the rule;
+// then the values; then the forms, of which missing attributes are a
+// consequence. `told` collects attributes about which something was said
+// already, so that they are not reported as missing as well.
 bool Validator::validate(Element& element, const ElementRule& parent,
                          const std::string& inside) {
   const auto* rule = parent.inside.empty()
@@ -353,7 +367,7 @@ bool Validator::validate(Element& element, const ElementRule& parent,
   auto told = check_attributes(element, *rule);
   if (!element.text.empty())
     if (const auto* meant = attribute_of_text(*rule))
-      told.push_back(meant); // as text
+      told.push_back(meant); // given as text
   if (!check_forms(element, *rule, findings_))
     for (const auto& attribute : rule->attributes)
       told.push_back(attribute.name);

@@ -1,8 +1,17 @@
-// Validator: a tree against the element table. Reports everything that the
-// table knows to be wrong, and mends the tree so that later passes can go on
-// without repeating it: what is unknown or misplaced is taken out, a missing
-// expression becomes `unknown`, an element that is nothing without a missing
-// attribute goes.
+// Validator: checks a tree against the element table. It reports everything
+// that the table knows to be wrong and repairs the tree, so that later passes
+// neither stumble nor report the same again:
+//
+//   unknown or misplaced element   removed, or renamed if it is known what was
+//                                  meant
+//   wrong or unknown attribute     removed, or renamed likewise
+//   missing expression             `unknown` is put in its place
+//   other missing attribute        the element is removed
+//
+// Messages are as specific as the tables allow: a known element at a wrong
+// place is told where it belongs, an unknown one what it is called here or
+// which name is similar, text where it could stand. The tree is walked once,
+// from the outside in.
 #pragma once
 
 #include "script/source/findings.hpp"
@@ -11,8 +20,8 @@
 
 namespace parlour::script {
 
-// False where the root itself is none of `roots` ("dialogue", "settings" …);
-// the tree is then of no use.
+// Checks and repairs the tree. Returns false if the root is not one of `roots`
+// ("dialogue", "settings" …); the tree is then useless.
 bool validate(Element& root, const std::vector<std::string>& roots,
               Findings& findings);
 

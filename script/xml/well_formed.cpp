@@ -1,3 +1,10 @@
+// One pass over the text, construct by construct:
+//
+//   markup       what begins with '<': comments, instructions, tags
+//   text         character data between tags
+//   attribute    a name and a quoted value
+//   reference    &name; and &#number;
+
 #include "script/xml/well_formed.hpp"
 
 #include <algorithm>
@@ -17,13 +24,14 @@ namespace {
 constexpr auto npos = std::string_view::npos;
 constexpr std::string_view blanks = " \t\r\n";
 constexpr std::string_view entities[] = {"lt", "gt", "amp", "quot", "apos"};
-constexpr std::size_t most_faults = 1000;
+constexpr std::size_t max_faults = 1000;
 
 bool is_alphanumeric(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0;
 }
 
-// "&name;", "&#65;", "&#x41;" or what was meant to be one, from its `&` on.
+// A reference such as "&name;", "&#65;" or "&#x41;", or an attempt at one,
+// which starts at its `&`.
 struct Reference {
   std::string_view name; // without & and ;
   bool is_closed = false;
@@ -36,6 +44,7 @@ struct Reference {
   }
 };
 
+// Letters and digits behind '&', and whether a semicolon closes them.
 Reference reference_at(std::string_view text) {
   std::size_t end = 1;
   if (end < text.size() && text[end] == '#')
@@ -45,8 +54,8 @@ Reference reference_at(std::string_view text) {
   return {text.substr(1, end - 1), end < text.size() && text[end] == ';'};
 }
 
-// The number of the character that "#65" or "#x41" is; nothing where it is
-// none.
+// The code point of "#65" or "#x41"; nothing if it has no digits or others. A
+// number that is too large becomes 0, which is no XML character.
 std::optional<std::uint32_t> number_of(std::string_view name) {
   const bool hexadecimal = name.starts_with("#x");
   const auto digits = name.substr(hexadecimal ? 2 : 1);
@@ -59,22 +68,25 @@ std::optional<std::uint32_t> number_of(std::string_view name) {
   return error == std::errc{} ? code : 0;
 }
 
+// Whether XML defines an entity of this name.
 bool is_entity(std::string_view name) {
   return std::find(std::begin(entities), std::end(entities), name) !=
          std::end(entities);
 }
 
+// Walks over the markup of a text once. The parser has accepted it, so tags and
+// comments are known to end; only what is inside of them is checked.
 class Scanner {
 public:
   explicit Scanner(std::string_view text) : text_(text) {}
 
-  std::vector<XmlSlip> scan();
+  std::vector<XmlMistake> scan();
 
 private:
   bool starts(std::string_view what) const {
     return text_.substr(at_).starts_with(what);
   }
-  // The offset of what ends here, or the end of the text.
+  // The offset of the next `what`, or the end of the text.
   std::size_t find(std::string_view what, std::size_t from) const {
     return std::min(text_.find(what, from), text_.size());
   }
@@ -99,11 +111,12 @@ private:
 
   std::string_view text_;
   std::size_t at_ = 0;
-  std::vector<XmlSlip> faults_;
+  std::vector<XmlMistake> faults_;
 };
 
-std::vector<XmlSlip> Scanner::scan() {
-  while (at_ < text_.size() && faults_.size() < most_faults)
+// Each function starts at the construct that it reads and leaves at_ behind it.
+std::vector<XmlMistake> Scanner::scan() {
+  while (at_ < text_.size() && faults_.size() < max_faults)
     if (text_[at_] == '<')
       markup();
     else
@@ -111,6 +124,7 @@ std::vector<XmlSlip> Scanner::scan() {
   return std::move(faults_);
 }
 
+// The kinds are told apart by their first characters, the longest first.
 void Scanner::markup() {
   if (starts("<!--"))
     return comment();
@@ -129,6 +143,7 @@ void Scanner::markup() {
   }
 }
 
+// Character data up to the next tag: references, and "]]>", which XML reserves.
 void Scanner::text() {
   const auto end = find("<", at_);
   while (at_ < end) {
@@ -146,7 +161,9 @@ void Scanner::text() {
   }
 }
 
-// In one, "--" stands at its end only.
+// A comment may contain "--" only as part of its end. Typical causes are told
+// apart: a comment inside of a comment, a missing '>', and dashes as
+// decoration.
 void Scanner::comment() {
   const auto begin = at_;
   const auto end = find("-->", begin + 4);
@@ -154,6 +171,7 @@ void Scanner::comment() {
     const auto dashes = text_.find("--", at_);
     if (dashes >= end)
       break;
+    // The dashes of a comment that begins inside of this one.
     if (dashes >= 2 && text_.substr(dashes - 2).starts_with("<!--")) {
       tell(dashes - 2, 4,
            "a comment cannot stand in another one, which would end at the "
@@ -161,6 +179,7 @@ void Scanner::comment() {
       at_ = dashes + 2;
       continue;
     }
+    // The whole run of dashes.
     const auto behind = text_.find_first_not_of('-', dashes);
     if (dashes + 2 == behind &&
         (text_[behind] == '\n' || text_[behind] == '\r')) {
@@ -168,7 +187,7 @@ void Scanner::comment() {
       at_ = behind;
       continue;
     }
-    // What is left of them belongs to the end: "--->".
+    // The dashes before '>' belong to the end of the comment: "--->".
     const auto last = std::min(behind, end);
     std::string apart;
     for (auto i = dashes; i < last; ++i)
@@ -186,6 +205,7 @@ void Scanner::declaration() {
     faults_.push_back(std::move(*fault));
 }
 
+// Only at the very beginning of the file "<?xml" is the declaration.
 void Scanner::instruction() {
   const auto begin = at_;
   const auto end = find("?>", begin);
@@ -210,7 +230,7 @@ void Scanner::instruction() {
   at_ = end + 2;
 }
 
-// Up to one of `ends`.
+// Checks the name up to one of the characters `ends`.
 void Scanner::name(std::string_view ends, const char* of_what) {
   const auto end = std::min(text_.find_first_of(ends, at_), text_.size());
   const auto name = text_.substr(at_, end - at_);
@@ -224,6 +244,7 @@ void Scanner::name(std::string_view ends, const char* of_what) {
   at_ = end;
 }
 
+// The name and the attributes of a start tag; the parser knows that it ends.
 void Scanner::start_tag() {
   ++at_;
   name("/> \t\r\n", "an element");
@@ -239,6 +260,7 @@ void Scanner::start_tag() {
   ++at_;
 }
 
+// An attribute's value may contain neither a bare '<' nor a bare '&'.
 void Scanner::attribute() {
   name("= \t\r\n", "an attribute");
   at_ = std::min(text_.find_first_of("\"'", at_), text_.size());
@@ -259,6 +281,7 @@ void Scanner::attribute() {
   at_ = close + 1;
 }
 
+// A numeric reference: its form first, then whether XML allows the character.
 void Scanner::number(const Reference& found) {
   const auto shown = std::string(text_.substr(at_, found.length()));
   const auto code = number_of(found.name);
@@ -278,6 +301,8 @@ void Scanner::number(const Reference& found) {
          shown + " is a character that XML does not allow; take it out");
 }
 
+// XML has five named entities; all others need a document type, which scripts
+// do not have.
 void Scanner::reference() {
   const auto found = reference_at(text_.substr(at_));
   const auto shown = "&" + std::string(found.name);
@@ -304,7 +329,7 @@ void Scanner::reference() {
 
 } // namespace
 
-std::vector<XmlSlip> find_faults(std::string_view text) {
+std::vector<XmlMistake> find_faults(std::string_view text) {
   return Scanner(text).scan();
 }
 

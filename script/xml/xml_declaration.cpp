@@ -1,3 +1,9 @@
+// The declaration may be missing. If it is there, it has the form
+//
+//   <?xml version="1.0" encoding="UTF-8" standalone="yes"?>
+//
+// with the last two parts optional and in this order.
+
 #include "script/xml/xml_declaration.hpp"
 
 #include <algorithm>
@@ -21,15 +27,14 @@ bool same_letters(std::string_view a, std::string_view b) {
   });
 }
 
-// version="1.0"
+// One pseudo-attribute of the declaration, such as version="1.0".
 struct Part {
   std::string_view name;
   std::string_view value;
   std::size_t value_offset = 0;
 };
 
-// The parts of what stands between "<?xml" and "?>"; nothing where it is made
-// of anything else.
+// The parts between "<?xml" and "?>"; nothing if there is anything else.
 std::optional<std::vector<Part>> parts_of(std::string_view inside,
                                           std::size_t offset) {
   std::vector<Part> parts;
@@ -56,6 +61,7 @@ std::optional<std::vector<Part>> parts_of(std::string_view inside,
   }
 }
 
+// 1.0 and later minor versions, as the recommendation allows.
 bool is_version(std::string_view value) {
   return value.size() > 2 && value.starts_with("1.") &&
          std::all_of(value.begin() + 2, value.end(), [](char c) {
@@ -63,7 +69,8 @@ bool is_version(std::string_view value) {
          });
 }
 
-// In their order; which of them may be left out.
+// Whether the parts are in the order of the standard. The version is required,
+// the others are optional.
 bool are_in_order(const std::vector<Part>& parts) {
   constexpr std::string_view order[] = {"version", "encoding", "standalone"};
   std::size_t next = 0;
@@ -76,23 +83,26 @@ bool are_in_order(const std::vector<Part>& parts) {
   return !parts.empty() && parts[0].name == "version";
 }
 
-std::optional<XmlSlip> wrong_part(const Part& part, bool is_ascii) {
+// Only UTF-8 is read. For a file of ASCII characters the encoding can simply be
+// corrected, because it is the same in UTF-8.
+std::optional<XmlMistake> wrong_part(const Part& part, bool is_ascii) {
   const auto shown = std::string(part.value);
-  const auto slip = [&](std::string message,
-                        std::optional<std::string> replacement) {
-    return XmlSlip{part.value_offset, part.value.size(), std::move(message),
-                   std::move(replacement)};
+  const auto mistake = [&](std::string message,
+                           std::optional<std::string> replacement) {
+    return XmlMistake{part.value_offset, part.value.size(), std::move(message),
+                      std::move(replacement)};
   };
   if (part.name == "version" && !is_version(part.value))
-    return slip("there is no version '" + shown + "' of XML; expected 1.0",
-                "1.0");
+    return mistake("there is no version '" + shown + "' of XML; expected 1.0",
+                   "1.0");
   if (part.name == "standalone" && part.value != "yes" && part.value != "no")
-    return slip(
+    return mistake(
         "standalone is yes or no, not '" + shown + "'; it may be left out", {});
   if (part.name == "encoding" && !same_letters(part.value, "UTF-8"))
-    return slip("this file says that it is written in '" + shown +
-                    "'; save it as UTF-8 and write encoding=\"UTF-8\"",
-                is_ascii ? std::optional<std::string>("UTF-8") : std::nullopt);
+    return mistake("this file says that it is written in '" + shown +
+                       "'; save it as UTF-8 and write encoding=\"UTF-8\"",
+                   is_ascii ? std::optional<std::string>("UTF-8")
+                            : std::nullopt);
   return {};
 }
 
@@ -110,20 +120,20 @@ bool is_xml_declaration(std::string_view text) {
           text[opening.size()] == '?');
 }
 
-std::optional<XmlSlip> declaration_fault(std::string_view text,
-                                         std::size_t offset) {
+std::optional<XmlMistake> declaration_fault(std::string_view text,
+                                            std::size_t offset) {
   const auto begin = offset + opening.size();
   const auto close = std::min(text.find("?>", begin), text.size());
   const auto parts = parts_of(text.substr(begin, close - begin), begin);
   if (!text.substr(offset).starts_with(opening) || !parts ||
       !are_in_order(*parts))
-    return XmlSlip{offset, std::min(close + 2, text.size()) - offset,
-                   "the XML declaration is written " + std::string(usual) +
-                       "; it may be left out",
-                   std::string(usual)};
+    return XmlMistake{offset, std::min(close + 2, text.size()) - offset,
+                      "the XML declaration is written " + std::string(usual) +
+                          "; it may be left out",
+                      std::string(usual)};
   for (const auto& part : *parts)
-    if (auto slip = wrong_part(part, is_ascii(text)))
-      return slip;
+    if (auto mistake = wrong_part(part, is_ascii(text)))
+      return mistake;
   return {};
 }
 

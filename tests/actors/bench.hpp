@@ -1,5 +1,6 @@
-// A bench: single actors on it, without a house around them; virtual time. What
-// the actor under test sends goes to probes that note it down. For one thread.
+// Bench: runs single actors in virtual time without a node. Everything that the
+// actor under test sends goes to probes, actors that note each message as a
+// line of `seen`. For one thread.
 #pragma once
 
 #include <memory>
@@ -9,21 +10,28 @@
 
 #include <caf/send.hpp>
 
-#include "actors/node/drive.hpp"
+#include "actors/node/scheduler.hpp"
 #include "actors/routing/message_bus.hpp"
 #include "actors/routing/session_directory.hpp"
-#include "tests/actors/house_fixture.hpp"
+#include "tests/actors/node_fixture.hpp"
 
 namespace parlour::actors {
+
+// `elements` are the children of <dialogue>, `targets` the components in the
+// routing table.
+// Of a probe.
+inline constexpr auto no_status = [](const get_status& what) {
+  return status_told{what.number, {}};
+};
 
 class Bench {
 public:
   explicit Bench(const std::string& elements = "",
                  std::vector<Target> targets = {})
       : program(compile(elements)) {
-    drive->configure(config_);
+    scheduler->configure(config_);
     system = std::make_unique<caf::actor_system>(config_);
-    drive->attach(*system, time);
+    scheduler->attach(*system, time);
     set_table(std::move(targets));
   }
 
@@ -50,13 +58,14 @@ public:
     return actor;
   }
 
+  // Sends a message and runs until all actors are idle.
   template <class Actor, class What>
   void send(const Actor& actor, What what) {
     caf::anon_send(actor, std::move(what));
     run();
   }
 
-  // Before what watches or logs is under way.
+  // Inspections go to `show`. Call it before anything is watched or logged.
   void watch(std::function<void(const Inspection&)> show, bool all = true) {
     std::destroy_at(&observer);
     std::construct_at(&observer, watcher(std::move(show), all),
@@ -64,14 +73,14 @@ public:
   }
 
   void run() {
-    drive->run_until_quiet();
+    scheduler->run_until_quiet();
   }
 
-  Work work() {
+  InFlight work() {
     return time.work.begin();
   }
 
-  // -- probes: what they are sent stands in `seen` ---------------------------
+  // -- probes: they note what they get in `seen` ---------------------------
 
   session_actor session_probe(const std::string& name) {
     auto note = [this, name](const std::string& what) {
@@ -96,7 +105,6 @@ public:
                      (what.outcome ? to_string(*what.outcome)
                                    : to_string(what.outcome.error())));
               },
-              [=](const component_outcome&) {},
               [=](const socket_told& what) {
                 note("is told " + what.event.text);
               },
@@ -104,12 +112,14 @@ public:
                 note((what.played ? "played " : "did not play ") +
                      std::to_string(what.id));
               },
-              [=](const look&) {},
+              [](const get_slot&) { return slot_told{}; },
+              [](const get_state&) { return state_told{}; },
               [=](const end_session&) {
                 note("ends");
                 self->quit();
               },
               [=](const leave&) { self->quit(); },
+              no_status,
           };
         },
         this);
@@ -128,6 +138,7 @@ public:
               [this](const next_session& what) {
                 seen.push_back(what.session + " is next");
               },
+              no_status,
           };
         },
         this);
@@ -141,6 +152,7 @@ public:
                 seen.push_back("event " + to_string(what.event));
               },
               [](const give_up&) {},
+              no_status,
           };
         },
         this);
@@ -162,15 +174,16 @@ public:
               [=](const retire& what) {
                 self->send(what.session, leave{what.work});
               },
+              no_status,
           };
         },
         this);
   }
 
-  // A target with a mailbox that this probe reads; up.
+  // A component with a mailbox that a probe reads.
   Target target(const std::string& name, std::vector<std::string> roles) {
     auto mailbox = std::make_shared<ComponentMailbox>();
-    mailbox->join(component_probe(name, mailbox));
+    mailbox->add_worker(component_probe(name, mailbox));
     return {name, std::move(roles), std::move(mailbox), nullptr,
             std::make_shared<std::atomic<bool>>(true)};
   }
@@ -183,7 +196,7 @@ public:
                   Bench*) -> component_host_actor::behavior_type {
           return {
               [](const start_component&) {},
-              [=, this](const work_waits&) {
+              [=, this](const mailbox_ready&) {
                 while (auto job = mailbox->take(self))
                   seen.push_back(name + " gets " + to_string(*job->message));
               },
@@ -194,13 +207,14 @@ public:
               },
               [](const run_now&) {},
               [](const stop_component&) {},
+              no_status,
           };
         },
         this);
   }
 
-  std::unique_ptr<Drive> drive = make_virtual_drive(nine_o_clock);
-  NodeTime time{drive->clock(), drive->gate()};
+  std::unique_ptr<Scheduler> scheduler = make_virtual_time(nine_o_clock);
+  NodeTime time{scheduler->clock(), scheduler->queue_kind()};
   Observer observer{watcher({}, true), time.left_behind};
   SessionDirectory sessions;
   const std::shared_ptr<const script::Program> program;

@@ -1,5 +1,5 @@
-// A shelf of plug-ins for tests of loading: a catalogue that a test fills, and
-// scripts that load what is said.
+// LoadingTest: a catalogue of plug-ins that a test fills, and a script that
+// loads and unloads them when the user says so.
 #pragma once
 
 #include <map>
@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "runtime/plugin/catalogue.hpp"
-#include "tests/actors/house_fixture.hpp"
+#include "tests/actors/node_fixture.hpp"
 
 namespace parlour::actors {
 
@@ -30,7 +30,8 @@ private:
   std::map<std::string, PluginFactory> factories_;
 };
 
-// "load X as Y", "unload Y", and whatever else books a taxi.
+// "load X as Y" and "unload Y" do that; anything else is a request to book a
+// taxi.
 inline constexpr const char* load_and_ask = R"xml(
   <handler name="Pipeline"><messages><component>
     <ASR><RecognitionResult>
@@ -62,14 +63,14 @@ inline constexpr const char* load_and_ask = R"xml(
     </System>
   </component></messages></handler>)xml";
 
-// Answers by its own name and what it was asked.
+// A component that answers with its own name and what it was asked.
 inline ComponentOrder taxi(const std::string& name) {
   return component(name, "Taxi", [name](auto& self, const Message& message) {
     self.fire_event("Booked", {name + " for " + message.params.at(0).text()});
   });
 }
 
-class LoadingTest : public HouseTest {
+class LoadingTest : public NodeFixture {
 protected:
   LoadingTest() {
     options.plugins = shelf;
@@ -79,7 +80,7 @@ protected:
     };
   }
 
-  // What handlers heard of System since the last call.
+  // What handlers have logged about System events since the last call.
   std::vector<std::string> heard() {
     return std::exchange(told, {});
   }

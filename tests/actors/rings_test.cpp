@@ -1,5 +1,6 @@
-// Messages that lead to each other for ever come to an end, and say so.
-#include "tests/actors/house_fixture.hpp"
+// Messages that trigger each other without end: the limits stop them, and the
+// log says so.
+#include "tests/actors/node_fixture.hpp"
 
 namespace parlour::actors {
 namespace {
@@ -20,7 +21,7 @@ const std::string begin = R"(<handler name="Begin"><messages><component>
     <speak param="Begun."/></RecognitionResult></ASR>
   </component></messages></handler>)";
 
-class RingsTest : public HouseTest {
+class RingsTest : public NodeFixture {
 protected:
   void expect_an_end() {
     EXPECT_THAT(say({"begin"}), ElementsAre("Begun."));

@@ -1,9 +1,9 @@
-"""A page of docs/ that is tried out: its files are written, its commands run,
-and what they print is compared.
+"""Tests the examples of a page in docs/: writes its files, runs its commands and
+compares what they print.
 
-A block is `file=NAME` (written), `add=NAME` (put before the last line of a
-file), `sh` (run), or `text` (what the commands before it print; a line `…`
-stands for any others)."""
+The info string of a fenced block says what to do: `file=NAME` writes a file,
+`add=NAME` inserts before the last line of a file, `sh` runs commands, and `text`
+is what the commands before it must print (a line `…` matches any lines)."""
 
 import os
 import re
@@ -18,7 +18,7 @@ PROGRAM = Path(os.environ.get(
 
 
 def blocks_of(page):
-    """(info, text) of each fenced block."""
+    """(info string, text) of each fenced block."""
     return re.findall(r"^```([^\n]*)\n(.*?)^```$", page, re.M | re.S)
 
 
@@ -58,7 +58,7 @@ class PageCase(unittest.TestCase):
             self.assertEqual(printed, text)
 
     def try_out(self, name):
-        """Returns how often something was compared."""
+        """Tests the page; returns the number of comparisons."""
         page = (ROOT / "docs" / name).read_text(encoding="utf-8")
         printed = ""
         compared = 0

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""Each block of each page is tried: run, where its page is (tutorial, test,
-plug-ins); else checked as far as it goes by itself. What is neither fails."""
+"""Tests each fenced block of each page: it is run if its page is run as a whole
+(tutorial, test, plug-ins), otherwise checked by itself. A block of neither kind
+fails."""
 
 import json
 import re
@@ -13,10 +14,10 @@ from page_case import ROOT, PageCase, blocks_of
 PAGES = sorted((ROOT / "docs").glob("*.md")) + [ROOT / "README.md"]
 RUN = {"tutorial.md", "plugins.md", "test.md", "engine.md"}  # by the tests called so
 
-# Their XML stands in an application, by the tests called so.
+# Pages whose XML is compared with an application by tests of their own.
 HELD = {"writing.md", "repair.md"}
 
-# What an example in XML may stand in.
+# What may surround an example in XML.
 AROUND = (
     "{text}",
     "<dialogue>{text}</dialogue>",
@@ -27,14 +28,14 @@ AROUND = (
     "<Plugin>SQLiteDatabase</Plugin></Plugins>{text}</settings>",
     "<settings name='x'><Plugins><Plugin>MySQLDatabase</Plugin></Plugins>"
     "<component name='MySQLDatabase'>{text}</component></settings>")
-# Of other languages than Parlour's.
+# XML elements of other languages.
 FOREIGN = ("<locatingRules ", "<keywords>")
 # Conversations have no name.
 TRIED = {"", "sh", "bash", "json", "xml"}
-PICTURES = {"text", "vim"}
-# Of other programs, or with a machine of its own.
+PICTURES = {"text", "vim", "python"}
+# Commands of other programs, or ones that change the machine.
 OTHERS = ("trang ", "git clone ", "tools/run", "tools/test", "tools/install",
-          "export ")
+          "export ", "parlour status", "parlour agent", "python3 tools/")
 
 
 class Pages(PageCase):
@@ -66,7 +67,7 @@ class Pages(PageCase):
                     continue
                 line = line.replace("| tools/run --",
                                     "| parlour run receptionist")
-                # Those of the receptionist are held by a test of their own.
+                # The receptionist's are run by a test of their own.
                 line = line.replace("test receptionist", "test lab")
                 with self.subTest(page=name, line=line):
                     self.run_commands(line + "\n")
@@ -84,7 +85,7 @@ class Pages(PageCase):
         self.assertGreater(count, 8)
 
     def check(self, text):
-        """Somewhere it may stand so."""
+        """Checks that the XML is correct in one of the possible contexts."""
         file = self.work / "example.xml"
         text = re.sub("^<Plugin>.*</Plugin>$", r"<Plugins>\g<0></Plugins>",
                       text, flags=re.M)
@@ -112,7 +113,7 @@ class Pages(PageCase):
         for name, text in self.blocks(""):
             (self.work / "example.txt").write_text(text, encoding="utf-8")
             with self.subTest(page=name):
-                # Held it may fail, as it is a part only.
+                # It is only a part of a conversation, so it may fail when run.
                 printed = self.run_commands(
                     "parlour test -q receptionist example.txt 2>&1 || true")
                 self.assertRegex(printed, r"[01] of 1 conversations passed")

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""docs/plugins.md does what it says, against an installed Parlour and outside of
-its tree, and what `parlour plugin new` writes works for every role; what is
-installed needs nothing of CAF."""
+"""Tests the steps of docs/plugins.md outside of the tree against an installed
+Parlour, and the files of `parlour plugin new` for every role. The installed
+headers must not need CAF."""
 
 import os
 import re
@@ -12,7 +12,7 @@ from pathlib import Path
 
 from page_case import PROGRAM, PageCase, blocks_of, ROOT
 
-# All plug-ins in one program, as to link a library for each takes minutes.
+# All plug-ins go into one program, because linking one for each takes minutes.
 PROJECT = """cmake_minimum_required(VERSION 3.25)
 project(skeletons LANGUAGES CXX)
 find_package(Parlour REQUIRED)
@@ -30,7 +30,7 @@ int main() {{
   int count = 0;
   for (const auto* plugin : {{{plugins}}}) {{
     const auto factory = plugin->factory();
-    for (const auto& wrong : parlour::nonconformities(factory, {{}}))
+    for (const auto& wrong : parlour::conformance_errors(factory, {{}}))
       std::printf("%s: %s\\n", factory.description.name.c_str(), wrong.c_str());
     ++count;
   }}
@@ -38,7 +38,7 @@ int main() {{
 }}
 """
 
-# Around the page's short examples, in their order.
+# The code around the page's short examples, in their order.
 EXAMPLES = """#include "runtime/plugin/adaptors.hpp"
 const parlour::OptionDescription option = %s;
 parlour::Expected<void> judged(int voices) {
@@ -78,7 +78,7 @@ class PluginsTest(PageCase):
     @unittest.skipIf("LSAN_OPTIONS" in os.environ,
                      "its program is built without a sanitizer")
     def test_what_plugin_new_writes_works_for_every_role(self):
-        table = (ROOT / "runtime/base/roles.def").read_text(encoding="utf-8")
+        table = (ROOT / "runtime/message/roles.def").read_text(encoding="utf-8")
         roles = re.findall(r"^ROLE\((\w+),", table, re.M)
         self.assertGreater(len(roles), 15)
         source = ""

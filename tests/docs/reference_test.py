@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The pages of docs/reference are what the program prints."""
+"""Tests that docs/reference has the pages which the program prints."""
 
 import re
 import subprocess
@@ -8,7 +8,7 @@ import unittest
 from page_case import PROGRAM, ROOT
 
 FOLDER = ROOT / "docs" / "reference"
-# What the program calls them.
+# The program's names for the pages.
 PAGES = {"README.md": "index", "elements.md": "elements",
          "functions.md": "functions", "roles.md": "roles"}
 
@@ -22,7 +22,7 @@ class ReferenceTest(unittest.TestCase):
                 [PROGRAM, "help", "--page", page], capture_output=True,
                 encoding="utf-8", check=True).stdout
             if (FOLDER / name).read_text(encoding="utf-8") != printed:
-                self.fail(f"mend it: {PROGRAM} help --page {page} "
+                self.fail(f"print it again: {PROGRAM} help --page {page} "
                           f"> {FOLDER / name}")
 
     def test_links_lead_somewhere(self):

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""What docs/repair.md shows is tried: its <repair> elements stand in the play
-docs_of_repair, its conversation's lines are read by `parlour test`, and its
-table names every act of config/platform/repair.xml."""
+"""Tests docs/repair.md: its <repair> elements are those of the play
+docs_of_repair, `parlour test` accepts its conversation's lines, and its table
+lists every act of config/platform/repair.xml."""
 
 import re
 import unittest

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""docs/tutorial.md does what it says."""
+"""Tests the steps of docs/tutorial.md."""
 
 import unittest
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What docs/writing.md shows stands so in the application that it explains."""
+"""Tests that the listings of docs/writing.md are those of its application."""
 
 import re
 import unittest

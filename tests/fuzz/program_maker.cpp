@@ -6,7 +6,7 @@ namespace parlour::fuzz {
 
 namespace {
 
-constexpr std::size_t most_functions = 3;
+constexpr std::size_t max_functions = 3;
 constexpr int deepest = 3;
 
 } // namespace
@@ -174,7 +174,7 @@ void ProgramMaker::loop(int depth) {
   scope_.resize(visible);
 }
 
-// So many that some are entered by a table.
+// Up to six arms: enough for the compiler to make a jump table.
 void ProgramMaker::arms(int depth, const char* name, const char* condition,
                         const std::string& start) {
   for (auto left = 1 + choose(6); left > 0; --left) {
@@ -291,7 +291,7 @@ void ProgramMaker::function(std::size_t number) {
 
 std::string ProgramMaker::make() {
   script_ = "<dialogue>\n";
-  functions_ = 1 + choose(most_functions);
+  functions_ = 1 + choose(max_functions);
   for (const std::string name : {"a", "b", "c"}) {
     script_ += "<var" + attribute("name", name) + attribute("expr", literal()) +
                "/>\n";

@@ -1,5 +1,6 @@
-// Makes a script that compiles out of any bytes: each choice of a statement, an
-// operand, a name takes one, and where they end the simplest is chosen.
+// ProgramMaker: makes a script that compiles from any bytes. Each decision (a
+// statement, an operand, a name) uses up one byte; when there are none left, it
+// takes the simplest alternative, so that every script is finite.
 #pragma once
 
 #include <cstdint>
@@ -47,7 +48,7 @@ private:
   std::string_view bytes_;
   std::string script_;
   std::vector<std::string> scope_;
-  std::size_t functions_ = 1; // beside main
+  std::size_t functions_ = 1; // without main
   std::size_t named_ = 0;
   int loops_ = 0;
 };

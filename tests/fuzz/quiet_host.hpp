@@ -1,7 +1,8 @@
-// A host that does nothing and answers effects by what they are: every other
-// one that may wait, waits.
+// A host without effects. Every second effect that may wait does wait; the
+// others return their first operand.
 #pragma once
 
+#include "script/program/effect_names.hpp"
 #include "script/vm/interpreter.hpp"
 
 namespace parlour::fuzz {
@@ -10,7 +11,7 @@ class QuietHost : public script::Host {
 public:
   script::Performed perform(script::Activation&,
                             const script::Effect& effect) override {
-    if (++performed_ % 2 == 0 && waits(effect.kind))
+    if (++performed_ % 2 == 0 && script::waits(effect.kind))
       return script::Waits{};
     return effect.operand(0);
   }
@@ -32,7 +33,7 @@ public:
     return 0.5;
   }
 
-  // Until it ends, or has waited for long enough.
+  // Runs the activation until it ends, for 20 rounds at most.
   static void finish(script::Interpreter& interpreter,
                      script::Activation& activation, script::RunResult result,
                      script::Host& host) {
@@ -47,15 +48,6 @@ public:
   }
 
 private:
-  static bool waits(script::EffectKind kind) {
-    constexpr bool table[] = {
-#define EFFECT(name, waiting, operands, sentence) waiting,
-#include "script/program/effects.def"
-#undef EFFECT
-    };
-    return table[static_cast<std::size_t>(kind)];
-  }
-
   int performed_ = 0;
 };
 

@@ -1,4 +1,5 @@
-// Any text is a script, or has findings; a script ends within its limits.
+// Compiles any text as a script. If it compiles, each function runs within
+// limits.
 #include <fstream>
 
 #include "script/compiler/compiler.hpp"

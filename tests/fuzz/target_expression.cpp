@@ -1,6 +1,6 @@
-// Any text is an expression, or has findings; what is one has a value or an
-// error. The first byte says how it stands: as an expression, as text with
-// {expr}, or as either.
+// Compiles any text as an expression and evaluates it. The first byte chooses
+// how: as an expression, as a text with {expressions}, or as an attribute that
+// may be either.
 #include "script/compiler/code/body_compiler.hpp"
 #include "tests/fuzz/quiet_host.hpp"
 

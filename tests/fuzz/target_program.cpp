@@ -1,6 +1,6 @@
-// Programs that compile run within their limits, and print the same whether
-// they run at one go or from their bytes after some of their steps: the input's
-// last byte says which.
+// Makes a program (program_maker.hpp) and runs it twice: at one go, and with an
+// interpreter that is saved and restored at some steps, which the last byte
+// chooses. Both runs must print the same.
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>

@@ -1,7 +1,10 @@
-// Any bytes are the state of an interpreter, or an error; what is a state is
-// written as it was read a second time, and goes on within its limits.
+// Restores an interpreter from any bytes. If they are accepted, saving and
+// restoring again must give the same bytes, and the interpreter must run on
+// within its limits.
 //
-// The input begins after the version and the program, so that it need not find
+// The input does not contain the header with version and program, so that the
+// fuzzer need not guess it. With the argument -corpus=FOLDER the target writes
+// real states to that folder.
 // them. With the argument -corpus=FOLDER real states are written there.
 #include <cstdlib>
 #include <fstream>
@@ -31,7 +34,7 @@ std::string save(const script::Restored& state) {
   return state.interpreter.save(activations);
 }
 
-// What is saved at its start and after each step.
+// Writes the state at the start and after each step.
 void write_states(const std::filesystem::path& folder) {
   QuietHost host;
   script::Interpreter interpreter(program());

@@ -1,4 +1,5 @@
-// Any bytes are a value in its one form, or an error.
+// Reads a value from any bytes. If they are accepted, writing the value must
+// give the same bytes.
 #include <cstdlib>
 
 #include "runtime/base/value_bytes.hpp"

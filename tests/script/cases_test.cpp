@@ -1,5 +1,5 @@
-// Language cases: small scripts with the expectation in the margin (margin.hpp)
-// below cases/, a folder for each section of the language.
+// Runs the language cases below cases/: small scripts whose comments say what
+// to expect (margin.hpp). There is a folder for each section of the language.
 #include <gtest/gtest.h>
 
 #include "tests/script/margin.hpp"

@@ -1,6 +1,6 @@
 // Every example of script/LANGUAGE.md does what its comments say. An example
-// without <dialogue> is a script's declarations; without a declaration, the
-// statements of its `main`.
+// without <dialogue> is the children of it; one without a declaration is the
+// body of `main`.
 #include <algorithm>
 #include <fstream>
 #include <ostream>

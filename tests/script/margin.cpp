@@ -16,7 +16,7 @@ namespace parlour::test {
 
 namespace {
 
-// What follows `mark` up to the end of the comment.
+// The text behind `mark` up to the end of the comment.
 bool remark(const std::string& line, const std::string& mark,
             std::string& text) {
   const auto at = line.find("<!-- " + mark + ":");

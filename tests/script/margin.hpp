@@ -1,12 +1,13 @@
-// A small script whose comments say what it does:
+// Runs a language case: a script whose comments say what to expect.
 //
-//   <!-- expect: text -->                   the next line printed
-//   <!-- expect error at this line: text --> ends with an error of this line
-//   <!-- expect finding at this line: text --> the compiler says so
-//   <!-- compiles -->                       without a finding; it does not run
+//   <!-- expect: text -->                     the next line printed
+//   <!-- expect error at this line: text -->  an error in this line
+//   <!-- expect finding at this line: text --> a finding of the compiler here
+//   <!-- compiles -->                         no findings; it is not run
 //
-// The text of an error or finding needs to be a part of what is said. It runs
-// as `parlour exec` would run it, in a time that only its waits move, with a
+// The text of an error or finding needs to be only a part of it. The script
+// runs as with `parlour exec`, but in virtual time and with an empty data
+// folder.
 // data folder of its own.
 #pragma once
 
@@ -31,16 +32,16 @@ struct Expectation {
 
 Expectation read_expectation(const std::string& script);
 
-// How a script is run; run_script() or another way to the same end.
+// How a script is run: run_script(), or another way with the same result.
 using Runner = ScriptRun (*)(const std::shared_ptr<const script::Program>&,
                              std::uint64_t instructions,
                              const FileAccess& files);
 
-// Compiles and runs the file; every difference from its margin is a failure.
+// Compiles and runs the file. Each difference from its comments is a failure.
 void expect_as_in_margin(const std::filesystem::path& file,
                          Runner runner = run_script);
 
-// Every case below tests/script/cases, sorted.
+// All cases below tests/script/cases, sorted.
 std::vector<std::filesystem::path> language_cases();
 std::string name_of_case(const std::filesystem::path& file);
 

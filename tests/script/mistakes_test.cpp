@@ -1,6 +1,6 @@
-// Scripts as newcomers write them, below mistakes/: each with all that is said
-// about it, word for word, in x.txt beside x.xml. To write the expectations
-// anew after a change (and to read every one of them):
+// Checks the scripts below mistakes/, which have the mistakes of beginners: all
+// findings must be those of x.txt beside x.xml, word by word. To write the
+// expectations again after a change (and then to read each of them):
 //
 //   PARLOUR_WRITE_MISTAKES=1 test_script --gtest_filter='*Newcomers*'
 #include <algorithm>

@@ -1,4 +1,4 @@
-// A host that notes effects down and answers as it is told.
+// A host that records effects and returns the answers that a test has set.
 #pragma once
 
 #include <deque>
@@ -10,7 +10,7 @@
 
 namespace parlour::test {
 
-// What an effect was, with its operands copied out.
+// An effect with its operands copied out.
 struct RecordedEffect {
   explicit RecordedEffect(const script::Effect& effect)
       : kind(effect.kind), body(effect.body), captured(effect.captured()) {
@@ -67,7 +67,7 @@ public:
   }
 
   std::vector<RecordedEffect> effects;
-  std::deque<script::Performed> answers; // unknown once they are used up
+  std::deque<script::Performed> answers; // then unknown
   std::map<script::SlotId, Value> slots;
   std::vector<std::uint32_t> branches;
 };

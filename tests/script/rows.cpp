@@ -11,7 +11,7 @@ namespace parlour::test {
 
 namespace {
 
-// As it stands in an attribute.
+// The text as an attribute's value in XML.
 std::string attribute(const std::string& text) {
   std::string escaped;
   for (const char c : text)

@@ -1,4 +1,4 @@
-// Tables of expressions and what becomes of them.
+// Tables of expressions and their results.
 #pragma once
 
 #include <string>
@@ -8,10 +8,10 @@ namespace parlour::test {
 
 struct Row {
   std::string expression;
-  std::string result; // printed; "Kind: message" of an error
+  std::string result; // as it is printed, or "Kind: message" for an error
 };
 
-// Runs them in one script, one after the other.
+// Evaluates all rows in one script, one after the other.
 void expect_rows(const std::vector<Row>& rows);
 
 } // namespace parlour::test

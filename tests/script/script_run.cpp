@@ -8,12 +8,12 @@ namespace {
 
 using script::ExecRun;
 
-// Later stops are further apart, as a script that runs into a limit stops a
+// Later stops are further apart: a script that runs into a limit would stop a
 // hundred thousand times.
 constexpr int close_stops = 150;
 constexpr std::uint64_t later_slice = 10'000;
 
-// A new run of the same state; what differs is noted.
+// Saves the run and restores it; notes any difference.
 std::unique_ptr<ExecRun>
 restored(const ExecRun& run,
          const std::shared_ptr<const script::Program>& program,
@@ -71,8 +71,8 @@ ScriptRun run_script(const std::shared_ptr<const script::Program>& program,
 
 namespace {
 
-// `close(stop)`: whether the run stops after one step, not only much later;
-// `restores(stop)`: whether it goes on from its bytes.
+// `close(stop)`: whether to stop after a single step. `restores(stop)`: whether
+// to save and restore there.
 template <typename Close, typename Restores>
 ScriptRun run_stopping(const std::shared_ptr<const script::Program>& program,
                        std::uint64_t instructions, const FileAccess& files,

@@ -1,5 +1,5 @@
-// One run of a script's `main`, as `parlour exec` would run it, in a time that
-// only its waits move.
+// Runs the function main of a script as `parlour exec` does, but in virtual
+// time.
 #pragma once
 
 #include <cstdint>
@@ -25,23 +25,24 @@ struct ScriptRun {
   bool operator==(const ScriptRun&) const = default;
 };
 
-// Instructions of one event.
+// The limit of instructions for one event.
 inline constexpr std::uint64_t run_instructions = 1'000'000;
 
-// What a run prints to, and the time that it is there. The options refer to it.
+// The effects of a run: what it prints, and its clock. The options refer to
+// this object.
 struct Stage {
-  // A script may wait for ever: of later waits nothing is seen.
-  static constexpr int most_waits = 200;
+  // A script may wait for ever, so what happens after so many waits is ignored.
+  static constexpr int max_waits = 200;
 
   std::string printed;
   Timestamp clock = 1'795'251'600'000; // 2026-11-21 09:00 UTC
   int waits = 0;
 
   bool is_over() const {
-    return waits > most_waits;
+    return waits > max_waits;
   }
   script::ExecOptions options(std::uint64_t instructions, FileAccess files);
-  // With the failure, if there was one.
+  // The result, with the failure if there was one.
   ScriptRun result(const script::ExecRun& run) const;
 };
 
@@ -49,16 +50,15 @@ ScriptRun run_script(const std::shared_ptr<const script::Program>& program,
                      std::uint64_t instructions = run_instructions,
                      const FileAccess& files = {});
 
-// The same, but nothing of it lives on between two steps: at every loop, call
-// and wait it is written to bytes, and a new one goes on from them. What
-// differs afterwards is an error of line 0.
+// Like run_script, but at every loop, call and wait the run is saved and a
+// restored one continues. If anything differs, the result has an error at line
+// 0.
 ScriptRun
 run_with_restores(const std::shared_ptr<const script::Program>& program,
                   std::uint64_t instructions = run_instructions,
                   const FileAccess& files = {});
 
-// Which of its stops a run is restored at: `count` of them from the stop
-// `first`. What comes before and after runs on.
+// Restores only at `count` stops, starting with the stop `first`.
 struct RestoredStops {
   int first = 0;
   int count = 0;

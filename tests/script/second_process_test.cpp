@@ -1,6 +1,6 @@
-// Every language case that stops on its way, begun in one process and ended in
-// another: the first leaves the state of each as a file, starts this program
-// again, and finds the results of the second in files of the same names.
+// Starts every language case that stops on its way in one process, and finishes
+// it in another. The first process writes the states to files and starts this
+// program again; the second writes the results to files of the same names.
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>

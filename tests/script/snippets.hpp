@@ -1,4 +1,4 @@
-// Small scripts written, compiled, and judged by their findings.
+// Compiles small scripts and returns their findings.
 #pragma once
 
 #include <string>
@@ -17,7 +17,7 @@ inline script::CompileOptions platform() {
   return options;
 }
 
-// The findings' lines, without the folder before the files' names.
+// The findings as lines, without the folder in front of file names.
 inline std::vector<std::string> lines_of(const script::Findings& findings,
                                          const std::string& folder = "") {
   std::vector<std::string> lines;
@@ -37,7 +37,7 @@ struct Outcome {
   std::vector<std::string> lines;
 };
 
-// Compiles `text` as the one script of an application.
+// Compiles `text` as the only script of an application.
 inline Outcome compile_text(const std::string& text) {
   TemporaryFolder folder;
   folder.write("settings.xml",
@@ -49,12 +49,12 @@ inline Outcome compile_text(const std::string& text) {
           lines_of(compiled.findings, folder.path().string())};
 }
 
-// The same for declarations, which begin at line 1, column 11.
+// The same for the children of <dialogue>, which begin at line 1, column 11.
 inline Outcome compile_declarations(const std::string& text) {
   return compile_text("<dialogue>" + text + "</dialogue>");
 }
 
-// The tree of a text that is well-formed.
+// The element tree of a well-formed text.
 inline script::Element tree_of(const std::string& text) {
   script::Findings findings;
   auto root = script::read_source(text, findings.add_file("a.xml"), findings);

@@ -1,5 +1,6 @@
-// What a plug-in talks to in a test: keeps what was fired, sent and logged, and
-// runs what was put off when the test moves the clock. For one thread.
+// FakePluginHost: the host of a plug-in in a test. It records what is fired,
+// sent and logged, and runs delayed calls when the test moves the clock. For
+// one thread.
 #pragma once
 
 #include <algorithm>
@@ -33,12 +34,15 @@ public:
   void cancel(DelayId delay) override {
     std::erase_if(later_, [&](const Later& one) { return one.id == delay; });
   }
-  // How many calls are to come.
+  // The number of delayed calls that have not run yet.
   std::size_t pending() const {
     return later_.size();
   }
   void failed(const std::string& reason) override {
     failures.push_back(reason);
+  }
+  void available(bool is_available) override {
+    availability.push_back(is_available);
   }
   const Clock& clock() const override {
     return time;
@@ -65,7 +69,7 @@ public:
     return application;
   }
 
-  // Moves the clock step by step, running what falls due, in order.
+  // Moves the clock, and runs what falls due on the way in order.
   void advance(Milliseconds step) {
     const auto end = time.now() + step.count();
     while (auto* next = earliest(end)) {
@@ -96,6 +100,7 @@ public:
   std::vector<Asked> asked;
   std::vector<std::string> logs;
   std::vector<std::string> failures;
+  std::vector<bool> availability; // what available() was told, in order
   std::shared_ptr<const UnderstandingModel> model;
   std::shared_ptr<const PhraseEvaluator> evaluator;
   ColumnReader columns;

@@ -1,4 +1,4 @@
-// A clock that a test sets and moves.
+// ManualClock: a clock that the test sets and moves.
 #pragma once
 
 #include <atomic>

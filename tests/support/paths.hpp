@@ -1,15 +1,15 @@
-// Where the tree and the built program are. Compiled into one source: a test's
-// own compile line names no folder, so that a compiler cache serves every
-// clone.
+// The paths of the source tree and the built program. Only paths.cpp is
+// compiled with them, so that a compiler cache can share all other objects
+// between clones.
 #pragma once
 
 #include <string>
 
 namespace parlour::test {
 
-// "config/apps" below the root of the tree, as an absolute path.
+// The absolute path of a file in the source tree, such as "config/apps".
 std::string source_path(const std::string& name);
-// The built program `parlour`, as an absolute path.
+// The absolute path of the program `parlour`.
 std::string program_path();
 
 } // namespace parlour::test

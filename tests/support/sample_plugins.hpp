@@ -1,4 +1,4 @@
-// Where the plug-ins of tests/adapters/plugins/samples are built.
+// The folder in which the plug-ins of tests/adapters/plugins/samples are built.
 #pragma once
 
 #include <filesystem>

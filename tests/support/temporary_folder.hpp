@@ -1,4 +1,5 @@
-// A folder of a test's own, removed with all that is in it.
+// TemporaryFolder: a new folder, which is removed with its contents in the
+// destructor.
 #pragma once
 
 #include <cstdlib>
@@ -30,7 +31,7 @@ public:
     return path_;
   }
 
-  // Makes the folders in between.
+  // Writes a file; creates the folders above it.
   void write(const std::string& name, const std::string& text) const {
     std::filesystem::create_directories((path_ / name).parent_path());
     std::ofstream(path_ / name, std::ios::binary) << text;

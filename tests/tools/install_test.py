@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""tools/install: what it has put anywhere works from any folder and needs the
-source no more; and it takes away what it has put there, and nothing else."""
+"""Tests tools/install: the installed program works from any folder without the
+source tree, and --remove deletes exactly what was installed."""
 
 import os
 import subprocess

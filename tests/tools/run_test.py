@@ -1,5 +1,5 @@
-"""tools/run and tools/dependencies, with the programs that they call replaced
-by ones that tell on them. Alone: python3 tests/tools/run_test.py"""
+"""Tests tools/run and tools/dependencies. The programs that they call are
+replaced by ones that record the calls. Alone: python3 tests/tools/run_test.py"""
 
 import os
 import shutil

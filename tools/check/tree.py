@@ -1,4 +1,4 @@
-"""What the checks share: the files of the tree and how findings are told."""
+"""What the checks share: the list of files, and how findings are printed."""
 
 import os
 import sys
@@ -6,18 +6,19 @@ from pathlib import Path
 
 ROOMS = ("runtime", "script", "actors", "adapters", "config", "tests", "tools")
 CODE = (".hpp", ".cpp")
-# .git is a file where the tree is one of several work trees.
+# In an additional git work tree, .git is a file.
 SKIPPED = {"build", "__pycache__", ".git"}
 
 
 def root():
-    """The tree to look at: the first argument, or the one we are in."""
+    """The root of the tree to check: the first argument, or this tree."""
     named = [word for word in sys.argv[1:] if not word.startswith("--")]
     return Path(named[0] if named else Path(__file__).parents[2]).resolve()
 
 
 def files(top, *suffixes):
-    """Paths relative to `top`, sorted, without build and hidden folders."""
+    """All files with these suffixes, as sorted paths relative to `top`. Skips
+    build folders and hidden folders."""
     found = []
     for folder, folders, names in os.walk(top):
         folders[:] = [f for f in folders
@@ -33,7 +34,7 @@ def lines(path):
 
 
 def finish(findings):
-    """Prints findings; the exit code says whether there were any."""
+    """Prints the findings and exits: with 1 if there are any, else with 0."""
     for finding in findings:
         print(finding)
     sys.exit(1 if findings else 0)

@@ -1,4 +1,4 @@
-# Finds the C++ Actor Framework as Debian ships it, without a CMake config.
+# Finds the C++ Actor Framework. Debian ships it without a CMake config file.
 #
 #   find_package(CAF 0.17.6 REQUIRED COMPONENTS core io openssl)
 #
@@ -7,7 +7,7 @@
 find_path(CAF_INCLUDE_DIR caf/all.hpp)
 mark_as_advanced(CAF_INCLUDE_DIR)
 
-# CAF_VERSION is written as one number, 1706 for 0.17.6.
+# The header has the version as one number: 1706 is 0.17.6.
 if(CAF_INCLUDE_DIR)
   file(STRINGS "${CAF_INCLUDE_DIR}/caf/config.hpp" line
     REGEX "^#define CAF_VERSION [0-9]+")

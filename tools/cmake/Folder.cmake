@@ -1,23 +1,23 @@
-# One library for a folder, one test program for its mirror below tests/.
-# Sources are globbed: a new file needs no edit here.
+# Functions that make a library from a folder, and a test program from the same
+# folder below tests/. Sources are globbed, so a new file needs no edit here.
 
-# parlour_folder_name(<variable> <folder>): "script/dialogue" is named
-# script_dialogue wherever a target carries its name.
+# parlour_folder_name(<variable> <folder>): the name of a folder in the names of
+# targets: script_dialogue for "script/dialogue".
 function(parlour_folder_name variable folder)
   string(REGEX REPLACE "[/.-]" "_" name "${folder}")
   set(${variable} "${name}" PARENT_SCOPE)
 endfunction()
 
-# The standard headers that most sources read: half of a source's compile time,
-# so a library of many sources compiles them once.
+# Standard headers that most sources include. They take half of a source's
+# compile time, so larger libraries precompile them.
 set(PARLOUR_HEADERS
   <algorithm> <array> <charconv> <chrono> <cstdint> <deque> <filesystem>
   <functional> <map> <memory> <optional> <set> <span> <string> <string_view>
   <unordered_map> <utility> <variant> <vector> <tl/expected.hpp>)
 
 # parlour_library(<name> [SHARED] SOURCES ... [PUBLIC ...] [PRIVATE ...])
-# Without a source yet it is an INTERFACE library, so that those above it
-# can already be built.
+# A library without sources is an INTERFACE library, so that targets which link
+# it can be configured.
 function(parlour_library name)
   cmake_parse_arguments(PARSE_ARGV 1 arg
     "SHARED" "" "SOURCES;PUBLIC;PRIVATE")
@@ -44,9 +44,9 @@ endfunction()
 
 # parlour_test(<folder> SOURCES ... LINK ... HEADERS <target>
 #   [TOGETHER <pattern>]):
-# the sources become one GoogleTest program test_<folder>, with that target's
-# precompiled headers. Each test runs in a process of its own; those that the
-# pattern names, in one.
+# makes the GoogleTest program test_<folder> from the sources, with the
+# precompiled headers of the target <target>. ctest runs each test in a process
+# of its own, and those that match the pattern together in one.
 function(parlour_test folder)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "HEADERS;TOGETHER" "SOURCES;LINK")
   parlour_folder_name(name "${folder}")
@@ -54,7 +54,7 @@ function(parlour_test folder)
   target_link_libraries(test_${name} PRIVATE ${arg_LINK} parlour_testing)
   target_precompile_headers(test_${name} REUSE_FROM ${arg_HEADERS})
   if(PARLOUR_SANITIZE)
-    # One process for all of a folder: under sanitizers starting it is dear.
+    # One process for the whole folder: starting one takes long with sanitizers.
     add_test(NAME "${folder}" COMMAND test_${name} --gtest_brief=1
       WORKING_DIRECTORY "${PROJECT_SOURCE_DIR}")
   else()

@@ -1,5 +1,6 @@
-"""Writes an application's folder: settings, one script, the tables that its
-queries name. What is written is ordinary: `parlour check` takes it."""
+"""Writes the folder of an application: settings.xml, one script, and the tables
+that its queries use. It is an ordinary application: `parlour check` accepts
+it."""
 
 from xml.sax.saxutils import escape
 
@@ -17,7 +18,8 @@ SETTINGS = """<settings name={name}>
 </settings>
 """
 
-# What the user does comes as acts, not as words.
+# The user's turns arrive as acts in place of words, so that only the dialogue
+# engine is tested, and not the understanding.
 ACTS = """  <handler name="Acts">
     <messages><component>
       <ASR>
@@ -29,17 +31,18 @@ ACTS = """  <handler name="Acts">
 
 
 def quoted(text):
-    """As an attribute's value."""
+    """The text as the value of an attribute, in quotation marks."""
     return '"' + escape(text, {'"': "&quot;"}) + '"'
 
 
 def literal(text):
-    """As a string of the script language."""
+    """The text as a string literal of the script language."""
     return "'" + text.replace("\\", "\\\\").replace("'", "\\'") + "'"
 
 
 def element(name, attributes, children=()):
-    """The lines of an element, its children's lines indented."""
+    """The lines of an element. `children` are the lines of its content, which
+    are indented."""
     head = "".join([f"<{name}"] + [f" {key}={quoted(value)}"
                                    for key, value in attributes.items()])
     if not children:
@@ -48,7 +51,8 @@ def element(name, attributes, children=()):
 
 
 def write(folder, name, topics, schema):
-    """`topics`: the lines of the script; `schema`: SQL statements."""
+    """Writes the application. `topics` are the lines of the script, and
+    `schema` the statements that create its tables."""
     folder.mkdir(parents=True, exist_ok=True)
     script = "\n".join("  " + line for line in topics)
     (folder / "settings.xml").write_text(

@@ -1,7 +1,10 @@
-"""Rasa's financial-demo as an application and lines for the runner. A form is
-a topic; rules that answer an intent by actions are answers that disturb no
-topic; to change forms is asked about, to come back is `resume="ask"`. What the
-bot does is said by its Rasa name, so that it can be compared."""
+"""Converts Rasa's financial-demo to an application, and its test stories to
+lines for the runner.
+
+A form becomes a topic. A rule that answers an intent by actions becomes a
+reaction that leaves the topics alone. The user is asked before a form is
+changed, and asked (resume="ask") before an interrupted form is resumed. Every
+action is spoken by its Rasa name, so that it can be compared."""
 
 import re
 
@@ -10,14 +13,17 @@ import yaml
 import application
 from application import element, literal
 
+# Milliseconds that the user listens after each turn.
 LISTENS = 3000
 
-# Intents that are about the conversation itself, and the engine's acts.
+# The intents that concern the conversation itself, with the generic acts of the
+# language that they correspond to.
 GENERIC = {"affirm": "confirm", "deny": "deny", "goodbye": "bye",
            "greet": "greet", "help": "help", "thankyou": "thank"}
 NOT_UNDERSTOOD = {"out_of_scope", "nlu_fallback"}
 
-# What the custom actions of form switching say, and when the engine says it.
+# The custom actions that ask before forms are switched, and the phrases of the
+# engine that correspond to actions.
 SWITCH_ASK = "action_switch_forms_ask"
 SWITCH_YES = "action_switch_forms_affirm"
 SWITCH_NO = "action_switch_forms_deny"
@@ -25,11 +31,12 @@ PHRASES = {"resume": "action_switch_back_ask", "cancelled": "utter_ask_whatelse"
            "acknowledge": "utter_ok", "bye": "utter_goodbye",
            "no_match": "utter_out_of_scope"}
 
+# A marked value in an utterance: [words](entity) or [words]{attributes}.
 ENTITY = re.compile(r'\[([^\]]+)\](?:\((\w[\w-]*)\)|\{([^}]*)\})')
 
 
 def name(text):
-    """A Rasa name as one of the script language."""
+    """Converts a Rasa name to a name of the script language."""
     return text.replace("-", "_")
 
 
@@ -38,7 +45,8 @@ def listed(value):
 
 
 class Domain:
-    """Forms, what begins and ends them, and what answers other intents."""
+    """The forms, the intents that begin them, the actions that submit them, and
+    the actions that answer other intents."""
 
     def __init__(self, folder):
         domain = load(folder / "domain.yml")
@@ -84,7 +92,8 @@ def topic(domain, form):
 
 
 def switch(domain):
-    """Another form is wanted while one is open: is it meant?"""
+    """Asks for confirmation if the user wants another form while one is
+    open."""
     wanted = []
     for form in domain.forms:
         wanted += element("if", {"cond": f"wanted == {literal(form)}"},
@@ -101,7 +110,8 @@ def switch(domain):
 
 
 def answers(domain):
-    """Reactions to acts: generic ones by their name, others by a request."""
+    """The reactions to intents that begin no form. A generic intent has an
+    element of its own, any other arrives as a `request` with its topic."""
     reactions, asked = [], []
     for intent, actions in sorted(domain.answers.items()):
         said = [line for action in actions
@@ -134,7 +144,7 @@ def write(folder, domain):
 # -- a story -------------------------------------------------------------------
 
 def entities(text):
-    """What is marked in an utterance: slot -> value."""
+    """Maps each slot that is marked in an utterance to its value."""
     found = {}
     for words, entity, described in ENTITY.findall(text or ""):
         known = yaml.safe_load("{" + described + "}") if described else {}
@@ -144,14 +154,14 @@ def entities(text):
 
 
 class Story:
-    """A story's steps as lines. The user answers what a form asks where the
-    story shows that it was filled but not by which words."""
+    """Converts the steps of a story to lines. Where the story shows that a form
+    was filled but not by which words, the user answers the form's questions."""
 
     def __init__(self, story, domain):
         self.domain = domain
         self.steps = story["steps"]
         self.lines = [("dialogue", story["story"])]
-        self.form = None    # the one that is active
+        self.form = None    # the active form
         self.left = set()   # forms that were interrupted
         self.turns = 0
         for at, step in enumerate(self.steps):
@@ -196,7 +206,7 @@ class Story:
             return
         self.form = action
         self.lines.append(("topic", action))
-        if action in self.left:  # it was interrupted, and goes on
+        if action in self.left:  # an interrupted form goes on
             self.left.discard(action)
             self.lines.append(("keeps", action))
 
@@ -204,7 +214,7 @@ class Story:
         if step["active_loop"] is None:
             self.lines += [("fill", self.form), ("wait", LISTENS)]
             self.form = None
-        elif "intent" in after:  # answers once, then says something else
+        elif "intent" in after:  # one answer, then another intent
             self.lines += [("topic", self.form), ("answer", self.form)]
 
     def _slot_was_set(self, step, _):

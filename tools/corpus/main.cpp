@@ -1,7 +1,10 @@
-// corpus_runner APPLICATION < turns: plays the dialogues that tools/corpus/run
-// writes with the dialogue engine and prints, a line each, `begin` with the
-// name of a dialogue (so that it is known where a crash was), each fault, and
-// at the end `total` with the counts. Exit 0 unless it could not be done.
+// corpus_runner APPLICATION < turns
+//
+// Plays the dialogues that tools/corpus/run writes with the dialogue engine.
+// Prints a line for each event: `begin` with the name of a dialogue (so that a
+// crash can be located), each fault, and at the end `total` with the counts.
+// The exit status is 0 unless the input or the application is wrong; faults do
+// not change it.
 #include <iostream>
 
 #include "script/compiler/compiler.hpp"
@@ -12,7 +15,7 @@ namespace {
 using namespace parlour;
 using namespace parlour::tools::corpus;
 
-// Fields must not break the line.
+// A tab or line break within a field would break the line.
 std::string field(std::string text) {
   for (auto& character : text)
     if (character == '\t' || character == '\n' || character == '\r')
@@ -46,6 +49,7 @@ int play_all(std::shared_ptr<const script::Program> program) {
     }
     if (lines->empty())
       break;
+    // Flushed, so that it is visible even if the dialogue crashes.
     std::cout << "begin\t" << lines->front().fields[0] << std::endl;
     player.play(*lines);
   }

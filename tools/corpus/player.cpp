@@ -1,3 +1,6 @@
+// Each kind of line has a function of its own. Lines that say what happens
+// drive the conversation; lines that say what must hold compare, and report
+// faults.
 #include "tools/corpus/player.hpp"
 
 #include <algorithm>
@@ -17,18 +20,21 @@ constexpr std::array fault_names = {
 #undef X
 };
 
-// What the simulated user answers to a question that the corpus leaves open.
+// What the simulated user answers to a question for which the corpus has no
+// answer.
 constexpr const char* any_answer = "something";
-// Questions about one topic that it answers.
-constexpr int most_answers = 20;
-// After a turn the user listens this long: long enough for an unfinished topic
-// to be taken up again, too short to count as no input.
+// How many questions about one topic it answers.
+constexpr int max_answers = 20;
+// How long the user listens after a turn: long enough for an unfinished topic
+// to be resumed, too short to count as no input.
 constexpr Milliseconds listening{3000};
 
+// Unknown is compared as an empty text.
 std::string text_of(const Value& value) {
   return value.is_unknown() ? std::string() : value.text();
 }
 
+// An act as language understanding would give it.
 Map act_of(const std::string& kind, const std::string& topic, bool elliptical) {
   return Map{{"act", kind},
              {"topic", topic.empty() ? Value() : Value(topic)},
@@ -53,6 +59,7 @@ void Player::play(const std::vector<Line>& lines) {
   end_turn();
 }
 
+// Calls the function that has the name of the line.
 void Player::take(const Line& line) {
   if (line.kind != LineKind::is)
     close_state();
@@ -68,6 +75,7 @@ void Player::take(const Line& line) {
 
 // -- what happens -------------------------------------------------------------
 
+// Each dialogue has a conversation and a world of its own.
 void Player::dialogue(const Line& line) {
   ++counts_.dialogues;
   name_ = line.fields[0];
@@ -78,6 +86,7 @@ void Player::dialogue(const Line& line) {
   world_->open();
 }
 
+// The previous turn ends when the next one begins.
 void Player::turn(const Line& line) {
   end_turn();
   ++counts_.turns;
@@ -85,6 +94,7 @@ void Player::turn(const Line& line) {
   said_before_ = world_->said.size();
 }
 
+// The turn goes back to a topic that was left: its slots must have been kept.
 void Player::returns(const Line& line) {
   ++counts_.returns;
   returned_to_ = line.fields[0];
@@ -101,6 +111,7 @@ void Player::act(const Line& line) {
     acted_on_[topic];
 }
 
+// Values are immutable, so the act is copied, changed and put back.
 void Player::slot(const Line& line) {
   if (acts_.empty())
     return;
@@ -131,12 +142,14 @@ void Player::utter(List acts) {
 
 // -- what must hold -----------------------------------------------------------
 
+// The slots that the lines `is` do not name must be empty.
 void Player::state(const Line& line) {
   ++counts_.states;
   compared_ = line.fields[0];
   left_to_compare_ = slots_of(compared_);
 }
 
+// `*` accepts any value. The first way is the one that a fault shows.
 void Player::is(const Line& line) {
   const auto& name = line.fields[0];
   auto ways = line.fields.begin() + 1;
@@ -154,8 +167,8 @@ void Player::close_state() {
       compare(slot, {}, found);
 }
 
-// Two different values; what was there when the topic was left, and was not
-// spoken of, should have been kept.
+// Reports a wrong slot. If the topic was returned to, and this turn did not act
+// on the slot, its earlier value should have been kept: that is a second fault.
 void Player::compare(const std::string& slot, const std::string& wanted,
                      const std::string& found) {
   fault(FaultKind::wrong, compared_, slot, wanted, found);
@@ -168,6 +181,7 @@ void Player::compare(const std::string& slot, const std::string& wanted,
     fault(FaultKind::lost, compared_, slot, before, found);
 }
 
+// Other outputs may come between, but the order of the lines must hold.
 void Player::said(const Line& line) {
   const auto& outputs = world_->said;
   const auto found =
@@ -183,11 +197,12 @@ void Player::said(const Line& line) {
 }
 
 void Player::topic(const Line& line) {
-  const auto current = world_->conversation().current_topic();
+  const auto current = world_->conversation->current_topic();
   if (current != line.fields[0])
     fault(FaultKind::elsewhere, line.fields[0], {}, line.fields[0], current);
 }
 
+// Compares the slots of a topic with those it had when it was left.
 void Player::keeps(const Line& line) {
   const auto& topic = line.fields[0];
   ++counts_.returns;
@@ -204,19 +219,20 @@ void Player::answer(const Line& line) {
     fault(FaultKind::unasked, line.fields[0]);
 }
 
+// Answers questions until another topic is the current one.
 void Player::fill(const Line& line) {
   const auto& topic = line.fields[0];
-  const auto& conversation = world_->conversation();
-  for (int i = 0; i < most_answers && conversation.current_topic() == topic;
-       ++i)
+  const auto& conversation = *world_->conversation;
+  for (int i = 0; i < max_answers && conversation.current_topic() == topic; ++i)
     if (!answer_question(topic))
       break;
   if (conversation.current_topic() == topic)
     fault(FaultKind::unasked, topic);
 }
 
+// Finds the last output that asks for a slot of the topic.
 bool Player::answer_question(const std::string& topic) {
-  world_->advance(listening);
+  (void)world_->advance(listening);
   const auto id = program_->topic(topic);
   const auto& outputs = world_->said;
   const auto asked =
@@ -235,6 +251,7 @@ bool Player::answer_question(const std::string& topic) {
 
 // -- bookkeeping --------------------------------------------------------------
 
+// A turn without any output is a dead end.
 void Player::end_turn() {
   close_state();
   for (const auto& [topic, slots] : std::exchange(acted_on_, {}))

@@ -1,5 +1,5 @@
-// Player: plays the lines of one dialogue with a conversation of its own and
-// tells what did not hold. The simulated user speaks in acts; the slots that
+// Player plays the lines of one dialogue with a conversation of its own and
+// reports what did not hold. The simulated user speaks in acts. The slots that
 // are compared are those of the conversation's frames.
 #pragma once
 
@@ -15,6 +15,7 @@
 
 namespace parlour::tools::corpus {
 
+// The kinds of faults: name, sentence.
 // clang-format off
 #define PARLOUR_CORPUS_FAULTS(X) \
   X(wrong, "a slot is not as the corpus says") \
@@ -48,16 +49,18 @@ struct Fault {
 struct Counts {
   std::uint64_t dialogues = 0;
   std::uint64_t turns = 0;
-  std::uint64_t states = 0; // frames of topics that were compared
-  std::uint64_t slots = 0;  // slots that had a value to compare
+  // Frames of topics, and slots with a value, that were compared.
+  std::uint64_t states = 0;
+  std::uint64_t slots = 0;
   std::uint64_t returns = 0;
 };
 
+// Not thread-safe.
 class Player {
 public:
   using Tell = std::function<void(const Fault&)>;
 
-  // `tell` is called for each fault, in order, within play().
+  // `tell` is called for each fault, in order, from within play().
   Player(std::shared_ptr<const script::Program> program, Tell tell);
 
   void play(const std::vector<Line>& lines);
@@ -70,6 +73,7 @@ private:
   using Slots = std::map<std::string, std::string>;
 
   void take(const Line& line);
+  // One function for each kind of line (PARLOUR_CORPUS_LINES).
   void dialogue(const Line& line);
   void turn(const Line& line);
   void returns(const Line& line);
@@ -86,14 +90,17 @@ private:
   void fill(const Line& line);
   void keeps(const Line& line);
 
+  // Says acts and notes that the user has spoken.
   void utter(List acts);
-  // The state that is being compared has been told to its end.
+  // Called when all slots of the compared topic have been named: the others
+  // must be empty.
   void close_state();
   void end_turn();
   void compare(const std::string& slot, const std::string& wanted,
                const std::string& found);
-  // Whether a question about the topic was there to be answered.
+  // Answers the last question about the topic. False if there is none.
   bool answer_question(const std::string& topic);
+  // The values of all slots of a topic, as texts.
   Slots slots_of(const std::string& topic) const;
   void fault(FaultKind kind, std::string topic = {}, std::string slot = {},
              std::string wanted = {}, std::string found = {});
@@ -103,20 +110,27 @@ private:
   Tell tell_;
   Counts counts_;
 
-  // Of the dialogue that is being played.
+  // The state of the current dialogue.
   std::unique_ptr<World> world_;
   std::string name_;
   std::string turn_;
   List acts_;
-  bool spoke_ = false;          // the user, in this turn
-  std::size_t said_before_ = 0; // outputs before this turn
-  std::size_t looked_at_ = 0;   // outputs that `said` has passed
+  // The user has spoken in this turn.
+  bool spoke_ = false;
+  // The number of outputs before this turn.
+  std::size_t said_before_ = 0;
+  // The number of outputs that lines `said` have passed.
+  std::size_t looked_at_ = 0;
   std::size_t errors_told_ = 0;
-  std::string compared_;  // the topic of `state`
-  Slots left_to_compare_; // its slots that no `is` has named yet
+  // The topic of the last line `state`, and those of its slots that no line
+  // `is` has named.
+  std::string compared_;
+  Slots left_to_compare_;
   std::string returned_to_;
-  std::map<std::string, Slots> acted_on_; // topics and slots of this turn
-  std::map<std::string, Slots> known_;    // topics as they were left
+  // The topics and slots of this turn's acts.
+  std::map<std::string, Slots> acted_on_;
+  // The slots of each topic when it was last acted on.
+  std::map<std::string, Slots> known_;
 };
 
 } // namespace parlour::tools::corpus

@@ -1,8 +1,10 @@
-"""Runs corpus_runner on lines and takes in what it tells."""
+"""Runs corpus_runner on the lines of dialogues and collects its results. The
+lines are those of tools/corpus/turns.hpp."""
 
 import collections
 import pathlib
 import subprocess
+import sys
 import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -13,17 +15,15 @@ COUNTS = "dialogues turns states slots returns".split()
 
 
 def program():
-    """The newest build's runner."""
-    built = [ROOT / "build" / preset / "bin" / "corpus_runner"
-             for preset in ("release", "debug")]
-    built = [file for file in built if file.exists()]
-    if not built:
-        raise SystemExit("build it first: tools/build release corpus_runner")
-    return max(built, key=lambda file: file.stat().st_mtime)
+    """The path of the runner, which is built if it is missing or too old."""
+    subprocess.run([ROOT / "tools/build", "release", "corpus_runner"],
+                   check=True, stdout=sys.stderr)
+    return ROOT / "build/release/bin/corpus_runner"
 
 
 class Results:
-    """What was told of all that was played so far."""
+    """The results of all dialogues that were played so far with one
+    application."""
 
     def __init__(self, runner, application):
         self.command = [str(runner), str(application)]
@@ -32,7 +32,8 @@ class Results:
         self.seconds = 0.0
 
     def play(self, dialogues):
-        """`dialogues`: the lines of each."""
+        """Plays dialogues, each of which is a list of lines, in one process.
+        If it crashes, the dialogues after the crash are not played."""
         text = "".join("\t".join(map(str, line)) + "\n"
                        for lines in dialogues for line in lines)
         begun = time.monotonic()
@@ -48,7 +49,8 @@ class Results:
                                      f"exit status {ran.returncode}"))
 
     def _read(self, text):
-        """The dialogue that was begun last."""
+        """Collects counts and faults from the output of the runner. Returns the
+        dialogue that was begun last: in a crash it is the guilty one."""
         last = ""
         for line in filter(None, text.split("\n")):
             kind, *fields = line.split("\t")

@@ -1,16 +1,20 @@
-"""What came out of a run: the figures, the bars, and the faults by kind. A
-fault in a slot whose annotation contradicts itself, from that turn of the
-dialogue on, is counted apart: it is told, but not the engine's."""
+"""Reports a run: the figures, the bars, and the faults by kind. If the data
+contradicts itself about a slot, faults in this slot are counted separately from
+that turn of the dialogue on: they say nothing about the engine."""
 
 import collections
 
 from sgd_dialogue import RULES
 
+# The share of turns after which all slots must be right.
 ACCURACY = 0.99
+# The kinds of faults after which the dialogue cannot go on.
 DEAD_ENDS = ("silent", "endless", "unasked")
 
 
 class Outcome:
+    """The counts, faults and time of a run; the base of both reports."""
+
     def __init__(self):
         self.counts = collections.Counter()
         self.faults = []
@@ -40,6 +44,8 @@ class Outcome:
 
 
 class Sgd(Outcome):
+    """The report about the Schema-Guided Dialogue data."""
+
     def __init__(self):
         super().__init__()
         self.contradictions = []
@@ -51,7 +57,8 @@ class Sgd(Outcome):
             self.copied += dialogue.copied
 
     def contradicted(self):
-        """(dialogue, service, slot) -> the first turn that is."""
+        """Maps (dialogue, service, slot) to the turn of the first
+        contradiction."""
         first = {}
         for found in self.contradictions:
             key = found.dialogue, found.service, found.slot
@@ -105,6 +112,9 @@ class Sgd(Outcome):
 
 
 class Stories(Outcome):
+    """The report about the stories of financial-demo, which have no
+    contradictions: every fault is the engine's."""
+
     def passed(self):
         failed = {fault.dialogue for fault in self.faults}
         return self.counts["dialogues"] - len(failed)

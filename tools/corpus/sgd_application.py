@@ -1,10 +1,12 @@
-"""A Schema-Guided Dialogue schema as an application: a service is a topic. One
-with a transactional intent is a task that is over when its call succeeded;
-one that only looks things up is an enquiry."""
+"""Converts a schema of the Schema-Guided Dialogue data to an application. Each
+service becomes a topic. A service with a transactional intent becomes a task,
+which is completed when its call has succeeded; any other service only looks
+things up and becomes an enquiry."""
 
 import application
 from application import element, literal
 
+# The slot that holds the intent of the user.
 INTENT = "wish"
 CALLS = ["create table call (service text not null, intent text not null);"]
 
@@ -15,27 +17,28 @@ def transactional(service):
 
 
 def inputs(service):
-    """What a call of any intent takes, in the order of the schema."""
+    """The slots that a call of any intent takes, in the order of the schema."""
     named = {slot for intent in service["intents"]
              for slot in [*intent["required_slots"], *intent["optional_slots"]]}
     return [slot for slot in service["slots"] if slot["name"] in named]
 
 
 def required(service):
-    """What a call of some intent cannot do without."""
+    """The slots that at least one intent requires."""
     return {slot for intent in service["intents"]
             for slot in intent["required_slots"]}
 
 
 def functional(service):
-    """What each call needs that ends the topic."""
+    """The slots that are required by every intent whose call ends the topic."""
     intents = transactional(service) or service["intents"]
     return set.intersection(*(set(intent["required_slots"])
                               for intent in intents))
 
 
 def defaults(intent):
-    """What is taken where the user says nothing; "dontcare" is no value."""
+    """The values of optional slots that the user does not give. "dontcare"
+    stands for no value."""
     return {slot: value for slot, value in intent["optional_slots"].items()
             if value != "dontcare"}
 
@@ -64,8 +67,8 @@ def intent_slot(service):
 
 
 def call(service, intent):
-    """The user has said yes: optional slots take their defaults, the service
-    is called; where it refuses, the topic stays open."""
+    """The reaction to "yes": fills optional slots with their defaults and calls
+    the service. If the call fails, the topic stays open."""
     lines = []
     for name, value in defaults(intent).items():
         assign = element("set", {"name": f"this.{name}",
@@ -85,7 +88,8 @@ def call(service, intent):
 
 
 def propose(service, intent):
-    """All is known that this intent needs: yes or no?"""
+    """Asks for a slot that this intent requires and other intents do not. If
+    none is missing, asks for confirmation of the call."""
     told = [f"{{this.{name}}}" for name in intent["required_slots"]]
     question = f"{intent['description']}: {', '.join(told)}?"
     ask = element("confirm", {"question": question},
@@ -99,6 +103,8 @@ def propose(service, intent):
 
 
 def filled(service):
+    """The reaction of a task to filled slots: proposes the call of the wanted
+    intent, or asks what is wanted."""
     lines = [f'<ask slot="{INTENT}"/>']
     for intent in transactional(service):
         is_it = f"this.{INTENT} == {literal(intent['name'])}"
@@ -108,6 +114,7 @@ def filled(service):
 
 
 def query(service):
+    """The query of an enquiry, by all slots that are known."""
     by = [line for slot in inputs(service)
           for line in element("by", {"slot": slot["name"],
                                      "column": column(slot["name"])})]
@@ -141,7 +148,8 @@ def tables(service):
     return f"create table {table(service)} ({', '.join(columns)});"
 
 
-# What the user asks about a thing that was found changes no slot.
+# Questions about something that was found ("what is its address?") change no
+# slot, so one sentence answers them all.
 QUESTIONS = """<handler name="Questions">
   <messages><component>
     <Dialogue>

@@ -1,16 +1,20 @@
-"""An annotated dialogue of the Schema-Guided Dialogue data as lines for the
-runner. The user's acts are given as they are annotated; what the system said
-is only looked at for what "yes" and "that one" refer to. The state is what the
-engine must come to by itself."""
+"""Converts an annotated dialogue of the Schema-Guided Dialogue data to lines
+for the runner. The engine gets the user's acts as they are annotated. The
+system's turns only tell what "yes" and "that one" refer to. The annotated state
+is the result that the engine must reach by itself.
+
+Where the annotated state does not follow from what was said, the data
+contradicts itself (RULES). Such slots are reported separately."""
 
 import collections
 
 from sgd_application import INTENT, defaults, inputs, required, transactional
 
-# After a turn the user listens so long: an unfinished topic is taken up again.
+# Milliseconds that the user listens after a turn. In this time the engine
+# resumes an unfinished topic.
 LISTENS = 3000
 
-# What the data says twice and differently, or does not say at all.
+# The kinds of contradictions in the data, with a sentence for the report.
 RULES = {
     "dropped": "the state loses a value that nobody took back",
     "changed": "the state changes a value that nobody spoke of",
@@ -27,7 +31,8 @@ Contradiction = collections.namedtuple(
 
 
 class Wordings:
-    """Ways to write one value: the data gives a spoken and a canonical form."""
+    """The ways to write a value. The data has a spoken and a canonical form of
+    each, and one form may belong to several values."""
 
     def __init__(self, dialogue):
         self._canonical = collections.defaultdict(set)
@@ -44,7 +49,7 @@ class Wordings:
             self._spoken[canonical].add(value)
 
     def of(self, values):
-        """All ways to write one of them; the first one stays first."""
+        """All ways to write these values, beginning with the first value."""
         canonical = {other for value in values
                      for other in [value, *self._canonical[value]]}
         spoken = {other for value in canonical for other in self._spoken[value]}
@@ -56,7 +61,7 @@ class Wordings:
 
 
 class Service:
-    """What is known of one service in one dialogue."""
+    """The state of one service in one dialogue."""
 
     def __init__(self, schema):
         self.name = schema["service_name"]
@@ -64,10 +69,10 @@ class Service:
         self.required = required(schema)
         self.is_task = bool(transactional(schema))
         self.intents = {intent["name"]: intent for intent in schema["intents"]}
-        self.state = {}    # as annotated at the user's last turn
-        self.system = []   # the actions of the system's last turn
-        self.offers = {}   # what it offered last
-        self.done = False  # it has reported success
+        self.state = {}    # as annotated at the last turn of the user
+        self.system = []   # the actions of the last turn of the system
+        self.offers = {}   # the last offer, by slot
+        self.done = False  # the system has reported success
 
     def hear_system(self, actions):
         self.system = actions
@@ -84,14 +89,16 @@ class Service:
                 if action["act"] == act and len(action["values"]) == 1}
 
     def begins_anew(self, actions):
-        """A wish for something after the last one was granted."""
+        """Whether the user wants something new after the last call has
+        succeeded."""
         return self.is_task and self.done and any(
             action["act"] in ("INFORM_INTENT", "AFFIRM_INTENT")
             for action in actions)
 
 
 class Reading:
-    """What the user's actions for one service come to in one turn."""
+    """The meaning of the user's actions for one service in one turn: values,
+    and a yes or a no."""
 
     def __init__(self, service, frame):
         self.service = service
@@ -99,7 +106,7 @@ class Reading:
         self.kinds = {action["act"] for action in frame["actions"]}
         self.given = {}  # slot -> values
         self.confirms = self.denies = self.agrees = False
-        # The data never begins a search anew: what was said before counts.
+        # In the data a search never begins anew: earlier values still hold.
         self.goes_on = bool(service.state)
         for action in frame["actions"]:
             reader = getattr(self, "_" + action["act"].lower(), None)
@@ -135,23 +142,25 @@ class Reading:
         self.denies = self.service.system_did("CONFIRM")
 
     def _take(self, values, wanted):
+        """Adds values that the system named and the user accepted."""
         for slot in values:
             if slot in wanted:
                 self.given.setdefault(slot, values[slot])
 
     def assumed(self):
-        """What a confirmed call takes without having been told."""
+        """The defaults that a confirmed call uses."""
         intent = self.service.intents.get(self.frame["state"]["active_intent"])
         return defaults(intent) if intent and self.confirms else {}
 
     def lacks(self):
-        """What the agreed call requires and nobody has given."""
+        """The slots that the confirmed call requires and that have no value."""
         intent = self.service.intents[self.frame["state"]["active_intent"]]
         return set(intent["required_slots"]) - set(self.service.state)
 
 
 class Dialogue:
-    """Lines, contradictions, and how many values came from the state only."""
+    """The lines and contradictions of one dialogue. `copied` counts the values
+    that were taken from the state, because no act of this turn gives them."""
 
     def __init__(self, dialogue, schemas):
         self.name = dialogue["dialogue_id"]
@@ -197,6 +206,8 @@ class Dialogue:
     # -- the state against what was said --------------------------------------
 
     def _judge(self, number, reading):
+        """Records how the new state contradicts what was said, and makes it
+        the state of the service."""
         service, frame = reading.service, reading.frame
         if service.begins_anew(frame["actions"]):
             service.state, service.done = {}, False
@@ -210,7 +221,8 @@ class Dialogue:
         service.state = new
 
     def _rule(self, reading, slot, new):
-        """Which rule the state breaks here; what it copies becomes given."""
+        """The rule that the state of this slot breaks, or None. A value that
+        was said elsewhere in the dialogue is added to the given ones."""
         old = reading.service.state.get(slot)
         given = reading.given.get(slot)
         if given and self._unlisted(reading.service, slot, given):
@@ -228,7 +240,8 @@ class Dialogue:
         return None
 
     def _kept(self, reading, slot, old, new):
-        """The rule that is broken where nobody spoke of a value."""
+        """As _rule, for a slot with a value of which nobody spoke in this
+        turn."""
         if not new:
             return "dropped"
         if self.wordings.same(old, new):
@@ -249,6 +262,7 @@ class Dialogue:
     # -- lines ----------------------------------------------------------------
 
     def _return(self, reading):
+        """Notes that the user returns to a service after another one."""
         name = reading.service.name
         if not (reading.given or reading.confirms or reading.denies):
             return
@@ -258,7 +272,8 @@ class Dialogue:
             self.touched.append(name)
 
     def _calls(self, number, reading):
-        """The system's next turn tells what becomes of a call."""
+        """Tells the runner whether a confirmed call succeeds. The next turn of
+        the system shows it."""
         outcome = "succeed"
         for frame in self.turns[number + 1]["frames"]:
             if frame["service"] == reading.service.name and any(
@@ -277,13 +292,15 @@ class Dialogue:
                       "yes" if reading.goes_on else "no")
             self.lines += [("slot", slot, values[0])
                            for slot, values in reading.given.items()]
-        if reading.agrees:  # asked once more by the engine, yes once more
+        if reading.agrees:  # the engine asks once more
             self.lines.append(("say",))
             self._act("confirm", reading.service.name)
         if reading.kinds & {"REQUEST", "REQUEST_ALTS"}:
             self._act("request", reading.service.name)
 
     def _say_rest(self, readings):
+        """Adds a goodbye or thanks. A turn without any act becomes thanks,
+        since the user must say something."""
         kinds = set().union(*(reading.kinds for reading in readings))
         if "GOODBYE" in kinds:
             self._act("bye", "")

@@ -15,6 +15,7 @@ struct Form {
   std::size_t fields;
 };
 
+// In the order of LineKind.
 constexpr std::array forms = {
 #define X(name, fields, sentence) Form{#name, fields},
     PARLOUR_CORPUS_LINES(X)
@@ -31,6 +32,7 @@ std::vector<std::string> split(const std::string& text) {
   return parts;
 }
 
+// The kind of a line by its first field.
 std::optional<LineKind> kind_of(std::string_view name) {
   for (std::size_t i = 0; i < forms.size(); ++i)
     if (forms[i].name == name)
@@ -48,6 +50,7 @@ Expected<Line> parse_line(const std::string& text) {
                 "there is no line '" + fields.front() + "'");
   fields.erase(fields.begin());
   const auto wanted = forms[static_cast<std::size_t>(*kind)].fields;
+  // Only `is` may have more fields: the ways to write a value.
   if (fields.size() < wanted ||
       (fields.size() > wanted && *kind != LineKind::is))
     return fail(ErrorKind::settings,
@@ -68,6 +71,7 @@ Expected<std::vector<Line>> TurnReader::next() {
       line.error().place.line = number_;
       return tl::make_unexpected(line.error());
     }
+    // The next dialogue begins: its first line is kept for the next call.
     if (line->kind == LineKind::dialogue && !lines.empty()) {
       ahead_.push_back(std::move(*line));
       return lines;

@@ -1,6 +1,14 @@
-// Turns: what a corpus becomes for the runner, a line for each thing that
-// happens or must hold, its fields separated by tabs. One dialogue after the
-// other, each begun by `dialogue`. The front end (`run`) writes them.
+// The input of the corpus runner: one line for each thing that happens or must
+// hold, with fields separated by tabs. Each dialogue begins with the line
+// `dialogue`. The script tools/corpus/run writes these lines from a corpus.
+//
+//  dialogue  1_00001
+//  turn      0
+//  act       inform  Restaurant  no      the user informs about Restaurant
+//  slot      City    Singapore           … that City is Singapore
+//  say                                   the act is said
+//  state     Restaurant                  now the frame of Restaurant
+//  is        City    Singapore  singapore   has one of these values
 #pragma once
 
 #include <cstdint>
@@ -12,7 +20,8 @@
 
 namespace parlour::tools::corpus {
 
-// Name, number of fields (the last one may repeat), sentence.
+// The kinds of lines: name, number of fields (the last one of `is` may
+// repeat), sentence.
 // clang-format off
 #define PARLOUR_CORPUS_LINES(X) \
   X(dialogue, 1, "a conversation begins: its name") \
@@ -38,24 +47,30 @@ enum class LineKind : std::uint8_t {
 #undef X
 };
 
+// A line without its first field, which is the kind.
 struct Line {
   LineKind kind = LineKind::dialogue;
   std::vector<std::string> fields;
 };
 
+// Parses one line. The error, of kind Settings, says what is wrong.
 Expected<Line> parse_line(const std::string& text);
 
-// The lines of the next dialogue, from its `dialogue` on; empty at the end.
+// Reads the input one dialogue at a time.
 class TurnReader {
 public:
   explicit TurnReader(std::istream& input) : input_(input) {}
 
+  // The lines of the next dialogue, from its `dialogue` on; empty at the end.
+  // The error has the number of the line.
   Expected<std::vector<Line>> next();
 
 private:
   std::istream& input_;
-  std::uint32_t number_ = 0; // of the last line read
-  std::vector<Line> ahead_;  // the `dialogue` that ended the one before
+  // The number of the last line read.
+  std::uint32_t number_ = 0;
+  // The line `dialogue` that ended the previous dialogue.
+  std::vector<Line> ahead_;
 };
 
 } // namespace parlour::tools::corpus

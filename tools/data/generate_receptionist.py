@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Writes the receptionist's seed data as SQL to standard output.
+"""Prints the receptionist's sample data as SQL.
 
-Same text each time: the only chance is `Draw`, from a fixed seed. The rules
-that let the text load into SQLite and MariaDB alike stand in the schema,
-config/apps/receptionist/sql/schema.sql.
+The text is the same each time: all randomness comes from `Draw`, which has a
+fixed seed. It loads into SQLite and MariaDB; the schema says which rules that
+takes (config/apps/receptionist/sql/schema.sql).
 """
 
 import random
@@ -18,8 +18,8 @@ ROWS_PER_INSERT = 100
 
 
 class Draw:
-    """Chance by `random()` alone: of all methods of Python's generator, only
-    this one is promised to give the same numbers in every version."""
+    """A random generator that gives the same numbers in every version of
+    Python. Of the standard generator, only `random()` promises that."""
 
     def __init__(self, seed):
         self._source = random.Random(seed)
@@ -34,6 +34,7 @@ class Draw:
         return self._source.random() < probability
 
 
+# The columns of each table, in the order of the rows below.
 COLUMNS = {
     "rr_staff": "staff_id, salutation, staff_name, designation, telephone, "
                 "email, department, location",
@@ -52,7 +53,7 @@ def floor_code(level):
 
 
 def facility_rows():
-    """Units are counted along each floor."""
+    """Rows of rr_facility. Units are numbered along each floor."""
     rows, units = [], {}
     for index, facility in enumerate(receptionist_facilities.FACILITIES):
         name, category, tags, level, description = facility
@@ -71,6 +72,8 @@ def hours_rows():
 
 
 def literal(value):
+    """A value in SQL. Only quotes are escaped, so no text may contain a
+    backslash: MariaDB would read it as an escape."""
     if value is None:
         return "null"
     if isinstance(value, int):
@@ -85,6 +88,8 @@ def statement(table, rows):
 
 
 def tables():
+    """The rows of each table. The order of the calls matters: each one draws
+    from the same generator."""
     draw = Draw(SEED)
     staff = receptionist_staff.rows(draw)
     meetings, visitors = receptionist_meetings.rows(staff, draw)

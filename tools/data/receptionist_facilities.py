@@ -1,14 +1,13 @@
-"""The building: what stands on which floor.
+"""The facilities of the building and their opening hours, written by hand.
 
-One row a facility: name, category, tags, level, description. Units and
-telephone numbers are given by the generator. From the paper's examples come
-the swimming pool, the sky garden, the auditorium, Star home, the one food
-court and the two coffee shops; everything else is made up around them. No
-other row may be a coffee shop or a food court: the relaxed answers of the
-example conversation count them.
+FACILITIES has a row for each: name, category, tags, level, description. The
+generator adds unit and telephone number. The swimming pool, the sky garden, the
+auditorium, Star home, the food court and the two coffee shops come from the
+paper's examples; the rest is invented. Do not add another coffee shop or food
+court: the example conversation counts them.
 
-`HOURS` has when they are open, where that is known: days of the week (1 is
-Monday) and from when until when, agreeing with what the description says.
+HOURS has the opening hours, where they are known: days of the week (1 is
+Monday), opening and closing time. They must agree with the description.
 """
 
 FACILITIES = [

@@ -1,8 +1,7 @@
-"""Meetings already in the book, and the visitors who are expected.
+"""Two weeks of booked meetings, and the visitors who are expected.
 
-At each time the meetings take the rooms in turn, so that no room is taken
-twice. Jeffery Ho is kept free in the morning, as the
-paper's conversation needs him at half past ten.
+Meetings at the same time get different rooms. Jeffery Ho has no meeting on the
+first morning, because the paper's conversation needs him at half past ten.
 """
 
 import datetime
@@ -20,7 +19,7 @@ ORGANISATIONS = [
     "Rambutan Games",
 ]
 
-# (host, date, time, status): who is busy when, for certain.
+# (host, date, time, status): meetings that conversations rely on.
 CHOSEN = [
     ("Jeffery Ho", "2026-11-21", "14:00", "booked"),
     ("Margaret Sim", "2026-11-21", "10:30", "booked"),
@@ -32,7 +31,8 @@ CHOSEN = [
 
 
 def visitor(draw):
-    """A row of rr_visitor without its id; half of them left no contact."""
+    """A row of rr_visitor without its id. Half of the visitors have a
+    telephone number, and half of these an e-mail address."""
     gender = draw.one_of(["male", "female"])
     name = receptionist_names.name(gender, draw)
     organisation = draw.one_of(ORGANISATIONS)
@@ -47,7 +47,7 @@ def visitor(draw):
 
 
 def drawn_engagements(hosts, draw):
-    """At most one for each time of each day."""
+    """Random meetings, at most one for each time of each day."""
     for day in range(DAYS):
         date = (FIRST_DAY + datetime.timedelta(days=day)).isoformat()
         for time in TIMES:
@@ -57,8 +57,9 @@ def drawn_engagements(hosts, draw):
 
 
 def engagements(staff, draw):
-    """The chosen and the drawn ones by date and time. Hosts by chance have no
-    namesake and no chosen engagement, so that both stay predictable."""
+    """The chosen and the random meetings, by date and time. Hosts who have a
+    namesake or a chosen meeting get no random ones, so that tests can rely on
+    their calendars."""
     names = [row[2] for row in staff]
     kept = {host for host, _, _, _ in CHOSEN}
     hosts = [n for n in names if names.count(n) == 1 and n not in kept]
@@ -67,7 +68,7 @@ def engagements(staff, draw):
 
 
 def rows(staff, draw):
-    """Rows of rr_meeting and of rr_visitor in the order of their columns."""
+    """The rows of rr_meeting and of rr_visitor."""
     meetings, visitors, used = [], [], {}
     for host, date, time, status in engagements(staff, draw):
         guest = visitor(draw)

@@ -1,4 +1,5 @@
-"""Singapore names in their real orders, drawn from lists of common parts.
+"""Random Singapore names in their usual word orders, from lists of common
+parts.
 
 Chinese: surname first ("Tan Wei Ming"), with an English name before the
 surname ("Jeffery Ho"), or with both ("Rachel Lim Hui Min"). Malay: a given
@@ -121,7 +122,7 @@ def indian(gender, draw):
     given = draw.one_of(INDIAN_GIVEN[gender])
     link = "s/o" if gender == "male" else "d/o"
     surname = draw.one_of(INDIAN_SURNAMES)
-    if surname in ("Singh", "Kaur"):  # one name of two forms
+    if surname in ("Singh", "Kaur"):  # the same name in two forms
         surname = "Singh" if gender == "male" else "Kaur"
     return draw.one_of([
         f"{given} {link} {draw.one_of(INDIAN_FATHERS)}",
@@ -134,7 +135,7 @@ def english(gender, draw):
     return f"{given} {draw.one_of(ENGLISH_SURNAMES)}"
 
 
-# About the shares of the city's communities.
+# Roughly the shares of the city's communities.
 COMMUNITIES = [chinese] * 13 + [malay] * 3 + [indian] * 3 + [english] * 1
 
 

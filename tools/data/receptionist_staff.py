@@ -1,10 +1,10 @@
-"""The people who work in the building: some chosen by hand, most drawn."""
+"""The people who work in the building: some chosen by hand, most random."""
 
 import receptionist_names
 
 STAFF_COUNT = 640
 
-# department: its level
+# Departments and the floors they are on.
 RESEARCH = {
     "Robotics": 8,
     "Speech and Language": 13,
@@ -24,7 +24,7 @@ OFFICES = {
     "Facilities Management": 7,
 }
 
-# Listed once for each share of a department.
+# Positions; one that is listed more often is drawn more often.
 RESEARCH_POSTS = (
     ["Research Engineer"] * 5 + ["Scientist"] * 4
     + ["Senior Research Engineer"] * 3 + ["Senior Scientist"] * 2
@@ -36,9 +36,10 @@ OFFICE_POSTS = (
 )
 DOCTORS = ("Scientist", "Senior Scientist", "Principal Scientist")
 
-# (salutation, name, designation, department): the host of the paper's
-# conversation; namesakes, whom only title or department tells apart; names
-# that are spelt almost alike; and names that are hard to spell or to quote.
+# (salutation, name, designation, department) of people that conversations rely
+# on: the host of the paper's conversation; namesakes who differ only by title
+# or department; names with similar spellings; and names that are hard to spell
+# or to quote in SQL.
 CHOSEN = [
     ("Dr.", "Jeffery Ho", "Principal Scientist", "Speech and Language"),
     ("Prof.", "Margaret Sim", "Executive Director", "Robotics"),
@@ -95,7 +96,7 @@ def drawn_person(draw):
 
 
 def email(name, taken):
-    """The name with dots, and a number from the second namesake on."""
+    """An address made from the name; namesakes get a number."""
     kept = [c if c.isalpha() else "." for c in name.lower().replace("'", "")]
     local = ".".join(part for part in "".join(kept).split(".") if part)
     taken[local] = taken.get(local, 0) + 1
@@ -104,7 +105,8 @@ def email(name, taken):
 
 
 def people(draw):
-    """The chosen ones among the drawn ones, who have no namesakes."""
+    """All staff. The random ones have unique names; the chosen ones are put
+    among them at random places."""
     drawn, names = [], {name for _, name, _, _ in CHOSEN}
     while len(drawn) < STAFF_COUNT - len(CHOSEN):
         person = drawn_person(draw)
@@ -117,7 +119,7 @@ def people(draw):
 
 
 def rows(draw):
-    """Rows of rr_staff in the order of its columns."""
+    """The rows of rr_staff."""
     result, taken = [], {}
     for index, person in enumerate(people(draw)):
         title, name, designation, department = person

@@ -1,4 +1,6 @@
-// The one program: hands the process's streams and arguments to command_line.
+// The program `parlour`: prepares the process (signals, standard streams,
+// uncaught exceptions, locale) and hands its arguments to cli/command_line.
+// Everything else is the library parlour_tools, which tests call directly.
 #include <clocale>
 #include <csignal>
 #include <cstdio>
@@ -18,9 +20,10 @@
 
 namespace {
 
-// A standard stream that is closed would be the next file opened, such as the
-// database, and the robot's words would be written into it. What is printed to
-// one fails, as it would without this.
+// Opens /dev/null for each standard stream that is closed. Otherwise the next
+// file opened, such as the database, would get its descriptor, and the robot's
+// words would be written into that file. Standard output is opened for reading
+// on purpose: printing to it still fails, as on a closed stream.
 void open_standard_streams() {
   constexpr int ways[] = {O_RDONLY, O_RDONLY, O_RDWR};
   for (const auto descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
@@ -28,14 +31,17 @@ void open_standard_streams() {
       (void)!open("/dev/null", ways[descriptor]); // takes the lowest free one
 }
 
-// Until somebody watches for signals nothing has begun that would have to be
-// ended in order.
+// Ctrl-C before a command watches signals itself (SignalWatch): nothing has
+// begun yet that would have to be ended in order.
 void end_at_once(int) {
   _exit(parlour::tools::exit_code::interrupted);
 }
 
+// Installs the handler, unless the parent ignores SIGINT (nohup, background).
 void watch_signals() {
-  signal(SIGXFSZ, SIG_IGN); // a file that may not grow is one that is full
+  // Beyond a file size limit (ulimit -f) a write then fails, like on a full
+  // disk, instead of ending the process.
+  signal(SIGXFSZ, SIG_IGN);
   struct sigaction action {};
   sigaction(SIGINT, nullptr, &action);
   if (action.sa_handler == SIG_IGN)
@@ -44,13 +50,15 @@ void watch_signals() {
   sigaction(SIGINT, &action, nullptr);
 }
 
+// Prints with write(): there may be no memory for a stream.
 [[noreturn]] void end_without(const char* what) {
   (void)!write(STDERR_FILENO, what, std::strlen(what));
   _exit(parlour::tools::exit_code::wrong);
 }
 
-// An exception that nobody caught, on whatever thread: what the system did not
-// give is told, all else is a bug and leaves a core.
+// The terminate handler, for an exception that nobody caught on any thread. If
+// the system ran out of memory, threads or descriptors, says so and exits with
+// status 1. Anything else is a bug and leaves a core.
 [[noreturn]] void end_by_exception() {
   try {
     if (const auto thrown = std::current_exception())
@@ -65,8 +73,9 @@ void watch_signals() {
   std::abort();
 }
 
-// Standard error shows what was printed before it first, as long as it is
-// there: until the end.
+// Standard output. It is tied to standard error: what was printed before an
+// error appears before it. It is never destroyed, because std::cerr uses it
+// until the process ends.
 parlour::tools::OutputStream& standard_output() {
   static auto& stream = *new parlour::tools::OutputStream(stdout);
   std::cerr.tie(&stream);
@@ -79,8 +88,10 @@ int main(int count, char** arguments) {
   std::set_terminate(&end_by_exception);
   watch_signals();
   open_standard_streams();
-  // Characters on a terminal; numbers stay as they are written everywhere.
+  // Only LC_CTYPE: wide characters on a terminal work, while numbers are
+  // printed and parsed the same everywhere.
   std::setlocale(LC_CTYPE, "C.UTF-8");
+  // Colour only on a terminal, and not where NO_COLOR is set (no-color.org).
   const auto* no_colour = std::getenv("NO_COLOR");
   auto& out = standard_output();
   const parlour::tools::Console console{

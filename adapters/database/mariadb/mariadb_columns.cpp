@@ -13,10 +13,12 @@ namespace {
 
 using Texts = Expected<std::vector<std::string>>;
 
-// As many as names of everybody in a large house.
-constexpr std::size_t most_rows = 1'000'000;
-constexpr std::size_t most_bytes = 256 << 20;
+// As for SQLite: enough for the names of everybody in a large building.
+constexpr std::size_t max_rows = 1'000'000;
+constexpr std::size_t max_bytes = 256 << 20;
 
+// Runs schema and seed in an SQLite database in memory and reads it there, so
+// that no server is needed.
 Texts of_schema_and_seed(const MariaDBOptions& options,
                          const std::string& reference) {
   SQLiteOptions made;
@@ -54,6 +56,8 @@ Texts read_column(const MariaDBOptions& options, const std::string& reference) {
     return tl::make_unexpected(place.error());
   MariaDBConnection connection(std::make_shared<const MariaDBOptions>(options));
   auto values = ask(connection, options, *place);
+  // The server answers, but the database or the table does not exist: it will
+  // be created when the component starts.
   const bool is_not_made = connection.code() == mariadb_unknown_database ||
                            connection.code() == mariadb_no_such_table;
   if (!values && is_not_made && !options.schema.empty())
@@ -72,9 +76,10 @@ Texts read_column(const MariaDBOptions& options, const std::string& reference) {
 ColumnReader mariadb_column_reader(const Options& options,
                                    const std::string& application_folder) {
   auto read = read_mariadb_options(options, application_folder);
+  // A column may be larger than the result of a query.
   if (read) {
-    read->rows = most_rows;
-    read->bytes = most_bytes;
+    read->rows = max_rows;
+    read->bytes = max_bytes;
   }
   return [read = std::move(read)](const std::string& reference) {
     return read.and_then([&](const MariaDBOptions& known) {

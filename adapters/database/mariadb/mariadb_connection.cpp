@@ -16,11 +16,12 @@ namespace parlour::adapters {
 
 namespace {
 
-// One cell more than a result may hold fits through.
+// A cell that exceeds the limit of a result by up to this much still arrives,
+// so that the statement fails with kind Limit instead of losing the connection.
 constexpr std::size_t packet_beyond_limit = 16 << 20;
 
-// Where the rows of what has been executed arrive, the place of the last ones
-// if it still fits; false where there is none.
+// Provides buffers for the rows of an executed statement; reuses those of the
+// last execution if the columns are the same. False if there is no description.
 bool prepare_row(MYSQL_STMT* statement, std::unique_ptr<MariaDBRow>& row) {
   const std::unique_ptr<MYSQL_RES, decltype(&mysql_free_result)> description(
       mysql_stmt_result_metadata(statement), &mysql_free_result);
@@ -38,7 +39,10 @@ const char* or_null(const std::string& text) {
 
 } // namespace
 
-// Begins at once, and is waited for where that was not all.
+// An awaitable call of the C library's non-blocking interface. Each blocking
+// function f is there a pair: f_start begins it and f_cont continues it. Both
+// return 0 when it is done, else the events to wait for. The constructor starts
+// the call, so one that finishes at once never suspends the task.
 template <class Result, class Continue, class Handle>
 class MariaDBConnection::Call final : Pending {
 public:
@@ -88,8 +92,9 @@ MariaDBConnection::MariaDBConnection(
   set_options();
 }
 
-// A task may have been left in the middle: nothing more is written to the
-// server, so that closing does not wait.
+// The socket is shut down first, so that closing does not wait for a server
+// that owes an answer. mysql_close detaches the statements, and closing them
+// afterwards only frees memory.
 MariaDBConnection::~MariaDBConnection() {
   if (const auto socket = mysql_get_socket(handle_); socket >= 0)
     shutdown(socket, SHUT_RDWR);
@@ -106,7 +111,8 @@ void MariaDBConnection::set_options() {
     mysql_options(handle_, MYSQL_INIT_COMMAND, command.c_str());
   const unsigned off = 0;
   mysql_options(handle_, MYSQL_OPT_LOCAL_INFILE, &off);
-  if (options.port != 0) { // "localhost" alone is the socket
+  // Without a port, "localhost" means the Unix socket.
+  if (options.port != 0) {
     const auto protocol = MYSQL_PROTOCOL_TCP;
     mysql_options(handle_, MYSQL_OPT_PROTOCOL, &protocol);
   }
@@ -140,6 +146,10 @@ MariaDBConnection::Outcome MariaDBConnection::open(To to) {
   co_return StatementAnswer{};
 }
 
+// Switches the access mode if necessary, then finds or prepares the statement
+// and executes it. An executed statement that fails is removed from the cache.
+// If it failed only because the tables have changed since it was prepared, it
+// is prepared once more and repeated.
 MariaDBConnection::Outcome MariaDBConnection::run(Value sql, Value values,
                                                   Access access) {
   in_doubt_ = false;
@@ -162,7 +172,8 @@ MariaDBConnection::Outcome MariaDBConnection::run(Value sql, Value values,
     auto outcome = co_await execute(*statement);
     if (outcome || lost_)
       co_return outcome;
-    // What was prepared is not what the tables are now, or lies half read.
+    // A failed statement may be outdated, or may hold a result that was read in
+    // part.
     const bool is_old = code_ == mariadb_changed_columns;
     auto forgotten = co_await forget_front();
     if (!forgotten || !is_old || again)
@@ -170,6 +181,8 @@ MariaDBConnection::Outcome MariaDBConnection::run(Value sql, Value values,
   }
 }
 
+// in_doubt_ is true from the moment at which the statement may have been sent
+// until the server has answered.
 MariaDBConnection::Outcome MariaDBConnection::control(std::string sql) {
   in_doubt_ = true;
   const auto failed =
@@ -206,7 +219,9 @@ Expected<void> MariaDBConnection::check_kind(const Prepared& prepared,
   return {};
 }
 
-// The server itself keeps a connection that only reads from writing.
+// The server itself refuses to write on a connection that only reads, so the
+// first word of a statement is not the only protection. Switching is no
+// statement of the script, so it is never in doubt.
 Task<Expected<void>> MariaDBConnection::allow(Access access) {
   auto told = co_await control(access == Access::read
                                    ? "set session transaction read only"
@@ -218,7 +233,7 @@ Task<Expected<void>> MariaDBConnection::allow(Access access) {
   co_return Expected<void>();
 }
 
-// Null where it has not been prepared yet.
+// The cached statement, which becomes the most recently used one; null if none.
 MariaDBConnection::Prepared*
 MariaDBConnection::prepared(const std::string& sql) {
   const auto place = places_.find(sql);
@@ -248,7 +263,9 @@ MariaDBConnection::prepare(std::string sql) {
   const auto failed = co_await finish<int>(
       mysql_stmt_prepare_start, mysql_stmt_prepare_cont, front.statement,
       scanned.text.data(), scanned.text.size());
-  // Both have to see the same: the values are handed over by their places.
+  // Values are bound by position, so our scanner and the server must count the
+  // same placeholders. What stands behind "/*!" and the number of a later
+  // version, for example, is a comment for the server.
   const bool agrees =
       mysql_stmt_param_count(front.statement) == front.names.size();
   if (!failed && agrees)
@@ -257,7 +274,7 @@ MariaDBConnection::prepare(std::string sql) {
                       : fail(ErrorKind::refused,
                              first_words(front.sql) +
                                  ": MariaDB finds other placeholders in it; "
-                                 "write a blank after '--'.");
+                                 "write none between '/*!' and '*/'.");
   if (!lost_)
     co_await forget_front();
   co_return error;
@@ -296,8 +313,8 @@ MariaDBConnection::Outcome MariaDBConnection::execute(Prepared& prepared) {
       static_cast<std::int64_t>(mysql_stmt_affected_rows(prepared.statement))};
 }
 
-// Row by row, so that no more than the limit is ever in memory. What is left
-// of a result is read and thrown away when it is freed.
+// Fetches row by row, so that no more than the limit is ever in memory. The
+// rest of the result is read and discarded by mysql_stmt_free_result.
 MariaDBConnection::Outcome MariaDBConnection::collect(Prepared& prepared) {
   if (!prepare_row(prepared.statement, prepared.row))
     co_return failure(prepared);
@@ -327,8 +344,8 @@ MariaDBConnection::Outcome MariaDBConnection::collect(Prepared& prepared) {
     co_return failure(prepared);
   if (rows > options_->rows || bytes > options_->bytes)
     co_return too_much(prepared.sql, options_->rows, options_->bytes);
-  // Rows of an `insert … returning`.
   if (prepared.kind != StatementKind::reads)
+    // `insert … returning` gives a row for each row it changes.
     answer.changes = static_cast<std::int64_t>(rows);
   co_return answer;
 }
@@ -343,6 +360,8 @@ tl::unexpected<Error> MariaDBConnection::failure(std::string_view sql,
   lost_ = lost_ || ends_connection(code);
   if (code == only_reading)
     return only_reads(sql);
+  // A call that was ended at its deadline reports a lost connection; to the
+  // script that is a timeout.
   const bool late = lost_ && std::chrono::steady_clock::now() >= deadline_;
   return fail(late ? ErrorKind::timeout : mariadb_error_kind(code),
               (sql.empty() ? "" : first_words(sql) + " failed: ") + reason +
@@ -353,7 +372,8 @@ tl::unexpected<Error> MariaDBConnection::failure(std::string_view sql) {
   return failure(sql, mysql_errno(handle_), mysql_error(handle_));
 }
 
-// Errors while rows arrive stand at the connection.
+// Errors while rows arrive are recorded at the connection, not at the
+// statement.
 tl::unexpected<Error> MariaDBConnection::failure(const Prepared& prepared) {
   if (mysql_stmt_errno(prepared.statement) == 0)
     return failure(prepared.sql);

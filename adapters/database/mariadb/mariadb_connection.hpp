@@ -1,7 +1,19 @@
-// One connection to a MariaDB server and the statements prepared on it. Never
-// waits: what it does is a Task, put down where the server has not answered
-// yet; whoever polls takes it up. Only a host's name may take a moment to be
-// looked up. For one thread at a time, one task at a time.
+// MariaDBConnection is one connection to a MariaDB server, with a cache of
+// prepared statements. Its operations are coroutines (task.hpp) and never
+// block: when the server has not answered yet, the task is suspended, and
+// whoever polls the socket resumes it. One thread can thus serve many
+// connections:
+//
+//  auto task = connection.run(sql, values, Access::read);
+//  connection.give_time(5s);
+//  task.start();
+//  while (!task.done())
+//    // poll descriptor() for interest() until deadline(), then
+//    connection.go_on(revents);
+//  auto outcome = task.result();
+//
+// The one exception: looking up the name of a host may block. Not thread-safe;
+// one task at a time may run on a connection.
 #pragma once
 
 #include <chrono>
@@ -30,6 +42,8 @@ public:
   using Moment = std::chrono::steady_clock::time_point;
   using Outcome = Task<StatementOutcome>;
 
+  // Whether to select the database of the options, or only to connect to the
+  // server, because the database may not exist yet.
   enum class To : std::uint8_t { database, server };
 
   explicit MariaDBConnection(std::shared_ptr<const MariaDBOptions> options);
@@ -37,51 +51,61 @@ public:
   MariaDBConnection& operator=(const MariaDBConnection&) = delete;
   ~MariaDBConnection();
 
-  // Kinds: Offline where nobody is there, Refused who may not, Timeout,
-  // Database for all else.
+  // Connects. The kind of an error is Offline if the server cannot be reached,
+  // Refused if it rejects the user, Timeout, or Database. A connection that
+  // could not be opened is lost.
   Outcome open(To to);
 
-  // Runs one statement of a script, a text. `values` is a list for `?` or a map
-  // for
-  // `:name`. Kinds: Type for values that do not fit, Refused for a statement
-  // that may not run, Limit, Timeout, Offline, Database.
+  // Runs one statement of a script. `sql` is a text; `values` is a list for
+  // placeholders `?` or a map for placeholders `:name`. The kind of an error is
+  // Type if the values do not fit, Refused if the statement may not run, Limit,
+  // Timeout, Offline or Database.
   Outcome run(Value sql, Value values, Access access);
 
+  // Transactions. A failed `end` leaves the transaction in an unknown state;
+  // close the connection then, which rolls back.
   enum class End : std::uint8_t { commit, rollback };
   Outcome begin();
   Outcome end(End how);
 
-  // A statement of the platform's own.
+  // Runs a statement of the platform, without placeholders or result.
   Outcome control(std::string sql);
 
-  // How long one task may take from now on, before the connection is given up.
+  // Sets the deadline of the current or next task. Past it, go_on ends the task
+  // with an error of kind Timeout, and the connection is lost.
   void give_time(Milliseconds time);
 
-  // For whoever polls: what a task waits for.
-  int descriptor() const; // -1: nothing
-  short interest() const; // POLLIN, POLLOUT
+  // The interface for whoever polls. Without a task, a connection is only
+  // polled for input, which then means that the server has closed it.
+  int descriptor() const;
+  // The poll events to wait for: POLLIN, POLLOUT.
+  short interest() const;
+  // Moment::max() if no task is suspended.
   Moment deadline() const;
-  // Takes the task up: with what poll says, or 0 where the deadline has come.
+  // Resumes the suspended task. `ready` is what poll returned in revents, or 0
+  // if the deadline has passed.
   void go_on(short ready);
 
-  // Of no use any more.
+  // Whether the connection is unusable. It cannot be opened a second time.
   bool lost() const {
     return lost_;
   }
-  // The last statement was on its way when the connection was lost: nobody
-  // knows whether it was carried out.
+  // Whether the connection was lost after the last statement was sent and
+  // before the server answered: nobody knows whether the statement was
+  // executed.
   bool in_doubt() const {
     return in_doubt_;
   }
-  // The last error rolled the transaction back.
+  // Whether the last error made the server roll the transaction back.
   bool ended_transaction() const {
     return ended_transaction_;
   }
-  // The last error's number; 0: none.
+  // The number of the last error (mariadb_errors.hpp), or 0 if there was none.
   unsigned code() const {
     return code_;
   }
-  // What statements may do without a word to the server.
+  // The access mode of the session. A statement with the same access runs at
+  // once; another one first switches the mode, which costs a round trip.
   Access access() const {
     return access_;
   }
@@ -89,19 +113,24 @@ public:
 private:
   struct Prepared {
     std::string sql;
-    std::vector<std::string> names; // of its placeholders
+    // The names of its placeholders, "" for `?`.
+    std::vector<std::string> names;
     StatementKind kind;
     st_mysql_stmt* statement;
     MariaDBParameters parameters;
-    std::unique_ptr<MariaDBRow> row; // of the last result, for the next
+    // The buffers of the last result, kept for the next execution.
+    std::unique_ptr<MariaDBRow> row;
   };
-  // Most recently used first.
+  // Least recently used last. `places_` finds an entry by its SQL; its keys
+  // point into the entries.
   using Cache = std::list<Prepared>;
 
-  // A call of the library that goes on when the server has answered.
+  // A call of the C library that has begun and waits for the server.
   class Pending {
   public:
-    virtual int proceed(int ready) = 0; // returns what it waits for; 0: done
+    // Continues the call. Returns the flags it waits for next, or 0 if it is
+    // done.
+    virtual int proceed(int ready) = 0;
 
   protected:
     ~Pending() = default;
@@ -109,6 +138,7 @@ private:
   template <class Result, class Continue, class Handle>
   class Call;
 
+  // Starts a non-blocking call of the C library; co_await its result.
   template <class Result, class Start, class Continue, class Handle,
             class... Arguments>
   Call<Result, Continue, Handle> finish(Start start, Continue proceed,
@@ -120,9 +150,11 @@ private:
   Prepared* prepared(const std::string& sql);
   Task<Expected<Prepared*>> prepare(std::string sql);
   Outcome execute(Prepared& prepared);
+  // Close a statement on the server and remove it from the cache.
   Task<Expected<void>> forget_oldest();
   Task<Expected<void>> forget_front();
   Outcome collect(Prepared& prepared);
+  // Record the state after an error and put it into words.
   tl::unexpected<Error> failure(std::string_view sql, unsigned code,
                                 const char* reason);
   tl::unexpected<Error> failure(std::string_view sql);
@@ -139,12 +171,14 @@ private:
   bool ended_transaction_ = false;
   unsigned code_ = 0;
   Moment deadline_ = Moment::max();
-  Pending* pending_ = nullptr;      // what the task waits for
-  std::coroutine_handle<> waiting_; // where it goes on after that
-  int wanted_ = 0;                  // the library's flags
+  // What the suspended task waits for, where to resume it, and the flags
+  // (MYSQL_WAIT_READ …) that the library wants to see.
+  Pending* pending_ = nullptr;
+  std::coroutine_handle<> waiting_;
+  int wanted_ = 0;
 };
 
-// Carries a task out here and now, on a thread that may wait.
+// Runs a task to its end and blocks until then. For threads that may wait.
 StatementOutcome carry_out(MariaDBConnection& connection,
                            MariaDBConnection::Outcome task);
 

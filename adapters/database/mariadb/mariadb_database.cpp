@@ -1,3 +1,5 @@
+// The plug-in around MariaDBPool: it checks messages, hands them to the pool as
+// orders, and turns outcomes into answers.
 #include "adapters/database/mariadb/mariadb_database.hpp"
 
 #include <random>
@@ -9,14 +11,16 @@ namespace parlour::adapters {
 
 namespace {
 
-// Nobody else makes one of that name.
+// A random name for a copy. With the 48 characters that an option allows it
+// stays below MariaDB's limit of 64.
 std::string own_name(const std::string& database) {
-  std::random_device chance;
-  return database + "_" + std::to_string(chance()) +
-         std::to_string(chance() % 1000);
+  std::random_device random;
+  return database + "_" + std::to_string(random()) +
+         std::to_string(random() % 1000);
 }
 
-// What is asked, and what the answer has to say; all else has done its work.
+// The parts of a message that the pool and the answer need. The rest, such as
+// the sinks, has served its purpose and is not copied.
 Message without_its_way(const Message& message) {
   Message kept;
   kept.command = message.command;
@@ -39,8 +43,11 @@ Expected<void> MySQLDatabase::on_start(const Options& options) {
   options_ = std::move(*read);
   if (options_.copy)
     options_.database = own_name(options_.database);
+  auto loop = Loop::start();
+  if (!loop)
+    return tl::make_unexpected(loop.error());
   pool_ = std::make_unique<MariaDBPool>(
-      options_,
+      options_, std::move(*loop),
       [this](const Message& message, StatementOutcome outcome) {
         tell(message, std::move(outcome));
       },
@@ -48,6 +55,7 @@ Expected<void> MySQLDatabase::on_start(const Options& options) {
   auto first = pool_->first_connection();
   if (first)
     return {};
+  // A copy is made for a test, which must not begin without its database.
   if (!options_.copy && (first.error().kind == ErrorKind::offline ||
                          first.error().kind == ErrorKind::timeout)) {
     host().log("The server cannot be reached yet: " + first.error().message);
@@ -63,6 +71,7 @@ void MySQLDatabase::stop() {
 
 void MySQLDatabase::on_message(const Message& message) {
   const auto command = command_of(message);
+  // The component has not been started, or has been stopped.
   if (!pool_)
     return fail_with(message, database_closed());
   if (!command)
@@ -87,10 +96,13 @@ void MySQLDatabase::submit(DatabaseOrder order) {
   if (!options_.one_by_one)
     return;
   lock.lock();
+  // In virtual time the next message may not be taken, nor the clock advanced,
+  // before this one is answered.
   told_.wait(lock, [this] { return untold_ == 0; });
 }
 
-// One component is one database: its settings, not a script, say which.
+// A component has exactly one database, which its settings name, not the
+// script.
 bool MySQLDatabase::is_this_database(const Value& wanted) const {
   const auto name = (wanted.if_map() ? wanted["database"] : wanted).text();
   return !wanted || name == "unknown" || name == options_.database;
@@ -116,7 +128,7 @@ PluginFactory mysql_database_factory() {
   description.roles = {"Database"};
   description.sentence = "a database of a MariaDB server";
   description.options = mariadb_option_descriptions();
-  // Connecting, at its start, and closing.
+  // Connecting at the start, and closing, wait for the server.
   description.blocks = true;
   return {description, [] { return std::make_unique<MySQLDatabase>(); }};
 }

@@ -1,13 +1,17 @@
-// The plug-in MySQLDatabase (role Database): a database of a MariaDB server.
-// It answers what SQLiteDatabase answers:
+// The plug-in MySQLDatabase (role Database): one database of a MariaDB server.
+// It answers scripts as SQLiteDatabase does (docs/databases.md):
 //
-//   Connect(options)            Result()   is it there?
-//   Query(sql, values, write?)  Result(rows) or Result(rows, changes)
-//   Begin, Commit, Rollback     Result()   each session its own
+//  Connect(options)            Result(): the server answers
+//  Query(sql, values, write?)  Result(rows) or Result(rows, changes)
+//  Begin, Commit, Rollback     Result(): each session has its own
 //
-// Anything that goes wrong is Error(kind, message). A query that only reads
-// and loses its connection is asked again; one that writes is in doubt.
-// A thread of its own waits for the server, never the one that calls.
+// A failure is answered with Error(kind, message). A read whose connection is
+// lost is repeated on another one; a write whose connection is lost before the
+// server answered fails with kind InDoubt, and the script decides.
+//
+// Threads: a MariaDBPool talks to the server on a thread of its own and answers
+// from there. The thread that calls the plug-in waits only when it starts and
+// stops, or with the option `one-by-one`, which virtual time needs.
 #pragma once
 
 #include <condition_variable>
@@ -32,8 +36,8 @@ public:
   void stop() override;
 
 protected:
-  // Waits for the first connection. Where the server cannot be reached it
-  // comes up all the same, and goes on trying when it is asked something.
+  // Waits for the first connection. An unreachable server is no error: the
+  // component starts, and tries again with the first message.
   Expected<void> on_start(const Options& options) override;
   void on_message(const Message& message) override;
 
@@ -45,9 +49,11 @@ private:
 
   MariaDBOptions options_;
   std::mutex mutex_;
-  std::condition_variable told_; // for who waits for each answer
+  // Notified with each answer; `untold_` counts the messages without one.
+  std::condition_variable told_;
   std::size_t untold_ = 0;
-  std::unique_ptr<MariaDBPool> pool_; // the last: it tells while it ends
+  // The last member: it still answers messages while it is destroyed.
+  std::unique_ptr<MariaDBPool> pool_;
 };
 
 PluginFactory mysql_database_factory();

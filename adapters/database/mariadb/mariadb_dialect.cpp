@@ -10,8 +10,10 @@ namespace parlour::adapters {
 
 namespace {
 
-// How a script's statement may begin. What is left out is for who looks after
-// the server: sessions, transactions, users, files.
+// The words with which a statement of a script may begin. All others are
+// missing on purpose: they administer sessions, transactions, users and files
+// of the server. `changes_tables` marks statements that commit implicitly in
+// MariaDB.
 std::optional<StatementKind> kind_of(const std::string& word) {
   static const std::map<std::string, StatementKind> kinds{
       {"select", StatementKind::reads},
@@ -41,6 +43,8 @@ Expected<StatementKind> statement_kind(const std::string& sql,
                                        const ScannedSql& scanned) {
   if (scanned.first_word.empty())
     return no_statement();
+  // SQLite refuses a zero byte, at which it stops reading. So it is refused
+  // here, too.
   if (scanned.more || sql.find('\0') != std::string::npos)
     return not_alone(sql);
   if (auto kind = kind_of(scanned.first_word))
@@ -52,9 +56,14 @@ Expected<StatementKind> statement_kind(const std::string& sql,
 }
 
 std::vector<std::string> dialect_commands(const MariaDBOptions& options) {
+  // InnoDB counts lock waits in whole seconds.
   const auto lock_wait =
       std::chrono::ceil<std::chrono::seconds>(options.busy_timeout).count();
   const auto run = std::chrono::duration<double>(options.query_timeout).count();
+  // The collation is byte order without padding, as SQLite compares.
+  // Serializable is the only isolation that SQLite has. sql_select_limit ends a
+  // result one row after the limit, which is how `collect` notices that the
+  // limit is exceeded.
   return {"set names utf8mb4 collate utf8mb4_nopad_bin",
           "set session transaction isolation level serializable",
           "set sql_mode = 'ANSI_QUOTES,PIPES_AS_CONCAT,NO_BACKSLASH_ESCAPES,"

@@ -1,5 +1,5 @@
-// What a script's statement may be, and what a MariaDB server is told so that
-// it reads SQL as SQLite does.
+// Makes a MariaDB server behave like SQLite as far as scripts can see: which
+// statements a script may run, and how the server reads SQL.
 #pragma once
 
 #include <cstdint>
@@ -14,13 +14,16 @@ namespace parlour::adapters {
 
 enum class StatementKind : std::uint8_t { reads, changes_rows, changes_tables };
 
-// Kinds: Refused for what is not for scripts or not alone, Database where there
-// is no statement.
+// Classifies a statement by its first word. The error is Refused if the
+// statement is not for scripts or another one follows it, and Database if the
+// text has no statement.
 Expected<StatementKind> statement_kind(const std::string& sql,
                                        const ScannedSql& scanned);
 
-// The first of a connection. "…" names a column, || joins texts, a backslash is
-// a letter, values that do not fit are errors, texts are compared byte by byte.
+// The SQL that is executed first on every connection. After it, "…" quotes a
+// name, the operator || joins texts, a backslash is an ordinary character,
+// values that do not fit a column are errors, and texts are compared byte by
+// byte.
 std::vector<std::string> dialect_commands(const MariaDBOptions& options);
 
 } // namespace parlour::adapters

@@ -19,6 +19,7 @@ tl::unexpected<Error> wrong(const std::string& option,
   return fail(ErrorKind::settings, "option '" + option + "' " + what);
 }
 
+// Whether the server is on this machine, so that no network is involved.
 bool is_here(const MariaDBOptions& options) {
   return !options.socket.empty() || options.host == "localhost" ||
          options.host == "127.0.0.1" || options.host == "::1";
@@ -26,10 +27,14 @@ bool is_here(const MariaDBOptions& options) {
 
 Expected<void> read_database(const OptionValues& values, MariaDBOptions& made) {
   made.database = values.text("database");
-  // So that an application changes one name only.
+  // The name of an SQLite file is accepted: "lab.db" means the database "lab",
+  // so that an application changes databases by changing the name of the
+  // plug-in.
   if (made.database.empty())
     made.database = fs::path(values.text("file")).stem().string();
   const auto fits = [](unsigned char c) { return std::isalnum(c) || c == '_'; };
+  // The name is pasted into statements, so its characters are restricted. 48
+  // leaves room for the random suffix of a copy.
   if (made.database.empty() || made.database.size() > 48 ||
       !std::all_of(made.database.begin(), made.database.end(), fits))
     return wrong("database", "names the database in letters, digits and '_', "
@@ -38,6 +43,8 @@ Expected<void> read_database(const OptionValues& values, MariaDBOptions& made) {
   return {};
 }
 
+// Without the option, TLS is required and verified unless the server is on this
+// machine.
 void read_tls(const OptionValues& values, MariaDBOptions& made) {
   const auto said = values.text("tls");
   if (said.empty())
@@ -51,7 +58,7 @@ void read_tls(const OptionValues& values, MariaDBOptions& made) {
   made.tls_key = values.text("tls-key");
 }
 
-// The first line of the file, so that an editor may end it.
+// A password file is read up to its first line break, which editors add.
 Expected<void> read_password(const OptionValues& values, const fs::path& folder,
                              MariaDBOptions& made) {
   made.password = values.text("password");
@@ -72,6 +79,7 @@ Expected<void> read_password(const OptionValues& values, const fs::path& folder,
   return {};
 }
 
+// Empty means the library's own port; 0 is no port.
 Expected<void> read_port(const OptionValues& values, MariaDBOptions& made) {
   if (values.text("port").empty())
     return {};
@@ -144,6 +152,7 @@ read_mariadb_options(const Options& options,
   made.connect_timeout = values.duration("connect-timeout");
   made.query_timeout = values.duration("query-timeout");
   read_tls(values, made);
+  // The first error counts.
   for (auto&& read : {read_port(values, made), read_database(values, made),
                       read_password(values, application_folder, made),
                       read_database_options(values, application_folder, made),

@@ -1,4 +1,4 @@
-// The settings of a MariaDB database, read once.
+// The options of MySQLDatabase. docs/databases.md explains each for users.
 #pragma once
 
 #include <cstddef>
@@ -15,32 +15,40 @@ namespace parlour::adapters {
 struct MariaDBOptions : DatabaseOptions {
   enum class Tls : std::uint8_t {
     off,
-    encrypt, // whoever it is
-    verify,  // and is who the certificate says
+    encrypt, // accepts any certificate
+    verify,  // checks the server's certificate and name
   };
 
   std::string host;
-  std::string socket; // empty: the library's own, on this machine
-  unsigned port = 0;  // 0: the library's own
-  std::string user;   // empty: who runs the program
+  // Unix socket and port of the server. Empty and 0: the library's defaults.
+  std::string socket;
+  unsigned port = 0;
+  // Empty: the account that runs the program.
+  std::string user;
   std::string password;
   std::string database;
   Tls tls = Tls::off;
-  std::filesystem::path tls_ca; // empty: those that the machine trusts
+  // Files in PEM. An empty CA: those that the machine trusts.
+  std::filesystem::path tls_ca;
   std::filesystem::path tls_certificate;
   std::filesystem::path tls_key;
-  bool copy = false;       // a database of its own, dropped at the end
-  bool one_by_one = false; // each message answered before the next
+  // Create a database of its own from schema and seed, and drop it at the end.
+  bool copy = false;
+  // Answer each message before the next one is taken.
+  bool one_by_one = false;
+  // The largest number of connections at a time.
   std::size_t connections = 4;
   Milliseconds connect_timeout{5'000};
   Milliseconds query_timeout{5'000};
-  std::size_t statements = 64; // kept prepared on each connection
+  // How many prepared statements each connection keeps.
+  std::size_t statements = 64;
 };
 
 const std::vector<OptionDescription>& mariadb_option_descriptions();
 
-// Secrets and certificates may lie anywhere. An error of kind Settings names
-// the option that is wrong, never what a secret says.
+// Reads the options. Password files and certificates may lie outside of the
+// application's folder. An error has the kind Settings and names the option,
+// never the value of a secret.
 Expected<MariaDBOptions>
 read_mariadb_options(const Options& options,
                      const std::string& application_folder);

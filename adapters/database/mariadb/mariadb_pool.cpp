@@ -1,13 +1,7 @@
 #include "adapters/database/mariadb/mariadb_pool.hpp"
 
 #include <algorithm>
-#include <csignal>
-#include <iterator>
 #include <utility>
-
-#include <poll.h>
-#include <sys/eventfd.h>
-#include <unistd.h>
 
 #include "adapters/database/mariadb/mariadb_setup.hpp"
 
@@ -18,12 +12,13 @@ namespace {
 using Steady = std::chrono::steady_clock;
 using Kind = DatabaseCommand;
 
-constexpr std::size_t most_pending = 1'000;
-// The server ends a statement itself; beyond that it is not there any more.
+// The server ends a slow statement itself (max_statement_time). If it has said
+// nothing this much later, it is considered gone.
 constexpr Milliseconds grace{1'000};
 
-MariaDBConnection::Outcome carry_out(MariaDBConnection& connection,
-                                     const DatabaseOrder& order) {
+// The task that executes an order. It is not started yet.
+MariaDBConnection::Outcome task_of(MariaDBConnection& connection,
+                                   const DatabaseOrder& order) {
   const auto& params = order.message.params;
   switch (order.kind) {
   case Kind::connect:
@@ -42,13 +37,24 @@ MariaDBConnection::Outcome carry_out(MariaDBConnection& connection,
 
 } // namespace
 
-MariaDBPool::MariaDBPool(MariaDBOptions options, Tell tell, Log log)
+MariaDBPool::Worker::Worker(MariaDBPool& pool, PoolPolicy::Place number)
+    : place(number), watch(*pool.loop_, [this, &pool](short events) {
+        pool.ready(*this, events);
+      }) {}
+
+MariaDBPool::MariaDBPool(MariaDBOptions options, std::unique_ptr<Loop> loop,
+                         Tell tell, Log log)
     : options_(std::make_shared<const MariaDBOptions>(std::move(options))),
-      tell_(std::move(tell)), log_(std::move(log)) {
-  wake_ = eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK);
+      tell_(std::move(tell)), log_(std::move(log)), loop_(std::move(loop)),
+      policy_({options_->connections, options_->busy_timeout,
+               options_->transaction_timeout}),
+      alarm_(*loop_, [this] { late(); }) {
   for (std::size_t i = 0; i < options_->connections; ++i)
-    workers_.push_back(std::make_unique<Worker>());
-  thread_ = std::thread([this] { work(); });
+    workers_.push_back(std::make_unique<Worker>(*this, i));
+  loop_->post([this] {
+    policy_.begin();
+    turn();
+  });
 }
 
 MariaDBPool::~MariaDBPool() {
@@ -56,9 +62,8 @@ MariaDBPool::~MariaDBPool() {
     const std::lock_guard lock(mutex_);
     over_ = true;
   }
-  wake();
-  thread_.join();
-  ::close(wake_);
+  loop_->post([this] { end(); });
+  loop_->stop();
 }
 
 Expected<void> MariaDBPool::first_connection() {
@@ -69,39 +74,40 @@ void MariaDBPool::submit(DatabaseOrder order) {
   const auto deadline = Steady::now() + options_->busy_timeout;
   {
     const std::lock_guard lock(mutex_);
-    if (pending_ < most_pending) {
+    if (pending_ < PoolPolicy::max_pending) {
       ++pending_;
       inbox_.push_back({std::move(order), deadline});
-      return std::exchange(wants_waking_, false) ? wake() : void();
+      // The loop is woken up only if it can use the order.
+      if (std::exchange(wants_waking_, false))
+        loop_->post([this] { turn(); });
+      return;
     }
   }
   tell_(order.message, fail(ErrorKind::limit, "Too many wait for the "
                                               "database."));
 }
 
-void MariaDBPool::wake() {
-  const std::uint64_t once = 1;
-  (void)!write(wake_, &once, sizeof once);
+// -- on the loop's thread -----------------------------------------------------
+
+// Outcomes are reported after the next orders have been started, so that the
+// server already works on them while the outcomes are processed.
+void MariaDBPool::turn() {
+  turn_is_due_ = false;
+  if (!take_in())
+    return;
+  policy_.decide(Steady::now());
+  carry_out_deeds();
+  hand_over();
+  wait_for_events();
 }
 
-// -- the thread ---------------------------------------------------------------
-
-void MariaDBPool::work() {
-  // Signals are for others, that of a closed socket for nobody.
-  sigset_t all;
-  sigfillset(&all);
-  pthread_sigmask(SIG_BLOCK, &all, nullptr);
-  open_one();
-  while (take_in()) {
-    expire(Steady::now());
-    assign();
-    hand_over();
-    wait_for_events();
-  }
-  end();
+// When something has happened within a turn.
+void MariaDBPool::turn_soon() {
+  if (!std::exchange(turn_is_due_, true))
+    loop_->post([this] { turn(); });
 }
 
-// False where it is to end.
+// Moves new orders into the queue. False if the pool is to end.
 bool MariaDBPool::take_in() {
   bool goes_on = false;
   {
@@ -110,239 +116,166 @@ bool MariaDBPool::take_in() {
     wants_waking_ = false;
     taken_.swap(inbox_);
   }
-  std::move(taken_.begin(), taken_.end(), std::back_inserter(waiting_));
+  for (auto& [order, deadline] : taken_)
+    policy_.queue(std::move(order), deadline);
   taken_.clear();
   return goes_on;
 }
 
-// The connections have work again before others are told what was done.
 void MariaDBPool::hand_over() {
-  if (told_.empty())
+  auto answers = policy_.answers();
+  if (answers.empty())
     return;
   {
     const std::lock_guard lock(mutex_);
-    pending_ -= told_.size();
+    pending_ -= answers.size();
   }
-  for (auto& [message, outcome] : told_)
+  for (auto& [message, outcome] : answers)
     tell_(message, std::move(outcome));
-  told_.clear();
 }
 
-// Nothing can be begun before one of them is done.
-bool MariaDBPool::is_busy() const {
-  return std::all_of(workers_.begin(), workers_.end(), [](const auto& worker) {
-    return static_cast<bool>(worker->task);
-  });
+void MariaDBPool::wait_for_events() {
+  auto moment = policy_.next_moment(Steady::now());
+  for (const auto& worker : workers_)
+    if (const auto& connection = worker->connection) {
+      worker->watch.await(connection->descriptor(), connection->interest());
+      moment = std::min(moment, connection->deadline());
+    }
+  alarm_.set(moment);
+  if (!may_sleep())
+    turn_soon();
 }
 
-// False where something has come in that could be begun.
+// False if an order has arrived that could be started, or the pool is to end.
+// While the policy is busy nobody wakes the loop for a new order.
 bool MariaDBPool::may_sleep() {
-  const bool busy = is_busy();
+  const bool busy = policy_.is_busy();
   const std::lock_guard lock(mutex_);
   wants_waking_ = !busy;
   return !over_ && (busy || inbox_.empty());
 }
 
-void MariaDBPool::assign() {
-  // Whose connection dies over it right away waits in front of the others.
-  round_.swap(waiting_);
-  for (; !round_.empty() && !is_busy(); round_.pop_front())
-    if (auto& first = round_.front(); !assign(first))
-      waiting_.push_back(std::move(first));
-  if (waiting_.empty())
-    waiting_.swap(round_);
-  std::move(round_.begin(), round_.end(), std::back_inserter(waiting_));
-  round_.clear();
-  open_at_ = Moment::max();
-  if (is_busy() || !somebody_needs_one() || is_opening())
-    return;
-  if (Steady::now() < next_attempt_ || open_one())
-    open_at_ = next_attempt_;
+// -- deeds --------------------------------------------------------------------
+
+// A deed may end at once, and lead to others.
+void MariaDBPool::carry_out_deeds() {
+  for (auto deeds = policy_.deeds(); !deeds.empty(); deeds = policy_.deeds())
+    for (const auto& deed : deeds)
+      std::visit([this](const auto& one) { carry_out(one); }, deed);
 }
 
-bool MariaDBPool::is_opening() const {
-  return std::any_of(workers_.begin(), workers_.end(), [](const auto& worker) {
-    return worker->task && !worker->waiting;
-  });
+void MariaDBPool::carry_out(const PoolPolicy::Open& deed) {
+  auto& worker = *workers_[deed.place];
+  worker.connection = std::make_unique<MariaDBConnection>(options_);
+  worker.is_opening = true;
+  auto& connection = *worker.connection;
+  start(worker, deed.sets_up
+                    ? open_and_set_up(connection, *options_)
+                    : connection.open(MariaDBConnection::To::database));
 }
 
-bool MariaDBPool::somebody_needs_one() const {
-  return std::any_of(waiting_.begin(), waiting_.end(), [this](const auto& one) {
-    return !holder(one.order.message.session);
-  });
-}
-
-// False where it has to wait.
-bool MariaDBPool::assign(Waiting& waiting) {
-  if (auto error = objection(waiting)) {
-    tell(std::move(waiting), tl::make_unexpected(std::move(*error)));
-    return true;
-  }
-  auto* worker = holder(waiting.order.message.session);
-  if (!worker)
-    worker = free_worker(waiting.order.write ? Access::write : Access::read);
-  if (!worker || !worker->is_idle())
-    return false;
-  start(*worker, std::move(waiting));
-  return true;
-}
-
-// What keeps the order from being carried out now or later.
-std::optional<Error> MariaDBPool::objection(const Waiting& waiting) {
-  const auto& [kind, message, write] = waiting.order;
-  const auto& session = message.session;
-  const bool ends = kind == Kind::commit || kind == Kind::rollback;
-  if (kind == Kind::begin) {
-    lost_.forget(session);
-    if (holder(session))
-      return already_begun();
-  } else if (lost_.has(session) && (ends || kind == Kind::query)) {
-    if (ends)
-      lost_.forget(session);
-    return rolled_back(message);
-  } else if (ends && !holder(session)) {
-    return not_begun(message);
-  }
-  return {};
-}
-
-MariaDBPool::Worker* MariaDBPool::holder(const SessionId& session) const {
-  for (const auto& worker : workers_)
-    if (worker->session == session)
-      return worker.get();
-  return nullptr;
-}
-
-// One that need not be told what it may do, if there is.
-MariaDBPool::Worker* MariaDBPool::free_worker(Access access) {
-  Worker* found = nullptr;
-  for (const auto& worker : workers_)
-    if (worker->is_idle() && !worker->session &&
-        (!found || worker->connection->access() == access))
-      found = worker.get();
-  return found;
-}
-
-bool MariaDBPool::any_connected() const {
-  return std::any_of(workers_.begin(), workers_.end(), [](const auto& worker) {
-    return worker->connection && (worker->waiting || worker->is_idle());
-  });
-}
-
-// True where that came to its end at once, well or badly.
-bool MariaDBPool::open_one() {
-  for (const auto& worker : workers_) {
-    if (worker->connection)
-      continue;
-    worker->connection = std::make_unique<MariaDBConnection>(options_);
-    auto& connection = *worker->connection;
-    worker->task = set_up_ ? connection.open(MariaDBConnection::To::database)
-                           : open_and_set_up(connection, *options_);
-    worker->task.start();
-    const bool is_done = worker->task.done();
-    if (is_done)
-      conclude(*worker);
-    return is_done;
-  }
-  return false;
-}
-
-void MariaDBPool::start(Worker& worker, Waiting waiting) {
-  worker.waiting = std::move(waiting);
+void MariaDBPool::carry_out(const PoolPolicy::Run& deed) {
+  auto& worker = *workers_[deed.place];
   worker.connection->give_time(options_->query_timeout + grace);
-  worker.task = carry_out(*worker.connection, worker.waiting->order);
-  // A session that begins has its connection from now on.
-  if (worker.waiting->order.kind == Kind::begin)
-    worker.session = worker.waiting->order.message.session;
+  start(worker, task_of(*worker.connection, policy_.order(deed.place)));
+}
+
+// A suspended task is first resumed as if its deadline had passed until it
+// ends, so that the library releases what it holds.
+void MariaDBPool::carry_out(const PoolPolicy::Close& deed) {
+  auto& worker = *workers_[deed.place];
+  while (worker.task && !worker.task.done())
+    worker.connection->go_on(0);
+  worker.task = {};
+  worker.is_opening = false;
+  worker.watch.stop();
+  worker.connection.reset();
+}
+
+void MariaDBPool::carry_out(const PoolPolicy::Warn& deed) {
+  log_(deed.text);
+}
+
+void MariaDBPool::start(Worker& worker, MariaDBConnection::Outcome task) {
+  worker.task = std::move(task);
   worker.task.start();
+  if (!worker.task.done())
+    return;
+  conclude(worker);
+  turn_soon();
+}
+
+// -- events -------------------------------------------------------------------
+
+void MariaDBPool::ready(Worker& worker, short events) {
+  if (worker.task)
+    go_on(worker, events);
+  else
+    // The server speaks unasked only to close the connection.
+    policy_.hung_up(worker.place);
+  turn();
+}
+
+void MariaDBPool::late() {
+  const auto now = Steady::now();
+  for (const auto& worker : workers_)
+    if (worker->task && worker->connection->deadline() <= now)
+      go_on(*worker, 0);
+  turn();
+}
+
+void MariaDBPool::go_on(Worker& worker, short events) {
+  // While it connects, the library may close its socket and open another one.
+  if (worker.is_opening)
+    worker.watch.stop();
+  worker.connection->go_on(events);
   if (worker.task.done())
     conclude(worker);
 }
 
-MariaDBPool::Moment MariaDBPool::next_moment() const {
-  auto moment = open_at_;
-  for (const auto& worker : workers_) {
-    if (worker->connection)
-      moment = std::min(moment, worker->connection->deadline());
-    if (!worker->task)
-      moment = std::min(moment, worker->transaction_ends);
-  }
-  for (const auto& one : waiting_)
-    if (one.deadline < moment && !holder(one.order.message.session))
-      moment = one.deadline;
-  return moment;
-}
-
-// Who waits unseen, as all are busy, is seen before its time is up.
-Milliseconds MariaDBPool::time_to_sleep() {
-  if (!may_sleep())
-    return Milliseconds(0);
-  auto moment = next_moment();
-  if (is_busy())
-    moment = std::min(moment, Steady::now() + options_->busy_timeout);
-  if (moment == Moment::max())
-    return Milliseconds(-1);
-  const auto left = std::chrono::ceil<Milliseconds>(moment - Steady::now());
-  return std::clamp(left, Milliseconds(0), Milliseconds(60'000));
-}
-
-void MariaDBPool::wait_for_events() {
-  polled_.assign(1, {wake_, POLLIN, 0});
-  for (const auto& worker : workers_)
-    polled_.push_back(worker->connection
-                          ? pollfd{worker->connection->descriptor(),
-                                   worker->connection->interest(), 0}
-                          : pollfd{-1, 0, 0});
-  poll(polled_.data(), polled_.size(),
-       static_cast<int>(time_to_sleep().count()));
-  std::uint64_t times = 0;
-  if (polled_.front().revents != 0)
-    (void)!read(wake_, &times, sizeof times);
+// The first outcome of all is passed to first_connection().
+void MariaDBPool::conclude(Worker& worker) {
+  auto outcome = worker.task.result();
+  worker.task = {};
   const auto now = Steady::now();
-  for (std::size_t i = 0; i < workers_.size(); ++i)
-    if (workers_[i]->connection)
-      look_after(*workers_[i], polled_[i + 1].revents, now);
-}
-
-void MariaDBPool::look_after(Worker& worker, short ready, Moment now) {
-  if (worker.task) {
-    if (ready == 0 && worker.connection->deadline() > now)
-      return;
-    worker.connection->go_on(ready);
-    if (worker.task.done())
-      conclude(worker);
-  } else if (ready != 0) {
-    take_away(worker); // nobody asked the server anything: it has gone
-  } else if (worker.session && worker.transaction_ends <= now) {
-    take_away(worker);
-    log_("A transaction was open for too long and was rolled back.");
+  const auto& connection = *worker.connection;
+  if (!std::exchange(worker.is_opening, false)) {
+    policy_.ended(worker.place, std::move(outcome),
+                  {connection.lost(), connection.in_doubt(),
+                   connection.ended_transaction(), connection.access()},
+                  now);
+    return;
   }
+  policy_.opened(worker.place, outcome, now);
+  if (!std::exchange(first_told_, true))
+    first_.set_value(outcome.map([](const auto&) {}));
 }
 
-void MariaDBPool::expire(Moment now) {
-  std::erase_if(waiting_, [&](Waiting& one) {
-    if (one.deadline > now || holder(one.order.message.session))
-      return false;
-    tell(std::move(one), tl::make_unexpected(why_it_waited()));
-    return true;
-  });
+// -- the end ------------------------------------------------------------------
+
+// Answers everything that is left.
+void MariaDBPool::end() {
+  take_in();
+  policy_.end();
+  carry_out_deeds();
+  hand_over();
+  if (!first_told_)
+    first_.set_value(tl::make_unexpected(database_closed()));
+  if (options_->copy)
+    drop_copy();
 }
 
-Error MariaDBPool::why_it_waited() const {
-  if (trouble_ && !any_connected())
-    return {trouble_->kind,
-            "The database server cannot be reached: " + trouble_->message +
-                " It is tried again and again; look whether the server runs "
-                "and what the settings say of host, port and socket.",
-            trouble_->place};
-  if (!any_connected())
-    return {ErrorKind::timeout,
-            "The database server has not answered yet; it is tried again.",
-            {}};
-  return {ErrorKind::timeout,
-          "All connections to the database are busy; the option 'connections' "
-          "says how many there may be.",
-          {}};
+// A new connection, since the others may have been lost. Errors are ignored:
+// nobody is left who could act on them.
+void MariaDBPool::drop_copy() {
+  MariaDBConnection connection(options_);
+  using To = MariaDBConnection::To;
+  if (!adapters::carry_out(connection, connection.open(To::server)))
+    return;
+  connection.give_time(options_->connect_timeout);
+  (void)adapters::carry_out(connection,
+                            connection.control("drop database if exists \"" +
+                                               options_->database + "\""));
 }
 
 } // namespace parlour::adapters

@@ -1,109 +1,86 @@
-// The connections of one MySQLDatabase, driven by one thread of its own, and
-// the messages that wait for them. A message gets the connection that is free,
-// one inside of a transaction its own; connections are made when they are
-// needed, and again, after a while that grows, when they were lost.
+// MariaDBPool owns the connections of one MySQLDatabase and carries out what
+// PoolPolicy decides. A loop of its own drives all connections.
 #pragma once
 
-#include <condition_variable>
-#include <deque>
 #include <functional>
 #include <future>
-#include <map>
 #include <memory>
 #include <mutex>
-#include <optional>
-#include <thread>
+#include <string>
 #include <vector>
 
-#include <poll.h>
-
-#include "adapters/database/database_command.hpp"
-#include "adapters/database/lost_transactions.hpp"
 #include "adapters/database/mariadb/mariadb_connection.hpp"
-#include "runtime/base/message.hpp"
+#include "adapters/database/mariadb/pool_policy.hpp"
+#include "adapters/loop/alarm.hpp"
+#include "adapters/loop/watch.hpp"
 
 namespace parlour::adapters {
 
-// What a message asks of the database.
-struct DatabaseOrder {
-  DatabaseCommand kind = DatabaseCommand::query;
-  Message message; // query: its SQL and values
-  bool write = false;
-};
-
 class MariaDBPool {
 public:
-  // What came of it; from the pool's thread, or who submits too much.
+  // Receives the outcome of an order. It is called on the pool's thread, or on
+  // the submitting thread if too many orders wait.
   using Tell = std::function<void(const Message&, StatementOutcome)>;
   using Log = std::function<void(const std::string&)>;
 
-  MariaDBPool(MariaDBOptions options, Tell tell, Log log);
-  ~MariaDBPool(); // tells all that are left; what is open is rolled back
+  // Connects at once, on the thread of the loop, which is the pool's own.
+  MariaDBPool(MariaDBOptions options, std::unique_ptr<Loop> loop, Tell tell,
+              Log log);
+  // Answers all orders that are left, rolls back open transactions, and stops
+  // the loop. Blocks for as long as dropping a copy takes.
+  ~MariaDBPool();
 
-  // The outcome of the first connection, once: what is wrong with the settings
-  // shows there. Waits for it.
+  // Blocks until the first attempt to connect has ended, and returns its
+  // outcome, in which mistakes of the settings show. Call it once.
   Expected<void> first_connection();
 
-  // From any thread; never waits. Every order is told about once.
+  // Queues an order. Thread-safe; never blocks. Every order gets exactly one
+  // outcome.
   void submit(DatabaseOrder order);
 
 private:
-  using Moment = MariaDBConnection::Moment;
+  using Moment = PoolPolicy::Moment;
 
-  struct Waiting {
+  struct Submitted {
     DatabaseOrder order;
     Moment deadline;
-    std::size_t deaths = 0; // of connections, over it
   };
 
-  struct Told {
-    Message message;
-    StatementOutcome outcome;
-  };
-
-  // A connection and what goes on there.
+  // A connection and what happens on it. The members are destroyed from the
+  // last to the first: the task, which refers to the connection, goes first.
   struct Worker {
-    std::unique_ptr<MariaDBConnection> connection;
-    MariaDBConnection::Outcome task;  // before the connection in its end
-    std::optional<Waiting> waiting;   // what the task is about; none: opening
-    std::optional<SessionId> session; // whose transaction it is
-    Moment transaction_ends = Moment::max();
+    Worker(MariaDBPool& pool, PoolPolicy::Place number);
 
-    bool is_idle() const {
-      return connection && !task;
-    }
+    const PoolPolicy::Place place;
+    // Waits for the connection's socket.
+    Watch watch;
+    std::unique_ptr<MariaDBConnection> connection;
+    // Empty: the connection is idle, or there is none.
+    MariaDBConnection::Outcome task;
+    bool is_opening = false;
   };
 
-  void work();
+  // What follows each event: take orders, decide, report outcomes, wait.
+  void turn();
+  void turn_soon();
   bool take_in();
   void hand_over();
-  bool may_sleep();
-  bool is_busy() const;
-  void wake();
-  void assign();
-  bool assign(Waiting& waiting);
-  bool open_one();
-  void start(Worker& worker, Waiting waiting);
-  std::optional<Error> objection(const Waiting& waiting);
-  Worker* holder(const SessionId& session) const;
-  Worker* free_worker(Access access);
-  bool any_connected() const;
-  bool is_opening() const;
-  bool somebody_needs_one() const;
   void wait_for_events();
-  Milliseconds time_to_sleep();
-  Moment next_moment() const;
-  void look_after(Worker& worker, short ready, Moment now);
-  void expire(Moment now);
-  Error why_it_waited() const;
+  bool may_sleep();
+
+  // Deeds of the policy.
+  void carry_out_deeds();
+  void carry_out(const PoolPolicy::Open& deed);
+  void carry_out(const PoolPolicy::Run& deed);
+  void carry_out(const PoolPolicy::Close& deed);
+  void carry_out(const PoolPolicy::Warn& deed);
+  void start(Worker& worker, MariaDBConnection::Outcome task);
+
+  // Resume the tasks whose sockets are ready or whose time is over.
+  void ready(Worker& worker, short events);
+  void late();
+  void go_on(Worker& worker, short events);
   void conclude(Worker& worker);
-  void opened(Worker& worker, const StatementOutcome& outcome);
-  void succeeded(Worker& worker, Waiting waiting, StatementOutcome outcome);
-  void failed(Worker& worker, Waiting waiting, const Error& error);
-  void lose(Worker& worker, Waiting waiting, const Error& error);
-  void drop(Worker& worker);
-  void take_away(Worker& worker);
-  void tell(Waiting&& waiting, StatementOutcome outcome);
   void end();
   void drop_copy();
 
@@ -113,28 +90,25 @@ private:
   std::promise<Expected<void>> first_;
   bool first_told_ = false;
 
-  std::mutex mutex_; // for the four that follow
-  std::vector<Waiting> inbox_;
-  std::size_t pending_ = 0;   // not told about yet
-  bool wants_waking_ = false; // sleeps, and could do something with an order
+  // Guards the members up to over_.
+  std::mutex mutex_;
+  std::vector<Submitted> inbox_;
+  // Orders without an outcome.
+  std::size_t pending_ = 0;
+  // The loop waits, and an order could be started now.
+  bool wants_waking_ = false;
   bool over_ = false;
 
-  // Of the thread alone.
-  std::vector<std::unique_ptr<Worker>> workers_;
-  std::deque<Waiting> waiting_;
-  std::deque<Waiting> round_;  // of them, while they are assigned
-  std::vector<Waiting> taken_; // of the inbox, for its memory
-  std::vector<Told> told_;     // handed over when the next ones are under way
-  std::vector<pollfd> polled_; // for its memory
-  LostTransactions lost_;
-  bool set_up_ = false;
-  unsigned failures_ = 0;          // to connect, one after the other
-  Moment next_attempt_{};          // long ago, but to be reckoned with
-  Moment open_at_ = Moment::max(); // somebody waits for the next attempt
-  std::optional<Error> trouble_;   // why it could not connect
+  const std::unique_ptr<Loop> loop_;
 
-  int wake_ = -1; // an eventfd that ends the thread's sleep
-  std::thread thread_;
+  // Used on the loop's thread only. There is one worker for each connection
+  // that the options allow, connected or not.
+  PoolPolicy policy_;
+  std::vector<std::unique_ptr<Worker>> workers_;
+  // Swapped with inbox_. Kept as a member to reuse its memory.
+  std::vector<Submitted> taken_;
+  Alarm alarm_;
+  bool turn_is_due_ = false;
 };
 
 } // namespace parlour::adapters

@@ -1,3 +1,9 @@
+// The steps of creating a database, each a coroutine on the same connection:
+//
+//  lock -> make_database -> fill_if_empty -> unlock
+//                            |
+//                            drop_all, if a former attempt was interrupted
+//                            fill: marker, schema, seed, marker off
 #include "adapters/database/mariadb/mariadb_setup.hpp"
 
 #include <utility>
@@ -11,10 +17,13 @@ namespace {
 
 using Outcome = MariaDBConnection::Outcome;
 
-// A table that is there while the others are being made.
+// The marker table. Its name has blanks, which no table of a schema is likely
+// to.
 const std::string mark_of_loading = "parlour is loading";
-constexpr Milliseconds most_time{120'000};
+// How long creating the database may take, waiting for the lock included.
+constexpr Milliseconds max_time{120'000};
 
+// Runs the statements of a file; the error names its line.
 Outcome run_file(MariaDBConnection& connection, std::filesystem::path path) {
   if (path.empty())
     co_return StatementAnswer{};
@@ -30,26 +39,28 @@ Outcome run_file(MariaDBConnection& connection, std::filesystem::path path) {
   co_return StatementAnswer{};
 }
 
-// What is there of a database that was not finished.
+// Drops the tables and views of a database that was not finished, without
+// regard to foreign keys. The marker is dropped by fill() as its last step.
 Outcome drop_all(MariaDBConnection& connection) {
-  auto tables = co_await connection.run(
-      "select table_name from information_schema.tables "
-      "where table_schema = database()",
-      {}, Access::write);
-  if (!tables)
-    co_return tables;
+  const Value mark = List{mark_of_loading};
+  auto drops = co_await connection.run(
+      "select concat('drop ', if(table_type = 'VIEW', 'view', 'table'), ' \"', "
+      "table_name, '\"') from information_schema.tables "
+      "where table_schema = database() and table_name <> ?",
+      mark, Access::write);
+  if (!drops)
+    co_return drops;
   if (auto off = co_await connection.control("set foreign_key_checks = 0");
       !off)
     co_return off;
-  for (const auto& name : tables->rows.cells) {
-    const auto drop = "drop table \"" + name.text() + "\"";
-    if (name.text() != mark_of_loading)
-      if (auto dropped = co_await connection.control(drop); !dropped)
-        co_return dropped;
-  }
+  for (const auto& drop : drops->rows.cells)
+    if (auto dropped = co_await connection.control(drop.text()); !dropped)
+      co_return dropped;
   co_return co_await connection.control("set foreign_key_checks = 1");
 }
 
+// Creates the tables, then fills them in one transaction, which is many times
+// faster than one for each statement.
 Outcome fill(MariaDBConnection& connection, const MariaDBOptions& options) {
   auto marked = co_await connection.control("create table if not exists \"" +
                                             mark_of_loading + "\" (a integer)");
@@ -67,7 +78,8 @@ Outcome fill(MariaDBConnection& connection, const MariaDBOptions& options) {
                                         "\"");
 }
 
-// How many tables there are; none of a database that was not finished.
+// Fills a database without tables or with the marker; leaves all others
+// unchanged.
 Outcome fill_if_empty(MariaDBConnection& connection,
                       const MariaDBOptions& options) {
   const Value mark = List{mark_of_loading};
@@ -86,6 +98,8 @@ Outcome fill_if_empty(MariaDBConnection& connection,
   co_return co_await fill(connection, options);
 }
 
+// Creates the database if it does not exist, and selects it. Looking first lets
+// an account without the right to create databases use one that exists.
 Outcome make_database(MariaDBConnection& connection,
                       const std::string& database) {
   const Value values = List{database};
@@ -104,7 +118,8 @@ Outcome make_database(MariaDBConnection& connection,
   co_return co_await connection.control("use \"" + database + "\"");
 }
 
-// One program at a time; the lock ends with the connection, too.
+// Takes a named lock on the server, which is also released when the connection
+// ends. Statements of the set-up may run longer than those of scripts.
 Outcome lock(MariaDBConnection& connection, const std::string& name) {
   if (auto done = co_await connection.control("set max_statement_time = 0");
       !done)
@@ -139,9 +154,10 @@ MariaDBConnection::Outcome open_and_set_up(MariaDBConnection& connection,
     co_return co_await connection.open(To::database);
   if (auto opened = co_await connection.open(To::server); !opened)
     co_return opened;
-  connection.give_time(most_time);
+  connection.give_time(max_time);
   if (auto done = co_await set_up(connection, options); !done)
     co_return done;
+  // From here on the limit of the options holds for statements again.
   const auto seconds =
       std::chrono::duration<double>(options.query_timeout).count();
   co_return co_await connection.control("set max_statement_time = " +

@@ -1,15 +1,17 @@
-// An empty database made from schema and seed, whole or not at all: where that
-// ends in the middle, what was made is made anew the next time.
+// Creates the database from schema and seed if it is empty. MariaDB cannot undo
+// the creation of tables, so a marker table exists while they are made: a
+// database with the marker was not finished, and is emptied and made again.
 #pragma once
 
 #include "adapters/database/mariadb/mariadb_connection.hpp"
 
 namespace parlour::adapters {
 
-// Connects, and makes the database and its tables where they are missing and
-// the options name a schema; of several programs that do so, one. Errors as
-// MariaDBConnection::open has them, File and Database for the schema and seed,
-// with the file's line.
+// Connects; if the options name a schema, creates the database and its tables
+// where they are missing. Several programs may do so at the same time: an
+// advisory lock lets one of them work. Errors are those of
+// MariaDBConnection::open, and File and Database, with the line, for schema and
+// seed.
 MariaDBConnection::Outcome open_and_set_up(MariaDBConnection& connection,
                                            const MariaDBOptions& options);
 

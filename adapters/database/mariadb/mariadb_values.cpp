@@ -1,3 +1,6 @@
+// MariaDB's binary protocol: values are exchanged through buffers whose
+// addresses the library is told (MYSQL_BIND). MariaDBParameters owns those of a
+// statement's placeholders, MariaDBRow those of a result's columns.
 #include "adapters/database/mariadb/mariadb_values.hpp"
 
 #include <algorithm>
@@ -13,15 +16,21 @@ namespace parlour::adapters {
 
 namespace {
 
+// The number of the character set "binary", which tells blobs from texts.
 constexpr unsigned binary_charset = 63;
-constexpr std::size_t first_size = 256; // of a text's place
+// The initial buffer of a text cell, and the size beyond which buffers are
+// freed.
+constexpr std::size_t first_size = 256;
 constexpr std::size_t large_size = 16 << 10;
 
+// A placeholder as an error message names it: ":level" or "number 2".
 std::string label(const std::vector<std::string>& names, std::size_t place) {
   return names[place].empty() ? "number " + std::to_string(place + 1)
                               : ":" + names[place];
 }
 
+// The error messages are those of SQLite, since a script may use either
+// database.
 Expected<List> by_position(const List& values, std::size_t count) {
   if (count == values.size())
     return values;
@@ -61,7 +70,8 @@ Expected<List> arrange(const Value& values,
                                    std::string(name_of(values.type())) + ".");
 }
 
-// The library only reads what it is handed.
+// The library does not write to the buffers of parameters, so const may be
+// removed.
 void point_at(MYSQL_BIND& bind, enum_field_types type, const void* first,
               std::size_t length) {
   bind.buffer_type = type;
@@ -69,11 +79,13 @@ void point_at(MYSQL_BIND& bind, enum_field_types type, const void* first,
   bind.buffer_length = length;
 }
 
+// A decimal becomes a number; one that cannot be read as a number stays a text.
 Value decimal(std::string_view digits) {
   const auto number = parse_number(digits);
   return number.is_unknown() ? Value(digits) : number;
 }
 
+// A column of type BIT arrives as bytes, the most significant first.
 std::int64_t bits(std::string_view bytes) {
   std::uint64_t number = 0;
   for (char byte : bytes)
@@ -106,19 +118,22 @@ Expected<List> values_in_order(const Value& values,
   return ordered;
 }
 
-struct MariaDBParameters::Place {
+// The buffer of one placeholder. `type` keeps its value while the placeholder
+// is NULL, so that NULL does not count as a change of type.
+struct MariaDBParameters::Parameter {
   void take(const Value& value);
   bool fits(const MYSQL_BIND& bind) const {
     return bind.buffer_type == type && bind.buffer == buffer();
   }
+  // Makes `bind` point to this buffer.
   void point(MYSQL_BIND& bind);
 
-  enum_field_types type = MYSQL_TYPE_NULL; // the last one that was not NULL
+  enum_field_types type = MYSQL_TYPE_NULL;
   my_bool is_null = 1;
   std::int64_t integer = 0;
   double number = 0;
   std::string bytes;
-  unsigned long length = 0; // of them
+  unsigned long length = 0;
 
 private:
   const void* buffer() const;
@@ -126,14 +141,16 @@ private:
                   std::size_t size);
 };
 
-void MariaDBParameters::Place::take_bytes(enum_field_types of_type,
-                                          const void* first, std::size_t size) {
+void MariaDBParameters::Parameter::take_bytes(enum_field_types of_type,
+                                              const void* first,
+                                              std::size_t size) {
   type = of_type;
   bytes.assign(static_cast<const char*>(first), size);
   length = size;
 }
 
-void MariaDBParameters::Place::take(const Value& value) {
+// Copies a value. The caller has checked that it is of a type that fits.
+void MariaDBParameters::Parameter::take(const Value& value) {
   is_null = value.is_unknown();
   if (const auto* boolean = value.if_boolean()) {
     type = MYSQL_TYPE_LONGLONG;
@@ -151,7 +168,7 @@ void MariaDBParameters::Place::take(const Value& value) {
   }
 }
 
-const void* MariaDBParameters::Place::buffer() const {
+const void* MariaDBParameters::Parameter::buffer() const {
   if (type == MYSQL_TYPE_LONGLONG)
     return &integer;
   if (type == MYSQL_TYPE_DOUBLE)
@@ -159,7 +176,7 @@ const void* MariaDBParameters::Place::buffer() const {
   return bytes.data();
 }
 
-void MariaDBParameters::Place::point(MYSQL_BIND& bind) {
+void MariaDBParameters::Parameter::point(MYSQL_BIND& bind) {
   point_at(bind, type, buffer(), bytes.size());
   bind.length = &length;
   bind.is_null = &is_null;
@@ -179,13 +196,14 @@ Expected<void> MariaDBParameters::take(const Value& values,
   const auto ordered = values_in_order(values, names);
   if (!ordered)
     return tl::make_unexpected(ordered.error());
-  places_.resize(names.size());
+  parameters_.resize(names.size());
   binds_.resize(names.size());
-  for (std::size_t i = 0; i < places_.size(); ++i) {
-    places_[i].take((*ordered)[i]);
-    if (places_[i].fits(binds_[i]))
+  for (std::size_t i = 0; i < parameters_.size(); ++i) {
+    parameters_[i].take((*ordered)[i]);
+    // Binding again is necessary only if a type or an address has changed.
+    if (parameters_[i].fits(binds_[i]))
       continue;
-    places_[i].point(binds_[i]);
+    parameters_[i].point(binds_[i]);
     is_bound_ = false;
   }
   return {};
@@ -198,11 +216,13 @@ bool MariaDBParameters::bind(MYSQL_STMT* statement) {
 }
 
 bool MariaDBParameters::are_large() const {
-  return std::any_of(places_.begin(), places_.end(), [](const Place& place) {
-    return place.bytes.capacity() > large_size;
-  });
+  return std::any_of(parameters_.begin(), parameters_.end(),
+                     [](const Parameter& parameter) {
+                       return parameter.bytes.capacity() > large_size;
+                     });
 }
 
+// The buffer of one column.
 struct MariaDBRow::Cell {
   enum class As : std::uint8_t { integer, number, decimal, bits, text, blob };
 
@@ -221,6 +241,8 @@ struct MariaDBRow::Cell {
   my_bool cut = 0;
 };
 
+// How a column is read. Dates and times are read as texts, which the server
+// formats.
 MariaDBRow::Cell::As MariaDBRow::Cell::kind_of(const MYSQL_FIELD& field) {
   switch (field.type) {
   case MYSQL_TYPE_TINY:
@@ -255,6 +277,8 @@ bool MariaDBRow::Cell::fits(const MYSQL_FIELD& field) const {
          is_unsigned == ((field.flags & UNSIGNED_FLAG) != 0);
 }
 
+// Tells the library to write into this buffer. Integers and floating-point
+// numbers are converted to the widest type by the library.
 void MariaDBRow::Cell::point(MYSQL_BIND& bind) {
   bind.is_null = &is_null;
   bind.length = &length;
@@ -264,12 +288,14 @@ void MariaDBRow::Cell::point(MYSQL_BIND& bind) {
     return point_at(bind, MYSQL_TYPE_LONGLONG, &integer, sizeof integer);
   if (as == As::number)
     return point_at(bind, MYSQL_TYPE_DOUBLE, &number, sizeof number);
+  // A longer text arrives truncated, and append_to fetches it again.
   const bool is_bytes = as == As::blob || as == As::bits;
   bytes.resize(std::max(bytes.size(), first_size));
   point_at(bind, is_bytes ? MYSQL_TYPE_BLOB : MYSQL_TYPE_STRING, bytes.data(),
            bytes.size());
 }
 
+// An unsigned integer beyond the signed range becomes a floating-point number.
 Value MariaDBRow::Cell::value(RowTexts& texts) const {
   const auto said = std::string_view(bytes).substr(0, length);
   switch (as) {
@@ -305,6 +331,7 @@ MariaDBRow::MariaDBRow(MYSQL_RES* description)
 
 MariaDBRow::~MariaDBRow() = default;
 
+// Columns may change between two executions, if the tables are altered.
 bool MariaDBRow::fits(MYSQL_RES* description) const {
   const auto* fields = mysql_fetch_fields(description);
   bool fits = mysql_num_fields(description) == cells_.size();
@@ -337,8 +364,11 @@ void MariaDBRow::append_to(List& cells, MYSQL_STMT* statement) {
   bool has_grown = false;
   for (std::size_t i = 0; i < cells_.size(); ++i) {
     auto& cell = cells_[i];
+    // `length` is the length at the server. Integers and numbers have no byte
+    // buffer.
     if (!cell.is_null && cell.length > cell.bytes.size() &&
         !cell.bytes.empty()) {
+      // The rest of the cell is fetched separately, at its full length.
       cell.bytes.resize(cell.length);
       cell.point(binds_[i]);
       mysql_stmt_fetch_column(statement, &binds_[i], static_cast<unsigned>(i),
@@ -347,7 +377,7 @@ void MariaDBRow::append_to(List& cells, MYSQL_STMT* statement) {
     }
     cells.push_back(cell.is_null ? Value() : cell.value(texts));
   }
-  // The statement still knows the places as they were.
+  // The statement still has the addresses of the old buffers.
   if (has_grown)
     bind(statement);
 }

@@ -1,5 +1,5 @@
-// Values into placeholders and cells into values, as SQLite's columns hold
-// them: so that a script finds the same in both.
+// Converts values of scripts to MariaDB's placeholders and MariaDB's cells to
+// values. A script finds the same types as with SQLite.
 #pragma once
 
 #include <cstddef>
@@ -16,15 +16,16 @@ struct st_mysql_res;
 
 namespace parlour::adapters {
 
-// In the order of the placeholders: a list by position, a map by name. An
-// error of kind Type where numbers or names do not match, or a value cannot
-// stand in a table.
+// Arranges values in the order of the placeholders: a list by position, a map
+// by name. The error is Type if numbers or names do not match, or if a value is
+// a list, a map or a result set.
 Expected<List> values_in_order(const Value& values,
                                const std::vector<std::string>& names);
 
-// The values of a statement's placeholders, one execution after the other, at
-// places that stay: the server is told their types where they change. unknown
-// becomes NULL, booleans 1 and 0.
+// The values of a prepared statement's placeholders. The buffers keep their
+// addresses from one execution to the next, so that the server is told the
+// types again only when they change. unknown becomes NULL, booleans become 1
+// and 0.
 class MariaDBParameters {
 public:
   MariaDBParameters();
@@ -32,26 +33,29 @@ public:
   MariaDBParameters& operator=(MariaDBParameters&&) noexcept;
   ~MariaDBParameters();
 
-  // Those of the next execution, copied; fails as values_in_order does.
+  // Copies the values of the next execution. Fails as values_in_order does.
   Expected<void> take(const Value& values,
                       const std::vector<std::string>& names);
+  // Tells the library where the values are. False if it refuses.
   bool bind(st_mysql_stmt* statement);
-  // Whether they have grown so far that they are not worth keeping.
+  // Whether the buffers have grown so large that they should not be kept.
   bool are_large() const;
 
 private:
-  struct Place;
+  struct Parameter;
 
-  std::vector<Place> places_;
+  std::vector<Parameter> parameters_;
   std::vector<st_mysql_bind> binds_;
-  bool is_bound_ = false; // as the places are
+  // Whether the library knows the current addresses and types.
+  bool is_bound_ = false;
 };
 
-// Where the cells of a row arrive. NULL is unknown, a decimal a number; dates
-// and times are texts; bytes that are not UTF-8 become U+FFFD; blobs are
-// binary.
+// The buffers into which the library writes the cells of one row. NULL becomes
+// unknown, a decimal a number, dates and times become texts, blobs become
+// binary values, and bytes that are not UTF-8 become U+FFFD.
 class MariaDBRow {
 public:
+  // Buffers for the columns that the description of a result lists.
   explicit MariaDBRow(st_mysql_res* description);
   MariaDBRow(const MariaDBRow&) = delete;
   MariaDBRow& operator=(const MariaDBRow&) = delete;
@@ -60,13 +64,16 @@ public:
   const Columns& columns() const {
     return columns_;
   }
-  // Whether rows of that description can arrive here.
+  // Whether rows of this description fit the buffers.
   bool fits(st_mysql_res* description) const;
-  // Whether it has grown so far that it is not worth keeping.
+  // Whether a buffer has grown so large that it should not be kept.
   bool is_large() const;
   bool bind(st_mysql_stmt* statement);
-  // How many bytes the fetched row holds; they need not be in memory yet.
+  // The bytes of the fetched row, some of which may still be at the server: the
+  // limit can be checked before they are fetched.
   std::size_t size() const;
+  // Appends the cells as values. Fetches those that were too long for their
+  // buffer, which grows.
   void append_to(List& cells, st_mysql_stmt* statement);
 
 private:

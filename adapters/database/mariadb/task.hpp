@@ -1,6 +1,10 @@
-// Task: what goes on at a connection, written in order though it never waits:
-// it is put down where the other side has nothing to say yet, and taken up by
-// whoever polls.
+// Task is a coroutine that runs on one thread and is resumed by a polling loop.
+// It lets a dialogue with a server be written in order, without blocking:
+//
+//  Task<int> twice() {
+//    const int once = co_await ask();
+//    co_return 2 * once;
+//  }
 #pragma once
 
 #include <coroutine>
@@ -10,8 +14,8 @@
 
 namespace parlour::adapters {
 
-// Begins when it is awaited or started; ends, in the middle too, with the
-// object. For one thread at a time.
+// Starts when it is started or awaited. Destroying the object destroys the
+// coroutine, also if it is suspended. Not thread-safe.
 template <class T>
 class [[nodiscard]] Task {
 public:
@@ -36,6 +40,7 @@ public:
   void start() {
     handle_.resume();
   }
+  // Whether the result is there. result() moves it out; call it once.
   bool done() const {
     return handle_.done();
   }
@@ -43,7 +48,9 @@ public:
     return std::move(*handle_.promise().value);
   }
 
-  // Awaited by another task, which goes on when this one is done.
+  // A task can be awaited by another one. The awaited task runs at once and
+  // resumes the caller when it is done (symmetric transfer: the stack does not
+  // grow).
   bool await_ready() const noexcept {
     return false;
   }
@@ -64,6 +71,8 @@ struct Task<T>::promise_type {
   std::optional<T> value;
   std::coroutine_handle<> caller = std::noop_coroutine();
 
+  // The end of a coroutine: control passes to the caller, or back to whoever
+  // started the outermost task, whose caller is the no-op coroutine.
   struct GoOnWithCaller {
     bool await_ready() noexcept {
       return false;
@@ -87,7 +96,8 @@ struct Task<T>::promise_type {
     value.emplace(std::move(result));
   }
   [[noreturn]] void unhandled_exception() {
-    std::terminate(); // out of memory; nothing else throws here
+    // Only a lack of memory throws here.
+    std::terminate();
   }
 };
 

@@ -10,8 +10,9 @@ namespace parlour::adapters {
 
 namespace {
 
-// Names of everybody in a large house fit; a mistaken reference to a table of
-// measurements does not fill the memory.
+// Larger than the limits of a query: the names of everybody in a large building
+// must fit. Still bounded, so that a reference to the wrong table, such as one
+// of measurements, does not exhaust the memory.
 constexpr SQLiteLimits column_limits{.rows = 1'000'000,
                                      .bytes = 256 << 20,
                                      .steps = 1'000'000'000,
@@ -28,10 +29,13 @@ bool is_name(std::string_view text) {
          });
 }
 
+// Whether the database is a file that already exists.
 bool is_there(const SQLiteOptions& options) {
   return !options.in_memory() && std::filesystem::exists(options.file);
 }
 
+// The parts of an error message that name the file and say what to do about it.
+// They are empty for a database in memory.
 std::string source(const SQLiteOptions& options) {
   return is_there(options) ? " from " + options.file.string() : "";
 }
@@ -43,6 +47,8 @@ std::string way_out(const SQLiteOptions& options) {
                            : "";
 }
 
+// Never creates the file: reading the vocabulary is no reason to begin a
+// database.
 Expected<SQLiteHandle> open_to_read(const SQLiteOptions& options) {
   if (is_there(options))
     return open_file(options.file, Missing::refuse);
@@ -58,6 +64,7 @@ Expected<ColumnReference> parse_column(const std::string& reference) {
   std::string_view rest = reference;
   if (rest.starts_with("db:"))
     rest.remove_prefix(3);
+  // Without a point the second part is empty, which is_name rejects.
   const auto point = std::min(rest.find('.'), rest.size());
   const auto table = rest.substr(0, point);
   const auto column = rest.substr(std::min(point + 1, rest.size()));
@@ -78,6 +85,7 @@ Expected<std::vector<std::string>> read_column(const SQLiteOptions& options,
     return tl::make_unexpected(handle.error());
   SQLiteConnection connection(std::move(*handle), column_limits,
                               options.busy_timeout);
+  // Both names are plain, so quoting them is safe.
   const auto column = "\"" + place->column + "\"";
   auto answer =
       connection.run("select distinct " + column + " from \"" + place->table +
@@ -97,6 +105,7 @@ Expected<std::vector<std::string>> read_column(const SQLiteOptions& options,
 ColumnReader sqlite_column_reader(const Options& options,
                                   const std::string& data_folder,
                                   const std::string& application_folder) {
+  // The options are read once, here.
   return [read = read_sqlite_options(options, data_folder, application_folder)](
              const std::string& reference) {
     return read.and_then([&](const SQLiteOptions& known) {

@@ -1,11 +1,13 @@
-// A column's values for the understanding: "db:rr_staff.staff_name".
+// Reads the distinct values of one column of an SQLite database. Language
+// understanding uses them as the vocabulary of a slot whose cardinality names a
+// column, such as "db:rr_staff.staff_name".
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "adapters/database/sqlite/sqlite_options.hpp"
-#include "runtime/base/understanding.hpp"
+#include "runtime/message/understanding.hpp"
 
 namespace parlour::adapters {
 
@@ -14,18 +16,19 @@ struct ColumnReference {
   std::string column;
 };
 
-// Both parts are plain names ([A-Za-z_][A-Za-z0-9_]*), so that nothing else
-// ever reaches a statement. "db:" may be left out.
+// Parses "db:table.column"; "db:" may be omitted. Both parts must be plain
+// names ([A-Za-z_][A-Za-z0-9_]*): they are pasted into a statement, and nothing
+// else may reach it. The error has the kind Settings.
 Expected<ColumnReference> parse_column(const std::string& reference);
 
-// Distinct values in order, without NULL. Reads the file where it is there,
-// else what schema and seed would make of it; creates nothing. From any
-// thread; blocks for milliseconds.
+// The distinct values in ascending order, without NULL. Reads the database file
+// if it exists, else the database that schema and seed would create; creates no
+// file. Thread-safe; blocks for some milliseconds.
 Expected<std::vector<std::string>> read_column(const SQLiteOptions& options,
                                                const std::string& reference);
 
-// The same for the composition root, which has the component's settings; their
-// errors come with each reading.
+// The same as a function with the component's options bound to it. An error in
+// the options is returned by every call of that function.
 ColumnReader sqlite_column_reader(const Options& options,
                                   const std::string& data_folder,
                                   const std::string& application_folder);

@@ -13,10 +13,14 @@ namespace parlour::adapters {
 
 namespace {
 
+// How many instructions of SQLite's virtual machine run between two calls of
+// `progress`. The step limit is exact to this number.
 constexpr int steps_per_look = 10'000;
+// The longest text or blob, in bytes.
 constexpr int longest_cell = 16 << 20;
 
-// A statement goes back to the cache as it came: at its start, unbound.
+// Returns a statement to the cache at its start and without bound values. A
+// statement that is not reset would keep its read lock.
 class Reset {
 public:
   explicit Reset(sqlite3_stmt* statement) : statement_(statement) {}
@@ -31,7 +35,8 @@ private:
   sqlite3_stmt* statement_;
 };
 
-// Why an action of sqlite3_set_authorizer may not be taken, or nothing.
+// Why a script may not take an action of sqlite3_set_authorizer, or null if it
+// may. SQLite asks while it prepares a statement, once for each action.
 const char* refusal(int action, bool controlling, const char* second) {
   switch (action) {
   case SQLITE_ATTACH:
@@ -51,6 +56,7 @@ const char* refusal(int action, bool controlling, const char* second) {
   }
 }
 
+// The low byte is the primary result code; the rest is an extension.
 ErrorKind kind_of(int code) {
   switch (code & 0xff) {
   case SQLITE_AUTH:
@@ -94,6 +100,8 @@ SQLiteConnection::SQLiteConnection(SQLiteHandle handle, SQLiteLimits limits,
   sqlite3_limit(db, SQLITE_LIMIT_LENGTH, longest_cell);
   // A misspelt "column" in double quotes is an error, not a text.
   sqlite3_db_config(db, SQLITE_DBCONFIG_DQS_DML, 0, nullptr);
+  // No statement can corrupt the file, and functions with side effects cannot
+  // be called from the schema of a file that somebody else made.
   sqlite3_db_config(db, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
   sqlite3_db_config(db, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
   sqlite3_set_authorizer(db, &SQLiteConnection::authorize, this);
@@ -111,6 +119,7 @@ Expected<StatementAnswer> SQLiteConnection::run(const std::string& sql,
   if (!known)
     return tl::make_unexpected(known.error());
   auto* statement = (*known)->statement.get();
+  // SQLite itself knows whether a prepared statement writes.
   if (access == Access::read && !sqlite3_stmt_readonly(statement))
     return only_reads(sql);
   Reset reset(statement);
@@ -136,6 +145,8 @@ bool SQLiteConnection::in_transaction() const {
   return sqlite3_get_autocommit(handle_.get()) == 0;
 }
 
+// Runs a statement of the platform. The step limit is reset, since `progress`
+// counts the instructions of a commit, too.
 Expected<void> SQLiteConnection::control(const char* sql) {
   controlling_ = true;
   steps_left_ = limits_.steps;
@@ -146,6 +157,8 @@ Expected<void> SQLiteConnection::control(const char* sql) {
   return {};
 }
 
+// Finds the statement in the cache or prepares it. It becomes the most recently
+// used entry; the least recently used one is dropped if the cache is full.
 Expected<SQLiteConnection::Prepared*>
 SQLiteConnection::prepared(const std::string& sql) {
   if (auto place = places_.find(sql); place != places_.end()) {
@@ -181,7 +194,9 @@ Expected<SQLiteStatement> SQLiteConnection::prepare(const std::string& sql) {
   return owned;
 }
 
-// Comments and blanks may follow the statement, nothing else.
+// Accepts only blanks and comments after the first statement. SQLite prepares
+// one statement at a time and leaves the rest, so each remaining piece is
+// prepared and must be empty.
 Expected<void> SQLiteConnection::check_rest(const std::string& sql,
                                             const char* rest) {
   const auto* end = sql.data() + sql.size();
@@ -191,7 +206,7 @@ Expected<void> SQLiteConnection::check_rest(const std::string& sql,
     const auto code = sqlite3_prepare_v2(
         handle_.get(), rest, static_cast<int>(end - rest), &second, &next);
     SQLiteStatement owned(second);
-    // A zero byte ends what SQLite reads, so that it does not move on.
+    // SQLite stops reading at a zero byte and does not advance.
     if (code != SQLITE_OK || second || next == rest)
       return not_alone(sql);
     rest = next;
@@ -199,6 +214,8 @@ Expected<void> SQLiteConnection::check_rest(const std::string& sql,
   return {};
 }
 
+// Steps through the result and copies its cells. Stops at the first row beyond
+// a limit, so that no more than the limit is ever in memory.
 Expected<StatementAnswer> SQLiteConnection::collect(Prepared& prepared) {
   auto* statement = prepared.statement.get();
   const auto before = sqlite3_total_changes64(handle_.get());
@@ -206,8 +223,9 @@ Expected<StatementAnswer> SQLiteConnection::collect(Prepared& prepared) {
   auto& cells = answer.rows.cells;
   std::size_t rows = 0;
   std::size_t bytes = 0;
-  // The first step comes before the columns: it prepares the statement again
-  // where the tables have changed.
+  // The first step comes before the columns are read: it prepares the statement
+  // again if the tables have changed, and `select *` may then have other
+  // columns.
   auto code = sqlite3_step(statement);
   const auto preparations =
       sqlite3_stmt_status(statement, SQLITE_STMTSTATUS_REPREPARE, 0);
@@ -250,6 +268,7 @@ int SQLiteConnection::authorize(void* self, int action, const char*,
   return SQLITE_DENY;
 }
 
+// A result other than 0 interrupts the statement (SQLITE_INTERRUPT).
 int SQLiteConnection::progress(void* self) {
   auto& left = static_cast<SQLiteConnection*>(self)->steps_left_;
   left -= std::min<std::uint64_t>(left, steps_per_look);

@@ -1,3 +1,6 @@
+// The plug-in around two SQLiteConnections. Statements run in the calling
+// thread; what must wait for the end of a transaction is queued in
+// SQLiteTransactions.
 #include "adapters/database/sqlite/sqlite_database.hpp"
 
 #include <utility>
@@ -29,6 +32,8 @@ Expected<void> SQLiteDatabase::open_memory_copy() {
   return {};
 }
 
+// Opens the file with one connection for writing and one for reading. A file
+// that exists is used as it is, even if schema or seed have changed since.
 Expected<void> SQLiteDatabase::open() {
   if (!std::filesystem::exists(options_.file)) {
     if (auto created = create_missing(); !created)
@@ -38,7 +43,7 @@ Expected<void> SQLiteDatabase::open() {
                " was made, which is used as it is. To have it made anew, run "
                "with --fresh, or move it away.");
   }
-  if (auto sound = check_sound(options_.file); !sound)
+  if (auto sound = check_sound(options_.file, options_.busy_timeout); !sound)
     return sound;
   auto writer = connect();
   if (!writer)
@@ -51,6 +56,7 @@ Expected<void> SQLiteDatabase::open() {
   return {};
 }
 
+// Creates the file and records, beside it, of which sources it was made.
 Expected<void> SQLiteDatabase::create_missing() const {
   if (options_.schema.empty())
     return fail(ErrorKind::settings,
@@ -69,12 +75,15 @@ Expected<std::unique_ptr<SQLiteConnection>> SQLiteDatabase::connect() const {
   auto handle = open_file(options_.file, Missing::refuse);
   if (!handle)
     return tl::make_unexpected(handle.error());
-  if (auto allowed = allow_writing(handle->get(), options_.file); !allowed)
+  if (auto allowed =
+          allow_writing(handle->get(), options_.file, options_.busy_timeout);
+      !allowed)
     return tl::make_unexpected(allowed.error());
   return std::make_unique<SQLiteConnection>(
       std::move(*handle), options_.limits(), options_.busy_timeout);
 }
 
+// Answers every waiting message, so that no session waits for its time limit.
 void SQLiteDatabase::stop() {
   if (transactions_.held() && writer_)
     (void)writer_->rollback();
@@ -113,6 +122,8 @@ void SQLiteDatabase::handle(DatabaseCommand command, const Message& message) {
   }
 }
 
+// Commit and rollback of a session without a transaction are not delayed: they
+// fail at once.
 bool SQLiteDatabase::must_wait(DatabaseCommand command,
                                const Message& message) const {
   if (!transactions_.held() || transactions_.held_by(message.session))
@@ -121,6 +132,7 @@ bool SQLiteDatabase::must_wait(DatabaseCommand command,
          (command == DatabaseCommand::query && (is_write(message) || !reader_));
 }
 
+// Queues the message, with a time limit.
 void SQLiteDatabase::wait(const Message& message) {
   const auto ticket = transactions_.wait(message);
   if (!ticket)
@@ -137,6 +149,7 @@ void SQLiteDatabase::give_up_waiting(Ticket ticket) {
                          {}});
 }
 
+// Calls `time_is_up` for the ticket unless no_longer_timed comes first.
 void SQLiteDatabase::give_time(Ticket ticket, Milliseconds time,
                                TimeIsUp time_is_up) {
   delays_[ticket] = host().after(time, [this, ticket, time_is_up] {
@@ -150,6 +163,8 @@ void SQLiteDatabase::no_longer_timed(Ticket ticket) {
     host().cancel(delay.mapped());
 }
 
+// A handled message may itself begin a transaction; the loop then ends, and the
+// messages behind it go on waiting with their timers.
 void SQLiteDatabase::let_others_on() {
   while (!transactions_.held()) {
     const auto waiting = transactions_.next();
@@ -160,7 +175,8 @@ void SQLiteDatabase::let_others_on() {
   }
 }
 
-// One component is one database: its settings, not a script, say which file.
+// A component has exactly one database, which its settings name, not the
+// script: <connectdb> can only ask for that one.
 void SQLiteDatabase::check_connection(const Message& message) {
   const auto& wanted = param(message, 0);
   const auto name = (wanted.if_map() ? wanted["file"] : wanted).text();
@@ -175,6 +191,8 @@ void SQLiteDatabase::check_connection(const Message& message) {
                       {}});
 }
 
+// A read outside of the session's own transaction uses the reader, all else
+// uses the writer. After an error the transaction may be gone.
 void SQLiteDatabase::query(const Message& message) {
   if (transactions_.lost_by(message.session))
     return fail_with(message, rolled_back(message));
@@ -192,7 +210,8 @@ void SQLiteDatabase::query(const Message& message) {
   notice_lost_transaction(message.session);
 }
 
-// SQLite itself rolls back after some failures, such as a full disk.
+// SQLite rolls a transaction back by itself after some errors, such as a full
+// disk. The session learns of it with its next statement.
 void SQLiteDatabase::notice_lost_transaction(const SessionId& session) {
   if (!transactions_.held_by(session) || writer_->in_transaction())
     return;
@@ -201,6 +220,8 @@ void SQLiteDatabase::notice_lost_transaction(const SessionId& session) {
   let_others_on();
 }
 
+// The ticket limits the duration of the transaction: a session that never ends
+// it must not block all others.
 void SQLiteDatabase::begin(const Message& message) {
   if (transactions_.held_by(message.session))
     return fail_with(message, already_begun());
@@ -212,6 +233,8 @@ void SQLiteDatabase::begin(const Message& message) {
   answer(message, "Result", {ResultSet{}});
 }
 
+// Commit or Rollback. A commit that fails is followed by a rollback, so that
+// the database is free afterwards in every case.
 void SQLiteDatabase::end(DatabaseCommand how, const Message& message) {
   if (!transactions_.held_by(message.session)) {
     const bool lost = transactions_.lost_by(message.session);
@@ -231,6 +254,8 @@ void SQLiteDatabase::end(DatabaseCommand how, const Message& message) {
   let_others_on();
 }
 
+// The transaction of this ticket has been open for too long. The ticket is
+// compared, since a new transaction may hold the database by now.
 void SQLiteDatabase::take_away(Ticket ticket) {
   if (!writer_ || !transactions_.holds(ticket))
     return;

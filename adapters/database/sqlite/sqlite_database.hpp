@@ -1,13 +1,19 @@
-// The plug-in SQLiteDatabase (role Database; engine rule 7.5): one database, a
-// file of the data folder or a copy in memory.
+// The plug-in SQLiteDatabase (role Database): one SQLite database, either a
+// file of the data folder or a copy in memory. Conversations under test each
+// get a fresh copy (engine rule 7.5).
 //
-//   Connect(options)            Result()   is it there?
-//   Query(sql, values, write?)  Result(rows) or Result(rows, changes)
-//   Begin, Commit, Rollback     Result()   a session at a time
+//  Connect(options)            Result(): the component has this database
+//  Query(sql, values, write?)  Result(rows) or Result(rows, changes)
+//  Begin, Commit, Rollback     Result(): one session at a time
 //
-// Anything that goes wrong is Error(kind, message). While one session holds a
-// transaction, what others write waits; with a file they go on reading what
-// was there before.
+// A failure is answered with Error(kind, message). SQLite has one writer: while
+// a session holds a transaction, messages of other sessions that write wait, at
+// most `busy-timeout`. A file has a second connection for reading (WAL), so
+// that reads outside of the transaction see the last committed state and do not
+// wait. A database in memory has one connection only: there, reads wait as
+// well.
+//
+// Threads: statements run on the thread that calls the plug-in, and block it.
 #pragma once
 
 #include <map>
@@ -26,7 +32,7 @@ public:
   void stop() override;
 
 protected:
-  // Makes a missing file; fails for one that is damaged.
+  // Creates a missing file from schema and seed. Fails if the file is damaged.
   Expected<void> on_start(const Options& options) override;
   void on_message(const Message& message) override;
 
@@ -39,9 +45,12 @@ private:
   Expected<std::unique_ptr<SQLiteConnection>> connect() const;
 
   void handle(DatabaseCommand command, const Message& message);
+  // Messages that wait for the end of another session's transaction.
   bool must_wait(DatabaseCommand command, const Message& message) const;
   void wait(const Message& message);
   void give_up_waiting(Ticket ticket);
+  // Handles the waiting messages, in order, until one of them begins a
+  // transaction.
   void let_others_on();
 
   void check_connection(const Message& message);
@@ -50,15 +59,19 @@ private:
   void end(DatabaseCommand how, const Message& message);
   void notice_lost_transaction(const SessionId& session);
   void take_away(Ticket ticket);
-  // For who holds or waits with the ticket: what happens after so long.
+  // Timers of the plug-in's host, one for each ticket: a holder's transaction
+  // or a waiting message. The member function is called when the time is over.
   using TimeIsUp = void (SQLiteDatabase::*)(Ticket);
   void give_time(Ticket ticket, Milliseconds time, TimeIsUp time_is_up);
   void no_longer_timed(Ticket ticket);
   void fail_with(const Message& message, const Error& error);
 
   SQLiteOptions options_;
-  std::unique_ptr<SQLiteConnection> writer_; // and all of a transaction
-  std::unique_ptr<SQLiteConnection> reader_; // none in memory
+  // All writes, and every statement of a transaction. Null: not started, or
+  // stopped.
+  std::unique_ptr<SQLiteConnection> writer_;
+  // Reads outside of the transaction. Null for a database in memory.
+  std::unique_ptr<SQLiteConnection> reader_;
   SQLiteTransactions transactions_;
   std::map<Ticket, PluginHost::DelayId> delays_;
 };

@@ -1,6 +1,6 @@
-// A fresh database as bytes, made from schema and seed once in a process:
-// each conversation of a test gets a copy of its own in microseconds, and a
-// missing file is written from it.
+// An SQLiteImage is a new database as bytes, made from schema and seed. It is
+// built once in a process. Each conversation of a test opens a copy of it in
+// memory within microseconds, and a missing database file is written from it.
 #pragma once
 
 #include <filesystem>
@@ -12,22 +12,26 @@
 
 namespace parlour::adapters {
 
+// Immutable and shared; the images are thread-safe.
 using SQLiteImage = std::shared_ptr<const std::string>;
 
-// From any thread; kept by the files' texts, so that a changed file makes a new
-// image. Either path may be empty. Errors: File for a file that cannot be
-// read, Database with the file's line for SQL that fails.
+// Builds the image, or returns the one that was built from the same texts: a
+// file that has changed gives a new image. Either path may be empty.
+// Thread-safe. Errors: File if a file cannot be read, Database with file and
+// line for SQL that fails.
 Expected<SQLiteImage> sqlite_image(const std::filesystem::path& schema,
                                    const std::filesystem::path& seed);
 
-// The texts that it is made from, one behind the other.
+// The texts of schema and seed, joined by a zero byte.
 Expected<std::string> sqlite_sources(const std::filesystem::path& schema,
                                      const std::filesystem::path& seed);
 
-// A database in memory that begins as the image.
+// A new database in memory with the image's content. It does not share its
+// memory with the image.
 Expected<SQLiteHandle> open_image(const SQLiteImage& image);
 
-// Puts the image where there is no file yet: whole, or not at all.
+// Writes the image to `file`, with the folders it needs. The file appears
+// complete or not at all, since it is written under another name and renamed.
 Expected<void> write_image(const SQLiteImage& image,
                            const std::filesystem::path& file);
 

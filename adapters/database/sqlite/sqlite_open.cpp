@@ -8,10 +8,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A larger file is only looked at where it is read: checking it all would
-// make the start slow.
+// Larger files are not read completely: the check would delay the start. For
+// them only the schema is read.
 constexpr std::uintmax_t largest_to_check = 64 << 20;
 
+// SQLite returns a handle even for most errors: it holds the message and must
+// be closed.
 Expected<SQLiteHandle> open(const char* name, int flags) {
   sqlite3* db = nullptr;
   const auto code =
@@ -25,6 +27,7 @@ Expected<SQLiteHandle> open(const char* name, int flags) {
   return handle;
 }
 
+// Callback of sqlite3_exec: keeps the first cell of the first row.
 int keep_first(void* into, int count, char** cells, char**) {
   auto& text = *static_cast<std::string*>(into);
   if (text.empty() && count > 0 && cells[0])
@@ -32,7 +35,7 @@ int keep_first(void* into, int count, char** cells, char**) {
   return 0;
 }
 
-// The first cell, or SQLite's error.
+// Runs a statement and returns the first cell, or SQLite's error message.
 tl::expected<std::string, std::string> ask(sqlite3* db, const char* sql) {
   std::string answer;
   if (sqlite3_exec(db, sql, &keep_first, &answer, nullptr) != SQLITE_OK)
@@ -60,7 +63,7 @@ Expected<SQLiteHandle> open_file(const fs::path& file, Missing missing) {
                   (missing == Missing::create ? SQLITE_OPEN_CREATE : 0));
 }
 
-Expected<void> check_sound(const fs::path& file) {
+Expected<void> check_sound(const fs::path& file, Milliseconds busy_timeout) {
   auto db = open_file(file, Missing::refuse);
   if (!db)
     return tl::make_unexpected(db.error());
@@ -68,7 +71,9 @@ Expected<void> check_sound(const fs::path& file) {
   const auto size = fs::file_size(file, error);
   if (error || size == 0)
     return damaged(file, "it is empty");
-  sqlite3_busy_timeout(db->get(), 2'000);
+  sqlite3_busy_timeout(db->get(), static_cast<int>(busy_timeout.count()));
+  // quick_check answers "ok" or the first problem. The schema of an intact file
+  // can be read, whatever the answer is.
   const auto answer = ask(db->get(), size <= largest_to_check
                                          ? "pragma quick_check(1)"
                                          : "select 'ok' from sqlite_schema");
@@ -79,8 +84,9 @@ Expected<void> check_sound(const fs::path& file) {
   return {};
 }
 
-Expected<void> allow_writing(sqlite3* handle, const fs::path& file) {
-  sqlite3_busy_timeout(handle, 2'000);
+Expected<void> allow_writing(sqlite3* handle, const fs::path& file,
+                             Milliseconds busy_timeout) {
+  sqlite3_busy_timeout(handle, static_cast<int>(busy_timeout.count()));
   const auto mode = ask(handle, "pragma journal_mode = wal");
   if (!mode || sqlite3_db_readonly(handle, "main") == 1)
     return fail(ErrorKind::file,

@@ -15,7 +15,8 @@ const std::vector<OptionDescription>& sqlite_option_descriptions() {
 Expected<SQLiteOptions>
 read_sqlite_options(const Options& options, const std::string& data_folder,
                     const std::string& application_folder) {
-  // Nobody means to forget everything who leaves a name empty.
+  // An empty name is refused: it is more likely a mistake than the wish to keep
+  // the data in memory and lose it at the end.
   if (const auto file = options.find("file");
       file != options.end() && file->second.empty())
     return fail(ErrorKind::settings, "option 'file' is empty");

@@ -1,4 +1,4 @@
-// The settings of an SQLite database, read once.
+// The options of SQLiteDatabase.
 #pragma once
 
 #include <filesystem>
@@ -12,7 +12,8 @@
 namespace parlour::adapters {
 
 struct SQLiteOptions : DatabaseOptions {
-  std::filesystem::path file; // empty: in memory
+  // Absolute. Empty: a database in memory.
+  std::filesystem::path file;
 
   bool in_memory() const {
     return file.empty();
@@ -22,12 +23,12 @@ struct SQLiteOptions : DatabaseOptions {
   }
 };
 
-// What the plug-in's description says about them.
+// The options as the plug-in's description lists them.
 const std::vector<OptionDescription>& sqlite_option_descriptions();
 
-// `file` is taken relative to the data folder, which it may not leave
-// (docs/databases.md). An error of kind Settings names the option that is
-// wrong.
+// Reads the options. `file` is relative to the data folder and may not lie
+// outside of it (docs/databases.md). An error has the kind Settings and names
+// the option.
 Expected<SQLiteOptions>
 read_sqlite_options(const Options& options, const std::string& data_folder,
                     const std::string& application_folder);

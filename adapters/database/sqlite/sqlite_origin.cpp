@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 constexpr auto mark_ending = ".made-from";
 
-// FNV-1a, which stays the same from build to build.
+// 64-bit FNV-1a. Unlike std::hash it is the same in every build.
 std::string mark_of(const std::string& text) {
   std::uint64_t mark = 14695981039346656037U;
   for (const char c : text)
@@ -27,13 +27,14 @@ fs::path mark_file(const fs::path& file) {
   return file.string() + mark_ending;
 }
 
+// Empty if there is no record.
 std::string mark_in(const fs::path& file) {
   std::string mark;
   std::ifstream(file) >> mark;
   return mark;
 }
 
-// Nothing that was put aside before is lost.
+// Never overwrites a file that was put aside earlier.
 std::string free_name(const std::string& wanted) {
   auto name = wanted;
   std::error_code ignored;
@@ -66,6 +67,8 @@ Expected<void> put_aside(const fs::path& file) {
   if (!fs::exists(file, ignored))
     return {};
   const auto aside = free_name(file.string() + ".before");
+  // The write-ahead log belongs to the database: without it the last changes
+  // are lost.
   for (const auto* ending : {"", "-wal", "-shm", "-journal", mark_ending}) {
     const auto from = file.string() + ending;
     const auto to = aside + ending;

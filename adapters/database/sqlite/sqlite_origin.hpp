@@ -1,6 +1,7 @@
-// Of which schema and seed a database file was made: their mark is kept beside
-// it, in FILE.made-from. A file that was there before is used as it is, also
-// where they have changed since; that is worth a word.
+// Records from which schema and seed a database file was made, as a hash in
+// FILE.made-from. An existing file is used even if its sources have changed
+// since; the user is then told, and can have it made anew (`parlour run
+// --fresh`).
 #pragma once
 
 #include "adapters/database/sqlite/sqlite_options.hpp"
@@ -8,15 +9,15 @@
 
 namespace parlour::adapters {
 
-// Of the database that was just made.
+// Writes the record for the database that was just created.
 Expected<void> note_origin(const SQLiteOptions& options);
 
-// False where nobody knows.
+// Whether schema or seed differ from those of the record. False if there is no
+// record or the sources cannot be read.
 bool has_other_origin(const SQLiteOptions& options);
 
-// Away from its place, with what belongs to it: to FILE.before, or to
-// FILE.before-2 and so on where that is there. Nothing happens where there is
-// none.
+// Renames the database with all files that belong to it to FILE.before, or to
+// FILE.before-2, -3 … if that name is taken. Does nothing if there is no file.
 Expected<void> put_aside(const std::filesystem::path& file);
 
 } // namespace parlour::adapters

@@ -9,6 +9,7 @@ Expected<SQLitePreparer> SQLitePreparer::open(const SQLiteImage& image) {
       [](SQLiteHandle handle) { return SQLitePreparer(std::move(handle)); });
 }
 
+// Preparing checks syntax, tables and columns without reading any data.
 std::optional<SQLiteProblem>
 SQLitePreparer::problem_of(const std::string& sql) const {
   sqlite3_stmt* statement = nullptr;
@@ -26,6 +27,8 @@ SQLitePreparer::problem_of(const std::string& sql) const {
 }
 
 std::vector<std::string> SQLitePreparer::names() const {
+  // pragma_table_info is a table-valued function: it lists the columns of each
+  // table.
   constexpr const char* sql =
       "select name from sqlite_schema where type in ('table', 'view') union "
       "select info.name from sqlite_schema as t, pragma_table_info(t.name) as "

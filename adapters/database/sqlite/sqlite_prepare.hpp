@@ -1,4 +1,5 @@
-// Whether statements fit a database, without running them: for `check`.
+// Checks whether SQL statements fit a database without running them. `parlour
+// check` uses it to find misspelt tables and columns in an application.
 #pragma once
 
 #include <optional>
@@ -10,19 +11,21 @@
 namespace parlour::adapters {
 
 struct SQLiteProblem {
-  std::string message;               // "no such column: nme"
-  std::optional<std::size_t> offset; // byte of the statement
+  // SQLite's words: "no such column: nme".
+  std::string message;
+  // The byte of the statement at which the problem is, if SQLite knows it.
+  std::optional<std::size_t> offset;
 };
 
-// A database in memory; for one thread at a time.
+// A copy of the database in memory. Not thread-safe.
 class SQLitePreparer {
 public:
   static Expected<SQLitePreparer> open(const SQLiteImage& image);
 
-  // What keeps the statement from being prepared; nothing where all is well.
+  // The reason why the statement cannot be prepared, or nothing if it can.
   std::optional<SQLiteProblem> problem_of(const std::string& sql) const;
 
-  // Every table, view and column, for "did you mean".
+  // The names of all tables, views and columns, for "did you mean".
   std::vector<std::string> names() const;
 
 private:

@@ -7,7 +7,8 @@ namespace parlour::adapters {
 
 namespace {
 
-constexpr std::size_t most_waiting = 1'000;
+// Bounds the memory; a message beyond it fails at once with kind Limit.
+constexpr std::size_t max_waiting = 1'000;
 
 } // namespace
 
@@ -34,9 +35,11 @@ void SQLiteTransactions::forget_loss(const SessionId& session) {
   lost_.forget(session);
 }
 
+// Tickets of transactions and of waiting messages come from the same counter,
+// so that no number occurs twice.
 std::optional<SQLiteTransactions::Ticket>
 SQLiteTransactions::wait(const Message& message) {
-  if (waiting_.size() >= most_waiting)
+  if (waiting_.size() >= max_waiting)
     return {};
   waiting_.push_back({++last_ticket_, message});
   return last_ticket_;
@@ -50,6 +53,7 @@ std::optional<SQLiteTransactions::Waiting> SQLiteTransactions::next() {
   return first;
 }
 
+// The message may have been handled already; its timer was late then.
 std::optional<Message> SQLiteTransactions::leave(Ticket ticket) {
   const auto found = std::find_if(
       waiting_.begin(), waiting_.end(),

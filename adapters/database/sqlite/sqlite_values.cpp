@@ -11,8 +11,8 @@ namespace parlour::adapters {
 
 namespace {
 
-// SQLite keeps the pointers only until the statement is reset: the values live
-// as long (SQLITE_STATIC).
+// SQLITE_STATIC: SQLite keeps the pointers and copies nothing. They are used
+// until the statement is reset, and the caller's values live that long.
 int bind_one(sqlite3_stmt* statement, int place, const Value& value) {
   if (const auto* boolean = value.if_boolean())
     return sqlite3_bind_int(statement, place, *boolean ? 1 : 0);
@@ -30,11 +30,13 @@ int bind_one(sqlite3_stmt* statement, int place, const Value& value) {
                             : SQLITE_MISMATCH;
 }
 
+// A placeholder as an error message names it: ":level" or "number 2".
 std::string label(sqlite3_stmt* statement, int place) {
   const auto* name = sqlite3_bind_parameter_name(statement, place);
   return name ? name : "number " + std::to_string(place);
 }
 
+// Text is checked here, since SQLite accepts any bytes.
 Expected<void> bind(sqlite3_stmt* statement, int place, const Value& value) {
   if (const auto* text = value.if_string(); text && find_invalid_utf8(*text))
     return fail(ErrorKind::type, "the value of placeholder " +
@@ -55,6 +57,7 @@ Expected<void> bind(sqlite3_stmt* statement, int place, const Value& value) {
   }
 }
 
+// Positions count from 1 in SQLite.
 Expected<void> bind_list(sqlite3_stmt* statement, const List& values) {
   const auto count =
       static_cast<std::size_t>(sqlite3_bind_parameter_count(statement));
@@ -70,7 +73,8 @@ Expected<void> bind_list(sqlite3_stmt* statement, const List& values) {
   return {};
 }
 
-// Names stand without their mark: {"level": 1} for `:level`.
+// The keys have no colon: {"level": 1} for `:level`. Names that occur twice in
+// a statement are one placeholder in SQLite.
 Expected<void> bind_map(sqlite3_stmt* statement, const Map& values) {
   const auto count = sqlite3_bind_parameter_count(statement);
   for (int place = 1; place <= count; ++place) {
@@ -88,6 +92,7 @@ Expected<void> bind_map(sqlite3_stmt* statement, const Map& values) {
   return {};
 }
 
+// Appends the cell and returns the number of bytes beyond the value itself.
 std::size_t append_text(sqlite3_value* cell, RowTexts& texts, List& cells) {
   const auto* first = reinterpret_cast<const char*>(sqlite3_value_text(cell));
   const auto length = static_cast<std::size_t>(sqlite3_value_bytes(cell));
@@ -105,8 +110,8 @@ std::size_t append_blob(sqlite3_value* cell, List& cells) {
   return length;
 }
 
-// Asked of the cell itself, which is looked up once: a connection belongs to
-// one thread at a time, as SQLite wants it for this.
+// Reads through sqlite3_value, which looks the cell up once instead of once for
+// each question. It is only allowed if no other thread uses the connection.
 std::size_t append_cell(sqlite3_value* cell, RowTexts& texts, List& cells) {
   switch (sqlite3_value_type(cell)) {
   case SQLITE_TEXT:
@@ -140,6 +145,7 @@ Expected<void> bind_values(sqlite3_stmt* statement, const Value& values) {
 
 std::size_t append_row(sqlite3_stmt* statement, std::size_t columns,
                        List& cells) {
+  // All texts of the row share one block of memory.
   RowTexts texts(columns);
   std::size_t bytes = columns * sizeof(Value);
   for (int i = 0; i < static_cast<int>(columns); ++i)

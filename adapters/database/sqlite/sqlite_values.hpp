@@ -1,4 +1,5 @@
-// Values into placeholders and cells into values.
+// Converts values of scripts to SQLite's placeholders, and SQLite's cells to
+// values.
 #pragma once
 
 #include <cstddef>
@@ -10,13 +11,16 @@ struct sqlite3_stmt;
 
 namespace parlour::adapters {
 
-// Binds every placeholder: a list by position, a map by name. unknown becomes
-// NULL, booleans 1 and 0. An error of kind Type where numbers or names do not
-// match, or a value is a list, a map or a result set.
+// Binds every placeholder of a statement: a list by position, a map by name.
+// unknown becomes NULL, booleans become 1 and 0. `values` must stay unchanged
+// until the statement is reset. The error is Type if numbers or names do not
+// match or a value is a list, a map or a result set, and Limit if a value is
+// too long.
 Expected<void> bind_values(sqlite3_stmt* statement, const Value& values);
 
-// NULL is unknown; bytes that are not UTF-8 become U+FFFD; blobs are binary.
-// Returns how many bytes the row holds.
+// Appends the cells of the current row and returns how many bytes they hold.
+// NULL becomes unknown, blobs become binary values, and bytes that are not
+// UTF-8 become U+FFFD.
 std::size_t append_row(sqlite3_stmt* statement, std::size_t columns,
                        List& cells);
 

@@ -16,9 +16,10 @@ constexpr std::string_view weekdays[] = {"sunday",    "monday",   "tuesday",
                                          "wednesday", "thursday", "friday",
                                          "saturday"};
 
+// How far in the future a year of two digits may lie.
 constexpr std::int64_t years_ahead = 20;
 
-// "26": the year that ends so from 79 years ago to 20 years ahead.
+// The latest year up to 20 years ahead that ends in these two digits.
 std::optional<std::int64_t> century_of(std::int64_t year, Now now) {
   const auto present =
       now ? digits_of(format_timestamp(*now, "%Y")) : std::nullopt;
@@ -32,6 +33,7 @@ std::optional<std::int64_t> century_of(std::int64_t year, Now now) {
 
 std::string date_text(Day day) {
   const year_month_day date(day);
+  // Three numbers of the widest types would fit.
   char text[32];
   std::snprintf(text, sizeof text, "%04d-%02u-%02u", int(date.year()),
                 unsigned(date.month()), unsigned(date.day()));
@@ -50,6 +52,7 @@ std::optional<Day> make_day(std::int64_t year, std::int64_t month,
 
 std::optional<Day> read_day(std::string_view text, char separator, Now now) {
   std::int64_t parts[3] = {0, 0, 0};
+  // Three numbers between the separators, and nothing else.
   for (auto& part : parts) {
     const auto end = text.find(separator);
     const auto number = digits_of(text.substr(0, end));
@@ -65,6 +68,7 @@ std::optional<Day> read_day(std::string_view text, char separator, Now now) {
   const auto year = century_of(parts[2], now);
   if (!year)
     return {};
+  // A number above 12 in the middle must be the day: the month came first.
   return parts[1] > 12 ? make_day(*year, parts[0], parts[1])
                        : make_day(*year, parts[1], parts[0]);
 }
@@ -82,10 +86,13 @@ Day last_of_month(Day day) {
 
 Day months_later(Day day, int count) {
   const auto date = year_month_day(day) + std::chrono::months(count);
+  // The month has no such day.
   return date.ok() ? Day(date)
                    : Day(date.year() / date.month() / std::chrono::last);
 }
 
+// "may" is a month although it is also a verb; the caller needs a day beside
+// it.
 std::int64_t month_of(std::string_view word) {
   for (std::size_t index = 0; index < std::size(months); ++index)
     if (word.size() >= 3 && months[index].starts_with(word))

@@ -1,4 +1,4 @@
-// Days, months and weekdays for the dates that people say.
+// Arithmetic with days, months and weekdays for the dates that people say.
 #pragma once
 
 #include <chrono>
@@ -13,34 +13,38 @@ namespace parlour::adapters::nlu {
 
 using Day = std::chrono::sys_days;
 
-// "2026-11-21".
+// "2026-11-21", the normal form of a date.
 std::string date_text(Day day);
 
-// Nothing for days that are none: 31 February, years outside of 1900 to 2200.
+// Nothing if there is no such day (31 February) or the year is not in 1900 to
+// 2200.
 std::optional<Day> make_day(std::int64_t year, std::int64_t month,
                             std::int64_t day);
 
-// "2026-11-21", "21/11/2026", "21.11.26"; where it must be, the month first. A
-// year of two digits lies from 79 years ago to 20 years ahead.
+// Reads "2026-11-21", "21/11/2026", "21.11.26". The day comes before the month,
+// unless the second number can only be a day. A year of two digits lies from 79
+// years ago to 20 years ahead.
 std::optional<Day> read_day(std::string_view text, char separator, Now now);
 
+// The day of the clock, or nothing if there is none.
 std::optional<Day> day_of(Now now);
 
-// The same day so many months later, or the month's last.
+// The same day `count` months later, or the last day of that month.
 Day months_later(Day day, int count);
 
 Day last_of_month(Day day);
 
-// 1 to 12, 0 for none; short names of three letters and more count.
+// 1 to 12, or 0. Abbreviations of three letters and more count.
 std::int64_t month_of(std::string_view word);
 
 std::optional<std::chrono::weekday> weekday_of(std::string_view word);
 
-// What is said of a day that is not today: "tomorrow", "next tuesday week",
-// "in two weeks", "the 3rd of next month".
+// Reads a date relative to `today`: "tomorrow", "next tuesday week", "in two
+// weeks", "the 3rd of next month".
 std::optional<FormAt> date_from_now(FormReader reader, Day today);
 
-// "the 21st": this month or one of the next two.
+// Reads "the 21st": the next day of that number, within this and the next two
+// months.
 std::optional<FormAt> day_of_month(FormReader& reader, Day today);
 
 } // namespace parlour::adapters::nlu

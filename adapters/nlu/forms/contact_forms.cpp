@@ -1,4 +1,4 @@
-// Telephone numbers and e-mail addresses, written and spelt out.
+// Reads telephone numbers and e-mail addresses, written or spelt out.
 #include "adapters/nlu/forms/form_reader.hpp"
 #include "adapters/nlu/forms/normal_forms.hpp"
 
@@ -7,10 +7,13 @@ namespace parlour::adapters::nlu {
 namespace {
 
 constexpr std::size_t fewest_digits = 3;
-constexpr std::size_t whole_number = 7; // fewer are taken only where expected
-constexpr std::size_t most_digits = 15;
+// A number with fewer digits is only a telephone number where one is expected.
+constexpr std::size_t whole_number = 7;
+// The longest international number (E.164).
+constexpr std::size_t max_digits = 15;
 
-// The digits of "9123-4567", "+65", "91234567"; empty for none.
+// The digits of "9123-4567", "+65" or "91234567"; empty if the word is no such
+// number.
 std::string written_digits(std::string_view word) {
   std::string digits;
   for (const char letter : word) {
@@ -24,7 +27,7 @@ std::string written_digits(std::string_view word) {
   return digits;
 }
 
-// "double five", "nine", "9123"; empty where no digit comes.
+// Reads "double five", "nine" or "9123"; empty if no digit follows.
 std::string next_digits(FormReader& reader) {
   const auto start = reader.position();
   if (reader.skip("plus"))
@@ -43,7 +46,7 @@ std::string next_digits(FormReader& reader) {
   return {};
 }
 
-// "comptec dot com": at least one dot; empty where there is none.
+// Reads "comptec dot com"; empty if a dot is needed and missing.
 std::string dotted(FormReader& reader, bool need_dot) {
   std::string text(reader.word());
   if (text.empty())
@@ -61,6 +64,7 @@ std::string dotted(FormReader& reader, bool need_dot) {
 
 } // namespace
 
+// Appends digits as long as the number may grow; a "+" only at its beginning.
 std::optional<FormAt> phone_form(FormReader reader, Now) {
   std::string number;
   const auto count_of = [](const std::string& text) {
@@ -69,7 +73,7 @@ std::optional<FormAt> phone_form(FormReader reader, Now) {
   while (true) {
     const auto start = reader.position();
     const auto digits = next_digits(reader);
-    if (digits.empty() || count_of(number + digits) > most_digits ||
+    if (digits.empty() || count_of(number + digits) > max_digits ||
         (digits[0] == '+' && !number.empty())) {
       reader.go_back(start);
       break;
@@ -84,6 +88,7 @@ std::optional<FormAt> phone_form(FormReader reader, Now) {
 
 std::optional<FormAt> email_form(FormReader reader, Now) {
   const auto word = reader.word();
+  // The tokenizer has checked the form of a written address.
   if (word.find('@') != std::string_view::npos) {
     reader.advance();
     return reader.form(std::string(word));

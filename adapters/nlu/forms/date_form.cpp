@@ -1,5 +1,6 @@
-// Dates: "21 november", "the 3rd of may 2027", "monday the 23rd", "2026-11-21",
-// "christmas eve"; those from now on are in relative_date.cpp.
+// Reads absolute dates: "21 november", "the 3rd of may 2027", "monday the
+// 23rd", "2026-11-21", "christmas eve". Relative dates are in
+// relative_date.cpp.
 #include <algorithm>
 
 #include "adapters/nlu/forms/calendar.hpp"
@@ -13,7 +14,7 @@ bool is_year(std::int64_t number) {
   return number >= 1900 && number <= 2200;
 }
 
-// "oh five": the end of a year, as "twenty eight" is.
+// Reads the second half of a year said in two parts: "oh five", "twenty eight".
 std::optional<std::int64_t> end_of_year(FormReader& reader) {
   if (reader.skip_any({"oh", "o"})) {
     const auto digit = digit_of(reader.word());
@@ -27,7 +28,7 @@ std::optional<std::int64_t> end_of_year(FormReader& reader) {
   return number->value;
 }
 
-// "2028", "two thousand and twenty eight", "twenty twenty eight".
+// Reads "2028", "two thousand and twenty eight" or "twenty twenty eight".
 std::optional<std::int64_t> read_year(FormReader& reader) {
   const auto start = reader.position();
   const auto first = reader.number();
@@ -40,7 +41,8 @@ std::optional<std::int64_t> read_year(FormReader& reader) {
   return {};
 }
 
-// The year that was said, else the one in which the day is still to come.
+// Completes a date with the year that follows, or with the year in which the
+// day is next.
 std::optional<FormAt> with_year(FormReader& reader, std::int64_t day,
                                 std::int64_t month, Now now) {
   if (const auto year = read_year(reader)) {
@@ -90,6 +92,7 @@ std::optional<FormAt> digital_date(FormReader reader, Now now) {
     if (const auto date = read_day(word, separator, now))
       return reader.form(date_text(*date));
   }
+  // Day and month without a year.
   const auto slash = word.find('/');
   if (slash == std::string_view::npos)
     return {};
@@ -99,11 +102,12 @@ std::optional<FormAt> digital_date(FormReader reader, Now now) {
 }
 
 struct Feast {
-  std::string_view words[3]; // the rest empty
+  // Unused words are empty.
+  std::string_view words[3];
   std::int64_t month, day;
 };
 
-// Longer ones first.
+// Longer names come before their beginnings: the first match counts.
 constexpr Feast feasts[] = {
     {{"new", "year", "day"}, 1, 1},     {{"new", "years", "day"}, 1, 1},
     {{"new", "year", "eve"}, 12, 31},   {{"new", "years", "eve"}, 12, 31},
@@ -127,7 +131,8 @@ std::optional<FormAt> feast(FormReader reader, Now now) {
   return {};
 }
 
-// "monday the 23rd", "monday, 23 november": the date counts.
+// Reads "monday the 23rd" or "monday, 23 november". The date counts, even if
+// the weekday does not fit.
 std::optional<FormAt> weekday_and_date(FormReader reader, Now now) {
   if (!weekday_of(reader.word()))
     return {};
@@ -146,6 +151,7 @@ std::optional<FormAt> weekday_and_date(FormReader reader, Now now) {
 } // namespace
 
 std::optional<FormAt> date_form(FormReader reader, Now now) {
+  // The order matters: the first reader that succeeds is taken.
   for (const auto read :
        {digital_date, day_and_month, month_and_day, feast, weekday_and_date})
     if (auto found = read(reader, now))

@@ -1,5 +1,12 @@
-// A reader of tokens for the normal forms: looks at words from one position on
-// and moves past what it has understood.
+// FormReader is a cursor over tokens with which the normal forms are parsed. It
+// looks at the words from one position on and advances past those it has
+// understood. Copying it is cheap: a function that takes a reader by value
+// tries something without moving the caller's.
+//
+//  // "in three days"
+//  if (reader.skip("in"))
+//    if (const auto number = reader.number(); number && reader.skip("days"))
+//      return reader.form(date_text(today + days(number->value)));
 #pragma once
 
 #include <initializer_list>
@@ -11,12 +18,14 @@
 
 namespace parlour::adapters::nlu {
 
+// Refers to the tokens, which must outlive it.
 class FormReader {
 public:
   FormReader(const Tokens& tokens, std::size_t position)
       : tokens_(&tokens), begin_(position), at_(position) {}
 
-  // "" past the end, and past a break after the first word.
+  // The word `ahead` tokens further; empty at the end of the tokens or of the
+  // sentence.
   std::string_view word(std::size_t ahead = 0) const {
     const auto place = at_ + ahead;
     if (place >= tokens_->list.size())
@@ -26,11 +35,15 @@ public:
     return tokens_->list[place].word;
   }
 
-  // The word before all that is read; "" where it begins with the text.
+  // The word before the first one that was read; empty at the beginning of the
+  // text.
   std::string_view word_before() const {
     return begin_ == 0 ? std::string_view() : tokens_->list[begin_ - 1].word;
   }
 
+  // Each skip function advances past the expected words and says whether they
+  // were there. skip_any takes one of them, skip_all takes all in a row or
+  // none.
   bool skip(std::string_view expected) {
     const bool found = word() == expected;
     at_ += found ? 1 : 0;
@@ -44,7 +57,6 @@ public:
     return false;
   }
 
-  // All of these words in a row, or none is skipped.
   bool skip_all(std::initializer_list<std::string_view> expected) {
     std::size_t ahead = 0;
     for (const auto one : expected)
@@ -54,6 +66,7 @@ public:
     return true;
   }
 
+  // Reads a number and advances past it.
   std::optional<NumberAt> number() {
     if (word().empty())
       return {};
@@ -62,7 +75,7 @@ public:
     return found;
   }
 
-  // The same, or "a couple of" and the like.
+  // The same, but also reads "a couple of", "half a dozen" and the like.
   std::optional<NumberAt> count() {
     if (word().empty())
       return {};
@@ -84,6 +97,7 @@ public:
     return at_ - begin_;
   }
 
+  // The result: a value, with all tokens that were read.
   FormAt form(Value value, bool weak = false) const {
     return {std::move(value), length(), weak};
   }
@@ -94,15 +108,16 @@ private:
   std::size_t at_;
 };
 
-// "double" and "triple" in front of a digit: how often it is meant.
+// Reads "double" or "triple" before a digit. Returns 1 if there is neither.
 std::size_t repeats(FormReader& reader);
 
-// A number as its digits are said, one by one ("four seven one one", "double
-// four seven") or by two ("forty seven eleven"); one of two digits only where
-// nothing else is said. Nothing where it is a sum, as most numbers are.
+// Reads a number that is said as digits: one by one ("four seven one one",
+// "double four seven") or two by two ("forty seven eleven"). Two digits are
+// enough only if nothing else is said. Nothing if it is an ordinary number,
+// whose words add up.
 std::optional<std::int64_t> spelled_number(FormReader& reader);
 
-// One function for each form; the table is in normal_forms.cpp.
+// One function for each form. They are listed in normal_forms.cpp.
 std::optional<FormAt> time_form(FormReader reader, Now now);
 std::optional<FormAt> date_form(FormReader reader, Now now);
 std::optional<FormAt> number_form(FormReader reader, Now now);

@@ -1,4 +1,4 @@
-// Numbers, durations and levels.
+// Reads numbers, durations and levels of a building.
 #include <cmath>
 #include <string>
 
@@ -9,7 +9,7 @@ namespace parlour::adapters::nlu {
 
 namespace {
 
-// "2.5" as a token, or nothing.
+// A token such as "2.5".
 std::optional<double> decimal(std::string_view word) {
   const auto point = word.find('.');
   const bool is_one = point != std::string_view::npos &&
@@ -18,7 +18,7 @@ std::optional<double> decimal(std::string_view word) {
   return is_one ? std::optional(parse_number(word).number_or(0)) : std::nullopt;
 }
 
-// Seconds of "minute", "hours" …; 0 for none.
+// The seconds of "minute", "hours" …; 0 if the word is no unit.
 std::int64_t unit_seconds(std::string_view word) {
   if (word.ends_with('s') && word.size() > 1)
     word.remove_suffix(1);
@@ -35,7 +35,8 @@ std::int64_t unit_seconds(std::string_view word) {
   return word == "fortnight" ? 1'209'600 : 0;
 }
 
-// "and a half", "and a quarter", "and three quarters": what is added.
+// Reads "and a half", "and a quarter" or "and three quarters"; 0 if none
+// follows.
 double fraction_behind(FormReader& reader) {
   if (reader.skip_all({"and", "a", "half"}))
     return 0.5;
@@ -44,7 +45,8 @@ double fraction_behind(FormReader& reader) {
   return reader.skip_all({"and", "three", "quarters"}) ? 0.75 : 0;
 }
 
-// "point oh five": the digits behind the point; "" for none.
+// Reads "point oh five" and returns the digits behind the point. Empty if there
+// are none, or only zeros.
 std::string decimals(FormReader& reader) {
   const auto start = reader.position();
   std::string digits;
@@ -60,12 +62,13 @@ std::string decimals(FormReader& reader) {
   return digits;
 }
 
-// As it would be read, without what adding up would leave.
+// Parses the number as text. Adding up decimal places would lose precision.
 double with_decimals(std::int64_t whole, const std::string& digits) {
   return parse_number(std::to_string(whole) + "." + digits).number_or(0);
 }
 
-// "2h", "90m", "30s", "1h30", in seconds; negative for none.
+// The seconds of "2h", "90m", "30s" or "1h30"; negative if the word is none of
+// these.
 std::int64_t compact_seconds(std::string_view word) {
   const auto end = word.find_first_not_of("0123456789");
   const auto count = digits_of(word.substr(0, end));
@@ -80,7 +83,8 @@ std::int64_t compact_seconds(std::string_view word) {
   return word[end] == 'm' ? *count * 60 : word[end] == 's' ? *count : -1;
 }
 
-// "half an hour", "a quarter of an hour": the part of the unit that follows.
+// Reads "half an hour" or "a quarter of an hour" up to the unit, which must
+// follow. Returns the part of the unit, or 0.
 double part_of(FormReader& reader) {
   const auto start = reader.position();
   const bool three = reader.skip("three");
@@ -100,7 +104,7 @@ double part_of(FormReader& reader) {
   return 0;
 }
 
-// "two", "an", "one and a half", "2.5"; negative for none.
+// Reads "two", "an", "one and a half" or "2.5"; negative if no amount follows.
 double amount(FormReader& reader) {
   if (const auto part = part_of(reader); part > 0)
     return part;
@@ -122,7 +126,8 @@ double amount(FormReader& reader) {
   return static_cast<double>(number->value) + fraction_behind(reader);
 }
 
-// "two hours thirty": the minutes behind hours, in seconds.
+// Reads the minutes in "two hours thirty", in seconds. A unit behind them means
+// that they are an amount of their own.
 double minutes_behind(FormReader& reader, std::int64_t unit) {
   const auto start = reader.position();
   const auto number = reader.number();
@@ -133,7 +138,7 @@ double minutes_behind(FormReader& reader, std::int64_t unit) {
   return 0;
 }
 
-// One amount with its unit, in seconds; negative for none.
+// Reads one amount with its unit, in seconds; negative if there is none.
 double measure(FormReader& reader) {
   if (const auto seconds = compact_seconds(reader.word()); seconds >= 0) {
     reader.advance();
@@ -142,6 +147,7 @@ double measure(FormReader& reader) {
   const auto start = reader.position();
   const auto count = amount(reader);
   const auto unit = unit_seconds(reader.word());
+  // An amount without a unit is no measure.
   if (count < 0 || unit == 0 || count > 1e6) {
     reader.go_back(start);
     return -1;
@@ -152,7 +158,7 @@ double measure(FormReader& reader) {
   return seconds + minutes_behind(reader, unit);
 }
 
-// "-2" for "B2", "3" for "L3" and "3F"; 0 for none.
+// -2 for "B2", 3 for "L3" and "3F"; 0 if the word is no level.
 std::int64_t short_level(std::string_view word) {
   if (word.size() < 2)
     return 0;
@@ -188,7 +194,7 @@ std::optional<FormAt> basement(FormReader reader) {
   return reader.form(-1);
 }
 
-// "level 3", "floor twenty three", "level b1".
+// Reads "level 3", "floor twenty three" or "level b1".
 std::optional<FormAt> level_then_number(FormReader reader) {
   if (!skip_floor(reader))
     return {};
@@ -203,6 +209,8 @@ std::optional<FormAt> level_then_number(FormReader reader) {
                ? std::optional(reader.form(-below->value))
                : std::nullopt;
   }
+  // basement() read on with a copy: the reader is moved to where the copy
+  // ended.
   if (auto below = basement(reader)) {
     reader.advance(below->length - reader.length());
     return reader.form(below->value);
@@ -213,7 +221,8 @@ std::optional<FormAt> level_then_number(FormReader reader) {
   return reader.form(number->value);
 }
 
-// "twenty third floor", "23rd level", "ground floor", "minus one".
+// Reads "twenty third floor", "ground floor" or "minus one". Ground floor is 1,
+// and there is no level 0. A number alone is weak.
 std::optional<FormAt> number_then_level(FormReader reader) {
   if (reader.skip_all({"lower", "ground"}))
     return skip_floor(reader) ? std::optional(reader.form(-1)) : std::nullopt;
@@ -227,8 +236,8 @@ std::optional<FormAt> number_then_level(FormReader reader) {
   return reader.form(below ? -number->value : number->value, !whole);
 }
 
-// "double oh seven", "one oh one": digits with an "oh" among them, as a number;
-// negative for none.
+// Reads digits with an "oh" among them as a number: "double oh seven". Negative
+// if there is none.
 std::int64_t digit_row(FormReader& reader) {
   const auto start = reader.position();
   std::int64_t value = 0;
@@ -241,17 +250,19 @@ std::int64_t digit_row(FormReader& reader) {
     if (!digit)
       break;
     with_oh = with_oh || word == "oh" || word == "o";
+    // "double seven" gives two digits.
     for (int time = 0; time < times; ++time, ++digits)
       value = value * 10 + *digit;
     reader.advance();
   }
+  // Without an "oh" the words may be an ordinary number ("three five").
   if (digits >= 3 && with_oh)
     return value;
   reader.go_back(start);
   return -1;
 }
 
-// Without a sign before it.
+// Reads a number without a sign.
 std::optional<Value> plain_number(FormReader& reader) {
   if (const auto found = decimal(reader.word())) {
     reader.advance();
@@ -259,6 +270,7 @@ std::optional<Value> plain_number(FormReader& reader) {
   }
   if (const auto row = digit_row(reader); row >= 0)
     return Value(row);
+  // "three point five".
   if (const auto digits = decimals(reader); !digits.empty())
     return Value(with_decimals(0, digits));
   const auto number = reader.count();
@@ -273,6 +285,7 @@ std::optional<Value> plain_number(FormReader& reader) {
 
 } // namespace
 
+// Numbers are weak: in most sentences a number is part of something else.
 std::optional<FormAt> number_form(FormReader reader, Now) {
   if (const auto spelled = spelled_number(reader))
     return reader.form(*spelled, true);
@@ -287,6 +300,7 @@ std::optional<FormAt> number_form(FormReader reader, Now) {
   return reader.form(-number->number_or(0), true);
 }
 
+// Adds up measures: "one hour and ten minutes".
 std::optional<FormAt> duration_form(FormReader reader, Now) {
   auto total = measure(reader);
   if (total < 0)

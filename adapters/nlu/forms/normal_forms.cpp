@@ -8,12 +8,13 @@ namespace parlour::adapters::nlu {
 
 namespace {
 
+// One entry for each form: its name, and the function that reads it.
 struct FormEntry {
   std::string_view name;
   std::optional<FormAt> (*read)(FormReader, Now);
 };
 
-// In the order of Form.
+// In the order of the enumeration Form.
 constexpr std::array<FormEntry, form_count> forms{{
     {"time", time_form},
     {"date", date_form},

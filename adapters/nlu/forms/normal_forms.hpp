@@ -1,14 +1,16 @@
-// Times, dates, numbers and the like in an utterance, as the values that the
-// rest of the platform calculates with:
+// Finds times, dates, numbers and the like in an utterance and converts them to
+// the values with which the rest of the platform calculates. What is read is
+// described in docs/understanding.md; tests/adapters/nlu/forms.txt has
+// examples.
 //
-//   time      "10:30" (24 hours); hours that an office does not work are
-//             taken for the afternoon: "at three" is 15:00
-//   date      "2026-11-21"
-//   number    an integer, or a number with a point
-//   duration  seconds
-//   level     an integer: ground or first floor 1, basement one -1
-//   phone     digits, perhaps after a "+"
-//   email     lower case
+//  time      "10:30" (24 hours). An hour before eight is in the afternoon, if
+//            nothing is said about it: "at three" is 15:00
+//  date      "2026-11-21"
+//  number    an integer, or a number with a decimal point
+//  duration  seconds
+//  level     an integer: ground floor and first floor 1, basement one -1
+//  phone     digits, perhaps after a "+"
+//  email     lower case
 #pragma once
 
 #include <cstdint>
@@ -31,23 +33,29 @@ enum class Form : std::uint8_t {
   level,
 };
 
+// The number of forms above.
 inline constexpr std::size_t form_count = 7;
 
-// The form of that name, as slots' cardinalities and `@time` write it.
+// The form of a name, as cardinalities of slots ("time") and grammars (`@time`)
+// write it.
 std::optional<Form> form_of(std::string_view name);
 std::string_view name_of(Form form);
 
+// A value that was found.
 struct FormAt {
   Value value;
-  std::size_t length = 0; // tokens
-  // Only taken where such a value is expected: a bare "four" for a time.
+  // In tokens.
+  std::size_t length = 0;
+  // The value counts only where one of its form is expected: "four" can be a
+  // time.
   bool weak = false;
 };
 
-// Unknown: what depends on the time of day or the date is not understood.
+// The clock of the conversation. Without it, forms that depend on the current
+// time or date are not understood.
 using Now = std::optional<Timestamp>;
 
-// The longest such value that begins at this token.
+// The value of this form that begins at `position`, in its longest reading.
 std::optional<FormAt> form_at(Form form, const Tokens& tokens,
                               std::size_t position, Now now);
 

@@ -1,3 +1,4 @@
+// English number words. Sum adds words up; number_at feeds it from the tokens.
 #include "adapters/nlu/forms/number_words.hpp"
 
 #include <algorithm>
@@ -53,9 +54,14 @@ const std::unordered_map<std::string_view, NumberWord>& number_words() {
   return table;
 }
 
-// Sums up number words as long as each fits behind the ones before it.
+// Adds up number words from left to right, as long as each fits behind the ones
+// before it. "two hundred five" is one number; "two five" is two.
+//
+// `current_` is the part below a thousand that is being built; `total_` holds
+// the finished thousands, millions and billions.
 class Sum {
 public:
+  // False if the word does not fit. An ordinal ends the number.
   bool take(const NumberWord& word) {
     if (done_ || !fits(word.value))
       return false;
@@ -68,12 +74,16 @@ public:
   bool ordinal() const {
     return done_;
   }
+  // Whether "and" may follow: "two hundred and five".
   bool takes_and() const {
     return !done_ && value() > 0 && current_ % 100 == 0;
   }
 
 private:
+  // Adds the value if it fits. A unit fits behind tens ("twenty" 3) but not
+  // behind ten itself; tens and teens fit only behind hundreds.
   bool fits(std::int64_t value) {
+    // "zero" stands alone.
     if (value == 0)
       return !std::exchange(begun_, true);
     if (value == 100)
@@ -82,6 +92,7 @@ private:
       return thousands(value);
     const auto rest = current_ % 100;
     const bool fits = value < 10 ? rest % 10 == 0 && rest != 10 : rest == 0;
+    // After "zero" nothing fits.
     if (!fits || (begun_ && value_is_zero()))
       return false;
     current_ += value;
@@ -92,6 +103,7 @@ private:
     return value() == 0;
   }
 
+  // "hundred" multiplies the units before it: "two hundred", "twelve hundred".
   bool scale(std::int64_t most, std::int64_t factor) {
     if (current_ > most || (begun_ && current_ == 0))
       return false;
@@ -99,6 +111,8 @@ private:
     return begun_ = true;
   }
 
+  // "thousand", "million" and "billion" close the part before them. They must
+  // come in descending order.
   bool thousands(std::int64_t factor) {
     if (current_ == 0 || (total_ > 0 && total_ < factor * 1000))
       return false;
@@ -113,7 +127,9 @@ private:
   bool done_ = false;
 };
 
+// A token in digits, perhaps with the ending of an ordinal: "23rd".
 std::optional<NumberAt> written_number(std::string_view word) {
+  // Digits, then nothing or the ending of an ordinal.
   const auto end = word.find_first_not_of("0123456789");
   const auto value = digits_of(word.substr(0, end));
   if (!value)
@@ -126,6 +142,7 @@ std::optional<NumberAt> written_number(std::string_view word) {
   return {};
 }
 
+// The entry of a token in the table, or null.
 const NumberWord* number_word(const Tokens& tokens, std::size_t position) {
   if (position >= tokens.list.size())
     return nullptr;
@@ -133,12 +150,13 @@ const NumberWord* number_word(const Tokens& tokens, std::size_t position) {
   return found == number_words().end() ? nullptr : &found->second;
 }
 
+// Empty behind the last token.
 std::string_view word_at(const Tokens& tokens, std::size_t position) {
   return position < tokens.list.size() ? tokens.list[position].word
                                        : std::string_view();
 }
 
-// "a hundred", "a thousand": the "a" is a one.
+// In "a hundred" and "a thousand" the "a" means one.
 bool is_article_of_number(const Tokens& tokens, std::size_t position) {
   const auto* scale = number_word(tokens, position + 1);
   return word_at(tokens, position) == "a" && scale && scale->value >= 100 &&
@@ -154,13 +172,17 @@ std::optional<NumberAt> number_at(const Tokens& tokens, std::size_t position) {
     return written;
   Sum sum;
   auto at = position;
+  // Only before "hundred" and above: "a five" is no number.
   if (is_article_of_number(tokens, position)) {
     sum.take({1, false});
     ++at;
   }
   while (at < tokens.list.size()) {
+    // A comma or full stop ends the number.
     if (at > position && tokens.list[at].before != Break::none)
       break;
+    // "and" belongs to the number only if another part follows that is smaller
+    // than a hundred.
     const bool joins = sum.takes_and() && tokens.list[at].word == "and";
     const auto* word = number_word(tokens, joins ? at + 1 : at);
     if (!word || (joins && word->value >= 100) || !sum.take(*word))
@@ -185,6 +207,7 @@ std::optional<NumberAt> collective_at(const Tokens& tokens,
       count = number->value;
       at += number->length;
     }
+  // "couple" and "pair" are two; "dozen" may be counted or halved.
   const bool counted = at > position && !one && !half;
   const auto word = word_at(tokens, at++);
   const bool dozen = word == "dozen";

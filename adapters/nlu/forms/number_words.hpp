@@ -1,5 +1,5 @@
-// Numbers as people say and write them: "twenty three", "23rd", "1,000",
-// "two hundred and five", "second".
+// Reads whole numbers as people say and write them: "twenty three", "23rd",
+// "1,000", "two hundred and five", "second".
 #pragma once
 
 #include <cstdint>
@@ -12,22 +12,24 @@ namespace parlour::adapters::nlu {
 
 struct NumberAt {
   std::int64_t value = 0;
-  std::size_t length = 0; // tokens
+  // In tokens.
+  std::size_t length = 0;
   bool ordinal = false;
-  bool digits = false; // written in digits
+  // Written in digits.
+  bool digits = false;
 };
 
 // The longest whole number that begins at this token.
 std::optional<NumberAt> number_at(const Tokens& tokens, std::size_t position);
 
-// "a couple of", "a pair of", "half a dozen", "two dozen".
+// Reads "a couple of", "a pair of", "half a dozen", "two dozen".
 std::optional<NumberAt> collective_at(const Tokens& tokens,
                                       std::size_t position);
 
-// 0 to 9 for "nine", "9", "oh" …
+// The digit of "nine", "9", "oh" …
 std::optional<int> digit_of(std::string_view word);
 
-// A word that is digits and nothing else, up to 15 of them.
+// The number of a word that has digits only, 15 at most.
 std::optional<std::int64_t> digits_of(std::string_view word);
 
 } // namespace parlour::adapters::nlu

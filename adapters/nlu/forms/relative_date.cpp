@@ -1,4 +1,4 @@
-// Dates as they are seen from today.
+// Reads dates relative to today: "tomorrow", "next friday", "in two weeks".
 #include "adapters/nlu/forms/calendar.hpp"
 
 namespace parlour::adapters::nlu {
@@ -8,13 +8,16 @@ namespace {
 using std::chrono::days;
 using std::chrono::weekday;
 
-constexpr std::int64_t most_ahead = 1000;
+// Days, weeks or months; a larger number is no date.
+constexpr std::int64_t max_ahead = 1000;
 
 std::optional<FormAt> as_form(const FormReader& reader,
                               std::optional<Day> day) {
   return day ? std::optional(reader.form(date_text(*day))) : std::nullopt;
 }
 
+// A part of the day belongs to the date but does not change it: "tomorrow
+// morning".
 void skip_part_of_day(FormReader& reader) {
   reader.skip_any({"morning", "afternoon", "evening", "night"});
 }
@@ -25,7 +28,7 @@ bool skip_this_part_of_day(FormReader& reader) {
          reader.skip_all({"this", "evening"});
 }
 
-// "today", "tomorrow night", "yesterday", "the day after tomorrow".
+// Reads "today", "tomorrow night", "yesterday" or "day after tomorrow".
 std::optional<Day> near_day(FormReader& reader, Day today) {
   if (reader.skip_all({"day", "after", "tomorrow"}))
     return today + days(2);
@@ -41,14 +44,14 @@ std::optional<Day> near_day(FormReader& reader, Day today) {
   return today + days(1);
 }
 
-// The one of the week after this; weeks begin on Monday.
+// The weekday in the week after the current one. Weeks begin on Monday.
 Day in_next_week(Day today, weekday wanted) {
   const auto monday = today + days(8 - weekday(today).iso_encoding());
   return monday + days(wanted.iso_encoding() - 1);
 }
 
-// "friday" is the next one to come, "next friday" that of the next week, "last
-// friday" the one before today.
+// "friday" is the next one after today, "next friday" the one of next week,
+// "last friday" the one before today.
 std::optional<Day> named_weekday(FormReader& reader, Day today) {
   reader.skip("this");
   reader.skip("coming");
@@ -58,6 +61,7 @@ std::optional<Day> named_weekday(FormReader& reader, Day today) {
   if (!wanted)
     return {};
   reader.advance();
+  // 0 to 6 days.
   const auto ahead = (*wanted - weekday(today)).count();
   if (last)
     return today - days(ahead == 0 ? 7 : 7 - ahead);
@@ -67,7 +71,8 @@ std::optional<Day> named_weekday(FormReader& reader, Day today) {
   return today + days(ahead == 0 ? 7 : ahead);
 }
 
-// With a week more: "tuesday week", "today week".
+// A day from which others count. A following "week" adds a week: "tuesday
+// week".
 std::optional<Day> anchor(FormReader& reader, Day today) {
   reader.skip("the");
   auto day = near_day(reader, today);
@@ -83,12 +88,13 @@ std::optional<FormAt> anchored(FormReader reader, Day today) {
   return as_form(reader, day);
 }
 
-// Today and the weekend that it is in, or the coming Saturday.
+// Today if it is in a weekend, otherwise the coming Saturday.
 Day weekend(Day today) {
   const auto encoded = weekday(today).iso_encoding();
   return encoded >= 6 ? today : today + days(6 - encoded);
 }
 
+// Reads "next week", "this weekend" and the like.
 std::optional<FormAt> week_or_month(FormReader reader, Day today) {
   if (reader.skip_all({"next", "week"}))
     return as_form(reader, today + days(7));
@@ -104,12 +110,12 @@ std::optional<FormAt> week_or_month(FormReader reader, Day today) {
   return {};
 }
 
-// "three days", "a couple of weeks", "a fortnight": the day so far after
-// `from`.
+// Reads "three days", "a couple of weeks" or "a fortnight" and returns the day
+// so long after `from`.
 std::optional<Day> after(FormReader& reader, Day from) {
   const bool one = reader.word(1) != "couple" && reader.skip_any({"a", "an"});
   const auto number = one ? std::nullopt : reader.count();
-  if (!one && (!number || number->ordinal || number->value > most_ahead))
+  if (!one && (!number || number->ordinal || number->value > max_ahead))
     return {};
   const auto count = one ? 1 : static_cast<int>(number->value);
   if (reader.skip_any({"days", "day"}))
@@ -123,7 +129,7 @@ std::optional<Day> after(FormReader& reader, Day from) {
   return {};
 }
 
-// "in two weeks", "in three days' time".
+// Reads "in two weeks" or "in three days' time".
 std::optional<FormAt> ahead(FormReader reader, Day today) {
   if (!reader.skip("in"))
     return {};
@@ -133,12 +139,14 @@ std::optional<FormAt> ahead(FormReader reader, Day today) {
   return as_form(reader, day);
 }
 
-// "for three days from monday": how long, and from when, rather than a day.
+// "for three days from monday" tells a duration and a start, not a date.
 bool tells_how_long(const FormReader& start) {
   return start.word_before() == "for" && start.word() != "a";
 }
 
-// "a week on tuesday", "three days from now", "a week today".
+// Reads "a week on tuesday", "three days from now" or "a week today". The span
+// comes before its anchor, so it is read twice: first to get past it, then from
+// the anchor.
 std::optional<FormAt> ahead_of_anchor(FormReader reader, Day today) {
   const auto start = reader;
   if (!after(reader, today))
@@ -159,7 +167,8 @@ std::optional<FormAt> ahead_of_anchor(FormReader reader, Day today) {
   return form;
 }
 
-// "of this month", "of the month", "of next month": how many months ahead.
+// Reads "of this month", "of the month" or "of next month". Returns how many
+// months ahead that is.
 std::optional<int> of_month(FormReader& reader) {
   if (reader.skip_all({"of", "next", "month"}))
     return 1;
@@ -169,7 +178,7 @@ std::optional<int> of_month(FormReader& reader) {
   return {};
 }
 
-// "the 3rd of next month", "the end of the month".
+// Reads "3rd of next month" or "end of the month".
 std::optional<FormAt> within_month(FormReader reader, Day today) {
   const bool end = reader.skip("end");
   const auto number = end ? std::nullopt : reader.number();
@@ -178,6 +187,7 @@ std::optional<FormAt> within_month(FormReader reader, Day today) {
   const auto months = of_month(reader);
   if (!months)
     return {};
+  // 27 days before the end of a month is a day that every month has.
   const auto last =
       last_of_month(months_later(last_of_month(today) - days(27), *months));
   if (end)
@@ -195,6 +205,7 @@ std::optional<FormAt> day_of_month(FormReader& reader, Day today) {
   if (!number || !number->ordinal || number->value < 1 || number->value > 31)
     return {};
   const std::chrono::year_month_day now(today);
+  // One of three months in a row has a 31st.
   auto month = now.year() / now.month();
   for (int tried = 0; tried < 3; ++tried, month += std::chrono::months(1)) {
     const auto day =
@@ -208,6 +219,8 @@ std::optional<FormAt> day_of_month(FormReader& reader, Day today) {
 std::optional<FormAt> date_from_now(FormReader reader, Day today) {
   auto start = reader;
   start.skip("the");
+  // All readers are tried, and the longest reading is taken: "tomorrow week" is
+  // more than "tomorrow".
   std::optional<FormAt> best;
   for (const auto read :
        {anchored, week_or_month, ahead, ahead_of_anchor, within_month}) {

@@ -1,4 +1,4 @@
-// Numbers that are told digit by digit.
+// Reads numbers that are said digit by digit.
 #include <string>
 
 #include "adapters/nlu/forms/form_reader.hpp"
@@ -8,17 +8,18 @@ namespace parlour::adapters::nlu {
 
 namespace {
 
-// More is no number that anybody would tell.
-constexpr std::size_t most_digits = 15;
+// As many as digits_of() reads.
+constexpr std::size_t max_digits = 15;
 
 struct Spelled {
   std::string digits;
-  bool sure = false; // one of them is doubled: it can be nothing else
+  // A digit is doubled, which happens in no ordinary number.
+  bool sure = false;
 };
 
 Spelled one_by_one(FormReader& reader) {
   Spelled made;
-  while (made.digits.size() < most_digits) {
+  while (made.digits.size() < max_digits) {
     const auto start = reader.position();
     const auto count = repeats(reader);
     const auto digit = digit_of(reader.word());
@@ -33,7 +34,7 @@ Spelled one_by_one(FormReader& reader) {
   return made;
 }
 
-// "forty seven", in words; 0 for none.
+// Reads a number from 10 to 99 in words; 0 if there is none.
 std::int64_t two_digits(FormReader& reader) {
   const auto number = reader.number();
   const bool fits = number && !number->ordinal && !number->digits &&
@@ -41,7 +42,8 @@ std::int64_t two_digits(FormReader& reader) {
   return fits ? number->value : 0;
 }
 
-// Whether the number goes on in another way: then it is a sum.
+// Whether the number goes on in a way that makes it an ordinary one, whose
+// words add up: "five hundred", "forty seven point two".
 bool goes_on(FormReader& reader) {
   const auto start = reader.position();
   const bool more = reader.word() == "point" || reader.word() == "and" ||
@@ -63,6 +65,8 @@ std::optional<std::int64_t> spelled_number(FormReader& reader) {
   const auto start = reader.position();
   const auto spelled = one_by_one(reader);
   const bool is_all = start == 0 && reader.word().empty();
+  // "nine one" alone is spelt; within a sentence at least three digits are
+  // needed.
   const std::size_t least = spelled.sure || is_all ? 2 : 3;
   if (spelled.digits.size() >= least && !goes_on(reader))
     return digits_of(spelled.digits);

@@ -1,4 +1,4 @@
-// Times of the day: "10:30am", "half past ten", "three thirty in the
+// Reads times of the day: "10:30am", "half past ten", "three thirty in the
 // afternoon", "noon", "in ten minutes".
 #include <charconv>
 
@@ -9,17 +9,23 @@ namespace parlour::adapters::nlu {
 
 namespace {
 
+// A time before the half of the day is known.
 struct Time {
   std::int64_t hour = 0;
   std::int64_t minute = 0;
-  bool exact = false; // written so that no half of the day need be guessed
+  // Written with a leading zero or as 24 hours: the half of the day is not
+  // guessed.
+  bool exact = false;
   bool weak = true;
 };
 
+// What is said about the half of the day.
 enum class Half { unknown, am, pm, night };
 
+// Hours before this one are taken for the afternoon if the half is not said.
 constexpr std::int64_t first_office_hour = 8;
 
+// "15:30". Minutes beyond a day wrap.
 std::string clock_text(std::int64_t minutes) {
   const auto day = (minutes % 1440 + 1440) % 1440;
   std::string text = "00:00";
@@ -30,6 +36,7 @@ std::string clock_text(std::int64_t minutes) {
   return text;
 }
 
+// Reads "am", "pm", "in the morning", "this evening", "at night" …
 Half skip_half(FormReader& reader) {
   if (reader.skip("am") || reader.skip_all({"a", "m"}))
     return Half::am;
@@ -48,6 +55,7 @@ Half skip_half(FormReader& reader) {
   return Half::unknown;
 }
 
+// The hour of 24. "at night" means evening from 6 to 11 and morning otherwise.
 std::int64_t hour_of(const Time& time, Half half) {
   const auto hour = time.hour;
   if (hour > 12)
@@ -62,10 +70,13 @@ std::int64_t hour_of(const Time& time, Half half) {
   case Half::unknown:
     break;
   }
+  // "3" is 15, but "03" and "15" are meant as they stand.
   const bool guess = !time.exact && hour > 0 && hour < first_office_hour;
   return guess ? hour + 12 : hour;
 }
 
+// Reads what may follow a time and makes the form. A bare hour is weak: "four"
+// may be a number as well.
 std::optional<FormAt> finish(FormReader& reader, Time time) {
   if (reader.skip("oclock") || reader.skip_all({"o", "clock"}))
     time.weak = false;
@@ -79,8 +90,9 @@ std::optional<FormAt> finish(FormReader& reader, Time time) {
   return reader.form(clock_text(hour * 60 + time.minute), time.weak);
 }
 
-// Splits "10:30", "10.30", "1030" (where `compact`), "10"; what follows the
-// digits is left in `rest`.
+// Splits "10:30", "10.30", "1030" or "10" into hour and minute. What follows
+// the digits is left in `rest`. With a point the time stays weak, since it may
+// be a decimal number.
 std::optional<Time> split_digits(std::string_view word,
                                  std::string_view& rest) {
   const auto end = word.find_first_not_of("0123456789");
@@ -90,6 +102,7 @@ std::optional<Time> split_digits(std::string_view word,
     return {};
   rest = end == std::string_view::npos ? "" : word.substr(end);
   Time time{*hour, 0, first.size() == 2 && first[0] == '0', true};
+  // "10:30" or "10.30": exactly two digits of minutes.
   if (rest.size() >= 3 && (rest[0] == ':' || rest[0] == '.')) {
     const auto minute = digits_of(rest.substr(1, 2));
     if (!minute)
@@ -99,6 +112,7 @@ std::optional<Time> split_digits(std::string_view word,
     rest.remove_prefix(3);
     if (!rest.empty() && rest[0] >= '0' && rest[0] <= '9')
       return {};
+    // "1030", or "930" before "am".
   } else if (first.size() == 4 || (first.size() == 3 && !rest.empty())) {
     time = {*hour / 100, *hour % 100, first[0] == '0', true};
   } else if (first.size() > 2) {
@@ -107,7 +121,7 @@ std::optional<Time> split_digits(std::string_view word,
   return time;
 }
 
-// "10 30", as recognisers write it.
+// Reads the minutes of "10 30", as speech recognisers write it.
 void add_written_minutes(FormReader& reader, Time& time) {
   const auto word = reader.word();
   const auto minute = digits_of(word);
@@ -117,7 +131,7 @@ void add_written_minutes(FormReader& reader, Time& time) {
   reader.advance();
 }
 
-// "10:30am", "3pm", "1530 hours", "10.30".
+// Reads "10:30am", "3pm", "1530 hours" or "10.30".
 std::optional<FormAt> digital_time(FormReader reader) {
   std::string_view rest;
   const auto word = reader.word();
@@ -142,7 +156,7 @@ std::optional<FormAt> digital_time(FormReader reader) {
   return finish(reader, *time);
 }
 
-// The minutes after an hour: "thirty", "oh five", "15".
+// Reads the minutes after an hour: "thirty", "oh five", "15".
 std::optional<std::int64_t> minutes(FormReader& reader) {
   const auto start = reader.position();
   if (reader.skip_any({"oh", "o", "zero"})) {
@@ -160,7 +174,7 @@ std::optional<std::int64_t> minutes(FormReader& reader) {
   return {};
 }
 
-// "sixteen hundred hours", "oh eight hundred hours".
+// Reads "sixteen hundred hours" or "oh eight hundred hours".
 std::optional<FormAt> hundred_hours(FormReader reader) {
   reader.skip_any({"oh", "o", "zero"});
   const auto number = reader.number();
@@ -171,7 +185,7 @@ std::optional<FormAt> hundred_hours(FormReader reader) {
   return reader.form(clock_text(number->value / 100 * 60), !whole);
 }
 
-// "three", "ten thirty", "nine oh five", "three o'clock".
+// Reads "three", "ten thirty", "nine oh five" or "three o'clock".
 std::optional<FormAt> spoken_time(FormReader reader) {
   const auto hour = reader.number();
   if (!hour || hour->ordinal || hour->digits || hour->value > 24)
@@ -184,6 +198,7 @@ std::optional<FormAt> spoken_time(FormReader reader) {
   return finish(reader, time);
 }
 
+// Reads "noon" or "midnight".
 std::optional<std::int64_t> hour_by_name(FormReader& reader) {
   if (reader.skip_any({"noon", "midday", "lunchtime"}))
     return 12;
@@ -192,6 +207,7 @@ std::optional<std::int64_t> hour_by_name(FormReader& reader) {
   return {};
 }
 
+// Reads the minutes before "past" and "to": "half", "a quarter", "ten minutes".
 std::optional<std::int64_t> fraction(FormReader& reader) {
   if (reader.skip("half"))
     return 30;
@@ -208,8 +224,8 @@ std::optional<std::int64_t> fraction(FormReader& reader) {
   return {};
 }
 
-// Whether minutes, of which `first` was the first word, are after the hour
-// that follows; nothing where neither is said. "Half ten" is half past ten.
+// Whether the minutes, whose first word was `first`, come after the hour that
+// follows. Nothing if neither is said. "half ten" is half past ten.
 std::optional<bool> is_past(FormReader& reader, std::string_view first) {
   if (reader.skip_any({"past", "after"}))
     return true;
@@ -222,8 +238,8 @@ std::optional<bool> is_past(FormReader& reader, std::string_view first) {
   return {};
 }
 
-// "half past ten", "a quarter to three", "ten minutes past nine", "half past
-// noon".
+// Reads "half past ten", "a quarter to three", "ten minutes past nine" or "half
+// past noon".
 std::optional<FormAt> relative_time(FormReader reader) {
   const auto first = reader.word() == "a" ? reader.word(1) : reader.word();
   const auto count = fraction(reader);
@@ -239,10 +255,12 @@ std::optional<FormAt> relative_time(FormReader reader) {
   reader.skip("oclock");
   const auto half = skip_half(reader);
   const auto start = hour_of({hour->value, 0, false, false}, half) * 60;
-  // A quarter to eight is in the morning, as eight is.
+  // The half of the day is that of the hour which is named: a quarter to eight
+  // is in the morning, as eight is.
   return reader.form(clock_text(past ? start + *count : start - *count));
 }
 
+// Reads "noon", "twelve noon", "midnight" …
 std::optional<FormAt> named_time(FormReader reader) {
   reader.skip_any({"12", "twelve"});
   const auto hour = hour_by_name(reader);
@@ -252,12 +270,14 @@ std::optional<FormAt> named_time(FormReader reader) {
   return reader.form(clock_text(*hour * 60));
 }
 
+// In local time.
 std::int64_t minute_of_day(Timestamp now) {
   const auto text = format_timestamp(now, "%H%M");
   const auto number = digits_of(text).value_or(0);
   return number / 100 * 60 + number % 100;
 }
 
+// Reads expressions that mean now.
 bool skip_at_once(FormReader& reader) {
   return reader.skip_any({"immediately", "asap"}) ||
          reader.skip_all({"right", "now"}) || reader.skip_all({"at", "once"}) ||
@@ -266,7 +286,7 @@ bool skip_at_once(FormReader& reader) {
          reader.skip_all({"as", "soon", "as", "possible"});
 }
 
-// "now", "right away", "in ten minutes", "half an hour from now".
+// Reads "now", "right away", "in ten minutes" or "half an hour from now".
 std::optional<FormAt> time_from_now(FormReader reader, Now now) {
   if (!now)
     return {};
@@ -283,6 +303,7 @@ std::optional<FormAt> time_from_now(FormReader reader, Now now) {
   else if (!reader.skip_all({"from", "now"}))
     return {};
   const auto seconds = span->value.integer_or(0);
+  // Beyond a day the date would change.
   if (seconds >= 86'400)
     return {};
   return reader.form(clock_text(current + seconds / 60));
@@ -292,6 +313,7 @@ std::optional<FormAt> time_from_now(FormReader reader, Now now) {
 
 std::optional<FormAt> time_form(FormReader reader, Now now) {
   std::optional<FormAt> best;
+  // All readers are tried, and the longest reading is taken.
   const auto keep = [&](std::optional<FormAt> found) {
     if (found && (!best || found->length > best->length))
       best = std::move(found);

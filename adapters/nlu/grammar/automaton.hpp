@@ -1,6 +1,11 @@
-// All grammars of an application as one automaton over word numbers and
-// entities, without empty moves. Built once (automaton_builder.hpp), then only
-// read; any number of threads may match with it.
+// All grammars of an application as one finite automaton, whose symbols are
+// words and entities (values). It has no empty moves, so each step of the
+// matcher takes a word or a value. It is not deterministic: several arcs of a
+// state may take the same word.
+//
+// Grammars assign meaning by tags. An arc carries actions that open and close
+// tags; the matcher records them, and islands.hpp reads the meaning from the
+// record.
 #pragma once
 
 #include <cstdint>
@@ -13,44 +18,55 @@
 
 namespace parlour::adapters::nlu {
 
+// Numbers of words in the vocabulary, from 1.
 using WordNumber = std::uint32_t;
-inline constexpr WordNumber unknown_word = 0; // no arc has it
+// A word of no grammar; no arc has it.
+inline constexpr WordNumber unknown_word = 0;
 
-// A slot's value; the act; the topic; the slot that the context asks for; that
-// what follows is what the user does not want.
+// What a tag says: the value of a slot, the act, the topic, the value of the
+// slot that the context asks for, or that the value which follows is not
+// wanted.
 enum class TagKind : std::uint8_t { slot, act, topic, asked, denies };
 
 struct TagInfo {
   TagKind kind = TagKind::slot;
-  std::string name;             // of the slot, or the act
-  TopicNumber topic = no_topic; // of a qualified slot, or the topic itself
+  // The name of the slot, or the act.
+  std::string name;
+  // The topic of a qualified slot ({Topic.Slot}), or the topic itself.
+  TopicNumber topic = no_topic;
+  // Whether the tag has a value of its own ({Slot=value}) instead of the words.
   bool has_value = false;
   Value value;
 };
 
-// What happens on the way along an arc, before its word is taken.
+// What happens along an arc, before its word is taken: a tag is opened or
+// closed.
 struct Action {
   std::uint32_t tag = 0;
-  bool opens = false; // else the tagged part ends here
+  bool opens = false;
 
   auto operator<=>(const Action&) const = default;
 };
 
 struct Arc {
-  std::uint32_t symbol = 0; // word number or entity
+  // A word number or an EntityId.
+  std::uint32_t symbol = 0;
+  // The number of a list in Automaton::actions.
   std::uint32_t actions = 0;
   std::uint32_t target = 0;
-  float weight = 0; // added to the score; 0 or below
+  // Added to the score; never above 0.
+  float weight = 0;
 };
 
+// A rule that is complete in this state.
 struct Accept {
   std::uint32_t rule = 0;
   std::uint32_t actions = 0;
   float weight = 0;
 };
 
-// Arcs of words are sorted by word; those of entities stand in the grammar's
-// order, and of equally good ones the first wins.
+// The arcs of words are sorted by word, for binary search. The arcs of entities
+// keep the order of the grammar; of equally good ones the first wins.
 struct State {
   std::vector<Arc> words;
   std::vector<Arc> entities;
@@ -58,21 +74,30 @@ struct State {
 };
 
 struct RuleInfo {
-  std::string name; // as it is printed: "<grammar.rule>"
+  // As it is shown: "<grammar.rule>".
+  std::string name;
   std::string grammar;
-  TopicNumber topic = no_topic; // where the grammar as a whole has one
-  bool generic = false;         // of the platform's grammar
-  bool bare = false;            // a value and nothing else
+  // The topic of the whole grammar, if it has one.
+  TopicNumber topic = no_topic;
+  // Of the platform's grammar of yes, no, help …
+  bool generic = false;
+  // A value and nothing else.
+  bool bare = false;
+  // Added to the score of each match.
   float bias = 0;
 };
 
+// Built by AutomatonBuilder, then only read, by any number of threads.
 struct Automaton {
   TextMap<WordNumber> vocabulary;
-  std::vector<State> states; // the first is the start of every rule
-  std::vector<std::vector<Action>> actions; // the first is empty
+  // State 0 is the start of every rule.
+  std::vector<State> states;
+  // Lists of actions, to which arcs refer by number. List 0 is empty.
+  std::vector<std::vector<Action>> actions;
   std::vector<TagInfo> tags;
   std::vector<RuleInfo> rules;
-  std::vector<EntityId> entities; // that arcs take, sorted
+  // The entities that arcs take, sorted.
+  std::vector<EntityId> entities;
 
   WordNumber word(std::string_view text) const {
     const auto found = vocabulary.find(text);
@@ -80,7 +105,7 @@ struct Automaton {
   }
 };
 
-// The arcs of a state that take this symbol.
+// The arcs that take this symbol. `arcs` must be sorted by symbol.
 std::span<const Arc> arcs_of(const std::vector<Arc>& arcs,
                              std::uint32_t symbol);
 

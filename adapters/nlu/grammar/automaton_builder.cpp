@@ -1,3 +1,8 @@
+// The first step of AutomatonBuilder. Each build function extends the graph
+// from a node and returns the node at the end of the new part. Sequences thus
+// chain, alternatives fan out from one node and meet in another:
+//
+//  from --(weight)--> begin ... end_of_child --> end
 #include "adapters/nlu/grammar/automaton_builder.hpp"
 
 #include <algorithm>
@@ -5,22 +10,16 @@
 #include <set>
 
 #include "adapters/nlu/text/similarity.hpp"
+#include "runtime/message/act_kinds.hpp"
 
 namespace parlour::adapters::nlu {
 
 namespace {
 
-constexpr std::size_t most_nodes = 200'000;
+// Bounds the memory and the time of loading.
+constexpr std::size_t max_nodes = 200'000;
 
-// The acts of runtime/base/understanding.hpp.
-const std::vector<std::string>& act_names() {
-  static const std::vector<std::string> names{
-      "inform",  "request", "confirm",  "deny",    "correct", "help",
-      "repeat",  "cancel",  "restart",  "greet",   "bye",     "thank",
-      "explain", "options", "rephrase", "abandon", "person"};
-  return names;
-}
-
+// The value of {Slot=value}: a boolean, a number or a text.
 Value literal(const std::string& text) {
   if (text == "true" || text == "false")
     return text == "true";
@@ -28,6 +27,7 @@ Value literal(const std::string& text) {
   return number.is_unknown() ? Value(text) : number;
 }
 
+// Whether one of the node's tags names a slot.
 bool fills_slot(const jsgf::Node& node) {
   return std::ranges::any_of(node.tags, [](const jsgf::Tag& tag) {
     return tag.name != "act" && tag.name != "topic" && tag.name != "denies";
@@ -38,17 +38,19 @@ bool fills_slot(const jsgf::Node& node) {
 
 AutomatonBuilder::AutomatonBuilder(Schema& schema, std::vector<Error>& errors)
     : schema_(schema), errors_(errors) {
+  // Node 0 is the common start of all rules; list 0 of actions is empty.
   nodes_.emplace_back();
   automaton_.actions.emplace_back();
   action_numbers_[{}] = 0;
 }
 
-void AutomatonBuilder::error(const Place& place, std::string message) {
+void AutomatonBuilder::error(const SourceLocation& place, std::string message) {
   errors_.push_back({ErrorKind::compile, std::move(message), place});
 }
 
 void AutomatonBuilder::add(const jsgf::Grammar& grammar, const RuleInfo& info) {
   grammar_ = &grammar;
+  // Rules that are not public are only copied where they are referred to.
   bool any = false;
   for (const auto& rule : grammar.rules) {
     if (!rule.is_public)
@@ -72,8 +74,9 @@ void AutomatonBuilder::add(const jsgf::Node& body, RuleInfo info) {
   add_public(body, std::move(info), body.place);
 }
 
+// All rules start in node 0; the node at the end of a rule accepts it.
 void AutomatonBuilder::add_public(const jsgf::Node& body, RuleInfo info,
-                                  const Place& place) {
+                                  const SourceLocation& place) {
   const auto rule = static_cast<std::uint32_t>(automaton_.rules.size());
   const auto first_tag = automaton_.tags.size();
   const auto begin = new_node(place);
@@ -83,8 +86,11 @@ void AutomatonBuilder::add_public(const jsgf::Node& body, RuleInfo info,
   automaton_.rules.push_back(std::move(info));
 }
 
-AutomatonBuilder::NodeId AutomatonBuilder::new_node(const Place& place) {
-  if (nodes_.size() >= most_nodes) {
+// When the limit is reached the error is reported once. Node 0 then stands in
+// for every new node, and the result is not used.
+AutomatonBuilder::NodeId
+AutomatonBuilder::new_node(const SourceLocation& place) {
+  if (nodes_.size() >= max_nodes) {
     if (!std::exchange(too_large_, true))
       error(place, "the grammars are too large together; is a rule of many "
                    "alternatives used many times?");
@@ -103,6 +109,8 @@ void AutomatonBuilder::take(NodeId from, NodeId to, std::uint32_t symbol,
   nodes_[from].taking.push_back({to, symbol, entity});
 }
 
+// A node with tags: the first tag is the innermost one. A tag with an error is
+// ignored.
 AutomatonBuilder::NodeId AutomatonBuilder::build(const jsgf::Node& node,
                                                  NodeId from) {
   if (too_large_)
@@ -112,6 +120,7 @@ AutomatonBuilder::NodeId AutomatonBuilder::build(const jsgf::Node& node,
   const auto inner = new_node(node.place);
   auto begin = inner;
   auto end = build_untagged(node, inner);
+  // Each tag encloses what has been built so far.
   for (const auto& tag : node.tags) {
     const auto number = add_tag(tag);
     if (!number)
@@ -126,7 +135,7 @@ AutomatonBuilder::NodeId AutomatonBuilder::build(const jsgf::Node& node,
 
 AutomatonBuilder::NodeId
 AutomatonBuilder::tagged(NodeId from, NodeId inner_begin, NodeId inner_end,
-                         std::uint32_t tag, const Place& place) {
+                         std::uint32_t tag, const SourceLocation& place) {
   const auto end = new_node(place);
   nodes_[from].empty.push_back({inner_begin, tag, 1, 0});
   nodes_[inner_end].empty.push_back({end, tag, -1, 0});
@@ -151,14 +160,17 @@ AutomatonBuilder::build_untagged(const jsgf::Node& node, NodeId from) {
   case jsgf::NodeKind::star:
   case jsgf::NodeKind::plus:
     return build_repeat(node, from, node.kind == jsgf::NodeKind::star);
+  // Matches without a word.
   case jsgf::NodeKind::nothing:
     return from;
+  // A node without a way to it matches nothing.
   case jsgf::NodeKind::never:
     return new_node(node.place);
   }
   return from;
 }
 
+// Words are numbered from 1 in the order in which they occur.
 AutomatonBuilder::NodeId AutomatonBuilder::build_word(const jsgf::Node& node,
                                                       NodeId from) {
   const auto next = static_cast<WordNumber>(automaton_.vocabulary.size() + 1);
@@ -168,6 +180,7 @@ AutomatonBuilder::NodeId AutomatonBuilder::build_word(const jsgf::Node& node,
   return end;
 }
 
+// Copies the body of the rule to this place.
 AutomatonBuilder::NodeId AutomatonBuilder::build_rule(const jsgf::Node& node,
                                                       NodeId from) {
   if (!grammar_)
@@ -193,7 +206,8 @@ AutomatonBuilder::NodeId AutomatonBuilder::build_rule(const jsgf::Node& node,
   return end;
 }
 
-// A reference to a slot that no tag follows fills that slot.
+// A value of an entity. A reference to a slot fills that slot, unless a tag
+// behind it names another one.
 AutomatonBuilder::NodeId
 AutomatonBuilder::build_reference(const jsgf::Node& node, NodeId from) {
   const auto reference = schema_.resolve(node.text, node.place, errors_);
@@ -231,6 +245,8 @@ AutomatonBuilder::build_alternatives(const jsgf::Node& node, NodeId from) {
   const auto most = std::ranges::max(node.weights);
   for (std::size_t at = 0; at < node.children.size(); ++at) {
     const auto begin = new_node(node.place);
+    // Weights are relative to the largest one. A factor of two costs 0.1 of the
+    // score, a tenth of a word.
     const auto weight = 0.1 * std::log2(node.weights[at] / most);
     link(from, begin, static_cast<float>(weight));
     link(build(node.children[at], begin), end);
@@ -238,6 +254,7 @@ AutomatonBuilder::build_alternatives(const jsgf::Node& node, NodeId from) {
   return end;
 }
 
+// The part, or an empty move past it.
 AutomatonBuilder::NodeId
 AutomatonBuilder::build_optional(const jsgf::Node& node, NodeId from) {
   const auto begin = new_node(node.place);
@@ -248,6 +265,8 @@ AutomatonBuilder::build_optional(const jsgf::Node& node, NodeId from) {
   return end;
 }
 
+// As build_optional, with a move back to the beginning. The move past the part
+// exists only for `*`.
 AutomatonBuilder::NodeId AutomatonBuilder::build_repeat(const jsgf::Node& node,
                                                         NodeId from,
                                                         bool may_be_none) {
@@ -256,12 +275,15 @@ AutomatonBuilder::NodeId AutomatonBuilder::build_repeat(const jsgf::Node& node,
   const auto inner = build(node.children[0], begin);
   const auto end = new_node(node.place);
   link(inner, end);
+  // Back to the beginning: the part may follow itself.
   link(inner, begin);
   if (may_be_none)
     link(from, end);
   return end;
 }
 
+// Returns the number of the tag, or nothing after an error. Everything but
+// {act=…}, {topic=…} and {denies=next} names a slot.
 std::optional<std::uint32_t> AutomatonBuilder::add_tag(const jsgf::Tag& tag) {
   std::optional<TagInfo> made;
   if (tag.name == "act" && tag.has_value) {
@@ -286,6 +308,17 @@ std::optional<std::uint32_t> AutomatonBuilder::add_tag(const jsgf::Tag& tag) {
   return static_cast<std::uint32_t>(automaton_.tags.size() - 1);
 }
 
+// A tag that is no slot may be another kind of tag with a wrong value.
+std::string AutomatonBuilder::no_such_slot(const jsgf::Tag& tag) const {
+  if (tag.name == "act" || tag.name == "topic")
+    return "the tag {" + tag.name + "} needs a value: {" + tag.name + "=…}";
+  if (tag.name == "denies")
+    return "what can be denied is the next words: {denies=next}";
+  return "no topic has a slot '" + tag.name + "'" +
+         did_you_mean(tag.name, schema_.slot_names(no_topic));
+}
+
+// {Slot} may belong to any topic that has it; {Topic.Slot} names one.
 std::optional<TagInfo> AutomatonBuilder::slot_tag(const jsgf::Tag& tag) {
   TagInfo made{TagKind::slot, tag.name, no_topic, tag.has_value,
                tag.has_value ? literal(tag.value) : Value()};
@@ -296,8 +329,7 @@ std::optional<TagInfo> AutomatonBuilder::slot_tag(const jsgf::Tag& tag) {
     made.topic = reference->topic;
     made.name = reference->slot;
   } else if (schema_.topics_with(tag.name).empty()) {
-    error(tag.place, "no topic has a slot '" + tag.name + "'" +
-                         did_you_mean(tag.name, schema_.slot_names(no_topic)));
+    error(tag.place, no_such_slot(tag));
     return {};
   }
   return made;
@@ -305,13 +337,14 @@ std::optional<TagInfo> AutomatonBuilder::slot_tag(const jsgf::Tag& tag) {
 
 // A rule that is about one topic only may fill slots of that topic only.
 void AutomatonBuilder::check_topic(const RuleInfo& info, std::size_t first_tag,
-                                   const Place&) {
+                                   const SourceLocation&) {
   std::set<TopicNumber> topics;
   if (info.topic != no_topic)
     topics.insert(info.topic);
   for (auto at = first_tag; at < automaton_.tags.size(); ++at)
     if (automaton_.tags[at].topic != no_topic)
       topics.insert(automaton_.tags[at].topic);
+  // With several topics, or none, a slot may belong to any of them.
   if (topics.size() != 1)
     return;
   const auto& topic = schema_.at(*topics.begin());

@@ -1,5 +1,13 @@
-// Grammars into an automaton: rules are put in place of their names, so a rule
-// may not refer to itself; how large the result may become is limited.
+// AutomatonBuilder compiles grammars to an automaton in two steps:
+//
+//  1. Each public rule becomes nodes with empty moves (Thompson's construction,
+//     automaton_builder.cpp). A reference to a rule becomes a copy of its body,
+//     so a rule may not refer to itself.
+//  2. Empty moves are removed (automaton_states.cpp). Each node that is reached
+//     by a word or a value becomes a state, with the arcs of all nodes to which
+//     empty moves lead.
+//
+// The size of the result is limited, since copying rules can multiply it.
 #pragma once
 
 #include <map>
@@ -12,51 +20,61 @@
 
 namespace parlour::adapters::nlu {
 
+// Refers to both arguments of the constructor. Errors are added to `errors`
+// with their place in the grammar; building goes on after an error. Not
+// thread-safe.
 class AutomatonBuilder {
 public:
   AutomatonBuilder(Schema& schema, std::vector<Error>& errors);
 
-  // Its public rules; `info` is what they have in common.
+  // Adds the public rules of a grammar. `info` is what they have in common.
   void add(const jsgf::Grammar& grammar, const RuleInfo& info);
 
-  // One rule without a grammar around it.
+  // Adds one rule that belongs to no grammar, such as an example.
   void add(const jsgf::Node& body, RuleInfo info);
 
+  // Removes the empty moves and returns the automaton. Call it once, last.
   Automaton finish();
 
 private:
   using NodeId = std::uint32_t;
 
-  struct Empty { // a move that takes nothing
+  // A move that takes no token. It may open (1) or close (-1) a tag.
+  struct Empty {
     NodeId target;
     std::uint32_t tag;
-    std::int8_t does; // 1 opens the tag, -1 closes it, 0 neither
+    std::int8_t does;
     float weight;
   };
+  // A move that takes a word or a value.
   struct Taking {
     NodeId target;
     std::uint32_t symbol;
     bool entity;
   };
+  // A node before the empty moves are removed.
   struct Node {
     std::vector<Empty> empty;
     std::vector<Taking> taking;
-    std::vector<std::uint32_t> accepts; // rules
+    // The rules that are complete here.
+    std::vector<std::uint32_t> accepts;
   };
 
-  // A path of empty moves from a state.
+  // The empty moves on the way from a state to a node.
   struct Path {
     NodeId node;
     std::vector<Action> actions;
     float weight;
   };
 
-  NodeId new_node(const Place& place);
+  NodeId new_node(const SourceLocation& place);
   void link(NodeId from, NodeId to, float weight = 0);
   void take(NodeId from, NodeId to, std::uint32_t symbol, bool entity);
-  void add_public(const jsgf::Node& body, RuleInfo info, const Place& place);
+  void add_public(const jsgf::Node& body, RuleInfo info,
+                  const SourceLocation& place);
 
-  // Each gives the node in which the part ends that begins in `from`.
+  // Each adds nodes for a part of the grammar that begins in `from`, and
+  // returns the node in which it ends.
   NodeId build(const jsgf::Node& node, NodeId from);
   NodeId build_untagged(const jsgf::Node& node, NodeId from);
   NodeId build_rule(const jsgf::Node& node, NodeId from);
@@ -66,29 +84,36 @@ private:
   NodeId build_alternatives(const jsgf::Node& node, NodeId from);
   NodeId build_optional(const jsgf::Node& node, NodeId from);
   NodeId build_repeat(const jsgf::Node& node, NodeId from, bool may_be_none);
+  // Puts a tag around the nodes from `inner_begin` to `inner_end`.
   NodeId tagged(NodeId from, NodeId inner_begin, NodeId inner_end,
-                std::uint32_t tag, const Place& place);
+                std::uint32_t tag, const SourceLocation& place);
 
   std::optional<std::uint32_t> add_tag(const jsgf::Tag& tag);
   std::optional<TagInfo> slot_tag(const jsgf::Tag& tag);
+  std::string no_such_slot(const jsgf::Tag& tag) const;
+  // Reports a slot that does not belong to the rule's topic.
   void check_topic(const RuleInfo& info, std::size_t first_tag,
-                   const Place& place);
+                   const SourceLocation& place);
 
+  // The state of a node, new if it has none yet.
   std::uint32_t state_of(NodeId node);
   void fill_state(NodeId node);
   std::uint32_t actions_of(const std::vector<Action>& actions);
-  void error(const Place& place, std::string message);
+  void error(const SourceLocation& place, std::string message);
 
   Schema& schema_;
   std::vector<Error>& errors_;
   Automaton automaton_;
   std::vector<Node> nodes_;
   std::map<std::vector<Action>, std::uint32_t> action_numbers_;
-  std::vector<std::uint32_t> states_; // of nodes, once they have one
+  // By node; no_state if it has none.
+  std::vector<std::uint32_t> states_;
+  // Nodes whose state has no arcs yet.
   std::vector<NodeId> waiting_;
   const jsgf::Grammar* grammar_ = nullptr;
-  std::vector<const jsgf::Rule*> inside_; // rules being put in place
-  std::vector<Place> tag_places_;
+  // The rules that are being copied, to find one that refers to itself.
+  std::vector<const jsgf::Rule*> inside_;
+  std::vector<SourceLocation> tag_places_;
   std::size_t arcs_ = 0;
   bool too_large_ = false;
 };

@@ -1,4 +1,4 @@
-// Follows the empty moves between nodes and leaves states that have none.
+// The second step of AutomatonBuilder: removes the empty moves.
 #include <algorithm>
 #include <ranges>
 #include <set>
@@ -9,7 +9,7 @@ namespace parlour::adapters::nlu {
 
 namespace {
 
-constexpr std::size_t most_arcs = 1'000'000;
+constexpr std::size_t max_arcs = 1'000'000;
 constexpr std::uint32_t no_state = 0xFFFFFFFF;
 
 } // namespace
@@ -20,6 +20,7 @@ std::span<const Arc> arcs_of(const std::vector<Arc>& arcs,
   return {range.begin(), range.end()};
 }
 
+// Only nodes that can be reached become states.
 Automaton AutomatonBuilder::finish() {
   states_.assign(nodes_.size(), no_state);
   state_of(0);
@@ -46,8 +47,10 @@ std::uint32_t AutomatonBuilder::state_of(NodeId node) {
   return states_[node];
 }
 
-// Follows the empty moves from a node; each node is reached once, by the first
-// way, which also ends loops of parts that may be empty.
+// Collects the arcs of a state: of every node that empty moves lead to from its
+// node, with the tags that open and close on the way. Depth first; each node is
+// visited once, by the first way, which also ends loops of parts that may be
+// empty.
 void AutomatonBuilder::fill_state(NodeId node) {
   const auto number = states_[node];
   State state;
@@ -57,7 +60,8 @@ void AutomatonBuilder::fill_state(NodeId node) {
     const auto path = std::move(paths.back());
     paths.pop_back();
     const auto& here = nodes_[path.node];
-    const auto actions = actions_of(path.actions);
+    const bool has_arcs = !here.accepts.empty() || !here.taking.empty();
+    const auto actions = has_arcs ? actions_of(path.actions) : 0;
     for (const auto rule : here.accepts)
       state.accepts.push_back({rule, actions, path.weight});
     for (const auto& move : here.taking) {
@@ -65,7 +69,8 @@ void AutomatonBuilder::fill_state(NodeId node) {
       arcs.push_back(
           {move.symbol, actions, state_of(move.target), path.weight});
     }
-    // Backwards, so that what the grammar says first is followed first.
+    // `paths` is a stack: pushing in reverse order visits the grammar's first
+    // alternative first.
     for (const auto& move : std::views::reverse(here.empty)) {
       if (!seen.insert(move.target).second)
         continue;
@@ -76,12 +81,13 @@ void AutomatonBuilder::fill_state(NodeId node) {
   }
   std::ranges::stable_sort(state.words, {}, &Arc::symbol);
   arcs_ += state.words.size() + state.entities.size();
-  if (arcs_ > most_arcs && !std::exchange(too_large_, true))
+  if (arcs_ > max_arcs && !std::exchange(too_large_, true))
     error({}, "the grammars are too large together: more than " +
-                  std::to_string(most_arcs) + " arcs");
+                  std::to_string(max_arcs) + " arcs");
   automaton_.states[number] = std::move(state);
 }
 
+// Equal lists of actions share one number.
 std::uint32_t AutomatonBuilder::actions_of(const std::vector<Action>& actions) {
   const auto next = static_cast<std::uint32_t>(automaton_.actions.size());
   const auto [place, is_new] = action_numbers_.try_emplace(actions, next);

@@ -17,16 +17,17 @@ namespace parlour::adapters::nlu {
 
 namespace {
 
-constexpr std::size_t most_errors = 100;
+constexpr std::size_t max_errors = 100;
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
 const std::string too_long =
-    "an example has at most " + std::to_string(most_example_bytes) + " bytes";
+    "an example has at most " + std::to_string(max_example_bytes) + " bytes";
 
 bool is_blank(std::string_view text) {
   return text.find_first_not_of(" \t") == std::string_view::npos;
 }
 
+// `place_.line` is the current line, from 1.
 class ExampleReader {
 public:
   ExampleReader(std::string file, UnderstandingModel& model)
@@ -34,8 +35,10 @@ public:
 
   std::vector<Error> run(std::istream& in) {
     for (std::string line;
-         errors_.size() < most_errors && std::getline(in, line);) {
+         errors_.size() < max_errors && std::getline(in, line);) {
       ++place_.line;
+      // Editors on Windows begin a file with a byte order mark and end lines
+      // with "\r\n".
       if (place_.line == 1 && line.starts_with(byte_order_mark))
         line.erase(0, byte_order_mark.size());
       if (line.ends_with('\r'))
@@ -47,6 +50,7 @@ public:
   }
 
 private:
+  // Checks one line and adds its example.
   void read(const std::string& line) {
     if (const auto invalid = find_invalid_utf8(line))
       return wrong(line, *invalid, "this is not UTF-8; save the file as UTF-8");
@@ -64,12 +68,14 @@ private:
       topic->examples.push_back(line.substr(tab + 1));
   }
 
+  // Checks an example and reports what is wrong with it.
   bool fits(const std::string& line, std::size_t begin,
             const TopicModel& topic) {
+    // The checks report errors; whether there were any shows at the end.
     const auto before = errors_.size();
     const auto text = line.substr(begin);
     const auto marked = read_marks(text);
-    if (text.size() > most_example_bytes)
+    if (text.size() > max_example_bytes)
       wrong(line, begin, too_long);
     else if (!marked)
       wrong(line, begin + text.find('['),
@@ -79,6 +85,7 @@ private:
     return errors_.size() == before;
   }
 
+  // `at` is the position in the line of the current mark's slot.
   void check_slots(const std::string& line,
                    const std::vector<MarkedText::Mark>& marks,
                    const TopicModel& topic) {
@@ -93,6 +100,8 @@ private:
     }
   }
 
+  // Reports an error at a byte of the line. Columns count characters, so the
+  // bytes that continue a character are subtracted.
   void wrong(std::string_view line, std::size_t byte, std::string message) {
     auto place = place_;
     place.column =
@@ -102,7 +111,7 @@ private:
     errors_.push_back({ErrorKind::compile, std::move(message), place});
   }
 
-  Place place_;
+  SourceLocation place_;
   UnderstandingModel& model_;
   std::vector<Error> errors_;
 };
@@ -111,7 +120,7 @@ private:
 
 std::vector<Error> add_example_file(const std::filesystem::path& path,
                                     UnderstandingModel& model) {
-  auto text = read_file(path, most_example_file_bytes);
+  auto text = read_file(path, max_example_file_bytes);
   if (!text)
     return {std::move(text.error())};
   std::istringstream lines(std::move(*text));

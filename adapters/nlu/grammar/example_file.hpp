@@ -1,20 +1,24 @@
-// Examples of an application's topics from a file (understanding, "Examples"):
-// a line each, the topic, a tab, and the text with its marks. Empty lines and
-// those that begin with # say nothing.
+// Reads examples of topics from a file of the application (understanding,
+// "Examples"). Each line has a topic, a tab, and a text with its marks:
+//
+//  Visit<tab>I would like to meet [Jeffery Ho](Host)
+//
+// Blank lines and lines that begin with # are ignored.
 #pragma once
 
 #include <cstddef>
 #include <filesystem>
 #include <vector>
 
-#include "runtime/base/understanding.hpp"
+#include "runtime/message/understanding.hpp"
 
 namespace parlour::adapters::nlu {
 
-inline constexpr std::size_t most_example_file_bytes = 8 << 20;
+// A larger file is an error.
+inline constexpr std::size_t max_example_file_bytes = 8 << 20;
 
-// Adds the file's examples to the topics of `model`. What is wrong is told with
-// its line and column, a hundred times at most, and left out.
+// Adds the examples to the topics of `model`. Lines with errors are left out;
+// the errors have line and column. Reading stops after a hundred errors.
 std::vector<Error> add_example_file(const std::filesystem::path& path,
                                     UnderstandingModel& model);
 

@@ -10,7 +10,8 @@ namespace {
 using jsgf::Node;
 using jsgf::NodeKind;
 
-constexpr std::size_t shown_bytes = 40; // of an example that is too long
+// How much of an example that is too long the error message shows, in bytes.
+constexpr std::size_t shown_bytes = 40;
 
 void add_words(Node& sequence, std::string_view text) {
   for (auto& token : tokenize(text).list)
@@ -19,7 +20,7 @@ void add_words(Node& sequence, std::string_view text) {
 }
 
 // The part that ends in the slot at `last`: the words before it, back to the
-// slot before. Empty where there are none.
+// previous slot. Empty if there are no words between.
 Node part_before(const Node& whole, std::size_t last) {
   auto first = last;
   while (first > 0 && whole.children[first - 1].kind == NodeKind::word)
@@ -37,12 +38,12 @@ ExampleRules example_rules(const TopicModel& topic, const std::string& example,
                            std::vector<Error>& errors) {
   ExampleRules made;
   made.whole.kind = NodeKind::sequence;
-  if (example.size() > most_example_bytes) {
+  if (example.size() > max_example_bytes) {
     errors.push_back({ErrorKind::compile,
                       "the example \"" + example.substr(0, shown_bytes) +
                           "...\" of the topic '" + topic.name +
                           "' has more than " +
-                          std::to_string(most_example_bytes) + " bytes",
+                          std::to_string(max_example_bytes) + " bytes",
                       {}});
     return made;
   }
@@ -56,6 +57,8 @@ ExampleRules example_rules(const TopicModel& topic, const std::string& example,
     return made;
   }
   const std::string_view text = marked->text;
+  // Words between the marks become words of the rule; each mark becomes a
+  // reference to its slot.
   std::size_t at_byte = 0;
   for (const auto& mark : marked->marks) {
     add_words(made.whole, text.substr(at_byte, mark.begin - at_byte));
@@ -64,6 +67,7 @@ ExampleRules example_rules(const TopicModel& topic, const std::string& example,
     at_byte = mark.end;
   }
   add_words(made.whole, text.substr(at_byte));
+  // A part that is the whole example would be the same rule twice.
   for (std::size_t at = 0; at < made.whole.children.size(); ++at) {
     if (made.whole.children[at].kind != NodeKind::reference)
       continue;

@@ -11,6 +11,7 @@ namespace parlour::adapters::nlu::jsgf {
 
 namespace {
 
+// The parser is recursive; this bounds its stack.
 constexpr int deepest_group = 100;
 
 std::string trimmed(std::string_view text) {
@@ -28,6 +29,18 @@ std::string unquoted(std::string text) {
   return text;
 }
 
+// A recursive-descent parser:
+//
+//  grammar      = definition*
+//  definition   = "grammar" name ";" | ["public"] <name> "=" alternatives ";"
+//  alternatives = [weight] sequence ("|" [weight] sequence)*
+//  sequence     = item+
+//  item         = primary ("*" | "+" | tag)*
+//  primary      = word | <name> | reference | "(" alternatives ")"
+//               | "[" alternatives "]"
+//
+// After an error it goes on behind the next ";", so that later errors are
+// found.
 class Parser {
 public:
   Parser(std::vector<Lexeme> lexemes, std::vector<Error>& errors)
@@ -44,10 +57,12 @@ public:
   }
 
 private:
+  // The lexeme that take() will return.
   const Lexeme& next() const {
     return lexemes_[at_];
   }
 
+  // The lexeme `end` is never passed.
   const Lexeme& take() {
     const auto& lexeme = lexemes_[at_];
     if (lexeme.kind != LexemeKind::end)
@@ -69,7 +84,7 @@ private:
     return found;
   }
 
-  void error(const Place& place, std::string message) {
+  void error(const SourceLocation& place, std::string message) {
     errors_.push_back({ErrorKind::compile, std::move(message), place});
   }
 
@@ -79,6 +94,7 @@ private:
                               "' is expected here, not " + described(next()));
   }
 
+  // A lexeme as an error message shows it.
   static std::string described(const Lexeme& lexeme) {
     switch (lexeme.kind) {
     case LexemeKind::end:
@@ -94,12 +110,13 @@ private:
     }
   }
 
-  // Goes on behind the next semicolon, so that later errors are found too.
+  // Moves behind the next semicolon.
   void skip_definition() {
     while (next().kind != LexemeKind::end && !take().is(';')) {
     }
   }
 
+  // The name of the grammar or a rule. JSGF's import is not supported.
   void definition() {
     if (take_word("grammar"))
       return grammar_name();
@@ -123,6 +140,7 @@ private:
       return error(next().place, "a rule's name such as <greeting> is expected "
                                  "here, not " +
                                      described(next()));
+    // "< name >" may have blanks.
     made.name = trimmed(take().text);
     expect('=');
     const auto before = errors_.size();
@@ -141,6 +159,7 @@ private:
                               std::to_string(other.place.line));
   }
 
+  // A single alternative is returned without a node around it.
   Node alternatives(int depth) {
     Node node{NodeKind::alternatives, "", {}, {}, {}, next().place};
     do {
@@ -152,6 +171,7 @@ private:
     return node;
   }
 
+  // 1 if no weight is written.
   double weight() {
     if (next().kind != LexemeKind::weight)
       return 1;
@@ -187,7 +207,7 @@ private:
     return node;
   }
 
-  // A word, reference or group with what follows it: repeats and tags.
+  // A word, reference or group with the repeats and tags behind it.
   void add_item(Node& sequence, int depth) {
     auto item = primary(depth);
     while (true) {
@@ -219,6 +239,7 @@ private:
     }
   }
 
+  // <NULL> and <VOID> are special rules of JSGF.
   static Node rule_reference(const Lexeme& lexeme) {
     const auto name = trimmed(lexeme.text);
     const auto kind = name == "NULL"   ? NodeKind::nothing
@@ -227,7 +248,7 @@ private:
     return {kind, name, {}, {}, {}, lexeme.place};
   }
 
-  // "o'clock" or "coffee-shop" may be more words than one.
+  // The tokenizer may split a word of the grammar: "o'clock", "coffee-shop".
   Node words(const Lexeme& lexeme) {
     Node node{NodeKind::sequence, "", {}, {}, {}, lexeme.place};
     for (auto& token : tokenize(lexeme.text).list)
@@ -261,6 +282,7 @@ private:
     return {};
   }
 
+  // Splits {name=value} at its first "=".
   Tag tag() {
     const auto& lexeme = take();
     const auto sign = lexeme.text.find('=');
@@ -287,6 +309,7 @@ private:
 
 Grammar parse(const GrammarModel& model, std::vector<Error>& errors) {
   auto grammar = Parser(scan(model.text, model.place, errors), errors).run();
+  // The name in the settings or script wins over the one in the text.
   if (!model.name.empty())
     grammar.name = model.name;
   return grammar;

@@ -1,5 +1,6 @@
-// JSGF (the W3C Note) with this platform's references to values: text in,
-// syntax tree out. The notation is described in this folder's README.
+// A parser for JSGF (the W3C Note) with this platform's references to values:
+// text in, syntax tree out. The notation is described in
+// adapters/nlu/README.md.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +8,7 @@
 #include <vector>
 
 #include "runtime/base/error.hpp"
-#include "runtime/base/understanding.hpp"
+#include "runtime/message/understanding.hpp"
 
 namespace parlour::adapters::nlu::jsgf {
 
@@ -24,37 +25,41 @@ enum class NodeKind : std::uint8_t {
   never,        // <VOID>
 };
 
-// {name}, {name=value}: belongs to the node it follows.
+// {name} or {name=value}. It belongs to the node that it follows.
 struct Tag {
   std::string name;
   std::string value;
   bool has_value = false;
-  Place place;
+  SourceLocation place;
 };
 
+// A node of the syntax tree. `text` is the word or name; which other members
+// are used depends on the kind.
 struct Node {
   NodeKind kind = NodeKind::nothing;
   std::string text;
   std::vector<Node> children;
-  std::vector<double> weights; // of alternatives, each above 0
+  // Of alternatives; each is above 0.
+  std::vector<double> weights;
   std::vector<Tag> tags;
-  Place place;
+  SourceLocation place;
 };
 
 struct Rule {
   std::string name;
   bool is_public = false;
   Node body;
-  Place place;
+  SourceLocation place;
 };
 
+// A grammar and its rules, in the order of the text.
 struct Grammar {
   std::string name;
   std::vector<Rule> rules;
 };
 
-// Every error there is goes to `errors`, with its place in the file that the
-// grammar stands in; what could be read comes back all the same.
+// Parses a grammar. All errors are added to `errors`, with their place in the
+// file in which the grammar stands. What could be read is returned in any case.
 Grammar parse(const GrammarModel& model, std::vector<Error>& errors);
 
 } // namespace parlour::adapters::nlu::jsgf

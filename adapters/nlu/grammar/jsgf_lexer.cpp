@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include <fmt/format.h>
+
 namespace parlour::adapters::nlu::jsgf {
 
 namespace {
@@ -12,9 +14,12 @@ bool is_blank(char letter) {
   return letter == ' ' || letter == '\t' || letter == '\n' || letter == '\r';
 }
 
+// Scans the text once, keeping line and column.
 class Lexer {
 public:
-  Lexer(std::string_view text, const Place& start, std::vector<Error>& errors)
+  // A place of 0 means unknown; lines and columns count from 1.
+  Lexer(std::string_view text, const SourceLocation& start,
+        std::vector<Error>& errors)
       : text_(text), place_(start), errors_(errors) {
     if (place_.line == 0)
       place_.line = 1;
@@ -32,10 +37,12 @@ public:
   }
 
 private:
+  // The character `ahead` bytes further; 0 at the end of the text.
   char letter(std::size_t ahead = 0) const {
     return at_ + ahead < text_.size() ? text_[at_ + ahead] : '\0';
   }
 
+  // Columns count bytes.
   void advance() {
     if (text_[at_++] == '\n') {
       ++place_.line;
@@ -45,6 +52,7 @@ private:
     }
   }
 
+  // Advances character by character, since lines and columns must be counted.
   void advance_to(std::size_t end) {
     while (at_ < end && at_ < text_.size())
       advance();
@@ -55,7 +63,7 @@ private:
       at_ = 3;
   }
 
-  // "#JSGF V1.0 UTF-8 en;"
+  // Skips the line that JSGF begins with: "#JSGF V1.0 UTF-8 en;".
   void skip_header() {
     while (is_blank(letter()))
       advance();
@@ -63,6 +71,7 @@ private:
       advance_to(text_.find(';', at_) + 1);
   }
 
+  // Skips blanks and comments, which are those of C++.
   void skip_blanks() {
     while (at_ < text_.size()) {
       if (is_blank(letter()))
@@ -83,6 +92,7 @@ private:
     advance_to(end == std::string_view::npos ? text_.size() : end + 2);
   }
 
+  // The first character decides the kind of lexeme.
   void take() {
     const char first = letter();
     if (symbols.find(first) != std::string_view::npos)
@@ -107,13 +117,14 @@ private:
     advance();
   }
 
+  // Takes a lexeme between `closing` and the current character. <@name> is a
+  // reference as well.
   void take_enclosed(LexemeKind kind, char closing) {
     const auto place = place_;
     const auto end = text_.find(closing, at_ + 1);
     if (end == std::string_view::npos) {
-      error(std::string("'") + letter() + "' is not followed by '" + closing +
-            "'");
-      at_ = text_.size();
+      error(fmt::format("'{}' is not followed by '{}'", letter(), closing));
+      advance_to(text_.size());
       return;
     }
     std::string inside(text_.substr(at_ + 1, end - at_ - 1));
@@ -124,12 +135,14 @@ private:
       lexemes_.push_back({kind, std::move(inside), place});
   }
 
+  // A word ends at a blank or at a character with another meaning.
   bool in_word() const {
     return at_ < text_.size() && !is_blank(letter()) &&
            std::string_view("()[]|*+=;<>{}\"/@").find(letter()) ==
                std::string_view::npos;
   }
 
+  // The longest run of characters that have no other meaning.
   std::string take_while_word() {
     std::string word;
     while (in_word()) {
@@ -148,8 +161,10 @@ private:
   void take_word() {
     const auto place = place_;
     auto word = take_while_word();
+    // A character that begins nothing, such as "}" or ">", is skipped after the
+    // error.
     if (word.empty()) {
-      error(std::string("'") + letter() + "' is not expected here");
+      error(fmt::format("'{}' is not expected here", letter()));
       advance();
       return;
     }
@@ -162,14 +177,14 @@ private:
 
   std::string_view text_;
   std::size_t at_ = 0;
-  Place place_;
+  SourceLocation place_;
   std::vector<Error>& errors_;
   std::vector<Lexeme> lexemes_;
 };
 
 } // namespace
 
-std::vector<Lexeme> scan(std::string_view text, const Place& start,
+std::vector<Lexeme> scan(std::string_view text, const SourceLocation& start,
                          std::vector<Error>& errors) {
   return Lexer(text, start, errors).run();
 }

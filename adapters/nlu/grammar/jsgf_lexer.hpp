@@ -1,4 +1,4 @@
-// Lexemes of JSGF with their places.
+// The lexer of JSGF: splits a grammar into lexemes with their places.
 #pragma once
 
 #include <string>
@@ -20,19 +20,21 @@ enum class LexemeKind {
   end,
 };
 
+// A word, name or sign of the grammar, without the brackets around it.
 struct Lexeme {
   LexemeKind kind = LexemeKind::end;
   std::string text;
-  Place place;
+  SourceLocation place;
 
+  // Whether this is the symbol.
   bool is(char symbol) const {
     return kind == LexemeKind::symbol && text[0] == symbol;
   }
 };
 
-// `start` is the place of the text's first character. The last lexeme is
-// `end`.
-std::vector<Lexeme> scan(std::string_view text, const Place& start,
+// `start` is the place of the first character in the file. Errors are added to
+// `errors`. The last lexeme is always `end`.
+std::vector<Lexeme> scan(std::string_view text, const SourceLocation& start,
                          std::vector<Error>& errors);
 
 } // namespace parlour::adapters::nlu::jsgf

@@ -4,6 +4,7 @@ namespace parlour::adapters::nlu {
 
 std::optional<MarkedText> read_marks(std::string_view example) {
   MarkedText made;
+  // Each round copies the text up to the next mark, then the words of the mark.
   while (true) {
     const auto open = example.find('[');
     made.text += example.substr(0, open);

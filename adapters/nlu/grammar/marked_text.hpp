@@ -1,4 +1,4 @@
-// An example's text with its marks: "I am [David](Visitor)".
+// Reads an example's text with its marks: "I am [David](Visitor)".
 #pragma once
 
 #include <optional>
@@ -10,16 +10,18 @@ namespace parlour::adapters::nlu {
 
 struct MarkedText {
   struct Mark {
-    std::size_t begin = 0; // bytes of the text
+    // Bytes of `text`.
+    std::size_t begin = 0;
     std::size_t end = 0;
     std::string slot;
   };
 
-  std::string text; // without the marks
+  // Without the marks.
+  std::string text;
   std::vector<Mark> marks;
 };
 
-// Nothing where brackets do not fit together.
+// Nothing if the brackets do not fit together.
 std::optional<MarkedText> read_marks(std::string_view example);
 
 } // namespace parlour::adapters::nlu

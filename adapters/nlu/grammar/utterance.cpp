@@ -1,3 +1,5 @@
+// Classifies the words of an utterance. An unknown word weighs as much as a
+// known one, so that words which were not understood lower the score.
 #include "adapters/nlu/grammar/utterance.hpp"
 
 #include "adapters/nlu/text/negation.hpp"
@@ -9,7 +11,7 @@ namespace {
 
 using Phrase = std::vector<std::string>;
 
-// Filler phrases by their first word.
+// The filler phrases by their first word, so that each token needs one look-up.
 const TextMap<std::vector<Phrase>>& phrases() {
   static const auto table = [] {
     TextMap<std::vector<Phrase>> made;
@@ -24,6 +26,7 @@ const TextMap<std::vector<Phrase>>& phrases() {
   return table;
 }
 
+// Whether the phrase stands at this position.
 bool stands_at(const Phrase& phrase, const Tokens& tokens,
                std::size_t position) {
   if (position + phrase.size() > tokens.list.size())
@@ -55,6 +58,7 @@ double Utterance::weight_of(std::size_t first, std::size_t last) const {
   return sum;
 }
 
+// Goes back from `begin` to the negation. A comma or full stop ends the search.
 bool Utterance::is_negated(std::size_t begin) const {
   for (auto at = begin; at > 0; --at) {
     if (tokens.list[at].before != Break::none)
@@ -79,6 +83,7 @@ Utterance make_utterance(std::string_view text, const Automaton& automaton) {
     const auto& word = made.tokens.list[at].word;
     made.words.push_back(automaton.word(word));
     made.function.push_back(is_function_word(word));
+    // A word that a grammar uses is not part of a name that is unknown.
     made.plain.push_back(made.filler[at] || made.function[at] ||
                          is_title(word) || made.words[at] != unknown_word);
     made.weight.push_back(made.filler[at]     ? 0.0F

@@ -1,4 +1,4 @@
-// An utterance as the matcher sees it: tokens with what kind of word each is.
+// An utterance as the matcher sees it: tokens, with what is known of each word.
 #pragma once
 
 #include <string_view>
@@ -9,25 +9,32 @@
 
 namespace parlour::adapters::nlu {
 
+// The vectors have one entry for each token.
 struct Utterance {
-  std::string_view text; // not owned
+  // Not owned; it must outlive the utterance.
+  std::string_view text;
   Tokens tokens;
   std::vector<WordNumber> words;
-  std::vector<bool> filler;   // means nothing: "er", "by the way"
-  std::vector<bool> function; // means nothing by itself: "to", "the"
-  std::vector<bool> negates;  // turns round what comes: "do not", "never"
-  // Has a meaning of its own (a grammar's word, a filler, a function word), so
-  // it is hardly part of an unknown name.
+  // Has no meaning: "er", "by the way".
+  std::vector<bool> filler;
+  // Has no meaning by itself: "to", "the".
+  std::vector<bool> function;
+  // Negates what follows: "do not", "never".
+  std::vector<bool> negates;
+  // Has a meaning of its own (a word of a grammar, a filler, a function word),
+  // so it is hardly part of an unknown name.
   std::vector<bool> plain;
-  std::vector<float> weight; // what understanding this word counts for
+  // What understanding this word is worth: 0 for a filler, 0.5 for a function
+  // word, 1 for any other.
+  std::vector<float> weight;
 
   std::size_t size() const {
     return tokens.list.size();
   }
-  // The weight of tokens [first, last).
+  // The sum of the weights of tokens [first, last).
   double weight_of(std::size_t first, std::size_t last) const;
-  // Whether what begins there is not wanted: nothing that has a meaning of its
-  // own stands between it and a word that turns it round.
+  // Whether a negation applies to what begins at this token: between the two
+  // stand only fillers and linking words.
   bool is_negated(std::size_t begin) const;
 };
 

@@ -11,24 +11,27 @@ namespace parlour::adapters::nlu {
 
 namespace {
 
-// Words of an open slot.
-constexpr std::size_t most_words = 5;
-// "to the airport": what may stand between a word and the value behind it.
-constexpr std::size_t most_between = 2;
-// Of what is understood only because it was expected.
+// The words of a slot that takes any.
+constexpr std::size_t max_words = 5;
+// How many words may stand between a word and the value after it: "to the
+// airport".
+constexpr std::size_t max_between = 2;
+// The confidence of what is understood only because it was expected.
 constexpr double when_expected = 0.8;
 
 struct Range {
-  std::size_t begin = 0; // tokens
+  // Tokens [begin, end).
+  std::size_t begin = 0;
   std::size_t end = 0;
 };
 
-// A rule of which a keyword was said.
+// A rule of which a keyword was said, and where.
 struct Said {
   const KeywordRule* rule = nullptr;
   Range keyword;
 };
 
+// One search of one text.
 class Search {
 public:
   Search(const KeywordRules& rules, const std::string& text,
@@ -36,6 +39,8 @@ public:
       : rules_(rules), text_(text), tokens_(tokenize(text)),
         context_(read_context(context, rules.schema)) {}
 
+  // Rules about topics first. Without any, the context decides, unless a
+  // question wants a clear yes or no. A generic act comes last.
   std::vector<Value> run() {
     find_rules();
     matches_ = rules_.schema.values().find(tokens_, plain_);
@@ -56,6 +61,7 @@ public:
 private:
   // -- keywords ---------------------------------------------------------------
 
+  // Of several rules about the same topic the first one counts.
   void find_rules() {
     plain_.assign(tokens_.list.size(), false);
     for (const auto& rule : rules_.rules)
@@ -76,6 +82,7 @@ private:
            });
   }
 
+  // The first of the keywords in the text.
   std::optional<Range> first_of(const std::vector<Words>& keywords) const {
     std::optional<Range> first;
     for (const auto& words : keywords)
@@ -85,6 +92,7 @@ private:
     return first;
   }
 
+  // The first place where the words follow each other.
   std::optional<Range> find(const Words& words) const {
     const auto& list = tokens_.list;
     const auto found = std::ranges::search(list, words, {}, &Token::word);
@@ -105,8 +113,9 @@ private:
         said_, [&](const Said& one) { return one.rule->act == act; });
   }
 
-  // The act that is no topic's; "" for none. A yes counts where nothing else
-  // is said (adapters/nlu/parse/doubt.hpp): what else is wished goes before it.
+  // The generic act that was said; empty if there is none or it is in doubt. A
+  // yes counts only if nothing else is said (adapters/nlu/parse/doubt.hpp); any
+  // other wish goes before it.
   std::string plain_act() const {
     const auto wish = std::ranges::find_if(said_, [](const Said& one) {
       return !is_answer(one.rule->act) && one.rule->act != "greet" &&
@@ -119,7 +128,8 @@ private:
     return said_.empty() ? "" : said_.front().rule->act;
   }
 
-  // Besides the keywords, and the words of the question.
+  // Whether there are words besides the keywords, the fillers and the words of
+  // the question.
   bool leaves_words() const {
     for (std::size_t at = 0; at < tokens_.list.size(); ++at) {
       const auto& word = tokens_.list[at].word;
@@ -135,6 +145,7 @@ private:
 
   // -- slots ------------------------------------------------------------------
 
+  // The slots of a rule that can be filled.
   Map slots(const KeywordRule& rule) const {
     Map map;
     for (const auto& slot : rule.slots)
@@ -143,6 +154,8 @@ private:
     return map;
   }
 
+  // The rule's own value; or a value anywhere in the text; or what follows
+  // certain words.
   std::optional<Value> fill_of(const KeywordSlot& slot) const {
     if (slot.value)
       return Value(*slot.value);
@@ -153,11 +166,11 @@ private:
       return {};
     if (slot.entity == words_entity)
       return words_from(before->end);
-    const Range near{before->end, before->end + most_between + 1};
+    const Range near{before->end, before->end + max_between + 1};
     return found_between(near, slot.entity, true);
   }
 
-  // A value that begins there.
+  // A value of the entity that begins in the range.
   std::optional<Value> found_between(Range range, EntityId entity,
                                      bool expected) const {
     if (is_set(entity))
@@ -173,6 +186,7 @@ private:
     return {};
   }
 
+  // The best match of the set. Values that fit equally well become candidates.
   std::optional<Value> value_of_set(Range range, SetId set) const {
     const ValueMatch* best = nullptr;
     for (const auto& match : matches_)
@@ -193,10 +207,10 @@ private:
     return Value(std::move(candidates));
   }
 
-  // Up to a comma, the end of a sentence, or a keyword.
+  // The words up to a comma, the end of the sentence, or a keyword.
   std::optional<Value> words_from(std::size_t begin) const {
     auto end = begin;
-    while (end < tokens_.list.size() && end - begin < most_words &&
+    while (end < tokens_.list.size() && end - begin < max_words &&
            !plain_[end] &&
            (end == begin || tokens_.list[end].before == Break::none))
       ++end;
@@ -217,6 +231,7 @@ private:
 
   // -- without a topic's keyword ----------------------------------------------
 
+  // Takes values to be about the topic that the context expects.
   void go_on(std::vector<Value>& acts) const {
     for (const auto topic :
          {context_.asked_topic, context_.current, context_.resting})
@@ -227,6 +242,8 @@ private:
                   std::move(slots), true));
   }
 
+  // Values for the slots of a topic that the context expects. A text without
+  // any keyword may be the value of the open slot that was asked for.
   Map expected_slots(TopicNumber topic) const {
     const auto& known = rules_.schema.at(topic);
     const auto asked = [&](const Schema::Slot& slot) {
@@ -236,7 +253,8 @@ private:
     Map slots;
     const bool answers = is_answer(plain_act()) && !leaves_words();
     for (const auto& slot : known.slots)
-      if (answers && !asked(slot)) // "yes" is for what was asked
+      // "yes" is a value only of the slot that was asked for.
+      if (answers && !asked(slot))
         continue;
       else if (auto found = found_between(everywhere, slot.entity, asked(slot)))
         slots.set(slot.name, std::move(*found));
@@ -248,6 +266,8 @@ private:
     return slots;
   }
 
+  // An act as FrameInfo carries it. One without a keyword is elliptical and
+  // less certain.
   Value act(TopicNumber topic, const std::string& act, Map slots,
             bool elliptical) const {
     return Map{{act_key::topic, topic == no_topic
@@ -265,7 +285,8 @@ private:
   const Tokens tokens_;
   const Context context_;
   std::vector<Said> said_;
-  std::vector<bool> plain_; // words of the keywords
+  // The tokens that belong to a keyword.
+  std::vector<bool> plain_;
   std::vector<ValueMatch> matches_;
 };
 

@@ -1,9 +1,8 @@
-// Text to acts by keyword rules.
-//
-// Each topic of which a keyword is said gives one act, in the order of the
-// text; a generic act counts where no topic was said. Without any, values of
-// the topic that was asked about, else of the current one, else of the one that
-// rests, go on with it.
+// KeywordMatcher turns a text into acts by keyword rules. Each topic of which a
+// keyword is said gives one act, in the order of the text. A generic act counts
+// only if no topic was said. Without a keyword, values are taken to be about
+// the topic that was asked about, or else the current one, or else the resting
+// one.
 #pragma once
 
 #include <string>
@@ -14,13 +13,14 @@
 
 namespace parlour::adapters::nlu {
 
-// Safe to use from several threads at once.
+// Immutable; any number of threads may use it.
 class KeywordMatcher {
 public:
   explicit KeywordMatcher(KeywordRules rules) : rules_(std::move(rules)) {}
 
-  // As FrameInfo has them (runtime/base/understanding.hpp), and the context
-  // that comes with DoNLU. None: not understood.
+  // The acts, as FrameInfo carries them (runtime/message/understanding.hpp).
+  // `context` is the map that comes with DoNLU. Empty if nothing was
+  // understood.
   std::vector<Value> understand(const std::string& text,
                                 const Value& context) const;
 

@@ -11,7 +11,7 @@ namespace parlour::adapters {
 
 namespace {
 
-// All of them in one: the first one's place, a line for each.
+// Joins errors to one with a line for each.
 Error joined(const std::vector<Error>& errors) {
   auto all = errors.front();
   for (std::size_t at = 1; at < errors.size(); ++at)
@@ -19,6 +19,8 @@ Error joined(const std::vector<Error>& errors) {
   return all;
 }
 
+// The plug-in. It has no state after its start, so any number of threads may
+// ask it.
 class KeywordNLU : public InlinePlugin {
 public:
   std::vector<Answer> answers(const Message& message) const override {
@@ -48,7 +50,7 @@ protected:
   }
 
 private:
-  // A context without a clock gets the platform's.
+  // If the context does not give the present time, the platform's clock does.
   Value context_of(const Message& message) const {
     Map context;
     if (message.params.size() > 1 && message.params[1].if_map())
@@ -68,6 +70,7 @@ tl::expected<nlu::KeywordRules, std::vector<Error>> load_keyword_rules(
     const UnderstandingModel& model, const ColumnReader& columns) {
   using Errors = std::vector<Error>;
   const auto given = options.find("rules");
+  // The file may not lie outside of the application's folder.
   const auto path = inside(
       application_folder, given == options.end() ? "" : given->second, "rules");
   if (!path)

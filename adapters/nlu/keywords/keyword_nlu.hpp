@@ -1,9 +1,9 @@
-// KeywordNLU: a second plug-in for the role NLU: no grammars and no examples,
-// only words that tell a topic and values that fill its slots. For what has a
-// few commands. Answers DoNLU(text, context?) with FrameInfo(act…) or
-// NoResult(text).
+// KeywordNLU is a second plug-in for the role NLU, for applications with a few
+// commands. It has no grammars and no examples: only words that name a topic,
+// and values that fill its slots. It answers DoNLU(text, context?) with
+// FrameInfo(act…) or NoResult(text).
 //
-// Options: rules, a file of the application's folder (keyword_rules.hpp).
+// Option: rules, a file of the application's folder (keyword_rules.hpp).
 #pragma once
 
 #include <filesystem>
@@ -15,7 +15,7 @@ namespace parlour::adapters {
 
 PluginFactory keyword_nlu_factory();
 
-// The rules that the options choose, with all that is wrong with them.
+// Reads the file of rules that the options name, or returns all errors.
 tl::expected<nlu::KeywordRules, std::vector<Error>> load_keyword_rules(
     const Options& options, const std::string& application_folder,
     const UnderstandingModel& model, const ColumnReader& columns);

@@ -1,21 +1,17 @@
 #include "adapters/nlu/keywords/keyword_rules.hpp"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 #include <pugixml.hpp>
+
+#include "runtime/message/act_kinds.hpp"
 
 namespace parlour::adapters::nlu {
 
 namespace {
 
-// runtime/base/understanding.hpp
-constexpr std::array<std::string_view, 17> acts{
-    "inform",  "request", "confirm",  "deny",    "correct", "help",
-    "repeat",  "cancel",  "restart",  "greet",   "bye",     "thank",
-    "explain", "options", "rephrase", "abandon", "person"};
-
+// Words in the form in which texts are compared with them.
 Words words_in(std::string_view text) {
   Words words;
   for (auto& token : tokenize(text).list)
@@ -23,6 +19,7 @@ Words words_in(std::string_view text) {
   return words;
 }
 
+// Names in an error message, separated by commas.
 template <class Names>
 std::string listed(const Names& names) {
   std::string text;
@@ -31,6 +28,7 @@ std::string listed(const Names& names) {
   return text.empty() ? "none" : text;
 }
 
+// Reads the whole file and collects all errors.
 class Reader {
 public:
   Reader(std::string_view text, const std::string& file,
@@ -39,6 +37,7 @@ public:
 
   tl::expected<KeywordRules, std::vector<Error>> run() {
     pugi::xml_document document;
+    // pugixml keeps offsets into the buffer, from which lines are counted.
     const auto read = document.load_buffer(text_.data(), text_.size());
     if (!read) {
       error(read.offset, std::string("this is no XML: ") + read.description());
@@ -57,6 +56,7 @@ public:
   }
 
 private:
+  // Rules with errors are kept: the errors prevent their use.
   void read_rule(pugi::xml_node node) {
     check_attributes(node, {"topic", "act"});
     KeywordRule rule;
@@ -72,6 +72,7 @@ private:
     rules_.push_back(std::move(rule));
   }
 
+  // A keyword may have several words, which must follow each other.
   void read_keyword(pugi::xml_node node, KeywordRule& rule) {
     check_attributes(node, {});
     auto words = words_in(node.child_value());
@@ -81,9 +82,11 @@ private:
       rule.keywords.push_back(std::move(words));
   }
 
+  // Checks that the topic has the slot.
   void read_slot(pugi::xml_node node, KeywordRule& rule) {
     check_attributes(node, {"name", "after", "value"});
     if (rule.topic == no_topic) {
+      // A rule with an unknown topic has been reported already.
       if (!node.parent().attribute("topic"))
         error(node, "a rule without a topic has no slots");
       return;
@@ -122,18 +125,21 @@ private:
     return topic;
   }
 
+  // The act of a rule about a topic has a default.
   std::string act_of(pugi::xml_node node, TopicNumber topic) {
     const std::string act = node.attribute("act").value();
     if (act.empty() && topic == no_topic && !node.attribute("topic"))
       error(node, "a rule has a topic, an act, or both");
-    if (!act.empty() && std::find(acts.begin(), acts.end(), act) == acts.end())
-      error(node, "there is no act '" + act + "'; there are " + listed(acts));
+    if (!act.empty() && !act_kind(act))
+      error(node,
+            "there is no act '" + act + "'; there are " + listed(act_names()));
     if (!act.empty() || topic == no_topic)
       return act;
     return schema_.at(topic).enquiry ? "request" : "inform";
   }
 
-  // Text and comments stand anywhere.
+  // Whether the node is the expected element. Reports another element; text and
+  // comments may stand anywhere.
   bool is(pugi::xml_node node, std::string_view name, const char* expected) {
     if (node.type() != pugi::node_element)
       return false;
@@ -144,6 +150,7 @@ private:
     return false;
   }
 
+  // Reports attributes that the element does not have.
   void check_attributes(pugi::xml_node node,
                         const std::vector<std::string_view>& known) {
     for (const auto attribute : node.attributes())
@@ -156,6 +163,7 @@ private:
   void error(pugi::xml_node node, std::string message) {
     error(node.offset_debug(), std::move(message));
   }
+  // Turns an offset into a line.
   void error(std::ptrdiff_t offset, std::string message) {
     const auto end = std::clamp<std::ptrdiff_t>(
         offset, 0, static_cast<std::ptrdiff_t>(text_.size()));
@@ -168,7 +176,8 @@ private:
 
   std::string_view text_;
   const std::string& file_;
-  std::vector<Error> errors_; // before the schema, which adds to them
+  // Before the schema, whose constructor adds to it.
+  std::vector<Error> errors_;
   Schema schema_;
   std::vector<KeywordRule> rules_;
 };

@@ -9,12 +9,16 @@ namespace parlour::adapters::nlu {
 
 namespace {
 
+// How often each text is seen, and the learning rate in the first round. It
+// falls linearly from round to round.
 constexpr int rounds = 16;
 constexpr float first_rate = 0.8F;
-// Of that much is learnt no more.
+// A text whose squared error is below this changes nothing.
 constexpr float small_error = 1e-4F;
+// The input of the bias. It is small, so that the bias learns slowly and the
+// features explain what they can.
 constexpr float bias_input = 0.1F;
-// So many texts can do without features that only one of them has.
+// With so many texts, features that occur in only one of them are left out.
 constexpr std::size_t many_texts = 2000;
 
 } // namespace
@@ -22,6 +26,7 @@ constexpr std::size_t many_texts = 2000;
 std::vector<float> softmax(std::vector<float> scores) {
   if (scores.empty())
     return scores;
+  // Subtracting the maximum keeps exp() from overflowing.
   const auto most = *std::ranges::max_element(scores);
   float sum = 0;
   for (auto& score : scores)
@@ -33,11 +38,11 @@ std::vector<float> softmax(std::vector<float> scores) {
 
 std::optional<Classifier>
 Classifier::train(const std::vector<LabelledText>& texts, std::uint32_t labels,
-                  std::size_t most_weights) {
+                  std::size_t max_weights) {
   Classifier made;
   made.labels_ = labels;
   made.number_features(texts);
-  if ((made.table_.size() + 1) * labels > most_weights)
+  if ((made.table_.size() + 1) * labels > max_weights)
     return {};
   made.learn_all(texts);
   return made;
@@ -58,6 +63,8 @@ void Classifier::learn_all(const std::vector<LabelledText>& texts) {
   moved_ = {};
 }
 
+// Numbers the features that occur often enough and computes their rarity: 1 +
+// log(texts + 1) - log(count + 1).
 void Classifier::number_features(const std::vector<LabelledText>& texts) {
   const std::uint32_t needed = texts.size() < many_texts ? 1 : 2;
   std::unordered_map<Feature, std::uint32_t> counts;
@@ -72,6 +79,9 @@ void Classifier::number_features(const std::vector<LabelledText>& texts) {
       rarity_[number] -= std::log(static_cast<float>(count + 1));
 }
 
+// The features as a vector of length 1, weighted by rarity. Unknown features
+// count for the length but have no entry, so that a text full of them scores
+// low everywhere.
 std::vector<Classifier::Input>
 Classifier::inputs(const std::vector<Feature>& features) const {
   std::vector<Input> made;
@@ -111,6 +121,9 @@ float Classifier::known_share(const std::vector<Feature>& features) const {
   return share;
 }
 
+// One step of gradient descent with AdaGrad: each row has a learning rate of
+// its own, the smaller the more the row has moved. `wrong` is the gradient with
+// respect to the scores.
 void Classifier::learn(const std::vector<Input>& inputs, std::uint32_t label,
                        float rate) {
   auto wrong = softmax(scores_of(inputs));

@@ -1,6 +1,10 @@
-// A linear classifier (softmax regression) over the features of texts, trained
-// in memory: the same examples in the same order give the same weights.
-// Immutable once trained; any number of threads may ask it.
+// Classifier assigns texts to labels. It is a linear model (softmax regression)
+// over sparse features, trained in memory by stochastic gradient descent. The
+// same examples in the same order give the same weights.
+//
+//  auto classifier = Classifier::train(texts, labels);
+//  const auto scores = classifier->scores(text_features(words));
+//  const auto probabilities = softmax(scores); // one for each label
 #pragma once
 
 #include <cstddef>
@@ -13,25 +17,28 @@
 namespace parlour::adapters::nlu {
 
 struct LabelledText {
-  std::vector<Feature> features; // text_features
+  // Made by text_features().
+  std::vector<Feature> features;
   std::uint32_t label = 0;
 };
 
+// Immutable once trained; any number of threads may use it.
 class Classifier {
 public:
   Classifier() = default;
 
-  // Labels are 0 to labels - 1. Nothing where that would take more than so many
-  // weights, of four bytes each.
+  // Trains on all texts. Labels are 0 to `labels` - 1. Returns nothing if that
+  // would take more than `max_weights` weights of four bytes. Time: 16 rounds x
+  // features of all texts x labels.
   static std::optional<Classifier> train(const std::vector<LabelledText>& texts,
                                          std::uint32_t labels,
-                                         std::size_t most_weights = no_limit);
+                                         std::size_t max_weights = no_limit);
 
-  // For each label how far the text speaks for it. What no example had takes
-  // its share away from all.
+  // For each label, how far the text speaks for it. Features that no example
+  // had reduce all scores. softmax() makes probabilities of scores.
   std::vector<float> scores(const std::vector<Feature>& features) const;
 
-  // How much of the text examples had, 0 to 1.
+  // The share of the text that examples had, 0 to 1, weighted by rarity.
   float known_share(const std::vector<Feature>& features) const;
 
 private:
@@ -49,9 +56,14 @@ private:
 
   std::uint32_t labels_ = 0;
   FeatureTable table_;
-  std::vector<float> rarity_;  // of features; the last one of unknown ones
-  std::vector<float> weights_; // a row of labels for each feature, and biases
-  std::vector<float> moved_;   // how far each row was, squared; in training
+  // The weight of each feature by how few texts have it (inverse document
+  // frequency); the last one is that of features which no text has.
+  std::vector<float> rarity_;
+  // One row for each feature with a weight for each label; the last row is the
+  // bias.
+  std::vector<float> weights_;
+  // The sum of squared gradients of each row; during training only.
+  std::vector<float> moved_;
 };
 
 // Scores as probabilities, which sum up to 1.

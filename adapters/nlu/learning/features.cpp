@@ -8,18 +8,19 @@ namespace parlour::adapters::nlu {
 
 namespace {
 
+// Lengths of the pieces of words, and of the longest beginning and ending.
 constexpr std::size_t shortest_piece = 3;
 constexpr std::size_t longest_piece = 4;
 constexpr std::size_t longest_affix = 4;
 
-// FNV-1a of bytes, going on from `hash`.
+// 64-bit FNV-1a, continued from `hash`.
 constexpr Feature hash_of(std::string_view bytes, Feature hash) {
   for (const char byte : bytes)
     hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001b3;
   return hash;
 }
 
-// `kind` keeps apart what is made of the same words.
+// `kind` is a letter that separates features which are made of the same words.
 constexpr Feature feature(char kind, std::string_view first) {
   return hash_of(first, hash_of({&kind, 1}, 0xcbf29ce484222325));
 }
@@ -34,7 +35,7 @@ constexpr Feature feature(char kind, std::string_view first,
   return hash_of(third, hash_of(" ", feature(kind, first, second)));
 }
 
-// "^want$": ^wa, wan, ant, nt$, ^wan …
+// The pieces of "^want$": ^wa, wan, ant, nt$, ^wan …
 void add_pieces(std::string_view word, std::vector<Feature>& made) {
   std::string framed = "^";
   framed.append(word).append("$");
@@ -47,7 +48,7 @@ std::string kind_name(std::uint32_t kind) {
   return '@' + std::to_string(kind);
 }
 
-// Words, and the kind in place of all words of one.
+// The words, with one kind in the place of all words of a value.
 std::vector<std::string>
 without_values(const std::vector<LearningWord>& words) {
   std::vector<std::string> made;
@@ -62,6 +63,7 @@ without_values(const std::vector<LearningWord>& words) {
   return made;
 }
 
+// Computes the features of one position after another.
 class WordFeatures {
 public:
   explicit WordFeatures(const std::vector<LearningWord>& words)
@@ -78,9 +80,11 @@ public:
 
 private:
   std::size_t place(int away) const {
-    return at_ + static_cast<std::size_t>(away); // wraps below 0
+    // A position before the first word wraps, and is beyond the last one.
+    return at_ + static_cast<std::size_t>(away);
   }
 
+  // "^" before the first word, "$" behind the last one.
   std::string_view word(int away) const {
     if (place(away) >= words_.size())
       return away < 0 ? "^" : "$";
@@ -92,6 +96,8 @@ private:
     return kind_name(inside ? words_[place(away)].kind : 0);
   }
 
+  // Words and pairs of words up to two positions away. The letters from 'a' on
+  // say how far away they are.
   void add_neighbours() {
     for (int away = -2; away <= 2; ++away)
       made_.push_back(feature(static_cast<char>('c' + away), word(away)));
@@ -114,7 +120,7 @@ private:
   void add_kinds() {
     for (int away = -1; away <= 1; ++away)
       made_.push_back(feature(static_cast<char>('q' + away), kind(away)));
-    // Where a value begins.
+    // A change of kind is where a value begins.
     made_.push_back(feature('t', kind(-1), kind(0)));
   }
 

@@ -1,5 +1,6 @@
-// What a classifier and a tagger see of words: features, each a hash of 64
-// bits, so that no names are kept; a table numbers those that training had.
+// The features that classifier and tagger see of words. A feature is a 64-bit
+// hash, so no names are stored; a table numbers those that occurred in
+// training.
 #pragma once
 
 #include <cstddef>
@@ -13,16 +14,17 @@ namespace parlour::adapters::nlu {
 using Feature = std::uint64_t;
 using FeatureNumber = std::uint32_t;
 inline constexpr FeatureNumber no_feature = 0xFFFFFFFF;
-// Of weights that training may need.
+// Of the number of weights in training.
 inline constexpr std::size_t no_limit = static_cast<std::size_t>(-1);
 
-// Numbers, in the order in which features came.
+// Numbers features in the order in which they are added.
 class FeatureTable {
 public:
   FeatureNumber add(Feature feature) {
     const auto next = static_cast<FeatureNumber>(numbers_.size());
     return numbers_.try_emplace(feature, next).first->second;
   }
+  // no_feature if it was not added.
   FeatureNumber find(Feature feature) const {
     const auto found = numbers_.find(feature);
     return found == numbers_.end() ? no_feature : found->second;
@@ -35,18 +37,22 @@ private:
   std::unordered_map<Feature, FeatureNumber> numbers_;
 };
 
-// A word as learning sees it; `kind` is what it is known to be part of (a
-// normal form, a set of values), 0 for nothing.
+// A word as the learning sees it.
 struct LearningWord {
-  std::string_view word; // not owned
+  // Not owned.
+  std::string_view word;
+  // What the word is known to be part of (a normal form, a set of values); 0:
+  // nothing.
   std::uint32_t kind = 0;
 };
 
-// Of a whole text: words, pairs of neighbours and pieces of words, each once,
-// sorted. Of words of a kind only the kind counts, and once for all of them.
+// The features of a text: its words, pairs of adjacent words, and pieces of
+// words of three and four letters; each once, sorted. Words of a value are
+// replaced by its kind, so that one name in the examples stands for all.
 std::vector<Feature> text_features(const std::vector<LearningWord>& words);
 
-// Of each word: itself, its neighbours, how it begins and ends, kinds.
+// The features of each word: the word, its neighbours, how it begins and ends,
+// kinds.
 std::vector<std::vector<Feature>>
 word_features(const std::vector<LearningWord>& words);
 

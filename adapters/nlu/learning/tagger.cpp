@@ -9,14 +9,15 @@ namespace parlour::adapters::nlu {
 
 namespace {
 
+// How often each text is seen.
 constexpr int rounds = 16;
-// In training a wrong label counts that much more: what is right must be
-// better by as much.
+// In training each wrong label gets this bonus, so that the right labels must
+// win by a margin.
 constexpr float margin = 1;
-// So many texts can do without features that only one word has.
+// With so many texts, features that occur with only one word are left out.
 constexpr std::size_t many_texts = 2000;
 
-// The labels that are possible, `outside` first.
+// The labels of these slots, `outside` first.
 std::vector<TagLabel> labels_of(const std::vector<std::uint32_t>& slots) {
   std::vector<TagLabel> made{outside};
   for (const auto slot : slots) {
@@ -26,6 +27,7 @@ std::vector<TagLabel> labels_of(const std::vector<std::uint32_t>& slots) {
   return made;
 }
 
+// A continuation follows only its own slot.
 bool may_follow(TagLabel before, TagLabel label) {
   return label == outside || is_beginning(label) || before == label ||
          before + 1 == label;
@@ -33,10 +35,10 @@ bool may_follow(TagLabel before, TagLabel label) {
 
 } // namespace
 
-// The best way through the labels of one text (Viterbi).
+// The best sequence of labels for one text (the Viterbi algorithm). `truth`
+// holds the right labels, in training only.
 class LabelSearch {
 public:
-  // `truth` only in training.
   LabelSearch(const Tagger& tagger, const Tagger::Rows& rows,
               const std::vector<std::uint32_t>& slots,
               const std::vector<TagLabel>* truth)
@@ -44,7 +46,7 @@ public:
         came_from_(rows.size() * labels_.size()) {}
 
   std::vector<TagLabel> run() {
-    // Before the first word all is outside.
+    // The word before the first one is outside.
     std::vector<float> before(labels_.size(), impossible);
     before[0] = 0;
     for (std::size_t at = 0; at < rows_.size(); ++at)
@@ -56,6 +58,8 @@ public:
 private:
   static constexpr float impossible = std::numeric_limits<float>::lowest() / 4;
 
+  // The best score of each label at word `at`, from the best scores at the word
+  // before.
   std::vector<float> step(std::size_t at, const std::vector<float>& before) {
     std::vector<float> here(labels_.size());
     for (std::size_t one = 0; one < labels_.size(); ++one) {
@@ -72,7 +76,8 @@ private:
     return here;
   }
 
-  // `outside` may be before any beginning, and a beginning before what goes on.
+  // The best label before `label`. There is always one: `outside` may precede a
+  // beginning, and a beginning its continuation.
   std::size_t best_before(const std::vector<float>& before,
                           TagLabel label) const {
     std::size_t best = 0;
@@ -90,6 +95,7 @@ private:
     return best;
   }
 
+  // Follows the links back from the last word.
   std::vector<TagLabel> way(std::size_t last) const {
     std::vector<TagLabel> made(rows_.size());
     for (auto at = rows_.size(); at-- > 0;) {
@@ -103,10 +109,13 @@ private:
   const Tagger::Rows& rows_;
   std::vector<TagLabel> labels_;
   const std::vector<TagLabel>* truth_;
-  std::vector<std::uint32_t> came_from_; // by word and label
+  // The label before, by word and label.
+  std::vector<std::uint32_t> came_from_;
 };
 
-// The tagger's weights while they are trained, and their sums over time.
+// The perceptron's training. Averaging over all steps makes it robust: `sums_`
+// collects each change times the number of the step, from which the average
+// follows at the end.
 class TaggerTraining {
 public:
   explicit TaggerTraining(Tagger& tagger) : tagger_(tagger) {}
@@ -136,6 +145,8 @@ public:
   }
 
 private:
+  // Labels the text with the current weights. If a label is wrong, the weights
+  // of the right labels are increased and those of the found ones decreased.
   void learn(const TaggedText& text, const Tagger::Rows& rows) {
     ++steps_;
     const auto found =
@@ -163,25 +174,25 @@ private:
     sums_[at] += by * steps_;
   }
 
-  // What each weight was on the average of all steps.
+  // average = final weight - sum of (change x step) / steps
   void average() {
     for (std::size_t at = 0; at < sums_.size(); ++at)
       tagger_.weights_[at] -= sums_[at] / std::max(steps_, 1.0F);
   }
 
   Tagger& tagger_;
-  std::vector<float> sums_; // of moves times the steps before them
+  std::vector<float> sums_;
   float steps_ = 0;
 };
 
 std::optional<Tagger> Tagger::train(const std::vector<TaggedText>& texts,
                                     std::uint32_t slots,
-                                    std::size_t most_weights) {
+                                    std::size_t max_weights) {
   Tagger made;
   made.labels_ = 2 * slots + 1;
   TaggerTraining training(made);
   training.number_features(texts);
-  if (made.after(made.labels_) * made.labels_ > most_weights)
+  if (made.after(made.labels_) * made.labels_ > max_weights)
     return {};
   training.run(texts);
   return made;

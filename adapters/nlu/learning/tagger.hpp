@@ -1,7 +1,10 @@
-// Finds slots' words by an averaged structured perceptron, trained in memory
-// with the same result every time: each word is outside of all slots, or
-// begins or goes on with one. Immutable once trained; any number of threads
-// may ask it.
+// Tagger finds the words that fill slots. It labels each word as outside of all
+// slots, as the beginning of a slot, or as its continuation (the IOB scheme).
+// It is an averaged structured perceptron, trained in memory with the same
+// result every time.
+//
+//  I        am       David           Tan               from     Comptec
+//  outside  outside  begins Visitor  goes on, Visitor  outside  begins Firm
 #pragma once
 
 #include <cstddef>
@@ -13,7 +16,7 @@
 
 namespace parlour::adapters::nlu {
 
-// 0: of no slot; 2 * slot + 1: begins the slot; 2 * slot + 2: goes on with it.
+// 0: outside; 2 * slot + 1: begins the slot; 2 * slot + 2: continues it.
 using TagLabel = std::uint32_t;
 inline constexpr TagLabel outside = 0;
 constexpr TagLabel begins(std::uint32_t slot) {
@@ -30,22 +33,28 @@ constexpr bool is_beginning(TagLabel label) {
 }
 
 struct TaggedText {
-  std::vector<std::vector<Feature>> features; // word_features
-  std::vector<TagLabel> labels;               // for each word
-  std::vector<std::uint32_t> slots;           // that may be in it
+  // Made by word_features().
+  std::vector<std::vector<Feature>> features;
+  // One for each word.
+  std::vector<TagLabel> labels;
+  // The slots that the text may have.
+  std::vector<std::uint32_t> slots;
 };
 
+// Immutable once trained; any number of threads may use it.
 class Tagger {
 public:
   Tagger() = default;
 
-  // Slots are 0 to slots - 1. Nothing where that would take more than so many
-  // weights, of four bytes each, and twice as many in training.
+  // Trains on all texts. Slots are 0 to `slots` - 1. Returns nothing if that
+  // would take more than `max_weights` weights of four bytes; training needs
+  // twice the memory.
   static std::optional<Tagger> train(const std::vector<TaggedText>& texts,
                                      std::uint32_t slots,
-                                     std::size_t most_weights = no_limit);
+                                     std::size_t max_weights = no_limit);
 
-  // The likeliest labels, of these slots only, one for each word.
+  // The most likely labels, one for each word, of these slots only. Time: words
+  // x labels x (features of a word + labels).
   std::vector<TagLabel> tag(const std::vector<std::vector<Feature>>& features,
                             const std::vector<std::uint32_t>& slots) const;
 
@@ -59,14 +68,16 @@ private:
   const float* row(std::size_t number) const {
     return &weights_[number * labels_];
   }
-  // The row of what may follow a label.
+  // The row with the weights of the labels that may follow `label`.
   std::size_t after(TagLabel label) const {
     return table_.size() + label;
   }
 
   std::uint32_t labels_ = 1;
   FeatureTable table_;
-  std::vector<float> weights_{0}; // a row of labels for each feature, and label
+  // One row for each feature, then one for each previous label, with a weight
+  // for each label.
+  std::vector<float> weights_{0};
 };
 
 } // namespace parlour::adapters::nlu

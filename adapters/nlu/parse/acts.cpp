@@ -10,7 +10,7 @@ namespace parlour::adapters::nlu {
 
 namespace {
 
-// Acts that are courtesy when something else is said with them.
+// Generic acts that are only politeness if something else is said.
 constexpr std::array<std::string_view, 7> courtesies{
     "greet", "thank", "help", "repeat", "explain", "options", "rephrase"};
 
@@ -19,20 +19,24 @@ const Fill* find(const std::vector<Fill>& fills, std::string_view slot) {
   return found == fills.end() ? nullptr : &*found;
 }
 
-// One act in the making.
+// The islands that become one act.
 struct Group {
   TopicNumber topic = no_topic;
   std::string act; // as rules say it
   std::vector<Fill> fills;
   std::vector<Fill> denied;
-  bool corrects = false; // began with "no"
-  bool negated = false;  // "do not …"
-  bool leads_in = false; // "how about"
+  // Began with "no"; with "do not …"; with "how about".
+  bool corrects = false;
+  bool negated = false;
+  bool leads_in = false;
   bool only_bare = true;
   std::uint32_t begin = 0;
   std::uint32_t end = 0;
 };
 
+// Goes through the chain once. Islands are added to the open group as long as
+// they continue it; markers ("no, I mean") and words that lead in ("how about",
+// "and") are kept for the island that follows.
 class ActBuilder {
 public:
   ActBuilder(const Schema& schema, const Utterance& utterance,
@@ -64,7 +68,8 @@ private:
       add_other(island);
   }
 
-  // "no, no": the later one counts. "I cannot find a bank" denies nothing.
+  // Of several markers the last counts, but a denial stays. A "not" that
+  // negates nothing is no denial: "I cannot find a bank".
   void add_marker(const Island& island) {
     if (island.denies && island.end - island.begin == 1 &&
         !utterance_.negates[island.begin])
@@ -88,6 +93,8 @@ private:
     acts_.push_back(std::move(act));
   }
 
+  // Opens a group, or adds to the open one. A later value of a slot replaces an
+  // earlier one.
   void add_content(const ChainLink& link) {
     const auto& island = *link.island;
     if (!open_ || is_negated(island) != group_.negated || !continues(link))
@@ -114,14 +121,16 @@ private:
     return marker_ && marker_->denies;
   }
 
-  // An order that is turned round; a value that is denied is another matter.
+  // A negated order. A denied value ("not the blue one") is something else.
   bool is_negated(const Island& island) const {
     const bool names_value =
         is_value(island) || (denies() && !island.fills.empty());
     return !names_value && utterance_.is_negated(island.begin);
   }
 
-  // Whether this island goes on with what the group says.
+  // Whether the island says more of what the group says. Repeating a slot
+  // begins a new act if the island has an act of its own or the topic is an
+  // enquiry.
   bool continues(const ChainLink& link) const {
     const auto& island = *link.island;
     if (link.topic != group_.topic || asks_further())
@@ -134,16 +143,18 @@ private:
     return !(again && (!island.act.empty() || is_enquiry()));
   }
 
-  // "… and a bank?": another question, not more of the same one.
+  // "… and a bank?" is another question.
   bool asks_further() const {
     return lead_in_ && !marker_ && is_enquiry();
   }
 
-  // What is said anew of an enquiry asks again: "… and in the bedroom".
+  // Enquiries can be repeated: "… and in the bedroom".
   bool is_enquiry() const {
     return schema_.at(group_.topic).enquiry;
   }
 
+  // A marker makes the act a correction, unless the topic changes or the island
+  // asks something; then it is an answer of its own ("no. where is …").
   void begin_group(const ChainLink& link) {
     close();
     group_ = {};
@@ -161,7 +172,7 @@ private:
     open_ = true;
   }
 
-  // "…, no, I want a taxi" takes nothing back from the taxi.
+  // "…, no, I want a taxi" corrects nothing about the taxi.
   bool changes_topic(TopicNumber topic) const {
     return !acts_.empty() && acts_.back().topic != no_topic &&
            acts_.back().topic != topic;
@@ -175,6 +186,7 @@ private:
       *same = fill;
   }
 
+  // Turns the group into an act. A negated order becomes a plain "deny".
   void close() {
     if (!open_)
       return;
@@ -195,6 +207,7 @@ private:
     acts_.push_back(std::move(act));
   }
 
+  // Denied values without others make a "deny", with others a "correct".
   std::string act_of_group() const {
     if (group_.fills.empty() && !group_.denied.empty())
       return "deny";
@@ -213,7 +226,7 @@ private:
            (group_.leads_in || schema_.at(group_.topic).enquiry);
   }
 
-  // "I don't want tea, I want coffee": what is wanted counts.
+  // In "I don't want tea, I want coffee" only the coffee counts.
   void drop_negated() {
     if (std::ranges::any_of(
             acts_, [](const BuiltAct& act) { return act.topic != no_topic; }))
@@ -221,7 +234,7 @@ private:
   }
 
   void drop_courtesies() {
-    // "sorry, what did you say": it corrects nothing.
+    // In "sorry, what did you say", "sorry" corrects nothing.
     if (acts_.size() > 1)
       std::erase_if(acts_, [](const BuiltAct& act) {
         return act.topic == no_topic && act.act == "correct";
@@ -232,7 +245,7 @@ private:
     };
     if (!std::ranges::all_of(acts_, is_courtesy))
       std::erase_if(acts_, is_courtesy);
-    // "thank you, thank you" is said once.
+    // "thank you, thank you" is one act.
     const auto again =
         std::unique(acts_.begin(), acts_.end(),
                     [](const BuiltAct& left, const BuiltAct& right) {
@@ -253,10 +266,12 @@ private:
 };
 
 // How much of the words of a further value must be understood: "… and in the
-// bedroom" is more of the same, "… and close the blinds in the bedroom" is not.
+// bedroom" is more of the same, "… and close the blinds in the bedroom" is
+// something else.
 constexpr double further_value = 0.6;
 
-// How much of each token is understood, 0 to its weight.
+// How much of each token is understood, from 0 to its weight. An island's
+// coverage is spread evenly over its tokens.
 std::vector<double> coverage(const Chain& chain, std::size_t size) {
   std::vector<double> covered(size, 0);
   for (const auto& link : chain.links) {
@@ -282,7 +297,7 @@ bool is_something_else(const BuiltAct& act, const BuiltAct& before,
          act.score - bonus_of(act, context) < further_value;
 }
 
-// Each act is measured on the words from its beginning to the next one's.
+// An act is scored on the tokens from its begin to the begin of the next one.
 void set_scores(std::vector<BuiltAct>& acts, const Chain& chain,
                 const Utterance& utterance, const Context& context) {
   const auto covered = coverage(chain, utterance.size());
@@ -299,7 +314,7 @@ void set_scores(std::vector<BuiltAct>& acts, const Chain& chain,
   }
 }
 
-// As far as a confidence is worth being told.
+// Confidences are rounded so that they print well.
 double in_thousandths(double confidence) {
   return std::round(confidence * 1000) / 1000;
 }
@@ -342,6 +357,8 @@ std::vector<BuiltAct> build_acts(const Chain& chain, const Utterance& utterance,
   set_scores(acts, chain, utterance, context);
   std::vector<BuiltAct> kept;
   for (const auto& act : acts)
+    // A further value that is mostly not understood is left out rather than
+    // taken for more of the same.
     if (act.score >= threshold &&
         (kept.empty() || !is_something_else(act, kept.back(), context)))
       kept.push_back(act);

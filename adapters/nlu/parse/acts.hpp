@@ -1,5 +1,10 @@
-// From a chain of islands to acts (engine rule 5, "Acts"): islands of one topic
-// become one act, corrections are applied, what does not count is left out.
+// Turns a chain of islands into acts (engine rule 5, "Acts"): islands of one
+// topic become one act, corrections are applied, and acts that do not count are
+// removed.
+//
+//  "a taxi to the airport, no, to the harbour"  inform Taxi {To: harbour}
+//  "no, to the harbour"                         correct Taxi {To: harbour}
+//  "hello, a taxi please"                       inform Taxi {}
 #pragma once
 
 #include <string>
@@ -14,20 +19,27 @@ namespace parlour::adapters::nlu {
 struct BuiltAct {
   std::string act;
   TopicNumber topic = no_topic;
-  std::vector<Fill> fills; // one for each slot
+  // One for each slot.
+  std::vector<Fill> fills;
   bool elliptical = false;
-  bool negated = false;    // a "deny" of what was not to be done
-  std::uint32_t begin = 0; // tokens
+  // A "deny" that stands for a negated order.
+  bool negated = false;
+  // Tokens [begin, end).
+  std::uint32_t begin = 0;
   std::uint32_t end = 0;
-  double score = 0; // share understood and bonus; may be above 1
+  // The share of its words that was understood, plus the bonus for being
+  // expected; it may exceed 1.
+  double score = 0;
 };
 
-// `threshold`: acts with a lower score are left out.
+// Returns the acts in the order of the utterance. Acts with a score below
+// `threshold` are left out.
 std::vector<BuiltAct> build_acts(const Chain& chain, const Utterance& utterance,
                                  const Schema& schema, const Context& context,
                                  double threshold);
 
-// As the frame list's entry (runtime/base/understanding.hpp).
+// The act as a map, as FrameInfo carries it
+// (runtime/message/understanding.hpp).
 Map act_value(const BuiltAct& act, const Utterance& utterance,
               const Spans& spans, const Schema& schema);
 

@@ -7,14 +7,18 @@ namespace parlour::adapters::nlu {
 
 namespace {
 
-// What it costs to begin an island, so that one long one is better than two,
-// and to change the topic in the middle.
+// The cost of an island, so that one long island is better than two short ones,
+// and of changing the topic.
 constexpr double island_cost = 0.15;
 constexpr double change_cost = 0.5;
-// To say one slot twice in a row without correcting it.
+// The cost of saying the same slot twice in a row without correcting it.
 constexpr double again_cost = 0.4;
+// How many islands back a repetition is looked for.
 constexpr std::size_t look_back = 8;
 
+// Dynamic programming from left to right. ends_[p] holds, for each topic, the
+// best sequence that ends at or before token p. The topic belongs to the key
+// because the cost of the next island depends on it.
 class ChainSearch {
 public:
   ChainSearch(const std::vector<Island>& islands, std::size_t size,
@@ -28,6 +32,9 @@ public:
   std::vector<Chain> run() {
     nodes_.push_back({});
     ends_[0].push_back(0);
+    // A sequence that ends before token `at` also counts at `at`: the token
+    // between is not covered. All islands that end at `at` have been added,
+    // since they begin before it.
     for (std::size_t at = 0; at < ends_.size(); ++at) {
       if (at > 0)
         for (const auto node : ends_[at - 1])
@@ -39,13 +46,15 @@ public:
   }
 
 private:
+  // An island at the end of a sequence; `before` is the node that it follows.
+  // Node 0 is the empty sequence.
   struct Node {
     std::uint32_t before = 0;
     ChainLink link;
     double score = 0;
   };
 
-  // Keeps the node if it is the best that ends here in its topic.
+  // Keeps the node if it is the best that ends here with its topic.
   void offer(std::size_t position, std::uint32_t node) {
     for (auto& other : ends_[position]) {
       if (nodes_[other].link.topic != nodes_[node].link.topic)
@@ -57,6 +66,8 @@ private:
     ends_[position].push_back(node);
   }
 
+  // Appends an island to each sequence that ends before it, once for each topic
+  // that it may be about. A generic act does not change the topic.
   void add(std::size_t position, const Island& island) {
     const auto befores = ends_[position];
     for (const auto before : befores) {
@@ -74,7 +85,8 @@ private:
     }
   }
 
-  // "no, four"; "and the third?" where such a thing was asked before.
+  // A weak island counts only after a marker ("no, four") or, if the topic is
+  // expected, after words that lead in ("and the third?").
   bool may_be_meant(const Island& island, const ChainLink& last) const {
     if (!last.island || last.island->is_content())
       return false;
@@ -86,19 +98,24 @@ private:
             }));
   }
 
+  // What an island gets for being expected (understanding, "Score"), minus the
+  // cost of a change of topic.
   double expectation(const Island& island, const ChainLink& last,
                      TopicNumber topic) const {
     const bool changes = topic != last.topic && last.topic != no_topic;
     double bonus = changes ? -change_cost : 0;
     if (topic != last.topic)
       bonus += context_.bonus(topic);
-    // "what time is it now?": what ends a question is no answer to ours.
+    // After an act about another topic, a value does not answer what was asked:
+    // in "what time is it now?", "now" is no answer.
     if (topic == context_.asked_topic && island.find(context_.asked_slot) &&
         !changes)
       bonus += asked_bonus;
     return bonus;
   }
 
+  // Whether a slot of the island was filled by one of the last islands of its
+  // topic.
   bool says_again(std::uint32_t before, const Island& island,
                   TopicNumber topic) const {
     if (island.act == "request")
@@ -115,6 +132,8 @@ private:
     return false;
   }
 
+  // An island that makes the sequence worse is not appended, unless it changes
+  // the topic: that sequence competes with others.
   void append(std::uint32_t before, ChainLink link, double bonus) {
     const auto score =
         nodes_[before].score + link.island->score - island_cost + bonus;
@@ -125,6 +144,7 @@ private:
     offer(link.island->end, static_cast<std::uint32_t>(nodes_.size() - 1));
   }
 
+  // Follows the nodes back from the end of the utterance.
   std::vector<Chain> chains() const {
     std::vector<Chain> found;
     for (const auto end : ends_.back()) {
@@ -142,7 +162,8 @@ private:
   const std::vector<Island>& islands_;
   const Context& context_;
   std::vector<Node> nodes_;
-  std::vector<std::vector<std::uint32_t>> ends_; // nodes by position
+  // Nodes by position.
+  std::vector<std::vector<std::uint32_t>> ends_;
   std::vector<std::vector<const Island*>> beginning_;
 };
 

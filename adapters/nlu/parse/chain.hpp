@@ -1,5 +1,5 @@
-// The best way to go from island to island through an utterance, without
-// overlap, one for each topic that it may end in.
+// Finds the best sequence of islands through an utterance, without overlap, for
+// each topic in which it may end.
 #pragma once
 
 #include <vector>
@@ -13,12 +13,15 @@ struct ChainLink {
   TopicNumber topic = no_topic;
 };
 
+// A sequence of islands, from left to right.
 struct Chain {
   std::vector<ChainLink> links; // in order
   double score = 0;
 };
 
-// Best first. `size` is the utterance's number of tokens.
+// Returns the best chain for each last topic; the best first. There is at least
+// one, which may be empty. `size` is the number of tokens. The chains refer to
+// the islands.
 std::vector<Chain> best_chains(const std::vector<Island>& islands,
                                std::size_t size, const Context& context);
 

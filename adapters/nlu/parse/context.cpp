@@ -9,6 +9,7 @@ namespace parlour::adapters::nlu {
 
 namespace {
 
+// Sets the question only if both topic and slot exist.
 void read_asked(const Value& asked, const Schema& schema, Context& context) {
   if (!asked.if_map())
     return;
@@ -31,6 +32,8 @@ void read_said(const Value& said, const Schema& schema, Context& context) {
       context.said.push_back(*slot);
 }
 
+// The words are those of the tokenizer, so that they can be compared with
+// tokens.
 void read_confirms(const Value& question, Context& context) {
   if (!question.if_string())
     return;
@@ -45,6 +48,7 @@ double Context::bonus(TopicNumber topic) const {
     return 0;
   if (topic == current)
     return 0.2;
+  // A topic that is resting or unfinished is half as likely as the current one.
   const bool waits = topic == resting ||
                      std::ranges::find(unfinished, topic) != unfinished.end();
   return waits ? 0.1 : 0;

@@ -1,5 +1,5 @@
-// The session's context of a DoNLU, with names resolved (the end of
-// runtime/base/understanding.hpp).
+// The context of the session that comes with DoNLU, with names resolved to
+// numbers. The keys are listed at the end of runtime/message/understanding.hpp.
 #pragma once
 
 #include <string>
@@ -11,25 +11,30 @@ namespace parlour::adapters::nlu {
 
 struct Context {
   TopicNumber asked_topic = no_topic;
-  std::string asked_slot;                  // "" for none
-  EntityId asked_entity_id = asked_entity; // that for none
-  std::vector<Schema::Slot> said;          // of that topic, the latest last
+  // The slot that the last question asks for; empty: none.
+  std::string asked_slot;
+  // Its kind of value; asked_entity if there is no question.
+  EntityId asked_entity_id = asked_entity;
+  // The slots of that topic that were filled before, the latest last.
+  std::vector<Schema::Slot> said;
   TopicNumber current = no_topic;
   TopicNumber resting = no_topic;
   std::vector<TopicNumber> unfinished;
-  std::string grammar; // "" for all
-  // Words of the question of yes or no that is asked; empty for none.
+  // The only grammar to be tried; empty: all.
+  std::string grammar;
+  // The words of the question to which a yes or no is expected; empty: none.
   std::vector<std::string> confirms;
   Now now;
 
-  // What a topic gets for being expected (understanding, "Score"): 0.2 the
-  // current one, 0.1 a resting or unfinished one.
+  // What an act about the topic gets for being expected (understanding,
+  // "Score"): 0.2 for the current topic, 0.1 for a resting or unfinished one.
   double bonus(TopicNumber topic) const;
 };
 
+// What an act gets that fills the slot which was asked for.
 inline constexpr double asked_bonus = 0.3;
 
-// Names that are not there count as not given.
+// Names that the schema does not have are ignored.
 Context read_context(const Value& context, const Schema& schema);
 
 } // namespace parlour::adapters::nlu

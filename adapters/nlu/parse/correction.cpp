@@ -8,6 +8,8 @@ namespace parlour::adapters::nlu {
 
 namespace {
 
+// Whether the act is a correction that only fills the slot which is being asked
+// for.
 bool only_answers(const BuiltAct& act, const Context& context) {
   return act.act == "correct" && act.topic != no_topic &&
          act.topic == context.asked_topic && act.fills.size() == 1 &&
@@ -19,7 +21,8 @@ bool is_value(const Fill& fill, const Spans& spans) {
          spans[*fill.span].entity != words_entity;
 }
 
-// The same words as a value of this kind; nothing where they are none.
+// The same words as a value of another entity; nothing if they
+// cannot be one.
 std::optional<Fill> as_value(const Fill& fill, EntityId entity,
                              const Spans& spans) {
   auto made = fill;

@@ -1,14 +1,15 @@
-// "No, I meant three": which slot a correction is of, where the next question
-// waits already.
+// "No, I meant three": finds out which slot is corrected if the next question
+// has been asked already.
 #pragma once
 
 #include "adapters/nlu/parse/acts.hpp"
 
 namespace parlour::adapters::nlu {
 
-// What would only fill the slot that is asked for, which has nothing to
-// correct, is of a slot that was said before: of the last that it fits. Any
-// words fit a slot that takes any, unless they fit what is asked.
+// A correction that would only fill the slot which is being asked for cannot
+// correct that one, since it has no value yet. It corrects the slot that was
+// filled last and that the words fit. A slot of any words fits only words that
+// are no known value.
 void correct_what_was_said(BuiltAct& act, const Spans& spans,
                            const Context& context);
 

@@ -10,18 +10,19 @@ namespace parlour::adapters::nlu {
 
 namespace {
 
-// Who asks such a thing has not answered yet.
+// Acts that ask something back: whoever asks has not answered yet.
 constexpr std::array<std::string_view, 5> questions{"help", "repeat", "explain",
                                                     "options", "rephrase"};
 
-// Less is nothing that a word could weigh.
-constexpr double least_weight = 0.05;
+// A weight below this is rounding, not a word.
+constexpr double min_weight = 0.05;
 
 template <class All, class One>
 bool has(const All& all, const One& one) {
   return std::ranges::find(all, one) != all.end();
 }
 
+// Whether the act is this generic act, about no topic.
 bool is_plain(const BuiltAct& act, std::string_view name) {
   return act.topic == no_topic && act.act == name;
 }
@@ -35,13 +36,15 @@ bool is_answer(const Island& island) {
          (island.act == "confirm" || island.act == "deny");
 }
 
-// What a topic's own rules say of a yes stands where nobody asks for one.
+// If nobody asks for a yes, a topic's own rule for "yes" stands, and "yes" may
+// be the value of the slot that was asked for.
 bool may_be_yes(const Island& island, const Context& context) {
   return context.confirms.empty() &&
          (!island.rule->bare || (has(island.topics, context.asked_topic) &&
                                  island.find(context.asked_slot) != nullptr));
 }
 
+// Applies the rules to the acts of one utterance.
 class Doubts {
 public:
   Doubts(std::vector<BuiltAct>& acts, const Chain& chain,
@@ -52,6 +55,7 @@ public:
       note(chain, at);
   }
 
+  // The order matters: each step removes acts that the next ones would count.
   void run() {
     if (std::erase_if(acts_, [&](auto& act) { return takes_back(act); }) > 0)
       std::erase_if(acts_, [](auto& act) { return is_plain(act, "confirm"); });
@@ -67,8 +71,9 @@ public:
   }
 
 private:
-  // Words that an island passes over are not understood; those that lead in
-  // are if something follows.
+  // Notes which tokens an island has understood. An answer that skips words has
+  // not understood them. Words that lead in ("and") are understood if content
+  // follows.
   void note(const Chain& chain, std::size_t at) {
     const auto& island = *chain.links[at].island;
     const bool leads_in = !island.is_content() && island.act.empty();
@@ -84,7 +89,7 @@ private:
   }
 
   bool passes_over(const Island& island) const {
-    return island.covered + least_weight <
+    return island.covered + min_weight <
            utterance_.weight_of(island.begin, island.end);
   }
 
@@ -97,8 +102,8 @@ private:
                                [&](auto& act) { return is_plain(act, name); });
   }
 
-  // "Did you say blue?" "Yes, blue, don't book it.": the value that is asked
-  // about, with a no somewhere.
+  // "Did you say blue?" "Yes, blue, don't book it.": the value of the question,
+  // with a negation anywhere in the utterance.
   bool takes_back(const BuiltAct& act) const {
     return !context_.confirms.empty() && act.topic != no_topic &&
            act.act != "deny" && !act.fills.empty() &&
@@ -115,7 +120,7 @@ private:
     return true;
   }
 
-  // "do not cancel it"
+  // "do not cancel it": a generic act right behind a negation.
   bool is_denied(const BuiltAct& act) const {
     if (act.topic != no_topic || is_answer(act) || act.act == "correct")
       return false;
@@ -125,19 +130,22 @@ private:
     return at > 0 && (word(at - 1) == "not" || word(at - 1) == "never");
   }
 
+  // A yes is in doubt if words are left over or it is asked ("right?"). A no is
+  // a safer reading, so it is in doubt only if it is a bare "not" with words
+  // left over ("not bad").
   bool is_unsure(const BuiltAct& act) const {
     if (is_plain(act, "confirm"))
       return leaves_words() || is_asked(act);
-    // "not bad" is no refusal.
     return is_plain(act, "deny") && !act.negated && has(denials_, act.begin) &&
            leaves_words();
   }
 
-  // Words that nothing has understood, but those of the question.
+  // Whether words are left that nothing has understood. Fillers and the words
+  // of the question do not count, but words such as "but" always do.
   bool leaves_words() const {
     for (std::size_t token = 0; token < utterance_.size(); ++token) {
       const bool turns = is_turning_word(word(token));
-      const bool means_nothing = utterance_.weight[token] < least_weight ||
+      const bool means_nothing = utterance_.weight[token] < min_weight ||
                                  has(context_.confirms, word(token));
       if (!understood_[token] && (turns || !means_nothing))
         return true;
@@ -145,7 +153,7 @@ private:
     return false;
   }
 
-  // "Right?"
+  // Whether a question mark follows the act.
   bool is_asked(const BuiltAct& act) const {
     const auto& tokens = utterance_.tokens.list;
     const auto from = tokens[act.end - 1].end;
@@ -158,8 +166,10 @@ private:
   std::vector<BuiltAct>& acts_;
   const Utterance& utterance_;
   const Context& context_;
-  std::vector<bool> understood_;       // each token
-  std::vector<std::uint32_t> denials_; // tokens where a "not" begins
+  // By token.
+  std::vector<bool> understood_;
+  // The tokens at which a "not" begins.
+  std::vector<std::uint32_t> denials_;
 };
 
 } // namespace

@@ -1,6 +1,7 @@
-// When a yes is one. What is done upon it may not be taken back, so that one
-// said together with a no, with what turns it ("but", "if") or with words that
-// nothing understood counts as not said, and is asked for again.
+// Decides whether a yes is one. What follows a yes may not be reversible. So a
+// yes beside a no, beside words such as "but" and "if", or beside words that
+// were not understood counts as not said, and the question is asked again
+// (understanding, "Yes and no").
 #pragma once
 
 #include <vector>
@@ -9,11 +10,13 @@
 
 namespace parlour::adapters::nlu {
 
-// While a question of yes or no is asked, "yes" and "no" are no values; else
-// they are, by themselves, of the slot that was asked for only.
+// While a question wants yes or no, "yes" and "no" are not values of slots.
+// Otherwise they can be a value by themselves, of the slot that was asked for
+// only. Removes the islands that say otherwise.
 void prefer_answers(std::vector<Island>& islands, const Context& context);
 
-// Takes out answers in doubt, and wishes that are denied ("do not cancel it").
+// Removes answers that are in doubt, and acts that are negated ("do not cancel
+// it").
 void drop_doubtful(std::vector<BuiltAct>& acts, const Chain& chain,
                    const Utterance& utterance, const Context& context);
 

@@ -6,6 +6,8 @@ namespace parlour::adapters::nlu {
 
 namespace {
 
+// Replays the trace of a match. Tags are properly nested, so a stack of open
+// tags is enough; a tag takes effect when it closes.
 class IslandReader {
 public:
   IslandReader(const std::vector<Trace>& traces, const Spans& spans,
@@ -14,11 +16,13 @@ public:
       : traces_(traces), spans_(spans), automaton_(automaton), schema_(schema),
         context_(context) {}
 
+  // Nothing if the match makes no sense, or the context excludes it.
   std::optional<Island> read(const Match& match) {
     const auto& rule = automaton_.rules[match.rule];
     island_ = {&rule,      match.begin, match.end, match.score, match.covered,
                match.weak, false,       false,     "",          {},
                {}};
+    // The reader is used for many matches; its vectors keep their memory.
     opened_.clear();
     seen_.clear();
     topic_ = rule.topic;
@@ -34,10 +38,11 @@ private:
   struct Opened {
     std::uint32_t tag;
     std::uint32_t position;
-    std::size_t spans; // seen before
+    // How many spans had been seen when the tag was opened.
+    std::size_t spans;
   };
 
-  // The trace in the order in which things happened.
+  // Puts the trace, which is stored newest first, in order.
   void walk(std::uint32_t last) {
     way_.clear();
     for (auto at = last; at != 0; at = traces_[at].before)
@@ -82,6 +87,8 @@ private:
     }
   }
 
+  // The value of the slot is the tag's own, or that of the last span within the
+  // tag, or the words within the tag.
   void fill(const std::string& slot, TopicNumber topic, const TagInfo& tag,
             const Opened& opened, std::uint32_t end) {
     Fill made{slot, topic, {}, {}, opened.position, end};
@@ -89,6 +96,7 @@ private:
       made.literal = tag.value;
     else if (seen_.size() > opened.spans)
       made.span = seen_.back();
+    // The words of the value, without titles and determiners.
     if (made.span) {
       made.begin = spans_[*made.span].core;
       made.end = spans_[*made.span].end;
@@ -96,12 +104,14 @@ private:
     island_.fills.push_back(std::move(made));
   }
 
-  // The topics that have all the slots that were filled. False where slots of
-  // different topics are mixed.
+  // Finds the topics that have all the slots. False if slots of different
+  // topics are mixed.
   bool find_topics() {
     for (const auto& fill : island_.fills)
       if (fill.topic != no_topic && topic_ == no_topic)
         topic_ = fill.topic;
+    // A topic by tag or grammar, or of a slot that names it, excludes all
+    // others.
     if (topic_ != no_topic) {
       island_.topics = {topic_};
       return has_all(topic_);
@@ -121,7 +131,7 @@ private:
     });
   }
 
-  // A value is no generic act, also where their grammar takes one.
+  // If the context names a grammar, a value is not read from the generic acts.
   bool allowed(const RuleInfo& rule) const {
     return context_.grammar.empty() || !rule.generic || island_.fills.empty();
   }
@@ -135,7 +145,8 @@ private:
   TopicNumber topic_ = no_topic;
   std::vector<Trace> way_;
   std::vector<Opened> opened_;
-  std::vector<std::uint32_t> seen_; // spans
+  // The spans so far.
+  std::vector<std::uint32_t> seen_;
 };
 
 } // namespace

@@ -1,4 +1,5 @@
-// An island: what a part of the utterance says, read from a match.
+// An island is what a part of the utterance says: the meaning of a match, read
+// from the tags on its way. Between islands lie words that no rule describes.
 #pragma once
 
 #include <optional>
@@ -10,11 +11,13 @@
 
 namespace parlour::adapters::nlu {
 
-// One slot's value.
+// The value of one slot.
 struct Fill {
   std::string slot;
-  TopicNumber topic = no_topic;      // where it can only be of this one
-  std::optional<std::uint32_t> span; // else `literal`, else the words
+  // Set if the slot can only belong to this topic.
+  TopicNumber topic = no_topic;
+  // The value is that of a span, or else the literal, or else the words.
+  std::optional<std::uint32_t> span;
   std::optional<Value> literal;
   std::uint32_t begin = 0; // tokens
   std::uint32_t end = 0;
@@ -27,24 +30,29 @@ struct Island {
   double score = 0;
   double covered = 0;
   bool weak = false;
-  bool asked = false;              // fills the slot that was asked for
-  bool denies = false;             // what follows is not wanted
-  std::string act;                 // "" where the rule says none
-  std::vector<TopicNumber> topics; // that it may be about
+  // Fills the slot that was asked for.
+  bool asked = false;
+  // What follows is not wanted.
+  bool denies = false;
+  // Empty if the rule says none.
+  std::string act;
+  // The topics that it may be about; empty for a generic act.
+  std::vector<TopicNumber> topics;
   std::vector<Fill> fills;
 
   // "no", "sorry, I mean": corrects what stands before or comes after.
   bool is_marker() const {
     return topics.empty() && (act == "deny" || act == "correct");
   }
+  // Whether it is about a topic.
   bool is_content() const {
     return !topics.empty();
   }
   const Fill* find(std::string_view slot) const;
 };
 
-// Reads all matches that the context allows; those that make no sense (slots
-// of different topics) are left out.
+// Reads all matches that the context allows. A match that fills slots of
+// different topics makes no sense and is left out.
 std::vector<Island> read_islands(const std::vector<Match>& matches,
                                  const std::vector<Trace>& traces,
                                  const Spans& spans, const Automaton& automaton,

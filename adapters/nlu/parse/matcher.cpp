@@ -7,14 +7,23 @@ namespace parlour::adapters::nlu {
 
 namespace {
 
-constexpr std::size_t most_items = 400;  // kept at one position
-constexpr std::size_t usual_items = 64;  // room is made for at once
-constexpr std::size_t most_matches = 32; // that end at one position
-constexpr std::uint8_t most_skipped = 3;
-constexpr std::size_t most_open_words = 5;
-constexpr std::size_t most_asked_words = 10;
+// How many partial matches are kept at a token, and for how many memory is
+// reserved.
+constexpr std::size_t max_items = 400;
+constexpr std::size_t usual_items = 64;
+// How many matches may end at a token.
+constexpr std::size_t max_matches = 32;
+// How many words in a row may be skipped; fillers do not count.
+constexpr std::uint8_t max_skipped = 3;
+// How many words `@words` takes, and how many if the last question wants any
+// words.
+constexpr std::size_t max_open_words = 5;
+constexpr std::size_t max_asked_words = 10;
+// A filler that a rule asks for is worth at least this.
 constexpr float filler_gain = 0.1F;
 
+// The cost of crossing punctuation. A rule hardly ever goes on in the next
+// sentence.
 float break_cost(Break found) {
   switch (found) {
   case Break::none:
@@ -37,12 +46,15 @@ Matcher::Matcher(const Automaton& automaton, const Utterance& utterance,
   for (auto& items : items_)
     items.reserve(usual_items);
   traces_.reserve(usual_items * utterance.size());
+  // Entry 0 means the end of a list.
   traces_.emplace_back();
 }
 
 std::vector<Match> Matcher::run() {
   if (automaton_.states.empty())
     return {};
+  // All partial matches that reach token `at` are known here, since every step
+  // leads to a later token. A new match may begin at each token.
   for (std::uint32_t at = 0; at < utterance_.size(); ++at) {
     auto items = std::exchange(items_[at], {});
     tidy(items);
@@ -56,15 +68,15 @@ std::vector<Match> Matcher::run() {
   std::vector<Match> matches;
   for (auto& ending : found_) {
     std::ranges::stable_sort(ending, std::greater(), &Match::score);
-    if (ending.size() > most_matches)
-      ending.resize(most_matches);
+    if (ending.size() > max_matches)
+      ending.resize(max_matches);
     matches.insert(matches.end(), ending.begin(), ending.end());
   }
   return matches;
 }
 
-// The best item of each state, beginning and strength; not more than are
-// bearable.
+// Keeps the best partial match for each state, beginning and strength, and at
+// most max_items of all.
 void Matcher::tidy(std::vector<Item>& items) const {
   std::ranges::stable_sort(items, [](const Item& left, const Item& right) {
     if (left.state != right.state)
@@ -80,10 +92,10 @@ void Matcher::tidy(std::vector<Item>& items) const {
            left.weak == right.weak;
   };
   items.erase(std::unique(items.begin(), items.end(), same), items.end());
-  if (items.size() <= most_items)
+  if (items.size() <= max_items)
     return;
   std::ranges::stable_sort(items, std::greater(), &Item::score);
-  items.resize(most_items);
+  items.resize(max_items);
 }
 
 void Matcher::step(std::size_t position, const Item& item) {
@@ -92,15 +104,16 @@ void Matcher::step(std::size_t position, const Item& item) {
   skip(position, item);
 }
 
-// A token that the rule does not have is passed over at a cost.
-// Never over what turns the rest round.
+// Skips a token that the rule does not have: a filler is nearly free, a word
+// with a meaning of its own costs more than a function word. A negation is
+// never skipped, since it turns the meaning round.
 void Matcher::skip(std::size_t position, const Item& item) {
   if (utterance_.negates[position])
     return;
   auto next = item;
   if (utterance_.filler[position])
     next.score -= 0.02F;
-  else if (++next.skipped > most_skipped)
+  else if (++next.skipped > max_skipped)
     return;
   else
     next.score -= utterance_.function[position] ? 0.25F : 0.6F;
@@ -108,6 +121,7 @@ void Matcher::skip(std::size_t position, const Item& item) {
   items_[position + 1].push_back(next);
 }
 
+// Follows the arcs that take this word.
 void Matcher::take_word(std::size_t position, const Item& item) {
   const auto word = utterance_.words[position];
   if (word == unknown_word)
@@ -125,6 +139,7 @@ void Matcher::take_word(std::size_t position, const Item& item) {
     const auto weight = utterance_.weight[position];
     next.score += std::max(weight, filler_gain) + arc.weight;
     next.covered += weight;
+    // Punctuation before the first word of a match costs nothing.
     if (position > item.begin)
       next.score -= break_cost(utterance_.tokens.list[position].before);
     reach(next, position + 1);
@@ -136,6 +151,9 @@ void Matcher::take_entities(std::size_t position, const Item& item) {
     take_entity(position, item, arc);
 }
 
+// Takes the known values that begin here. If there is none and a value is
+// expected, takes open words. A normal form takes them only if the last
+// question wants it.
 void Matcher::take_entity(std::size_t position, const Item& item,
                           const Arc& arc) {
   ++work_;
@@ -143,6 +161,8 @@ void Matcher::take_entity(std::size_t position, const Item& item,
   const auto entity = asked ? asked_ : arc.symbol;
   if (entity == asked_entity)
     return;
+  // After a word of the grammar, or where a question asks for it, a value is
+  // expected.
   const bool expected = asked || item.words > 0;
   if (entity != words_entity) {
     const auto known = spans_.at(entity, position);
@@ -153,7 +173,7 @@ void Matcher::take_entity(std::size_t position, const Item& item,
   }
   if (expected)
     for (const auto index : spans_.open(
-             entity, position, asked ? most_asked_words : most_open_words))
+             entity, position, asked ? max_asked_words : max_open_words))
       take_span(item, arc, index, expected);
 }
 
@@ -181,6 +201,9 @@ void Matcher::reach(Item item, std::size_t position) {
     items_[position].push_back(item);
 }
 
+// Records a match. Of several matches of the same rule, tokens and strength,
+// the best is kept. Only a rule of nothing but a value may consist of a weak
+// value.
 void Matcher::accept(const Item& item, const Accept& accepted) {
   const auto& rule = automaton_.rules[accepted.rule];
   if ((item.weak && !rule.bare) || !is_tried(rule))
@@ -189,6 +212,7 @@ void Matcher::accept(const Item& item, const Accept& accepted) {
               item.last,     item.score + accepted.weight + rule.bias,
               item.covered,  0,
               item.weak};
+  // A value without a sentence around it counts as understood a little less.
   if (rule.bare)
     match.covered *= 0.9F;
   auto& ending = found_[item.last];
@@ -206,11 +230,14 @@ void Matcher::accept(const Item& item, const Accept& accepted) {
   ending.push_back(match);
 }
 
-// Examples and values that stand alone are of no grammar.
+// Examples and bare values belong to no grammar, so they are not tried if the
+// context names one.
 bool Matcher::is_tried(const RuleInfo& rule) const {
   return grammar_.empty() || rule.generic || rule.grammar == grammar_;
 }
 
+// Opening and closing are recorded at different positions: a tag opens at the
+// next token, and closes behind the last token that was taken.
 std::uint32_t Matcher::follow(std::uint32_t trace, std::uint32_t actions,
                               std::uint32_t open_at, std::uint32_t close_at) {
   for (const auto& action : automaton_.actions[actions])

@@ -1,6 +1,18 @@
-// Finds islands: parts of an utterance that a rule of the grammars describes,
-// with words between them that none does. The work is bounded by tokens times
-// kept partial matches times the arcs that fit.
+// The matcher finds the parts of an utterance that a rule of the grammars
+// describes. It runs the automaton from every token at once. A partial match
+// may skip words that the rule does not have, so "book, er, a quiet room" fits
+// the rule "book a room".
+//
+// The score of a match is a sum:
+//
+//  + the weight of each word of the rule that was said (Utterance::weight)
+//  + the gain of each value (Span::gain)
+//  - for each word that was skipped, and for punctuation within the match
+//  - for an unlikely alternative of the grammar (Arc::weight)
+//  + the bias of the rule (RuleInfo::bias)
+//
+// The work is bounded by tokens x partial matches kept at a token x arcs that
+// fit.
 #pragma once
 
 #include <cstdint>
@@ -12,59 +24,72 @@
 
 namespace parlour::adapters::nlu {
 
-// What happened on the way to an island, newest first.
+// What happened on the way to a match, as a linked list with the newest entry
+// first. Partial matches share the beginning of their lists.
 struct Trace {
   enum class Kind : std::uint8_t { open, close, span };
 
-  std::uint32_t before = 0; // 0: none
-  std::uint32_t what = 0;   // tag or span
+  // The index of the previous entry; 0: none.
+  std::uint32_t before = 0;
+  // The number of the tag, or of the span.
+  std::uint32_t what = 0;
   std::uint32_t position = 0;
   Kind kind = Kind::open;
 };
 
+// A rule that describes the tokens [begin, end).
 struct Match {
   std::uint32_t rule = 0;
-  std::uint32_t begin = 0; // tokens
+  std::uint32_t begin = 0;
   std::uint32_t end = 0;
   float score = 0;
+  // The weight of the words that were understood.
   float covered = 0;
   std::uint32_t trace = 0;
-  // Only words that are a value where one is expected: counts after a
-  // correction ("no, four").
+  // A value that counts only if one is expected, such as after a correction
+  // ("no, four").
   bool weak = false;
 };
 
+// One search of one utterance. Refers to its arguments, which must outlive it.
 class Matcher {
 public:
-  // `asked` is the entity that the context asks for, or asked_entity; `grammar`
-  // the only one besides generic acts that is tried, "" for all rules.
+  // `asked` is the entity that the context asks for, or asked_entity if it asks
+  // for none. `grammar` is the only grammar to be tried besides generic acts;
+  // empty: all.
   Matcher(const Automaton& automaton, const Utterance& utterance, Spans& spans,
           EntityId asked, std::string grammar = {});
 
+  // Returns the matches, ordered by their end. Call it once.
   std::vector<Match> run();
 
   const std::vector<Trace>& traces() const {
     return traces_;
   }
-  // Arcs that were tried: for tests of the bounds.
+  // The number of arcs that were tried, for tests of the bound.
   std::size_t work() const {
     return work_;
   }
 
 private:
+  // A partial match that has reached a token.
   struct Item {
     std::uint32_t state = 0;
     std::uint32_t begin = 0;
-    std::uint32_t last = 0; // behind the last token taken
+    // Behind the last token that was taken.
+    std::uint32_t last = 0;
     std::uint32_t trace = 0;
     float score = 0;
     float covered = 0;
-    std::uint8_t words = 0;   // of the grammar, taken
-    std::uint8_t skipped = 0; // since the last one taken
+    // How many words of the grammar were taken.
+    std::uint8_t words = 0;
+    // How many tokens were skipped since the last one was taken.
+    std::uint8_t skipped = 0;
     bool weak = false;
   };
 
   void tidy(std::vector<Item>& items) const;
+  // The ways to go on from a token: take a word, take a value, skip the token.
   void step(std::size_t position, const Item& item);
   void skip(std::size_t position, const Item& item);
   void take_word(std::size_t position, const Item& item);
@@ -75,6 +100,7 @@ private:
   void reach(Item item, std::size_t position);
   void accept(const Item& item, const Accept& accept);
   bool is_tried(const RuleInfo& rule) const;
+  // Records the actions of an arc.
   std::uint32_t follow(std::uint32_t trace, std::uint32_t actions,
                        std::uint32_t open_at, std::uint32_t close_at);
   std::uint32_t push(Trace trace);
@@ -84,8 +110,10 @@ private:
   Spans& spans_;
   EntityId asked_;
   std::string grammar_;
-  std::vector<std::vector<Item>> items_;  // by position
-  std::vector<std::vector<Match>> found_; // by end
+  // By the token that comes next.
+  std::vector<std::vector<Item>> items_;
+  // By end.
+  std::vector<std::vector<Match>> found_;
   std::vector<Trace> traces_;
   std::size_t work_ = 0;
 };

@@ -1,3 +1,6 @@
+// Known values are found once, in the constructor: normal forms first, since
+// their tokens are no part of names. Open words are found on demand, because
+// there are many of them.
 #include "adapters/nlu/parse/spans.hpp"
 
 #include <algorithm>
@@ -11,13 +14,13 @@ namespace parlour::adapters::nlu {
 
 namespace {
 
-// For a number that is no value of what was asked: anything else that makes
-// sense of it is likelier.
+// The gain of a number that is no value of what was asked. It is small, since
+// any other reading is more likely.
 constexpr float wrong_number_gain = 0.15F;
-// For a verb of what is to be done: less than for a name, more than nothing.
+// The gain of a verb at the beginning of open words: less than a name's.
 constexpr float deed_gain = 0.2F;
 
-// What is to be done may begin with a verb that says little by itself: "remind
+// Open words may begin with a verb that has little meaning by itself: "remind
 // me to take out the bin".
 bool is_deed(const Tokens& tokens, std::size_t position) {
   static constexpr std::array<std::string_view, 12> verbs{
@@ -62,7 +65,7 @@ void Spans::add_forms(const std::vector<EntityId>& entities, Now now) {
   }
 }
 
-// "Dr. Ho tomorrow": a date is no part of a name.
+// The tokens of a time or date are part of no name: "Dr. Ho tomorrow".
 void Spans::mark_plain(const Span& span) {
   if (!span.weak)
     for (auto at = span.begin; at < span.end; ++at)
@@ -85,13 +88,14 @@ void Spans::add_values(const std::vector<EntityId>& entities) {
   }
 }
 
-// Adds it once for each title or determiner that may be counted in.
+// Adds the span, and a copy of it for each title and determiner before it.
 void Spans::add(Span span) {
   const auto tokens = static_cast<float>(span.end - span.begin);
   const auto weight =
       static_cast<float>(utterance_.weight_of(span.begin, span.end));
   span.covered = weight * span.confidence;
-  // "now" is worth no more than the word.
+  // Each token of a value is worth a word, even a function word. A weak value
+  // is worth no more than its words: "now".
   span.gain = (span.weak ? weight : tokens) * span.confidence;
   while (true) {
     by_begin_[span.begin].push_back(static_cast<std::uint32_t>(spans_.size()));
@@ -117,7 +121,7 @@ std::vector<std::uint32_t> Spans::at(EntityId entity,
   return found;
 }
 
-// Whether a value of this entity begins at one of these tokens.
+// Whether a value of this entity begins in [first, last).
 bool Spans::value_near(EntityId entity, std::size_t first,
                        std::size_t last) const {
   for (auto at = first; at < last && at < by_begin_.size(); ++at)
@@ -127,31 +131,34 @@ bool Spans::value_near(EntityId entity, std::size_t first,
   return false;
 }
 
-// Whether a value of any set, said so that it is meant, begins here.
 bool Spans::is_known(std::size_t position) const {
   return std::ranges::any_of(by_begin_[position], [&](std::uint32_t index) {
     return is_set(spans_[index].entity) && !spans_[index].weak;
   });
 }
 
-// Whether the word before may be part of the same name.
+// Whether the word before may belong to the same name.
 bool Spans::inside_name(std::size_t position) const {
   return position > 0 &&
          utterance_.tokens.list[position].before == Break::none &&
          !plain_[position - 1];
 }
 
+// Whether open words may begin or end with this token.
 bool Spans::can_stand(std::size_t position) const {
   return !utterance_.filler[position] && !utterance_.function[position];
 }
 
+// What a token adds to the gain of open words. Unknown words are likelier to be
+// a value than words that grammars use.
 float Spans::open_gain(std::size_t position) const {
   if (!can_stand(position))
     return -0.2F;
   return plain_[position] ? 0.2F : 0.8F;
 }
 
-// One span, where nothing else is meant by it for certain.
+// Returns one span for the longest run of numbers that have no other certain
+// meaning.
 std::vector<std::uint32_t>
 Spans::open_number(EntityId entity, std::size_t position, std::size_t most) {
   const auto& tokens = utterance_.tokens;
@@ -178,6 +185,7 @@ Spans::open_number(EntityId entity, std::size_t position, std::size_t most) {
 
 std::vector<std::uint32_t> Spans::open(EntityId entity, std::size_t position,
                                        std::size_t most) {
+  // The matcher asks the same for every partial match at this position.
   for (const auto& opened : opened_)
     if (opened.entity == entity && opened.position == position &&
         opened.most == most)
@@ -190,6 +198,7 @@ std::vector<std::uint32_t> Spans::open(EntityId entity, std::size_t position,
   }
   const bool of_set = is_set(entity);
   const auto size = utterance_.size();
+  // Titles and determiners may precede the value.
   auto first = position;
   while (first < size && first < position + 3 &&
          (is_title(utterance_.tokens.list[first].word) ||
@@ -197,6 +206,8 @@ std::vector<std::uint32_t> Spans::open(EntityId entity, std::size_t position,
     ++first;
   float gain = 0;
   const bool taken = of_set && (is_known(position) || inside_name(position));
+  // Adds a span for each end at which open words may stop. The gain grows with
+  // each word. Open words of a set stop before a known value of it.
   for (auto at = first; !taken && at < size && at < first + most; ++at) {
     if (at > position && utterance_.tokens.list[at].before != Break::none)
       break;

@@ -1,4 +1,5 @@
-// Where in an utterance a value stands, for each entity that grammars ask for.
+// Finds the places in an utterance where a value stands, for each entity that
+// the grammars mention.
 #pragma once
 
 #include <vector>
@@ -8,32 +9,45 @@
 
 namespace parlour::adapters::nlu {
 
+// A value at a place of the utterance.
 struct Span {
   EntityId entity = words_entity;
-  std::uint32_t begin = 0; // tokens, with titles and determiners before it
+  // Tokens, including titles and determiners before the value.
+  std::uint32_t begin = 0;
   std::uint32_t end = 0;
-  std::uint32_t core = 0;            // where the value itself begins
-  Value value;                       // of a normal form
-  std::vector<std::uint32_t> values; // of a set, equally good ones
+  // The token at which the value itself begins.
+  std::uint32_t core = 0;
+  // Of a normal form.
+  Value value;
+  // Of a set: the values that fit equally well.
+  std::vector<std::uint32_t> values;
   float confidence = 1;
-  bool weak = false;      // only where such a value is expected
-  bool unmatched = false; // words where a value of the set was expected
-  float gain = 0;         // for the score
-  float covered = 0;      // for the share of the utterance understood
+  // Counts only where a value of this entity is expected.
+  bool weak = false;
+  // Words in the place of a value, of which the set has none.
+  bool unmatched = false;
+  // Added to the score of a match.
+  float gain = 0;
+  // Added to the share of the utterance that is understood.
+  float covered = 0;
 };
 
+// Built for one utterance. Refers to schema and utterance, which must outlive
+// it. Spans are addressed by index, since open() adds to the list.
 class Spans {
 public:
-  // `entities` are the ones that the grammars mention, sorted.
+  // `entities` are those that the grammars mention, sorted.
   Spans(const Schema& schema, const Utterance& utterance,
         const std::vector<EntityId>& entities, Now now);
 
-  // Indices of the known values of this entity that begin here.
+  // The spans of known values of this entity that begin at `position`.
   std::vector<std::uint32_t> at(EntityId entity, std::size_t position) const;
 
-  // The same for open words, up to `most` of them. For a set (`entity`) they
-  // are words for which it has no value; none where it has one. For a normal
-  // form they are numbers that are none of it: "25:00".
+  // The spans of words that are no known value, one for each length up to
+  // `most` words. For any words (words_entity) they are the value. For a set
+  // they are an unknown value; no span begins at or inside a known value.
+  // For a normal form they are numbers that are not of this form: "25:00" for a
+  // time.
   std::vector<std::uint32_t> open(EntityId entity, std::size_t position,
                                   std::size_t most);
 
@@ -49,6 +63,7 @@ private:
   void add_values(const std::vector<EntityId>& entities);
   void add(Span span);
   void mark_plain(const Span& span);
+  // Whether a value of any set begins here and is clearly meant.
   bool is_known(std::size_t position) const;
   bool inside_name(std::size_t position) const;
   bool value_near(EntityId entity, std::size_t first, std::size_t last) const;
@@ -57,6 +72,7 @@ private:
                                          std::size_t most);
   float open_gain(std::size_t position) const;
 
+  // What open() has returned, for the next call with the same arguments.
   struct Opened {
     EntityId entity;
     std::size_t position;
@@ -67,9 +83,10 @@ private:
   const Schema& schema_;
   const Utterance& utterance_;
   std::vector<Span> spans_;
-  std::vector<bool> plain_; // the utterance's, and what a normal form takes
+  // Utterance::plain, and the tokens of normal forms.
+  std::vector<bool> plain_;
   std::vector<std::vector<std::uint32_t>> by_begin_;
-  std::vector<Opened> opened_; // what open() has made
+  std::vector<Opened> opened_;
 };
 
 } // namespace parlour::adapters::nlu

@@ -14,7 +14,8 @@ bool is_ascii_alphanumeric(char32_t code) {
          (code >= '0' && code <= '9');
 }
 
-// The letter under an accent.
+// The letter below an accent: the first character of the canonical
+// decomposition.
 UChar32 base_of(UChar32 code) {
   UErrorCode status = U_ZERO_ERROR;
   const auto* normalizer = icu::Normalizer2::getNFDInstance(status);

@@ -8,21 +8,23 @@ namespace {
 
 using Words = std::unordered_set<std::string_view>;
 
-// "I could not find …" still wants it; "did not" tells of the past.
+// Words after which "not" negates no order: "I could not find …" still wants
+// it, and "did not" reports the past.
 const Words& no_orders() {
   static const Words words{"can",  "could", "did", "does", "was", "were",
                            "have", "has",   "had", "why",  "if"};
   return words;
 }
 
-// With one of them behind it, it asks: "do you not", "is it not".
+// Words that after "not" make a question: "do you not …", "is it not …".
 const Words& subjects() {
   static const Words words{"you", "i",  "we",   "there",
                            "it",  "he", "they", "she"};
   return words;
 }
 
-// Not to do one of these is no order about anything else.
+// "do not" before one of these is no order: "don't forget to …", "I don't
+// mind".
 const Words& states_of_mind() {
   static const Words words{
       "know",   "care",     "mind", "forget", "hesitate", "worry", "understand",
@@ -35,6 +37,8 @@ class Negations {
 public:
   explicit Negations(const Tokens& tokens) : tokens_(tokens.list) {}
 
+  // Whether "not" or "never" at this token negates. "you dare" is an exception:
+  // "don't you dare open it" is an order.
   bool at(std::size_t token) const {
     const auto here = word(token);
     if (here != "not" && here != "never")
@@ -44,13 +48,15 @@ public:
     return !subjects().contains(word(token + 1)) || word(token + 2) == "dare";
   }
 
-  // The first word behind it that does not only link.
+  // The first word behind the negation that is not a linking word.
   std::string_view object(std::size_t token) const {
     do
       ++token;
     while (is_linking_word(word(token)) && word(token) != "have");
     return word(token);
   }
+  // Whether the negation is imperative: "do not", "please not", "must not",
+  // "never".
   bool is_order(std::size_t token) const {
     const auto before = word(token - 1);
     return word(token) == "never" || before == "do" || before == "please" ||
@@ -62,7 +68,8 @@ public:
   }
 
 private:
-  // Empty in front of the first and behind the last.
+  // Empty before the first token and behind the last one. The index may wrap
+  // below 0, which is also behind the last one.
   std::string_view word(std::size_t token) const {
     return token < tokens_.size() ? std::string_view(tokens_[token].word)
                                   : std::string_view();

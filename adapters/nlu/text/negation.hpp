@@ -1,5 +1,5 @@
-// Negation: words that turn an order round: "do not open the door", "never open
-// it", "I don't want to". What such an order is about is not to be done.
+// Finds words that negate an order: "do not open the door", "never open it", "I
+// don't want to". Such an order must not be carried out.
 #pragma once
 
 #include <string_view>
@@ -9,14 +9,17 @@
 
 namespace parlour::adapters::nlu {
 
-// Whether each token does so. It does not in what is asked ("why not …", "is
-// there not …", "can't I …") or told of the past.
+// For each token, whether it negates what follows. "not" does not negate in a
+// question ("why not …", "is there not …", "can't I …") or in a report of the
+// past.
 std::vector<bool> negations(const Tokens& tokens);
 
-// May stand between such a word and what it turns round: "(do not) want to".
+// Whether the word may stand between a negation and what it negates: "want" and
+// "to" in "(do not) want to open".
 bool is_linking_word(std::string_view word);
 
-// Whether all that is said is such an order: "please do not …".
+// Whether the utterance as a whole is a negated order: "please do not …".
+// `negates` is the result of negations().
 bool is_negated_order(const Tokens& tokens, const std::vector<bool>& negates);
 
 } // namespace parlour::adapters::nlu

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "runtime/text/edit_distance.hpp"
+
 namespace parlour::adapters::nlu {
 
 namespace {
@@ -13,7 +15,7 @@ constexpr bool is_vowel(char letter) {
   return std::string_view("aeiouy").find(letter) != std::string_view::npos;
 }
 
-// Consonants that sound or are written alike.
+// Consonants that sound alike or look alike.
 constexpr bool is_alike(char left, char right) {
   constexpr std::string_view groups[] = {"ckq", "sz", "fv", "bp", "dt",
                                          "gj",  "mn", "lr", "vw", "sx"};
@@ -24,6 +26,7 @@ constexpr bool is_alike(char left, char right) {
   return false;
 }
 
+// The cost of one letter in the place of another.
 constexpr float change_cost(char left, char right) {
   if (left == right)
     return 0;
@@ -32,13 +35,15 @@ constexpr float change_cost(char left, char right) {
   return is_alike(left, right) ? 0.6F : 1;
 }
 
+// The cost of a letter too many or too few. "h" and "e" are often silent.
 constexpr float extra_cost(char letter) {
   return letter == 'h' || letter == 'e' ? 0.6F : is_vowel(letter) ? 0.8F : 1;
 }
 
 constexpr std::size_t letters = 26;
 
-// The costs of letters, looked up.
+// The costs of all letters, computed once by the compiler: similarity() runs
+// for every candidate of every word.
 struct Costs {
   std::array<std::array<float, letters>, letters> change{};
   std::array<float, letters> extra{};
@@ -55,53 +60,25 @@ struct Costs {
 
 constexpr Costs costs;
 
-float change(char left, char right) {
-  const auto first = static_cast<std::size_t>(left - 'a');
-  const auto second = static_cast<std::size_t>(right - 'a');
-  if (first < letters && second < letters)
-    return costs.change[first][second];
-  return left == right ? 0 : 1;
-}
+// Bytes other than a to z are compared as they are; a doubled letter is cheap.
+struct SoundCosts {
+  using Number = float;
+  static constexpr float swapped = 0.6F;
 
-// A letter too many or too few, after `before`.
-float extra(char letter, char before) {
-  if (letter == before)
-    return 0.4F;
-  const auto place = static_cast<std::size_t>(letter - 'a');
-  return place < letters ? costs.extra[place] : 1;
-}
-
-using Row = std::array<float, longest + 1>;
-
-char before(std::string_view word, std::size_t position) {
-  return position >= 2 ? word[position - 2] : '\0';
-}
-
-void fill_row(std::string_view left, std::string_view right, std::size_t i,
-              const Row& older, const Row& old, Row& row) {
-  row[0] = old[0] + extra(left[i - 1], before(left, i));
-  for (std::size_t j = 1; j <= right.size(); ++j) {
-    row[j] = std::min({old[j - 1] + change(left[i - 1], right[j - 1]),
-                       old[j] + extra(left[i - 1], before(left, i)),
-                       row[j - 1] + extra(right[j - 1], before(right, j))});
-    if (i > 1 && j > 1 && left[i - 1] == right[j - 2] &&
-        left[i - 2] == right[j - 1])
-      row[j] = std::min(row[j], older[j - 2] + 0.6F);
+  static float change(char left, char right) {
+    const auto first = static_cast<std::size_t>(left - 'a');
+    const auto second = static_cast<std::size_t>(right - 'a');
+    if (first < letters && second < letters)
+      return costs.change[first][second];
+    return left == right ? 0 : 1;
   }
-}
-
-float distance(std::string_view left, std::string_view right) {
-  Row older, old, row;
-  old[0] = 0;
-  for (std::size_t j = 1; j <= right.size(); ++j)
-    old[j] = old[j - 1] + extra(right[j - 1], before(right, j));
-  for (std::size_t i = 1; i <= left.size(); ++i) {
-    fill_row(left, right, i, older, old, row);
-    std::copy_n(old.begin(), right.size() + 1, older.begin());
-    std::copy_n(row.begin(), right.size() + 1, old.begin());
+  static float extra(char letter, char before) {
+    if (letter == before)
+      return 0.4F;
+    const auto place = static_cast<std::size_t>(letter - 'a');
+    return place < letters ? costs.extra[place] : 1;
   }
-  return old[right.size()];
-}
+};
 
 } // namespace
 
@@ -113,7 +90,9 @@ double similarity(std::string_view left, std::string_view right) {
   const auto length = static_cast<double>(std::max(left.size(), right.size()));
   if (left.empty() || right.empty())
     return 0;
-  return std::max(0.0, 1 - double(distance(left, right)) / length);
+  return std::max(0.0,
+                  1 - double(edit_distance<longest, SoundCosts>(left, right)) /
+                          length);
 }
 
 double similarity_needed(std::size_t length) {
@@ -123,6 +102,7 @@ double similarity_needed(std::size_t length) {
 std::string did_you_mean(std::string_view word,
                          std::span<const std::string> known) {
   const std::string* best = nullptr;
+  // Below this a suggestion is more confusing than helpful.
   double score = 0.6;
   for (const auto& one : known) {
     if (const auto alike = similarity(word, one); alike > score) {

@@ -1,4 +1,5 @@
-// How alike two words are, for misspellings and a recogniser's slips.
+// Measures how similar two words are, to recognise misspellings and mistakes of
+// a speech recogniser.
 #pragma once
 
 #include <span>
@@ -7,17 +8,23 @@
 
 namespace parlour::adapters::nlu {
 
-// 1 for equal words, 0 for nothing in common: a weighted edit distance in
-// which a doubled letter, a vowel for a vowel, a silent letter and neighbours
-// that change places cost less than one. Bytes of long words beyond 32 are not
-// looked at.
+// 1 for equal words, 0 for words with nothing in common. It is 1 minus a
+// weighted edit distance divided by the length of the longer word. Errors that
+// are common in spelling cost less than 1: a doubled letter, one vowel for
+// another, consonants that sound alike, a silent letter, two neighbours that
+// change places.
+//
+// Only the first 32 bytes are compared, so the time is bounded. Words must be
+// in lower case.
 double similarity(std::string_view left, std::string_view right);
 
-// Below this two words are not the same word misspelt; short words must be
-// closer.
+// The least similarity at which a word of this length counts as a misspelling.
+// Short words must be more similar: in "bat" one wrong letter makes another
+// word.
 double similarity_needed(std::size_t length);
 
-// ", did you mean 'x'?" for the most similar of `known`, or nothing.
+// ", did you mean 'x'?" with the most similar of `known`, or an empty text if
+// none is similar. For the end of an error message.
 std::string did_you_mean(std::string_view word,
                          std::span<const std::string> known);
 

@@ -1,3 +1,6 @@
+// The tokenizer reads characters and decides for each whether it belongs to the
+// current word. Punctuation inside of numbers, abbreviations and e-mail
+// addresses does.
 #include "adapters/nlu/text/tokens.hpp"
 
 #include <algorithm>
@@ -14,6 +17,7 @@ bool is_digit(char32_t code) {
   return code >= '0' && code <= '9';
 }
 
+// Typewriter and typographic apostrophes.
 bool is_apostrophe(char32_t code) {
   return code == '\'' || code == 0x2019 || code == 0x2018 || code == '`';
 }
@@ -23,6 +27,8 @@ bool is_email_character(char32_t code) {
          code == '+' || code == '@' || code == '%';
 }
 
+// What a character between words separates. 0x2013 and 0x2014 are dashes,
+// 0x2026 is an ellipsis.
 Break break_of(char32_t code) {
   switch (code) {
   case ',':
@@ -44,6 +50,7 @@ Break break_of(char32_t code) {
   }
 }
 
+// Reads the text from left to right, one word at a time.
 class Tokenizer {
 public:
   explicit Tokenizer(std::string_view text) : text_(text) {}
@@ -66,10 +73,13 @@ private:
                                       : 0;
   }
 
+  // A telephone number may begin with "+".
   bool starts_word() const {
     return is_word_character(peek()) || (peek() == '+' && is_digit(peek(1)));
   }
 
+  // Moves to the next word and notes the strongest break on the way. False at
+  // the end of the text.
   bool skip_to_word() {
     break_ = Break::none;
     while (at_ < text_.size() && !starts_word()) {
@@ -80,7 +90,7 @@ private:
     return at_ < text_.size();
   }
 
-  // "Dr. Ho": the full stop after a title or an initial ends nothing.
+  // A full stop after a title or an initial ends no sentence: "Dr. Ho".
   void note_break(Break found) {
     if (found == Break::sentence && !tokens_.list.empty()) {
       const auto& last = tokens_.list.back();
@@ -101,7 +111,9 @@ private:
     push();
   }
 
-  // Length of the e-mail address that starts here, or 0.
+  // The length of the e-mail address that begins here, or 0. It must have an
+  // "@" with characters on both sides; punctuation at its end does not belong
+  // to it.
   std::size_t email_length() const {
     auto end = at_;
     auto sign = std::string_view::npos;
@@ -129,6 +141,8 @@ private:
     }
   }
 
+  // `previous_` is the character before the current one inside of the same
+  // word.
   void take_characters() {
     previous_ = 0;
     while (at_ < text_.size()) {
@@ -147,8 +161,8 @@ private:
       append_folded(raw_, code);
   }
 
-  // Whether a character that is no letter stands inside of a word; appends
-  // what of it is kept.
+  // Whether a character that is no letter belongs to the word. Appends what is
+  // kept of it: the apostrophe of a contraction, and the signs between digits.
   bool joins(Character character) {
     const auto next = peek(character.length);
     if (at_ == begin_ && character.code == '+') {
@@ -164,6 +178,7 @@ private:
     return character.code == '.' && is_initial(next);
   }
 
+  // "1,000" loses its comma; "10:30", "9123-4567" and "2.5" keep their sign.
   bool joins_digits(char32_t code) {
     if (code == ',')
       return true;
@@ -173,7 +188,7 @@ private:
     return true;
   }
 
-  // "a.m.": letters that stand alone between full stops are one word.
+  // "a.m." is one word: single letters between full stops.
   bool is_initial(char32_t next) const {
     const auto after = peek(2);
     return raw_.size() <= 4 && next < 0x80 && !is_digit(next) &&
@@ -181,6 +196,8 @@ private:
            (raw_.size() == 1 || text_[at_ - 2] == '.');
   }
 
+  // Adds the word. A contraction becomes two tokens, which share the bytes of
+  // the text at the apostrophe; a possessive loses its "'s".
   void push() {
     if (const auto expanded = contraction(raw_); !expanded.empty()) {
       const auto blank = expanded.find(' ');
@@ -190,6 +207,7 @@ private:
       push(std::string(expanded.substr(blank + 1)), middle, at_);
       return;
     }
+    // "Ho's" is Ho.
     if (raw_.size() > 2 && raw_.ends_with("'s"))
       raw_.resize(raw_.size() - 2);
     std::erase(raw_, '\'');
@@ -197,6 +215,7 @@ private:
       push(raw_, begin_, at_);
   }
 
+  // \xE2 is the first byte of a typographic apostrophe.
   std::size_t middle_of_contraction() const {
     const auto part = text_.substr(begin_, at_ - begin_);
     const auto apostrophe = part.find_first_of("'\xE2`");

@@ -1,6 +1,6 @@
-// Words of an utterance, of a grammar or of a value, all made the same way so
-// that they can be compared. Tolerant: any bytes are taken, what is not valid
-// UTF-8 separates words. Time is linear in the text.
+// The tokenizer. It splits utterances, grammars and values in the same way, so
+// that their words can be compared. It accepts any bytes; bytes that are not
+// valid UTF-8 separate words. Time is linear in the length of the text.
 #pragma once
 
 #include <cstddef>
@@ -11,17 +11,20 @@
 
 namespace parlour::adapters::nlu {
 
-// What more there is than this is not looked at; `Tokens::truncated` says so.
+// The rest of a longer text is ignored, and `truncated` is set. The rest of a
+// longer word is ignored, too.
 inline constexpr std::size_t max_tokens = 160;
 inline constexpr std::size_t max_word_bytes = 64;
 
-// What stands between a word and the one before it.
+// The punctuation between a word and the one before it, weakest first.
 enum class Break : std::uint8_t { none, comma, sentence };
 
 struct Token {
-  std::uint32_t begin = 0; // bytes of the text
+  // Bytes of the text.
+  std::uint32_t begin = 0;
   std::uint32_t end = 0;
-  std::string word; // lower case, accents and apostrophes gone
+  // Lower case, without accents and apostrophes.
+  std::string word;
   Break before = Break::none;
 };
 
@@ -30,11 +33,11 @@ struct Tokens {
   bool truncated = false;
 };
 
-// "I'm at Ho's, 10:30am" is: i am at ho 10:30am. Times, dates, telephone
-// numbers and e-mail addresses stay one word.
+// "I'm at Ho's, 10:30am" gives i, am, at, ho, 10:30am. Contractions are
+// expanded; times, dates, telephone numbers and e-mail addresses stay one word.
 Tokens tokenize(std::string_view text);
 
-// The part of the text that tokens [first, last) stand for.
+// The part of the text that tokens [first, last) cover.
 std::string_view words_of(std::string_view text, const Tokens& tokens,
                           std::size_t first, std::size_t last);
 

@@ -10,11 +10,14 @@ namespace parlour::adapters::nlu {
 
 namespace {
 
-constexpr std::size_t most_hits = 8;
+// A misspelling is looked for only if the word has at least three letters,
+// among words whose length differs by at most three.
+constexpr std::size_t max_hits = 8;
 constexpr std::size_t shortest_misspelt = 3;
-constexpr std::size_t most_extra = 3; // letters
+constexpr std::size_t max_extra = 3;
 constexpr std::size_t longest_short = 5;
 
+// Three bytes as one number.
 std::uint32_t trigram(const std::string& padded, std::size_t position) {
   std::uint32_t key = 0;
   for (std::size_t offset = 0; offset < 3; ++offset)
@@ -22,9 +25,10 @@ std::uint32_t trigram(const std::string& padded, std::size_t position) {
   return key;
 }
 
-// Short words have few trigrams, and one wrong letter spoils them all: also
-// those with the same ends ("omg", "ong") and of the same letters ("tna",
-// "tan") are near.
+// A short word has few trigrams, and one wrong letter changes all of them. So
+// words with the same first and last letter ("omg", "ong") and words of the
+// same letters ("tna", "tan") share a key as well. The high byte, which is 0 in
+// a trigram, keeps the kinds of keys apart.
 void add_keys_of_short(std::string word, std::vector<std::uint32_t>& keys) {
   const auto byte = [&](std::size_t at) {
     return static_cast<std::uint32_t>(static_cast<unsigned char>(word[at]));
@@ -37,8 +41,8 @@ void add_keys_of_short(std::string word, std::vector<std::uint32_t>& keys) {
   keys.push_back(0x0200'0000U | (letters & 0x00FF'FFFFU));
 }
 
-// What near words have in common: each trigram of the word with its ends
-// marked, once.
+// The keys of a word, sorted and without duplicates: its trigrams, with its
+// ends marked by ^ and $.
 std::vector<std::uint32_t> keys_of(const std::string& word) {
   const auto padded = '^' + word + '$';
   std::vector<std::uint32_t> keys;
@@ -88,6 +92,10 @@ std::vector<WordIndex::Hit> WordIndex::find(std::string_view word,
   return hits;
 }
 
+// Collects all words that share a key with `word` and compares those that share
+// enough: two keys, or one for a short word. Sorting groups equal numbers, so
+// the length of a group is the number of shared keys. Computing the similarity,
+// the expensive part, is thus done for few words only.
 void WordIndex::add_misspelt(const std::string& word,
                              std::vector<Hit>& hits) const {
   std::vector<WordId> near;
@@ -104,15 +112,15 @@ void WordIndex::add_misspelt(const std::string& word,
     if (at - first < shared || other == word || other.size() < 2)
       continue;
     const auto length = std::min(word.size(), other.size());
-    if (std::max(word.size(), other.size()) > length + most_extra)
+    if (std::max(word.size(), other.size()) > length + max_extra)
       continue;
     const auto alike = similarity(word, other);
     if (alike >= similarity_needed(length))
       hits.push_back({near[first], alike});
   }
   std::ranges::stable_sort(hits, std::greater(), &Hit::similarity);
-  if (hits.size() > most_hits)
-    hits.resize(most_hits);
+  if (hits.size() > max_hits)
+    hits.resize(max_hits);
 }
 
 } // namespace parlour::adapters::nlu

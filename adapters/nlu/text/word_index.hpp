@@ -1,4 +1,5 @@
-// The words of all values, found exactly, in another number, or misspelt.
+// WordIndex finds a word among the words of all values: exactly, in singular or
+// plural, or misspelt.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +10,8 @@
 
 namespace parlour::adapters::nlu {
 
-// For lookups by string_view in maps of strings.
+// A hash table with strings as keys in which a string_view can be looked up
+// without a copy.
 struct TextHash {
   using is_transparent = void;
   std::size_t operator()(std::string_view text) const {
@@ -21,9 +23,12 @@ template <class Value>
 using TextMap =
     std::unordered_map<std::string, Value, TextHash, std::equal_to<>>;
 
-// "shops" is "shop": so both are found for each other.
+// The singular of an English noun by rule: "shops" gives "shop". Words are
+// stored and looked up in this form, so that either number finds the other.
 std::string singular(std::string_view word);
 
+// Not thread-safe while words are added; afterwards any number of threads may
+// find.
 class WordIndex {
 public:
   using WordId = std::uint32_t;
@@ -33,11 +38,12 @@ public:
     double similarity = 1;
   };
 
-  // The word's number; new words get the next one.
+  // Returns the number of the word, which is new if its singular is not yet
+  // there. Numbers count from 0.
   WordId add(std::string_view word);
 
-  // The word itself where it is there, then misspellings of it if wanted, best
-  // first, not more than eight.
+  // The word itself, if it is there, then misspellings of it if `misspelt`; the
+  // most similar first, at most eight.
   std::vector<Hit> find(std::string_view word, bool misspelt) const;
   std::size_t size() const {
     return words_.size();
@@ -48,6 +54,7 @@ private:
 
   std::vector<std::string> words_;
   TextMap<WordId> numbers_;
+  // Words by the keys that similar words share (keys_of in the source).
   std::unordered_map<std::uint32_t, std::vector<WordId>>
       near_; // by what words have in common
 };

@@ -24,6 +24,7 @@ const Words& determiners() {
   return words;
 }
 
+// "s/o" and "d/o" (son of, daughter of) are two words to the tokenizer.
 const Words& connectors() {
   static const Words words{"bin", "binte", "binti", "bte", "s", "d", "o", "al"};
   return words;
@@ -57,6 +58,7 @@ const Words& function_words() {
   return words;
 }
 
+// Longer phrases need not come first: every phrase that matches is marked.
 constexpr std::array<std::string_view, 27> fillers{
     "er",        "erm",
     "um",        "uh",
@@ -77,6 +79,7 @@ struct Contraction {
   std::string_view word;
   std::string_view meant;
 };
+// With and without apostrophe, as speech recognisers write both.
 constexpr Contraction contractions[] = {
     {"i'm", "i am"},
     {"im", "i am"},

@@ -7,9 +7,11 @@ namespace parlour::adapters::nlu {
 
 namespace {
 
-constexpr std::size_t most_islands = 20;
-constexpr std::size_t most_guesses = 3;
+// How much is shown: the best islands, and the most likely topics.
+constexpr std::size_t max_islands = 20;
+constexpr std::size_t max_hypotheses = 3;
 
+// Scores need no more precision to be compared.
 std::string two_digits(double number) {
   char text[32];
   std::snprintf(text, sizeof text, "%.2f", number);
@@ -27,8 +29,8 @@ Explanation::lines(const std::vector<Island>& islands,
   for (const auto& one : islands)
     sorted.push_back(&one);
   std::ranges::stable_sort(sorted, std::greater(), &Island::score);
-  if (sorted.size() > most_islands)
-    sorted.resize(most_islands);
+  if (sorted.size() > max_islands)
+    sorted.resize(max_islands);
   for (const auto* one : sorted)
     made.push_back("island " + island(*one));
   for (const auto& chain : chains) {
@@ -41,18 +43,20 @@ Explanation::lines(const std::vector<Island>& islands,
   return made;
 }
 
-std::vector<std::string> Explanation::learnt(const Learned& learned) const {
+std::vector<std::string>
+Explanation::learnt(const TrainedModel& learned) const {
   if (learned.empty() || utterance_.size() == 0)
     return {};
   const auto words = learning_words(utterance_, spans_);
-  const auto guesses = learned.topics(words);
-  if (guesses.empty())
+  const auto hypotheses = learned.topics(words);
+  if (hypotheses.empty())
     return {"learnt nothing of these words"};
   std::string line = "learnt";
-  for (std::size_t at = 0; at < guesses.size() && at < most_guesses; ++at)
-    line += " " + two_digits(guesses[at].probability) + " " +
-            topic(guesses[at].topic);
-  for (const auto& slot : learned.slots(guesses[0].topic, word_features(words)))
+  for (std::size_t at = 0; at < hypotheses.size() && at < max_hypotheses; ++at)
+    line += " " + two_digits(hypotheses[at].probability) + " " +
+            topic(hypotheses[at].topic);
+  for (const auto& slot :
+       learned.slots(hypotheses[0].topic, word_features(words)))
     line += " " + slot.slot + "=\"" +
             std::string(words_of(utterance_.text, utterance_.tokens, slot.begin,
                                  slot.end)) +
@@ -60,6 +64,7 @@ std::vector<std::string> Explanation::learnt(const Learned& learned) const {
   return {line};
 }
 
+// Marks fillers, and words that no rule has.
 std::string Explanation::tokens() const {
   std::string line = "tokens";
   for (std::size_t at = 0; at < utterance_.size(); ++at) {
@@ -74,6 +79,8 @@ std::string Explanation::tokens() const {
   return line;
 }
 
+// The score, the words and the rule; then what it says. A confidence below 1
+// means that the value was not said exactly.
 std::string Explanation::island(const Island& one) const {
   auto line = two_digits(one.score) + " \"" +
               std::string(words_of(utterance_.text, utterance_.tokens,

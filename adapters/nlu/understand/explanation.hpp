@@ -1,26 +1,30 @@
-// Says why an utterance was understood as it was, for `parlour understand`.
+// Explains why an utterance was understood as it was, for `parlour understand`.
+// The lines are described in docs/understanding.md.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "adapters/nlu/parse/acts.hpp"
-#include "adapters/nlu/understand/learned.hpp"
+#include "adapters/nlu/understand/trained_model.hpp"
 
 namespace parlour::adapters::nlu {
 
+// Refers to its arguments, which must outlive it.
 class Explanation {
 public:
   Explanation(const Utterance& utterance, const Spans& spans,
               const Schema& schema)
       : utterance_(utterance), spans_(spans), schema_(schema) {}
 
+  // Tokens, islands, chains and acts, a line each.
   std::vector<std::string> lines(const std::vector<Island>& islands,
                                  const std::vector<Chain>& chains,
                                  const std::vector<BuiltAct>& acts) const;
 
-  // Which topics the examples speak for, and the slots of the likeliest.
-  std::vector<std::string> learnt(const Learned& learned) const;
+  // The topics for which the examples speak, and the slots of the most likely
+  // one.
+  std::vector<std::string> learnt(const TrainedModel& learned) const;
 
 private:
   std::string tokens() const;

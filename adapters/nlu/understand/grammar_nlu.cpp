@@ -1,3 +1,6 @@
+// The plug-in around NluEngine: it reads the options, builds the engine at its
+// start, and passes each text on. After its start it has no state that changes,
+// so it is an inline component (engine rule 1.2).
 #include "adapters/nlu/understand/grammar_nlu.hpp"
 
 #include <algorithm>
@@ -12,6 +15,7 @@ namespace parlour::adapters {
 
 namespace {
 
+// Also the source of the defaults.
 const std::vector<OptionDescription>& option_descriptions() {
   static const std::vector<OptionDescription> descriptions{
       {"threshold", "0.4",
@@ -34,8 +38,8 @@ bool is_of_data(const Error& error) {
   return error.kind == ErrorKind::database || error.kind == ErrorKind::file;
 }
 
-// All of them in one: the first one's place, a line for each. Where the data
-// cannot be read, the first says why for all.
+// Joins errors to one with a line for each. An error of data stands alone: if
+// the database cannot be read, all others follow from that.
 Error joined(const std::vector<Error>& errors) {
   const auto data = std::ranges::find_if(errors, is_of_data);
   if (data != errors.end())
@@ -54,13 +58,14 @@ Error joined(const std::vector<Error>& errors) {
 
 class GrammarNLU : public NLUPlugin {
 protected:
-  // A context without a clock gets the platform's.
+  // Times such as "in ten minutes" need the present time. If the context does
+  // not give it, the platform's clock does.
   std::vector<Value> understand(const std::string& text,
                                 const Map& given) const override {
     auto context = given;
     if (!context.find("now"))
       context.set("now", host().clock().now());
-    return understander_->understand(text, std::move(context)).acts;
+    return engine_->understand(text, std::move(context)).acts;
   }
 
   Expected<void> on_start(const Options& options) override {
@@ -69,18 +74,18 @@ protected:
           !fits)
         return fits;
     const auto model = host().understanding();
-    auto built = nlu::build_understander(
+    auto built = nlu::build_engine(
         options, model ? *model : UnderstandingModel(),
         [this](const std::string& name) { return host().column(name); },
         host().application_folder());
     if (!built)
       return tl::make_unexpected(joined(built.error()));
-    understander_ = std::make_unique<nlu::Understander>(std::move(*built));
+    engine_ = std::make_unique<nlu::NluEngine>(std::move(*built));
     return {};
   }
 
 private:
-  std::unique_ptr<nlu::Understander> understander_;
+  std::unique_ptr<nlu::NluEngine> engine_;
 };
 
 } // namespace
@@ -91,6 +96,7 @@ Expected<GrammarModel> read_grammar(const std::string& path) {
   auto text = read_file(path);
   if (!text)
     return tl::make_unexpected(text.error());
+  // "config/taxi.jsgf" is the grammar "taxi".
   const auto slash = path.find_last_of('/');
   auto name = slash == std::string::npos ? path : path.substr(slash + 1);
   return GrammarModel{
@@ -115,7 +121,7 @@ namespace {
 void read_threshold(const Options& options, double& threshold,
                     std::vector<Error>& errors) {
   const auto given = option(options, "threshold");
-  // What is no number is told where the settings are checked.
+  // The settings have been checked: the option is a number.
   threshold = parse_number(given).number_or(threshold);
   if (threshold < 0 || threshold > 1)
     errors.push_back(
@@ -125,6 +131,7 @@ void read_threshold(const Options& options, double& threshold,
          {}});
 }
 
+// Adds the examples of a file to those of the topics.
 void read_examples(const Options& options,
                    const std::string& application_folder,
                    UnderstandingModel& model, std::vector<Error>& errors) {
@@ -140,19 +147,21 @@ void read_examples(const Options& options,
 
 } // namespace
 
-tl::expected<Understander, std::vector<Error>>
-build_understander(const Options& options, UnderstandingModel model,
-                   const ColumnReader& columns,
-                   const std::string& application_folder) {
+tl::expected<NluEngine, std::vector<Error>>
+build_engine(const Options& options, UnderstandingModel model,
+             const ColumnReader& columns,
+             const std::string& application_folder) {
+  // Everything is read even after an error, so that all errors are reported at
+  // once.
   std::vector<Error> errors;
-  Understander::Options wanted;
+  NluEngine::Options wanted;
   read_threshold(options, wanted.threshold, errors);
   if (auto generic = read_generic(options, application_folder))
     wanted.generic = {std::move(*generic)};
   else
     errors.push_back(generic.error());
   read_examples(options, application_folder, model, errors);
-  auto built = Understander::build(model, columns, std::move(wanted));
+  auto built = NluEngine::build(model, columns, std::move(wanted));
   if (!built)
     errors.insert(errors.end(), built.error().begin(), built.error().end());
   if (!errors.empty())

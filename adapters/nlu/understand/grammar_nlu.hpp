@@ -1,16 +1,19 @@
-// GrammarNLU: the plug-in for the role NLU. Answers DoNLU(text, context?) with
-// FrameInfo(act…) or NoResult(text) (understanding; roles).
+// GrammarNLU is the plug-in for the role NLU. It answers DoNLU(text, context?)
+// with FrameInfo(act…) or NoResult(text). docs/understanding.md describes what
+// it understands.
 //
-// Options: threshold (0.4); examples, a file of the application's folder with
-// further examples (example_file.hpp); platform, the folder of what the
-// platform ships (config/platform), set by the composition root; generic, a
-// file of the application's folder instead of its generic-acts.jsgf.
+//  option     default
+//  threshold  0.4   acts with a lower score are not understood
+//  examples         a file of the application with further examples
+//  platform         the folder config/platform; the composition root sets it
+//  generic          a grammar of the application that replaces the platform's
+//                   generic-acts.jsgf
 //
-// Names and values are read from the database once, at start: what is written
-// to it later is understood after the next start.
+// Names and values are read from the database once, at the start. What is
+// written to it later is understood after the next start.
 #pragma once
 
-#include "adapters/nlu/understand/understander.hpp"
+#include "adapters/nlu/understand/nlu_engine.hpp"
 #include "runtime/plugin/plugin.hpp"
 
 namespace parlour::adapters {
@@ -19,19 +22,19 @@ PluginFactory grammar_nlu_factory();
 
 namespace nlu {
 
-// A grammar's file as it is.
+// Reads a grammar from a file; its name is that of the file.
 Expected<GrammarModel> read_grammar(const std::string& path);
 
-// The grammar of generic acts that the options choose. The application's folder
-// is absolute.
+// Reads the grammar of generic acts that the options choose. The application's
+// folder is an absolute path.
 Expected<GrammarModel> read_generic(const Options& options,
                                     const std::string& application_folder);
 
-// What the options and the application make; otherwise all that is wrong.
-tl::expected<Understander, std::vector<Error>>
-build_understander(const Options& options, UnderstandingModel model,
-                   const ColumnReader& columns,
-                   const std::string& application_folder);
+// Builds the engine for an application, or returns all errors.
+tl::expected<NluEngine, std::vector<Error>>
+build_engine(const Options& options, UnderstandingModel model,
+             const ColumnReader& columns,
+             const std::string& application_folder);
 
 } // namespace nlu
 

@@ -8,7 +8,7 @@ namespace parlour::adapters::nlu {
 
 namespace {
 
-void report(std::vector<Error>& errors, const Place& place,
+void report(std::vector<Error>& errors, const SourceLocation& place,
             std::string message) {
   errors.push_back({ErrorKind::compile, std::move(message), place});
 }
@@ -41,8 +41,11 @@ Schema::Schema(const UnderstandingModel& model, const ColumnReader& reader,
   }
 }
 
-EntityId Schema::entity_of(const SlotModel& slot, const Place& place,
+// The kind of value of a slot: its own set, a column, a range of numbers, a
+// normal form, or any words.
+EntityId Schema::entity_of(const SlotModel& slot, const SourceLocation& place,
                            std::vector<Error>& errors) {
+  // The order matters: a slot of a set or column may have a type as well.
   if (!slot.values.empty())
     return add_set(slot.values);
   if (!slot.source.empty())
@@ -58,7 +61,8 @@ EntityId Schema::add_set(const std::vector<std::string>& values) {
   return first_set_entity + values_.add(values);
 }
 
-EntityId Schema::column(const std::string& name, const Place& place,
+// Each column is read once; slots and grammars that name it share its set.
+EntityId Schema::column(const std::string& name, const SourceLocation& place,
                         std::vector<Error>& errors) {
   if (const auto found = columns_.find(name); found != columns_.end())
     return found->second;
@@ -70,6 +74,7 @@ EntityId Schema::column(const std::string& name, const Place& place,
   } else {
     auto error = read.error();
     error.message = "@" + name + ": " + error.message;
+    // An error of the reader may have a better place, such as a file of SQL.
     if (error.place.file.empty())
       error.place = place;
     errors.push_back(std::move(error));
@@ -77,8 +82,10 @@ EntityId Schema::column(const std::string& name, const Place& place,
   return columns_[name] = add_set(values);
 }
 
+// A name with a point is a slot; without one it is a normal form, "words" or
+// "asked".
 std::optional<Schema::Reference> Schema::resolve(std::string_view text,
-                                                 const Place& place,
+                                                 const SourceLocation& place,
                                                  std::vector<Error>& errors) {
   if (text.starts_with("db:"))
     return Reference{column(std::string(text), place, errors), no_topic, ""};
@@ -95,9 +102,11 @@ std::optional<Schema::Reference> Schema::resolve(std::string_view text,
   return {};
 }
 
+// Resolves "Topic.Slot"; an error suggests the most similar name.
 std::optional<Schema::Reference>
 Schema::slot_reference(std::string_view topic_name, std::string_view slot_name,
-                       const Place& place, std::vector<Error>& errors) const {
+                       const SourceLocation& place,
+                       std::vector<Error>& errors) const {
   const auto number = topic(topic_name);
   if (number == no_topic) {
     report(errors, place,

@@ -1,5 +1,6 @@
-// The application's topics and slots, numbered, and what kind of value belongs
-// to each; resolves the `@…` of grammars. Built once, then only read.
+// Schema holds the application's topics and slots, numbered, with the kind of
+// value that belongs to each slot. It also resolves the references (`@…`) of
+// grammars.
 #pragma once
 
 #include <cstdint>
@@ -10,15 +11,23 @@
 
 #include "adapters/nlu/forms/normal_forms.hpp"
 #include "adapters/nlu/values/value_index.hpp"
-#include "runtime/base/understanding.hpp"
+#include "runtime/message/understanding.hpp"
 
 namespace parlour::adapters::nlu {
 
+// The index of a topic in Schema::topics().
 using TopicNumber = std::uint32_t;
 inline constexpr TopicNumber no_topic = 0xFFFFFFFF;
 
-// What a place in a grammar takes: a normal form, any words, the value that
-// the context asks for, or one of a set.
+// What may stand at a place in a grammar: a normal form, any words (`@words`),
+// the value that the context asks for (`@asked`), or a value of a set. One
+// number covers all of them, so that an arc of the automaton needs only one
+// field:
+//
+//  0 …                  the normal forms, as in enum Form
+//  words_entity         any words
+//  asked_entity         what the last question wants
+//  first_set_entity …   the sets of values, by SetId
 using EntityId = std::uint32_t;
 inline constexpr EntityId words_entity = form_count;
 inline constexpr EntityId asked_entity = form_count + 1;
@@ -31,6 +40,8 @@ inline bool is_set(EntityId entity) {
   return entity >= first_set_entity;
 }
 
+// Built once, then only read, by any number of threads; resolve() belongs to
+// building.
 class Schema {
 public:
   struct Slot {
@@ -44,45 +55,52 @@ public:
 
     const Slot* find(std::string_view slot) const;
   };
+  // What `@…` in a grammar stands for.
   struct Reference {
     EntityId entity = words_entity;
-    TopicNumber topic = no_topic; // where the reference names a slot
+    // If the reference names a slot, its topic and name.
+    TopicNumber topic = no_topic;
     std::string slot;
   };
 
-  // A column that cannot be read is an error and an empty set.
+  // Reads the columns that slots name. One that cannot be read is an error and
+  // counts as an empty set.
   Schema(const UnderstandingModel& model, const ColumnReader& reader,
          std::vector<Error>& errors);
 
-  // "Facility.Category", "db:rr_staff.staff_name", "time", "words", "asked".
-  std::optional<Reference> resolve(std::string_view text, const Place& place,
+  // Resolves "Facility.Category", "db:rr_staff.staff_name", "time", "words" or
+  // "asked". Reads a column that was not named before.
+  std::optional<Reference> resolve(std::string_view text,
+                                   const SourceLocation& place,
                                    std::vector<Error>& errors);
 
-  TopicNumber topic(std::string_view name) const; // no_topic for none
+  // no_topic if there is none of that name.
+  TopicNumber topic(std::string_view name) const;
   const Topic& at(TopicNumber number) const {
     return topics_[number];
   }
   const std::vector<Topic>& topics() const {
     return topics_;
   }
-  // All topics that have this slot.
+  // All topics that have a slot of this name.
   std::vector<TopicNumber> topics_with(std::string_view slot) const;
   std::vector<std::string> topic_names() const;
-  std::vector<std::string> slot_names(TopicNumber topic) const; // or of all
+  // The slots of one topic, or of all for no_topic. For error messages.
+  std::vector<std::string> slot_names(TopicNumber topic) const;
 
   const ValueIndex& values() const {
     return values_;
   }
 
 private:
-  EntityId entity_of(const SlotModel& slot, const Place& place,
+  EntityId entity_of(const SlotModel& slot, const SourceLocation& place,
                      std::vector<Error>& errors);
-  EntityId column(const std::string& name, const Place& place,
+  EntityId column(const std::string& name, const SourceLocation& place,
                   std::vector<Error>& errors);
   EntityId add_set(const std::vector<std::string>& values);
   std::optional<Reference> slot_reference(std::string_view topic_name,
                                           std::string_view slot_name,
-                                          const Place& place,
+                                          const SourceLocation& place,
                                           std::vector<Error>& errors) const;
 
   ColumnReader reader_;

@@ -1,3 +1,5 @@
+// Building the index. Each value may have up to 16 words, one bit each in a
+// mask. Light words are indexed but not required.
 #include "adapters/nlu/values/value_index.hpp"
 
 #include <algorithm>
@@ -11,9 +13,11 @@ namespace parlour::adapters::nlu {
 
 namespace {
 
-constexpr std::size_t most_words = 16;
+// As many as a mask has bits.
+constexpr std::size_t max_words = 16;
 
-// The words of a value that it is known by: no titles, unless it is one.
+// The words by which a value is known. Titles are left out, unless the value
+// consists of nothing else.
 std::vector<std::string> value_words(const std::string& text) {
   std::vector<std::string> words;
   for (auto& token : tokenize(text).list)
@@ -22,8 +26,8 @@ std::vector<std::string> value_words(const std::string& text) {
   std::erase_if(rest, [](const std::string& word) { return is_title(word); });
   if (!rest.empty())
     words = std::move(rest);
-  if (words.size() > most_words)
-    words.resize(most_words);
+  if (words.size() > max_words)
+    words.resize(max_words);
   return words;
 }
 
@@ -47,6 +51,7 @@ void ValueIndex::add_value(const std::string& text, SetId set) {
   const auto number = static_cast<std::uint32_t>(values_.size());
   const auto words = value_words(text);
   Entry entry{text, set, 0, 0};
+  // "coffee shop" is found as "coffeeshop", too.
   for (std::size_t at = 0; at < words.size(); ++at) {
     entry.all |= bit(at);
     if (!is_light(words[at]))
@@ -56,6 +61,7 @@ void ValueIndex::add_value(const std::string& text, SetId set) {
       post(words[at - 1] + words[at], number,
            static_cast<std::uint16_t>(bit(at - 1) | bit(at)));
   }
+  // A value of light words only ("the at") needs all of them.
   if (entry.heavy == 0)
     entry.heavy = entry.all;
   values_.push_back(std::move(entry));

@@ -1,6 +1,15 @@
-// Sets of values (a slot's, a column's) and where an utterance names one of
-// them: word by word in any order, with words left out, joined, split or
-// misspelt, titles aside (understanding, "Names and values").
+// ValueIndex holds the sets of values of an application (of slots and columns)
+// and finds where an utterance names one of them: word by word, in any order,
+// with words left out, joined, split or misspelt, and without regard to titles
+// (understanding, "Names and values").
+//
+//  values            "Dr. Jeffery Ho", "Jeffery Lim", "Coffee Shop"
+//  "ho jeffery"      Dr. Jeffery Ho
+//  "jeffery"         candidates: Dr. Jeffery Ho, Jeffery Lim
+//  "the cofee shop"  Coffee Shop, with a lower confidence
+//
+// It is an inverted index: each word has a list of the values in which it
+// occurs.
 #pragma once
 
 #include <cstdint>
@@ -14,26 +23,31 @@ namespace parlour::adapters::nlu {
 
 using SetId = std::uint32_t;
 
+// A place in an utterance that names a value.
 struct ValueMatch {
   SetId set = 0;
-  std::uint32_t begin = 0; // tokens
+  // Tokens [begin, end).
+  std::uint32_t begin = 0;
   std::uint32_t end = 0;
-  std::vector<std::uint32_t> values; // equally good ones, by their number
+  // The numbers, within the set, of the values that fit equally well.
+  std::vector<std::uint32_t> values;
   double confidence = 1;
-  bool whole = false; // every word of the value that counts was said
-  // Enough was said, and in words that mean nothing else, for the value to be
-  // meant also where none is expected.
+  // Every word of the value that counts was said.
+  bool whole = false;
+  // Enough was said, in words without another meaning, that the value is meant
+  // even where none is expected.
   bool stands_alone = false;
 };
 
+// Built by add(), then only read, by any number of threads.
 class ValueIndex {
 public:
-  // Values that are the same text count as one.
+  // Adds a set. Equal texts count as one value.
   SetId add(const std::vector<std::string>& values);
 
-  // All matches, by their begin. `plain` tells for each token whether it is a
-  // word that has a meaning of its own, so neither a misspelt value nor part of
-  // a stranger's name.
+  // All matches, ordered by their begin. `plain` says for each token whether it
+  // has a meaning of its own; such a word is neither a misspelt value nor part
+  // of an unknown name.
   std::vector<ValueMatch> find(const Tokens& tokens,
                                const std::vector<bool>& plain) const;
 
@@ -47,11 +61,14 @@ private:
   struct Entry {
     std::string text;
     SetId set = 0;
-    std::uint16_t all = 0;   // a bit for each word
-    std::uint16_t heavy = 0; // those that count
+    // A bit for each word of the value, and the bits of those that must be
+    // said.
+    std::uint16_t all = 0;
+    std::uint16_t heavy = 0;
   };
 
-  // A word of a value, or two neighbouring ones written together.
+  // An entry of a word's list: the value, and which of its words this is. Two
+  // adjacent words written together are also a word, with two bits.
   struct Posting {
     std::uint32_t value = 0;
     std::uint16_t mask = 0;
@@ -61,9 +78,11 @@ private:
   void post(std::string_view word, std::uint32_t value, std::uint16_t mask);
 
   std::vector<Entry> values_;
-  std::vector<std::uint32_t> sets_; // the first value of each
+  // The index in values_ of the first value of each set.
+  std::vector<std::uint32_t> sets_;
   WordIndex words_;
-  std::vector<std::vector<Posting>> postings_; // by word
+  // The lists, by number of the word.
+  std::vector<std::vector<Posting>> postings_;
 };
 
 } // namespace parlour::adapters::nlu

@@ -10,11 +10,15 @@ namespace parlour::adapters::nlu {
 
 namespace {
 
+// How far a match may reach, in tokens.
 constexpr std::size_t widest_window = 10;
-constexpr std::size_t most_candidates = 50;
-constexpr double least_confidence = 0.6;
+constexpr std::size_t max_candidates = 50;
+// A match with a lower confidence is dropped. Values whose quality is this
+// close to the best one's are candidates, too.
+constexpr double min_confidence = 0.6;
 constexpr double equally_good = 0.03;
-// Two words written as one must be almost right: "jeffery" is no "jefferyho".
+// Two words written as one must be almost correct: "jeffery" is not
+// "jefferyho".
 constexpr double joined_similarity = 0.92;
 
 int count(std::uint16_t mask) {
@@ -39,6 +43,8 @@ std::vector<ValueMatch> ValueSearch::run() {
   return std::move(matches_);
 }
 
+// Finds the values that each token fits, sorted by value, so that extend() can
+// walk through partial matches and fits together.
 void ValueSearch::collect_fits() {
   for (std::size_t position = 0; position < fits_.size(); ++position) {
     add_fits(position);
@@ -46,6 +52,9 @@ void ValueSearch::collect_fits() {
   }
 }
 
+// A plain word, or one with digits, is only looked up exactly. Two tokens
+// together may be one word of a value that was split ("coffee shop" for
+// "coffeeshop").
 void ValueSearch::add_fits(std::size_t position) {
   const auto& word = tokens_.list[position].word;
   const bool misspelt = !plain_[position] && !has_digit(word);
@@ -71,6 +80,8 @@ void ValueSearch::add_hit(std::size_t position, const WordIndex::Hit& hit,
   }
 }
 
+// All matches that begin at this token. A match does not begin with a light
+// word unless the value needs it.
 void ValueSearch::search_from(std::size_t begin) {
   if (fits_[begin].empty())
     return;
@@ -84,6 +95,9 @@ void ValueSearch::search_from(std::size_t begin) {
                                          fit.similarity * fit.length,
                                          !plain_[begin]});
   }
+  // ends_[end] is complete here: partial matches only grow to the right.
+  // extend() is called a second time to skip a light word or a title inside of
+  // the value.
   for (auto end = begin + 1; end <= last; ++end) {
     auto partials = std::exchange(ends_[end], {});
     if (partials.empty())
@@ -94,6 +108,7 @@ void ValueSearch::search_from(std::size_t begin) {
     if (end + 1 < last && may_skip(end))
       extend(partials, begin, end + 1, end + 1);
   }
+  // Clears what reached beyond the window.
   for (auto end = last; end < ends_.size() && end <= last + 2; ++end)
     ends_[end].clear();
 }
@@ -103,7 +118,9 @@ bool ValueSearch::may_skip(std::size_t position) const {
   return is_light(word) || is_title(word);
 }
 
-// Adds what the words at `position` fit to each partial of the same value.
+// Extends each partial match by the fits at `position` that belong to the same
+// value and to words not yet found. `target` is the position behind which the
+// result ends.
 void ValueSearch::extend(const Partials& partials, std::size_t begin,
                          std::size_t position, std::size_t target) {
   if (position >= tokens_.list.size() ||
@@ -129,7 +146,8 @@ void ValueSearch::extend(const Partials& partials, std::size_t begin,
   }
 }
 
-// Sorts by value and keeps the best of each.
+// Sorts by value and keeps the best partial match of each: the one with most
+// words, then the most similar.
 void ValueSearch::tidy(Partials& partials) const {
   std::ranges::sort(partials, [](const Partial& left, const Partial& right) {
     if (left.value != right.value)
@@ -145,6 +163,8 @@ void ValueSearch::tidy(Partials& partials) const {
                  partials.end());
 }
 
+// The partial matches are sorted by value, and values by set: each run of one
+// set competes on its own.
 void ValueSearch::emit(std::size_t begin, std::size_t end,
                        const Partials& partials) {
   for (std::size_t first = 0; first < partials.size();) {
@@ -158,6 +178,7 @@ void ValueSearch::emit(std::size_t begin, std::size_t end,
   }
 }
 
+// The share of the value's required words that was said.
 double ValueSearch::recall(const Partial& partial) const {
   const auto& value = index_.values_[partial.value];
   const auto said = count(partial.mask & value.heavy);
@@ -169,15 +190,16 @@ bool ValueSearch::whole(const Partial& partial) const {
   return (partial.mask & heavy) == heavy;
 }
 
-// To choose between values: how well the words fit, and a value that was said
-// in full before one that was not.
+// Compares values: the average similarity of the words, with a bonus for a
+// value that was said completely.
 double ValueSearch::quality(const Partial& partial) const {
   return double(partial.similarity) / partial.count +
          (whole(partial) ? 0.2 : 0.0);
 }
 
-// Words beside the window that may belong to a name that is not in the set:
-// "Jeffery Smith" is not Jeffery Ho.
+// Counts unknown words beside the window that may belong to a name which is not
+// in the set: "Jeffery Smith" is not Jeffery Ho. At most two before and two
+// behind.
 std::size_t ValueSearch::strangers(std::size_t begin, std::size_t end) const {
   std::size_t found = 0;
   const auto is_stranger = [&](std::size_t position) {
@@ -189,7 +211,8 @@ std::size_t ValueSearch::strangers(std::size_t begin, std::size_t end) const {
                         is_stranger(at - 1) && found < 2;
        --at)
     ++found;
-  // "a glass of water" is none of the glasses.
+  // The words after "of" count too: "a glass of water" does not mean one of the
+  // glasses.
   auto at = end;
   if (at + 1 < tokens_.list.size() && tokens_.list[at].word == "of")
     ++at;
@@ -208,11 +231,12 @@ void ValueSearch::emit_set(std::size_t begin, std::size_t end,
       best = &partial;
   const auto used = double(best->count);
   auto confidence = double(best->similarity) / used;
-  // A part must be spelt better than a whole: "Changi" is no money changer.
+  // A value that was said in part must be spelt better, and unknown words
+  // beside it count against it: "Changi" is not the money changer.
   if (!whole(*best))
     confidence *= confidence * (0.9 + 0.1 * recall(*best)) * used /
                   (used + double(strangers(begin, end)));
-  if (confidence < least_confidence)
+  if (confidence < min_confidence)
     return;
   ValueMatch match{index_.values_[best->value].set,
                    static_cast<std::uint32_t>(begin),
@@ -224,7 +248,7 @@ void ValueSearch::emit_set(std::size_t begin, std::size_t end,
   match.stands_alone = match.whole || (best->own_word && recall(*best) >= 0.5);
   for (const auto& partial : partials)
     if (quality(partial) >= quality(*best) - equally_good &&
-        match.values.size() < most_candidates)
+        match.values.size() < max_candidates)
       match.values.push_back(partial.value - index_.sets_[match.set]);
   matches_.push_back(std::move(match));
 }

@@ -1,5 +1,11 @@
-// One search of an utterance for values; an implementation detail of
-// ValueIndex.
+// ValueSearch is one search of an utterance for values; an implementation
+// detail of ValueIndex.
+//
+// For each token at which a value may begin, the search opens a window and
+// extends partial matches to the right, token by token. A partial match is a
+// value and a mask of its words that were found, so word order does not matter.
+// At each end of the window the partial matches of a set compete, and the best
+// become a match.
 #pragma once
 
 #include <span>
@@ -8,6 +14,7 @@
 
 namespace parlour::adapters::nlu {
 
+// Refers to its arguments, which must outlive it.
 class ValueSearch {
 public:
   ValueSearch(const ValueIndex& index, const Tokens& tokens,
@@ -16,11 +23,12 @@ public:
   std::vector<ValueMatch> run();
 
 private:
-  // A value, and how well a word of the utterance (or two) fits one of its.
+  // A token (or two) that fits a word (or two) of a value.
   struct Fit {
     std::uint32_t value = 0;
     std::uint16_t mask = 0;
-    std::uint8_t length = 1; // tokens
+    // In tokens.
+    std::uint8_t length = 1;
     float similarity = 1;
   };
 
@@ -28,9 +36,11 @@ private:
   struct Partial {
     std::uint32_t value = 0;
     std::uint16_t mask = 0;
-    std::uint8_t count = 0; // tokens used
-    float similarity = 0;   // their sum
-    bool own_word = false;  // one of them means nothing else
+    // The tokens used, and the sum of their similarities.
+    std::uint8_t count = 0;
+    float similarity = 0;
+    // One of the tokens has no other meaning.
+    bool own_word = false;
   };
 
   using Partials = std::vector<Partial>;
@@ -57,8 +67,10 @@ private:
   const ValueIndex& index_;
   const Tokens& tokens_;
   const std::vector<bool>& plain_;
-  std::vector<std::vector<Fit>> fits_; // by the token they begin at
-  std::vector<Partials> ends_;         // by the token behind, of one window
+  // By the token at which they begin.
+  std::vector<std::vector<Fit>> fits_;
+  // By the token behind them; of the current window only.
+  std::vector<Partials> ends_;
   std::vector<ValueMatch> matches_;
 };
 

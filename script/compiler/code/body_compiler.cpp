@@ -1,3 +1,7 @@
+// Each body gets a builder of its own; what differs is only which compiler
+// fills it: the one of statements for bodies, the one of expressions for single
+// values.
+
 #include "script/compiler/code/body_compiler.hpp"
 
 #include "script/compiler/code/statements.hpp"
@@ -7,6 +11,7 @@ namespace parlour::script {
 
 namespace {
 
+// Parameters of the compiler's own, such as `data` of a phrase: always given.
 void declare(CodeBuilder& builder, const std::vector<std::string>& parameters) {
   for (const auto& name : parameters)
     builder.declare(name);
@@ -52,7 +57,7 @@ void BodyCompiler::function(const Element& element, CodeId reserved,
 
 namespace {
 
-// One value computed and given back.
+// Compiles code that computes one value and returns it.
 template <class Compile>
 CodeId value(Program& program, const Names& names, Findings& findings,
              const BodyContext& context, Position position,

@@ -1,7 +1,13 @@
-// BodyCompiler: the border between the compiler of declarations (topics,
+// BodyCompiler: the interface between the compilers of declarations (topics,
 // states, handlers …) and the compiler of code (statements, expressions). The
-// former calls it for every body and attribute that runs; what is declared
-// must be registered in Names before.
+// former call it for every body and attribute that runs. All names must have
+// been collected (declared_names.hpp) before.
+//
+// An example, the question of a slot:
+//
+//   BodyContext context;
+//   context.topic = &topic;
+//   slot.question = bodies.text_or_expression(*attribute, context);
 #pragma once
 
 #include <string>
@@ -13,20 +19,25 @@
 
 namespace parlour::script {
 
+// Appends the compiled code to Program::code and returns its index. Mistakes
+// become findings; the code is then incomplete but well-formed, so compiling
+// goes on.
 class BodyCompiler {
 public:
   BodyCompiler(Program& program, const Names& names, Findings& findings);
 
-  // The statements inside `parent` (all children but those named in
-  // `except`), as code without parameters or with the given ones.
+  // Compiles the statements in `parent`, except children named in `except`. The
+  // parameters are the first registers, in order.
   CodeId body(const Element& parent, const BodyContext& context,
               const std::vector<std::string>& parameters = {},
               ElementNames except = {});
-  // A <function>: its <param>s and statements, into the reserved code.
+  // Compiles a <function>, its <param>s and statements, into the code that was
+  // reserved for it.
   void function(const Element& element, CodeId reserved,
                 const BodyContext& context);
 
-  // Language rule 4. An expression; text or expression; text with {expr}.
+  // Compile an attribute's value by language rule 4: always an expression; a
+  // text or an expression; a text with {expr}.
   CodeId expression(const Attribute& attribute, const BodyContext& context,
                     const std::vector<std::string>& parameters = {});
   CodeId text_or_expression(const Attribute& attribute,

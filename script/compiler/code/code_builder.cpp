@@ -1,3 +1,8 @@
+// CodeBuilder: emitting instructions, registers and scopes, and looking up
+// names. Limits of the instruction format (65,535 registers, constants and
+// effects; 16 bits for some distances) are noted in too_large_ while code is
+// emitted and reported once by finish().
+
 #include "script/compiler/code/code_builder.hpp"
 
 #include <algorithm>
@@ -25,6 +30,8 @@ Source source_of(const Attribute& attribute) {
           is_condition ? Wanted::condition : Wanted::value};
 }
 
+// Moves over the text's lines and characters; entities before the offset were
+// replaced and count as one character, so this is only nearly exact.
 Position Source::at(std::size_t offset) const {
   auto position = start;
   for (char byte : text.substr(0, offset)) {
@@ -38,12 +45,13 @@ Position Source::at(std::size_t offset) const {
   return position;
 }
 
+// _LPARAM1 is parameter 0; a trailing underscore is accepted.
 std::optional<std::uint32_t> message_parameter(std::string_view name) {
   constexpr std::string_view prefix = "_LPARAM";
   if (!name.starts_with(prefix))
     return {};
   name.remove_prefix(prefix.size());
-  if (name.ends_with('_')) // as the paper prints it in one place
+  if (name.ends_with('_')) // `_LPARAM1_` means the same
     name.remove_suffix(1);
   std::uint32_t number = 0;
   const auto* last = name.data() + name.size();
@@ -71,6 +79,7 @@ CodeBuilder::CodeBuilder(Program& shared_program, const Names& all_names,
   code.positions.reserve(16);
 }
 
+// Operands are cut to 16 bits; whatever could exceed them sets too_large_.
 Label CodeBuilder::emit(Operation operation, std::size_t a, std::size_t b,
                         std::size_t c, std::uint8_t flag) {
   code.instructions.push_back({static_cast<std::uint8_t>(operation), flag,
@@ -98,24 +107,30 @@ void CodeBuilder::land(const std::vector<Label>& labels) {
     land(label);
 }
 
+// Only the compare-and-jump instructions, which are in a row in
+// instructions.def, have their distance in `c`.
 void CodeBuilder::exits_to(Label label, std::uint32_t target) {
   auto& instruction = code.instructions[label];
   const auto distance = target - static_cast<std::uint32_t>(label);
   const auto operation = static_cast<Operation>(instruction.operation);
+  // All other jumps have 32 bits for their distance.
   if (operation < Operation::jump_if_equal ||
       operation > Operation::jump_if_greater_equal_constant) {
     instruction.set_wide(distance);
     return;
   }
-  too_large_ |= distance > 0x7fff; // these have 16 bits for it
+  too_large_ |= distance > 0x7fff; // they have 16 bits for it
   instruction.c = static_cast<std::uint16_t>(distance);
 }
 
+// Backward distances are stored as positive numbers; the instruction subtracts.
 void CodeBuilder::back(Operation operation, std::size_t a,
                        std::uint32_t target) {
   emit_wide(operation, a, here() - target);
 }
 
+// Searching the first constants suffices to share the frequent ones and keeps
+// compiling linear.
 std::uint16_t CodeBuilder::constant(Box box) {
   for (std::size_t i = 0; i < code.constants.size() && i < 256; ++i)
     if (code.constants[i].same_bits(box))
@@ -163,6 +178,8 @@ bool CodeBuilder::is_last_temporary(Register reg) const {
                       [&](const Local& local) { return local.reg == reg; });
 }
 
+// Too many registers are reported once, at the end; until then register 0
+// stands in.
 Register CodeBuilder::allocate(std::size_t count) {
   const auto first = next_;
   if (next_ + count >= largest) {
@@ -174,6 +191,8 @@ Register CodeBuilder::allocate(std::size_t count) {
   return first;
 }
 
+// A scope remembers how many locals and registers were in use, so closing it is
+// a matter of going back to these numbers.
 void CodeBuilder::open_scope() {
   scopes_.emplace_back(locals_.size(), next_);
 }
@@ -184,6 +203,7 @@ void CodeBuilder::close_scope() {
   scopes_.pop_back();
 }
 
+// Only the innermost block: a variable of an outer one may be hidden.
 Local* CodeBuilder::in_block(std::string_view name) {
   const auto from = scopes_.empty() ? 0 : scopes_.back().first;
   for (std::size_t i = from; i < locals_.size(); ++i)
@@ -197,10 +217,9 @@ void CodeBuilder::check_name(std::string_view name) {
     findings.error(position_, fault);
 }
 
-Register CodeBuilder::declare(std::string_view name, bool is_constant,
-                              bool is_parameter) {
+Register CodeBuilder::declare(std::string_view name, bool is_constant) {
   check_name(name);
-  locals_.push_back({std::string(name), allocate(), is_parameter, is_constant});
+  locals_.push_back({std::string(name), allocate(), false, is_constant});
   return locals_.back().reg;
 }
 
@@ -209,6 +228,7 @@ Register CodeBuilder::adopt(std::string_view name, bool is_constant) {
   return locals_.back().reg;
 }
 
+// Constant, so that a <set> of _ERROR is refused.
 void CodeBuilder::alias(std::string_view name, Register target) {
   locals_.push_back({std::string(name), target, false, true});
 }
@@ -218,6 +238,8 @@ void CodeBuilder::declare_parameter(std::string_view name, Register target) {
   locals_.push_back({std::string(name), target, true, false});
 }
 
+// From the inside out: an inner variable hides an outer one of its name
+// (language rule 5.1).
 Meaning CodeBuilder::find(std::string_view name) const {
   using Kind = Meaning::Kind;
   for (auto local = locals_.rbegin(); local != locals_.rend(); ++local)
@@ -232,6 +254,7 @@ Meaning CodeBuilder::find(std::string_view name) const {
   return {};
 }
 
+// Functions of the state or topic hide those of the session.
 const FunctionName* CodeBuilder::function(std::string_view name) const {
   if (context.functions)
     if (auto own = context.functions->find(name);
@@ -241,6 +264,8 @@ const FunctionName* CodeBuilder::function(std::string_view name) const {
   return there == names.functions.end() ? nullptr : &there->second;
 }
 
+// Candidates for "did you mean", without names of the compiler itself, which
+// begin with a blank. _LPARAM1 stands for all of its kind.
 std::vector<std::string> CodeBuilder::visible_names() const {
   std::vector<std::string> all;
   for (const auto& local : locals_)
@@ -265,6 +290,8 @@ std::vector<std::string> CodeBuilder::function_names() const {
   return all;
 }
 
+// The cost of a call is its length: what runs once without loops and calls
+// takes at most that many instructions.
 Code CodeBuilder::finish() {
   emit(Operation::give_unknown);
   code.cost = static_cast<std::uint16_t>(

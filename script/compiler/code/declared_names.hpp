@@ -1,5 +1,8 @@
-// What is declared in an application, by name: known before any body is
-// compiled, and what of it a body sees.
+// What is declared in an application, by name. It is complete before any body
+// is compiled.
+//
+// A reserved CodeId makes it possible to compile calls before their callee, so
+// functions may call each other in any order.
 #pragma once
 
 #include <cstdint>
@@ -13,6 +16,7 @@
 
 namespace parlour::script {
 
+// A function's head, as far as calls need it.
 struct FunctionName {
   CodeId code = no_code; // reserved before bodies are compiled
   std::uint16_t required = 0;
@@ -23,7 +27,7 @@ struct FunctionName {
 
 using FunctionNames = std::map<std::string, FunctionName, std::less<>>;
 
-// Everything declared in the application, collected before any code is made.
+// All names of an application, for resolving them and for "did you mean".
 struct Names {
   FunctionNames functions; // session-wide
   std::map<std::string, std::uint32_t, std::less<>> variables;
@@ -34,9 +38,9 @@ struct Names {
 
 using ElementNames = std::initializer_list<std::string_view>;
 
-// Where a body stands.
+// The surroundings of a body, which decide what it sees.
 struct BodyContext {
-  const Topic* topic = nullptr;             // `this` is its frame
+  const Topic* topic = nullptr;             // whose slots `this` means
   const FunctionNames* functions = nullptr; // of the state or topic
   bool in_timer = false;
   bool handles_message = false; // _LPARAM1 may hold something

@@ -1,3 +1,13 @@
+// From syntax trees to instructions. An example: with the local variables x in
+// r0 and y in r1, the expression `x + 1 lt y * 2` becomes
+//
+//   r3 = r0 + 1       add_constant
+//   r4 = r1 * 2       multiply_constant
+//   r2 = r3 < r4      less
+//
+// `into` has a case for each kind of node; `any` avoids a copy for variables;
+// `jump` (expression_conditions.cpp) compiles conditions.
+
 #include "script/compiler/code/expression_compiler.hpp"
 
 #include <array>
@@ -14,19 +24,22 @@ std::string arguments_text(std::size_t count) {
   return std::to_string(count) + (count == 1 ? " argument" : " arguments");
 }
 
+// "1 argument" or "1 to 3 arguments".
 std::string range_text(std::size_t minimum, std::size_t maximum) {
   return minimum == maximum
              ? arguments_text(minimum)
              : std::to_string(minimum) + " to " + arguments_text(maximum);
 }
 
+// In the order of Operator. `unequal` is `equal` with the flag reversed, and
+// the greater ones are the less ones with the operands exchanged.
 constexpr std::array<Operation, 12> plain_operations{
     Operation::equal,      Operation::equal,  Operation::less,
     Operation::less_equal, Operation::less,   Operation::less_equal,
     Operation::contained,  Operation::add,    Operation::subtract,
     Operation::multiply,   Operation::divide, Operation::modulo};
 
-// Of a small integer on the right.
+// The instruction for a small integer on the right side, if there is one.
 std::optional<Operation> constant_operation(Operator operation) {
   switch (operation) {
   case Operator::add:
@@ -44,6 +57,7 @@ std::optional<Operation> constant_operation(Operator operation) {
 
 } // namespace
 
+// Whether the node is a literal; its value is put into `box`.
 bool ExpressionCompiler::constant_of(const Node& node, Box& box) {
   switch (node.kind) {
   case NodeKind::unknown:
@@ -66,6 +80,7 @@ bool ExpressionCompiler::constant_of(const Node& node, Box& box) {
   }
 }
 
+// A local needs no instruction at all: its register is the operand.
 Register ExpressionCompiler::any(const Node& node, const Source& source) {
   if (node.kind == NodeKind::name)
     if (auto meaning = b_.find(node.text); meaning.local)
@@ -75,6 +90,8 @@ Register ExpressionCompiler::any(const Node& node, const Source& source) {
   return target;
 }
 
+// Temporaries of the operands are released at the end, so the target must lie
+// below them or be a variable.
 void ExpressionCompiler::into(const Node& node, const Source& source,
                               Register target) {
   Box box;
@@ -127,6 +144,8 @@ void ExpressionCompiler::into(const Node& node, const Source& source,
   b_.release(mark);
 }
 
+// A parameter may be bound to a variable, so reading it looks through the
+// binding.
 void ExpressionCompiler::name(const Node& node, const Source& source,
                               Register target) {
   const auto meaning = b_.find(node.text);
@@ -150,6 +169,7 @@ void ExpressionCompiler::name(const Node& node, const Source& source,
   }
 }
 
+// Pseudo-slots hide slots of the same name.
 SlotId ExpressionCompiler::slot_id(const Node& node, const Source& source) {
   if (!b_.context.topic) {
     error(node, source, "'this' has a meaning in a topic only");
@@ -174,26 +194,35 @@ SlotId ExpressionCompiler::slot_id(const Node& node, const Source& source) {
   return no_id;
 }
 
+// Slots are not in registers: they are read from the host each time.
 void ExpressionCompiler::slot(const Node& node, const Source& source,
                               Register target) {
   b_.emit_wide(Operation::load_slot, target, slot_id(node, source));
 }
 
+// Arguments are computed into consecutive registers from `base`, where the call
+// takes them.
 void ExpressionCompiler::arguments(const Node& node, const Source& source,
                                    Register base) {
   for (std::size_t i = 0; i < node.children.size(); ++i)
     into(*node.children[i], source, static_cast<Register>(base + i));
 }
 
+// Calls need their arguments in consecutive registers at the end of the frame.
+// The result of a compiled function comes back in the first of them; a built-in
+// can put it anywhere.
 void ExpressionCompiler::call(const Node& node, const Source& source,
                               Register target) {
   const auto count = node.children.size();
-  // Arguments and result in the target itself, where nobody reads it.
+  // If the target is itself the last temporary, it serves as the first
+  // argument's register and no move is needed.
   const bool in_target = b_.is_last_temporary(target);
   const auto base = in_target ? target : b_.allocate(count ? count : 1);
   if (in_target && count > 1)
     b_.allocate(count - 1);
   arguments(node, source, base);
+  // The call itself has the position of its name, so that an error in it is
+  // reported there.
   const auto before = b_.position();
   b_.at(source.at(node.offset));
   if (const auto* function = b_.function(node.text)) {
@@ -224,6 +253,7 @@ void ExpressionCompiler::call(const Node& node, const Source& source,
   b_.at(before);
 }
 
+// Elements (or keys and values) are computed into consecutive registers.
 void ExpressionCompiler::elements(const Node& node, const Source& source,
                                   Register target) {
   const bool is_map = node.kind == NodeKind::map;
@@ -240,6 +270,8 @@ void ExpressionCompiler::elements(const Node& node, const Source& source,
           count);
 }
 
+// Comparisons have no instruction with a constant here; in conditions they have
+// (compare_jump).
 void ExpressionCompiler::binary(const Node& node, const Source& source,
                                 Register target) {
   const auto operation = node.operation;
@@ -259,8 +291,9 @@ void ExpressionCompiler::binary(const Node& node, const Source& source,
           operation == Operator::equal);
 }
 
-// The deciding operand is the value (language rule 3.10). In a register of its
-// own, as the target may be read by the second operand.
+// The operand that decides is the value (language rule 3.10). It is computed in
+// a register of its own if the second operand could still read the target, as
+// in x = y or x.
 void ExpressionCompiler::logical(const Node& node, const Source& source,
                                  Register target) {
   const auto value = b_.is_last_temporary(target) ? target : b_.allocate();
@@ -273,6 +306,7 @@ void ExpressionCompiler::logical(const Node& node, const Source& source,
     b_.emit(Operation::move, target, value);
 }
 
+// The condition jumps to the second branch if it is false.
 void ExpressionCompiler::choice(const Node& node, const Source& source,
                                 Register target) {
   std::vector<Label> otherwise;
@@ -286,6 +320,9 @@ void ExpressionCompiler::choice(const Node& node, const Source& source,
 
 // -- assignment ---------------------------------------------------------------
 
+// A slot or session variable is stored to directly. An element or a field needs
+// its container in a register; containers are shared by reference, so changing
+// them there changes the variable's value (language rule 2.6).
 bool ExpressionCompiler::assign(const Node& node, const Source& source,
                                 Register from) {
   if (is_this_field(node)) {

@@ -1,4 +1,6 @@
-// Conditions: comparing and jumping in one instruction where that is possible.
+// Conditions: comparison and jump in one instruction where possible. `and`,
+// `or` and `not` need no instructions of their own: they only decide where the
+// jumps of their operands go.
 #include <array>
 
 #include "script/compiler/code/expression_compiler.hpp"
@@ -11,7 +13,9 @@ void ExpressionCompiler::jump(const Node& node, const Source& source, bool when,
   if (node.kind == NodeKind::invert) {
     jump(*node.children[0], source, !when, labels);
   } else if (node.kind == NodeKind::both || node.kind == NodeKind::either) {
-    // `either` decides on true, `both` on false.
+    // In `a or b` a true `a` decides, in `a and b` a false one. If the deciding
+    // truth is the one to jump at, the first operand jumps to the target;
+    // otherwise it jumps past the second operand.
     const bool decides = node.kind == NodeKind::either;
     std::vector<Label> past;
     jump(*node.children[0], source, decides, decides == when ? labels : past);
@@ -26,6 +30,9 @@ void ExpressionCompiler::jump(const Node& node, const Source& source, bool when,
   b_.release(mark);
 }
 
+// Emits a comparison that jumps. The flag says for which outcome the jump is
+// taken; != is == with the flag reversed. For > and >= there are instructions
+// with a constant only; with two registers the operands are exchanged.
 void ExpressionCompiler::compare_jump(const Node& node, const Source& source,
                                       bool when, std::vector<Label>& labels) {
   constexpr std::array<Operation, 6> with_constant{

@@ -1,22 +1,23 @@
-// What the compiler of expressions says: the nearest right name, or what the
-// author may have meant.
+// Findings about expressions: the nearest right name, or what the author may
+// have meant.
 #include <algorithm>
 
 #include "script/compiler/code/expression_compiler.hpp"
 #include "script/expression/builtins.hpp"
-#include "script/expression/expression_slips.hpp"
-#include "script/expression/slips.hpp"
+#include "script/expression/common_mistakes.hpp"
+#include "script/expression/expression_mistakes.hpp"
 
 namespace parlour::script {
 
 namespace {
 
-// Of the topic around.
+// Whether the topic around has such a slot.
 bool is_slot(const std::string& name, const BodyContext& context) {
   return context.topic && context.topic->slot(name) != no_id;
 }
 
-// Declared, and yet not visible: what stands in <routes> sees none of them.
+// Whether a session variable of this name exists although it is not visible:
+// code of <routes> sees none of them.
 bool is_of_session(const std::string& name, const Program& program) {
   return std::ranges::any_of(program.variables, [&](const auto& variable) {
     return variable.name == name;
@@ -25,14 +26,17 @@ bool is_of_session(const std::string& name, const Program& program) {
 
 } // namespace
 
+// The rules of script/expression know the mistakes; here they get the names
+// that are visible.
 void ExpressionCompiler::report(const Source& source, const Parsed& parsed) {
   const auto known = [this](const std::string& name) {
     return is_declared(name) || name == "this";
   };
-  for (auto& slip : find_slips(source.text, parsed, source.wanted, known))
-    b_.findings.add({Severity::error, source.spot(slip.offset, slip.length),
-                     std::move(slip.message), "expression",
-                     std::move(slip.replacement)});
+  for (auto& mistake : find_mistakes(source.text, parsed, source.wanted, known))
+    b_.findings.add({Severity::error,
+                     source.spot(mistake.offset, mistake.length),
+                     std::move(mistake.message), "expression",
+                     std::move(mistake.replacement)});
 }
 
 void ExpressionCompiler::error(const Node& node, const Source& source,
@@ -42,7 +46,9 @@ void ExpressionCompiler::error(const Node& node, const Source& source,
                    std::move(message), "expression", std::move(replacement)});
 }
 
-// The nearest right name, or else what it may have been meant to be.
+// Explains an unknown name. The explanations are tried from the most certain to
+// the least: a slot without `this`, a function without brackets, another case,
+// a word of another language, a similar name, a text without quotes.
 void ExpressionCompiler::unknown_name(const Node& node, const Source& source) {
   const auto& name = node.text;
   const auto quoted = "'" + name + "'";
@@ -66,11 +72,11 @@ void ExpressionCompiler::unknown_name(const Node& node, const Source& source) {
                  quoted + " is not declared, did you mean '" + right +
                      "'? Small and capital letters differ",
                  right);
-  if (const auto* slip = find_slip(SlipPlace::operand, name))
+  if (const auto* mistake = find_mistake(MistakePlace::operand, name))
     return error(node, source,
                  quoted + " is not declared; it is written '" +
-                     std::string(slip->meant) + "'",
-                 std::string(slip->meant));
+                     std::string(mistake->meant) + "'",
+                 std::string(mistake->meant));
   const auto near = did_you_mean(name, known);
   if (!near.empty())
     return error(node, source, quoted + " is not declared" + near);
@@ -89,13 +95,14 @@ void ExpressionCompiler::unknown_name(const Node& node, const Source& source) {
           "\" expr=\"…\"/>");
 }
 
-// Whether the whole of it is words of which none is known.
+// Whether the whole expression consists of words, none of which is known.
 bool ExpressionCompiler::is_text(const Source& source) const {
   return reads_like_text(source.text, [this](const std::string& word) {
     return is_declared(word) || word == "this";
   });
 }
 
+// For the target of a <set>, declaring it is the most likely intention.
 void ExpressionCompiler::unknown_target(const Node& node,
                                         const Source& source) {
   if (!explains(b_.findings))
@@ -110,6 +117,7 @@ void ExpressionCompiler::unknown_target(const Node& node,
             "\"/> before this declares it");
 }
 
+// Like unknown_name: another case, the name in another language, a similar one.
 void ExpressionCompiler::unknown_function(const Node& node,
                                           const Source& source) {
   const auto quoted = "'" + node.text + "'";
@@ -122,16 +130,16 @@ void ExpressionCompiler::unknown_function(const Node& node,
                  "there is no function " + quoted + ", did you mean '" + right +
                      "'? Small and capital letters differ",
                  right);
-  const auto* slip = find_slip(SlipPlace::function, node.text, &known);
-  if (slip && !slip->meant.empty())
+  const auto* mistake = find_mistake(MistakePlace::function, node.text, &known);
+  if (mistake && !mistake->meant.empty())
     return error(node, source,
                  "there is no function " + quoted + "; it is called '" +
-                     std::string(slip->meant) + "'",
-                 std::string(slip->meant));
+                     std::string(mistake->meant) + "'",
+                 std::string(mistake->meant));
   error(node, source,
         "there is no function " + quoted +
-            (slip ? "; " + std::string(slip->sentence)
-                  : did_you_mean(node.text, known)));
+            (mistake ? "; " + std::string(mistake->sentence)
+                     : did_you_mean(node.text, known)));
 }
 
 } // namespace parlour::script

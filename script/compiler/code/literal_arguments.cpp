@@ -8,7 +8,7 @@ namespace parlour::script {
 
 namespace {
 
-// Null where it is none, or computed.
+// The literal string at this position; null if it is missing or computed.
 const std::string* literal(const Node& call, std::size_t index) {
   const bool there = index < call.children.size() &&
                      call.children[index]->kind == NodeKind::string;
@@ -19,6 +19,8 @@ std::string number_of(std::size_t count, const char* noun) {
   return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
 }
 
+// More places than values are a mistake; more values than places only a warning
+// (odd-argument), as the rest is ignored.
 std::optional<WrongArgument> wrong_pattern(const Node& call) {
   const auto* text = literal(call, 0);
   if (!text)
@@ -35,6 +37,7 @@ std::optional<WrongArgument> wrong_pattern(const Node& call) {
   return {};
 }
 
+// A misspelt kind would silently print the value as it is.
 std::optional<WrongArgument> wrong_kind(const Node& call, std::size_t index) {
   const auto* kind = literal(call, index);
   if (!kind || is_spoken_kind(*kind))

@@ -1,5 +1,5 @@
-// What can be told of a built-in's arguments before anything runs, where they
-// stand in the script: the pattern of format(), the kind of spoken().
+// Checks of a built-in's arguments that are literals: the pattern of format(),
+// the kind of spoken() and list().
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,8 @@ struct WrongArgument {
   std::string message;
 };
 
-// `call` names a built-in function, and has as many arguments as it takes.
+// `call` must call a built-in function with an allowed number of arguments.
+// Returns the first argument that is wrong.
 std::optional<WrongArgument> wrong_argument(const Node& call);
 
 } // namespace parlour::script

@@ -1,65 +1,104 @@
+// The dispatch from elements to the classes that compile them, blocks, and the
+// parameters of functions.
+
 #include "script/compiler/code/statements.hpp"
 
 #include <algorithm>
 
+#include "script/compiler/code/branch_statements.hpp"
+#include "script/compiler/code/call_statements.hpp"
+#include "script/compiler/code/detached_statements.hpp"
+#include "script/compiler/code/effect_statements.hpp"
+#include "script/compiler/code/error_statements.hpp"
+#include "script/compiler/code/loop_statements.hpp"
+#include "script/compiler/code/message_statements.hpp"
+#include "script/compiler/code/query_statements.hpp"
+#include "script/compiler/code/transaction_statements.hpp"
+#include "script/compiler/code/variable_statements.hpp"
+#include "script/source/by_name.hpp"
+
 namespace parlour::script {
 
-StatementCompiler::Method StatementCompiler::find(std::string_view name) {
-  using S = StatementCompiler;
-  static const ByName<Method> methods{
-      {"var", &S::declare_variable},
-      {"const", &S::declare_constant},
-      {"set", &S::set},
-      {"object", &S::object},
-      {"getlist", &S::get_list},
-      {"append", &S::append},
-      {"if", &S::if_},
-      {"switch", &S::switch_},
-      {"for", &S::for_},
-      {"while", &S::while_},
-      {"break", &S::break_},
-      {"continue", &S::continue_},
-      {"call", &S::call},
-      {"return", &S::return_},
-      {"try", &S::try_},
-      {"throw", &S::throw_},
-      {"fire", &S::fire},
-      {"post", &S::post},
-      {"request", &S::request},
-      {"timer", &S::timer},
-      {"transit", &S::transit},
-      {"confirm", &S::confirm},
-      {"querydb", &S::query},
-      {"transaction", &S::transaction},
-  };
-  const auto there = methods.find(name);
-  return there == methods.end() ? &S::effect : there->second;
+namespace {
+
+using Compile = void (*)(OpenBody& body, const Element& element);
+
+// Calls the method of a group that is made for the statement.
+template <class Group, void (Group::*method)(const Element&)>
+void with(OpenBody& body, const Element& element) {
+  Group group(body);
+  (group.*method)(element);
 }
+
+using Variables = VariableStatements;
+using Branches = BranchStatements;
+using Loops = LoopStatements;
+
+// Every other element is an effect that is no more than its operands.
+Compile find(std::string_view name) {
+  static const ByName<Compile> all{
+      {"var", with<Variables, &Variables::declare_variable>},
+      {"const", with<Variables, &Variables::declare_constant>},
+      {"set", with<Variables, &Variables::set>},
+      {"object", with<Variables, &Variables::object>},
+      {"getlist", with<Variables, &Variables::get_list>},
+      {"append", with<Variables, &Variables::append>},
+      {"if", with<Branches, &Branches::if_>},
+      {"switch", with<Branches, &Branches::switch_>},
+      {"confirm", with<Branches, &Branches::confirm>},
+      {"for", with<Loops, &Loops::for_>},
+      {"while", with<Loops, &Loops::while_>},
+      {"break", with<Loops, &Loops::break_>},
+      {"continue", with<Loops, &Loops::continue_>},
+      {"call", with<CallStatements, &CallStatements::call>},
+      {"return", with<CallStatements, &CallStatements::return_>},
+      {"try", with<ErrorStatements, &ErrorStatements::try_>},
+      {"throw", with<ErrorStatements, &ErrorStatements::throw_>},
+      {"fire", with<MessageStatements, &MessageStatements::fire>},
+      {"post", with<MessageStatements, &MessageStatements::post>},
+      {"request", with<MessageStatements, &MessageStatements::request>},
+      {"timer", with<DetachedStatements, &DetachedStatements::timer>},
+      {"transit", with<DetachedStatements, &DetachedStatements::transit>},
+      {"querydb", with<QueryStatements, &QueryStatements::query>},
+      {"transaction",
+       with<TransactionStatements, &TransactionStatements::transaction>},
+  };
+  const auto there = all.find(name);
+  return there == all.end() ? with<EffectStatements, &EffectStatements::effect>
+                            : there->second;
+}
+
+} // namespace
 
 void StatementCompiler::block(const Element& parent, ElementNames except) {
-  b_.open_scope();
-  statements(parent, except);
-  b_.close_scope();
-}
-
-void StatementCompiler::statements(const Element& parent, ElementNames except) {
+  builder.open_scope();
   for (const auto& child : parent.children)
     if (std::none_of(except.begin(), except.end(),
                      [&](auto name) { return child.is(name); }))
       statement(child);
+  builder.close_scope();
 }
 
+void StatementCompiler::body_apart(const Element& parent, CodeBuilder& into) {
+  StatementCompiler(into).block(parent);
+}
+
+// All instructions of a statement get its position, unless a part sets its own.
 void StatementCompiler::statement(const Element& element) {
-  b_.at(element.position);
-  (this->*find(element.name))(element);
+  builder.at(element.position);
+  find(element.name)(*this, element);
 }
 
+// All parameters get registers first; then each default is computed if its
+// argument is missing, and the parameter becomes visible. So a default sees the
+// parameters before it only (language rule 7.4), and `code.body` is behind the
+// defaults.
 void StatementCompiler::parameters(const Element& function) {
   std::vector<const Element*> all;
   for (const auto& child : function.children)
     if (child.is("param"))
       all.push_back(&child);
-  auto& code = b_.code;
+  auto& code = builder.code;
   code.parameter_count = static_cast<std::uint16_t>(all.size());
   for (const auto* each : all) {
     const auto* name = each->attribute("name");
@@ -67,50 +106,27 @@ void StatementCompiler::parameters(const Element& function) {
                                                      !each->attribute("expr"));
     code.parameter_names.push_back(name ? name->value : "");
   }
-  const auto first = b_.allocate(all.size());
+  // Arguments arrive in the first registers, so these are the parameters'.
+  const auto first = builder.allocate(all.size());
   for (std::size_t i = 0; i < all.size(); ++i) {
     const auto& name = code.parameter_names[i];
     const auto target = static_cast<Register>(first + i);
     const auto* initial = all[i]->attribute("expr");
-    b_.at(all[i]->position);
-    if (b_.in_block(name))
-      error(all[i]->position, "a second parameter named '" + name + "'");
+    builder.at(all[i]->position);
+    if (builder.in_block(name))
+      builder.findings.error(all[i]->position,
+                             "a second parameter named '" + name + "'");
     if (initial) {
-      const auto given = b_.emit(Operation::jump_if_given, target);
-      expressions_.expression(source_of(*initial), target);
-      b_.land(given);
+      const auto given = builder.emit(Operation::jump_if_given, target);
+      expressions.expression(source_of(*initial), target);
+      builder.land(given);
     } else if (i > 0 && all[i - 1]->attribute("expr")) {
-      error(all[i]->position, "parameters with a default come last");
+      builder.findings.error(all[i]->position,
+                             "parameters with a default come last");
     }
-    b_.declare_parameter(name, target);
+    builder.declare_parameter(name, target);
   }
-  code.body = b_.here();
-}
-
-const Attribute* StatementCompiler::required(const Element& element,
-                                             const char* name) {
-  const auto* attribute = element.attribute(name);
-  if (!attribute)
-    error(element.position,
-          "<" + element.name + "> needs the attribute '" + name + "'");
-  return attribute;
-}
-
-void StatementCompiler::store_result(const Attribute* attribute,
-                                     Register from) {
-  if (!attribute)
-    return b_.release(from);
-  const auto source = source_of(*attribute);
-  auto parsed = parse_expression(source.text);
-  const bool is_new = parsed.node && parsed.node->kind == NodeKind::name &&
-                      parsed.node->text != "this" &&
-                      b_.find(parsed.node->text).kind == Meaning::Kind::nothing;
-  if (!is_new &&
-      (!parsed.node || !expressions_.assign(*parsed.node, source, from)))
-    error(source.start, "'" + attribute->value + "' is not a variable");
-  b_.release(from);
-  if (is_new)
-    b_.declare(parsed.node->text); // takes the place of `from`
+  code.body = builder.here();
 }
 
 } // namespace parlour::script

@@ -1,3 +1,6 @@
+// The jump by table is emitted before its table is complete; arms are added
+// when their code begins.
+
 #include "script/compiler/code/table_builder.hpp"
 
 namespace parlour::script {

@@ -1,7 +1,12 @@
-// TableBuilder: the table in front of a row of tests of one value against
-// constants, while they are compiled. It holds the tests from the first on, as
-// long as their constants are of one type; the tests themselves stay, for the
-// values that it knows nothing of.
+// TableBuilder: builds the jump table in front of a series of tests of one
+// value against constants. The table covers the tests from the first on, as
+// long as their constants are all strings or all integers. The tests themselves
+// stay in the code, for values that the table knows nothing of: '5' equals 5,
+// and a variable may hold anything.
+//
+// The order of use: the constructor emits the jump; takes() is called for each
+// test in turn; arm() when the code of a taken test begins; end() behind the
+// last test.
 #pragma once
 
 #include <optional>
@@ -12,17 +17,18 @@ namespace parlour::script {
 
 class TableBuilder {
 public:
-  // Fewer tests are as quick without.
+  // With fewer tests a table is no faster.
   static constexpr std::size_t fewest_tests = 4;
 
-  // Emits the jump; the first test follows.
+  // Emits the jump by table; the first test must follow.
   TableBuilder(CodeBuilder& builder, Register value);
 
-  // The next test begins at `start`. False where the table ends before it.
+  // Announces the next test, which begins at `start`. Returns false if the
+  // table cannot cover it; the table then ends before it.
   bool takes(std::uint32_t start, const std::optional<Box>& constant);
-  // Where the arm of a constant that was taken begins.
+  // Sets where the arm of a constant begins.
   void arm(const Box& constant, std::uint32_t target);
-  // Where a value that passes every test goes on.
+  // Sets where a value continues that is equal to none of the constants.
   void end(std::uint32_t target);
 
 private:

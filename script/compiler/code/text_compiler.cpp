@@ -1,4 +1,5 @@
-// Texts, expressions, and which of both an attribute is (language rule 4).
+// Texts and expressions, and the decision which of the two an attribute is
+// (language rule 4).
 #include <algorithm>
 #include <cctype>
 
@@ -11,8 +12,7 @@ namespace parlour::script {
 
 namespace {
 
-constexpr int most_closings = 16; // tried for one opening brace
-constexpr std::size_t shortest_slip = 4;
+constexpr std::size_t shortest_mistake = 4;
 
 std::string_view trimmed(std::string_view text) {
   constexpr auto blanks = " \t\r\n";
@@ -26,6 +26,7 @@ bool is_word_byte(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
 }
 
+// A single ASCII word, as the name of a variable would be.
 bool is_word(std::string_view text) {
   return !text.empty() && std::all_of(text.begin(), text.end(), is_word_byte) &&
          !std::isdigit(static_cast<unsigned char>(text[0]));
@@ -36,7 +37,7 @@ bool is_literal(const Node& node) {
          node.kind == NodeKind::string;
 }
 
-// A number that would print otherwise than it is written stays text: 007.
+// A number that would print differently stays text (language rule 4.3): 007.
 bool prints_as_written(const Node& node, std::string_view text) {
   if (node.kind == NodeKind::integer)
     return std::to_string(node.integer) == text;
@@ -61,6 +62,7 @@ bool ExpressionCompiler::is_declared(const std::string& name) const {
   return b_.find(name).kind != Meaning::Kind::nothing;
 }
 
+// Collects what the tree mentions.
 void ExpressionCompiler::mentions(const Node& node, Mentions& found) const {
   if (is_this_field(node)) {
     found.declared = true;
@@ -76,6 +78,9 @@ void ExpressionCompiler::mentions(const Node& node, Mentions& found) const {
     mentions(*child, found);
 }
 
+// A single literal is an expression. Everything else must be well-formed and
+// contain a quoted text, a known function or a declared name (language rule
+// 4.2), so that ordinary sentences with brackets or hyphens stay text.
 NodePointer ExpressionCompiler::decide(const Source& source) {
   auto parsed = parse_expression(source.text);
   if (parsed.node) {
@@ -87,6 +92,8 @@ NodePointer ExpressionCompiler::decide(const Source& source) {
         return std::move(parsed.node);
       return nullptr;
     }
+    // Everything else is an expression only if something in it is certainly
+    // meant as one.
     Mentions found;
     mentions(node, found);
     if (found.quoted || found.called || found.declared)
@@ -96,11 +103,14 @@ NodePointer ExpressionCompiler::decide(const Source& source) {
   return nullptr;
 }
 
+// Warns of a text that was probably meant as an expression: a single word that
+// is nearly a variable (language rule 4.7), or words beside operators of which
+// one is declared.
 void ExpressionCompiler::warn_of_text(const Source& source) {
   const auto text = trimmed(source.text);
   if (is_word(text)) {
     const std::string word(text);
-    const auto near = text.size() >= shortest_slip
+    const auto near = text.size() >= shortest_mistake
                           ? nearest(word, b_.visible_names())
                           : std::string();
     if (!near.empty())
@@ -116,7 +126,8 @@ void ExpressionCompiler::warn_of_text(const Source& source) {
       }))
     return;
   if (source.text.find('{') != std::string_view::npos)
-    return; // what it embeds, or does not, is looked at by itself
+    return; // embedded expressions have checks of their own
+  // Looks for a declared name beside '+', '[' or '('.
   for (std::size_t at = 0; at < source.text.size();) {
     auto end = at;
     while (end < source.text.size() && is_word_byte(source.text[end]))
@@ -144,6 +155,8 @@ void ExpressionCompiler::warn_of_text(const Source& source) {
   }
 }
 
+// Mistakes inside of a text that is no expression are not reported here: it may
+// be meant as it is.
 void ExpressionCompiler::text_or_expression(const Source& source,
                                             Register target) {
   auto either = source;
@@ -158,25 +171,7 @@ void ExpressionCompiler::text_or_expression(const Source& source,
 
 namespace {
 
-// The embedded expression that begins behind an opening brace; null where the
-// brace is literal. `length` counts up to the closing brace.
-NodePointer embedded(std::string_view rest, std::size_t& length) {
-  length = 0;
-  for (int tries = 0; tries < most_closings; ++tries) {
-    const auto close = rest.find('}', tries == 0 ? 0 : length + 1);
-    if (close == std::string_view::npos)
-      return nullptr;
-    length = close;
-    if (auto parsed = parse_expression(rest.substr(0, close)); parsed.node)
-      return std::move(parsed.node);
-  }
-  return nullptr;
-}
-
-bool is_doubled(std::string_view text, std::size_t brace) {
-  return brace + 1 < text.size() && text[brace + 1] == text[brace];
-}
-
+// Neighbouring literal pieces are joined.
 void add_literal(std::vector<TextPart>& parts, std::string_view text) {
   if (parts.empty() || parts.back().node)
     parts.emplace_back();
@@ -185,6 +180,8 @@ void add_literal(std::vector<TextPart>& parts, std::string_view text) {
 
 } // namespace
 
+// Doubled braces become single ones; braces that embed nothing are literal.
+// "Hello {name}!" becomes "Hello ", the tree of `name`, and "!".
 std::vector<TextPart> ExpressionCompiler::split_text(const Source& source) {
   std::vector<TextPart> parts;
   const auto text = source.text;
@@ -198,39 +195,21 @@ std::vector<TextPart> ExpressionCompiler::split_text(const Source& source) {
     if (at == text.size())
       break;
     const bool doubled = is_doubled(text, at);
-    std::size_t length = 0;
-    auto node = text[at] == '{' && !doubled
-                    ? embedded(text.substr(at + 1), length)
-                    : nullptr;
-    if (!node) {
+    auto inside = doubled ? Embedded() : embedded(text, at);
+    if (!inside.node) {
       add_literal(parts, text.substr(at, 1));
       at += doubled ? 2 : 1;
       continue;
     }
-    parts.push_back({{}, std::move(node), source.part(at + 1, length)});
-    at += length + 2;
+    parts.push_back(
+        {{}, std::move(inside.node), source.part(at + 1, inside.end - at - 2)});
+    at = inside.end;
   }
   return parts;
 }
 
-std::size_t embedded_end(std::string_view text, std::size_t brace) {
-  std::size_t length = 0;
-  return text[brace] == '{' && embedded(text.substr(brace + 1), length)
-             ? brace + length + 2
-             : std::string_view::npos;
-}
-
-std::size_t plain_brace(std::string_view text) {
-  for (auto at = text.find_first_of("{}"); at != std::string_view::npos;
-       at = text.find_first_of("{}", at)) {
-    const auto end = is_doubled(text, at) ? at + 2 : embedded_end(text, at);
-    if (end == std::string_view::npos)
-      return at;
-    at = end;
-  }
-  return std::string_view::npos;
-}
-
+// A text without expressions is a constant; otherwise its parts are computed
+// from left to right (language rule 4.5) and then joined.
 void ExpressionCompiler::text(const Source& source, Register target) {
   const auto parts = split_text(source);
   if (parts.empty())

@@ -1,29 +1,15 @@
 #include "script/dialogue/acts/acts.hpp"
 
-#include <array>
 #include <optional>
 #include <utility>
 
-#include "runtime/base/understanding.hpp"
+#include "runtime/message/understanding.hpp"
 
 namespace parlour::dialogue {
 
 namespace {
 
-constexpr std::array act_names = {
-#define X(name, sentence) std::string_view(#name),
-    PARLOUR_ACT_KINDS(X)
-#undef X
-};
-
 constexpr const char* unmatched_key = "unmatched";
-
-std::optional<ActKind> act_kind(std::string_view name) {
-  for (std::size_t i = 0; i < act_names.size(); ++i)
-    if (act_names[i] == name)
-      return static_cast<ActKind>(i);
-  return std::nullopt;
-}
 
 class Parser {
 public:
@@ -202,8 +188,17 @@ Value to_value(const SlotValue& slot) {
 
 } // namespace
 
-std::string_view name_of(ActKind kind) {
-  return act_names[static_cast<std::size_t>(kind)];
+bool is_generic(const Act& act) {
+  switch (act.kind) {
+  case ActKind::inform:
+  case ActKind::request:
+  case ActKind::correct:
+  case ActKind::confirm:
+  case ActKind::deny: // of a slot, or to no question: not understood
+    return false;
+  default:
+    return act.slots.empty();
+  }
 }
 
 ParsedActs parse_acts(const Value& frames) {

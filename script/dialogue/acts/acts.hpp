@@ -1,5 +1,5 @@
 // Acts: what the user did with an utterance, as <fire> hands it over (engine
-// rule 5, "Acts"; the keys are in runtime/base/understanding.hpp). Parsing
+// rule 5, "Acts"; the keys are in runtime/message/understanding.hpp). Parsing
 // never fails: what makes no sense is left out and counted in `problems`.
 #pragma once
 
@@ -10,29 +10,11 @@
 #include <vector>
 
 #include "runtime/base/value.hpp"
+#include "runtime/message/act_kinds.hpp"
 
 namespace parlour::dialogue {
 
-// clang-format off
-#define PARLOUR_ACT_KINDS(X) \
-  X(inform, "gives values") X(request, "wants to know") \
-  X(confirm, "yes") X(deny, "no") X(correct, "mends a value") \
-  X(help, "wants help") X(repeat, "wants to hear it again") \
-  X(cancel, "wants to stop this") X(restart, "wants to start over") \
-  X(greet, "hello") X(bye, "goodbye") X(thank, "thanks") \
-  X(explain, "wants to know why it is asked") \
-  X(options, "wants to know what can be said") \
-  X(rephrase, "wants to hear it in other words") \
-  X(abandon, "wants to stop everything") X(person, "wants somebody to talk to")
-// clang-format on
-
-enum class ActKind : std::uint8_t {
-#define X(name, sentence) name,
-  PARLOUR_ACT_KINDS(X)
-#undef X
-};
-
-std::string_view name_of(ActKind kind);
+using parlour::ActKind;
 
 struct SlotValue {
   std::string slot;
@@ -41,6 +23,11 @@ struct SlotValue {
   std::string text;
   List candidates;
   bool unmatched = false;
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(slot, value, confidence, text, candidates, unmatched);
+  }
 };
 
 struct Act {
@@ -51,6 +38,12 @@ struct Act {
   std::string text;
   bool elliptical = false;
   std::vector<Act> alternatives;
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive.up_to(kind, ActKind::person);
+    archive(topic, confidence, slots, text, elliptical, alternatives);
+  }
 };
 
 inline bool wants_out(const Act& act) {
@@ -60,6 +53,14 @@ inline bool wants_out(const Act& act) {
 inline bool passes_waits(const Act& act) {
   return wants_out(act) || act.kind == ActKind::restart;
 }
+
+// A yes or no: for what was asked, it begins no topic.
+inline bool is_answer(const Act& act) {
+  return act.slots.empty() &&
+         (act.kind == ActKind::confirm || act.kind == ActKind::deny);
+}
+// About the conversation itself: help, repeat, cancel, greet …
+bool is_generic(const Act& act);
 
 using ActPointer = std::shared_ptr<const Act>;
 

@@ -8,13 +8,13 @@ namespace parlour::dialogue {
 void Lane::queue(StepList item) {
   if (item.empty())
     return;
-  if (at_rest())
+  if (takes_at_once())
     contexts_.back().agenda = std::move(item);
   else
     queue_.push_back(std::move(item));
 }
 
-bool Lane::at_rest() const {
+bool Lane::takes_at_once() const {
   return !running_ && queue_.empty() && contexts_.size() == 1 &&
          contexts_.back().waiting == 0 && contexts_.back().agenda.empty();
 }
@@ -22,12 +22,6 @@ bool Lane::at_rest() const {
 void Lane::now(StepList steps) {
   if (!steps.empty())
     running().agenda.prepend(std::move(steps));
-}
-
-void Lane::at_once(Step&& step) {
-  StepList steps;
-  steps.push_back(std::move(step));
-  now(std::move(steps));
 }
 
 Lane::Context& Lane::running() {
@@ -45,7 +39,7 @@ Step* Lane::next() {
       return nullptr;
     }
   taken_ = contexts_.back().agenda.take();
-  return taken_.get();
+  return &taken_->step;
 }
 
 // Something that can run, or at least one context less, on top.
@@ -77,13 +71,12 @@ bool Lane::bring_up_woken() {
 
 // Both conclude.
 void Lane::part_with_acts(Context& context) {
-  auto item = context.agenda.take_if(
-      [](const Step& step) { return step.kind == StepKind::take_act; });
+  auto item = context.agenda.take_if(is<steps::TakeAct>);
   if (item.empty())
     return;
-  if (const auto& rest = context.agenda;
-      !rest.empty() && rest.back().kind == StepKind::conclude)
-    item.push_back(Step(rest.back()));
+  if (const auto& remaining = context.agenda;
+      !remaining.empty() && is<steps::Conclude>(remaining.back()))
+    item.add(remaining.back());
   queue_.push_front(std::move(item));
 }
 
@@ -98,16 +91,14 @@ void Lane::wait(WaitId wait, Others others) {
 Lane::Contexts::iterator Lane::waiting_so(WaitId wait) {
   return std::find_if(
       contexts_.begin(), contexts_.end(),
-      [&](const Context& context) { return context.waiting == wait; });
+      [&](const Context& context) { return context.waits_so(wait); });
 }
 
-bool Lane::wake(WaitId wait, Step step) {
+bool Lane::wake(WaitId wait, StepList steps) {
   const auto woken = waiting_so(wait);
   if (woken == contexts_.end())
     return false;
   woken->waiting = 0;
-  StepList steps;
-  steps.push_back(std::move(step));
   woken->agenda.prepend(std::move(steps));
   const auto holds =
       std::find_if(woken + 1, contexts_.end(), [](const Context& context) {
@@ -117,16 +108,15 @@ bool Lane::wake(WaitId wait, Step step) {
   return true;
 }
 
-void Lane::follow(WaitId wait, Step&& step) {
+void Lane::follow(WaitId wait, steps::Settle&& step) {
   const auto context = waiting_so(wait);
   if (context == contexts_.end() ||
-      std::ranges::any_of(context->agenda, [&](const Step& known) {
-        return known.kind == step.kind && known.topic == step.topic;
+      std::ranges::any_of(context->agenda, [&](const Step& other) {
+        const auto* known = std::get_if<steps::Settle>(&other);
+        return known && known->topic == step.topic;
       }))
     return;
-  StepList steps;
-  steps.push_back(std::move(step));
-  context->agenda.prepend(std::move(steps));
+  context->agenda.prepend(StepList(std::move(step)));
 }
 
 StepList Lane::take_out(WaitId wait) {
@@ -159,7 +149,7 @@ std::vector<WaitId> Lane::abandon(const std::vector<WaitId>& but) {
 void Lane::clear() {
   queue_.clear();
   if (auto& top = contexts_.back(); !running_ && top.waiting == 0)
-    top.agenda.clear(); // an item that came while the lane was at rest
+    top.agenda.clear(); // an item that came while nothing ran
 }
 
 bool Lane::idle() const {
@@ -184,7 +174,7 @@ bool Lane::waits() const {
 bool Lane::waits(WaitId wait) const {
   return std::any_of(
       contexts_.begin(), contexts_.end(),
-      [&](const Context& context) { return context.waiting == wait; });
+      [&](const Context& context) { return context.waits_so(wait); });
 }
 
 bool Lane::returning() const {

@@ -20,7 +20,10 @@ public:
   void queue(StepList item);
   // In front of all that runs, in the given order; above a context that waits.
   void now(StepList steps);
-  void at_once(Step&& step);
+  template <class Kind>
+  void at_once(Kind&& kind) {
+    now(StepList(std::forward<Kind>(kind)));
+  }
 
   // The next step to take, which stays where it is until the next call; null
   // while the lane waits or is idle.
@@ -31,12 +34,12 @@ public:
   enum class Others : std::uint8_t { are_held, go_on };
   // The running context waits.
   void wait(WaitId wait, Others others);
-  // Ends that wait: `step` is taken when the running context ends or waits;
+  // Ends that wait: `steps` are taken when the running context ends or waits;
   // others that wait for the user do not hold it. False where nothing waits so.
-  bool wake(WaitId wait, Step step);
+  bool wake(WaitId wait, StepList steps);
   // What comes when that wait is over and its activation has ended, unless its
-  // agenda has such a step already.
-  void follow(WaitId wait, Step&& step);
+  // agenda settles with that topic already.
+  void follow(WaitId wait, steps::Settle&& step);
   // Ends that wait; what its agenda still had to do is for the caller.
   StepList take_out(WaitId wait);
   // Ends all waits but these; the agendas of all other contexts are dropped,
@@ -75,12 +78,28 @@ public:
     return taken;
   }
 
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive.without(taken_);
+    archive(contexts_, queue_, running_);
+    archive.check(!contexts_.empty(), "the lane has no context");
+  }
+
 private:
   struct Context {
     StepList agenda;
     WaitId waiting = 0;
     Others others = Others::are_held;
 
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive(agenda, waiting);
+      archive.up_to(others, Others::go_on);
+    }
+
+    bool waits_so(WaitId wait) const {
+      return waiting != 0 && waiting == wait;
+    }
     bool can_run() const {
       return waiting == 0 && !agenda.empty();
     }
@@ -89,7 +108,7 @@ private:
   using Contexts = std::vector<Context>;
 
   Contexts::iterator waiting_so(WaitId wait); // the end: none
-  bool at_rest() const; // what is queued would be taken at once
+  bool takes_at_once() const;                 // what is queued
   bool bring_up_next();
   bool bring_up_woken();
   Context& running(); // above one that waits

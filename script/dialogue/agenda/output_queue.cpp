@@ -101,14 +101,19 @@ std::vector<std::string> OutputQueue::last_turn() const {
   return texts;
 }
 
+const Output* OutputQueue::released(OutputId id) const {
+  const auto found = std::find_if(last_turn_.begin(), last_turn_.end(),
+                                  [&](const Output& o) { return o.id == id; });
+  return found == last_turn_.end() ? nullptr : &*found;
+}
+
 std::optional<Output> OutputQueue::cut(OutputId id, std::string heard) {
-  for (const auto& output : last_turn_)
-    if (output.id == id) {
-      std::erase_if(cut_, [&](const auto& entry) { return entry.first == id; });
-      cut_.emplace_back(id, std::move(heard));
-      return output;
-    }
-  return std::nullopt;
+  const auto* output = released(id);
+  if (!output)
+    return std::nullopt;
+  std::erase_if(cut_, [&](const auto& entry) { return entry.first == id; });
+  cut_.emplace_back(id, std::move(heard));
+  return *output;
 }
 
 void OutputQueue::turn_begins() {

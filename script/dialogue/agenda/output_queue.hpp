@@ -44,6 +44,14 @@ struct Output {
   std::uint64_t turn = 0; // the user turn that it answers; 0: none
   bool interruptible = true;
   bool awaited = false; // by a script, which waits for the answer
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(id, text, turn, interruptible, awaited);
+    archive.up_to(act, OutputAct::chat);
+    archive.up_to(state, OutputState::withdrawn);
+    archive.slot(topic, slot);
+  }
 };
 
 class OutputQueue {
@@ -73,10 +81,17 @@ public:
   bool empty() const; // nothing waits for words or release
   // The texts of the last robot turn as far as they were heard, for "repeat".
   std::vector<std::string> last_turn() const;
+  // An output of that turn; null where it is none of them.
+  const Output* released(OutputId id) const;
   // Of an output of that turn only these words were heard. Returns it as it
   // was released; nothing where it is no longer known.
   std::optional<Output> cut(OutputId id, std::string heard);
   void turn_begins(); // the next release starts a new robot turn
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(entries_, last_turn_, cut_, fresh_turn_, last_id_);
+  }
 
 private:
   std::vector<Output> withdraw(const Which& which); // of the questions

@@ -1,22 +1,25 @@
 // Port: everything a conversation wants from the world, one call each. The
 // session actor implements it by sending messages to other actors; tests
 // implement it by noting the calls down. A call returns at once; outcomes come
-// back through Conversation's inputs, with the id given here.
+// back through Conversation's inputs, with the id given here. A conversation
+// that goes on with another port asks that one for what it still needs
+// (Conversation::resume).
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "runtime/base/clock.hpp"
 #include "runtime/base/files.hpp"
-#include "runtime/base/inspection.hpp"
-#include "runtime/base/message.hpp"
-#include "runtime/base/roles.hpp"
 #include "runtime/base/sockets.hpp"
-#include "runtime/base/subscription.hpp"
+#include "runtime/message/inspection.hpp"
+#include "runtime/message/message.hpp"
+#include "runtime/message/roles.hpp"
+#include "runtime/message/subscription.hpp"
 #include "script/dialogue/agenda/output_queue.hpp"
-#include "script/dialogue/frame/frame.hpp"
+#include "script/dialogue/frame/topic_frame.hpp"
 
 namespace parlour::dialogue {
 
@@ -76,7 +79,8 @@ public:
   // they were played (text: at once).
   virtual void release(const Output& output) = 0;
 
-  virtual void start_timer(TimerId id, Milliseconds after) = 0;
+  // Conversation::timer_fired follows at that time; at once where it is over.
+  virtual void start_timer(TimerId id, Timestamp due) = 0;
   virtual void cancel_timer(TimerId id) = 0;
   virtual void query(QueryRequest request) = 0;
   // Conversation::file_answered follows.
@@ -93,14 +97,15 @@ public:
   virtual void socket_taken(SocketId id) = 0;
   virtual void close_socket(SocketId id) = 0;
 
-  // Whether the topics' frames are written by others, their actors. Else the
+  // Whether filling events are computed by others, the topics' actors. Else the
   // conversation does it itself, in place, and apply() is never called.
-  virtual bool writes_frames() const {
+  virtual bool applies_changes() const {
     return true;
   }
-  // One request to the topic's frame actor; Conversation::frame_applied is the
-  // next input, before any other.
-  virtual void apply(TopicId topic, FrameRequest request) = 0;
+  // One request to the topic frame's actor, which keeps nothing of it;
+  // Conversation::frame_applied is the next input, before any other.
+  virtual void apply(TopicId topic,
+                     std::shared_ptr<const FrameRequest> request) = 0;
 
   // No state and no handler took it: to be counted and logged.
   virtual void unhandled(const Message& message) = 0;

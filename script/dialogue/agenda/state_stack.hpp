@@ -19,6 +19,12 @@ public:
   struct Level {
     StateId state = script::no_id;
     VisitId visit = 0;
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive.state(state);
+      archive(visit);
+    }
   };
 
   StateId active() const {
@@ -51,6 +57,12 @@ public:
   }
   const std::vector<Level>& levels() const { // innermost last
     return levels_;
+  }
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(visits_, levels_);
+    archive.check(!levels_.empty(), "there is no level of states");
   }
 
 private:

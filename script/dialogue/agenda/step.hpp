@@ -1,79 +1,71 @@
-// Step: one small piece of the dialogue lane's work (engine rules 2, 4, 5).
-// Plain data, so that a session can be written out between any two steps.
+// Step: one small piece of the dialogue lane's work (engine rules 2, 4, 5): one
+// of the structs that steps.def lists. Plain data, so that a session can be
+// written out between any two steps; small, as steps are moved often: what is
+// large is shared.
 #pragma once
 
+#include <concepts>
 #include <memory>
-#include <optional>
 #include <string>
+#include <type_traits>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "script/dialogue/acts/acts.hpp"
 #include "script/dialogue/agenda/output_queue.hpp"
 #include "script/dialogue/agenda/state_stack.hpp"
 #include "script/dialogue/agenda/turns.hpp"
-#include "script/dialogue/frame/frame.hpp"
+#include "script/dialogue/frame/topic_frame.hpp"
 #include "script/dialogue/knowledge/knowledge_query.hpp"
 #include "script/program/program.hpp"
 
 namespace parlour::dialogue {
 
 using script::StateId;
-
-// clang-format off
-#define PARLOUR_STEP_KINDS(X) \
-  X(take_act, "an act of the user, to whoever is first in order") \
-  X(topic_act, "the act to the topic engine") \
-  X(conclude, "the utterance is dealt with: what to ask now") \
-  X(activate, "a topic becomes the current one") \
-  X(fill, "the act's slots to the frame's actor") \
-  X(rule, "a rule's body, where its condition holds") \
-  X(report, "what became of one slot") \
-  X(settle, "whether the topic is done, must be looked up, or goes on") \
-  X(finish, "a task's <filled> has run: completed, unless redirected") \
-  X(complete, "a topic is completed") \
-  X(wind_up, "its <completed> has run: on with what needs it") \
-  X(look_up, "the topic's next query") \
-  X(looked_up, "its outcome") \
-  X(answer, "an enquiry's <filled> has run: answer if it said nothing") \
-  X(ask, "the question for a slot") \
-  X(ask_still, "the question once more, unless its ladder's step went on") \
-  X(ask_next, "the question for what the current topic misses") \
-  X(resume_topic, "back to a suspended topic") \
-  X(cancel, "the user wants out of a topic, or of all") \
-  X(cancel_topic, "it ends as cancelled") \
-  X(ask_again, "the question that waits, once more") \
-  X(no_match, "nothing was understood: to the reactions that listen") \
-  X(not_understood, "nothing was understood: what is done about it") \
-  X(no_input, "nothing was said: what is done about it") \
-  X(reset, "a topic's slots are emptied by a script") \
-  X(restart, "everything begins again") \
-  X(end, "the session ends") \
-  X(run, "a body of script") \
-  X(run_leaving, "the same of an Exit or a <transit>: a state is being left") \
-  X(ring, "a timer's statements, unless it was stopped since it rang") \
-  X(react, "a reaction's body, unless one before has kept the act for itself") \
-  X(resume_wait, "a waiting activation goes on with `data`") \
-  X(transit, "leave the state for another") \
-  X(leave, "the state's Exit") \
-  X(enter, "the state's Entrance") \
-  X(push, "enter a state as a subtask") \
-  X(pop, "come back from it") \
-  X(give_up, "what a handler that asks again had asked before") \
-  X(greet_agents, "Online of the agents that are there from the start")
-// clang-format on
-
-enum class StepKind : std::uint8_t {
-#define X(name, sentence) name,
-  PARLOUR_STEP_KINDS(X)
-#undef X
-};
-
 using WaitId = std::uint64_t; // 0: none
+using OfferId =
+    std::uint64_t; // of what reactions may keep; 0: nobody was asked
+using ResultPointer = std::shared_ptr<const FrameResult>;
 
 // Where a piece of script stands: what it starts may end with that.
 struct Origin {
   VisitId visit = 0;              // of the state that it is of; 0: of none
   CodeId timer = script::no_code; // of the timer that it is of
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(visit);
+    archive.code(timer);
+  }
+};
+
+// What a body of script is given, beside where it stands.
+struct BodyInput {
+  std::vector<Value> arguments;
+  std::shared_ptr<const Message> message; // null: it handles none
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(arguments, message);
+  }
+};
+
+// A piece of script that is to run, with what it stands in.
+struct Body {
+  CodeId code = script::no_code;
+  TopicId topic = script::no_id;
+  SlotId slot = script::no_id;
+  TurnId turn = 0;
+  Origin origin{};
+  std::shared_ptr<const BodyInput> input{}; // null: nothing
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive.code(code);
+    archive.slot(topic, slot);
+    archive(turn, origin, input);
+  }
 };
 
 // A timer that rang, as long as anything of its statements is still to come.
@@ -81,42 +73,90 @@ struct Ring {
   std::string name;
   VisitId visit = 0;
   bool stopped = false;
-};
 
-// What only some kinds of steps carry.
-struct StepMatter {
-  std::vector<Value> arguments; // of the code
-  std::shared_ptr<const Message> message;
-  std::optional<KnowledgeQuery> query;
-  std::optional<Statement> statement;
-  std::optional<Expected<Value>> data; // of resume_wait, looked_up
-  std::shared_ptr<Ring> ring;          // of a timer; its own until all is done
-};
-
-// Small, as it is moved often: what is large is shared. Null where the kind
-// has no use for it.
-struct Step {
-  StepKind kind = StepKind::run;
-  OutputAct output = OutputAct::question; // of ask
-  TopicId topic = script::no_id;
-  SlotId slot = script::no_id;
-  StateId state = script::no_id;
-  CodeId code = script::no_code;
-  std::uint32_t index = 0; // which of the topic's rules, or of the reports
-  TurnId turn = 0;
-  std::uint64_t mark = 0;    // how many outputs there were before
-  std::uint64_t offered = 0; // of the message that reactions may consume
-  WaitId wait = 0;
-  Origin origin; // of the code
-  ActPointer act;
-  std::shared_ptr<const FrameResult> result;
-  std::shared_ptr<StepMatter> more;
-
-  StepMatter& matter() { // made where there is none
-    if (!more)
-      more = std::make_shared<StepMatter>();
-    return *more;
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(name, visit, stopped);
   }
 };
+
+// A topic's queries on their way.
+struct Lookup {
+  KnowledgeQuery query;
+  Statement statement;    // that is asked now
+  Expected<Value> rows{}; // that it was answered with
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(query, statement, rows);
+  }
+};
+
+namespace steps {
+#define FIELD(type, name, initial) type name = initial;
+#define STEP(kind, fields, sentence)                                           \
+  struct kind {                                                                \
+    fields                                                                     \
+  };
+#include "script/dialogue/agenda/steps.def"
+#undef STEP
+#undef FIELD
+
+// Tells `visit` each field of a step of that kind, in the table's order.
+#define FIELD(type, name, initial) visit(step.name);
+#define STEP(kind, fields, sentence)                                           \
+  template <class Self, class Visit>                                           \
+  requires std::same_as<std::remove_const_t<Self>, kind>                       \
+  void visit_fields([[maybe_unused]] Self& step,                               \
+                    [[maybe_unused]] Visit&& visit) {                          \
+    fields                                                                     \
+  }
+#include "script/dialogue/agenda/steps.def"
+#undef STEP
+#undef FIELD
+
+template <class None, class... Kinds>
+using OneOf = std::variant<Kinds...>;
+} // namespace steps
+
+using Step = steps::OneOf<void
+#define STEP(kind, fields, sentence) , steps::kind
+#include "script/dialogue/agenda/steps.def"
+#undef STEP
+                          >;
+
+template <class Kind>
+bool is(const Step& step) {
+  return std::holds_alternative<Kind>(step);
+}
+
+// The user turn that it works for; 0: none.
+inline TurnId turn_of(const Step& step) {
+  return std::visit(
+      [](const auto& kind) -> TurnId {
+        if constexpr (requires { kind.turn; })
+          return kind.turn;
+        else if constexpr (requires { kind.body.turn; })
+          return kind.body.turn;
+        else
+          return 0;
+      },
+      step);
+}
+
+inline std::shared_ptr<const BodyInput>
+input_of(std::shared_ptr<const Message> message) {
+  return std::make_shared<const BodyInput>(BodyInput{{}, std::move(message)});
+}
+
+inline std::shared_ptr<const BodyInput> input_of(std::vector<Value> arguments) {
+  return std::make_shared<const BodyInput>(
+      BodyInput{std::move(arguments), nullptr});
+}
+
+// A step that tells an outcome.
+inline steps::ResumeWait outcome_step(WaitId wait, Expected<Value> outcome) {
+  return {wait, std::make_shared<Expected<Value>>(std::move(outcome))};
+}
 
 } // namespace parlour::dialogue

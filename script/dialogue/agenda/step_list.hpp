@@ -2,8 +2,8 @@
 // lists are put in front of one another, and steps taken, by pointers alone.
 #pragma once
 
+#include <concepts>
 #include <cstddef>
-#include <initializer_list>
 #include <iterator>
 #include <memory>
 #include <utility>
@@ -14,9 +14,10 @@
 namespace parlour::dialogue {
 
 class StepList {
-  struct Node : Step {
-    Node() = default;
-    explicit Node(Step&& step) : Step(std::move(step)) {}
+  struct Node {
+    template <class Kind>
+    explicit Node(std::in_place_t, Kind&& kind)
+        : step(std::forward<Kind>(kind)) {}
 
     static void* operator new(std::size_t size) {
       return script::BlockCache::take(size);
@@ -25,6 +26,7 @@ class StepList {
       script::BlockCache::give(node, size);
     }
 
+    Step step;
     Node* next = nullptr;
   };
 
@@ -39,10 +41,10 @@ class StepList {
 
     explicit Place(Node* node = nullptr) : node_(node) {}
     Item& operator*() const {
-      return *node_;
+      return node_->step;
     }
     Item* operator->() const {
-      return node_;
+      return &node_->step;
     }
     Place& operator++() {
       node_ = node_->next;
@@ -64,9 +66,10 @@ public:
   using Taken = std::unique_ptr<Node>;
 
   StepList() = default;
-  StepList(std::initializer_list<Step> steps) {
-    for (auto step : steps)
-      push_back(std::move(step));
+  template <class... Kinds>
+  requires(sizeof...(Kinds) > 0 && (std::constructible_from<Step, Kinds> &&
+                                    ...)) StepList(Kinds&&... kinds) {
+    (add(std::forward<Kinds>(kinds)), ...);
   }
   StepList(StepList&& other) noexcept
       : first_(std::exchange(other.first_, nullptr)),
@@ -85,7 +88,7 @@ public:
     return first_ == nullptr;
   }
   const Step& back() const {
-    return *last_;
+    return last_->step;
   }
   auto begin() {
     return Place<Step>(first_);
@@ -100,27 +103,23 @@ public:
     return Place<const Step>();
   }
 
-  // At the end.
-  Step& add(StepKind kind) {
-    auto* node = new Node;
-    node->kind = kind;
+  // At the end: a step of whatever kind.
+  template <class Kind>
+  Step& add(Kind&& kind) {
+    auto* node = new Node(std::in_place, std::forward<Kind>(kind));
     append(node, node);
-    return *node;
-  }
-  void push_back(Step&& step) {
-    auto* node = new Node(std::move(step));
-    append(node, node);
+    return node->step;
   }
   void append(StepList&& other) {
     if (!other.empty())
       append(std::exchange(other.first_, nullptr),
              std::exchange(other.last_, nullptr));
   }
-  Step& append(Taken step) {
-    auto* node = step.release();
+  const Step& append(Taken taken) {
+    auto* node = taken.release();
     node->next = nullptr;
     append(node, node);
-    return *node;
+    return node->step;
   }
   void prepend(StepList&& other) {
     other.append(std::move(*this));
@@ -139,9 +138,9 @@ public:
     StepList taken;
     StepList left;
     while (!empty()) {
-      auto step = take();
-      const bool is_wanted = wanted(std::as_const(*step));
-      (is_wanted ? taken : left).append(std::move(step));
+      auto first = take();
+      const bool is_wanted = wanted(std::as_const(first->step));
+      (is_wanted ? taken : left).append(std::move(first));
     }
     *this = std::move(left);
     return taken;
@@ -149,6 +148,17 @@ public:
   void clear() {
     while (!empty())
       take();
+  }
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    std::size_t count = 0;
+    for ([[maybe_unused]] const auto& step : *this)
+      ++count;
+    archive.without(first_, last_); // they hold the steps
+    archive.each(
+        *this, count, [&]() -> Step& { return add(steps::End()); },
+        [&](Step& step) { archive(step); });
   }
 
 private:

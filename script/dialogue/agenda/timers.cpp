@@ -7,18 +7,25 @@
 
 namespace parlour::dialogue {
 
-TimerId Timers::start(Milliseconds after, Timer timer) {
+TimerId Timers::start(Timestamp due, Timer timer) {
+  timer.due = due;
   timers_.emplace_back(++last_, std::move(timer));
-  port_->start_timer(last_, after);
+  port_->start_timer(last_, due);
   return last_;
 }
 
-TimerId Timers::start(Milliseconds after, Timer::Purpose purpose) {
+TimerId Timers::start(Timestamp due, Timer::Purpose purpose) {
   auto& entry = timers_.emplace_back();
   entry.first = ++last_;
   entry.second.purpose = purpose;
-  port_->start_timer(last_, after);
+  entry.second.due = due;
+  port_->start_timer(last_, due);
   return last_;
+}
+
+void Timers::resume() {
+  for (const auto& [id, timer] : timers_)
+    port_->start_timer(id, timer.due);
 }
 
 // The latest are the likeliest.
@@ -47,17 +54,14 @@ void Timers::cancel_wait(WaitId wait) {
   });
 }
 
-std::optional<Timer> Timers::fired(TimerId id) {
+std::optional<Timer> Timers::fired(TimerId id, Timestamp now) {
   const auto found = find(id);
   if (found == timers_.end())
     return std::nullopt;
   auto timer = std::move(found->second);
   timers_.erase(found);
-  if (timer.every.count() > 0) {
-    auto again = timer;
-    again.due += timer.every.count();
-    start(timer.every, std::move(again));
-  }
+  if (timer.every.count() > 0)
+    start(now + timer.every.count(), timer);
   return timer;
 }
 
@@ -94,6 +98,14 @@ bool Timers::keep_open() const {
     const auto& timer = entry.second;
     return timer.keeps_open || timer.purpose == Timer::Purpose::wait;
   });
+}
+
+std::vector<std::shared_ptr<Ring>> Timers::ringing() const {
+  std::vector<std::shared_ptr<Ring>> rings;
+  for (const auto& known : rings_)
+    if (auto ring = known.lock())
+      rings.push_back(std::move(ring));
+  return rings;
 }
 
 std::vector<const Timer*> Timers::pending() const {

@@ -27,9 +27,9 @@ struct Timer {
   };
   // clang-format on
   Purpose purpose = Purpose::script;
+  Timestamp due = 0;
   // Of a <timer>.
   std::string name{};
-  Timestamp due = 0;
   Milliseconds every{0};   // 0: it rings once
   bool keeps_open = false; // no session closes while it is due
   VisitId visit = 0;       // of the state that it ends with; 0: none
@@ -40,14 +40,27 @@ struct Timer {
   // Of the others.
   WaitId wait = 0;
   Correlation correlation = 0;
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive.up_to(purpose, Purpose::leaving);
+    archive(due, name, every, keeps_open, visit, arguments, bytes, wait,
+            correlation);
+    archive.code(code);
+    archive.topic(topic);
+    if (purpose == Purpose::script)
+      archive.needs(code);
+  }
 };
 
 class Timers {
 public:
   explicit Timers(Port& port) : port_(&port) {}
 
-  TimerId start(Milliseconds after, Timer timer);
-  TimerId start(Milliseconds after, Timer::Purpose purpose); // and no more
+  TimerId start(Timestamp due, Timer timer);
+  TimerId start(Timestamp due, Timer::Purpose purpose); // and no more
+  // Another port is to ring, at the same times.
+  void resume();
   void cancel(TimerId id);
   void cancel_named(const std::string& name); // scripts' ones
   void cancel_wait(WaitId wait);
@@ -58,9 +71,9 @@ public:
       return timer.visit != 0 && is_over(timer.visit);
     });
   }
-  // Takes a fired timer out; a repeating one starts again. Nothing where it
-  // was cancelled meanwhile.
-  std::optional<Timer> fired(TimerId id);
+  // Takes a fired timer out; a repeating one starts again from `now`. Nothing
+  // where it was cancelled meanwhile.
+  std::optional<Timer> fired(TimerId id, Timestamp now);
   void cancel_all();
   bool any(Timer::Purpose purpose) const;
   // Whether a session must not close yet.
@@ -74,6 +87,17 @@ public:
   // Why one more of a script, a <timer> or <wait>, after those there are, is
   // too much (language rule 9.6).
   std::optional<Error> refuse(const Timer& timer, std::size_t limit) const;
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive.without(port_);
+    archive(timers_, last_);
+    auto rings = ringing(); // those of steps, which come later
+    archive(rings);
+    for (const auto& ring : rings)
+      archive.needs(ring);
+    rings_.assign(rings.begin(), rings.end());
+  }
 
 private:
   template <class Predicate>
@@ -99,6 +123,7 @@ private:
   using Entries = ShortLivedList<Entry>;
 
   Entries::iterator find(TimerId id);
+  std::vector<std::shared_ptr<Ring>> ringing() const;
 
   Entries timers_;                         // by id
   std::vector<std::weak_ptr<Ring>> rings_; // of scripts' ones

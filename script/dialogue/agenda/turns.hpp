@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "runtime/base/clock.hpp"
-#include "runtime/base/message.hpp"
+#include "runtime/message/message.hpp"
 #include "script/support/short_lived.hpp"
 
 namespace parlour::dialogue {
@@ -78,17 +78,35 @@ public:
     return turns_.size();
   }
 
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(turns_, questions_, last_, speech_until_);
+  }
+
 private:
   struct Turn {
     TurnId id = 0;
     int holders = 0;
     bool taken = false;
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive(id, holders, taken);
+    }
   };
   struct Question {
     TurnId turn = 0;
     Timestamp until = 0;
     bool open = true;
     bool meaning = false;
+
+    // One that was answered only tells whose turn an answer belongs to.
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive(turn, open);
+      if (open)
+        archive(until, meaning);
+    }
   };
 
   bool any_waits(Timestamp now, TurnId besides) const;

@@ -3,18 +3,13 @@
 #include <algorithm>
 #include <utility>
 
-#include "script/dialogue/agenda/steps.hpp"
-#include "script/dialogue/context/dialogue_context.hpp"
-
 namespace parlour::dialogue {
 
 namespace {
 
 // Of several transits in one activation the last counts (engine rule 2).
 void keep_last_transit(StepList& steps) {
-  auto is_transit = [](const Step& step) {
-    return step.kind == StepKind::transit;
-  };
+  const auto is_transit = is<steps::Transit>;
   auto transits = std::count_if(steps.begin(), steps.end(), is_transit);
   if (transits > 1)
     steps.take_if(
@@ -31,7 +26,7 @@ WaitId ActivationRunner::start(CodeId code, const std::vector<Value>& arguments,
   redirected_.erase(code);
   acted_.erase(code);
   auto stopped =
-      context_.interpreter.run_body(code, arguments, std::move(context), host_);
+      interpreter_.run_body(code, arguments, std::move(context), host_);
   return stopped ? dispose(std::move(stopped->activation), stopped->result) : 0;
 }
 
@@ -44,12 +39,12 @@ WaitId ActivationRunner::resume(WaitId wait, Expected<Value> outcome) {
   later_ = std::move(waiting.later);
   code_ = waiting.code;
   origin_ = waiting.origin;
-  context_.timers.cancel_wait(wait);
+  timers_.cancel_wait(wait);
   // A yielded activation goes on by itself, unless it is being ended.
-  auto result = waiting.yielded && outcome
-                    ? context_.interpreter.run(*waiting.activation, host_)
-                    : context_.interpreter.resume(*waiting.activation,
-                                                  std::move(outcome), host_);
+  auto result =
+      waiting.yielded && outcome
+          ? interpreter_.run(*waiting.activation, host_)
+          : interpreter_.resume(*waiting.activation, std::move(outcome), host_);
   listener_.wait_is_over(wait);
   return dispose(std::move(waiting.activation), result);
 }
@@ -108,8 +103,21 @@ Expected<Value> ActivationRunner::evaluate(CodeId code,
                                            TopicId topic) {
   script::ActivationContext context;
   context.topic = topic;
-  return context_.interpreter.evaluate(code, arguments, std::move(context),
-                                       host_);
+  return interpreter_.evaluate(code, arguments, std::move(context), host_);
+}
+
+bool ActivationRunner::holds(CodeId condition,
+                             const std::vector<Value>& arguments, TopicId topic,
+                             TurnId turn) {
+  const auto value = evaluate(condition, arguments, topic);
+  if (!value)
+    messenger_.script_failed(value.error(), turn);
+  return value && *value;
+}
+
+WaitId ActivationRunner::begin_wait(WaitFor what) {
+  expected_ = {context_.next_id(), what};
+  return expected_.id;
 }
 
 WaitId ActivationRunner::dispose(std::unique_ptr<script::Activation> activation,
@@ -145,7 +153,7 @@ bool ActivationRunner::waits_for_others() const {
 // What goes on behind its own <transit> or <pop> does not end with the state.
 bool ActivationRunner::leaves_its_state() const {
   return std::any_of(later_.begin(), later_.end(), [](const Step& step) {
-    return step.kind == StepKind::transit || step.kind == StepKind::pop;
+    return is<steps::Transit>(step) || is<steps::Pop>(step);
   });
 }
 
@@ -162,7 +170,7 @@ void ActivationRunner::report(const script::ActivationContext& context,
   if (!cancelled)
     listener_.body_failed(context.topic, code_);
   if (!cancelled && !context.handles_error)
-    context_.raise_error(result.error, context.turn);
+    messenger_.raise_error(result.error, context.turn);
 }
 
 StepList ActivationRunner::hand_over() {
@@ -170,21 +178,21 @@ StepList ActivationRunner::hand_over() {
     return {};
   keep_last_transit(later_);
   StepList steps;
-  while (!later_.empty() && context_.one_more_internal_event()) {
+  while (!later_.empty() && messenger_.one_more_internal_event()) {
     const auto& step = steps.append(later_.take());
-    if (step.kind == StepKind::take_act || step.kind == StepKind::no_match)
-      context_.turns.hold(step.turn);
+    if (is<steps::TakeAct>(step) || is<steps::NoMatch>(step))
+      context_.turns.hold(dialogue::turn_of(step));
   }
   while (!later_.empty()) // what is too much
-    drop(*later_.take());
+    drop(later_.take()->step);
   return steps;
 }
 
 // Nobody is to take it any more; who pushed does not wait for ever.
 void ActivationRunner::drop(const Step& step) {
-  if (step.kind == StepKind::push)
-    context_.lane.queue({outcome_step(
-        step.wait, fail(ErrorKind::cancelled, "the state was not entered"))});
+  if (const auto* push = std::get_if<steps::Push>(&step))
+    context_.lane.queue(outcome_step(
+        push->wait, fail(ErrorKind::cancelled, "the state was not entered")));
 }
 
 } // namespace parlour::dialogue

@@ -10,13 +10,13 @@
 #include <vector>
 
 #include "script/dialogue/agenda/step_list.hpp"
+#include "script/dialogue/agenda/timers.hpp"
+#include "script/dialogue/context/messenger.hpp"
 #include "script/program/host.hpp"
 #include "script/support/fifo.hpp"
 #include "script/vm/interpreter.hpp"
 
 namespace parlour::dialogue {
-
-struct DialogueContext;
 
 // Bodies of which something is known: few, and asked for with each that starts.
 class Bodies {
@@ -30,6 +30,12 @@ public:
   }
   bool contains(CodeId body) const {
     return std::find(all_.begin(), all_.end(), body) != all_.end();
+  }
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    std::sort(all_.begin(), all_.end()); // equal ones have equal bytes
+    archive.codes(all_);
   }
 
 private:
@@ -50,9 +56,11 @@ public:
     ~Listener() = default;
   };
 
-  ActivationRunner(DialogueContext& context, script::Host& host,
+  ActivationRunner(DialogueContext& context, script::Interpreter& interpreter,
+                   Messenger& messenger, Timers& timers, script::Host& host,
                    Listener& listener)
-      : context_(context), host_(host), listener_(listener) {}
+      : context_(context), interpreter_(interpreter), messenger_(messenger),
+        timers_(timers), host_(host), listener_(listener) {}
 
   // What the effect that suspends the running activation waits for.
   enum class WaitFor : std::uint8_t {
@@ -63,10 +71,15 @@ public:
   struct Wait {
     WaitId id = 0;
     WaitFor what = WaitFor::answer;
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive(id);
+      archive.up_to(what, WaitFor::user);
+    }
   };
-  void expect(Wait wait) {
-    expected_ = wait;
-  }
+  // That it waits from now on, for what comes with that id.
+  WaitId begin_wait(WaitFor what);
 
   // Runs until it ends or waits; returns the wait's id, 0 where it ended. The
   // steps that it asked for are then taken with hand_over().
@@ -76,11 +89,9 @@ public:
 
   // A step that the running activation's statements asked for; taken when it
   // ends or waits.
-  Step& later(StepKind kind) {
-    return later_.add(kind);
-  }
-  void later(Step&& step) {
-    later_.push_back(std::move(step));
+  template <class Kind>
+  void later(Kind&& kind) {
+    later_.add(std::forward<Kind>(kind));
   }
 
   bool waiting(WaitId wait) const {
@@ -141,10 +152,22 @@ public:
   // Runs a short body that must not wait.
   Expected<Value> evaluate(CodeId code, const std::vector<Value>& arguments,
                            TopicId topic);
+  // The same of a condition; one that fails does not hold, and is told.
+  bool holds(CodeId condition, const std::vector<Value>& arguments,
+             TopicId topic, TurnId turn);
 
   // What the statements of the activation that ended or waits asked for. Each
   // is an internal event (engine rule 2); acts hold their turn until taken.
   StepList hand_over();
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive.without(context_, interpreter_, messenger_, timers_, host_,
+                    listener_);
+    archive(expected_, origin_, later_, redirected_, acted_, deeds_, waiting_,
+            slices_);
+    archive.code(code_);
+  }
 
 private:
   struct Waiting {
@@ -154,6 +177,14 @@ private:
     Origin origin;
     bool yielded = false; // its slice was used up; it waits for nothing
     StepList later;       // what it asked for so far, where it yielded
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive.activation(activation);
+      archive.code(code);
+      archive.up_to(what, WaitFor::user);
+      archive(origin, yielded, later);
+    }
   };
 
   WaitId dispose(std::unique_ptr<script::Activation> activation,
@@ -165,6 +196,9 @@ private:
   void drop(const Step& step);
 
   DialogueContext& context_;
+  script::Interpreter& interpreter_;
+  Messenger& messenger_;
+  Timers& timers_;
   script::Host& host_;
   Listener& listener_;
   Wait expected_;

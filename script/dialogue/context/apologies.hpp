@@ -24,6 +24,11 @@ public:
     return true;
   }
 
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(pause_, next_);
+  }
+
 private:
   static constexpr Milliseconds shortest = std::chrono::seconds(10);
   static constexpr Milliseconds longest = std::chrono::hours(1);

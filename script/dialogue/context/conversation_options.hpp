@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <memory>
 
-#include "runtime/base/message.hpp"
-#include "runtime/base/phrases.hpp"
+#include "runtime/message/message.hpp"
+#include "runtime/message/phrases.hpp"
 
 namespace parlour::dialogue {
 

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "runtime/base/message.hpp"
+#include "runtime/message/message.hpp"
 #include "script/dialogue/agenda/turns.hpp"
 
 namespace parlour::dialogue {
@@ -14,6 +14,12 @@ struct Input {
   bool begins_turn = false;  // the user spoke
   bool raised = false;       // by the engine itself, for those who listen
   bool is_no_answer = false; // to what a handler waits for
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(message, turn, begins_turn, raised, is_no_answer);
+    archive.needs(message);
+  }
 };
 
 } // namespace parlour::dialogue

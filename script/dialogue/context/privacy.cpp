@@ -19,7 +19,7 @@ std::optional<Decimal> decimal(const Value& value) {
 }
 
 // A text as it was heard that is too short tells nothing, and would hide much.
-constexpr std::size_t least_heard = 4;
+constexpr std::size_t min_heard = 4;
 
 // Every value in it, as it is printed and as it is spoken.
 void collect(const Value& value, const std::string& kind, Timestamp now,
@@ -78,7 +78,7 @@ void Privacy::note(TopicId topic, std::span<const FrameChange> changes,
   for (const auto& change : changes) {
     note(topic, change.slot, change.value, now);
     note(topic, change.slot, change.candidates, now);
-    if (change.text.size() >= least_heard)
+    if (change.text.size() >= min_heard)
       note(topic, change.slot, change.text, now);
   }
 }
@@ -86,6 +86,11 @@ void Privacy::note(TopicId topic, std::span<const FrameChange> changes,
 void Privacy::hear(bool is_asked_in_private) {
   if (is_needed_ && is_asked_in_private)
     port_.conceal_turn();
+}
+
+void Privacy::resume(Timestamp now) {
+  for (const auto& value : known_)
+    conceal(value, "", now);
 }
 
 void Privacy::settle(std::uint64_t received) {

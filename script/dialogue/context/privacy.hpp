@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "script/dialogue/agenda/port.hpp"
-#include "script/dialogue/frame/frame.hpp"
+#include "script/dialogue/frame/topic_frame.hpp"
 #include "script/program/program.hpp"
 #include "script/vm/interpreter.hpp"
 
@@ -31,8 +31,18 @@ public:
   void note(TopicId topic, std::span<const FrameChange> changes, Timestamp now);
   // The user was heard: hidden where a private slot is asked for.
   void hear(bool is_asked_in_private);
+  // Another port is told of the private variables.
+  void resume(Timestamp now);
   // Everything that was received is understood.
   void settle(std::uint64_t received);
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive.without(program_, interpreter_, port_, is_needed_, variables_);
+    archive(known_);
+    archive.check(known_.size() == variables_.size(),
+                  "other variables are private");
+  }
 
 private:
   void conceal(const Value& value, const std::string& kind, Timestamp now);

@@ -21,6 +21,12 @@ public:
     VisitId visit = 0;     // of the state that it is of
     bool captures = false; // ends the search by itself
     bool named() const;    // it names the source and the event, no '*'
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive.reaction(reaction);
+      archive(visit, captures);
+    }
   };
   // Appended to what is there.
   void find(const std::string& source, const std::string& event,
@@ -33,6 +39,12 @@ public:
   bool state_listens(const std::string& source, std::string_view event) const;
 
   void register_handler(const std::string& name, bool registered);
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive.without(context_);
+    archive(unregistered_);
+  }
 
 private:
   // Tells them to `visit` in that order, until it wants no more (false).

@@ -2,8 +2,6 @@
 
 #include <utility>
 
-#include "script/dialogue/agenda/steps.hpp"
-
 namespace parlour::dialogue {
 
 void Waits::resume(WaitId wait, Expected<Value> outcome) {
@@ -22,7 +20,7 @@ StepList Waits::cancel(const std::vector<WaitId>& but) {
   StepList steps;
   for (auto wait : waits) {
     others_.forget_request(wait);
-    steps.push_back(outcome_step(
+    steps.add(outcome_step(
         wait, fail(ErrorKind::cancelled, "the wait was cancelled")));
   }
   return steps;

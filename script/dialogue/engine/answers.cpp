@@ -4,8 +4,6 @@
 #include <string_view>
 #include <utility>
 
-#include "script/dialogue/agenda/steps.hpp"
-
 namespace parlour::dialogue {
 
 using namespace std::string_view_literals;
@@ -22,7 +20,7 @@ bool Answers::take(Input& input) {
   if (!input.begins_turn || input.is_no_answer ||
       input.message->params.empty() || !context_.port.reachable(understanding))
     return false;
-  const auto correlation = context_.post(
+  const auto correlation = messenger_.post(
       understanding, "DoNLU",
       {input.message->params[0], topics_.understanding_context()}, input.turn);
   context_.turns.let_go(input.turn); // the question keeps it open, for its time
@@ -42,7 +40,7 @@ bool Answers::take_meaning(Input& input) {
   context_.turns.hold(words.turn);
   context_.turns.let_go(input.turn);
   words.is_no_answer = true;
-  context_.inbox.push_front(std::move(words));
+  inbox_.put_back(std::move(words));
   return true;
 }
 
@@ -62,13 +60,13 @@ bool Answers::answer(const Input& input) {
       !std::all_of(parsed.acts.begin(), parsed.acts.end(),
                    [&](const Act& act) { return topics_.is_waited_for(act); }))
     return false;
-  StepList steps;
+  StepList acts;
   for (auto& act : parsed.acts) {
     context_.turns.hold(input.turn);
-    steps.push_back(
-        act_step(std::make_shared<const Act>(std::move(act)), input.turn));
+    acts.add(steps::TakeAct{std::make_shared<const Act>(std::move(act)),
+                            input.turn});
   }
-  entry_.take(std::move(steps), input.turn);
+  entry_.take(std::move(acts), input.turn);
   context_.turns.let_go(input.turn);
   return true;
 }

@@ -7,7 +7,9 @@
 
 #include <map>
 
+#include "script/dialogue/context/inbox.hpp"
 #include "script/dialogue/context/input.hpp"
+#include "script/dialogue/context/messenger.hpp"
 #include "script/dialogue/engine/lane_entry.hpp"
 #include "script/dialogue/topic_engine/topic_engine.hpp"
 
@@ -15,8 +17,10 @@ namespace parlour::dialogue {
 
 class Answers {
 public:
-  Answers(DialogueContext& context, const TopicEngine& topics, LaneEntry& entry)
-      : context_(context), topics_(topics), entry_(entry) {}
+  Answers(DialogueContext& context, Messenger& messenger, Inbox& inbox,
+          const TopicEngine& topics, LaneEntry& entry)
+      : context_(context), messenger_(messenger), inbox_(inbox),
+        topics_(topics), entry_(entry) {}
 
   // Whether the message is taken: it was an answer, or is to be understood
   // first. Else it goes on as it is.
@@ -31,11 +35,19 @@ public:
     words_.clear();
   }
 
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive.without(context_, messenger_, inbox_, topics_, entry_);
+    archive(words_);
+  }
+
 private:
   bool is_meaning(const Message& message) const;
   bool answer(const Input& input);
 
   DialogueContext& context_;
+  Messenger& messenger_;
+  Inbox& inbox_;
   const TopicEngine& topics_;
   LaneEntry& entry_;
   std::map<Correlation, Input> words_; // that are being understood

@@ -8,25 +8,38 @@ namespace parlour::dialogue {
 
 Conversation::Conversation(std::shared_ptr<const script::Program> program,
                            Options options, Port& port)
-    : implementation_(std::make_unique<Implementation>(
+    : implementation_(std::make_unique<ConversationImplementation>(
           std::move(program), std::move(options), port)) {}
 
 Conversation::~Conversation() = default;
 
 // A part may be given one that is made after it: nothing is said to it before
 // the first input.
-Conversation::Implementation::Implementation(
-    std::shared_ptr<const script::Program> program, Options options, Port& port)
-    : context(std::move(program), std::move(options), port), reactions(context),
-      runner(context, effects, topics), waits(context, runner, *this),
-      output(context, reactions, topics),
-      topics(context, runner, waits, reactions, output, machine),
-      machine(context, runner, waits, topics), entry(context, topics, machine),
-      answers(context, topics, entry), sockets(context, waits),
-      pipeline(context, runner, reactions, output, sockets, machine, entry,
-               answers),
-      effects(context, runner, waits, reactions, output, topics, machine,
-              sockets, pipeline) {}
+ConversationImplementation::ConversationImplementation(
+    std::shared_ptr<const script::Program> program, ConversationOptions options,
+    Port& port)
+    : interpreter(program),
+      context(interpreter, std::move(program), std::move(options), port),
+      timers(port), inbox(context.turns), messenger(context, inbox),
+      frames(context, interpreter), reactions(context),
+      runner(context, interpreter, messenger, timers, effects, topics),
+      waits(context, runner, *this),
+      output(context, reactions, messenger, timers, topics),
+      topics(context, messenger, frames, runner, waits, reactions, output,
+             machine),
+      machine(context, timers, runner, waits, topics),
+      entry(context, topics, machine),
+      answers(context, messenger, inbox, topics, entry),
+      sockets(context, waits), message_end(context, output, sockets),
+      pipeline(context, messenger, inbox, runner, reactions, entry, answers,
+               message_end),
+      topic_effects(context, frames, runner, output, topics),
+      reaction_effects(context, messenger, reactions, runner, topics, pipeline),
+      requests(context, messenger, timers, runner, waits, topics),
+      time_effects(context, timers, runner),
+      outside(context, timers, runner, waits, sockets),
+      effects(context, runner, topic_effects, reaction_effects, requests,
+              time_effects, outside) {}
 
 void Conversation::open(Timestamp now) {
   implementation_->context.now = now;
@@ -72,7 +85,7 @@ void Conversation::frame_applied(FrameResult result, Timestamp now) {
   implementation_->go_on();
 }
 
-void Conversation::query_answered(QueryId id, Expected<ResultSet> outcome,
+void Conversation::query_answered(QueryId id, Expected<Value> outcome,
                                   Timestamp now) {
   if (ended())
     return;
@@ -80,9 +93,7 @@ void Conversation::query_answered(QueryId id, Expected<ResultSet> outcome,
   parts.context.now = now;
   parts.begin_event();
   if (parts.topics.query_answered(id, outcome) ||
-      parts.effects.answered(id, std::move(outcome).map([](ResultSet rows) {
-        return Value(std::move(rows));
-      })))
+      parts.outside.answered(id, std::move(outcome)))
     parts.go_on();
 }
 
@@ -92,7 +103,7 @@ void Conversation::file_answered(QueryId id, Expected<Value> outcome,
     return;
   implementation_->context.now = now;
   implementation_->begin_event();
-  if (implementation_->effects.answered(id, std::move(outcome)))
+  if (implementation_->outside.answered(id, std::move(outcome)))
     implementation_->go_on();
 }
 
@@ -139,13 +150,14 @@ void Conversation::close(Timestamp now) {
 }
 
 bool Conversation::ended() const {
-  return implementation_->context.ended;
+  return implementation_->context.ending.is_over();
 }
 
 bool Conversation::waits_for_answer() const {
   const auto& parts = *implementation_;
   return parts.topics.awaiting_frame() || parts.topics.waits_for_answer() ||
-         parts.effects.waits_for_answer() || parts.output.waits_for_words();
+         parts.requests.waits_for_answer() ||
+         parts.outside.waits_for_answer() || parts.output.waits_for_words();
 }
 
 Value Conversation::slot_value(std::string_view topic,
@@ -154,7 +166,7 @@ Value Conversation::slot_value(std::string_view topic,
   const auto id = parts.context.program->topic(topic);
   return id == script::no_id
              ? Value()
-             : parts.effects.slot(id, parts.context.topic(id).slot(slot));
+             : parts.topic_effects.slot(id, parts.context.topic(id).slot(slot));
 }
 
 std::vector<Message> Conversation::take_unread() {
@@ -167,9 +179,9 @@ std::string Conversation::state() const {
 }
 
 std::string Conversation::current_topic() const {
-  const auto& context = implementation_->context;
-  const auto topic = context.order.current();
-  return topic ? context.topic(*topic).name : std::string();
+  const auto& parts = *implementation_;
+  const auto topic = parts.frames.order().current();
+  return topic ? parts.context.topic(*topic).name : std::string();
 }
 
 } // namespace parlour::dialogue

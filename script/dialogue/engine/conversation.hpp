@@ -10,17 +10,21 @@
 
 #include <memory>
 #include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "runtime/base/clock.hpp"
-#include "runtime/base/message.hpp"
+#include "runtime/message/message.hpp"
 #include "script/dialogue/acts/acts.hpp"
 #include "script/dialogue/agenda/port.hpp"
 #include "script/dialogue/context/conversation_options.hpp"
-#include "script/dialogue/frame/frame.hpp"
+#include "script/dialogue/frame/topic_frame.hpp"
 #include "script/program/program.hpp"
 
 namespace parlour::dialogue {
+
+class ConversationImplementation;
 
 class Conversation {
 public:
@@ -51,7 +55,8 @@ public:
   bool step(Timestamp now);
 
   void frame_applied(FrameResult result, Timestamp now);
-  void query_answered(QueryId id, Expected<ResultSet> outcome, Timestamp now);
+  // With a result set, which scripts then share.
+  void query_answered(QueryId id, Expected<Value> outcome, Timestamp now);
   void file_answered(QueryId id, Expected<Value> outcome, Timestamp now);
   void component_answered(QueryId id, Expected<void> outcome, Timestamp now);
   void socket_opened(SocketId id, Expected<void> outcome, Timestamp now);
@@ -70,6 +75,26 @@ public:
   // of these is due to come by itself. A script's <wait> is the clock's matter.
   bool waits_for_answer() const;
 
+  // All that it knows as bytes (saved/archive.hpp), between any two inputs.
+  std::string save() const;
+  // Goes on from there, in any process that has compiled the same program.
+  // Nothing is said to the port: what was asked of one before is still wanted,
+  // and where this is another one, resume() asks it. Bytes of another program
+  // or damaged ones are an error of kind File.
+  static Expected<std::unique_ptr<Conversation>>
+  restore(std::shared_ptr<const script::Program> program, Options options,
+          Port& port, std::string_view bytes);
+
+  // The port is another one than before save() and knows nothing of what was
+  // asked for: it is asked anew, timers at the times when they were due. What
+  // might be done twice is not: such an outcome is an error of kind InDoubt
+  // (engine rule 7.9). An input like others, the first one here, and the only
+  // one that is allowed while awaiting_frame().
+  void resume(Timestamp now);
+  // Something is outstanding, beside timers, that resume() would ask for again
+  // or give up.
+  bool expects_outcome() const;
+
   // What was received but not yet taken when the session ended: for another
   // session of the same seat.
   std::vector<Message> take_unread();
@@ -80,8 +105,7 @@ public:
   std::string current_topic() const;
 
 private:
-  class Implementation;
-  std::unique_ptr<Implementation> implementation_;
+  std::unique_ptr<ConversationImplementation> implementation_;
 };
 
 } // namespace parlour::dialogue

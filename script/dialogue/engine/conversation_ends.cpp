@@ -2,19 +2,17 @@
 // rule 4.6).
 #include <utility>
 
-#include "script/dialogue/agenda/steps.hpp"
-#include "script/dialogue/engine/conversation.hpp"
 #include "script/dialogue/engine/conversation_implementation.hpp"
 
 namespace parlour::dialogue {
 
-void Conversation::Implementation::open() {
-  if (auto ready = context.interpreter.initialise(effects); !ready) {
+void ConversationImplementation::open() {
+  if (auto ready = interpreter.initialise(effects); !ready) {
     context.inspect(InspectionKind::error, "variables",
                     to_string(ready.error()));
-    context.ending = true;
+    context.ending.wish();
   } else {
-    context.raise("Session", "Started", {});
+    messenger.raise("Session", "Started", {});
     context.lane.queue(beginning());
   }
   go_on();
@@ -22,28 +20,25 @@ void Conversation::Implementation::open() {
 
 // The start state or topic, else the first topic of system initiative
 // (engine rule 4.6).
-StepList Conversation::Implementation::beginning() const {
+StepList ConversationImplementation::beginning() const {
   const auto& start = context.program->settings.start;
-  Step step;
-  if (auto state = context.program->state(start); state != script::no_id) {
-    step.kind = StepKind::enter;
-    step.state = state;
-  } else if (auto topic = context.program->topic(start);
-             topic != script::no_id) {
-    step = topic_step(StepKind::activate, topic);
-  } else if (auto next = context.order.next(); next) {
-    step = topic_step(StepKind::resume_topic, next->topic);
-  } else {
+  StepList beginning;
+  if (auto state = context.program->state(start); state != script::no_id)
+    beginning.add(steps::Enter{state});
+  else if (auto topic = context.program->topic(start); topic != script::no_id)
+    beginning.add(steps::Activate{topic});
+  else if (auto next = frames.order().next(); next)
+    beginning.add(steps::ResumeTopic{next->topic});
+  else
     return {};
-  }
-  return {step, make_step(StepKind::greet_agents, {}), conclude_step(0)};
+  beginning.add(steps::GreetAgents{});
+  beginning.add(steps::Conclude{});
+  return beginning;
 }
 
-void Conversation::Implementation::close() {
-  if (leaving_ != Leaving::no)
+void ConversationImplementation::close() {
+  if (!context.ending.begin())
     return;
-  context.ending = true;
-  context.leaving = true;
   output.withdraw_questions();
   topics.forget_frame();
   answers.clear();
@@ -54,52 +49,50 @@ void Conversation::Implementation::close() {
   steps.append(machine.exits());
   context.lane.clear();
   context.lane.now(std::move(steps));
-  context.timers.start(context.program->settings.sessions.request_timeout,
-                       Timer::Purpose::leaving);
-  leaving_ = Leaving::exits;
+  const auto& settings = context.program->settings.sessions;
+  timers.start(context.in(settings.request_timeout), Timer::Purpose::leaving);
   leave();
 }
 
 // Exit runs, then Session.Ended is told; each may wait for a component.
-void Conversation::Implementation::leave() {
+void ConversationImplementation::leave() {
   run_lane();
   take_internal();
-  if (!at_rest())
+  if (!is_quiescent())
     return;
-  if (leaving_ == Leaving::exits) {
-    leaving_ = Leaving::told;
-    context.raise("Session", "Ended", {});
+  if (context.ending.tell()) {
+    messenger.raise("Session", "Ended", {});
     take_internal();
   }
-  if (at_rest())
+  if (is_quiescent())
     finish();
 }
 
-void Conversation::Implementation::take_internal() {
-  while (!context.internal.empty() && context.one_more_internal_event()) {
-    process(context.internal.take());
+void ConversationImplementation::take_internal() {
+  while (inbox.has_internal() && messenger.one_more_internal_event()) {
+    process(inbox.take_internal());
     run_lane();
   }
 }
 
 // Nothing that was begun waits for anybody but the user, who is gone.
-bool Conversation::Implementation::at_rest() const {
-  return context.lane.idle() && context.internal.empty() &&
+bool ConversationImplementation::is_quiescent() const {
+  return context.lane.idle() && !inbox.has_internal() &&
          !runner.waits_for_others() && !topics.awaiting_frame();
 }
 
-void Conversation::Implementation::finish() {
+void ConversationImplementation::finish() {
   output.withdraw_questions();
   output.release();
   tell_lost_timers();
-  context.timers.cancel_all();
-  context.ended = true;
+  timers.cancel_all();
+  context.ending.finish();
   context.port.ended();
 }
 
 // Repeating ones never were to have a last time.
-void Conversation::Implementation::tell_lost_timers() {
-  for (const auto* timer : context.timers.pending())
+void ConversationImplementation::tell_lost_timers() {
+  for (const auto* timer : timers.pending())
     if (timer->every == Milliseconds::zero())
       context.inspect(InspectionKind::log, "warning",
                       "the timer '" + timer->name +
@@ -107,9 +100,9 @@ void Conversation::Implementation::tell_lost_timers() {
                           format_timestamp(timer->due, "%Y-%m-%d %H:%M:%S"));
 }
 
-std::vector<Message> Conversation::Implementation::take_unread() {
+std::vector<Message> ConversationImplementation::take_unread() {
   std::vector<Message> messages;
-  for (auto& input : std::exchange(context.inbox, {}))
+  for (auto& input : inbox.take_unread())
     messages.push_back(*input.message);
   return messages;
 }

@@ -1,4 +1,4 @@
-// Conversation::Implementation: what happens with each input. An internal
+// ConversationImplementation: what happens with each input. An internal
 // header of this folder; the door is conversation.hpp.
 #pragma once
 
@@ -8,12 +8,15 @@
 #include <span>
 #include <vector>
 
+#include "script/dialogue/agenda/timers.hpp"
 #include "script/dialogue/context/activation_runner.hpp"
 #include "script/dialogue/context/dialogue_context.hpp"
+#include "script/dialogue/context/inbox.hpp"
+#include "script/dialogue/context/messenger.hpp"
 #include "script/dialogue/context/reactions.hpp"
+#include "script/dialogue/context/topic_frames.hpp"
 #include "script/dialogue/context/waits.hpp"
 #include "script/dialogue/engine/answers.hpp"
-#include "script/dialogue/engine/conversation.hpp"
 #include "script/dialogue/engine/effect_handler.hpp"
 #include "script/dialogue/engine/lane_entry.hpp"
 #include "script/dialogue/engine/pipeline.hpp"
@@ -24,26 +27,42 @@
 
 namespace parlour::dialogue {
 
-class Conversation::Implementation final : private Waits::Others {
+class ConversationImplementation final : private Waits::Others {
 public:
-  Implementation(std::shared_ptr<const script::Program> program,
-                 Options options, Port& port);
+  ConversationImplementation(std::shared_ptr<const script::Program> program,
+                             ConversationOptions options, Port& port);
 
   void open();
   void receive(std::shared_ptr<const Message> message);
   void take_acts(std::span<const ActPointer> acts);
-  bool has_work();
+  bool has_work() const;
   void take_input();
   // A new external event: what scripts may do is counted anew.
   void begin_event();
   // After each input: the lane runs as far as it can; what silence leads to.
   void go_on();
   void timer_fired(TimerId id);
+  // With another port.
+  void resume();
   void close();
   std::vector<Message> take_unread();
 
+  // The steps that are nobody else's.
+  void take(steps::Run&& step);
+  void take(steps::RunLeaving&& step);
+  void take(steps::RunTimer&& step);
+  void take(steps::React&& step);
+  void take(steps::ResumeWait&& step);
+  void take(const steps::Restart& step);
+  void take(const steps::End& step);
+
   // The parts, each of which knows those that it was made with.
+  script::Interpreter interpreter;
   DialogueContext context;
+  Timers timers;
+  Inbox inbox;
+  Messenger messenger;
+  TopicFrames frames;
   Reactions reactions;
   ActivationRunner runner;
   Waits waits;
@@ -53,14 +72,37 @@ public:
   LaneEntry entry;
   Answers answers;
   ScriptSockets sockets;
+  MessageEnd message_end;
   Pipeline pipeline;
+  TopicEffects topic_effects;
+  ReactionEffects reaction_effects;
+  RequestEffects requests;
+  TimeEffects time_effects;
+  OutsideEffects outside;
   EffectHandler effects;
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive.without(interpreter); // it is saved beside them
+    // They keep nothing.
+    archive.without(messenger, waits, entry, message_end, topic_effects,
+                    reaction_effects, time_effects);
+    archive(timers, context, inbox, frames, reactions, runner, output, topics,
+            machine, answers, sockets, pipeline, requests, outside, effects,
+            watch_, lost_);
+  }
 
 private:
   struct Watch {
     TimerId id = 0;
     Timer::Purpose purpose = Timer::Purpose::silence;
     Milliseconds length{0};
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive(id, length);
+      archive.up_to(purpose, Timer::Purpose::leaving);
+    }
   };
 
   void resume_in_pipeline(WaitId wait, Expected<Value> outcome) override;
@@ -68,7 +110,7 @@ private:
   void forget_request(WaitId wait) override;
 
   StepList beginning() const;
-  Fifo<Input>::Place next_input();
+  Inbox::Of heard() const;
   void process(Input&& input);
   void user_begins();
   bool hear_speech(const Message& message);
@@ -77,15 +119,15 @@ private:
   void ring(Timer timer);
   void run_lane();
   void drop_what_was_too_much();
-  void take(Step&& step);
-  void run_body(Step&& step);
-  void resume(Step&& step);
+  void carry_out(Step&& step);
+  template <class Kind>
+  void run_body(Kind&& step);
   void started(WaitId wait);
   void start_over();
 
   void leave();
   void take_internal();
-  bool at_rest() const;
+  bool is_quiescent() const;
   void finish();
   void tell_lost_timers();
   void give_up_turns();
@@ -95,11 +137,10 @@ private:
   void watch_for(Milliseconds length, Timer::Purpose purpose);
   void stop_silence();
 
-  // The session's end: its Exits run, then Session.Ended has been told.
-  enum class Leaving : std::uint8_t { no, exits, told };
+  void lose(LostWait lost);
 
   std::optional<Watch> watch_;
-  Leaving leaving_ = Leaving::no;
+  Fifo<LostWait> lost_; // to be told to who waits
 };
 
 } // namespace parlour::dialogue

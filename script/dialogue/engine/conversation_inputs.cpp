@@ -6,8 +6,6 @@
 #include <string_view>
 #include <utility>
 
-#include "script/dialogue/agenda/steps.hpp"
-#include "script/dialogue/engine/conversation.hpp"
 #include "script/dialogue/engine/conversation_implementation.hpp"
 
 namespace parlour::dialogue {
@@ -50,96 +48,89 @@ bool is_speech(const Port& port, const Message& message) {
 
 // -- inputs -------------------------------------------------------------------
 
-void Conversation::Implementation::receive(
+void ConversationImplementation::receive(
     std::shared_ptr<const Message> message) {
   const bool heard = is_heard(*message);
-  context.received = std::max(context.received, message->number);
-  Input input;
+  Input input{.message = message};
   input.begins_turn = heard && message->command == "RecognitionResult"sv &&
                       context.port.is_source(recogniser, message->source);
   if (input.begins_turn && !context.turns.any_said(context.now))
-    context.apologies.user_speaks();
+    output.user_speaks();
   input.turn = input.begins_turn ? context.turns.begin()
                                  : context.turns.of(message->correlation);
-  context.turns.hold(input.turn);
+  const bool begins_turn = input.begins_turn;
+  inbox.receive(std::move(input));
   if (heard && is_speech(context.port, *message)) // known before a release
     context.turns.speaks(std::max(context.now, message->time) +
                          defaults::speech_without_words.count());
-  if (!input.begins_turn)
+  if (!begins_turn)
     context.turns.answered(message->correlation);
-  input.message = std::move(message);
-  context.inbox.push_back(std::move(input));
 }
 
 // What a <fire> of the recogniser's message would lead to.
-void Conversation::Implementation::take_acts(std::span<const ActPointer> acts) {
+void ConversationImplementation::take_acts(std::span<const ActPointer> acts) {
   begin_event();
   user_begins();
-  context.apologies.user_speaks();
+  output.user_speaks();
   const auto turn = context.turns.begin();
   StepList item;
   for (const auto& act : acts) {
     context.turns.hold(turn);
-    auto& step = item.add(StepKind::take_act);
-    step.act = act;
-    step.turn = turn;
+    item.add(steps::TakeAct{act, turn});
   }
-  item.add(StepKind::conclude).turn = turn;
+  item.add(steps::Conclude{turn});
   context.lane.queue(std::move(item));
   go_on();
 }
 
-void Conversation::Implementation::user_begins() {
+void ConversationImplementation::user_begins() {
   stop_silence();
   output.turn_begins();
 }
 
 // While the session ends it only hears what is not the user's: the words that
 // it still waits for.
-Fifo<Input>::Place Conversation::Implementation::next_input() {
-  if (!context.ending)
-    return context.inbox.begin();
-  return std::find_if(context.inbox.begin(), context.inbox.end(),
-                      [](const Input& input) { return !input.begins_turn; });
+Inbox::Of ConversationImplementation::heard() const {
+  return context.ending.is_wished() ? Inbox::Of::all_but_user : Inbox::Of::all;
 }
 
-bool Conversation::Implementation::has_work() {
-  return !context.ended && !topics.awaiting_frame() &&
-         (output.wants_release() || runner.has_slices() ||
-          !context.internal.empty() ||
-          (!context.inbox.empty() && next_input() != context.inbox.end()));
+bool ConversationImplementation::has_work() const {
+  return !context.ending.is_over() && !topics.awaiting_frame() &&
+         (output.wants_release() || !lost_.empty() || runner.has_slices() ||
+          inbox.has_internal() || inbox.has_message(heard()));
 }
 
-void Conversation::Implementation::begin_event() {
-  context.internal_events = 0;
-  context.rounds = 0;
-  context.chased = false;
-  context.interpreter.new_event();
+void ConversationImplementation::begin_event() {
+  inbox.external_event_begins();
+  interpreter.new_event();
 }
 
 // Outputs first: by the time of this step, whatever was in the mailbox is in
 // the inbox, so that a turn that has begun is known (engine rule 3).
-void Conversation::Implementation::take_input() {
+void ConversationImplementation::take_input() {
   if (output.wants_release()) {
     if (output.release())
       stop_silence();
+  } else if (!lost_.empty()) {
+    auto [wait, outcome] = lost_.take();
+    begin_event();
+    waits.resume(wait, std::move(outcome));
   } else if (auto slice = runner.take_slice(); slice != 0) {
     waits.resume(slice, Value());
-  } else if (!context.internal.empty()) {
-    auto input = context.internal.take();
-    if (context.one_more_internal_event())
+  } else if (inbox.has_internal()) {
+    auto input = inbox.take_internal();
+    if (messenger.one_more_internal_event())
       process(std::move(input));
     else
       output.drop(input);
-  } else if (auto next = next_input(); next != context.inbox.end()) {
-    auto input = context.inbox.take(next);
+  } else if (auto input = inbox.take_message(heard())) {
     begin_event();
-    process(std::move(input));
+    process(std::move(*input));
   }
   go_on();
 }
 
-void Conversation::Implementation::process(Input&& input) {
+void ConversationImplementation::process(Input&& input) {
   const auto& message = *input.message;
   if (context.port.is_source(recogniser, message.source)) {
     context.privacy.hear(topics.asks_in_private());
@@ -150,17 +141,17 @@ void Conversation::Implementation::process(Input&& input) {
   if (is_heard(message) && (hear_speech(message) || hear_speaker(message) ||
                             machine.agent_changed(message) ||
                             output.hear_failure(message, input.turn)))
-    input.raised = true;        // somebody took it
-  if (effects.reply(message)) { // a script's loop may have many
+    input.raised = true;         // somebody took it
+  if (requests.reply(message)) { // a script's loop may have many
     context.turns.let_go(input.turn);
   } else {
-    context.rounds = message.rounds;
+    inbox.handles(message);
     pipeline.take(std::move(input));
   }
 }
 
 // Barge-in (engine rule 3).
-bool Conversation::Implementation::hear_speech(const Message& message) {
+bool ConversationImplementation::hear_speech(const Message& message) {
   if (message.command == "Rejected"sv &&
       context.port.is_source(recogniser, message.source))
     context.turns.speech_is_over();
@@ -171,13 +162,13 @@ bool Conversation::Implementation::hear_speech(const Message& message) {
   if (output.can_be_interrupted())
     for (const auto* role : {"TTS", "Speaker"})
       if (context.port.reachable(role))
-        context.post(role, "Stop", {}, 0);
+        messenger.post(role, "Stop", {}, 0);
   return true;
 }
 
 // Finished(utterance, played, interrupted, spoken_text): what was heard of an
 // output; the utterance is the output's id.
-bool Conversation::Implementation::hear_speaker(const Message& message) {
+bool ConversationImplementation::hear_speaker(const Message& message) {
   if (message.command != "Finished"sv ||
       !context.port.is_source("Speaker", message.source))
     return false;
@@ -191,10 +182,10 @@ bool Conversation::Implementation::hear_speaker(const Message& message) {
   return true;
 }
 
-void Conversation::Implementation::timer_fired(TimerId id) {
+void ConversationImplementation::timer_fired(TimerId id) {
   if (watch_ && watch_->id == id)
     watch_.reset();
-  auto timer = context.timers.fired(id);
+  auto timer = timers.fired(id, context.now);
   if (!timer)
     return;
   begin_event();
@@ -202,7 +193,7 @@ void Conversation::Implementation::timer_fired(TimerId id) {
   go_on();
 }
 
-void Conversation::Implementation::act_on(Timer timer) {
+void ConversationImplementation::act_on(Timer timer) {
   switch (timer.purpose) {
   case Timer::Purpose::script:
     ring(std::move(timer));
@@ -218,12 +209,13 @@ void Conversation::Implementation::act_on(Timer timer) {
     output.give_up_wording(timer.correlation);
     break;
   case Timer::Purpose::silence:
+    output.turn_begins();
     topics.silence();
     break;
   case Timer::Purpose::patience: // what is due now is found by go_on
     break;
   case Timer::Purpose::closing:
-    context.ending = true;
+    context.ending.wish();
     break;
   case Timer::Purpose::leaving:
     finish();
@@ -231,25 +223,22 @@ void Conversation::Implementation::act_on(Timer timer) {
   }
 }
 
-void Conversation::Implementation::ring(Timer timer) {
-  context.raise("Timer", "Fired", {timer.name});
-  const auto ring = context.timers.ring(timer);
+void ConversationImplementation::ring(Timer timer) {
+  messenger.raise("Timer", "Fired", {timer.name});
+  const auto ring = timers.ring(timer);
   if (!ring)
     return;
-  auto step = body_step(timer.code, 0);
-  step.kind = StepKind::ring;
-  step.origin = {.visit = timer.visit, .timer = timer.code};
-  step.topic = timer.topic;
-  step.matter().arguments = std::move(timer.arguments);
-  step.matter().ring = ring;
-  auto end = conclude_step(0);
-  end.matter().ring = ring;
-  context.lane.queue({std::move(step), std::move(end)});
+  Body body{.code = timer.code,
+            .topic = timer.topic,
+            .origin = {.visit = timer.visit, .timer = timer.code},
+            .input = input_of(std::move(timer.arguments))};
+  context.lane.queue(
+      {steps::RunTimer{std::move(body), ring}, steps::Conclude{.ring = ring}});
 }
 
-void Conversation::Implementation::go_on() {
-  if (leaving_ != Leaving::no) {
-    if (!context.ended)
+void ConversationImplementation::go_on() {
+  if (context.ending.has_begun()) {
+    if (!context.ending.is_over())
       leave();
     return;
   }
@@ -259,33 +248,31 @@ void Conversation::Implementation::go_on() {
   run_lane();
   if (topics.nothing_followed())
     run_lane();
-  if (!context.turns.any_open(context.now) && context.inbox.empty())
-    context.privacy.settle(context.received);
-  if (context.ending && !topics.awaiting_frame() && !output.wants_release() &&
-      output.all_released())
+  if (!context.turns.any_open(context.now) &&
+      !inbox.has_message(Inbox::Of::all))
+    context.privacy.settle(inbox.received());
+  if (context.ending.is_wished() && !topics.awaiting_frame() &&
+      !output.wants_release() && output.all_released())
     close();
   else
     watch_silence();
 }
 
 // The understanding of what was said never came.
-void Conversation::Implementation::give_up_turns() {
+void ConversationImplementation::give_up_turns() {
   if (!context.turns.asked_anything())
     return;
   for (auto turn : context.turns.expire(context.now)) {
     answers.forget(turn);
-    Step step;
-    step.kind = StepKind::no_match;
-    step.turn = turn;
     context.turns.hold(turn);
-    context.lane.queue({std::move(step)});
+    context.lane.queue(steps::NoMatch{turn});
   }
 }
 
 // -- silence ------------------------------------------------------------------
 
-void Conversation::Implementation::watch_silence() {
-  if (context.ending || !context.lane.idle() || !output.silent() ||
+void ConversationImplementation::watch_silence() {
+  if (context.ending.is_wished() || !context.lane.idle() || !output.silent() ||
       topics.awaiting_frame()) {
     stop_silence();
   } else if (context.turns.any_open(context.now)) {
@@ -294,16 +281,17 @@ void Conversation::Implementation::watch_silence() {
       watch_for(Milliseconds(*until - context.now), Timer::Purpose::patience);
     else
       stop_silence();
-  } else if (context.internal.empty() && context.inbox.empty()) {
+  } else if (!inbox.has_internal() && !inbox.has_message(Inbox::Of::all)) {
     watch_nobody();
   }
 }
 
 // Nothing closes while something is due.
-void Conversation::Implementation::watch_nobody() {
+void ConversationImplementation::watch_nobody() {
   if (auto wanted = topics.silence_wanted())
     watch_for(*wanted, Timer::Purpose::silence);
-  else if (context.timers.keep_open() || effects.waits_for_answer())
+  else if (timers.keep_open() || requests.waits_for_answer() ||
+           outside.waits_for_answer())
     stop_silence();
   else
     watch_for(context.program->settings.sessions.closes_after,
@@ -312,19 +300,19 @@ void Conversation::Implementation::watch_nobody() {
 
 // A timer that watches already goes on, so that silence lasts from where it
 // began.
-void Conversation::Implementation::watch_for(Milliseconds length,
-                                             Timer::Purpose purpose) {
+void ConversationImplementation::watch_for(Milliseconds length,
+                                           Timer::Purpose purpose) {
   if (watch_ && watch_->purpose == purpose &&
       (watch_->length == length || purpose == Timer::Purpose::patience))
     return;
   stop_silence();
-  watch_ = Watch{context.timers.start(length, purpose), purpose, length};
+  watch_ = Watch{timers.start(context.in(length), purpose), purpose, length};
 }
 
-void Conversation::Implementation::stop_silence() {
+void ConversationImplementation::stop_silence() {
   if (!watch_)
     return;
-  context.timers.cancel(watch_->id);
+  timers.cancel(watch_->id);
   watch_.reset();
 }
 

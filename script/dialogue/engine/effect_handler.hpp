@@ -3,34 +3,29 @@
 // Host.
 #pragma once
 
-#include <map>
-#include <set>
 #include <string>
 
 #include "runtime/base/random.hpp"
-#include "script/dialogue/agenda/port.hpp"
-#include "script/dialogue/agenda/step.hpp"
 #include "script/dialogue/context/activation_runner.hpp"
 #include "script/dialogue/context/dialogue_context.hpp"
-#include "script/dialogue/context/reactions.hpp"
-#include "script/dialogue/context/waits.hpp"
-#include "script/dialogue/engine/pipeline.hpp"
-#include "script/dialogue/engine/sockets.hpp"
-#include "script/dialogue/engine/state_machine.hpp"
-#include "script/dialogue/engine/subscriptions.hpp"
-#include "script/dialogue/output/output_manager.hpp"
-#include "script/dialogue/topic_engine/topic_engine.hpp"
+#include "script/dialogue/engine/outside_effects.hpp"
+#include "script/dialogue/engine/reaction_effects.hpp"
+#include "script/dialogue/engine/request_effects.hpp"
+#include "script/dialogue/engine/time_effects.hpp"
+#include "script/dialogue/engine/topic_effects.hpp"
 #include "script/program/host.hpp"
-#include "script/vm/interpreter.hpp"
 
 namespace parlour::dialogue {
 
 class EffectHandler final : public script::Host {
 public:
   EffectHandler(DialogueContext& context, ActivationRunner& runner,
-                Waits& waits, Reactions& reactions, OutputManager& output,
-                TopicEngine& topics, StateMachine& machine,
-                ScriptSockets& sockets, Pipeline& pipeline);
+                TopicEffects& topics, ReactionEffects& reactions,
+                RequestEffects& requests, TimeEffects& time,
+                OutsideEffects& outside)
+      : context_(context), runner_(runner), topics_(topics),
+        reactions_(reactions), requests_(requests), time_(time),
+        outside_(outside), random_(context.options.seed) {}
 
   script::Performed perform(script::Activation& activation,
                             const script::Effect& effect) override;
@@ -44,81 +39,33 @@ public:
   bool watches_branches() const override;
   void reached(script::Position position) override;
 
-  // A reply to a <request>; false where none waits for it.
-  bool reply(const Message& message);
-  // The outcome of a <querydb>, of a transaction's ends, a <readfile>, <load>
-  // …; false where it is none of these.
-  bool answered(QueryId id, Expected<Value> outcome);
-  bool waits_for_answer() const {
-    return !requests_.empty() || !queries_.empty() ||
-           sockets_.waits_for_answer();
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive.without(context_, runner_, topics_, reactions_, requests_, time_,
+                    outside_);
+    archive(random_);
   }
-  void forget(WaitId wait);
 
 private:
-  using Performed = script::Performed;
   using Call = const script::Effect&;
-  using Context = const script::ActivationContext&;
 
-  Performed post(Context context, Call effect);
-  void post_for(Message message); // another session
-  List params_of(Call effect) const;
-  Performed request(Context context, Call effect);
-  Performed fire_frames(Context context, Call effect);
-  Performed consume(Context context);
-  Performed perform_dialogue(script::Activation& activation, Call effect);
-  Performed perform_repair(script::Activation& activation, Call effect);
-  Performed speak(Context context, Call effect);
-  Performed say(Context context, Call effect);
-  Performed ask_again(Context context, Call effect);
-  Performed timer(Context context, Call effect);
-  VisitId ends_with(const Value& said) const;
-  Performed connect_database(script::Activation& activation, Call effect);
-  Performed query_database(Context context, Call effect);
-  Performed transaction(Context context, Call effect, QueryRequest::Kind kind);
-  Performed ask_database(Context context, QueryRequest request,
-                         const Value& named);
-  Performed perform_outside(script::Activation& activation, Call effect);
-  Performed file(FileRequest request);
-  Performed open_socket(Call effect);
-  Performed change_component(Call effect);
-  Performed confirm(Context context, Call effect);
-  Performed transit(Context context, Call effect);
-  Performed later(StepKind kind, Context context, Call effect);
-  Performed push(Context context, Call effect);
-  Performed clear(Context context, Call effect);
-  StateId state_of(Call effect) const;
-  TopicId topic_of(Call effect) const;
-  Performed register_topic(Call effect);
-  Performed wait_for(Milliseconds time);
-
-  // The running activation waits.
-  WaitId begin_wait(ActivationRunner::WaitFor what);
-
-  struct Connection {
-    std::string component;
-    bool write = false;
-  };
-
-  struct Query {
-    WaitId wait = 0;
-    bool rollback = false; // never fails: the error that led to it counts
-  };
+  // The parts that effects.def names.
+  script::Performed requests(script::Activation& activation, Call effect);
+  script::Performed reactions(script::Activation& activation, Call effect);
+  script::Performed time(script::Activation& activation, Call effect);
+  script::Performed topics(script::Activation& activation, Call effect);
+  script::Performed outside(script::Activation& activation, Call effect);
+  script::Performed conversation(script::Activation& activation, Call effect);
+  script::Performed about_topic(const script::ActivationContext& context,
+                                Call effect);
 
   DialogueContext& context_;
   ActivationRunner& runner_;
-  Waits& waits_;
-  Reactions& reactions_;
-  OutputManager& output_;
-  TopicEngine& topics_;
-  StateMachine& machine_;
-  ScriptSockets& sockets_;
-  Pipeline& pipeline_;
-  Subscriptions subscriptions_;
-  std::map<Correlation, WaitId> requests_;
-  std::map<QueryId, Query> queries_;
-  std::map<std::string, Connection, std::less<>> connections_; // with a name
-  std::string current_; // the component of those without; empty: the first
+  TopicEffects& topics_;
+  ReactionEffects& reactions_;
+  RequestEffects& requests_;
+  TimeEffects& time_;
+  OutsideEffects& outside_;
   Random random_;
 };
 

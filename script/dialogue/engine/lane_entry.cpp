@@ -3,28 +3,29 @@
 #include <algorithm>
 #include <utility>
 
-#include "script/dialogue/agenda/steps.hpp"
-
 namespace parlour::dialogue {
 
 namespace {
 
 bool is_in_front(const Step& step) {
-  return step.kind == StepKind::take_act && passes_waits(*step.act);
+  const auto* taken = std::get_if<steps::TakeAct>(&step);
+  return taken && passes_waits(*taken->act);
 }
 
 } // namespace
 
-void LaneEntry::take(StepList steps, TurnId turn) {
-  if (steps.empty())
+void LaneEntry::take(StepList acts, TurnId turn, WaitId wait) {
+  if (wait != 0)
+    acts.prepend(machine_.dropped_by(wait));
+  if (acts.empty())
     return;
-  if (std::any_of(steps.begin(), steps.end(), is_in_front) &&
+  if (std::any_of(acts.begin(), acts.end(), is_in_front) &&
       context_.lane.held()) {
     context_.lane.now(topics_.cancel_waits(topics_.confirms_but_of({})));
-    pushed_states_.clear_pushed();
+    machine_.clear_pushed();
   }
-  steps.push_back(conclude_step(turn));
-  context_.lane.queue(std::move(steps));
+  acts.add(steps::Conclude{turn});
+  context_.lane.queue(std::move(acts));
 }
 
 } // namespace parlour::dialogue

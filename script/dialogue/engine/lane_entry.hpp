@@ -4,6 +4,7 @@
 #pragma once
 
 #include "script/dialogue/context/dialogue_context.hpp"
+#include "script/dialogue/engine/state_machine.hpp"
 #include "script/dialogue/topic_engine/topic_engine.hpp"
 
 namespace parlour::dialogue {
@@ -11,15 +12,17 @@ namespace parlour::dialogue {
 class LaneEntry {
 public:
   LaneEntry(DialogueContext& context, TopicEngine& topics,
-            PushedStates& pushed_states)
-      : context_(context), topics_(topics), pushed_states_(pushed_states) {}
+            StateMachine& machine)
+      : context_(context), topics_(topics), machine_(machine) {}
 
-  void take(StepList steps, TurnId turn);
+  // `wait`: for which the script that handed them over waits now; or 0. What it
+  // asked before is given up.
+  void take(StepList acts, TurnId turn, WaitId wait = 0);
 
 private:
   DialogueContext& context_;
   TopicEngine& topics_;
-  PushedStates& pushed_states_;
+  StateMachine& machine_;
 };
 
 } // namespace parlour::dialogue

@@ -4,8 +4,6 @@
 #include <string_view>
 #include <utility>
 
-#include "script/dialogue/agenda/steps.hpp"
-
 namespace parlour::dialogue {
 
 using namespace std::string_view_literals;
@@ -56,12 +54,12 @@ bool Pipeline::asks_again(const Item& item) const {
 }
 
 void Pipeline::hold(Item& item, Input input) {
-  if (item.behind.size() < most_held) {
+  if (item.behind.size() < max_held) {
     item.behind.push_back(std::move(input));
     return;
   }
   const Error error{ErrorKind::limit,
-                    "more than " + std::to_string(most_held) + " messages " +
+                    "more than " + std::to_string(max_held) + " messages " +
                         item.message->source + "." + item.message->command +
                         " wait behind a handler that waits; this one is "
                         "dropped",
@@ -72,8 +70,8 @@ void Pipeline::hold(Item& item, Input input) {
     context_.inspect(InspectionKind::error, std::string(name_of(error.kind)),
                      to_string(error));
   else
-    context_.script_failed(error, input.turn);
-  output_.drop(input);
+    messenger_.script_failed(error, input.turn);
+  message_end_.dropped(input);
 }
 
 void Pipeline::go_on(Item& item) {
@@ -103,10 +101,7 @@ void Pipeline::started(Item& item, WaitId wait) {
   running_ = nullptr;
   item.waiting = wait;
   item.what = runner_.waits_for(wait);
-  auto steps = runner_.hand_over();
-  if (wait != 0)
-    steps.prepend(machine_.dropped_by(wait));
-  entry_.take(std::move(steps), item.turn);
+  entry_.take(runner_.hand_over(), item.turn, wait);
 }
 
 // Only what a component works for holds back the questions to the user.
@@ -127,7 +122,7 @@ void Pipeline::let_go_of_held(Item& item) {
         return item.waiting != 0 && holds(item, input);
       });
   for (auto input = held.end(); input != free;)
-    context_.inbox.push_front(std::move(*--input));
+    inbox_.put_back(std::move(*--input));
   held.erase(free, held.end());
 }
 
@@ -152,39 +147,17 @@ bool Pipeline::resume(WaitId wait, Expected<Value> outcome) {
 }
 
 void Pipeline::finish(Item& item) {
-  const bool taken = item.next > 0;
-  if (output_.waits_for_words())
-    output_.handled(*item.message, was_worded(item));
-  sockets_.handled(*item.message);
-  const bool nothing = means_nothing(item);
-  if (!taken && !nothing)
-    unhandled(item);
-  if (nothing || (!taken && item.is_said))
-    not_understood(item, taken);
+  message_end_.handled({.message = *item.message,
+                        .turn = item.turn,
+                        .raised = item.raised,
+                        .is_said = item.is_said,
+                        .taken = item.next > 0,
+                        .worded = was_worded(item)});
   if (item.holds_turn)
     context_.turns.let_go(item.turn);
   let_go_of_held(item);
   item.reactions.clear();
   spare_ = std::move(item.reactions);
-}
-
-// The engine's own reaction to what no state and no handler took, or it counts
-// as unhandled; nobody has to take what the engine raised.
-void Pipeline::unhandled(const Item& item) {
-  const auto& message = *item.message;
-  if (message.source == "Script"sv && message.command == "Error"sv) {
-    if (!context_.apologies.due(context_.now))
-      return;
-    Say what;
-    what.act = "unavailable";
-    what.data =
-        Map{{"reason", message.params.empty() ? Value() : message.params[0]}};
-    what.turn = item.turn;
-    output_.say(std::move(what));
-    return;
-  }
-  if (!item.raised)
-    context_.port.unhandled(message);
 }
 
 // Who listens to everything has not meant to say it in other words.
@@ -193,26 +166,6 @@ bool Pipeline::was_worded(const Item& item) {
       item.reactions.begin(),
       item.reactions.begin() + static_cast<std::ptrdiff_t>(item.next),
       [](const Reactions::Match& match) { return match.named(); });
-}
-
-// The understanding gave up, or broke. Words that nobody takes are not
-// understood either.
-bool Pipeline::means_nothing(const Item& item) const {
-  const auto& event = *item.message;
-  const bool broke = event.command == "Failed"sv && item.turn != 0;
-  return (broke || event.command == "NoResult"sv) &&
-         context_.port.is_source("NLU", event.source);
-}
-
-// The question that was asked comes again; a handler
-// that took the event has made the apology (engine rule 5).
-void Pipeline::not_understood(const Item& item, bool taken) {
-  Step step;
-  step.kind = StepKind::no_match;
-  step.turn = item.turn;
-  step.mark = taken ? 1 : 0;
-  context_.turns.hold(step.turn);
-  context_.lane.queue({std::move(step)});
 }
 
 bool Pipeline::consume() {

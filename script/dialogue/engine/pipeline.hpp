@@ -11,30 +11,29 @@
 #include "script/dialogue/agenda/step.hpp"
 #include "script/dialogue/context/activation_runner.hpp"
 #include "script/dialogue/context/dialogue_context.hpp"
+#include "script/dialogue/context/inbox.hpp"
 #include "script/dialogue/context/input.hpp"
+#include "script/dialogue/context/messenger.hpp"
 #include "script/dialogue/context/reactions.hpp"
 #include "script/dialogue/engine/answers.hpp"
 #include "script/dialogue/engine/lane_entry.hpp"
-#include "script/dialogue/engine/sockets.hpp"
-#include "script/dialogue/engine/state_machine.hpp"
-#include "script/dialogue/output/output_manager.hpp"
+#include "script/dialogue/engine/message_end.hpp"
 
 namespace parlour::dialogue {
 
 // Messages of one source and command that wait behind a handler that waits.
-inline constexpr std::size_t most_held = 100;
+inline constexpr std::size_t max_held = 100;
 
 class Pipeline {
 public:
-  Pipeline(DialogueContext& context, ActivationRunner& runner,
-           const Reactions& reactions, OutputManager& output,
-           ScriptSockets& sockets, StateMachine& machine, LaneEntry& entry,
-           Answers& answers)
-      : context_(context), runner_(runner), reactions_(reactions),
-        output_(output), sockets_(sockets), machine_(machine), entry_(entry),
-        answers_(answers) {}
+  Pipeline(DialogueContext& context, Messenger& messenger, Inbox& inbox,
+           ActivationRunner& runner, const Reactions& reactions,
+           LaneEntry& entry, Answers& answers, MessageEnd& message_end)
+      : context_(context), messenger_(messenger), inbox_(inbox),
+        runner_(runner), reactions_(reactions), entry_(entry),
+        answers_(answers), message_end_(message_end) {}
 
-  // Behind an activation that waits at most most_held wait; a further one
+  // Behind an activation that waits at most max_held wait; a further one
   // is an error and is dropped. What is an answer to one that waits for the
   // user goes straight to it (answers.hpp).
   void take(Input&& input);
@@ -45,6 +44,13 @@ public:
 
   std::vector<WaitId> waits() const;
   bool waits(WaitId wait) const;
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive.without(context_, messenger_, inbox_, runner_, reactions_, entry_,
+                    answers_, message_end_, running_, spare_);
+    archive(waiting_);
+  }
 
 private:
   struct Item {
@@ -60,6 +66,16 @@ private:
     WaitId waiting = 0;
     ActivationRunner::WaitFor what = ActivationRunner::WaitFor::answer;
     std::vector<Input> behind; // same source and command
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive(message, turn, raised, reactions, next, consumed, is_said,
+              overflows, holds_turn, waiting, behind);
+      archive.up_to(what, ActivationRunner::WaitFor::user);
+      archive.needs(message);
+      archive.check(waiting != 0 && next > 0 && next <= reactions.size(),
+                    "no reaction to a message waits");
+    }
 
     const Reactions::Match& running() const {
       return reactions[next - 1];
@@ -78,18 +94,15 @@ private:
   void keep(Item&& item); // until what it waits for comes
   void let_go_of_held(Item& item);
   static bool was_worded(const Item& item);
-  void unhandled(const Item& item);
-  bool means_nothing(const Item& item) const;
-  void not_understood(const Item& item, bool taken);
 
   DialogueContext& context_;
+  Messenger& messenger_;
+  Inbox& inbox_;
   ActivationRunner& runner_;
   const Reactions& reactions_;
-  OutputManager& output_;
-  ScriptSockets& sockets_;
-  StateMachine& machine_;
   LaneEntry& entry_;
   Answers& answers_;
+  MessageEnd& message_end_;
   std::vector<std::unique_ptr<Item>> waiting_;
   Item* running_ = nullptr;
   std::vector<Reactions::Match> spare_; // of an item that is over: its memory

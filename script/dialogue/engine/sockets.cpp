@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <utility>
 
-#include "runtime/base/roles.hpp"
+#include "runtime/message/roles.hpp"
 
 namespace parlour::dialogue {
 
 namespace {
 
 // Of one session.
-constexpr std::size_t most_sockets = 16;
+constexpr std::size_t max_sockets = 16;
 
 Error network(std::string message) {
   return {ErrorKind::network, std::move(message), {}};
@@ -27,9 +27,9 @@ Expected<void> ScriptSockets::may_open(const std::string& name) const {
   if (sockets_.contains(name))
     return fail(ErrorKind::network,
                 "there is a socket '" + name + "' already; close it before");
-  if (sockets_.size() >= most_sockets)
+  if (sockets_.size() >= max_sockets)
     return fail(ErrorKind::network, "a session has no more than " +
-                                        std::to_string(most_sockets) +
+                                        std::to_string(max_sockets) +
                                         " sockets");
   return {};
 }
@@ -103,6 +103,30 @@ void ScriptSockets::forget(WaitId wait) {
   std::erase_if(sockets_, [&](const auto& entry) {
     return entry.second.opening == wait;
   });
+}
+
+std::vector<LostWait> ScriptSockets::lose_all(Inbox& inbox) {
+  const std::string why = "the connection was lost when the session was "
+                          "interrupted";
+  std::vector<LostWait> lost;
+  for (const auto& [name, socket] : std::exchange(sockets_, {}))
+    if (socket.opening != 0)
+      lost.push_back({socket.opening, tl::make_unexpected(network(why))});
+    else
+      inbox.receive({.message = std::make_shared<const Message>(
+                         closed_event(name, why))});
+  return lost;
+}
+
+Message ScriptSockets::closed_event(const std::string& name,
+                                    const std::string& why) const {
+  Message message;
+  message.time = context_.now;
+  message.source = name;
+  message.command = "Closed";
+  message.params = {why};
+  message.session = context_.options.session;
+  return message;
 }
 
 bool ScriptSockets::waits_for_answer() const {

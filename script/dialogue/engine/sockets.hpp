@@ -5,10 +5,13 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
+#include "script/dialogue/agenda/lost_wait.hpp"
 #include "script/dialogue/agenda/port.hpp"
 #include "script/dialogue/agenda/step.hpp"
 #include "script/dialogue/context/dialogue_context.hpp"
+#include "script/dialogue/context/inbox.hpp"
 #include "script/dialogue/context/waits.hpp"
 #include "script/program/host.hpp"
 
@@ -36,17 +39,36 @@ public:
   // The wait was ended from outside.
   void forget(WaitId wait);
 
+  // Their connections are lost. Those of open ones are told by the event
+  // Closed; the waits of those that were being opened.
+  std::vector<LostWait> lose_all(Inbox& inbox);
+
   bool waits_for_answer() const;
+  bool any() const {
+    return !sockets_.empty();
+  }
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive.without(context_, waits_);
+    archive(sockets_);
+  }
 
 private:
   struct Socket {
     SocketId id = 0;
     WaitId opening = 0; // 0: open
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive(id, opening);
+    }
   };
   using Entries = std::map<std::string, Socket, std::less<>>;
 
   Entries::iterator find(SocketId id);
   void let_next_come(const Message& message);
+  Message closed_event(const std::string& name, const std::string& why) const;
 
   DialogueContext& context_;
   Waits& waits_;

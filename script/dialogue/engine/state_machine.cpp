@@ -1,10 +1,10 @@
 #include "script/dialogue/engine/state_machine.hpp"
 
 #include <algorithm>
+#include <concepts>
+#include <functional>
 #include <string_view>
 #include <utility>
-
-#include "script/dialogue/agenda/steps.hpp"
 
 namespace parlour::dialogue {
 
@@ -12,14 +12,7 @@ using namespace std::string_view_literals;
 
 namespace {
 
-// How far a <pop> is.
-enum PopMark : std::uint64_t {
-  wanted,   // by a script
-  left,     // its Exit has run
-  given_up, // so it has, and who pushed gets an error
-};
-
-constexpr std::size_t most_pushed = 100;
+constexpr std::size_t max_pushed = 100;
 
 tl::unexpected<Error> was_given_up() {
   return fail(ErrorKind::cancelled, "it was asked anew");
@@ -31,38 +24,32 @@ std::string name_of(const DialogueContext& context, StateId state) {
 
 } // namespace
 
-void StateMachine::transit(Step&& step) {
+void StateMachine::take(steps::Transit&& step) {
   if (comes_later(step))
     return;
   const auto left = context_.states.active();
   const bool exits = left != script::no_id &&
                      context_.program->states[left].exit != script::no_code;
-  if (!exits && step.code == script::no_code) { // nothing to run in between
-    enter(step);
+  if (!exits && step.body.code == script::no_code) { // nothing in between
+    enter(step.state);
     return;
   }
-  Step leave;
-  leave.kind = StepKind::leave;
-  leave.state = left;
-  Step enter;
-  enter.kind = StepKind::enter;
-  enter.state = step.state;
+  const steps::Enter enter{step.state};
   passage_ = enter;
-  context_.lane.at_once(std::move(enter));
+  context_.lane.at_once(enter);
   // In between, what stands in <transit>: with the topic, message and turn of
   // the script that it is a part of.
-  if (step.code != script::no_code)
-    context_.lane.at_once(make_step(StepKind::run_leaving, std::move(step)));
-  context_.lane.at_once(std::move(leave));
+  if (step.body.code != script::no_code)
+    context_.lane.at_once(steps::RunLeaving{std::move(step.body)});
+  context_.lane.at_once(steps::Leave{left});
 }
 
-bool StateMachine::comes_later(Step& step) {
+template <class Kind>
+bool StateMachine::comes_later(Kind& step) {
   if (!passage_)
     return false;
-  if (step.kind == StepKind::transit) // the last one counts
-    std::erase_if(later_, [](const Step& other) {
-      return other.kind == StepKind::transit;
-    });
+  if constexpr (std::same_as<Kind, steps::Transit>) // the last one counts
+    std::erase_if(later_, is<steps::Transit>);
   later_.push_back(std::move(step));
   return true;
 }
@@ -70,63 +57,66 @@ bool StateMachine::comes_later(Step& step) {
 void StateMachine::end_passage() {
   passage_.reset();
   for (auto& step : std::exchange(later_, {})) {
-    const auto turn = step.turn;
-    context_.lane.queue({std::move(step), conclude_step(turn)});
+    const auto turn = turn_of(step);
+    context_.lane.queue({std::move(step), steps::Conclude{turn}});
   }
 }
 
-void StateMachine::leave(const Step& step) {
+void StateMachine::take(const steps::Leave& step) {
   if (step.state == script::no_id)
     return;
   if (auto code = context_.program->states[step.state].exit;
       code != script::no_code)
-    context_.lane.at_once(make_step(StepKind::run_leaving, body_step(code, 0)));
+    context_.lane.at_once(steps::RunLeaving{{.code = code}});
 }
 
-void StateMachine::enter(const Step& step) {
+void StateMachine::take(const steps::Enter& step) {
+  enter(step.state);
+}
+
+void StateMachine::enter(StateId state) {
+  const auto& entered = context_.program->states[state];
   if (context_.port.inspected())
-    context_.inspect(
-        InspectionKind::transition, context_.program->states[step.state].name,
-        "from '" + name_of(context_, context_.states.active()) + "'");
-  context_.states.enter(step.state);
+    context_.inspect(InspectionKind::transition, entered.name,
+                     "from '" + name_of(context_, context_.states.active()) +
+                         "'");
+  context_.states.enter(state);
   end_passage();
-  const auto& state = context_.program->states[step.state];
-  if (state.entrance != script::no_code) {
-    auto entrance = body_step(state.entrance, 0);
-    entrance.origin.visit = context_.states.visit();
-    context_.lane.at_once(std::move(entrance));
-  }
+  if (entered.entrance != script::no_code)
+    context_.lane.at_once(
+        steps::Run{{.code = entered.entrance,
+                    .origin = {.visit = context_.states.visit()}}});
   forget_what_was_left();
 }
 
-void StateMachine::push(Step&& step) {
+void StateMachine::take(steps::Push&& step) {
   if (comes_later(step))
     return;
-  if (pushes_.size() == most_pushed) {
+  if (pushes_.size() == max_pushed) {
     end_wait(step.wait,
-             fail(ErrorKind::limit, "more than " + std::to_string(most_pushed) +
+             fail(ErrorKind::limit, "more than " + std::to_string(max_pushed) +
                                         " states pushed from one another"));
     return;
   }
   context_.states.push(script::no_id);
   pushes_.push_back({step.wait, step.topic});
-  enter(step);
+  enter(step.state);
 }
 
 // First its Exit, in which it still is the active one; then back.
-void StateMachine::pop(Step&& step) {
-  if (step.mark == wanted) {
-    if (!comes_later(step) && !pushes_.empty())
-      begin_way_out(left);
-    return;
-  }
+void StateMachine::take(steps::Pop&& step) {
+  if (!comes_later(step) && !pushes_.empty())
+    begin_way_out(false);
+}
+
+void StateMachine::take(const steps::ComeBack& step) {
   end_passage();
   if (pushes_.empty())
     return;
   context_.states.pop();
   const auto [wait, topic] = pushes_.back();
   pushes_.pop_back();
-  if (step.mark == given_up) {
+  if (step.given_up) {
     end_wait(wait, was_given_up());
   } else {
     context_.lane.now(topics_.back_to(topic));
@@ -135,14 +125,14 @@ void StateMachine::pop(Step&& step) {
   forget_what_was_left();
 }
 
-void StateMachine::begin_way_out(std::uint64_t mark) {
-  auto steps = way_out(context_.states.active(), mark);
-  passage_ = steps.back();
-  context_.lane.now(std::move(steps));
+void StateMachine::begin_way_out(bool given_up) {
+  const steps::ComeBack back{given_up};
+  passage_ = back;
+  context_.lane.now({steps::Leave{context_.states.active()}, back});
 }
 
 // Of those that were pushed one after the other, the innermost first.
-void StateMachine::give_up(Step&& step) {
+void StateMachine::take(steps::GiveUp&& step) {
   if (comes_later(step))
     return;
   const bool pushed =
@@ -153,15 +143,15 @@ void StateMachine::give_up(Step&& step) {
     return;
   }
   if (pushes_.back().wait != step.wait)
-    context_.lane.at_once(std::move(step));
-  begin_way_out(given_up);
+    context_.lane.at_once(step);
+  begin_way_out(true);
 }
 
 StepList StateMachine::dropped_by(WaitId wait) const {
-  StepList steps;
+  StepList dropped;
   for (const auto earlier : runner_.asked_before(wait))
-    steps.add(StepKind::give_up).wait = earlier;
-  return steps;
+    dropped.add(steps::GiveUp{earlier});
+  return dropped;
 }
 
 void StateMachine::end_wait(WaitId wait, Expected<Value> outcome) {
@@ -171,7 +161,7 @@ void StateMachine::end_wait(WaitId wait, Expected<Value> outcome) {
 }
 
 void StateMachine::forget_what_was_left() {
-  context_.timers.end_with(
+  timers_.end_with(
       [&](VisitId visit) { return !context_.states.lasts(visit); });
   for (const auto wait : runner_.take_those_of_left_states())
     end_wait(wait, fail(ErrorKind::cancelled, "its state was left"));
@@ -193,7 +183,8 @@ bool StateMachine::agent_changed(const Message& event) {
   auto shared = std::make_shared<const Message>(event);
   bool any = false;
   for (const auto& reaction : came ? state->online : state->offline)
-    if (reaction.source == "*" || reaction.source == agent) {
+    if (reaction.source == "*" ||
+        context_.port.is_source(reaction.source, agent)) {
       react(reaction, shared);
       any = true;
     }
@@ -202,14 +193,14 @@ bool StateMachine::agent_changed(const Message& event) {
 
 void StateMachine::react(const script::Reaction& reaction,
                          std::shared_ptr<const Message> event) {
-  auto step = body_step(reaction.body, 0);
-  step.origin.visit = context_.states.visit();
-  step.matter().message = std::move(event);
   context_.reached(reaction.position);
-  context_.lane.queue({std::move(step), conclude_step(0)});
+  context_.lane.queue({steps::Run{{.code = reaction.body,
+                                   .origin = {.visit = context_.states.visit()},
+                                   .input = input_of(std::move(event))}},
+                       steps::Conclude{}});
 }
 
-void StateMachine::greet_agents() {
+void StateMachine::take(const steps::GreetAgents&) {
   const auto* state = context_.active_state();
   if (!state)
     return;
@@ -226,23 +217,12 @@ void StateMachine::greet_agents() {
   }
 }
 
-StepList StateMachine::way_out(StateId state, std::uint64_t mark) const {
-  Step leave;
-  leave.kind = StepKind::leave;
-  leave.state = state;
-  Step back;
-  back.kind = StepKind::pop;
-  back.mark = mark;
-  return {std::move(leave), std::move(back)};
-}
-
 // A state whose Exit has run is left all the same; those who pushed were
 // cancelled.
 void StateMachine::clear_pushed() {
-  std::erase_if(
-      later_, [](const Step& step) { return step.kind != StepKind::transit; });
+  std::erase_if(later_, std::not_fn(is<steps::Transit>));
   if (passage_ && pushes_.empty())
-    context_.lane.queue({*passage_});
+    context_.lane.queue(*passage_);
   else
     end_passage();
   pushes_.clear();
@@ -261,15 +241,14 @@ void StateMachine::clear() {
 
 // One that is being left has had its Exit.
 StepList StateMachine::exits() const {
-  StepList steps;
+  StepList all;
   const auto& levels = context_.states.levels();
   for (auto level = levels.rbegin(); level != levels.rend(); ++level) {
-    auto way = way_out(level->state, left);
-    if (passage_ && level == levels.rbegin())
-      way.take();
-    steps.append(std::move(way));
+    if (!passage_ || level != levels.rbegin())
+      all.add(steps::Leave{level->state});
+    all.add(steps::ComeBack{});
   }
-  return steps;
+  return all;
 }
 
 } // namespace parlour::dialogue

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "runtime/base/roles.hpp"
+#include "runtime/message/roles.hpp"
 #include "script/dialogue/engine/effect_operands.hpp"
 
 namespace parlour::dialogue {
@@ -10,7 +10,7 @@ namespace parlour::dialogue {
 namespace {
 
 // Of one session.
-constexpr std::size_t most_subscriptions = 100;
+constexpr std::size_t max_subscriptions = 100;
 
 constexpr const char* any = "*";
 
@@ -39,9 +39,9 @@ script::Performed Subscriptions::add(const script::Effect& effect) {
                    "' come without <subscribe>");
   if (std::ranges::count(all_, wanted) != 0)
     return Value();
-  if (all_.size() == most_subscriptions)
+  if (all_.size() == max_subscriptions)
     return refused("a session has no more than " +
-                   std::to_string(most_subscriptions) + " subscriptions");
+                   std::to_string(max_subscriptions) + " subscriptions");
   all_.push_back(std::move(wanted));
   port_.subscribe(all_);
   return Value();

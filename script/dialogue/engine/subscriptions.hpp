@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "runtime/base/subscription.hpp"
+#include "runtime/message/subscription.hpp"
 #include "script/dialogue/agenda/port.hpp"
 #include "script/program/host.hpp"
 
@@ -16,6 +16,17 @@ public:
 
   script::Performed add(const script::Effect& effect);
   script::Performed remove(const script::Effect& effect);
+  // Another port is told of them.
+  void resume() const {
+    if (!all_.empty())
+      port_.subscribe(all_);
+  }
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive.without(port_);
+    archive(all_);
+  }
 
 private:
   Port& port_;

@@ -63,7 +63,7 @@ SlotOutcome outcome_of_change(const Value& before, const Value& after) {
   return before == after ? SlotOutcome::unchanged : SlotOutcome::corrected;
 }
 
-FillingEvent::FillingEvent(const script::Program& program, Frame& frame,
+FillingEvent::FillingEvent(const script::Program& program, TopicFrame& frame,
                            const FrameEvaluator& evaluate)
     : program_(program), topic_(program.topics[frame.topic]), frame_(frame),
       evaluate_(evaluate) {}
@@ -135,11 +135,11 @@ void FillingEvent::narrow(Offer& offer, const FrameChange& denial) {
     });
   if (candidates.size() != 1 || offer.change)
     return;
-  FrameChange rest = denial;
-  rest.kind = Kind::fill;
-  rest.value = candidates.front();
-  rest.unmatched = false;
-  left_by_no_.push_front(std::move(rest));
+  FrameChange left = denial;
+  left.kind = Kind::fill;
+  left.value = candidates.front();
+  left.unmatched = false;
+  left_by_no_.push_front(std::move(left));
   offer.change = &left_by_no_.front();
 }
 

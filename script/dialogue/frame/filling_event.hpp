@@ -8,8 +8,8 @@
 #include <memory>
 #include <vector>
 
-#include "script/dialogue/frame/frame.hpp"
 #include "script/dialogue/frame/matching.hpp"
+#include "script/dialogue/frame/topic_frame.hpp"
 
 namespace parlour::dialogue {
 
@@ -29,7 +29,7 @@ SlotOutcome outcome_of_change(const Value& before, const Value& after);
 // Refers to all that it is given; lives for one event.
 class FillingEvent {
 public:
-  FillingEvent(const script::Program& program, Frame& frame,
+  FillingEvent(const script::Program& program, TopicFrame& frame,
                const FrameEvaluator& evaluate);
 
   // A fill, correct or deny. A correction stands against later fills; a
@@ -72,7 +72,7 @@ private:
 
   const script::Program& program_;
   const script::Topic& topic_;
-  Frame& frame_;
+  TopicFrame& frame_;
   const FrameEvaluator& evaluate_;
   ShortLivedList<Offer> offers_;              // of the slots spoken of
   std::forward_list<FrameChange> left_by_no_; // offers of our own

@@ -11,8 +11,8 @@ namespace {
 
 class FrameHost : public script::ComputingHost {
 public:
-  FrameHost(const script::Program& program, const Frame& frame, Timestamp now,
-            std::vector<SlotId>* reads)
+  FrameHost(const script::Program& program, const TopicFrame& frame,
+            Timestamp now, std::vector<SlotId>* reads)
       : ComputingHost("a condition or text", now), program_(program),
         frame_(frame), reads_(reads) {}
 
@@ -34,12 +34,12 @@ public:
 
 private:
   const script::Program& program_;
-  const Frame& frame_;
+  const TopicFrame& frame_;
   std::vector<SlotId>* reads_; // may be null
 };
 
 Expected<Value> evaluate_in(script::Interpreter& interpreter, CodeId code,
-                            const Frame& frame, Timestamp now,
+                            const TopicFrame& frame, Timestamp now,
                             std::vector<SlotId>* reads) {
   if (const auto* constant =
           script::constant_of(interpreter.program().code[code]))
@@ -54,7 +54,7 @@ Expected<Value> evaluate_in(script::Interpreter& interpreter, CodeId code,
 
 FrameEvaluator make_frame_evaluator(script::Interpreter& interpreter,
                                     Timestamp now) {
-  return [&interpreter, now](CodeId code, const Frame& frame,
+  return [&interpreter, now](CodeId code, const TopicFrame& frame,
                              std::vector<SlotId>* reads) {
     return evaluate_in(interpreter, code, frame, now, reads);
   };
@@ -67,7 +67,7 @@ make_frame_evaluator(std::shared_ptr<const script::Program> program,
   if (variables)
     for (std::size_t i = 0; i < variables->size(); ++i)
       interpreter->set_variable(i, (*variables)[i]);
-  return [interpreter, now](CodeId code, const Frame& frame,
+  return [interpreter, now](CodeId code, const TopicFrame& frame,
                             std::vector<SlotId>* reads) {
     return evaluate_in(*interpreter, code, frame, now, reads);
   };

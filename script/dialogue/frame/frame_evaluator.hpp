@@ -5,7 +5,7 @@
 
 #include <memory>
 
-#include "script/dialogue/frame/frame.hpp"
+#include "script/dialogue/frame/topic_frame.hpp"
 #include "script/vm/interpreter.hpp"
 
 namespace parlour::dialogue {

@@ -2,7 +2,7 @@
 
 namespace parlour::dialogue {
 
-Value read_slot(const Frame& frame, SlotId slot) {
+Value read_slot(const TopicFrame& frame, SlotId slot) {
   switch (slot) {
   case script::slot_rows:
     return frame.rows;

@@ -2,10 +2,10 @@
 // `this.relaxed` of an enquiry (engine rule 5).
 #pragma once
 
-#include "script/dialogue/frame/frame.hpp"
+#include "script/dialogue/frame/topic_frame.hpp"
 
 namespace parlour::dialogue {
 
-Value read_slot(const Frame& frame, SlotId slot);
+Value read_slot(const TopicFrame& frame, SlotId slot);
 
 } // namespace parlour::dialogue

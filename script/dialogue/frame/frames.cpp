@@ -60,10 +60,10 @@ Frames::Frames(const script::Program& program, script::Interpreter& interpreter)
     : program_(&program), interpreter_(&interpreter),
       entries_(program.topics.size()) {}
 
-Frame& Frames::own(TopicId topic, Timestamp now) {
+TopicFrame& Frames::own(TopicId topic, Timestamp now) {
   auto& mine = entry(topic, now);
   if (!mine.own)
-    mine.frame = mine.own = std::make_shared<Frame>(*mine.frame);
+    mine.frame = mine.own = std::make_shared<TopicFrame>(*mine.frame);
   return *mine.own;
 }
 
@@ -76,11 +76,10 @@ FrameResult Frames::apply(TopicId topic, std::span<const FrameChange> changes,
 FrameRequest Frames::request(TopicId topic, std::vector<FrameChange> changes,
                              Timestamp now) {
   auto& mine = entry(topic, now);
-  FrameRequest request;
-  request.now = now;
-  if (mine.own)
-    request.start = mine.frame;
   mine.own.reset(); // it is shared from now on
+  FrameRequest request;
+  request.frame = mine.frame;
+  request.now = now;
   request.changes = std::move(changes);
   if (reads_variables(*program_, program_->topics[topic]))
     request.variables = variables_of(*interpreter_);
@@ -96,7 +95,7 @@ void Frames::store(FramePointer frame) {
 Frames::Entry& Frames::entry(TopicId topic, Timestamp now) const {
   auto& mine = entries_[topic];
   if (!mine.frame)
-    mine.frame = mine.own = make_short_lived<Frame>(
+    mine.frame = mine.own = make_short_lived<TopicFrame>(
         new_frame(*program_, topic, make_frame_evaluator(*interpreter_, now)));
   return mine;
 }

@@ -1,13 +1,13 @@
-// Frames: the session's view of its topics' frames. Reads are local; small
-// changes (a script's <set>, a question asked) are made here at once, in place
-// while nobody else has the frame, which travels with the next request to its
-// actor (engine rule 5).
+// Frames: the frames of a session's topics, whose only owner it is (engine rule
+// 5.12). What scripts must see at once (a <set>, a question asked) is changed
+// here; a filling event goes with the frame to the topic's actor, whose answer
+// takes the frame's place. A frame that was given away is never changed.
 #pragma once
 
 #include <span>
 #include <vector>
 
-#include "script/dialogue/frame/frame.hpp"
+#include "script/dialogue/frame/topic_frame.hpp"
 #include "script/vm/interpreter.hpp"
 
 namespace parlour::dialogue {
@@ -17,12 +17,17 @@ public:
   Frames(const script::Program& program, script::Interpreter& interpreter);
 
   // Made with the slots' initial values when first looked at.
-  const Frame& get(TopicId topic, Timestamp now) const {
+  const TopicFrame& get(TopicId topic, Timestamp now) const {
     const auto& mine = entries_[topic];
     return mine.frame ? *mine.frame : *entry(topic, now).frame;
   }
 
-  // One event, in place (frame.hpp); the result has no frame.
+  // Null where it was not looked at.
+  const TopicFrame* find(TopicId topic) const {
+    return entries_[topic].frame.get();
+  }
+
+  // One event, in place (topic_frame.hpp); the result has no frame.
   FrameResult apply(TopicId topic, std::span<const FrameChange> changes,
                     Timestamp now);
   // What became of the topic's slots by it.
@@ -36,20 +41,37 @@ public:
     dialogue::count_question(own(topic, now), slot);
   }
 
-  // What the actor must be told: the frame, where it was changed here since
-  // its last answer, and `changes`.
+  // What the actor is told: the frame, which it shares from now on, and
+  // `changes`.
   FrameRequest request(TopicId topic, std::vector<FrameChange> changes,
                        Timestamp now);
+  // The actor's answer: the topic's frame from now on.
   void store(FramePointer frame);
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive.without(program_, interpreter_);
+    for (TopicId topic = 0; topic < entries_.size(); ++topic) {
+      const auto& [frame, own] = entries_[topic];
+      archive(entries_[topic]);
+      archive.check((!own || own == frame) && (!frame || frame->topic == topic),
+                    "a frame is another topic's");
+    }
+  }
 
 private:
   struct Entry {
-    FramePointer frame;         // null: not touched
-    std::shared_ptr<Frame> own; // the same one, while nobody else has it
+    FramePointer frame;              // null: not touched
+    std::shared_ptr<TopicFrame> own; // the same one, while nobody else has it
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive(frame, own);
+    }
   };
 
   Entry& entry(TopicId topic, Timestamp now) const;
-  Frame& own(TopicId topic, Timestamp now); // to be changed
+  TopicFrame& own(TopicId topic, Timestamp now); // to be changed
 
   const script::Program* program_;
   script::Interpreter* interpreter_;

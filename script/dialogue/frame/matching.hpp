@@ -7,7 +7,7 @@
 #include <string_view>
 #include <utility>
 
-#include "script/dialogue/frame/frame.hpp"
+#include "script/dialogue/frame/topic_frame.hpp"
 #include "script/program/constant_text.hpp"
 #include "script/program/program.hpp"
 

@@ -102,13 +102,13 @@ Value duration(const Value& value) {
   if (!value.if_string())
     return {};
   const auto text = trimmed(value);
-  re2::StringPiece rest(text);
+  re2::StringPiece remaining(text);
   double amount = 0, sum = 0;
   std::string unit;
-  while (RE2::Consume(&rest, part, &amount, &unit) ||
-         RE2::Consume(&rest, glued, &amount, &unit))
+  while (RE2::Consume(&remaining, part, &amount, &unit) ||
+         RE2::Consume(&remaining, glued, &amount, &unit))
     sum += amount * unit_in_seconds(static_cast<char>(unit[0] | 0x20));
-  return rest.empty() && !text.empty() ? seconds(sum) : Value();
+  return remaining.empty() && !text.empty() ? seconds(sum) : Value();
 }
 
 // An integer; B1 is -1, L3 is 3, 2nd is 2.

@@ -9,6 +9,8 @@
 #include <unicode/uchar.h>
 #include <unicode/unistr.h>
 
+#include "runtime/text/edit_distance.hpp"
+
 namespace parlour::dialogue {
 
 namespace {
@@ -25,25 +27,12 @@ int tolerance(std::size_t length) {
   return length < 4 ? 0 : length < 8 ? 1 : length < 13 ? 2 : 3;
 }
 
-// Where one letter is another, missing, too many, or two have changed places.
-int edit_distance(const icu::UnicodeString& a, const icu::UnicodeString& b) {
-  const auto width = static_cast<std::size_t>(b.length()) + 1;
-  std::vector<int> before(width), last(width), row(width);
-  std::iota(last.begin(), last.end(), 0);
-  for (std::int32_t i = 0; i < a.length(); ++i) {
-    row[0] = i + 1;
-    for (std::int32_t j = 0; j < b.length(); ++j) {
-      const auto at = static_cast<std::size_t>(j);
-      auto best = last[at] + (a[i] == b[j] ? 0 : 1);
-      best = std::min({best, last[at + 1] + 1, row[at] + 1});
-      if (i > 0 && j > 0 && a[i] == b[j - 1] && a[i - 1] == b[j])
-        best = std::min(best, before[at - 1] + 1);
-      row[at + 1] = best;
-    }
-    before.swap(last);
-    last.swap(row);
-  }
-  return last.back();
+constexpr std::size_t longest = 200;
+
+// Letters as they are compared.
+std::u16string letters_of(const std::string& text) {
+  const auto unicode = icu::UnicodeString::fromUTF8(text);
+  return {unicode.getBuffer(), static_cast<std::size_t>(unicode.length())};
 }
 
 std::optional<int> near(const std::string& a, const std::string& b) {
@@ -51,10 +40,9 @@ std::optional<int> near(const std::string& a, const std::string& b) {
     return 0;
   const auto allowed = tolerance(std::min(a.size(), b.size()));
   if (allowed == 0 || has_digit(a) || has_digit(b) ||
-      std::max(a.size(), b.size()) > 200)
+      std::max(a.size(), b.size()) > longest)
     return std::nullopt;
-  auto distance = edit_distance(icu::UnicodeString::fromUTF8(a),
-                                icu::UnicodeString::fromUTF8(b));
+  const auto distance = edit_distance<longest>(letters_of(a), letters_of(b));
   return distance <= allowed ? std::optional(distance) : std::nullopt;
 }
 

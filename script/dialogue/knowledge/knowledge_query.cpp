@@ -16,7 +16,7 @@ bool has(const std::vector<SlotId>& slots, SlotId slot) {
   return std::find(slots.begin(), slots.end(), slot) != slots.end();
 }
 
-bool is_filled(const Frame& frame, SlotId slot) {
+bool is_filled(const TopicFrame& frame, SlotId slot) {
   return slot < frame.slots.size() &&
          frame.slots[slot].status == SlotStatus::filled;
 }

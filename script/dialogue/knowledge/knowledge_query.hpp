@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "runtime/base/value.hpp"
-#include "script/dialogue/frame/frame.hpp"
+#include "script/dialogue/frame/topic_frame.hpp"
 #include "script/program/program.hpp"
 
 namespace parlour::dialogue {
@@ -20,10 +20,16 @@ struct Statement {
   Value asked;      // map slot -> value, all that were asked with at first
   std::vector<std::string> relaxed; // slots left out so far, in order
   std::size_t source = 0;           // which of the topic's queries
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(kind, name, sql, values, asked, relaxed, source);
+  }
 };
 
 class KnowledgeQuery {
 public:
+  KnowledgeQuery() = default; // to be read from bytes
   KnowledgeQuery(const script::Topic& topic, FramePointer frame);
 
   // The first statement, or nothing where the topic has no query.
@@ -32,11 +38,25 @@ public:
   // then the next one; after those the next source, whole again; else nothing.
   std::optional<Statement> next();
 
+  bool is_of(const script::Topic& topic) const {
+    return topic_ == &topic;
+  }
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive.topic(topic_);
+    archive(frame_, source_);
+    archive.slots_of(frame_ ? frame_->topic : script::no_id, relaxed_);
+    archive.check(frame_ && source_ < topic_->queries.size() &&
+                      topic_ == &archive.program().topics[frame_->topic],
+                  "a query is another topic's");
+  }
+
 private:
   Statement statement() const;
   SlotId next_relaxed() const; // no_id where nothing is left to relax
 
-  const script::Topic* topic_;
+  const script::Topic* topic_ = nullptr;
   FramePointer frame_;
   std::size_t source_ = 0;
   std::vector<SlotId> relaxed_;

@@ -5,7 +5,7 @@
 #include <numeric>
 #include <utility>
 
-#include "script/compiler/sql_check.hpp"
+#include "runtime/text/sql_check.hpp"
 #include "script/dialogue/frame/spelling.hpp"
 #include "script/dialogue/knowledge/knowledge_query.hpp"
 
@@ -67,7 +67,7 @@ std::weak_ordering order_of(const Value& a, const Value& b) {
 
 void sort_rows(const ResultSet& rows, const std::string& order,
                std::vector<std::size_t>& chosen) {
-  const auto columns = script::sort_columns(order);
+  const auto columns = sort_columns(order);
   if (chosen.empty())
     return;
   std::ranges::stable_sort(chosen, [&](auto a, auto b) {

@@ -5,17 +5,13 @@
 #include <utility>
 #include <vector>
 
+#include "runtime/text/sql_scanner.hpp"
+
 namespace parlour::dialogue {
 
 namespace {
 
 constexpr auto npos = std::string::npos;
-
-bool is_word(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
-         (c >= '0' && c <= '9') || c == '_' || c == '$' ||
-         static_cast<unsigned char>(c) >= 0x80;
-}
 
 bool is_blank(char c) {
   return c == ' ' || c == '\t' || c == '\n' || c == '\r';
@@ -28,58 +24,19 @@ struct Word {
   std::string text;
 };
 
-class Scanner {
-public:
-  explicit Scanner(std::string_view text) : text_(text) {}
-
-  std::vector<Word> words() {
-    while (at_ < text_.size())
-      step();
-    return std::move(words_);
+std::vector<Word> words_of(std::string_view sql) {
+  std::vector<Word> words;
+  int depth = 0;
+  for (SqlScanner scanner(sql); !scanner.at_end();) {
+    const auto token = scanner.next();
+    const auto from = static_cast<std::size_t>(token.text.data() - sql.data());
+    if (token.kind == SqlTokenKind::other)
+      depth += token.text == "(" ? 1 : token.text == ")" ? -1 : 0;
+    else if (token.kind == SqlTokenKind::word && depth == 0)
+      words.push_back({from, from + token.text.size(), sql_lower(token.text)});
   }
-
-private:
-  void step() {
-    const char c = text_[at_];
-    if (c == '\'' || c == '"' || c == '`')
-      skip_past(std::string(1, c), at_ + 1);
-    else if (text_.substr(at_, 2) == "--")
-      skip_past("\n", at_ + 2);
-    else if (text_.substr(at_, 2) == "/*")
-      skip_past("*/", at_ + 2);
-    else if (is_word(c))
-      word();
-    else
-      punctuation(c);
-  }
-
-  // A doubled quote is two strings side by side: as good for us.
-  void skip_past(std::string_view end, std::size_t from) {
-    auto found = text_.find(end, from);
-    at_ = found == npos ? text_.size() : found + end.size();
-  }
-
-  void punctuation(char c) {
-    depth_ += c == '(' ? 1 : c == ')' ? -1 : 0;
-    ++at_;
-  }
-
-  void word() {
-    Word word{at_, at_, {}};
-    for (; at_ < text_.size() && is_word(text_[at_]); ++at_)
-      word.text += static_cast<char>(text_[at_] >= 'A' && text_[at_] <= 'Z'
-                                         ? text_[at_] | 0x20
-                                         : text_[at_]);
-    word.to = at_;
-    if (depth_ == 0)
-      words_.push_back(std::move(word));
-  }
-
-  std::string_view text_;
-  std::size_t at_ = 0;
-  int depth_ = 0;
-  std::vector<Word> words_;
-};
+  return words;
+}
 
 template <std::size_t size>
 bool is_one_of(const Word& word,
@@ -128,7 +85,7 @@ std::string between(const std::string& text, std::size_t at,
 }
 
 std::string add_condition(std::string sql, const std::string& condition) {
-  const auto words = Scanner(sql).words();
+  const auto words = words_of(sql);
   const auto* where = find_word(words, "where");
   const auto end =
       first_of(words, where ? where->to : 0, after_where, sql.size());
@@ -140,20 +97,20 @@ std::string add_condition(std::string sql, const std::string& condition) {
   });
   if (has_or)
     own = "(" + own + ")";
-  auto rest = sql.substr(end);
+  auto remaining = sql.substr(end);
   return sql.substr(0, where->to) + " " + own + " and (" + condition + ")" +
-         (rest.empty() ? "" : " " + rest);
+         (remaining.empty() ? "" : " " + remaining);
 }
 
 std::string add_order(std::string sql, const std::string& order) {
-  const auto words = Scanner(sql).words();
+  const auto words = words_of(sql);
   const auto* own = find_word(words, "order");
   const auto end = first_of(words, own ? own->to : 0, after_order, sql.size());
   if (!own)
     return between(sql, end, "order by " + order);
   auto head = trimmed(std::string_view(sql).substr(0, end));
-  auto rest = sql.substr(end);
-  return head + ", " + order + (rest.empty() ? "" : " " + rest);
+  auto remaining = sql.substr(end);
+  return head + ", " + order + (remaining.empty() ? "" : " " + remaining);
 }
 
 } // namespace
@@ -161,7 +118,7 @@ std::string add_order(std::string sql, const std::string& order) {
 std::string with_condition(std::string_view statement,
                            std::string_view condition, std::string_view order) {
   auto sql = trimmed(statement);
-  const auto words = Scanner(sql).words();
+  const auto words = words_of(sql);
   const bool joined = std::any_of(words.begin(), words.end(), [](auto& word) {
     return is_one_of(word, unions);
   });

@@ -12,10 +12,10 @@ namespace {
 
 const std::string language_generation = "NLG";
 
-constexpr int most_taken_up = 3;
+constexpr int max_taken_up = 3;
 
 // Told of in one robot turn.
-constexpr std::size_t most_failed_phrases = 100;
+constexpr std::size_t max_failed_phrases = 100;
 
 } // namespace
 
@@ -49,14 +49,19 @@ OutputId OutputManager::say(Say&& what) {
   }
   auto params = generate_params(what);
   auto id = push(what.as, {}, what, OutputState::worded);
-  auto correlation =
-      context_.post(language_generation, "Generate", {params}, what.turn);
-  wording_[correlation] = {id, std::move(params), 0};
-  if (!context_.answered_inline(correlation))
-    wording_[correlation].timer = context_.timers.start(
-        context_.program->settings.sessions.request_timeout,
-        {.purpose = Timer::Purpose::wording, .correlation = correlation});
+  ask_for_words(id, std::move(params), what.turn);
   return id;
+}
+
+void OutputManager::ask_for_words(OutputId id, Value params, TurnId turn) {
+  const auto& settings = context_.program->settings.sessions;
+  const auto correlation =
+      messenger_.post(language_generation, "Generate", {params}, turn);
+  wording_[correlation] = {id, std::move(params), 0};
+  if (!messenger_.is_answered(correlation))
+    wording_[correlation].timer = timers_.start(
+        context_.in(settings.request_timeout),
+        {.purpose = Timer::Purpose::wording, .correlation = correlation});
 }
 
 // Nothing is said where the application has no phrase for it.
@@ -92,11 +97,11 @@ void OutputManager::phrase_failed(const Error& error, TurnId turn) {
   context_.inspect(InspectionKind::error, "phrase", to_string(error));
   const auto told = std::ranges::find(failed_phrases_, error.place);
   if (told != failed_phrases_.end() ||
-      failed_phrases_.size() == most_failed_phrases ||
+      failed_phrases_.size() == max_failed_phrases ||
       !reactions_.listens("Script", "Error"))
     return;
   failed_phrases_.push_back(error.place);
-  context_.raise_error(error, turn);
+  messenger_.raise_error(error, turn);
 }
 
 OutputId OutputManager::push(OutputAct as, std::string text, const Say& what,
@@ -119,7 +124,7 @@ OutputId OutputManager::speak(std::string text, Correlation handled,
                               TurnId turn, bool interruptible) {
   if (auto found = wording_.find(handled); found != wording_.end()) {
     auto id = found->second.output;
-    context_.timers.cancel(found->second.timer);
+    timers_.cancel(found->second.timer);
     wording_.erase(found);
     word(id, std::move(text));
     return id;
@@ -167,6 +172,36 @@ void OutputManager::give_up_wording(Correlation correlation) {
   speak(std::move(text), correlation, 0, true);
 }
 
+void OutputManager::resume() {
+  ask_again_for_words();
+  for (const auto& [id, interruptible] : std::exchange(playing_, {}))
+    if (const auto* output = queue_.released(id)) {
+      inspect(*output, "said again");
+      playing_.push_back({id, interruptible});
+      context_.port.release(*output);
+      voice(*output);
+    }
+}
+
+// Who worded them does not know of it any more, unless the answer has come.
+void OutputManager::ask_again_for_words() {
+  std::vector<Correlation> asked;
+  for (const auto& [correlation, wording] : wording_)
+    if (!messenger_.is_answered(correlation))
+      asked.push_back(correlation);
+  for (auto before : asked) {
+    if (!context_.port.reachable(language_generation)) {
+      give_up_wording(before);
+      continue;
+    }
+    auto wording = std::move(wording_.extract(before).mapped());
+    timers_.cancel(wording.timer);
+    ask_for_words(wording.output, std::move(wording.params),
+                  context_.turns.of(before));
+    context_.turns.answered(before);
+  }
+}
+
 bool OutputManager::release() {
   changed_ = false;
   const bool begun = context_.turns.any_open(context_.now);
@@ -191,10 +226,10 @@ bool OutputManager::release() {
 // What is shown is spoken too, where there is a voice.
 void OutputManager::voice(const Output& output) {
   if (context_.port.reachable("TTS"))
-    context_.post("TTS", "Speak",
-                  {output.text, static_cast<std::int64_t>(output.id),
-                   output.interruptible},
-                  0);
+    messenger_.post("TTS", "Speak",
+                    {output.text, static_cast<std::int64_t>(output.id),
+                     output.interruptible},
+                    0);
 }
 
 void OutputManager::withdraw_questions() {
@@ -237,7 +272,7 @@ void OutputManager::interrupted(OutputId id, const std::string& heard) {
 
 void OutputManager::take_up_interrupted() {
   auto again = std::exchange(interrupted_, {});
-  if (!again || taken_up_ == most_taken_up)
+  if (!again || taken_up_ == max_taken_up)
     return;
   ++taken_up_;
   Say what;

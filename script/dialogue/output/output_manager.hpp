@@ -14,8 +14,10 @@
 
 #include "runtime/base/error.hpp"
 #include "script/dialogue/agenda/output_queue.hpp"
-#include "script/dialogue/agenda/turns.hpp"
+#include "script/dialogue/agenda/timers.hpp"
+#include "script/dialogue/context/apologies.hpp"
 #include "script/dialogue/context/dialogue_context.hpp"
+#include "script/dialogue/context/messenger.hpp"
 #include "script/dialogue/context/reactions.hpp"
 
 namespace parlour::dialogue {
@@ -50,8 +52,9 @@ public:
   };
 
   OutputManager(DialogueContext& context, const Reactions& reactions,
-                Listener& listener)
-      : context_(context), reactions_(reactions), listener_(listener) {}
+                Messenger& messenger, Timers& timers, Listener& listener)
+      : context_(context), reactions_(reactions), messenger_(messenger),
+        timers_(timers), listener_(listener) {}
 
   // Returns the entry's id; 0 where there are no words for it.
   OutputId say(Say&& what);
@@ -72,6 +75,18 @@ public:
   bool hear_failure(const Message& event, TurnId turn);
   // The NLG component did not answer in time.
   void give_up_wording(Correlation correlation);
+
+  // Whether one more apology is due; then it counts as made.
+  bool may_apologise() {
+    return apologies_.due(context_.now);
+  }
+  void user_speaks() {
+    apologies_.user_speaks();
+  }
+  // With another port: words that were asked for and have not come are asked
+  // for again, and what was not heard to its end is said again. What belongs to
+  // an earlier turn of the robot counts as heard.
+  void resume();
 
   // Releases what can go; returns whether anything was.
   bool release();
@@ -111,6 +126,9 @@ public:
   bool waits_for_words() const {
     return !wording_.empty();
   }
+  bool plays() const {
+    return !playing_.empty();
+  }
   // Nothing waits for words or release, and nothing is being played.
   bool silent() const;
   std::uint64_t spoken() const { // how many outputs were made so far
@@ -120,17 +138,31 @@ public:
     return told_;
   }
 
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive.without(context_, reactions_, messenger_, timers_, listener_);
+    archive(queue_, wording_, uses_, made_, told_, failed_phrases_, playing_,
+            interrupted_, taken_up_, changed_, apologies_);
+  }
+
 private:
   // An entry whose words an NLG component was asked for.
   struct Wording {
     OutputId output = 0;
     Value params; // to word it ourselves after all
     std::uint64_t timer = 0;
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive(output, params, timer);
+    }
   };
 
   OutputId push(OutputAct as, std::string text, const Say& what,
                 OutputState state);
   Value generate_params(const Say& what);
+  void ask_for_words(OutputId id, Value params, TurnId turn);
+  void ask_again_for_words();
   std::string words_of(const Value& params, TurnId turn);
   void phrase_failed(const Error& error, TurnId turn);
   void word(OutputId id, std::string text);
@@ -140,6 +172,8 @@ private:
 
   DialogueContext& context_;
   const Reactions& reactions_;
+  Messenger& messenger_;
+  Timers& timers_;
   Listener& listener_;
   OutputQueue queue_;
   std::map<Correlation, Wording> wording_;
@@ -147,15 +181,21 @@ private:
   std::uint64_t made_ = 0;
   std::uint64_t told_ = 0;
   // Told of in this robot turn: who listens may have said them himself.
-  std::vector<Place> failed_phrases_;
+  std::vector<SourceLocation> failed_phrases_;
   struct Playing {
     OutputId id = 0;
     bool interruptible = true;
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive(id, interruptible);
+    }
   };
   ShortLivedList<Playing> playing_;
   std::optional<Output> interrupted_;
   int taken_up_ = 0; // since something was played to its end
   bool changed_ = false;
+  Apologies apologies_;
 };
 
 } // namespace parlour::dialogue

@@ -1,9 +1,9 @@
-// The part of the topic engine for changes of topic: one becomes the current
-// one, another is suspended for it (engine rule 5, "Which topic next").
-#include <utility>
+#include "script/dialogue/topic_engine/topic_changes.hpp"
 
-#include "script/dialogue/agenda/steps.hpp"
-#include "script/dialogue/topic_engine/topic_engine.hpp"
+#include <memory>
+
+#include "script/dialogue/questions/asked.hpp"
+#include "script/dialogue/questions/bodies.hpp"
 
 namespace parlour::dialogue {
 
@@ -16,83 +16,101 @@ bool dealt_with(TopicStatus status) {
 
 } // namespace
 
-void TopicEngine::begin_topic(TopicId topic, StepList& steps, bool keep) {
-  const auto status = context_.frame(topic).status;
-  const bool goes_on = is_completing(topic); // asked about anew, as it is
+void TopicChanges::take(const steps::Activate& step) {
+  if (step.topic == script::no_id || !frames_.order().registered(step.topic))
+    return;
+  StepList steps;
+  begin_topic(step.topic, steps, step.keep);
+  if (step.keep && late_ && late_->topic == context_.topic(step.topic).name)
+    steps.add(
+        steps::Fill{step.topic, step.turn,
+                    std::make_shared<const Act>(*std::exchange(late_, {}))});
+  else
+    steps.add(steps::Settle{step.topic, step.turn});
+  context_.lane.now(std::move(steps));
+}
+
+void TopicChanges::begin_topic(TopicId topic, StepList& steps, bool keep) {
+  const auto status = frames_[topic].status;
+  const bool goes_on =
+      confirmations_.is_completing(topic); // asked about anew, as it is
   leave_enquiry(topic);
-  auto left = context_.order.activate(topic);
+  auto left = frames_.order().activate(topic);
   if (left && *left != topic)
     suspend(*left, steps);
   // A <confirm> of this topic goes on waiting; another's comes again later.
-  if (asked_ &&
-      (asked_->purpose != Asked::For::yes_or_no || asked_->topic != topic))
-    asked_.reset();
+  if (question_ && (question_->purpose != Asked::For::yes_or_no ||
+                    question_->topic != topic))
+    question_.reset();
   const bool again = keep && status == TopicStatus::completed;
   const bool ended =
       status == TopicStatus::completed || status == TopicStatus::cancelled;
   if (ended)
-    steps.append(end_confirms_of(topic));
+    steps.append(confirmations_.end_confirms_of(topic));
   if (ended && !again && !goes_on)
-    change(topic, {.kind = FrameChange::Kind::reset});
+    frames_.change(topic, {.kind = FrameChange::Kind::reset});
   if (status == TopicStatus::suspended || (again && !goes_on))
     run_body(context_.topic(topic).resumed, topic, script::no_id, 0, steps);
   else if (status != TopicStatus::active && status != TopicStatus::resting &&
            !goes_on)
     run_body(context_.topic(topic).started, topic, script::no_id, 0, steps);
   if (status != TopicStatus::resting)
-    set_status(topic, TopicStatus::active);
+    frames_.set_status(topic, TopicStatus::active);
   begin_needs(topic, steps);
+}
+
+// `needs`: those topics first, then on with this one (engine rule 5).
+void TopicChanges::begin_needs(TopicId topic, StepList& steps) {
+  for (const auto& name : context_.topic(topic).needs) {
+    auto need = context_.program->topic(name);
+    if (need != script::no_id && frames_.order().registered(need) &&
+        !dealt_with(frames_[need].status))
+      steps.add(steps::Activate{need});
+  }
 }
 
 // An enquiry that was not answered yet is not unfinished: it begins anew,
 // unless it is left for a topic that it needs.
-void TopicEngine::leave_enquiry(TopicId next) {
-  auto current = context_.order.current();
-  if (current && *current != next && !context_.order.needs(*current, next) &&
+void TopicChanges::leave_enquiry(TopicId next) {
+  auto current = frames_.order().current();
+  if (current && *current != next && !frames_.order().needs(*current, next) &&
       context_.topic(*current).kind == script::TopicKind::enquiry &&
-      context_.frame(*current).status == TopicStatus::active)
-    change(*current, {.kind = FrameChange::Kind::reset});
+      frames_[*current].status == TopicStatus::active)
+    frames_.change(*current, {.kind = FrameChange::Kind::reset});
 }
 
-// `needs`: those topics first, then on with this one (engine rule 5).
-void TopicEngine::begin_needs(TopicId topic, StepList& steps) {
-  for (const auto& name : context_.topic(topic).needs) {
-    auto need = context_.program->topic(name);
-    if (need != script::no_id && context_.order.registered(need) &&
-        !dealt_with(context_.frame(need).status))
-      steps.push_back(topic_step(StepKind::activate, need));
-  }
-}
-
-void TopicEngine::suspend(TopicId topic, StepList& steps) {
-  output_.withdraw_questions();
-  set_status(topic, TopicStatus::suspended);
+void TopicChanges::suspend(TopicId topic, StepList& steps) {
+  question_.withdraw_words();
+  frames_.set_status(topic, TopicStatus::suspended);
   run_body(context_.topic(topic).suspended, topic, script::no_id, 0, steps);
 }
 
-void TopicEngine::activate(Step& step) {
-  if (step.topic == script::no_id || !context_.order.registered(step.topic))
-    return;
+// A topic whose <confirm> is asked again or answered is the current one.
+StepList TopicChanges::back_to(TopicId topic) {
   StepList steps;
-  const bool keep = step.mark != 0;
-  begin_topic(step.topic, steps, keep);
-  auto next = topic_step(StepKind::settle, step.topic);
-  next.turn = step.turn;
-  if (keep && late_ && late_->topic == context_.topic(step.topic).name) {
-    next.kind = StepKind::fill;
-    next.act = std::make_shared<const Act>(*std::exchange(late_, {}));
-  }
-  steps.push_back(std::move(next));
+  if (topic != script::no_id && frames_[topic].status == TopicStatus::suspended)
+    begin_topic(topic, steps);
+  return steps;
+}
+
+void TopicChanges::take_up(TopicId topic) {
+  StepList steps;
+  begin_topic(topic, steps);
+  steps.add(steps::Settle{topic});
+  steps.add(steps::AskNext{.as = OutputAct::resume});
   context_.lane.now(std::move(steps));
 }
 
-// A topic whose <confirm> is asked again or answered is the current one.
-StepList TopicEngine::back_to(TopicId topic) {
-  StepList steps;
-  if (topic != script::no_id &&
-      context_.frame(topic).status == TopicStatus::suspended)
-    begin_topic(topic, steps);
-  return steps;
+void TopicChanges::answered(TopicId topic) {
+  frames_.answered(topic);
+  question_.reset_of(topic);
+}
+
+TopicId TopicChanges::needed_by(TopicId topic) const {
+  for (auto other : frames_.order().suspended())
+    if (frames_.order().needs(other, topic))
+      return other;
+  return script::no_id;
 }
 
 } // namespace parlour::dialogue

@@ -33,13 +33,14 @@ std::size_t slots_of(const script::Topic& topic, const Act& act) {
 TopicId by_slots(const script::Program& program, const Act& act,
                  const ClassifierContext& context) {
   auto best = script::no_id;
-  std::size_t most = 0;
+  std::size_t max_count = 0;
   auto consider = [&](TopicId topic) { // the likeliest first, some twice
-    if (most == act.slots.size() || !may_be_chosen(program, topic, context))
+    if (max_count == act.slots.size() ||
+        !may_be_chosen(program, topic, context))
       return;
     const auto count = slots_of(program.topics[topic], act);
-    if (count > most) {
-      most = count;
+    if (count > max_count) {
+      max_count = count;
       best = topic;
     }
   };

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "script/dialogue/frame/frame.hpp"
+#include "script/dialogue/frame/topic_frame.hpp"
 #include "script/program/program.hpp"
 
 namespace parlour::dialogue {

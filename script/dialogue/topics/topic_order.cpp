@@ -61,7 +61,7 @@ void TopicOrder::completed(TopicId topic) {
     resting_.reset();
 }
 
-void TopicOrder::rests(TopicId topic, Timestamp now) {
+void TopicOrder::answered(TopicId topic, Timestamp now) {
   completed(topic);
   resting_ = topic;
   rested_at_ = now;

@@ -30,7 +30,8 @@ public:
   // is an unfinished task or needs this topic.
   std::optional<TopicId> activate(TopicId topic);
   void completed(TopicId topic); // or cancelled: forgotten
-  void rests(TopicId topic, Timestamp now);
+  // An enquiry: its slots are context for a while.
+  void answered(TopicId topic, Timestamp now);
   // The enquiry whose slots are context, unless its time is over.
   std::optional<TopicId> resting(Timestamp now, Milliseconds context_for) const;
 
@@ -48,6 +49,16 @@ public:
     bool resumes; // else it starts
   };
   std::optional<Next> next() const;
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive.without(program_);
+    archive(registered_, started_, rested_at_);
+    archive.topic(current_);
+    archive.topic(latest_);
+    archive.topics(suspended_);
+    archive.topic(resting_);
+  }
 
 private:
   const script::Program* program_;

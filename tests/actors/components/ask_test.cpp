@@ -1,5 +1,5 @@
 #include "actors/components/ask.hpp"
-#include "tests/actors/house_fixture.hpp"
+#include "tests/actors/node_fixture.hpp"
 
 namespace parlour::actors {
 namespace {
@@ -38,7 +38,7 @@ constexpr const char* ask_ear = R"(
     </RecognitionResult></ASR>
   </component></messages></handler>)";
 
-class AskTest : public HouseTest {
+class AskTest : public NodeFixture {
 protected:
   // What the conversation hears of the spotter, and whether somebody waits.
   std::vector<std::string> spot(std::vector<ComponentOrder> components,
@@ -125,7 +125,7 @@ TEST_F(AskTest, GivesUpInTime) {
   EXPECT_THAT(told, ElementsAre("Database did not answer Query in time"));
 }
 
-// The house comes down while a question is open; nobody is called back.
+// The node comes down while a question is open; nobody is called back.
 TEST_F(AskTest, EndsWithItsPlugin) {
   auto silent = component("db", "Database", [](auto&, const Message&) {});
   EXPECT_THAT(spot({spotter(), std::move(silent)}, "Jeffery"), IsEmpty());

@@ -2,12 +2,12 @@
 #include <thread>
 
 #include "actors/components/component_host.hpp"
-#include "tests/actors/house_fixture.hpp"
+#include "tests/actors/node_fixture.hpp"
 
 namespace parlour::actors {
 namespace {
 
-using ComponentHostTest = HouseTest;
+using ComponentHostTest = NodeFixture;
 
 constexpr const char* ask_taxi = R"(
   <handler name="Pipeline"><messages><component>

@@ -1,257 +1,239 @@
-#include <condition_variable>
-#include <future>
-#include <mutex>
+#include <fstream>
+#include <iterator>
 #include <stdexcept>
-#include <thread>
 
 #include "actors/components/supervision.hpp"
 #include "tests/actors/plugin_shelf.hpp"
+#include "tests/support/paths.hpp"
 
 namespace parlour::actors {
 namespace {
 
 using SupervisionTest = LoadingTest;
 
-// A taxi company whose first instance, for what is said, does what a test says.
-using Misbehaviour = std::function<void(FunctionPlugin&, const Message&)>;
+// Answers by its option.
+class Named : public IPlugin {
+  Expected<void> on_start(const Options& options) override {
+    name_ = options.count("name") ? options.at("name") : "nobody";
+    return {};
+  }
+  void on_message(const Message&) override {
+    fire_event("Booked", {name_});
+  }
+  std::string name_;
+};
 
-ComponentOrder troubled(const std::string& name, const std::string& word,
-                        Misbehaviour misbehave) {
-  auto order = taxi(name);
-  order.factory.create = [=, number = std::make_shared<std::atomic<int>>(0)] {
-    const auto mine = name + std::to_string(++*number);
-    return std::make_unique<FunctionPlugin>(
-        [=](FunctionPlugin& self, const Message& message) {
-          const auto asked = message.params.at(0).text();
-          if (asked == word)
-            misbehave(self, message);
-          self.fire_event("Booked", {mine + " for " + asked});
-        });
-  };
-  return order;
+ComponentOrder named_city() {
+  auto city = taxi("City");
+  city.factory.create = [] { return std::make_unique<Named>(); };
+  return city;
 }
 
-ComponentOrder throwing(const std::string& name) {
-  return troubled(name, "crash", [](auto&, auto&) {
-    throw std::runtime_error("engine trouble");
-  });
-}
-
-TEST_F(SupervisionTest, AnotherInstanceTakesThePlaceOfOneThatThrew) {
-  options.components = {throwing("City")};
+TEST_F(SupervisionTest, LoadsAndUnloadsByName) {
+  shelf->put(taxi("City"));
   start(load_and_ask);
-  EXPECT_THAT(say({"home"}), ElementsAre("City1 for home"));
-  EXPECT_THAT(say({"crash", "work"}),
-              ElementsAre("Refused: City: engine trouble", "City2 for work"));
+  EXPECT_THAT(say({"home"}), ElementsAre(HasSubstr("Offline: ")));
+  EXPECT_THAT(say({"load City as Company"}), ElementsAre("Company is up."));
+  EXPECT_THAT(say({"home"}), ElementsAre("City for home"));
+  EXPECT_THAT(say({"unload Company"}), ElementsAre("Company is gone."));
+  EXPECT_THAT(say({"home"}), ElementsAre(HasSubstr("Offline: ")));
   EXPECT_THAT(heard(),
-              ElementsAre("failed City: engine trouble 1", "up City Taxi"));
+              ElementsAre("up Company Taxi", "down Company: unloaded"));
 }
 
-TEST_F(SupervisionTest, WaitsLongerAfterEachFailure) {
-  options.components = {throwing("City")};
+TEST_F(SupervisionTest, SaysWhyItDoesNotLoad) {
+  class Broken : public IPlugin {
+    Expected<void> on_start(const Options&) override {
+      return fail(ErrorKind::settings, "there is no such device");
+    }
+    void on_message(const Message&) override {}
+  };
+  auto broken = taxi("Broken");
+  broken.factory.create = [] { return std::make_unique<Broken>(); };
+  auto wanting = taxi("Wanting");
+  wanting.factory.description.options = {{"file", "", "where it is", true}};
+  auto unmade = taxi("Unmade");
+  unmade.factory.create = [] { return nullptr; };
+  for (const auto& order : {broken, wanting, unmade})
+    shelf->put(order);
   start(load_and_ask);
-  say({"crash"});
-  EXPECT_THAT(say({"crash", "home"}), ElementsAre(HasSubstr("trouble")));
-  EXPECT_TRUE(node->step_to_next_due(100ms));
-  EXPECT_EQ(node->now(), nine_o_clock + 100);
-  EXPECT_THAT(said(), ElementsAre("City3 for home")); // it has waited
-}
-
-TEST_F(SupervisionTest, ARoleFallsToItsNextComponent) {
-  options.components = {throwing("City"), taxi("Country")};
-  start(load_and_ask, R"(<sessions closes-after="1h"/>)");
-  for (int i = 0; i < 5; ++i) {
-    EXPECT_THAT(say({"crash"}), ElementsAre(HasSubstr("engine trouble")));
-    node->advance(1s);
-  }
-  EXPECT_THAT(heard(), testing::Contains("down City: engine trouble"));
-  EXPECT_THAT(say({"home"}), ElementsAre("Country for home"));
-  node->advance(1min);
-  node->run_until_quiet();
-  EXPECT_THAT(heard(), ElementsAre("up City Taxi"));
-  EXPECT_THAT(say({"home"}), ElementsAre("City6 for home"));
-}
-
-TEST_F(SupervisionTest, WhoWaitsForOneThatIsDownIsToldAtOnce) {
-  options.components = {troubled("City", "later", [](auto& self, auto&) {
-    self.host().failed("its line was cut");
-    throw std::runtime_error("not heard any more");
-  })};
-  start(load_and_ask);
-  for (int i = 0; i < 4; ++i) {
-    say({"later"});
-    node->advance(1s);
-  }
-  EXPECT_THAT(say({"later"}), ElementsAre("Refused: City: its line was cut"));
+  EXPECT_THAT(say({"load Missing as X"}),
+              ElementsAre("Settings: there is no plug-in 'Missing'"));
+  EXPECT_THAT(say({"load Broken as X"}),
+              ElementsAre("Settings: there is no such device"));
+  EXPECT_THAT(say({"load Wanting as X"}),
+              ElementsAre("Settings: X: the option 'file' is missing: where it "
+                          "is"));
+  EXPECT_THAT(say({"load Unmade as X"}),
+              ElementsAre("Settings: was not made: its factory gave none"));
+  EXPECT_THAT(say({"unload Misssing"}),
+              ElementsAre("Offline: there is no component 'Misssing'"));
   EXPECT_THAT(say({"home"}), ElementsAre(HasSubstr("Offline: ")));
 }
 
-// The call returns when its component has long been replaced.
-TEST_F(SupervisionTest, GivesUpACallThatDoesNotReturn) {
-  options.components = {
-      troubled("City", "wait", [this](auto& self, const Message&) {
-        node->advance(5s);
-        node->run_until_quiet();
-        EXPECT_THAT(said(), ElementsAre(HasSubstr("within 5000 ms")));
-        EXPECT_THAT(say({"meanwhile"}), ElementsAre("City2 for meanwhile"));
-        self.host().after(1s, [] { FAIL() << "called back"; });
-      })};
-  options.components[0].upkeep.deadline = 5s;
-  start(load_and_ask);
-  EXPECT_THAT(say({"wait"}), IsEmpty()); // what it said late is not heard
-  node->advance(5s);
-  EXPECT_THAT(heard(), ElementsAre(HasSubstr("failed City: a call did not"),
-                                   "up City Taxi"));
-  EXPECT_THAT(say({"home"}), ElementsAre("City2 for home"));
+TEST_F(SupervisionTest, SaysWhatAScopeIsNotFor) {
+  auto city = taxi("City");
+  city.policy.scope.kind = Scope::Kind::in_turn;
+  auto shelf_of_books = component("Shelf", "Database", [](auto&, auto&) {});
+  shelf_of_books.policy.scope = {Scope::Kind::pool, 2};
+  for (const auto& [order, why] :
+       std::vector<std::pair<ComponentOrder, const char*>>{
+           {city, "has a state of its own"},
+           {shelf_of_books, "not for a database"}}) {
+    NodeOptions wanted;
+    wanted.virtual_start = nine_o_clock;
+    wanted.program = compile(echo);
+    wanted.components = {order};
+    const auto started = Node::start(std::move(wanted));
+    ASSERT_FALSE(started) << why;
+    EXPECT_THAT(started.error().message, HasSubstr(why));
+  }
 }
 
-TEST_F(SupervisionTest, TheDeadlineIsTheComponents) {
-  options.components = {troubled("City", "wait", [this](auto&, auto&) {
-    node->advance(999ms);
-    node->run_until_quiet();
-    EXPECT_THAT(said(), IsEmpty());
-    node->advance(1ms);
-    node->run_until_quiet();
-    EXPECT_THAT(said(), ElementsAre(HasSubstr("within 1000 ms")));
-  })};
-  options.components[0].upkeep.deadline = 1s;
+TEST_F(SupervisionTest, OneTakesThePlaceOfAnother) {
+  options.components = {taxi("City"), taxi("Country")};
+  shelf->put(taxi("Luxury"));
   start(load_and_ask);
-  say({"wait"});
+  EXPECT_THAT(say({"load Luxury as City"}), ElementsAre("City is up."));
+  EXPECT_THAT(say({"home"}), ElementsAre("Luxury for home"));
+  EXPECT_THAT(heard(), ElementsAre("up City Taxi"));
 }
 
-// What it does from a thread of its own, too.
-TEST_F(SupervisionTest, StopsAFlood) {
-  options.components = {troubled("City", "flood", [](auto& self, auto&) {
-    Message noise;
-    noise.command = "Noise";
-    for (int i = 0; i < 100'000; ++i)
-      self.host().fire_event(noise);
-  })};
+TEST_F(SupervisionTest, NobodyTakesThePlaceOfAnotherRole) {
+  options.components = {taxi("City")};
+  shelf->put(component("Desk", "Telephone", [](auto&, auto&) {}));
+  auto spy = taxi("Spy");
+  spy.factory.description.roles.push_back("System");
+  shelf->put(spy);
   start(load_and_ask);
-  EXPECT_THAT(say({"flood"}), ElementsAre(HasSubstr("floods the house")));
-  EXPECT_LE(ways_of("Noise").size(), 2'100u);
-  EXPECT_THAT(heard(),
-              ElementsAre(HasSubstr("failed City: it floods"), "up City Taxi"));
-  EXPECT_THAT(say({"home"}), ElementsAre("City2 for home"));
+  EXPECT_THAT(say({"load Desk as City"}),
+              ElementsAre("Settings: City: it is the Taxi here, which Desk is "
+                          "not; load Desk under another name"));
+  EXPECT_THAT(say({"home"}), ElementsAre("City for home"));
+  for (const auto* name : {"System", "ASR", "Record"})
+    EXPECT_THAT(say({std::string("load Desk as ") + name}),
+                ElementsAre(HasSubstr("choose another name")));
+  EXPECT_THAT(say({"load Spy as Spy"}),
+              ElementsAre(HasSubstr("a source of the platform's own")));
+  EXPECT_THAT(heard(), IsEmpty());
 }
 
-TEST_F(SupervisionTest, APluginMaySayThatItIsBroken) {
-  options.components = {troubled("City", "cut", [](auto& self, auto&) {
-    std::thread([&] { self.host().failed("its line was cut"); }).join();
-  })};
+TEST_F(SupervisionTest, WhatIsLoadedAgainHasItsOptions) {
+  auto city = named_city();
+  shelf->put(city);
+  city.options = {{"name", "Ada"}};
+  options.components = {city};
   start(load_and_ask);
-  // The answer was said before anybody knew.
-  EXPECT_THAT(say({"cut"}), ElementsAre("City1 for cut"));
-  EXPECT_THAT(heard(),
-              ElementsAre("failed City: its line was cut 1", "up City Taxi"));
-  EXPECT_THAT(say({"home"}), ElementsAre("City2 for home"));
+  EXPECT_THAT(say({"load City as City", "home"}),
+              ElementsAre("City is up.", "Ada"));
+  EXPECT_THAT(say({"unload City", "load City as City", "home"}),
+              ElementsAre("City is gone.", "City is up.", "Ada"));
+  EXPECT_THAT(say({"unload City", "load City as Other", "home"}),
+              ElementsAre("City is gone.", "Other is up.", "nobody"));
 }
 
-// It owes an answer that will not come.
-TEST_F(SupervisionTest, WhoWaitsForABrokenInstanceIsToldAtOnce) {
-  options.components = {
-      component("City", "Taxi", [](auto& self, const Message& message) {
-        if (message.params.at(0) == Value("crash"))
-          throw std::runtime_error("engine trouble");
-        self.host().after(1min, [&] { self.fire_event("Booked", {"never"}); });
-      })};
-  start(R"(
+// It stands in the settings for scripts alone, under a name of its own.
+TEST_F(SupervisionTest, WhatIsForScriptsHasItsOptionsWhenItIsLoaded) {
+  auto city = named_city();
+  shelf->put(city);
+  city.name = "Spare";
+  city.options = {{"name", "Ada"}};
+  city.policy.scope = {Scope::Kind::usual, 0};
+  options.components = {city};
+  options.complete = [](ComponentOrder& order) {
+    order.options["name"] += " of " + order.name;
+  };
+  start(load_and_ask);
+  EXPECT_THAT(say({"home"}), ElementsAre(HasSubstr("Offline: ")));
+  EXPECT_THAT(say({"load City as Spare", "home"}),
+              ElementsAre("Spare is up.", "Ada of Spare"));
+}
+
+TEST_F(SupervisionTest, WhatDoesNotStartTakesNobodysPlace) {
+  auto unmade = taxi("Unmade");
+  unmade.factory.create = [] { return nullptr; };
+  shelf->put(unmade);
+  options.components = {taxi("City")};
+  start(load_and_ask);
+  EXPECT_THAT(say({"load Unmade as City"}), ElementsAre(HasSubstr("not made")));
+  EXPECT_THAT(say({"home"}), ElementsAre("City for home"));
+}
+
+// What docs/components.md shows: a recycled voice, for as long as the voice is
+// down.
+TEST_F(SupervisionTest, TheExampleOfItsPageWorks) {
+  std::ifstream page(test::source_path("docs/components.md"));
+  const std::string text(std::istreambuf_iterator<char>(page), {});
+  const auto begin = text.find("<handler name=\"Voices\">");
+  const auto end = text.find("```", begin);
+  ASSERT_NE(end, std::string::npos);
+  std::vector<std::string> spoken;
+  auto fails = std::make_shared<bool>(true);
+  auto voice = [&](const char* name, std::shared_ptr<bool> broken) {
+    return component(name, "TTS", [&, name, broken](auto&, const Message& it) {
+      if (*broken)
+        throw std::runtime_error("hoarse");
+      spoken.push_back(name + (": " + it.params.at(0).text()));
+    });
+  };
+  options.components = {voice("Voice", fails)};
+  shelf->put(voice("TextFileTTS", std::make_shared<bool>(false)));
+  start(text.substr(begin, end - begin) + R"(
     <handler name="Pipeline"><messages><component>
       <ASR><RecognitionResult>
-        <if cond="_LPARAM1 eq 'crash'">
-          <post module="Taxi" command="Book" param="_LPARAM1"/>
-        <else>
-          <try><request module="Taxi" command="Book" param="_LPARAM1"/>
-            <catch name="e"><speak param="{e.message}"/></catch></try>
-        </else></if>
+        <post module="TTS" command="Speak" param="_LPARAM1"/>
       </RecognitionResult></ASR>
-    </component></messages></handler>)");
-  EXPECT_THAT(say({"home"}), IsEmpty());
-  node->inject("", [] {
-    Message message;
-    message.source = "Script";
-    message.command = "Book";
-    message.params = {"crash"};
-    message.sinks = {"Taxi"};
-    return message;
-  }());
-  node->run_until_quiet();
-  EXPECT_THAT(said(), ElementsAre("City: engine trouble"));
-}
-
-TEST_F(SupervisionTest, APoolSharesItsWork) {
-  options.components = {throwing("City")};
-  options.components[0].upkeep.scope = {Scope::Kind::pool, 3};
-  start(load_and_ask);
-  EXPECT_THAT(say({"a", "crash", "b"}),
-              ElementsAre(HasSubstr("for a"), HasSubstr("trouble"),
-                          HasSubstr("for b")));
-  EXPECT_THAT(heard(),
-              ElementsAre("failed City: engine trouble 1", "up City Taxi"));
-}
-
-TEST_F(SupervisionTest, AnInlineComponentCanBeGivenAMailbox) {
-  auto order = inline_component("City", "Taxi", [](const Message& message) {
-    return std::vector<Answer>{{"Booked", message.params}};
-  });
-  order.upkeep.scope.kind = Scope::Kind::node;
-  options.components = {order};
-  start(load_and_ask);
-  EXPECT_THAT(say({"home"}), ElementsAre("home"));
-}
-
-TEST_F(SupervisionTest, AnInlineComponentThatThrowsIsCounted) {
-  options.components = {inline_component(
-      "City", "Taxi", [](const Message&) -> std::vector<Answer> {
-        throw std::runtime_error("engine trouble");
-      })};
-  start(load_and_ask);
-  for (int i = 0; i < 5; ++i)
-    EXPECT_THAT(say({"home"}), ElementsAre(HasSubstr("engine trouble")));
-  EXPECT_THAT(heard(), testing::Contains("down City: engine trouble"));
-  EXPECT_THAT(say({"home"}), ElementsAre(HasSubstr("Offline: ")));
-}
-
-// Really a thread that does not come back until the test lets it.
-TEST_F(SupervisionTest, GivesUpAThreadThatDoesNotReturn) {
-  std::mutex mutex;
-  std::condition_variable changed;
-  bool released = false;
-  options.virtual_start.reset();
-  options.components = {troubled("City", "wait", [&](auto&, auto&) {
-    std::unique_lock lock(mutex);
-    changed.wait(lock, [&] { return released; });
-  })};
-  options.components[0].upkeep.deadline = 300ms;
-  start(load_and_ask);
-  EXPECT_THAT(say({"wait", "home"}),
-              ElementsAre(HasSubstr("within 300 ms"), "City2 for home"));
-  {
-    std::lock_guard lock(mutex);
-    released = true;
+    </component></messages></handler>)",
+        R"(<sessions closes-after="1h"/>)");
+  for (int i = 0; i < 5; ++i) {
+    say({"one"});
+    node->advance(1s);
   }
-  changed.notify_all();
-  EXPECT_TRUE(node->stop());
+  say({"two"});
+  *fails = false;
+  node->advance(1min);
+  node->run_until_quiet();
+  say({"three"});
+  EXPECT_THAT(spoken, ElementsAre("TextFileTTS: two", "Voice: three"));
+  EXPECT_FALSE(node->unload("Spare"));
 }
 
-// The application does not start, and nobody waits for the thread.
-TEST_F(SupervisionTest, GivesUpAStartThatDoesNotReturn) {
-  std::promise<void> released;
-  options.virtual_start.reset();
-  options.start_time = 100ms;
-  options.drain_time = 100ms;
-  options.program = compile("<handler name='Nothing'/>", "", "");
-  options.components = {component("City", "Taxi", {})};
-  options.components[0].upkeep.deadline = 50ms;
-  options.components[0].factory.create =
-      [until = released.get_future().share()]() -> std::unique_ptr<IPlugin> {
-    until.wait();
-    return nullptr;
+// A hundred comings and goings while others ask: each question is answered, by
+// a company or by an error, and nothing is left.
+TEST_F(SupervisionTest, AHundredTimesUnderLoad) {
+  auto alive = std::make_shared<std::atomic<int>>(0);
+  auto company = taxi("City");
+  company.factory.create = [alive] {
+    ++*alive;
+    std::shared_ptr<void> retired(nullptr, [alive](void*) { --*alive; });
+    return std::make_unique<FunctionPlugin>(
+        [retired](FunctionPlugin& self, const Message& message) {
+          self.fire_event("Booked", message.params);
+        });
   };
-  const auto started = Node::start(options);
-  EXPECT_EQ(started.error().message,
-            "City: a call did not return within 100 ms");
-  released.set_value();
+  for (const bool virtual_time : {true, false}) {
+    options = {};
+    options.plugins = shelf;
+    if (virtual_time)
+      options.virtual_start = nine_o_clock;
+    shelf->put(company);
+    start(load_and_ask);
+    std::atomic<int> answers = 0;
+    SeatCallbacks calls;
+    calls.on_output = [&](const auto&, const auto&) { ++answers; };
+    const auto other = node->open_seat(std::move(calls));
+    for (int i = 0; i < 100; ++i) {
+      node->enter(other, {"one", "two"});
+      node->enter(seat, {"load City as Company"});
+      node->enter(other, {"three", "four"});
+      node->enter(seat, {i % 2 ? "unload Company" : "load City as Company"});
+      node->run_until_quiet();
+    }
+    EXPECT_EQ(answers, 400);
+    EXPECT_EQ(said().size(), 200u);
+    node.reset();
+    EXPECT_EQ(*alive, 0);
+  }
 }
 
 } // namespace

@@ -1,3 +1,5 @@
+#include <caf/scoped_actor.hpp>
+
 #include "actors/components/supervisor.hpp"
 #include "tests/actors/bench.hpp"
 
@@ -5,7 +7,7 @@ namespace parlour::actors {
 namespace {
 
 // What the actor does is tested as supervision; here: that it is asked.
-TEST(Supervisor, AnswersWhatIsWished) {
+TEST(Supervisor, AnswersWhatIsRequested) {
   Bench bench;
   bench.bus.connect(bench.centre_probe());
   InstanceDirectory instances;
@@ -14,11 +16,19 @@ TEST(Supervisor, AnswersWhatIsWished) {
       supervisor, SupervisionParts{bench.time, bench.bus, bench.observer,
                                    bench.sessions, instances, environment});
   std::vector<std::string> outcomes;
-  Done note = [&](Expected<void> outcome) {
-    outcomes.push_back(outcome ? "done" : outcome.error().message);
+  caf::scoped_actor self(*bench.system);
+  auto ask = [&](auto what) {
+    auto answer = self->request(actor, caf::infinite, std::move(what));
+    bench.run();
+    answer.receive(
+        [&](const component_done& done) {
+          outcomes.push_back(done.outcome ? "done"
+                                          : done.outcome.error().message);
+        },
+        [](const caf::error&) { FAIL() << "not answered"; });
   };
-  bench.send(actor, load_plugin{"Voice", "", note, bench.work()});
-  bench.send(actor, unload_component{"Voice", note, bench.work()});
+  ask(load_plugin{"Voice", "", bench.work()});
+  ask(unload_component{"Voice", bench.work()});
   EXPECT_THAT(outcomes, ElementsAre("this run has no plug-ins to load",
                                     "there is no component 'Voice'"));
 }

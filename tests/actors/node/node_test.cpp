@@ -3,12 +3,12 @@
 #include <thread>
 
 #include "actors/node/node.hpp"
-#include "tests/actors/house_fixture.hpp"
+#include "tests/actors/node_fixture.hpp"
 
 namespace parlour::actors {
 namespace {
 
-using NodeTest = HouseTest;
+using NodeTest = NodeFixture;
 
 TEST_F(NodeTest, AnswersAUserTurn) {
   start(echo);
@@ -100,7 +100,7 @@ TEST_F(NodeTest, OpensNoSessionForWhatIsNoTurn) {
   EXPECT_THAT(unhandled, ElementsAre(HasSubstr("its session is over")));
 }
 
-// A component that never returns does not keep the house from stopping.
+// A component that never returns does not keep the node from stopping.
 TEST_F(NodeTest, LeavesBehindWhatDoesNotEnd) {
   std::promise<void> begun;
   std::promise<void> released;

@@ -24,7 +24,7 @@ protected:
 TEST_F(ComponentMailboxTest, GivesInOrderWhatWaited) {
   put("One");
   put("Two");
-  mailbox->join(reader("ear"));
+  mailbox->add_worker(reader("ear"));
   bench.run();
   put("Three");
   bench.run();
@@ -36,10 +36,10 @@ TEST_F(ComponentMailboxTest, GivesInOrderWhatWaited) {
 
 TEST_F(ComponentMailboxTest, AnotherTakesWhatOneLeaves) {
   const auto first = reader("first");
-  mailbox->join(first);
-  mailbox->join(reader("second"));
+  mailbox->add_worker(first);
+  mailbox->add_worker(reader("second"));
   put("One"); // somebody is told
-  mailbox->leave(first);
+  mailbox->remove_worker(first);
   bench.run();
   EXPECT_THAT(bench.seen, ElementsAre("second gets Script.One()"));
   EXPECT_FALSE(mailbox->take(first));
@@ -51,8 +51,8 @@ TEST_F(ComponentMailboxTest, AnotherTakesWhatOneLeaves) {
 TEST_F(ComponentMailboxTest, KeepsTheOrderOfWhatComesWhileSeveralTake) {
   const auto first = reader("first");
   const auto second = reader("second");
-  mailbox->join(first);
-  mailbox->join(second);
+  mailbox->add_worker(first);
+  mailbox->add_worker(second);
   put("One");
   put("Two");
   EXPECT_EQ(mailbox->take(first)->message->command, "One");
@@ -66,7 +66,7 @@ TEST_F(ComponentMailboxTest, KeepsTheOrderOfWhatComesWhileSeveralTake) {
 TEST_F(ComponentMailboxTest, DoesFirstWhatIsPutBack) {
   put("Two");
   mailbox->put_back({shared(event("Script", "One")), bench.work()});
-  mailbox->join(reader("ear"));
+  mailbox->add_worker(reader("ear"));
   bench.run();
   EXPECT_THAT(bench.seen,
               ElementsAre("ear gets Script.One()", "ear gets Script.Two()"));

@@ -12,7 +12,7 @@ TEST(MessageBus, PublishFromAnyThread) {
   std::thread([&] {
     bench.bus.publish({event("Bell", "Rings"), event("Bell", "Stops")});
   }).join();
-  EXPECT_FALSE(bench.time.work.none()); // waits at the gate
+  EXPECT_FALSE(bench.time.work.none()); // waits in the queue
   bench.run();
   EXPECT_THAT(bench.seen, ElementsAre("Bell.Rings()", "Bell.Stops()"));
   EXPECT_TRUE(bench.time.work.none());
@@ -87,7 +87,7 @@ TEST(MessageBus, BringInWhatTheCentreRoutes) {
   EXPECT_EQ(bench.bus.counters().messages(), 0u);
 }
 
-TEST(MessageBus, PublishToNobodyWhenTheHouseIsDown) {
+TEST(MessageBus, PublishToNobodyWhenTheNodeIsDown) {
   Bench bench;
   bench.bus.take_down();
   bench.bus.publish({event("Bell", "Rings")});

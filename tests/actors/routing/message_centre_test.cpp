@@ -1,10 +1,10 @@
 #include "actors/routing/message_centre.hpp"
-#include "tests/actors/house_fixture.hpp"
+#include "tests/actors/node_fixture.hpp"
 
 namespace parlour::actors {
 namespace {
 
-using MessageCentreTest = HouseTest;
+using MessageCentreTest = NodeFixture;
 
 Message from(std::string source, std::string command) {
   Message message;

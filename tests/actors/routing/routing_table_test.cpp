@@ -1,5 +1,5 @@
 #include "actors/routing/routing_table.hpp"
-#include "tests/actors/house_fixture.hpp"
+#include "tests/actors/node_fixture.hpp"
 #include "tests/support/manual_clock.hpp"
 
 namespace parlour::actors {
@@ -65,9 +65,9 @@ TEST_F(RoutingTableTest, StampsInOrder) {
   make("");
   auto first = table->route(event("Mic", "Started"));
   auto second = table->route(event("Mic", "Started"));
-  EXPECT_EQ(first.rest->number, 1u);
-  EXPECT_EQ(second.rest->number, 2u);
-  EXPECT_EQ(second.rest->time, clock.now());
+  EXPECT_EQ(first.for_session->number, 1u);
+  EXPECT_EQ(second.for_session->number, 2u);
+  EXPECT_EQ(second.for_session->time, clock.now());
   EXPECT_EQ(table->counters().messages(), 2u);
 }
 
@@ -120,8 +120,8 @@ TEST_F(RoutingTableTest, RelaysACopyAndGoesOn) {
   EXPECT_THAT(delivered(routed),
               ElementsAre(HasSubstr("Fast: Mic.DoRecognition(1)"),
                           HasSubstr("Good: Mic.DoRecognition(1)")));
-  ASSERT_TRUE(routed.rest);
-  EXPECT_EQ(routed.rest->command, "BufferFull");
+  ASSERT_TRUE(routed.for_session);
+  EXPECT_EQ(routed.for_session->command, "BufferFull");
   EXPECT_EQ(table->counters().relayed, 1u);
   EXPECT_THAT(taps,
               ElementsAre("DoRecognition relay -> ASR",
@@ -133,10 +133,10 @@ TEST_F(RoutingTableTest, AFilterThatHoldsEndsTheWay) {
           if="_LPARAM2 lt 0.3" to="Mic" as="Reprompt"/></routes>)");
   auto low = table->route(event("Fast", "RecognitionResult", {"x", 0.2}));
   EXPECT_THAT(delivered(low), ElementsAre(HasSubstr("Mic: Fast.Reprompt")));
-  EXPECT_FALSE(low.rest);
+  EXPECT_FALSE(low.for_session);
   auto high = table->route(event("Fast", "RecognitionResult", {"x", 0.9}));
   EXPECT_THAT(delivered(high), IsEmpty());
-  EXPECT_TRUE(high.rest);
+  EXPECT_TRUE(high.for_session);
   EXPECT_EQ(table->counters().filtered, 1u);
 }
 
@@ -150,14 +150,14 @@ TEST_F(RoutingTableTest, ConditionsAndParametersSeeConstants) {
   EXPECT_THAT(delivered(low),
               ElementsAre(HasSubstr("Mic: Fast.Reprompt(0.3)")));
   auto high = table->route(event("Fast", "RecognitionResult", {"x", 0.9}));
-  EXPECT_TRUE(high.rest);
+  EXPECT_TRUE(high.for_session);
   EXPECT_THAT(complaints, IsEmpty());
 }
 
 TEST_F(RoutingTableTest, TellsOfAConditionThatFails) {
   make(R"(<routes><filter source="*" command="Sound" if="_LPARAM1 lt 3"
           drop="true"/></routes>)");
-  EXPECT_TRUE(table->route(event("Mic", "Sound", {List{}})).rest);
+  EXPECT_TRUE(table->route(event("Mic", "Sound", {List{}})).for_session);
   EXPECT_EQ(table->counters().failed_conditions, 1u);
   EXPECT_THAT(complaints, ElementsAre(HasSubstr("Sound: ")));
   EXPECT_THAT(complaints, ElementsAre(HasSubstr("test.xml:")));
@@ -168,22 +168,22 @@ TEST_F(RoutingTableTest, EndsARing) {
   auto far = event("Mic", "Sound");
   far.rounds = RoundLimit::honest_rounds + 1;
   for (std::uint32_t i = 0; i < RoundLimit::each_second; ++i)
-    ASSERT_TRUE(table->route(far).rest);
+    ASSERT_TRUE(table->route(far).for_session);
   for (int i = 0; i < 3; ++i) {
     const auto routed = table->route(far);
-    EXPECT_FALSE(routed.rest);
+    EXPECT_FALSE(routed.for_session);
     EXPECT_THAT(routed.deliveries, IsEmpty());
   }
   EXPECT_EQ(table->counters().circled, 3u);
   EXPECT_THAT(complaints, ElementsAre(HasSubstr("goes in a ring")));
-  EXPECT_TRUE(table->route(event("Mic", "Sound")).rest); // from outside
+  EXPECT_TRUE(table->route(event("Mic", "Sound")).for_session); // from outside
 }
 
 TEST_F(RoutingTableTest, ACopyIsARoundFurther) {
   make(R"(<routes><relay source="Mic" command="Sound" to="Good"/></routes>)");
   const auto routed = table->route(event("Mic", "Sound"));
   EXPECT_EQ(routed.deliveries.at(0).message->rounds, 1u);
-  EXPECT_EQ(routed.rest->rounds, 0u);
+  EXPECT_EQ(routed.for_session->rounds, 0u);
 }
 
 TEST_F(RoutingTableTest, DropsAndTakesRoutesInFileOrder) {
@@ -192,7 +192,7 @@ TEST_F(RoutingTableTest, DropsAndTakesRoutesInFileOrder) {
           <relay source="*" command="Sound" to="Fast"/></routes>)");
   auto routed = table->route(event("Anyone", "Sound"));
   EXPECT_THAT(delivered(routed), ElementsAre(HasSubstr("Good: ")));
-  EXPECT_FALSE(routed.rest);
+  EXPECT_FALSE(routed.for_session);
   EXPECT_EQ(table->counters().dropped, 1u);
   EXPECT_EQ(table->counters().relayed, 1u);
 }
@@ -219,20 +219,20 @@ TEST_F(RoutingTableTest, KnowsWhoListens) {
 // Of two of a role, each session has the first where it has one that is up.
 TEST_F(RoutingTableTest, AComponentMayHaveABranchForEachSession) {
   make("");
-  EXPECT_FALSE(table->has_branches());
-  auto branches = std::make_shared<Branches>();
+  EXPECT_FALSE(table->has_instances_by_session());
+  auto by_session = std::make_shared<InstanceList>();
   const auto mailbox = std::make_shared<ComponentMailbox>();
   const auto is_up = std::make_shared<std::atomic<bool>>(true);
-  branches->put("s1", {mailbox, is_up});
+  by_session->put("s1", {mailbox, is_up});
   RoutingTable::Parts parts;
   parts.program = compile(echo);
   Target own;
   own.name = "Own";
   own.roles = {"ASR"};
-  own.branches = branches;
+  own.by_session = by_session;
   parts.targets = {own, {"All", {"ASR"}, {}, nullptr, up.front()}};
   const RoutingTable with(std::move(parts));
-  EXPECT_TRUE(with.has_branches());
+  EXPECT_TRUE(with.has_instances_by_session());
   EXPECT_EQ(with.find("ASR", "s1")->name, "Own");
   EXPECT_EQ(with.find("ASR", "s1")->mailbox_of("s1"), mailbox);
   EXPECT_EQ(with.find("ASR", "s2")->name, "All");

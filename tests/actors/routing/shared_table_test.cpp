@@ -2,7 +2,7 @@
 #include <vector>
 
 #include "actors/routing/shared_table.hpp"
-#include "tests/actors/house_fixture.hpp"
+#include "tests/actors/node_fixture.hpp"
 
 namespace parlour::actors {
 namespace {

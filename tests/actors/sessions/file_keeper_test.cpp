@@ -13,7 +13,7 @@ TEST(FileKeeper, TellsTheSession) {
       throw std::runtime_error("disk gone");
     return Value(request.name + "!");
   };
-  auto keeper = bench.spawn(file_keeper, files);
+  auto keeper = bench.spawn(file_keeper, files, ActorTrace());
   auto session = bench.session_probe("s1");
   for (auto name : {"a", "bad"})
     bench.send(
@@ -25,13 +25,13 @@ TEST(FileKeeper, TellsTheSession) {
 
 TEST(FileKeeper, HasNothingToKeepWithoutAFolder) {
   Bench bench;
-  auto keeper = bench.spawn(file_keeper, FileAccess());
+  auto keeper = bench.spawn(file_keeper, FileAccess(), ActorTrace());
   bench.send(keeper,
              file_order{1, {}, bench.session_probe("s1"), bench.work()});
   EXPECT_THAT(bench.seen, ElementsAre(HasSubstr("has no data folder")));
 }
 
-class FilesTest : public HouseTest {
+class FilesTest : public NodeFixture {
 protected:
   FilesTest() {
     options.files = [this](const FileRequest& request) -> Expected<Value> {

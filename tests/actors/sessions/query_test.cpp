@@ -1,10 +1,10 @@
 #include "actors/sessions/query.hpp"
-#include "tests/actors/house_fixture.hpp"
+#include "tests/actors/node_fixture.hpp"
 
 namespace parlour::actors {
 namespace {
 
-using QueryTest = HouseTest;
+using QueryTest = NodeFixture;
 
 constexpr const char* ask_database = R"(
   <handler name="Pipeline"><messages><component>

@@ -1,5 +1,3 @@
-#include <stdexcept>
-
 #include "actors/sessions/session_manager.hpp"
 #include "tests/actors/bench.hpp"
 
@@ -30,7 +28,7 @@ protected:
     bench.send(manager, forward{std::move(messages), bench.work()});
   }
 
-  Bench bench{R"(
+  Bench bench{std::string(loses_its_session) + R"(
     <state name="Here"><Exit><speak param="Bye."/></Exit></state>
     <handler name="H"><messages><component>
       <Bell><Rings><speak param="Ding {_LPARAM1}"/></Rings></Bell>
@@ -38,7 +36,8 @@ protected:
       </ASR>
     </component></messages></handler>)"};
   int ids = 0;
-  SessionParts parts{bench.time, bench.bus, bench.observer, bench.program};
+  SessionParts parts{bench.time, bench.bus, bench.observer, bench.program,
+                     std::make_shared<ThrowingPhrases>()};
   SessionNames names{[this] { return "s" + std::to_string(++ids); },
                      [] { return 1; }};
   session_manager_actor manager =
@@ -144,7 +143,7 @@ TEST_F(SessionManagerTest, KnowsATurnByWhatItIs) {
   EXPECT_THAT(bench.seen, ElementsAre("s2 is next", "says one!"));
 }
 
-TEST_F(SessionManagerTest, OpensNothingWhenTheHouseCloses) {
+TEST_F(SessionManagerTest, OpensNothingWhenTheNodeCloses) {
   open();
   bench.send(manager, close_session{"", bench.work()});
   say("s1", {event("ASR", "RecognitionResult", {"one"})});
@@ -155,9 +154,8 @@ TEST_F(SessionManagerTest, OpensNothingWhenTheHouseCloses) {
 TEST_F(SessionManagerTest, NoticesALoss) {
   open();
   open();
-  auto lost = bench.sessions.find("s1");
-  bench.send(lost, look{[](const auto&) { throw std::runtime_error("broken"); },
-                        bench.work()});
+  bench.send(bench.sessions.find("s1"),
+             deliver{{event("Bell", "Breaks", {}, "s1")}, bench.work()});
   EXPECT_THAT(bench.logs,
               ElementsAre(testing::AllOf(HasSubstr("session s1 was lost: "),
                                          HasSubstr("broken"))));

@@ -45,12 +45,13 @@ protected:
                                              : what.outcome.error().message);
               },
               [](const file_outcome&) {},
-              [](const component_outcome&) {},
               [](const socket_told&) {},
               [](const output_done&) {},
-              [](const look&) {},
+              [](const get_slot&) { return slot_told{}; },
+              [](const get_state&) { return state_told{}; },
               [self](const end_session&) { self->quit(); },
               [](const leave&) {},
+              no_status,
           };
         },
         0);
@@ -157,17 +158,23 @@ TEST_F(SessionPortTest, TellsOfTroubleWithoutBeingWatched) {
 
 TEST_F(SessionPortTest, ATimerRingsOnceAndIsReplacedAndCancelled) {
   with_port([](SessionPort& port) {
-    port.start_timer(1, 5ms);
-    port.start_timer(2, 5ms);
-    port.start_timer(1, 20ms);
-    port.start_timer(3, 5ms);
+    port.start_timer(1, nine_o_clock + 5);
+    port.start_timer(2, nine_o_clock + 5);
+    port.start_timer(1, nine_o_clock + 20);
+    port.start_timer(3, nine_o_clock + 5);
     port.cancel_timer(3);
     port.cancel_timer(99);
   });
-  bench.drive->advance(10ms);
+  bench.scheduler->advance(10ms);
   EXPECT_THAT(heard, ElementsAre("rings 2"));
-  bench.drive->advance(1h);
+  bench.scheduler->advance(1h);
   EXPECT_THAT(heard, ElementsAre("rings 2", "rings 1"));
+  EXPECT_FALSE(bench.time.due_times.next());
+}
+
+TEST_F(SessionPortTest, ATimerThatIsOverdueRingsAtOnce) {
+  with_port([](SessionPort& port) { port.start_timer(1, nine_o_clock - 5); });
+  EXPECT_THAT(heard, ElementsAre("rings 1"));
   EXPECT_FALSE(bench.time.due_times.next());
 }
 
@@ -180,7 +187,7 @@ TEST_F(SessionPortTest, AQueryHasAnOutcome) {
 TEST_F(SessionPortTest, LeavesNothingBehind) {
   bench.set_table({bench.target("db", {"Database"})});
   with_port([](SessionPort& port) {
-    port.start_timer(1, 1h);
+    port.start_timer(1, nine_o_clock + 3'600'000);
     port.query(question());
   });
   EXPECT_TRUE(bench.time.due_times.next());

@@ -1,7 +1,7 @@
 #include <map>
 
 #include "actors/sessions/session_sockets.hpp"
-#include "tests/actors/house_fixture.hpp"
+#include "tests/actors/node_fixture.hpp"
 
 namespace parlour::actors {
 namespace {
@@ -39,7 +39,7 @@ private:
   Id last_ = 0;
 };
 
-class SessionSocketsTest : public HouseTest {
+class SessionSocketsTest : public NodeFixture {
 protected:
   SessionSocketsTest() {
     options.sockets = others;

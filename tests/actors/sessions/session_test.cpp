@@ -1,7 +1,7 @@
 #include <stdexcept>
 
 #include "actors/sessions/session.hpp"
-#include "tests/actors/house_fixture.hpp"
+#include "tests/actors/node_fixture.hpp"
 
 namespace parlour::actors {
 namespace {
@@ -38,7 +38,7 @@ constexpr const char* order = R"(
     <filled><speak param="One {this.Size} {this.Drink}."/></filled>
   </topic>)";
 
-class SessionTest : public HouseTest {
+class SessionTest : public NodeFixture {
 protected:
   void start_order() {
     options.components = {inline_component("Words", "NLU", understand)};

@@ -1,10 +1,10 @@
 #include "actors/sessions/timer.hpp"
-#include "tests/actors/house_fixture.hpp"
+#include "tests/actors/node_fixture.hpp"
 
 namespace parlour::actors {
 namespace {
 
-using TimerTest = HouseTest;
+using TimerTest = NodeFixture;
 
 constexpr const char* reminders = R"(
   <handler name="Pipeline"><messages><component>

@@ -1,6 +1,7 @@
 #include <caf/scoped_actor.hpp>
 
 #include "actors/sessions/topic_frame.hpp"
+#include "script/dialogue/frame/frame_evaluator.hpp"
 #include "tests/actors/bench.hpp"
 
 namespace parlour::actors {
@@ -24,8 +25,15 @@ protected:
     return result;
   }
 
-  static FrameRequest set(script::SlotId slot, Value value) {
+  dialogue::FramePointer new_frame() const {
+    return std::make_shared<const dialogue::TopicFrame>(dialogue::new_frame(
+        *bench.program, 0,
+        dialogue::make_frame_evaluator(bench.program, nullptr, 0)));
+  }
+  static FrameRequest set(dialogue::FramePointer frame, script::SlotId slot,
+                          Value value) {
     FrameRequest request;
+    request.frame = std::move(frame);
     request.changes.push_back({.kind = FrameChange::Kind::set,
                                .slot = slot,
                                .value = std::move(value)});
@@ -37,31 +45,22 @@ protected:
                    <slot name="Size" expr="'small'"/>
                  </topic>)"};
   topic_frame_actor frame =
-      bench.spawn(topic_frame, bench.program, script::TopicId(0));
+      bench.spawn(topic_frame, bench.program, script::TopicId(0), ActorTrace());
 };
 
-TEST_F(TopicFrameTest, BeginsAsTheTopicSays) {
-  const auto result = ask({});
-  EXPECT_TRUE(result->frame->slots.at(0).value.is_unknown());
-  EXPECT_EQ(result->frame->slots.at(1).value, Value("small"));
+TEST_F(TopicFrameTest, AnswersWithTheNextFrame) {
+  const auto before = new_frame();
+  const auto result = ask(set(before, 1, "large"));
+  EXPECT_EQ(result->frame->slots.at(1).value, Value("large"));
+  EXPECT_EQ(before->slots.at(1).value, Value("small")); // immutable
   EXPECT_EQ(result->missing, 0u);
 }
 
-TEST_F(TopicFrameTest, KeepsWhatItWasTold) {
-  const auto before = ask(set(0, "tea"))->frame;
-  const auto after = ask(set(1, "large"))->frame;
-  EXPECT_EQ(after->slots.at(0).value, Value("tea"));
-  EXPECT_EQ(after->slots.at(1).value, Value("large"));
-  EXPECT_EQ(before->slots.at(1).value, Value("small")); // immutable
-}
-
-TEST_F(TopicFrameTest, GoesOnFromTheSessionsFrame) {
-  ask(set(0, "tea"));
-  auto mine = *ask({})->frame;
-  mine.slots.at(0).value = "coffee";
-  auto request = set(1, "large");
-  request.start = std::make_shared<const dialogue::Frame>(mine);
-  EXPECT_EQ(ask(request)->frame->slots.at(0).value, Value("coffee"));
+TEST_F(TopicFrameTest, KeepsNothingOfARequest) {
+  const auto first = new_frame();
+  ask(set(first, 0, "tea"));
+  const auto result = ask(set(first, 1, "large"));
+  EXPECT_TRUE(result->frame->slots.at(0).value.is_unknown());
 }
 
 } // namespace

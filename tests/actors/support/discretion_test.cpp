@@ -113,5 +113,19 @@ TEST_F(DiscretionTest, KnowsItWhenTheSessionIsOver) {
   EXPECT_EQ(discretion.masked("1234"), "***");
 }
 
+TEST(Discretion, WithoutAnythingPrivateShowsAllAsItIs) {
+  std::vector<std::string> shown;
+  Discretion open([&](const Inspection& seen) { shown.push_back(seen.detail); },
+                  {});
+  EXPECT_FALSE(open.hides());
+  open.conceal("s", {"secret"});
+  open.conceal_turn("s");
+  open.show({InspectionKind::log, "s", "info", "a secret"});
+  EXPECT_THAT(shown, ElementsAre("a secret"));
+  EXPECT_EQ(open.masked("a secret"), "a secret");
+  EXPECT_EQ(open.masked_afterwards("a secret"), "a secret");
+  EXPECT_FALSE(open.is_private("secret"));
+}
+
 } // namespace
 } // namespace parlour::actors

@@ -15,7 +15,7 @@ class Noon : public Clock {
 
 TEST(NodeTime, WakesWhoWaitsForADueTimeToGo) {
   const Noon noon;
-  NodeTime time(noon, ThreadGate::Kind::open);
+  NodeTime time(noon, MainThreadQueue::Kind::open);
   const auto id = time.due_times.add(time.now() + 5, DueTimes::Of::session);
   std::thread fires([&] { time.due_times.remove(id); });
   EXPECT_TRUE(time.work.wait([&] { return !time.due_times.has(id); }));

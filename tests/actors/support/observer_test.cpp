@@ -78,7 +78,7 @@ TEST_F(ObserverTest, MasksWhatIsPrivate) {
     logs.clear();
     watcher.exact = exact;
     Observer observer(watcher, left_behind);
-    observer.discretion()->conceal("s1", {"secret"});
+    observer.discretion().conceal("s1", {"secret"});
     observer.follow(rings(), "-> Ear");
     observer.log("a secret");
     ASSERT_EQ(shown.size(), 1u);

@@ -1,4 +1,4 @@
-// One behaviour: what a script asks is answered alike by SQLite and MariaDB.
+// SQLite and MariaDB give the same answers to the same statements.
 #include "adapters/database/sqlite/sqlite_database.hpp"
 #include "tests/adapters/database/mariadb_fixture.hpp"
 

@@ -1,5 +1,5 @@
-// A folder with a small schema and seed that every database reads, and a
-// database plug-in as a session sees it.
+// DatabaseTest: a database plug-in as a session uses it, with a small schema
+// and seed that both products accept.
 #pragma once
 
 #include <chrono>
@@ -15,7 +15,7 @@
 
 namespace parlour::adapters {
 
-// Events may come from a thread of the plug-in's own.
+// A host for plug-ins that fire events from a thread of their own.
 class WaitingHost : public test::FakePluginHost {
 public:
   void fire_event(Message event) override {
@@ -29,7 +29,7 @@ public:
     changed_.notify_all();
   }
 
-  // The next events, at least so many, as "Command(param, …)".
+  // Waits for at least `count` events and returns them as "Command(param, …)".
   std::vector<std::string> wait_for_events(std::size_t count) {
     std::unique_lock lock(mutex_);
     changed_.wait_for(lock, std::chrono::minutes(1),
@@ -63,7 +63,7 @@ protected:
   }
 
   virtual PluginFactory factory() const = 0;
-  // What it has answered, now or after a while.
+  // Waits for the plug-in's answers and returns them.
   virtual std::vector<std::string> answers() = 0;
 
   static Options with(Options all, const std::string& name,
@@ -82,7 +82,8 @@ protected:
     plugin->receive(
         test::message(std::move(command), std::move(params), session));
   }
-  // "Result([…])" or "Error(Kind, message)".
+  // Sends a command and returns its answer: "Result([…])" or "Error(Kind,
+  // message)".
   std::string tell(std::string command, std::vector<Value> params = {},
                    const SessionId& session = "s1") {
     send(session, std::move(command), std::move(params));

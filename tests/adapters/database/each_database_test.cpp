@@ -1,4 +1,4 @@
-// What holds of each database, by itself.
+// Tests that run for each database by itself.
 #include <algorithm>
 #include <type_traits>
 
@@ -32,9 +32,9 @@ using Databases = testing::Types<SQLiteTest, MariaDBTest>;
 TYPED_TEST_SUITE(EachDatabaseTest, Databases, DatabaseNames);
 
 TYPED_TEST(EachDatabaseTest, Conforms) {
-  const TrialTerms terms{this->options(), Milliseconds(30'000), this->host.data,
-                         this->host.application};
-  EXPECT_THAT(nonconformities(this->factory(), terms), IsEmpty());
+  const TestOptions terms{this->options(), Milliseconds(30'000),
+                          this->host.data, this->host.application};
+  EXPECT_THAT(conformance_errors(this->factory(), terms), IsEmpty());
 }
 
 TYPED_TEST(EachDatabaseTest, DescribesWhatAllHaveAlike) {

@@ -1,4 +1,5 @@
-// The plug-in MySQLDatabase on the test program's server as a session sees it.
+// MariaDBTest: the plug-in MySQLDatabase, with a server that the test program
+// starts.
 #pragma once
 
 #include "adapters/database/mariadb/mariadb_database.hpp"
@@ -20,7 +21,7 @@ protected:
     plugin = nullptr;
   }
 
-  // The test program's, or that of a suite.
+  // The server that all tests of the program share; a suite may have its own.
   virtual tools::MariaDBServer& server() {
     static const test::TemporaryFolder place;
     static tools::MariaDBServer shared(place.path());
@@ -31,21 +32,21 @@ protected:
     ASSERT_TRUE(started) << started.error().message;
   }
 
-  // Of a database that is dropped in the end.
+  // Options of a database that is dropped in the end.
   Options options() {
     return {{"socket", server().socket()}, {"user", "root"},
             {"database", "test"},          {"schema", "schema.sql"},
             {"seed", "seed.sql"},          {"copy", "true"},
             {"busy-timeout", "30s"},       {"one-by-one", "true"}};
   }
-  // Of one that stays, as long as the server's folder does.
+  // Options of a database that lives as long as the server.
   Options options_for(const std::string& database) {
     auto all = options();
     all["database"] = name_of(database);
     all["copy"] = "false";
     return all;
   }
-  // Each test has its own.
+  // A database's name for this test alone.
   std::string name_of(const std::string& database) const {
     return database + "_" + std::to_string(number);
   }

@@ -1,4 +1,4 @@
-// What happens where there is no room any more.
+// The database when its disk is full.
 #include "tests/adapters/database/mariadb_fixture.hpp"
 
 namespace parlour::adapters {

@@ -1,5 +1,5 @@
-// A server on another machine, as far as one machine can have it: reached by a
-// port, by TLS, with a name and a password.
+// A server as on another machine: reached through a port, with TLS, a user name
+// and a password.
 #include "adapters/database/mariadb/mariadb_connection.hpp"
 #include "tests/adapters/database/mariadb_fixture.hpp"
 #include "tests/support/paths.hpp"

@@ -23,6 +23,11 @@ TEST(ScanSql, FindsNoneInQuotesAndRemarks) {
     EXPECT_TRUE(scan_sql(sql).names.empty()) << sql;
 }
 
+TEST(ScanSql, FindsThemBehindTwoMinusSigns) {
+  EXPECT_THAT(scan_sql("select 5--:a").names, ElementsAre("a"));
+  EXPECT_TRUE(scan_sql("select 5--1; delete from t").more);
+}
+
 TEST(ScanSql, FindsTheFirstWord) {
   EXPECT_EQ(scan_sql(" -- a\n/* b */ # c\n DELETE from t").first_word,
             "delete");
@@ -52,6 +57,7 @@ TEST(SplitSql, KnowsTheLines) {
   EXPECT_EQ(parts[0].line, 2u);
   EXPECT_EQ(parts[1].text, "insert into t values (';')");
   EXPECT_EQ(parts[1].line, 4u);
+  EXPECT_EQ(split_sql("insert into t values (5--1); select 1").size(), 2u);
   EXPECT_TRUE(split_sql(" ;; -- nothing\n").empty());
 }
 

@@ -1,4 +1,4 @@
-// The plug-in SQLiteDatabase as a session sees it.
+// SQLiteTest: the plug-in SQLiteDatabase.
 #pragma once
 
 #include "adapters/database/sqlite/sqlite_database.hpp"
@@ -15,11 +15,11 @@ protected:
     return host.take_events();
   }
 
-  // Of a database in memory.
+  // Options of a database in memory.
   Options options() const {
     return {{"schema", "schema.sql"}, {"seed", "seed.sql"}};
   }
-  // Of one that stays.
+  // Options of a database in a file.
   Options options_for(const std::string& database) const {
     return with(options(), "file", database + ".db");
   }

@@ -1,4 +1,4 @@
-// What happens where another program or the disk stands in the way.
+// Errors that another program or the disk causes.
 #include <csignal>
 
 #include <sys/resource.h>

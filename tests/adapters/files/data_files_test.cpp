@@ -61,7 +61,7 @@ TEST_F(FilesTest, WhatIsNotUtf8IsNoText) {
 }
 
 TEST_F(FilesTest, AFileHasSoManyBytesAndNoMore) {
-  most_bytes = 4;
+  max_bytes = 4;
   EXPECT_EQ(write("a.txt", "1234"), "unknown");
   EXPECT_THAT(append("a.txt", "5"), HasSubstr("more than 4 bytes"));
   EXPECT_EQ(read("a.txt"), "1234");
@@ -148,7 +148,7 @@ TEST_F(FilesTest, ListsWhatFitsSorted) {
   EXPECT_EQ(list("*/*.txt"), "[log/1.txt, log/z.txt]");
   EXPECT_EQ(list("nothing/*"), "[]");
   EXPECT_EQ(list("c.csv"), "[c.csv]");
-  most_bytes = 8;
+  max_bytes = 8;
   EXPECT_THAT(list("*"), HasSubstr("too many"));
 }
 
@@ -160,10 +160,10 @@ TEST_F(FilesTest, OfSeveralWritersOneWins) {
     writers.emplace_back([&, letter] {
       for (int i = 0; i < 10; ++i) {
         files({FileAction::write, "a.txt", std::string(50'000, letter),
-               most_bytes});
-        const auto text = files({FileAction::read, "a.txt", "", most_bytes});
+               max_bytes});
+        const auto text = files({FileAction::read, "a.txt", "", max_bytes});
         mixed += text->text() != std::string(50'000, text->text()[0]);
-        files({FileAction::append, "log", "12345\n", most_bytes});
+        files({FileAction::append, "log", "12345\n", max_bytes});
       }
     });
   for (auto& writer : writers)

@@ -1,4 +1,5 @@
-// A data folder with something outside of it.
+// FilesTest: a data folder, and a secret file outside of it that scripts must
+// not reach.
 #pragma once
 
 #include <filesystem>
@@ -26,10 +27,10 @@ protected:
     std::filesystem::create_symlink(to, data() / name);
   }
 
-  // What it gives, as it prints, or the error.
+  // The outcome of a request as text, or the error.
   std::string ask(FileAction action, const std::string& name,
                   const std::string& text = "") {
-    const auto outcome = files({action, name, text, most_bytes});
+    const auto outcome = files({action, name, text, max_bytes});
     if (!outcome && outcome.error().kind != ErrorKind::file)
       return "not of kind File: " + to_string(outcome.error());
     return outcome ? to_string(*outcome) : "error: " + outcome.error().message;
@@ -52,7 +53,7 @@ protected:
 
   test::TemporaryFolder outside;
   FileAccess files = data_files(data());
-  std::size_t most_bytes = 1 << 20;
+  std::size_t max_bytes = 1 << 20;
 };
 
 } // namespace parlour::adapters

@@ -1,5 +1,5 @@
-// The other side: a server on the loopback interface, at a port that was free,
-// driven by the test's own thread. All calls block.
+// Listener: a TCP server on the loopback interface with a free port. The test
+// drives it; all calls block.
 #pragma once
 
 #include <stdexcept>
@@ -41,13 +41,13 @@ public:
   std::string address() const {
     return "127.0.0.1:" + std::to_string(port_);
   }
-  // The next client; those before stay as they are.
+  // Accepts the next client; earlier ones stay connected.
   void accept() {
     if (connected_ >= 0)
       before_.push_back(connected_);
     connected_ = ::accept(listening_, nullptr, nullptr);
   }
-  // Until so much came, or the other side closed.
+  // Blocks until so many bytes have come or the other side has closed.
   std::string receive(std::size_t bytes) {
     std::string text(bytes, '\0');
     std::size_t have = 0;
@@ -63,7 +63,8 @@ public:
   void send(const std::string& text) {
     (void)!::send(connected_, text.data(), text.size(), MSG_NOSIGNAL);
   }
-  // How many bytes the other side takes before it makes us wait.
+  // Sends until the other side's buffers are full; returns how many bytes that
+  // took.
   std::size_t fill(std::size_t at_most) {
     const std::string text(64 << 10, '\n');
     std::size_t sent = 0;
@@ -81,7 +82,7 @@ public:
       close(connected_);
     connected_ = -1;
   }
-  // With a reset.
+  // Closes the connection with a reset.
   void break_off() {
     const linger now{1, 0};
     setsockopt(connected_, SOL_SOCKET, SO_LINGER, &now, sizeof now);

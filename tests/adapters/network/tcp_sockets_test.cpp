@@ -4,6 +4,7 @@
 #include "adapters/network/tcp_sockets.hpp"
 #include "tests/adapters/network/listener.hpp"
 #include "tests/adapters/network/told.hpp"
+#include "tests/support/no_descriptors.hpp"
 
 namespace parlour::adapters {
 namespace {
@@ -53,6 +54,17 @@ TEST(TcpSockets, SaysWhyItIsNotOpened) {
   EXPECT_THAT(told.wait_for(2)[1], HasSubstr("is not found"));
   sockets.open(order("nonsense"), told.teller());
   EXPECT_THAT(told.wait_for(3)[2], HasSubstr("write host:port"));
+}
+
+TEST(TcpSockets, OpensNothingWithoutDescriptors) {
+  Told told;
+  TcpSockets sockets;
+  {
+    const test::NoDescriptors none;
+    sockets.open(order("127.0.0.1:1"), told.teller());
+  }
+  EXPECT_THAT(told.now(), ElementsAre("failed: no connection is possible: Too "
+                                      "many open files"));
 }
 
 TEST(TcpSockets, ABrokenConnectionIsClosedWithItsReason) {

@@ -1,4 +1,4 @@
-// What a socket tells, waited for by the test's thread.
+// Told: collects the events of a socket, so that a test can wait for them.
 #pragma once
 
 #include <condition_variable>
@@ -21,7 +21,7 @@ public:
       changed_.notify_all();
     };
   }
-  // So many lines, or more; blocks until they are there.
+  // Blocks until there are at least so many lines, and returns all.
   std::vector<std::string> wait_for(std::size_t count) {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [&] { return lines_.size() >= count; });

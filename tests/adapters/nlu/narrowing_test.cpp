@@ -1,17 +1,17 @@
-// One grammar that a state or a question names narrows all that is tried.
+// A grammar that a state or a question names is the only one that is tried.
 #include <gtest/gtest.h>
 
-#include "adapters/nlu/understand/understander.hpp"
+#include "adapters/nlu/understand/nlu_engine.hpp"
 #include "tests/adapters/nlu/sample.hpp"
 
 namespace parlour::adapters::nlu::test {
 namespace {
 
-TEST(Understander, NarrowsToAQuestionsGrammar) {
+TEST(NluEngine, NarrowsToAQuestionsGrammar) {
   auto model = sample_model();
   model.grammars.push_back(
       {"size", "public <size> = (small | large) {Taxi.Destination};", {}});
-  const auto built = Understander::build(model, sample_column, {});
+  const auto built = NluEngine::build(model, sample_column, {});
   ASSERT_TRUE(built);
   const Value context(Map{{"grammar", "size"}});
   EXPECT_EQ(summary(built->understand("small", context).acts),
@@ -21,12 +21,12 @@ TEST(Understander, NarrowsToAQuestionsGrammar) {
 
 // Neither examples, as rules or as what was learnt, nor values of sets and
 // columns, nor names; but what concerns the conversation itself.
-TEST(Understander, NarrowsExamplesAndValuesToo) {
+TEST(NluEngine, NarrowsExamplesAndValuesToo) {
   auto model = sample_model();
   model.grammars.push_back(
       {"size", "public <size> = (small | large) {Taxi.Destination};", {}});
   const auto built =
-      Understander::build(model, sample_column, {0.4, {generic_grammar()}});
+      NluEngine::build(model, sample_column, {0.4, {generic_grammar()}});
   ASSERT_TRUE(built);
   const char* const texts[] = {"please book a ride to Bedok at 9:00",
                                "a ride to the airport please",
@@ -53,7 +53,7 @@ TEST(Understander, NarrowsExamplesAndValuesToo) {
 }
 
 // Others that fit better, and end at the same word, do not crowd it out.
-TEST(Understander, NarrowsBeforeItChooses) {
+TEST(NluEngine, NarrowsBeforeItChooses) {
   auto model = sample_model();
   std::string rules;
   for (int rule = 0; rule < 40; ++rule)
@@ -61,7 +61,7 @@ TEST(Understander, NarrowsBeforeItChooses) {
              "> = in the hall {Taxi.Destination};";
   model.grammars = {{"many", rules, {}},
                     {"one", "public <hall> = hall {Taxi.Destination};", {}}};
-  const auto built = Understander::build(model, sample_column, {});
+  const auto built = NluEngine::build(model, sample_column, {});
   ASSERT_TRUE(built);
   const Value context(Map{{"grammar", "one"}});
   EXPECT_EQ(summary(built->understand("hall", context).acts),

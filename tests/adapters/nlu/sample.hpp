@@ -1,11 +1,12 @@
-// A small receptionist to understand for: topics, a grammar, a few names.
+// A small receptionist for tests of the understanding: topics, a grammar and
+// some names.
 #pragma once
 
 #include <stdexcept>
 #include <string>
 
 #include "adapters/nlu/understand/grammar_nlu.hpp"
-#include "adapters/nlu/understand/understander.hpp"
+#include "adapters/nlu/understand/nlu_engine.hpp"
 #include "tests/support/paths.hpp"
 
 namespace parlour::adapters::nlu::test {
@@ -75,9 +76,9 @@ inline GrammarModel generic_grammar() {
       parlour::test::source_path("config/platform/generic-acts.jsgf"));
 }
 
-inline Understander sample() {
-  auto built = Understander::build(sample_model(), sample_column,
-                                   {0.4, {generic_grammar()}});
+inline NluEngine sample() {
+  auto built = NluEngine::build(sample_model(), sample_column,
+                                {0.4, {generic_grammar()}});
   if (!built)
     throw std::runtime_error(to_string(built.error().front()));
   return std::move(*built);
@@ -88,7 +89,8 @@ inline Timestamp sample_now() {
   return *parse_timestamp("2026-11-21 09:00");
 }
 
-// "Topic.Slot" is asked for; "Topic" is the current one; "" nothing.
+// The context in which "Topic.Slot" has been asked for, "Topic" is the current
+// topic, or nothing is known ("").
 inline Value sample_context(const std::string& asked) {
   Map context{{"now", sample_now()}};
   const auto point = asked.find('.');
@@ -101,8 +103,9 @@ inline Value sample_context(const std::string& asked) {
   return context;
 }
 
-// "act Topic Slot=value …" for each act, joined by " + "; "?" for a value that
-// is none of the set, "a|b" for candidates, "~" before what is elliptical.
+// The acts as one line: "act Topic Slot=value …", joined by " + ". A value that
+// is not in its set has a "?", candidates are "a|b", and an elliptical act
+// begins with "~".
 inline std::string summary(const List& acts) {
   std::string text;
   for (const auto& act : acts) {

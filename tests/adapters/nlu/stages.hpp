@@ -1,5 +1,5 @@
-// The stages of understanding one utterance, each to be looked at by itself:
-// the sample's topics and values with a grammar of the test.
+// Stages: the stages of understanding one utterance, so that a test can look at
+// each of them. It uses the sample's topics and values and the test's grammar.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 
 namespace parlour::adapters::nlu::test {
 
-// Neither copied nor moved: its parts point at each other.
+// Neither copied nor moved, because its members refer to each other.
 class Stages {
 public:
   Stages(const std::string& grammar, std::string said, const Value& where = {})
@@ -39,7 +39,7 @@ public:
   }
 
 private:
-  std::vector<Error> errors_; // before what reports to it
+  std::vector<Error> errors_; // declared before the members that report to it
 
   Automaton build(const std::string& grammar) {
     AutomatonBuilder builder(schema, errors_);

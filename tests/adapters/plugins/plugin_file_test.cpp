@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "adapters/plugins/plugin_file.hpp"
-#include "runtime/plugin/trial_host.hpp"
+#include "runtime/plugin/test_host.hpp"
 #include "tests/support/sample_plugins.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -22,7 +22,7 @@ TEST(PluginFile, OpensAPluginThatTalks) {
   ASSERT_TRUE(factory) << factory.error().message;
   EXPECT_EQ(factory->description.name, "EchoTTS");
   EXPECT_EQ(factory->description.options.size(), 2u);
-  TrialHost host;
+  TestHost host;
   const auto plugin = factory->create();
   ASSERT_TRUE(plugin->start(host, {{"prefix", "echo "}}));
   Message message;
@@ -58,7 +58,7 @@ TEST(PluginFile, OpensAChangedFileBesideTheOld) {
   ASSERT_TRUE(after);
   EXPECT_EQ(before->description.options[0].fallback, "");
   EXPECT_EQ(after->description.options[0].fallback, "changed: ");
-  TrialHost host;
+  TestHost host;
   EXPECT_TRUE(old->start(host, {}));
   EXPECT_TRUE(after->create()->start(host, {}));
 }
@@ -74,6 +74,18 @@ TEST(PluginFile, SaysWhyItCannotBeUsed) {
               HasSubstr("lay types out otherwise"));
   EXPECT_THAT(error_of(sample_plugins() / "Shy.so"),
               HasSubstr("it fails to describe itself: not today"));
+}
+
+TEST(PluginFile, SaysWhyThereIsNoFolderForItsCopy) {
+  test::TemporaryFolder folder;
+  folder.write("Text.so", "no library");
+  const auto former = std::getenv("TMPDIR");
+  const std::string kept = former ? former : "";
+  setenv("TMPDIR", (folder.path() / "Text.so").c_str(), 1);
+  errno = 0; // of the reason, it says nothing
+  EXPECT_THAT(error_of(folder.path() / "Text.so"),
+              HasSubstr("(TMPDIR says where): Not a directory"));
+  former ? setenv("TMPDIR", kept.c_str(), 1) : unsetenv("TMPDIR");
 }
 
 TEST(PluginFile, NamesTheFileInsteadOfItsCopy) {

@@ -11,21 +11,21 @@ protected:
   void start(const ProcessOrder& order) {
     process.emplace(
         order,
-        [this](const Frame& frame) -> Expected<void> {
-          taken.push_back(std::string(name_of(frame.kind)));
-          if (frame.kind == FrameKind::failed)
+        [this](const IpcMessage& message) -> Expected<void> {
+          taken.push_back(std::string(name_of(message.kind)));
+          if (message.kind == IpcKind::failed)
             return fail(ErrorKind::network, "not to be taken");
           return {};
         },
         [this](const std::string& line) { printed.push_back(line); });
   }
-  Expected<Frame> start_trial() {
+  Expected<IpcMessage> start_trial() {
     start(trial());
     if (auto hello = process->hello(patience); !hello)
       return hello;
-    return call(FrameKind::start, {0, false, Map{}});
+    return call(IpcKind::start, {0, false, Map{}});
   }
-  Expected<Frame> call(FrameKind kind, List fields) {
+  Expected<IpcMessage> call(IpcKind kind, List fields) {
     return process->call({kind, std::move(fields)}, patience);
   }
 
@@ -37,14 +37,14 @@ protected:
 TEST_F(ComponentProcessTest, HearsHelloFirst) {
   start(trial());
   const auto hello = process->hello(patience).value();
-  EXPECT_EQ(hello.at(0), Value(frame_protocol));
+  EXPECT_EQ(hello.at(0), Value(ipc_protocol));
   EXPECT_EQ(hello.at(1), Value("Trial"));
 }
 
 TEST_F(ComponentProcessTest, CarriesOutWhatIsSaidBeforeACallReturns) {
   ASSERT_TRUE(start_trial());
   const auto done =
-      call(FrameKind::handle,
+      call(IpcKind::handle,
            {0, List{0, 0, "", "Flood", List{1000}, List{}, "", 0}})
           .value();
   EXPECT_TRUE(done.at(0).is_unknown());
@@ -54,9 +54,9 @@ TEST_F(ComponentProcessTest, CarriesOutWhatIsSaidBeforeACallReturns) {
 TEST_F(ComponentProcessTest, EndsWhoSaysWhatIsNotToBeTaken) {
   ASSERT_TRUE(start_trial());
   const auto done =
-      call(FrameKind::handle, {0, List{0, 0, "", "Broken", List{}, List{}}});
+      call(IpcKind::handle, {0, List{0, 0, "", "Broken", List{}, List{}}});
   ASSERT_TRUE(done || done.error().message == "not to be taken");
-  const auto again = call(FrameKind::stop, {0});
+  const auto again = call(IpcKind::stop, {0});
   ASSERT_FALSE(again);
   EXPECT_EQ(again.error().message, "not to be taken");
 }
@@ -64,7 +64,7 @@ TEST_F(ComponentProcessTest, EndsWhoSaysWhatIsNotToBeTaken) {
 TEST_F(ComponentProcessTest, TellsOnceThatItIsOver) {
   ASSERT_TRUE(start_trial());
   EXPECT_FALSE(
-      call(FrameKind::handle, {0, List{0, 0, "", "Exit", List{}, List{}}}));
+      call(IpcKind::handle, {0, List{0, 0, "", "Exit", List{}, List{}}}));
   std::promise<std::string> first;
   process->when_over([&](const std::string& why) { first.set_value(why); });
   EXPECT_EQ(first.get_future().get(), "its process ended with status 1");

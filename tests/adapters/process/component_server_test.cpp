@@ -12,39 +12,39 @@ protected:
   ComponentServerTest()
       : child(ChildProcess::spawn(trial().program, {}).value()) {}
 
-  void say(FrameKind kind, List fields) {
+  void say(IpcKind kind, List fields) {
     ASSERT_TRUE(child->socket().send({kind, std::move(fields)}));
   }
-  Frame next() {
-    while (frames.empty()) {
+  IpcMessage next() {
+    while (messages.empty()) {
       child->wait();
-      frames = child->socket().receive().value();
+      messages = child->socket().receive().value();
     }
-    auto frame = frames.front();
-    frames.erase(frames.begin());
-    return frame;
+    auto message = messages.front();
+    messages.erase(messages.begin());
+    return message;
   }
   void start() {
-    EXPECT_EQ(next().kind, FrameKind::hello);
-    say(FrameKind::start, {0, false, Map{}});
-    EXPECT_EQ(next().kind, FrameKind::done);
+    EXPECT_EQ(next().kind, IpcKind::hello);
+    say(IpcKind::start, {0, false, Map{}});
+    EXPECT_EQ(next().kind, IpcKind::done);
   }
   void send(std::string command) {
-    say(FrameKind::handle,
+    say(IpcKind::handle,
         {0, List{0, 0, "", std::move(command), List{}, List{}, "s", 3}});
   }
 
   std::unique_ptr<ChildProcess> child;
-  std::vector<Frame> frames;
+  std::vector<IpcMessage> messages;
 };
 
 TEST_F(ComponentServerTest, StopsAndEnds) {
   start();
   send("Echo");
-  EXPECT_EQ(next().kind, FrameKind::fire);
-  EXPECT_EQ(next().kind, FrameKind::done);
-  say(FrameKind::stop, {0});
-  EXPECT_EQ(next().kind, FrameKind::done);
+  EXPECT_EQ(next().kind, IpcKind::fire);
+  EXPECT_EQ(next().kind, IpcKind::done);
+  say(IpcKind::stop, {0});
+  EXPECT_EQ(next().kind, IpcKind::done);
   child->socket().shut_down();
   EXPECT_EQ(child->bury(patience), "ended with status 0");
 }
@@ -58,27 +58,27 @@ TEST_F(ComponentServerTest, EndsWithWhoeverStartedItWhateverThePluginDoes) {
 
 TEST_F(ComponentServerTest, EndsWhereItIsSentRubbish) {
   start();
-  say(FrameKind::hello, {});
+  say(IpcKind::hello, {});
   EXPECT_EQ(child->bury(patience), "ended with status 1");
 }
 
 TEST_F(ComponentServerTest, CallsNoPluginThatThereIsNot) {
-  EXPECT_EQ(next().kind, FrameKind::hello);
+  EXPECT_EQ(next().kind, IpcKind::hello);
   send("Echo");
   EXPECT_TRUE(next().at(0).is_unknown());
-  say(FrameKind::stop, {0});
-  EXPECT_EQ(next().kind, FrameKind::done);
+  say(IpcKind::stop, {0});
+  EXPECT_EQ(next().kind, IpcKind::done);
 }
 
 TEST(ComponentServer, RefusesWithItsReason) {
   int ends[2];
   ASSERT_EQ(socketpair(AF_UNIX, SOCK_STREAM, 0, ends), 0);
-  FrameSocket ours(ends[0]);
+  IpcSocket ours(ends[0]);
   EXPECT_EQ(refuse_component(ends[1], {ErrorKind::settings, "nobody", {}}), 1);
-  const auto frames = ours.receive().value();
-  ASSERT_EQ(frames.size(), 1u);
-  EXPECT_EQ(frames[0].kind, FrameKind::refuse);
-  EXPECT_EQ(frames[0].at(0).at(1), Value("nobody"));
+  const auto messages = ours.receive().value();
+  ASSERT_EQ(messages.size(), 1u);
+  EXPECT_EQ(messages[0].kind, IpcKind::refuse);
+  EXPECT_EQ(messages[0].at(0).at(1), Value("nobody"));
 }
 
 } // namespace

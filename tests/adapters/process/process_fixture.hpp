@@ -1,4 +1,5 @@
-// Plug-ins in processes of their own, against a host that any thread may use.
+// ProcessTest: plug-ins that run in a child process, and a host that any thread
+// may use.
 #pragma once
 
 #include <condition_variable>
@@ -18,7 +19,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-// Long enough for a busy machine; nothing waits so long that goes well.
+// A time limit for busy machines; a test that passes never waits so long.
 inline constexpr Milliseconds patience{60'000};
 
 class PatientHost : public test::FakePluginHost {
@@ -34,7 +35,7 @@ public:
     add([&] { logs.push_back(text); }); // what a process prints, by its thread
   }
 
-  // Until there are so many of both.
+  // Blocks until there are so many events and failures together.
   bool wait_for(std::size_t count) {
     std::unique_lock lock(mutex_);
     return changed_.wait_for(lock, patience, [&] {
@@ -56,7 +57,7 @@ private:
   std::condition_variable changed_;
 };
 
-// What `trial_component` says (tests/support/component).
+// The program trial_component (tests/support/component).
 inline ProcessOrder trial() {
   ProcessOrder order;
   order.program = std::filesystem::path(test::program_path()).parent_path() /
@@ -65,7 +66,7 @@ inline ProcessOrder trial() {
   return order;
 }
 
-// A shell with the socket as descriptor 3.
+// A shell script as the child process; descriptor 3 is the socket.
 inline ProcessOrder shell(const std::string& script) {
   auto order = trial();
   order.program = "/bin/sh";
@@ -93,7 +94,7 @@ protected:
     const auto started = plugin->start(host, options);
     ASSERT_TRUE(started) << started.error().message;
   }
-  // Why it does not start.
+  // Why it does not start; empty if it does.
   std::string trouble(ProcessOrder order, const Options& options = {}) {
     const auto made = make(std::move(order));
     const auto started = made->start(host, options);
@@ -102,7 +103,7 @@ protected:
   void send(std::string command, std::vector<Value> params = {}) {
     plugin->receive(test::message(std::move(command), std::move(params)));
   }
-  // What it throws when it is sent that.
+  // The text of the exception that sending the command throws.
   std::string thrown(const std::string& command) {
     try {
       send(command);

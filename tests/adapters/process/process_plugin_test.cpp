@@ -123,7 +123,7 @@ TEST_F(ProcessPluginTest, ThrowsWhatThePluginThrowsAndGoesOn) {
 
 TEST_F(ProcessPluginTest, RefusesWhatIsTooLongAndGoesOn) {
   start();
-  EXPECT_THROW(send("Echo", {std::string(longest_frame, 'x')}),
+  EXPECT_THROW(send("Echo", {std::string(longest_ipc_message, 'x')}),
                std::runtime_error);
   send("Echo", {1});
   EXPECT_THAT(host.take_events(), ElementsAre("Echoed(1)"));
@@ -142,7 +142,7 @@ TEST_F(ProcessPluginTest, SaysWhyItDoesNotStart) {
   EXPECT_EQ(trouble(shell("exec 3>&-; kill -STOP $$")),
             "its process hung up and did not end");
   EXPECT_THAT(trouble(shell("echo 0123456789 >&3; cat <&3")),
-              HasSubstr("says what cannot be read: a frame of 3978"));
+              HasSubstr("says what cannot be read: a message of 3978"));
   auto order = trial();
   order.program = "/no/such/program";
   EXPECT_THAT(trouble(order), HasSubstr("does not start: No such file"));
@@ -174,7 +174,7 @@ TEST_F(ProcessPluginTest, SaysThatItsProcessIsOver) {
       {"Exit", "its process ended with status 1"},
       {"Abort", "its process was killed by signal 6 (Aborted)"},
       {"Close", "its process hung up and did not end"},
-      {"Rubbish", "its process says what cannot be read: a frame of "}};
+      {"Rubbish", "its process says what cannot be read: a message of "}};
   for (const auto& [command, reason] : ways) {
     host.failures.clear();
     host.take_events();
@@ -210,6 +210,8 @@ TEST_F(ProcessPluginTest, EndsWhatHangs) {
 TEST_F(ProcessPluginTest, SaysWhatThePluginSaysOfItself) {
   start();
   send("Broken");
+  EXPECT_THAT(host.failures, ElementsAre("my device is gone"));
+  send("Exit"); // the end of what has failed is no second failure
   EXPECT_THAT(host.failures, ElementsAre("my device is gone"));
 }
 

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <sys/socket.h>
 
-#include "adapters/process/frame_values.hpp"
+#include "adapters/process/ipc_values.hpp"
 #include "adapters/process/remote_host.hpp"
 #include "tests/support/fake_plugin_host.hpp"
 
@@ -23,25 +23,25 @@ protected:
     host.emplace(*ours);
   }
 
-  Frame said() {
-    while (frames.empty()) {
+  IpcMessage said() {
+    while (messages.empty()) {
       theirs->wait();
-      frames = theirs->receive().value();
+      messages = theirs->receive().value();
     }
-    auto frame = frames.front();
-    frames.erase(frames.begin());
-    return frame;
+    auto message = messages.front();
+    messages.erase(messages.begin());
+    return message;
   }
   Expected<Options> begin(bool real_time, bool phrases = false) {
-    return host->begin({FrameKind::start,
+    return host->begin({IpcKind::start,
                         {0, real_time, Map{{"a", "b"}}, "/data", "/application",
                          Value(), phrases}});
   }
 
-  std::optional<FrameSocket> ours;
-  std::optional<FrameSocket> theirs;
+  std::optional<IpcSocket> ours;
+  std::optional<IpcSocket> theirs;
   std::optional<RemoteHost> host;
-  std::vector<Frame> frames;
+  std::vector<IpcMessage> messages;
 };
 
 TEST_F(RemoteHostTest, KeepsWhatItIsToldAtTheStart) {
@@ -50,7 +50,7 @@ TEST_F(RemoteHostTest, KeepsWhatItIsToldAtTheStart) {
   EXPECT_EQ(host->application_folder(), "/application");
   EXPECT_EQ(host->understanding(), nullptr);
   EXPECT_EQ(host->phrases(), nullptr);
-  EXPECT_FALSE(host->begin({FrameKind::start, {}}));
+  EXPECT_FALSE(host->begin({IpcKind::start, {}}));
 }
 
 TEST_F(RemoteHostTest, HasTheTimeToldLastOrTheMachines) {
@@ -68,12 +68,13 @@ TEST_F(RemoteHostTest, SaysWhatThePluginDoes) {
   host->log("line");
   host->failed("gone");
   EXPECT_EQ(message_from(said().at(0)).value(), message);
-  EXPECT_EQ(said().kind, FrameKind::send);
+  EXPECT_EQ(said().kind, IpcKind::send);
   EXPECT_EQ(said().at(0), Value("line"));
   const auto failed = said();
-  EXPECT_EQ(failed.kind, FrameKind::failed);
+  EXPECT_EQ(failed.kind, IpcKind::failed);
   EXPECT_EQ(failed.at(0), Value("gone"));
-  EXPECT_THROW(host->log(std::string(longest_frame, 'x')), std::length_error);
+  EXPECT_THROW(host->log(std::string(longest_ipc_message, 'x')),
+               std::length_error);
 }
 
 TEST_F(RemoteHostTest, RunsDelaysOnceAndNoneThatIsCancelled) {
@@ -87,7 +88,7 @@ TEST_F(RemoteHostTest, RunsDelaysOnceAndNoneThatIsCancelled) {
   EXPECT_EQ(runs, 1);
   EXPECT_EQ(said().at(1), Value(5));
   EXPECT_EQ(said().at(1), Value(6));
-  EXPECT_EQ(said().kind, FrameKind::cancel);
+  EXPECT_EQ(said().kind, IpcKind::cancel);
 }
 
 TEST_F(RemoteHostTest, ReactsOnceToWhatAnotherComponentAnswers) {
@@ -100,10 +101,10 @@ TEST_F(RemoteHostTest, ReactsOnceToWhatAnotherComponentAnswers) {
   const auto first = said();
   EXPECT_EQ(first.at(2), Value(50));
   const auto answer = to_value(test::message("Result"));
-  const Frame result{FrameKind::answer, {0, first.at(0), Value(), answer}};
+  const IpcMessage result{IpcKind::answer, {0, first.at(0), Value(), answer}};
   host->react(result);
   host->react(result);
-  host->react({FrameKind::answer,
+  host->react({IpcKind::answer,
                {0, said().at(0),
                 to_value(Error{ErrorKind::offline, "nobody is there", {}})}});
   EXPECT_THAT(answers, testing::ElementsAre("Result", "nobody is there"));
@@ -112,9 +113,9 @@ TEST_F(RemoteHostTest, ReactsOnceToWhatAnotherComponentAnswers) {
 TEST_F(RemoteHostTest, AsksAndIsAnswered) {
   std::thread other([this] {
     const auto good = said();
-    host->answered({FrameKind::reply, {999, {}, "nobody asked"}});
-    host->answered({FrameKind::reply, {good.at(0), {}, List{good.at(1)}}});
-    host->answered({FrameKind::reply,
+    host->answered({IpcKind::reply, {999, {}, "nobody asked"}});
+    host->answered({IpcKind::reply, {good.at(0), {}, List{good.at(1)}}});
+    host->answered({IpcKind::reply,
                     {said().at(0),
                      to_value(Error{ErrorKind::database, "not there", {}})}});
   });

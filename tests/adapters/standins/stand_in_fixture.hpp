@@ -1,4 +1,4 @@
-// A stand-in, started in a folder of its own.
+// StandInTest: a stand-in with a data folder of its own.
 #pragma once
 
 #include <gmock/gmock.h>

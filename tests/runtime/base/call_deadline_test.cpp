@@ -8,16 +8,18 @@ namespace {
 using namespace std::chrono_literals;
 
 TEST(CallDeadline, LeavesWhoAskedTheTimeToAskAnother) {
-  Upkeep upkeep;
-  EXPECT_EQ(call_deadline(upkeep, defaults::request_timeout), 5s);
-  EXPECT_EQ(call_deadline(upkeep, 3s), 1500ms);
-  EXPECT_EQ(call_deadline(upkeep, 1h), defaults::component_deadline);
+  ComponentPolicy policy;
+  EXPECT_EQ(call_deadline(policy, defaults::request_timeout), 5s);
+  EXPECT_EQ(call_deadline(policy, 3s), 1500ms);
+  EXPECT_EQ(call_deadline(policy, 1h), defaults::component_deadline);
 }
 
 TEST(CallDeadline, IsWhatWasSaid) {
-  Upkeep upkeep;
-  upkeep.deadline = 20s;
-  EXPECT_EQ(call_deadline(upkeep, 3s), 20s);
+  ComponentPolicy policy;
+  policy.deadline = 20s;
+  EXPECT_EQ(call_deadline(policy, 3s), 20s);
+  policy.deadline = defaults::component_deadline;
+  EXPECT_EQ(call_deadline(policy, 3s), defaults::component_deadline);
 }
 
 } // namespace

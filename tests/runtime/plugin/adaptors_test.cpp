@@ -147,7 +147,7 @@ std::vector<std::string> wrong_with(const std::string& role) {
   factory.description.sentence = "is tried out";
   factory.description.events = {{"NoPhrase", "act, topic", Reply::none}};
   factory.create = [] { return std::make_unique<Class>(); };
-  return nonconformities(factory, {});
+  return conformance_errors(factory, {});
 }
 
 TEST(Adaptors, MakePluginsThatConform) {

@@ -62,10 +62,10 @@ std::vector<std::string> wrong_with(const Ways& ways) {
   factory.description.roles = {"Taxi"};
   factory.description.sentence = "sends a taxi";
   factory.create = [ways] { return std::make_unique<Office>(ways); };
-  TrialTerms terms;
+  TestOptions terms;
   // What is due comes without waiting; only silence is waited for.
   terms.deadline = Milliseconds(2'000);
-  return nonconformities(factory, terms);
+  return conformance_errors(factory, terms);
 }
 
 TEST(Conformance, FindsNothingInAGoodPlugin) {
@@ -117,7 +117,7 @@ TEST(Conformance, WantsInlineOnesToBeInline) {
   factory.description = {"Office", {"Taxi"}, "sends a taxi"};
   factory.description.is_inline = true;
   factory.create = [] { return std::make_unique<Office>(Ways{}); };
-  EXPECT_THAT(nonconformities(factory, {}),
+  EXPECT_THAT(conformance_errors(factory, {}),
               ElementsAre(HasSubstr("described as inline")));
 }
 
@@ -125,7 +125,7 @@ TEST(Conformance, WantsAPluginToBeMade) {
   PluginFactory factory;
   factory.description = {"Office", {"Taxi"}, "sends a taxi"};
   factory.create = [] { return nullptr; };
-  EXPECT_THAT(nonconformities(factory, {}),
+  EXPECT_THAT(conformance_errors(factory, {}),
               ElementsAre("its factory makes nothing"));
 }
 

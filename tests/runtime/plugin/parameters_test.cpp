@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "runtime/base/roles.hpp"
+#include "runtime/message/roles.hpp"
 #include "runtime/plugin/parameters.hpp"
 
 namespace parlour {

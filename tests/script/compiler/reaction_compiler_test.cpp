@@ -25,7 +25,8 @@ TEST(ReactionCompiler, takes_both_forms_and_spells_names_as_the_roles_do) {
 TEST(ReactionCompiler, knows_the_settings_components_and_agents) {
   Program program;
   program.settings.components.push_back({"Desk", "AlsaMicrophone", {}, {}});
-  const auto sources = known_sources(program, {"Olivia"});
+  program.settings.agents.agents.push_back({.name = "Olivia"});
+  const auto sources = known_sources(program);
   for (const auto* name :
        {"Desk", "AlsaMicrophone", "Olivia", "Record", "Session"})
     EXPECT_THAT(sources, testing::Contains(name));

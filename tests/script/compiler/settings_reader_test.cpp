@@ -52,7 +52,8 @@ TEST(SettingsReader, gives_nobody_the_name_of_somebody_else) {
       read("<Plugins><Plugin>System</Plugin><Plugin>A</Plugin></Plugins>"
            "<component name='ASR' plugin='A'/>"
            "<component name='A'/><component name='A'/>"
-           "<agents><agent name='Timer'/><agent name='Arm'/></agents>")
+           "<agents><agent name='Timer' roles='Robot'/>"
+           "<agent name='A' roles='Robot'/></agents>")
           .lines,
       ElementsAre("s.xml:1:20: error: 'System' is a source of the platform's "
                   "own; choose another name",
@@ -61,7 +62,8 @@ TEST(SettingsReader, gives_nobody_the_name_of_somebody_else) {
                   "s.xml:1:126: error: a second <component name=\"A\">, after "
                   "the one in line 1; put both into one",
                   "s.xml:1:168: error: 'Timer' is a source of the platform's "
-                  "own; choose another name"));
+                  "own; choose another name",
+                  "s.xml:1:203: error: there is a component 'A' already"));
 }
 
 TEST(SettingsReader, reads_how_a_component_is_kept) {
@@ -70,9 +72,10 @@ TEST(SettingsReader, reads_how_a_component_is_kept) {
            "<component name='A' scope='pool(3)' deadline='1.5s'"
            " host='process'/>");
   EXPECT_THAT(lines, IsEmpty());
-  EXPECT_EQ(settings.components[0].upkeep,
-            (Upkeep{{Scope::Kind::pool, 3}, Milliseconds(1500), "process"}));
-  EXPECT_EQ(settings.components[1].upkeep, Upkeep{});
+  EXPECT_EQ(
+      settings.components[0].policy,
+      (ComponentPolicy{{Scope::Kind::pool, 3}, Milliseconds(1500), "process"}));
+  EXPECT_EQ(settings.components[1].policy, ComponentPolicy{});
 }
 
 TEST(SettingsReader, says_which_scopes_there_are) {
@@ -80,8 +83,8 @@ TEST(SettingsReader, says_which_scopes_there_are) {
                    "<component name='A' scope='all'/>")
                   .lines,
               ElementsAre("s.xml:1:75: error: scope=\"all\": expected node, "
-                          "seat, session, inline, or pool(n) with n from 1 to "
-                          "64"));
+                          "seat, session, inline, pool(n) with n from 1 to 64, "
+                          "or loaded, alone or before one of the first four"));
 }
 
 TEST(SettingsReader, reads_times_limits_and_scripts) {

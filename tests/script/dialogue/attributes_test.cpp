@@ -1,5 +1,5 @@
-// Changing one attribute changes the behaviour that it names: the same
-// conversation, held again with another word in one place.
+// Each attribute has its effect: the same conversation runs with one attribute
+// changed.
 #include <gtest/gtest.h>
 
 #include "tests/script/dialogue/conversation_world.hpp"

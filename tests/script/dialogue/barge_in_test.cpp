@@ -1,4 +1,4 @@
-// Somebody breaks in on what is being said (engine rule 3).
+// Barge-in: the user interrupts the robot (engine rule 3).
 #include <gtest/gtest.h>
 
 #include "tests/script/dialogue/conversation_world.hpp"

@@ -1,27 +1,23 @@
 #include "tests/script/dialogue/conversation_world.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 #include <stdexcept>
 #include <utility>
 
-#include "runtime/base/replies.hpp"
 #include "script/compiler/compiler.hpp"
-#include "script/dialogue/frame/frame_evaluator.hpp"
 #include "tests/support/paths.hpp"
 
 namespace parlour::dialogue {
 
 namespace {
 
-// Steps after which a world that should be quiet is called endless.
-constexpr std::size_t endless = 20'000;
-
 constexpr const char* pipeline = R"(
   <handler name="Pipeline"><messages><component>
     <ASR><RecognitionResult><fire param="_LPARAM1"/></RecognitionResult></ASR>
   </component></messages></handler>)";
 
-// "[answer Facility {rows: …}]": which phrase, with what.
+// A phrase as "[answer Facility {rows: …}]": its act, topic and data.
 class Phrases : public PhraseEvaluator {
 public:
   explicit Phrases(const World& world) : world_(world) {}
@@ -86,19 +82,24 @@ ResultSet rows(std::vector<std::string> columns, List cells) {
 }
 
 World::World(const std::string& script, const WorldOptions& options)
-    : now(parse_timestamp("2026-11-21 09:00").value()),
-      components{{"Keyboard", {"ASR"}}, {"SQLite", {"Database"}}} {
-  program = compile(folder_, script, options);
-  Conversation::Options wanted;
-  wanted.session = "s1";
-  wanted.seed = options.seed;
-  wanted.phrases = std::make_shared<Phrases>(*this);
-  conversation = std::make_unique<Conversation>(program, wanted, *this);
+    : World(test::TemporaryFolder(), script, options) {}
+
+// The folder is needed only to compile.
+World::World(const test::TemporaryFolder& folder, const std::string& script,
+             const WorldOptions& options)
+    : Surroundings(compile(folder, script, options)),
+      restores_(options.restores || std::getenv("PARLOUR_TEST_RESTORES")) {
+  components = {{"Keyboard", {"ASR"}}, {"SQLite", {"Database"}}};
+  hears = [this](const Output& output) { said_.push_back(output.text); };
+  sees = [this](const Inspection& inspection) { seen_.push_back(inspection); };
+  inspects_all = true;
+  options_.session = "s1";
+  options_.seed = options.seed;
+  options_.phrases = std::make_shared<Phrases>(*this);
+  conversation = std::make_unique<Conversation>(program, options_, *this);
   if (options.open)
     open();
 }
-
-World::~World() = default;
 
 void World::open() {
   conversation->open(now);
@@ -145,64 +146,38 @@ void World::broadcast(std::string source, std::string command,
     event(std::move(source), std::move(command), std::move(params));
 }
 
-// In the order in which the session's actor would hear of it.
-bool World::move() {
-  if (conversation->ended())
-    return false;
-  if (applied_) {
-    conversation->frame_applied(*std::exchange(applied_, {}), now);
-    return true;
-  }
-  if (!hold_outputs && !playing.empty()) {
-    auto id = playing.front();
-    playing.pop_front();
-    conversation->output_finished(id, true, now);
-    return true;
-  }
-  if (conversation->has_work()) {
-    conversation->step(now);
-    return true;
-  }
-  if (!hold_queries && !queries.empty()) {
-    auto request = std::move(queries.front());
-    queries.pop_front();
-    auto outcome = database ? database(request) : ResultSet{};
-    conversation->query_answered(request.id, std::move(outcome), now);
-    return true;
-  }
-  if (files && !wanted_files_.empty()) {
-    const auto [id, request] = wanted_files_.front();
-    wanted_files_.pop_front();
-    conversation->file_answered(id, files(request), now);
-    return true;
-  }
-  return false;
+void World::before_move() {
+  if (restores_ && conversation->expects_outcome())
+    restore();
+  else if (restores_)
+    interrupt();
+}
+
+void World::interrupt() {
+  forget();
+  sockets.clear();
+  restore();
+  conversation->resume(now);
+}
+
+void World::restore() {
+  const auto bytes = conversation->save();
+  auto restored = Conversation::restore(program, options_, *this, bytes);
+  if (!restored)
+    throw std::runtime_error(restored.error().message);
+  conversation = std::move(*restored);
+  if (conversation->save() != bytes)
+    throw std::runtime_error("what is read is not what was written");
 }
 
 void World::run() {
-  for (std::size_t moves = 0; move(); ++moves, ++steps)
-    if (moves > endless)
-      throw std::runtime_error("the world does not come to rest");
+  if (!Surroundings::run())
+    throw std::runtime_error("the world does not come to rest");
 }
 
 void World::advance(Milliseconds time) {
-  const auto end = now + time.count();
-  run();
-  for (std::size_t rings = 0; !conversation->ended(); ++rings) {
-    auto next = std::min_element(
-        timers_.begin(), timers_.end(),
-        [](const auto& a, const auto& b) { return a.second < b.second; });
-    if (next == timers_.end() || next->second > end)
-      break;
-    if (rings > endless)
-      throw std::runtime_error("timers ring without end");
-    const auto id = next->first;
-    now = std::max(now, next->second);
-    timers_.erase(next);
-    conversation->timer_fired(id, now);
-    run();
-  }
-  now = end;
+  if (!Surroundings::advance(time))
+    throw std::runtime_error("timers ring without end");
 }
 
 Texts World::said() {
@@ -234,55 +209,7 @@ Texts World::seen(InspectionKind kind) const {
 
 std::vector<Message> World::post(Message message) {
   messages.push_back(message);
-  return answers ? answers(message) : std::vector<Message>{};
-}
-
-bool World::reachable(const std::string& module) const {
-  return std::any_of(
-      components.begin(), components.end(),
-      [&](const auto& entry) { return is_source(module, entry.first); });
-}
-
-bool World::is_source(const std::string& module,
-                      const std::string& source) const {
-  if (module == source)
-    return true;
-  auto found = components.find(source);
-  return found != components.end() &&
-         found->second.contains(std::string(canonical_role(module)));
-}
-
-Reply World::reply_to_request(const Message& event) const {
-  std::vector<std::string> roles{event.source};
-  if (const auto found = components.find(event.source);
-      found != components.end())
-    roles.insert(roles.end(), found->second.begin(), found->second.end());
-  return find_reply(event.command, roles, own_events).value_or(Reply::answer);
-}
-
-void World::release(const Output& output) {
-  said_.push_back(output.text);
-  playing.push_back(output.id);
-}
-
-void World::start_timer(TimerId id, Milliseconds after) {
-  timers_[id] = now + after.count();
-}
-
-void World::cancel_timer(TimerId id) {
-  timers_.erase(id);
-}
-
-void World::query(QueryRequest request) {
-  queries.push_back(std::move(request));
-}
-
-void World::file(QueryId id, FileRequest request) {
-  wanted_files_.emplace_back(id, std::move(request));
-}
-
-void World::open_socket(SocketRequest request) {
-  opening.push_back(std::move(request));
+  return Surroundings::post(std::move(message));
 }
 
 void World::answer_socket(const std::string& failure) {
@@ -320,30 +247,6 @@ void World::socket_taken(SocketId id) {
 
 void World::close_socket(SocketId id) {
   sent.push_back(socket(id) + " closed");
-}
-
-void World::apply(TopicId topic, FrameRequest request) {
-  auto& frame = frames_[topic];
-  if (request.start)
-    frame = request.start;
-  auto result = dialogue::apply(
-      *program, *frame, request,
-      make_frame_evaluator(program, request.variables, request.now));
-  frame = result.frame;
-  applied_ = std::move(result);
-}
-
-void World::unhandled(const Message& message) {
-  inspect({InspectionKind::unhandled, message.session,
-           message.source + "." + message.command, to_string(message)});
-}
-
-void World::inspect(Inspection inspection) {
-  seen_.push_back(std::move(inspection));
-}
-
-void World::ended() {
-  has_ended = true;
 }
 
 } // namespace parlour::dialogue

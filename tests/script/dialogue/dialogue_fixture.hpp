@@ -1,5 +1,6 @@
-// A program made by hand, for tests of the dialogue's parts: its "code" are
-// plain functions of the frame. The receptionist's topics in small.
+// Programs for tests of single parts of the dialogue. They are put together in
+// C++: the "code" of a slot or topic is a function of the frame. Also a small
+// version of the receptionist's topics.
 #pragma once
 
 #include <algorithm>
@@ -12,15 +13,15 @@
 
 #include <gtest/gtest.h>
 
-#include "script/dialogue/frame/frame.hpp"
 #include "script/dialogue/frame/frame_view.hpp"
+#include "script/dialogue/frame/topic_frame.hpp"
 
 namespace parlour::dialogue {
 
-// What a piece of code reads; notes the slots down.
+// How a piece of code reads slots; it records which.
 class Reader {
 public:
-  Reader(const script::Topic& topic, const Frame& frame,
+  Reader(const script::Topic& topic, const TopicFrame& frame,
          std::vector<SlotId>* reads)
       : topic_(topic), frame_(frame), reads_(reads) {}
 
@@ -33,7 +34,7 @@ public:
 
 private:
   const script::Topic& topic_;
-  const Frame& frame_;
+  const TopicFrame& frame_;
   std::vector<SlotId>* reads_;
 };
 
@@ -60,7 +61,7 @@ public:
     return static_cast<TopicId>(program.topics.size() - 1);
   }
 
-  // References stay good until the next slot or topic.
+  // The reference is valid until the next slot or topic is added.
   script::Slot& slot(TopicId topic, std::string name, std::string type = "",
                      bool functional = true) {
     script::Slot slot;
@@ -72,20 +73,23 @@ public:
   }
 
   FrameEvaluator evaluator() {
-    return [this](CodeId code, const Frame& frame, std::vector<SlotId>* reads) {
+    return [this](CodeId code, const TopicFrame& frame,
+                  std::vector<SlotId>* reads) {
       return bodies_.at(code)(
           Reader(program.topics[frame.topic], frame, reads));
     };
   }
 
-  Frame frame(TopicId topic) {
+  TopicFrame frame(TopicId topic) {
     return new_frame(program, topic, evaluator());
   }
 
-  FrameResult change(const Frame& frame, std::vector<FrameChange> changes) {
+  FrameResult change(const TopicFrame& frame,
+                     std::vector<FrameChange> changes) {
     FrameRequest request;
+    request.frame = std::make_shared<const TopicFrame>(frame);
     request.changes = std::move(changes);
-    return apply(program, frame, request, evaluator());
+    return apply(program, request, evaluator());
   }
 
   SlotId id(TopicId topic, std::string_view slot) const {
@@ -111,7 +115,7 @@ inline FrameChange fill(SlotId slot, Value value, Value confidence = 1.0) {
               std::move(confidence));
 }
 
-// Appointment (task), Facility (enquiry), Taxi (task).
+// Appointment (a task), Facility (an enquiry) and Taxi (a task).
 struct Receptionist : Application {
   TopicId appointment, facility, taxi;
 

@@ -1,4 +1,4 @@
-// Enquiries: what is looked up, relaxed, inherited (engine rules 5 and 6).
+// Enquiries: what is queried, relaxed and inherited (engine rules 5 and 6).
 #include <gtest/gtest.h>
 
 #include "tests/script/dialogue/conversation_world.hpp"

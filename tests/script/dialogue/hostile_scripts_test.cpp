@@ -1,6 +1,6 @@
-// Scripts that wait, push, ring and raise as they should not. Whatever they do,
-// the session comes to rest, hears the user and answers him, and is over some
-// time after everybody is gone.
+// Scripts that wait, push, set timers and raise events without end. The session
+// must become quiet, hear and answer the user, and end some time after the user
+// has left.
 #include <algorithm>
 #include <ostream>
 

@@ -1,28 +1,13 @@
-// What scripts raise by themselves, and what is lost when a session ends.
+// Events that scripts raise themselves: their limit, and timers that are lost
+// when a session ends.
 #include <gtest/gtest.h>
 
-#include "tests/script/dialogue/conversation_world.hpp"
+#include "tests/script/dialogue/bell.hpp"
 
 namespace parlour::dialogue {
 namespace {
 
 using namespace std::chrono_literals;
-
-struct Bell : World {
-  explicit Bell(const std::string& statements, const std::string& more = "",
-                const WorldOptions& options = {})
-      : World("<handler name='H'><messages><component><Bell><Rings>" +
-                  statements +
-                  "</Rings></Bell></component></messages></handler>" + more,
-              options) {
-    components["Bell"] = {};
-    components["Exchange"] = {"Telephone"};
-    said();
-  }
-  void ring(std::vector<Value> params = {}) {
-    event("Bell", "Rings", std::move(params));
-  }
-};
 
 TEST(InternalEvents, MoreThanAHundredInternalEventsAreStopped) {
   Bell world("<fire event='Again'/>", R"xml(

@@ -63,7 +63,7 @@ public:
     interruptible = output.interruptible;
     World::release(output);
   }
-  bool interruptible = true; // whether one may break into the last output
+  bool interruptible = true; // of the last output
 };
 
 class Play {
@@ -168,7 +168,7 @@ private:
     return act;
   }
 
-  // Time=3pm~0.5
+  // "Time=3pm~0.5": a slot's value with its confidence.
   static void add_slot(Map& slots, std::string word) {
     std::replace(word.begin(), word.end(), '_', ' ');
     const auto equals = word.find('=');

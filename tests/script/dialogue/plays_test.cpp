@@ -1,5 +1,5 @@
-// Language cases that need a conversation: scripts with it in the margin
-// (play.hpp) below plays/.
+// Runs the plays below plays/: scripts with a conversation in their comments
+// (play.hpp).
 #include <algorithm>
 #include <filesystem>
 #include <vector>

@@ -1,5 +1,5 @@
-// Conversations of random inputs: they come to rest after each, nothing grows
-// without bound, no script fails, and silence ends them.
+// Conversations with random inputs: after each input they become quiet, memory
+// stays bounded, no script fails, and silence ends them.
 #include <random>
 
 #include <gtest/gtest.h>

@@ -1,12 +1,12 @@
-// Somebody who speaks in words, to an application with an understanding that
-// knows a few of them.
+// Speaker: a World (conversation_world.hpp) in which the user says words, and
+// an NLU component understands some of them.
 #pragma once
 
 #include "tests/script/dialogue/conversation_world.hpp"
 
 namespace parlour::dialogue {
 
-// What the words mean; the others mean nothing.
+// The act that the words mean; unknown for all others.
 inline Value meaning_of(const std::string& words) {
   if (words == "yes")
     return act("confirm");
@@ -25,7 +25,8 @@ inline Value meaning_of(const std::string& words) {
   return {};
 }
 
-// The understanding answers at once or, if it is `late`, when the test says so.
+// The component answers at once, or if `late`, when the test calls
+// answer_late().
 class Speaker : public World {
 public:
   explicit Speaker(const std::string& script, WorldOptions options = {})

@@ -1,5 +1,5 @@
-// Table I of the paper at the level of these parts: frames, order, queries and
-// output queue, row by row.
+// Table I of the paper, row by row, with frames, topic order, queries and
+// output queue alone.
 #include "script/dialogue/agenda/output_queue.hpp"
 #include "script/dialogue/knowledge/knowledge_query.hpp"
 #include "script/dialogue/topics/classifier.hpp"
@@ -27,7 +27,7 @@ protected:
     change(frame, {to});
   }
   FramePointer begin(TopicId topic) {
-    return std::make_shared<const Frame>(app.frame(topic));
+    return std::make_shared<const TopicFrame>(app.frame(topic));
   }
   void push(OutputAct act, std::string text) {
     Output output;
@@ -42,7 +42,7 @@ protected:
     answered.relaxed = statement.relaxed;
     change(facility, {answered});
     status(facility, TopicStatus::resting);
-    order.rests(app.facility, now);
+    order.answered(app.facility, now);
   }
   std::vector<SlotId> all_but_relaxed() const {
     std::vector<SlotId> keep;

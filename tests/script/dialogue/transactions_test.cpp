@@ -1,5 +1,5 @@
-// <transaction>: what the database is told, in which order, whatever happens
-// inside.
+// <transaction>: which statements the database gets, and in which order, even
+// if the body fails or is cancelled.
 #include <gtest/gtest.h>
 
 #include "script/dialogue/engine/effect_handler.hpp"

@@ -1,5 +1,5 @@
-// What only a whole application can lack: partners of statements, names in
-// frames, what stands twice.
+// Lints about whole applications: missing partners of statements, names in
+// frames, repetitions.
 #include "tests/script/lint/lint_case.hpp"
 
 namespace parlour::script::lint {

@@ -1,4 +1,4 @@
-// What lint finds in small scripts.
+// LintCase: a table of small scripts and what lint finds in them.
 #pragma once
 
 #include <ostream>

@@ -1,4 +1,4 @@
-// Every pass: what it finds, and what it leaves in peace.
+// Each pass of the lint: what it reports, and what it does not.
 #include "tests/script/lint/lint_case.hpp"
 
 namespace parlour::script::lint {

@@ -18,4 +18,10 @@ TEST(EffectNames, KnowWhatWaitsAndWhatLeadsElsewhere) {
   EXPECT_FALSE(leads_elsewhere(EffectKind::end));
 }
 
+TEST(EffectNames, KnowWhatCannotBeTakenBack) {
+  EXPECT_EQ(deed_of(EffectKind::speak), Deed::yes);
+  EXPECT_EQ(deed_of(EffectKind::list_files), Deed::no);
+  EXPECT_EQ(deed_of(EffectKind::querydb), Deed::by_statement);
+}
+
 } // namespace parlour::script

@@ -18,7 +18,7 @@ TEST(FileEffect, BecomesARequest) {
   EXPECT_EQ(request->action, FileAction::write);
   EXPECT_EQ(request->name, "a.txt");
   EXPECT_EQ(request->text, "12");
-  EXPECT_EQ(request->most_bytes, 100u);
+  EXPECT_EQ(request->max_bytes, 100u);
 }
 
 TEST(FileEffect, IsNoOther) {

@@ -23,8 +23,8 @@ TEST(Program, finds_by_name) {
 TEST(Program, tells_places) {
   Program program;
   program.files = {"a.xml"};
-  EXPECT_EQ(program.place({0, 2, 3}), (Place{"a.xml", 2, 3}));
-  EXPECT_EQ(program.place({7, 2, 3}), (Place{"", 2, 3}));
+  EXPECT_EQ(program.place({0, 2, 3}), (SourceLocation{"a.xml", 2, 3}));
+  EXPECT_EQ(program.place({7, 2, 3}), (SourceLocation{"", 2, 3}));
 }
 
 } // namespace parlour::script

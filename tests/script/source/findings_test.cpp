@@ -40,8 +40,8 @@ TEST(Findings, know_places_inside_of_values) {
   const auto file = findings.add_file("a.xml", "<a>\n<b x='1 &lt; c'/>\n</a>");
   findings.add({Severity::error, {{file, 2, 7}, 4, 1}, "wrong", "name", "d"});
   const auto& finding = findings.all()[0];
-  EXPECT_EQ(finding.place, (Place{"a.xml", 2, 14}));
-  EXPECT_EQ(finding.end, (Place{"a.xml", 2, 15}));
+  EXPECT_EQ(finding.place, (SourceLocation{"a.xml", 2, 14}));
+  EXPECT_EQ(finding.end, (SourceLocation{"a.xml", 2, 15}));
   EXPECT_EQ(finding.range, (TextRange{17, 18}));
   ASSERT_EQ(finding.fix.size(), 1u);
   EXPECT_EQ(finding.fix[0], (Edit{{17, 18}, "d"}));

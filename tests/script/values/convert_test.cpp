@@ -25,9 +25,9 @@ TEST(Convert, StopsWhereACopyWouldBeFarLargerThanTheStructure) {
     twice.list()->elements.assign(2, box);
     box = std::move(twice);
   }
-  bool truncated = false;
-  to_value(box, 1000, &truncated);
-  EXPECT_TRUE(truncated);
+  WalkBudget budget(1000 * WalkBudget::bytes_per_value);
+  to_value(box, budget);
+  EXPECT_TRUE(budget.exhausted());
 }
 
 TEST(Convert, WeighsAsMuchAsACopyWouldTake) {
@@ -38,17 +38,28 @@ TEST(Convert, WeighsAsMuchAsACopyWouldTake) {
     twice.list()->elements.assign(2, box);
     box = twice;
   }
-  std::size_t budget = 32; // 31 lists
-  weigh(box, budget);
-  EXPECT_EQ(budget, 1u);
-  budget = 30;
-  weigh(box, budget);
-  EXPECT_EQ(budget, 0u);
-  budget = 5;
-  weigh(make_string(heap, std::string(3 * sizeof(Value), 'x')), budget);
-  EXPECT_EQ(budget, 1u);
-  weigh(make_string(heap, std::string(3 * sizeof(Value), 'x')), budget);
-  EXPECT_EQ(budget, 0u);
+  // 31 lists.
+  WalkBudget measured(32 * WalkBudget::bytes_per_value);
+  WalkBudget copied = measured;
+  measure(box, measured);
+  to_value(box, copied);
+  EXPECT_EQ(measured.left(), WalkBudget::bytes_per_value);
+  EXPECT_EQ(copied.left(), measured.left());
+  WalkBudget little(30 * WalkBudget::bytes_per_value);
+  measure(box, little);
+  EXPECT_TRUE(little.exhausted());
+}
+
+TEST(Convert, CountsTextsByTheirBytesAndKeysToo) {
+  Heap heap(nullptr, 1 << 20);
+  auto map = make_map(heap);
+  map.map()->set(make_string(heap, "key"), make_string(heap, "text"));
+  WalkBudget measured(100);
+  WalkBudget copied = measured;
+  measure(map, measured);
+  to_value(map, copied);
+  EXPECT_EQ(measured.left(), 100 - 2 * WalkBudget::bytes_per_value - 7);
+  EXPECT_EQ(copied.left(), measured.left());
 }
 
 } // namespace

@@ -32,12 +32,43 @@ TEST(Operations, ARefusedRingLeavesTheListAsItWas) {
   Heap heap(nullptr, 1 << 20);
   auto outer = make_list(heap);
   auto inner = make_list(heap);
-  std::size_t work = 0;
-  EXPECT_FALSE(append(outer, inner, work));
-  EXPECT_EQ(work, 0u); // nobody else has it: there is nothing to search
-  EXPECT_TRUE(append(inner, outer, work));
-  EXPECT_GT(work, 0u);
+  WalkBudget budget(1000);
+  EXPECT_FALSE(append(outer, inner, budget));
+  EXPECT_EQ(budget.price(), 0u); // nobody else has it: nothing to search
+  EXPECT_EQ(append(inner, outer, budget)->kind, ErrorKind::range);
+  EXPECT_GT(budget.price(), 0u);
   EXPECT_TRUE(inner.list()->elements.empty());
+}
+
+TEST(Operations, WhatCannotBeSearchedForARingIsRefused) {
+  Heap heap(nullptr, 1 << 20);
+  auto list = make_list(heap);
+  const Box other = list;
+  const auto large = make_list(heap);
+  large.list()->elements.resize(1000);
+  WalkBudget budget(1000);
+  EXPECT_EQ(append(list, large, budget)->kind, ErrorKind::limit);
+  EXPECT_TRUE(list.list()->elements.empty());
+}
+
+// Two lists of one long text each, a thousand times: not a thousand bytes.
+TEST(Operations, ComparingAndOrderingTakeTheBytesThatTheyRead) {
+  Heap heap(nullptr, 1 << 20);
+  const std::string text(1000, '7');
+  auto left = make_list(heap);
+  auto right = make_list(heap);
+  left.list()->elements.assign(1000, make_string(heap, text));
+  right.list()->elements.assign(1000, make_string(heap, text));
+  WalkBudget budget(2'000'000);
+  EXPECT_TRUE(equal(left, right, budget));
+  EXPECT_EQ(budget.left(), 2'000'000u - 8u - 1000u * 1008u);
+  WalkBudget small(10'000);
+  EXPECT_FALSE(equal(left, right, small));
+  EXPECT_TRUE(small.exhausted());
+  WalkBudget digits(999);
+  Order found = Order::none;
+  EXPECT_FALSE(order(make_string(heap, text), Box::small(1), found, digits));
+  EXPECT_TRUE(digits.exhausted());
 }
 
 TEST(Operations, find_text_takes_time_by_the_size_of_the_text) {

@@ -96,6 +96,23 @@ TEST_F(InterpreterStateTest, ABoundParameterStaysBound) {
   EXPECT_EQ(to_string(after_restore(script)), "[2, 2]");
 }
 
+TEST_F(InterpreterStateTest, TheWholeMessageComesAlong) {
+  Message message{.time = 1,
+                  .number = 2,
+                  .source = "a",
+                  .command = "b",
+                  .params = {Value(3)},
+                  .sinks = {"c"},
+                  .session = "d",
+                  .correlation = 4,
+                  .rounds = 5};
+  run("<function name='main'><wait for='1s'/></function>",
+      std::make_shared<const Message>(message));
+  const auto restored = Interpreter::restore(program, saved());
+  ASSERT_TRUE(restored);
+  EXPECT_EQ(*restored->activations.at(0)->context().message, message);
+}
+
 TEST_F(InterpreterStateTest, TheMessageComesAlong) {
   const auto script = "<function name='main'><wait for='1s'/>"
                       "<return expr='_SOURCE + _LPARAM1'/></function>";
@@ -148,7 +165,7 @@ TEST_F(InterpreterStateTest, AnotherVersionIsRefused) {
   run("<function name='main'><wait for='1s'/></function>");
   auto bytes = saved();
   bytes[0] = 9;
-  EXPECT_NE(error_of(bytes).find("of version 9, but only 3"),
+  EXPECT_NE(error_of(bytes).find("of version 9, but only 4"),
             std::string::npos);
 }
 

@@ -5,29 +5,29 @@
 namespace parlour::script {
 
 TEST(TagScanner, reads_tags_that_are_right) {
-  std::vector<XmlSlip> slips;
+  std::vector<XmlMistake> mistakes;
   const std::string text = "<a x='>' y=\"'\"><b/></a ><!-- <c> -->";
-  auto tag = scan_tag(text, 0, slips);
+  auto tag = scan_tag(text, 0, mistakes);
   EXPECT_EQ(tag.kind, TagKind::start);
   EXPECT_EQ(tag.name, "a");
-  tag = scan_tag(text, tag.end, slips);
+  tag = scan_tag(text, tag.end, mistakes);
   EXPECT_EQ(tag.kind, TagKind::empty);
-  tag = scan_tag(text, tag.end, slips);
+  tag = scan_tag(text, tag.end, mistakes);
   EXPECT_EQ(tag.kind, TagKind::end);
   EXPECT_EQ(tag.name, "a");
-  tag = scan_tag(text, tag.end, slips);
+  tag = scan_tag(text, tag.end, mistakes);
   EXPECT_EQ(tag.kind, TagKind::other);
   EXPECT_EQ(tag.end, text.size());
-  EXPECT_TRUE(slips.empty());
+  EXPECT_TRUE(mistakes.empty());
 }
 
-TEST(TagScanner, goes_on_behind_a_slip) {
-  std::vector<XmlSlip> slips;
+TEST(TagScanner, goes_on_behind_a_mistake) {
+  std::vector<XmlMistake> mistakes;
   const std::string text = "<speak param=Hello/><b/>";
-  const auto tag = scan_tag(text, 0, slips);
+  const auto tag = scan_tag(text, 0, mistakes);
   EXPECT_EQ(tag.kind, TagKind::empty);
   EXPECT_EQ(text.substr(tag.end), "<b/>");
-  EXPECT_EQ(slips.size(), 1u);
+  EXPECT_EQ(mistakes.size(), 1u);
 }
 
 TEST(TagScanner, knows_elements_that_hold_nothing) {

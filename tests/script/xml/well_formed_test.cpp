@@ -1,4 +1,4 @@
-// Each of XML's rules that the parser does not look after (XML 1.0).
+// The rules of XML 1.0 that the parser does not check.
 #include <ostream>
 #include <string>
 
@@ -20,7 +20,7 @@ void PrintTo(const Fault& fault, std::ostream* stream) {
   *stream << fault.text;
 }
 
-std::string mend(std::string text, const std::vector<XmlSlip>& faults) {
+std::string mend(std::string text, const std::vector<XmlMistake>& faults) {
   for (auto fault = faults.rbegin(); fault != faults.rend(); ++fault)
     if (fault->replacement)
       text.replace(fault->offset, fault->length, *fault->replacement);

@@ -1,5 +1,6 @@
-// trial_component: the process of a component that misbehaves as it is told.
-// `trial_component` serves the plug-in Trial on the socket that it is given.
+// trial_component: the process of a component that misbehaves on request. It
+// serves the plug-in Trial on the socket that it inherits; the option `start`
+// and the commands choose what goes wrong.
 #include <cstdlib>
 #include <stdexcept>
 #include <thread>
@@ -70,7 +71,7 @@ private:
     shutdown(adapters::component_socket, SHUT_WR);
     hang({});
   }
-  // Three are put off; the second is taken back by the first.
+  // Delays three calls; the first one cancels the second.
   void later(const Message& message) {
     const auto second =
         host().after(Milliseconds(2000), [=, this] { answer(message, "Two"); });
@@ -119,7 +120,7 @@ private:
     host().failed("my device is gone");
   }
   void large(const Message&) {
-    fire_event("Large", {std::string(adapters::longest_frame, 'x')});
+    fire_event("Large", {std::string(adapters::longest_ipc_message, 'x')});
   }
   void flood(const Message& message) {
     for (int i = 0; i < message.params.at(0).integer_or(0); ++i)

@@ -1,5 +1,5 @@
-"""Each check finds what it is for in a small tree, and is silent in a good
-one. Run by ctest; alone: python3 tests/tools/check/check_test.py"""
+"""Tests that each check of tools/check reports mistakes in a small tree and is
+silent on a correct one. Alone: python3 tests/tools/check/check_test.py"""
 
 import subprocess
 import tempfile
@@ -137,6 +137,32 @@ class Checks(unittest.TestCase):
         self.assertIn("over 30 lines", self.said("readmes"))
 
     # words
+    # saved
+    def part(self, listed, fields):
+        self.write("script/part.hpp", "class Part {\npublic:\n"
+                   "  template <class Archive>\n"
+                   "  void serialize(Archive& archive) {\n"
+                   "    archive(" + listed + ");\n  }\n"
+                   "  int told() const {\n    return 1;\n  }\n\n"
+                   "private:\n  struct Inner {\n    int deep = 0;\n  };\n"
+                   + fields + "};\n")
+        return self.said("saved")
+
+    def test_fields_that_are_listed_are_saved(self):
+        self.assertEqual("", self.part(
+            "port_, all_, last_, known_",
+            "  Port& port_;\n  std::map<int, Inner> all_; // by id\n"
+            "  bool last_ = false;\n  std::vector<Inner> known_{Inner{}};\n"))
+
+    def test_a_field_that_is_forgotten_is_found(self):
+        said = self.part("all_", "  std::vector<int> all_;\n"
+                         "  bool a = false;\n  Milliseconds b{0};\n"
+                         "  struct Of {\n    int x;\n  } c;\n"
+                         "  std::vector<std::pair<int, int>> d; // of these\n")
+        for name in "abcd":
+            self.assertIn(f"Part::{name} is not saved", said)
+        self.assertNotIn("all_", said)
+
     def test_a_path_of_somebody_is_found(self):
         self.write("script/s.cpp", "// see /" + "work/x, not net/work\n")
         self.assertEqual(1, len(self.said("words").splitlines()))

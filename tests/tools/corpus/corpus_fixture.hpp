@@ -1,5 +1,5 @@
-// An application for the corpus runner's own tests: a table is booked, when
-// the user has said yes; opening hours are told.
+// An application for the tests of the corpus runner: it books a table when the
+// user has confirmed, and answers questions about opening hours.
 #pragma once
 
 #include <memory>

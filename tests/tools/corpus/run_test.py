@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""tools/corpus/run with small data of our own in the formats of the data sets:
-what becomes an application, what is right, and what is told where it is not."""
+"""Tests tools/corpus/run with small samples in the data sets' formats: the
+applications it makes, its scores, and what it reports for wrong answers."""
 
 import json
 import os

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""The receptionist's schema and seed: made anew, loaded and looked at."""
+"""Tests the receptionist's sample data: generates it, loads it into SQLite and
+checks what conversations rely on."""
 
 import pathlib
 import re

@@ -1,4 +1,5 @@
-// Loads the applications beside this file, and small ones made by a test.
+// ApplicationTest: loads the applications beside this file, or small ones that
+// a test writes.
 #pragma once
 
 #include <string>
@@ -19,8 +20,7 @@ protected:
         test::source_path("tests/tools/parlour/applications/") + name,
         platform());
   }
-  // An application of this test's own: `settings` and `dialogue` are what
-  // stands inside of <settings> and <dialogue>.
+  // Loads an application with these children of <settings> and <dialogue>.
   Application load(const std::string& settings,
                    const std::string& dialogue) const {
     folder_.write("settings.xml", "<settings name=\"own\">" + settings +
@@ -33,7 +33,7 @@ protected:
   static std::filesystem::path platform() {
     return test::source_path("config/platform");
   }
-  // The findings as text, without the own application's folder.
+  // The findings as text, without the folder of a test's own application.
   std::string findings(const Application& application) const {
     const auto folder = std::filesystem::canonical(folder_.path()).string();
     std::string all;
@@ -48,7 +48,7 @@ protected:
   test::TemporaryFolder folder_;
 };
 
-// What a slot and a grammar that read a database's column need.
+// Settings and files for a slot and a grammar that read a column.
 inline constexpr const char* guest_settings =
     "<Plugins><Plugin>GrammarNLU</Plugin><Plugin>SQLiteDatabase</Plugin>"
     "</Plugins><component name=\"SQLiteDatabase\">"

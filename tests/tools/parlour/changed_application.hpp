@@ -1,5 +1,5 @@
-// A copy of one of our applications with some lines changed, and its
-// conversations held.
+// ChangedApplication: copies one of our applications, changes some lines and
+// runs its conversations.
 #pragma once
 
 #include <cstdlib>
@@ -16,7 +16,7 @@ namespace parlour::tools {
 
 class ChangedApplication : public ApplicationTest {
 protected:
-  // Components of tests run out of process in the program, not in the test.
+  // Components with host="process" run in the program, not in the test.
   ChangedApplication() {
     setenv("PARLOUR_PROGRAM", test::program_path().c_str(), 1);
   }
@@ -39,7 +39,7 @@ protected:
                             platform());
   }
 
-  // Empty where it went well.
+  // Runs a conversation; empty if it passed.
   std::string hold(const Application& application,
                    const std::string& conversation) {
     if (application.has_errors())

@@ -1,4 +1,5 @@
-// Calls commands as functions, on the applications beside this file.
+// CommandTest: calls commands as functions, with the applications beside this
+// file.
 #pragma once
 
 #include <sstream>

@@ -1,5 +1,5 @@
-// Corrections never leave more errors than there were: for every script with
-// mistakes that the tests have, and for the applications' scripts, damaged.
+// Corrections never lead to more errors. Tested with every script with
+// mistakes, and with the applications' scripts after random damage.
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -87,7 +87,7 @@ std::string replaced(std::string text, const char* part, const char* by) {
   return text;
 }
 
-// As somebody damages a file who edits it.
+// Damage like that of somebody who edits the file.
 std::string damaged(std::string text, unsigned seed) {
   std::mt19937 random(seed);
   const auto at = place(random, text.size());

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""What a crash, or another end before its time, leaves behind: the names of the
-conversations that were held, and no success; and what processes are called."""
+"""Tests `parlour test` when the program crashes or ends early: it names the
+conversations that were running and fails. Also the names of processes."""
 
 import pathlib
 import signal

@@ -1,4 +1,5 @@
-// Exchange (paper III.D): another component of a role by two changed lines.
+// Exchanging a component (paper III.D): two changed lines choose another one
+// for a role.
 #include "tests/tools/parlour/changed_application.hpp"
 #include "tools/parlour/application/node_options.hpp"
 
@@ -35,7 +36,7 @@ TEST_F(ExchangeTest, RulesOfKeywordsAreChecked) {
                         "'Dya'; there are Robot, Day"));
 }
 
-// An application without a voice gets one by a line.
+// One line gives a voice to an application that has none.
 TEST_F(ExchangeTest, AVoiceWritesWhatIsSaidToAFile) {
   copy("lab");
   change("settings.xml", "<Plugin>SQLiteDatabase",

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""parlour exec of scripts that want too much: each ends with an error that
-names file and line and with status 1, in bounded time and memory. With
---measure, a table of what each took."""
+"""Tests that `parlour exec` ends scripts which exceed their limits with an
+error at a line and status 1, in bounded time and memory. With --measure it
+prints a table of both."""
 
 import os
 import sys

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""parlour run with what should not happen: garbage in, streams closed, signals,
-damaged files. An answer or a clean end each time, and the database intact."""
+"""Tests `parlour run` with invalid input, closed streams, signals and damaged
+files: it answers or ends in order, and the database stays intact."""
 
 import fcntl
 import os

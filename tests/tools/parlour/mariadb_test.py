@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Applications on a MariaDB server of the test's own: one name of the settings
-changed, the same conversations. Skipped where there is no mariadbd."""
+"""Runs the applications' conversations on a MariaDB server, with only the
+database's name changed in the settings. Skipped if mariadbd is missing."""
 
 import os
 import pathlib

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""What scripts do outside: files below data/, sockets, transactions, in a
-running application and under `parlour exec`."""
+"""Tests scripts that use files below data/, sockets and transactions, in a
+running application and with `parlour exec`."""
 
 import os
 import socket

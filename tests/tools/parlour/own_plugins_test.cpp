@@ -1,4 +1,4 @@
-// The plug-ins of the program pass their roles' conformance test, with the
+// The built-in plug-ins pass the conformance tests of their roles, with the
 // options that our applications give them.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -20,9 +20,9 @@ TEST_P(OwnPluginsTest, conform) {
   EXPECT_FALSE(application.composition.components.empty());
   for (const auto& component : application.composition.components) {
     const test::TemporaryFolder data;
-    EXPECT_THAT(nonconformities(component.factory,
-                                {component.options, Milliseconds(2'000),
-                                 data.path().string(), folder}),
+    EXPECT_THAT(conformance_errors(component.factory,
+                                   {component.options, Milliseconds(2'000),
+                                    data.path().string(), folder}),
                 testing::IsEmpty())
         << component.name;
   }

@@ -1,4 +1,4 @@
-// What is private="true", wherever somebody looks.
+// private="true": the value is masked in every place where it could be shown.
 #include <cstdio>
 #include <sstream>
 
@@ -19,7 +19,7 @@ void expect_no_secret(const std::string& seen) {
     EXPECT_THAT(seen, Not(HasSubstr(secret)));
 }
 
-// The conversation of vault/dialogues; what is written to standard error.
+// Runs the conversation of vault/dialogues; returns what standard error gets.
 std::string errors_of(const std::string& arguments) {
   const auto command =
       "printf 'open it and call 91234567\\n\\n4711\\n\\nyes\\n\\n' "
@@ -40,7 +40,7 @@ protected:
   std::string vault() const {
     return application("vault") + " --data " + folder_.path().string();
   }
-  // Without what the file itself says.
+  // Without the words of the file itself.
   static std::string without_turns(const std::string& report) {
     std::istringstream lines(report);
     std::string rest;
@@ -82,7 +82,7 @@ TEST_F(PrivacyTest, logs_and_errors_mask_it) {
 }
 
 TEST_F(PrivacyTest, conversations_use_it) {
-  EXPECT_EQ(call({"test", "vault", "-q"}), exit_code::well) << out_.str();
+  EXPECT_EQ(call({"test", "vault", "-q"}), exit_code::success) << out_.str();
 }
 
 TEST_F(PrivacyTest, reports_mask_it) {

@@ -1,5 +1,5 @@
-"""What tests of the program share: the program, a folder of the test's own, and
-programs that end with the test."""
+"""ProgramCase: runs the built program in a temporary folder, and ends it with
+the test."""
 
 import os
 import pathlib
@@ -20,16 +20,16 @@ class ProgramCase(unittest.TestCase):
         self.folder = pathlib.Path(folder.name)
 
     def write(self, name, text):
-        """A file of the folder, new or in the place of what was there."""
+        """Creates or replaces a file in the folder."""
         path = self.folder / name
         path.parent.mkdir(parents=True, exist_ok=True)
         beside = path.with_name(path.name + "~")
         beside.write_text(text, encoding="utf-8")
-        beside.rename(path)  # as editors do
+        beside.rename(path)  # replace by renaming, as editors do
         return path
 
     def begin(self, *arguments, **options):
-        """Runs the program, which is killed if it outlives the test."""
+        """Starts the program; it is killed if it outlives the test."""
         running = subprocess.Popen([PROGRAM, *arguments], **options)
         self.addCleanup(running.wait)
         self.addCleanup(running.kill)

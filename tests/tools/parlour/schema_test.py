@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""The schemas accept every application of the tree and refuse what is wrong.
-Validated by xmllint, which knows nothing of ours."""
+"""Tests the schemas that `parlour schema` prints, with xmllint: they accept
+every application of the tree and reject mistakes."""
 
 import os
 import pathlib

@@ -1,5 +1,5 @@
-// The receptionist's conversation of the paper's Table I while its components
-// throw, hang, flood, die and are replaced in the middle of it: it ends right.
+// The receptionist's conversation of the paper's Table I, while components
+// throw, hang, flood, die and are replaced: its outcome is still right.
 #include <map>
 #include <stdexcept>
 
@@ -20,7 +20,7 @@ using testing::Not;
 
 enum class Misdeed { none, throws, hangs, floods, dies, is_replaced };
 
-// What goes wrong: a component's misdeed at its n-th message.
+// What goes wrong: which fault a component has at its n-th message.
 struct Trouble {
   std::string component;
   Misdeed misdeed = Misdeed::none;
@@ -29,7 +29,7 @@ struct Trouble {
   actors::Node* node = nullptr;
 };
 
-// A real plug-in, until it strikes.
+// A real plug-in until its fault is due.
 class Misbehaving : public IPlugin {
 public:
   Misbehaving(std::unique_ptr<IPlugin> inner, std::string name,
@@ -50,7 +50,7 @@ protected:
   }
 
 private:
-  // Whether it answers all the same: too late, or to deaf ears.
+  // Whether it answers all the same, although too late or to nobody.
   bool strike() {
     switch (trouble_->misdeed) {
     case Misdeed::throws:
@@ -120,8 +120,8 @@ bool has_part(const std::string& component) {
          component == "SQLiteDatabase" || component == "LogTelephone";
 }
 
-// The visitor of Table I, who answers what is asked, and says again what was
-// not understood.
+// The visitor of Table I, who answers questions and repeats what was not
+// understood.
 class Visit {
 public:
   explicit Visit(const Trouble& trouble)
@@ -129,7 +129,7 @@ public:
     auto options = node_options(receptionist(), receptionist().composition,
                                 {data_.path().string(), default_start(), 1});
     for (auto& component : options.components) {
-      component.upkeep.deadline = 5s;
+      component.policy.deadline = 5s;
       if (component.name == trouble_->component)
         component.factory.create = [this, name = component.name,
                                     create = component.factory.create] {
@@ -149,7 +149,7 @@ public:
          {}});
   }
 
-  // False where the host was not announced within a dozen turns.
+  // False if the host was not announced within a dozen turns.
   bool hold() {
     node_->open(seat_);
     say({plan_[0], plan_[1]});
@@ -166,7 +166,7 @@ public:
 
   std::vector<std::string> said;
   std::vector<std::string> calls;  // of the telephone
-  std::vector<std::string> system; // what became of components
+  std::vector<std::string> system; // events of components
 
 private:
   void watch(const Inspection& seen) {
@@ -183,7 +183,7 @@ private:
     node_->run_until_quiet();
   }
 
-  // Who has no part in the conversation is given something, too.
+  // Components without a part in the conversation get a message, too.
   void poke() {
     Message message;
     message.source = "Script";
@@ -194,7 +194,7 @@ private:
     node_->run_until_quiet();
   }
 
-  // The robot's words up to a question or a silence.
+  // The robot's words up to its next question or a silence.
   std::string listen() {
     while (heard_ == said.size() && node_->step_to_next_due(20s)) {
     }
@@ -252,7 +252,7 @@ TEST_P(TableOne, EndsRightWhateverAComponentDoes) {
       EXPECT_THAT(visit.system, Contains("ComponentUp"));
       if (misdeed != is_replaced) {
         EXPECT_THAT(visit.system, Contains("ComponentFailed"));
-      } else if (has_part(GetParam())) { // it goes on word for word
+      } else if (has_part(GetParam())) { // the words are the same
         EXPECT_EQ(visit.said, calm.said);
       }
       EXPECT_THAT(visit.system, Not(Contains("ComponentDown")));

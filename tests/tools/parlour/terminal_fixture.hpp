@@ -1,4 +1,4 @@
-// Our side of a pseudo terminal: what a person would type and see.
+// PseudoTerminal: a terminal on which the test types and reads.
 #pragma once
 
 #include <string>
@@ -17,8 +17,8 @@ namespace parlour::test {
 
 class PseudoTerminal {
 public:
-  // Of no words before this time the test gives up; it never waits for long
-  // where all is well.
+  // After this time without output the test gives up. A test that passes never
+  // waits so long.
   static constexpr int patience = 60'000; // ms
 
   explicit PseudoTerminal(unsigned short columns = 80)
@@ -34,7 +34,7 @@ public:
     hang_up();
   }
 
-  // The other side's device.
+  // The device that the program opens.
   std::string name() const {
     return ptsname(master_);
   }
@@ -42,9 +42,8 @@ public:
     EXPECT_EQ(write(master_, keys.data(), keys.size()),
               static_cast<ssize_t>(keys.size()));
   }
-  // Keys before the editor has taken over are the terminal's own, for which
-  // some mean another thing. It has when it takes single keys.
-  // Gives what was shown before.
+  // Types after the editor has taken over the terminal, because before that the
+  // terminal itself interprets some keys. Returns what was shown before.
   std::string type_at_prompt(const std::string& keys) {
     auto seen = seen_until("> ");
     termios mode{};
@@ -53,7 +52,7 @@ public:
     type(keys);
     return seen;
   }
-  // What was shown since the last call, up to and with `text`.
+  // Reads until `text` is shown; returns what was shown since the last call.
   std::string seen_until(const std::string& text) {
     auto found = shown_.find(text);
     while (found == std::string::npos && read_more())
@@ -66,7 +65,7 @@ public:
     shown_.erase(0, end);
     return seen;
   }
-  // The rest, until nobody has the other side open any more.
+  // Reads until nobody has the other side open any more.
   std::string rest() {
     while (read_more()) {
     }

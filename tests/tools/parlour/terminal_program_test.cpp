@@ -1,4 +1,4 @@
-// The program on a terminal, from the keys to the exit status.
+// The program on a terminal, from keys to exit status.
 #include <csignal>
 
 #include <sys/wait.h>
@@ -37,7 +37,7 @@ protected:
     if (child_ == 0)
       become(device, arguments.data());
   }
-  // Only what may be done between fork and exec.
+  // Only calls that are allowed between fork and exec.
   [[noreturn]] static void become(const std::string& device,
                                   char* const* arguments) {
     setsid();
@@ -67,7 +67,7 @@ TEST_F(TerminalProgramTest, talks_until_the_end_of_input) {
   terminal_.type_at_prompt("one\n");
   terminal_.seen_until("You said one.");
   terminal_.type_at_prompt("\x04");
-  EXPECT_EQ(status(), exit_code::well);
+  EXPECT_EQ(status(), exit_code::success);
   EXPECT_THAT(folder_.read("history"), HasSubstr("one"));
 }
 
@@ -96,10 +96,10 @@ TEST_F(TerminalProgramTest, ends_when_the_terminal_goes_away) {
   start();
   terminal_.seen_until("> ");
   terminal_.hang_up();
-  // Which of the two is seen first, the end or the signal, is chance; the
-  // signal may even come when the program has ended all and is about to go.
-  EXPECT_THAT(status(),
-              testing::AnyOf(exit_code::well, exit_code::interrupted, -SIGHUP));
+  // Either the end of the input or the signal is seen first; the signal may
+  // even come when the program is about to exit.
+  EXPECT_THAT(status(), testing::AnyOf(exit_code::success,
+                                       exit_code::interrupted, -SIGHUP));
 }
 
 TEST_F(TerminalProgramTest, lets_virtual_time_go_on_at_an_empty_line) {
@@ -108,7 +108,7 @@ TEST_F(TerminalProgramTest, lets_virtual_time_go_on_at_an_empty_line) {
   terminal_.type_at_prompt("\n");
   terminal_.seen_until("Now.");
   terminal_.type_at_prompt("\x04");
-  EXPECT_EQ(status(), exit_code::well);
+  EXPECT_EQ(status(), exit_code::success);
 }
 
 TEST_F(TerminalProgramTest, keeps_to_a_file_what_nobody_asked_to_see) {
@@ -117,7 +117,7 @@ TEST_F(TerminalProgramTest, keeps_to_a_file_what_nobody_asked_to_see) {
   for (const auto* line : {"call\n", "\n", "\n", "\x04"})
     seen += terminal_.type_at_prompt(line);
   EXPECT_THAT(seen + terminal_.rest(), Not(HasSubstr("Telephone")));
-  EXPECT_EQ(status(), exit_code::well);
+  EXPECT_EQ(status(), exit_code::success);
   EXPECT_THAT(folder_.read("log"), HasSubstr("LogTelephone."));
 }
 
@@ -128,7 +128,7 @@ TEST_F(TerminalProgramTest, shows_what_happens_without_colour_where_none_is) {
   terminal_.type_at_prompt("one\n");
   seen += terminal_.seen_until("You said one.\r\n");
   terminal_.type_at_prompt("\x04");
-  EXPECT_EQ(status(), exit_code::well);
+  EXPECT_EQ(status(), exit_code::success);
   unsetenv("NO_COLOR");
   EXPECT_THAT(seen, HasSubstr("transition  "));
   EXPECT_THAT(seen, HasSubstr("message     "));

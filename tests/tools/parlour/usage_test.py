@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Every command with what it is not meant to be given: each mistake ends with a
-status, a line that says why, and nothing lost; nothing crashes or hangs."""
+"""Tests every command with wrong arguments and in bad conditions: each ends with
+the right status and a line that says why. Nothing is lost, crashes or hangs."""
 
 import os
 import re
@@ -25,11 +25,14 @@ NOWHERE = "No such file or directory"
 # One way to print something with each command that prints.
 PRINTING = (
     ("--help",), ("--version",), ("check", "broken"), ("completion", "bash"),
-    ("exec", "app"), ("format", "-"), ("help", "speak"), ("plugin", "list"),
+    ("exec", "app"), ("format", "-"), ("help", "speak"),
+    ("keygen", "robot.key"), ("plugin", "list"),
     ("plugin", "new", "EchoTTS", "--role", "TTS"), ("plugin", "roles"),
     ("plugin", "test", "LogTaxi"), ("run", "app"), ("schema",),
     ("test", "app"), ("understand", "app", "hello"))
-NOT_TRIED = {"bench"}  # takes too long
+# A program of its own, one that waits for a platform, and one that asks what
+# runs.
+NOT_TRIED = {"agent", "bench", "status"}
 
 # Arguments, status, and what is said about it.
 MISTAKES = (
@@ -119,7 +122,6 @@ MISTAKES = (
     (("plugin", "test", "file.so"), 2, "file too short"),
     (("plugin", "test", "pipe.so"), 2, "there is no such file"),
     (("plugin", "test", "LogTaxi", "--option", "x"), 2, "lacks its '=value'"),
-    (("bench", "script", "--runs", "0"), 2, "'0' is no whole number from 1"),
 )
 
 
@@ -246,8 +248,12 @@ class Output(UsageCase):
         names = set(re.findall(r"^  (\w+) ", listing, re.M))
         self.assertEqual(names - {words[0] for words in PRINTING}, NOT_TRIED)
 
-    def shell(self, arguments, line):
+    def remove_what_is_made(self):
         shutil.rmtree(self.folder / "EchoTTS", ignore_errors=True)
+        (self.folder / "robot.key").unlink(missing_ok=True)
+
+    def shell(self, arguments, line):
+        self.remove_what_is_made()
         return self.tried(*arguments, given=SCRIPT,
                           before=["bash", "-c", line, "sh"])
 
@@ -269,7 +275,7 @@ class Output(UsageCase):
         for arguments in PRINTING:
             for trap in ("-", ""):
                 with self.subTest((arguments, trap)):
-                    shutil.rmtree(self.folder / "EchoTTS", ignore_errors=True)
+                    self.remove_what_is_made()
                     ended = self.tried(*arguments, given=SCRIPT, before=[
                         "bash", "-c", line, trap])
                     self.assertEqual(ended.stderr.splitlines()[-1],

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Timers that ring late, and handlers that wait for the user: in `parlour run`
-by pipe, in virtual time and in real time, and in `parlour test`."""
+"""Tests timers, and handlers that wait for the user: in `parlour run` with
+pipes, in virtual and in real time, and in `parlour test`."""
 
 import subprocess
 import unittest

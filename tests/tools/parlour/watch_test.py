@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""parlour test --watch: held again whenever a file changes, until Ctrl-C."""
+"""Tests `parlour test --watch`: it runs again whenever a file changes."""
 
 import signal
 import subprocess

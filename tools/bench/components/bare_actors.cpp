@@ -1,3 +1,5 @@
+// The peer of component_workload.cpp: the same game, played by typed actors of
+// CAF without components, message centre or supervision.
 #include <atomic>
 #include <future>
 #include <map>
@@ -6,11 +8,13 @@
 
 #include <caf/all.hpp>
 
-#include "runtime/base/message.hpp"
+#include "runtime/message/message.hpp"
 #include "tools/bench/components/component_workload.hpp"
 
 namespace parlour::tools {
 
+// A message as CAF sends it. It never leaves the process, so it needs no
+// serialization.
 struct ball {
   Message message;
 };
@@ -25,15 +29,19 @@ namespace {
 
 using catcher_actor = caf::typed_actor<caf::reacts_to<ball>>;
 
+// What all players share.
 struct Field {
   Way way = Way::hub;
-  std::atomic<int> left = 0; // throws to come
-  std::promise<void> over;   // there is none
-  // Filled before the first throw.
+  // Throws that are still to come; `over` is fulfilled when there are none.
+  std::atomic<int> left = 0;
+  std::promise<void> over;
+  // Complete before the first throw, then only read.
   std::map<std::string, catcher_actor> players;
   catcher_actor hub;
 };
 
+// Catches a ball and throws it on. The message is built anew, as a plug-in
+// would do.
 void catch_ball(catcher_actor::pointer self, Field* field,
                 const std::string& other, const Message& caught) {
   const auto left = field->left.fetch_sub(1);
@@ -55,6 +63,7 @@ catcher_actor::behavior_type player(catcher_actor::pointer self, Field* field,
       [=](const ball& what) { catch_ball(self, field, other, what.message); }};
 }
 
+// Finds the receiver by name, which is what the message centre does.
 catcher_actor::behavior_type hub(catcher_actor::pointer self, Field* field) {
   return {[=](const ball& what) {
     for (const auto& sink : what.message.sinks)
@@ -76,6 +85,7 @@ void throw_balls(const Field& field, int balls) {
 
 Measured bare_actors_play(const BallGame& game, Way way) {
   caf::actor_system_config config;
+  // One thread, so that CPU time is not spent on handing work between threads.
   config.set("scheduler.max-threads", std::size_t{1});
   config.set("scheduler.max-throughput", std::size_t{300});
   Field field;

@@ -12,7 +12,7 @@ namespace parlour::tools {
 namespace {
 
 constexpr BallGame game{200'000};
-// Of the throughput of bare actors.
+// The least share of the throughput of bare actors.
 constexpr double bar = 0.70;
 
 } // namespace
@@ -25,6 +25,8 @@ bool component_bench(const BenchRows& wanted, std::ostream& out) {
   Series ours;
   Series hub;
   Series direct;
+  // The contestants take turns, so that a change of the machine's load affects
+  // all of them.
   for (int run = 0; run < wanted.runs; ++run) {
     ours.add(components_play(game));
     hub.add(bare_actors_play(game, Way::hub));
@@ -37,6 +39,7 @@ bool component_bench(const BenchRows& wanted, std::ostream& out) {
     return false;
   }
   const auto figure = median(ours.figures);
+  // 1 means as fast as bare actors.
   const auto share = median(hub.figures) / figure;
   out << fmt::format("messages through a component's mailbox {:.0f} ns; bare "
                      "typed actors, through a hub {:.0f} ({:.2f} of their "

@@ -1,5 +1,5 @@
-// `parlour bench components`: messages through components' mailboxes, beside
-// bare typed actors of CAF that do the same.
+// `parlour bench components`: the cost of a message through a component's
+// mailbox, compared with bare typed actors of CAF that do the same.
 #pragma once
 
 #include <iosfwd>
@@ -13,7 +13,7 @@ namespace parlour::tools {
 // The names of the rows.
 std::vector<std::string> component_bench_rows();
 
-// False where something could not be measured; that is told in the table.
+// Prints the table. False if something could not be measured.
 bool component_bench(const BenchRows& wanted, std::ostream& out);
 
 } // namespace parlour::tools

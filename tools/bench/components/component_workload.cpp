@@ -13,8 +13,10 @@ namespace parlour::tools {
 
 namespace {
 
-using Left = std::shared_ptr<std::atomic<int>>; // throws to come
+// How many throws are left; both players count it down.
+using Left = std::shared_ptr<std::atomic<int>>;
 
+// Throws each ball back until no throws are left.
 class Player : public IPlugin {
 public:
   Player(std::string other, Left left)
@@ -60,6 +62,7 @@ Expected<Measured> components_play(const BallGame& game) {
   const auto before = cpu_nanoseconds();
   for (int ball = 0; ball < game.balls; ++ball) {
     Message message;
+    // Each ball is injected into a session of its own.
     message.source = "Script";
     message.command = "Ball";
     message.params = {"a ball"};
@@ -68,6 +71,7 @@ Expected<Measured> components_play(const BallGame& game) {
   }
   (*node)->run_until_quiet();
   const auto time = cpu_nanoseconds() - before;
+  // A lost message would make the figure look better than it is.
   if (*left > 0)
     return fail(ErrorKind::thrown, "a ball was lost");
   return Measured{time / game.throws, "all thrown"};

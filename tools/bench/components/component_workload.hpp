@@ -1,6 +1,6 @@
-// Messages through components' mailboxes: two plug-ins that hand balls to each
-// other by name, by the message centre's table; and the same by typed actors of
-// CAF with nothing around them.
+// The workload of `parlour bench components`: two plug-ins throw balls to each
+// other, by name and through the message centre; and the same game played by
+// typed actors of CAF.
 #pragma once
 
 #include "runtime/base/error.hpp"
@@ -8,20 +8,23 @@
 
 namespace parlour::tools {
 
-// What is measured is CPU time, not waiting. Bare actors share one thread; each
-// component has its own.
+// CPU time is measured, so waiting costs nothing. Bare actors share one thread;
+// each component has one of its own.
 struct BallGame {
-  int throws = 0; // altogether
-  // In the air at a time, each one session's: no session throws its ball so
-  // often in a second that it is taken for a ring without end.
+  // Of all balls together.
+  int throws = 0;
+  // Balls in the air at a time. Each belongs to its own session: messages that
+  // answer each other are limited for each session (engine rule 1.6), and no
+  // session reaches the limit.
   int balls = 256;
 };
 
-// A throw is a message from one plug-in to the other: stamped, routed, counted.
+// A throw is a message from one plug-in to the other: stamped, routed and
+// counted.
 Expected<Measured> components_play(const BallGame& game);
 
 enum class Way : unsigned char {
-  hub,   // through an actor that knows the players by their names
+  hub,   // through an actor that knows the players by name
   direct // from player to player
 };
 Measured bare_actors_play(const BallGame& game, Way way);

@@ -22,9 +22,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// A script that queries one row by its name, again and again.
 const fs::path workload = fs::path(PARLOUR_WORKLOADS) / "query.xml";
 
-// Sessions for each connection, so that there is always one that waits.
+// Sessions for each connection. More than one, so that a query always waits for
+// a free connection.
 constexpr std::size_t sessions_for_each = 4;
 constexpr std::size_t sqlite_queries = 100'000;
 constexpr std::size_t mariadb_queries = 20'000;
@@ -32,10 +34,14 @@ constexpr std::size_t mariadb_queries = 20'000;
 struct Row {
   const char* name;
   const char* sentence;
-  std::size_t connections; // 0: SQLite, in memory
-  double bar;              // of the library's own speed; 0: none
+  // 0: SQLite in memory.
+  std::size_t connections;
+  // The least share of the library's own speed; 0: no bar.
+  double bar;
 };
 
+// The bars of MariaDB are for four connections, as the component has by
+// default.
 constexpr Row rows[] = {
     {"sqlite", "SQLite in memory", 0, 0.60},
     {"mariadb-1", "MariaDB, a connection", 1, 0},
@@ -43,7 +49,7 @@ constexpr Row rows[] = {
     {"mariadb-16", "MariaDB, 16 connections", 16, 0},
 };
 
-// A folder with schema and seed, removed in the end.
+// A temporary folder with schema and seed, removed at the end.
 class Ground {
 public:
   Ground() {
@@ -63,6 +69,8 @@ public:
   fs::path path;
 };
 
+// Prints one row after another. The server is started with the first row that
+// needs it.
 class DbBench {
 public:
   DbBench(int runs, std::ostream& out)
@@ -76,6 +84,8 @@ private:
   using Component = std::unique_ptr<IPlugin>;
 
   Expected<Component> component(const Row& row);
+  // Runs both sides in turn, so that a change of the machine's load affects
+  // both.
   Expected<void> contest(const Row& row, Series& ours, Series& theirs);
   bool say(const Row& row, const std::string& text);
 
@@ -87,6 +97,7 @@ private:
   Expected<QueryWorkload> workload_;
 };
 
+// Starts the component that the row measures.
 Expected<DbBench::Component> DbBench::component(const Row& row) {
   const bool is_server = row.connections > 0;
   Options options{{"schema", "schema.sql"}, {"seed", "seed.sql"}};
@@ -105,6 +116,7 @@ Expected<DbBench::Component> DbBench::component(const Row& row) {
   return made;
 }
 
+// The component is started once; the peer opens its connections for each run.
 Expected<void> DbBench::contest(const Row& row, Series& ours, Series& theirs) {
   if (!workload_)
     return tl::make_unexpected(workload_.error());
@@ -114,6 +126,7 @@ Expected<void> DbBench::contest(const Row& row, Series& ours, Series& theirs) {
   const bool is_server = row.connections > 0;
   const auto count = is_server ? mariadb_queries : sqlite_queries;
   const auto sessions = is_server ? row.connections * sessions_for_each : 1;
+  // The CPU time of the server counts on both sides.
   const auto server = is_server ? server_.process() : 0;
   for (int run = 0; run < runs_; ++run) {
     ours.add(workload_->run(**asked, desk_, server, sessions, count));
@@ -132,10 +145,12 @@ bool DbBench::measure(const Row& row) {
   for (const auto* series : {&ours, &theirs})
     if (!series->trouble.empty())
       return say(row, series->trouble);
+  // A row counts only if both sides have read the same data.
   if (ours.result != theirs.result)
     return say(row, "other answers: " + ours.result + ", not " + theirs.result);
   const auto our_time = median(ours.figures);
   const auto their_time = median(theirs.figures);
+  // 1 means as fast as the library alone.
   const auto speed = their_time / our_time;
   out_ << fmt::format("{:<11} {:<26} {:6.2f} µs; its library {:6.2f}; {:.2f} "
                       "of its speed",
@@ -169,11 +184,11 @@ bool db_bench(const BenchRows& wanted, std::ostream& out) {
                      "included, median of {} runs\n",
                      wanted.runs);
   DbBench bench(wanted.runs, out);
-  bool well = true;
+  bool ok = true;
   for (const auto& row : rows)
     if (wanted.wants(row.name))
-      well &= bench.measure(row);
-  return well;
+      ok &= bench.measure(row);
+  return ok;
 }
 
 } // namespace parlour::tools

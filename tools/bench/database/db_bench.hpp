@@ -1,5 +1,6 @@
-// `parlour bench db`: queries of scripts, through the components, beside the
-// databases' own libraries, as a table. The MariaDB server is one of its own.
+// `parlour bench db`: the cost of a script's query through a database
+// component, compared with the same query through the database's own library.
+// The MariaDB server is started for it.
 #pragma once
 
 #include <iosfwd>
@@ -13,7 +14,7 @@ namespace parlour::tools {
 // The names of the rows.
 std::vector<std::string> db_bench_rows();
 
-// False where something could not be measured; that is told in the table.
+// Prints the table. False if something could not be measured.
 bool db_bench(const BenchRows& wanted, std::ostream& out);
 
 } // namespace parlour::tools

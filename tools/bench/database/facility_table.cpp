@@ -22,6 +22,7 @@ std::string facility_seed() {
 }
 
 std::string facility_name(std::size_t i) {
+  // 7 and 600 have no common divisor, so all rows are asked for in turn.
   return "facility " + std::to_string(i * 7 % facilities);
 }
 

@@ -19,10 +19,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Where a server that is handed its sockets expects the first of them.
+// The first descriptor that a service receives by socket activation
+// (sd_listen_fds).
 constexpr int first_handed_over = 3;
 
-// A socket of 127.0.0.1 on a port that was free; 0: none is to be had.
+// Opens a listening socket on a free port of 127.0.0.1; `port` stays 0 if that
+// fails. Handing an open socket over leaves no moment in which another program
+// could take the port.
 int listen_anywhere(unsigned& port) {
   const int listener = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
   sockaddr_in address{};
@@ -37,7 +40,8 @@ int listen_anywhere(unsigned& port) {
   return listener;
 }
 
-// What it says until it is ready; empty where it ends before.
+// Reads the server's log until it accepts connections. The error has all it has
+// said.
 Expected<void> wait_until_ready(int log) {
   std::string said;
   char bytes[4096];
@@ -50,7 +54,7 @@ Expected<void> wait_until_ready(int log) {
   return {};
 }
 
-// The statements that make the tables of users, one to a line.
+// The statements that create the tables of users.
 void write_statements(const fs::path& file) {
   std::ofstream all(file);
   all << "create database mysql;\nuse mysql;\n";
@@ -100,7 +104,8 @@ Expected<void> MariaDBServer::start() {
     return fail(ErrorKind::offline, "no pipe can be made");
   launch(arguments(), STDIN_FILENO, ends[1]);
   close(ends[1]);
-  // Its log is read until then only; later it writes it to nobody.
+  // The log is only read until then. Later the server writes it to a closed
+  // pipe.
   auto ready = wait_until_ready(ends[0]);
   close(ends[0]);
   if (!ready)
@@ -108,7 +113,7 @@ Expected<void> MariaDBServer::start() {
   return ready;
 }
 
-// What mariadb-install-db does, without what nobody needs here.
+// Does what mariadb-install-db does, as far as it is needed here.
 Expected<void> MariaDBServer::make_users() {
   const auto file = folder_ / "users.sql";
   write_statements(file);
@@ -126,6 +131,8 @@ Expected<void> MariaDBServer::make_users() {
   return {};
 }
 
+// Small buffers and no safeguards against a loss of power make it start within
+// a second.
 std::vector<std::string> MariaDBServer::arguments() const {
   std::vector<std::string> all{"--no-defaults",
                                "--user=root",
@@ -156,17 +163,21 @@ void MariaDBServer::launch(const std::vector<std::string>& arguments, int input,
     become(arguments, input, output);
 }
 
+// In the child: connects input and output, passes the listening socket on, and
+// runs the program. PR_SET_PDEATHSIG ends it with the thread that started it.
 void MariaDBServer::become(const std::vector<std::string>& arguments, int input,
                            int output) const {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   dup2(input, STDIN_FILENO);
   dup2(output, STDOUT_FILENO);
   dup2(output, STDERR_FILENO);
+  // Sockets are closed on exec by default; this one must stay open.
   if (listener_ == first_handed_over)
     fcntl(listener_, F_SETFD, 0);
   else if (listener_ >= 0)
     dup2(listener_, first_handed_over);
   if (listener_ >= 0) {
+    // The protocol of socket activation (sd_listen_fds).
     setenv("LISTEN_FDS", "1", 1);
     setenv("LISTEN_PID", std::to_string(getpid()).c_str(), 1);
   }
@@ -187,7 +198,8 @@ void MariaDBServer::stop() {
   end(SIGTERM);
 }
 
-// Its threads run on for a moment: only the wait tells that all stand still.
+// A stop takes effect on all threads of the server a moment later; waitpid
+// returns then.
 void MariaDBServer::pause() {
   if (process_ <= 0)
     return;
@@ -200,6 +212,7 @@ void MariaDBServer::go_on() {
     ::kill(process_, SIGCONT);
 }
 
+// Sends the signal and waits until the process has ended.
 void MariaDBServer::end(int signal) {
   if (process_ <= 0)
     return;

@@ -1,6 +1,11 @@
-// A MariaDB server of one's own, for benchmarks and tests: its data lie in a
-// folder that is handed over, it listens on a socket there and on no port, and
-// it ends with whoever started it. Nobody has to log in.
+// MariaDBServer is a private MariaDB server for benches and tests. Its data lie
+// in the given folder; it listens on a socket there and on no port, and needs
+// no login. It is killed when the thread that started it ends.
+//
+//  MariaDBServer server(folder);
+//  if (auto started = server.start(); !started)
+//    return started.error(); // with the server's log
+//  options["socket"] = server.socket();
 #pragma once
 
 #include <filesystem>
@@ -14,16 +19,18 @@
 namespace parlour::tools {
 
 struct MariaDBServerOptions {
-  std::vector<std::string> arguments; // beside those of every such server
-  // Listens on a port of this machine that is free, instead of the socket.
+  // Arguments in addition to those that every such server gets.
+  std::vector<std::string> arguments;
+  // Listen on a free port of this machine instead of the socket.
   bool on_port = false;
-  // Who connects has to be known: root without a password, and whom it makes.
+  // Require a login: root without a password, and accounts that root creates.
   bool has_users = false;
 };
 
+// Not thread-safe.
 class MariaDBServer {
 public:
-  // Where this machine has the program; empty: nowhere.
+  // The path of the server's program; empty if it is not installed.
   static std::filesystem::path program();
 
   explicit MariaDBServer(std::filesystem::path folder,
@@ -32,20 +39,26 @@ public:
   MariaDBServer& operator=(const MariaDBServer&) = delete;
   ~MariaDBServer();
 
-  // Waits until it takes connections. Nothing happens where it runs. An error
-  // of kind Offline has the server's own words in it.
+  // Starts the server and waits until it accepts connections. Does nothing if
+  // it runs. The error, of kind Offline, has the server's own words.
   Expected<void> start();
 
-  void kill();  // as if the power had failed
-  void stop();  // in order; a statement that runs is ended
-  void pause(); // it is there but does not answer
+  // Ends the server at once, as a loss of power would.
+  void kill();
+  // Ends it in order; running statements are ended.
+  void stop();
+  // Stops it without ending it: it is there but does not answer. go_on()
+  // resumes it.
+  void pause();
   void go_on();
 
   std::string socket() const;
-  int process() const { // -1: it does not run
+  // -1 if it does not run.
+  int process() const {
     return process_;
   }
-  unsigned port() const { // 0: none
+  // 0 if it listens on none.
+  unsigned port() const {
     return port_;
   }
 
@@ -59,7 +72,8 @@ private:
 
   std::filesystem::path folder_;
   MariaDBServerOptions options_;
-  int listener_ = -1; // of the port
+  // The socket of the port.
+  int listener_ = -1;
   unsigned port_ = 0;
   pid_t process_ = -1;
 };

@@ -14,7 +14,8 @@ namespace parlour::tools {
 
 namespace {
 
-// A session's script; its queries go to the component and it waits.
+// One session: a script whose queries are sent to the component, and which
+// waits for the answers.
 class Asking : public script::LonelyHost {
 public:
   Asking(const std::shared_ptr<const script::Program>& program,
@@ -29,7 +30,7 @@ public:
     interpreter_.new_event();
   }
 
-  // True while it waits for an answer.
+  // Starts the script with a range of queries. True if it waits for an answer.
   Expected<bool> begin(std::size_t first, std::size_t count) {
     const auto work = interpreter_.program().functions.find("work")->second;
     activation_ = interpreter_.start(work,
@@ -49,6 +50,8 @@ public:
     return letters_;
   }
 
+  // The only effect of the workload is a query: it is sent, and the script
+  // waits.
   script::Performed perform(script::Activation&,
                             const script::Effect& effect) override {
     query_.params.clear();
@@ -66,6 +69,7 @@ public:
   }
 
 private:
+  // Runs on after each slice. The result of a script is its count of letters.
   Expected<bool> judge(script::RunResult result) {
     while (result.status == script::RunStatus::yielded)
       result = interpreter_.run(*activation_, *this);
@@ -77,17 +81,20 @@ private:
 
   script::Interpreter interpreter_;
   IPlugin& component_;
-  Message query_; // the same but for its values
+  // The same for all queries but for its parameters.
+  Message query_;
   std::unique_ptr<script::Activation> activation_;
   std::int64_t letters_ = 0;
 };
 
 using Sessions = std::vector<std::unique_ptr<Asking>>;
 
-// All begin; each answer lets one go on, until all have ended.
+// Starts all sessions, then lets each go on with its answers until all have
+// ended.
 Expected<void> converse(Sessions& sessions, Desk& desk, std::size_t count) {
   std::size_t waiting = 0;
   for (std::size_t i = 0; i < sessions.size(); ++i) {
+    // The queries are divided evenly among the sessions.
     const auto first = count * i / sessions.size();
     const auto end = count * (i + 1) / sessions.size();
     const auto begun = sessions[i]->begin(first, end - first);
@@ -124,7 +131,7 @@ Expected<Measured> QueryWorkload::run(IPlugin& component, Desk& desk,
   Sessions asking;
   for (std::size_t i = 0; i < sessions; ++i)
     asking.push_back(std::make_unique<Asking>(program_, component, i));
-  // So that statements are prepared and memory is warm.
+  // Statements are prepared, and memory is allocated, before the measurement.
   if (auto warm = converse(asking, desk, 20 * sessions); !warm)
     return tl::make_unexpected(warm.error());
   const StopWatch watch(server);

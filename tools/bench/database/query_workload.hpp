@@ -1,5 +1,6 @@
-// Scripts that ask a database component, as sessions do: each of them waits for
-// its answer, all of them on one thread. Everything but the actors in between.
+// Scripts that query a database component as sessions do: each waits for its
+// answer, and all of them share one thread. Only the actors between script and
+// component are missing.
 #pragma once
 
 #include <cstddef>
@@ -13,14 +14,16 @@
 
 namespace parlour::tools {
 
+// Compiled once; may be run again and again.
 class QueryWorkload {
 public:
-  // The error names the first finding.
+  // Compiles the workload. The error has the first finding.
   static Expected<QueryWorkload> load(const std::filesystem::path& file);
 
-  // `count` queries from so many sessions at once, of a component that was
-  // started at this desk and may have a server. The result is how many letters
-  // came. The first error of the component or of a script is told instead.
+  // Runs `count` queries from `sessions` sessions at once. The component has
+  // been started with `desk` as its host; `server` is the process of its
+  // database, or 0. The result is the number of letters received. The error is
+  // the first one of the component or of a script.
   Expected<Measured> run(IPlugin& component, Desk& desk, int server,
                          std::size_t sessions, std::size_t count) const;
 

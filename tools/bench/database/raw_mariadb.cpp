@@ -1,3 +1,5 @@
+// Uses poll and the library's non-blocking calls directly, without coroutines,
+// threads or conversions of values: the least that any program has to do.
 #include <array>
 #include <cstring>
 #include <memory>
@@ -13,6 +15,7 @@ namespace parlour::tools {
 
 namespace {
 
+// One connection with one prepared statement and fixed buffers, driven by poll.
 class RawConnection {
 public:
   RawConnection() : handle_(mysql_init(nullptr)) {
@@ -35,7 +38,7 @@ public:
                               (waits_ & MYSQL_WAIT_WRITE ? POLLOUT : 0));
   }
 
-  // True where the answer is there already.
+  // Sends query number `i`. True if the answer has arrived already.
   bool ask(std::size_t i) {
     name_ = facility_name(i);
     length_ = name_.size();
@@ -44,7 +47,7 @@ public:
     waits_ = mysql_stmt_execute_start(&failed_, statement_);
     return go_on(0);
   }
-  // With what poll says; true where the answer is there.
+  // Continues with the events of poll. True if the answer has arrived.
   bool go_on(int ready);
 
   bool failed() const {
@@ -55,8 +58,10 @@ public:
   }
 
 private:
+  // A query has two calls that may wait: executing it, and storing its result.
   enum class Phase { executes, stores };
 
+  // Parameters and results are bound once, to fixed buffers.
   void bind();
 
   MYSQL* handle_;
@@ -100,8 +105,10 @@ void RawConnection::bind() {
   mysql_stmt_bind_result(statement_, cells.data());
 }
 
+// Continues the current call and, when it is done, starts the next one.
 bool RawConnection::go_on(int ready) {
   for (;;) {
+    // The call waits for an event that has not come.
     if (waits_ != 0 && ready == 0)
       return false;
     if (waits_ != 0)
@@ -124,21 +131,24 @@ bool RawConnection::go_on(int ready) {
 
 using Connections = std::vector<std::unique_ptr<RawConnection>>;
 
+// Events of poll as flags of the library.
 int flags_of(short events) {
   return (events & POLLIN ? MYSQL_WAIT_READ : 0) |
          (events & POLLOUT ? MYSQL_WAIT_WRITE : 0);
 }
 
-// Each connection asks on as soon as it has an answer.
+// Keeps one query under way on each connection until all have been asked.
 class RawRun {
 public:
   RawRun(Connections& all, std::size_t count) : all_(all), count_(count) {}
 
-  // The letters that came; an error where a query failed.
+  // Returns the number of letters received, or an error if a query failed.
   Expected<std::size_t> run() {
     for (auto& connection : all_)
       ask(*connection);
     std::vector<pollfd> polled(all_.size());
+    // One round: wait for any connection, take its answer, ask the next query
+    // on it.
     while (on_their_way_ > 0 && !failed_) {
       for (std::size_t i = 0; i < all_.size(); ++i)
         polled[i] = {all_[i]->descriptor(), all_[i]->interest(), 0};
@@ -184,6 +194,7 @@ private:
 Expected<Measured> raw_mariadb(const MariaDBServer& server,
                                std::size_t connections, std::size_t count) {
   Connections all;
+  // Connecting is not measured.
   for (std::size_t i = 0; i < connections; ++i) {
     all.push_back(std::make_unique<RawConnection>());
     if (auto opened = all.back()->open(server.socket()); !opened)

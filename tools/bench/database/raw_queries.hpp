@@ -1,5 +1,6 @@
-// The same queries without scripts, components or threads, by the databases'
-// own libraries: as fast as it goes. Every cell is looked at as a text.
+// The peers of query_workload.hpp: the same queries through the databases' own
+// libraries, without scripts, components or threads. Each cell is read as a
+// text.
 #pragma once
 
 #include <cstddef>
@@ -10,11 +11,12 @@
 
 namespace parlour::tools {
 
-// A prepared statement of a database in memory.
+// Uses a prepared statement on a database in memory.
 Expected<Measured> raw_sqlite(std::size_t count);
 
-// Prepared on each of so many connections, by the interface that does not wait:
-// one query on its way on each. The table is there, in the database `bench`.
+// Uses a prepared statement on each connection, and the library's non-blocking
+// interface: one query is under way on each connection. The table must exist in
+// the database `bench`.
 Expected<Measured> raw_mariadb(const MariaDBServer& server,
                                std::size_t connections, std::size_t count);
 

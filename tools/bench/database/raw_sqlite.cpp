@@ -12,6 +12,7 @@ namespace {
 using Database = std::unique_ptr<sqlite3, decltype(&sqlite3_close)>;
 using Statement = std::unique_ptr<sqlite3_stmt, decltype(&sqlite3_finalize)>;
 
+// The same rows as the component's database has.
 Database facilities_in_memory() {
   sqlite3* opened = nullptr;
   sqlite3_open(":memory:", &opened);
@@ -26,7 +27,8 @@ Statement prepared(sqlite3* database) {
   return {statement, &sqlite3_finalize};
 }
 
-// The letters of its description; all cells are looked at.
+// Returns the letters of the description; the other cells are read as well, as
+// a component does.
 std::size_t ask(sqlite3_stmt* statement, const std::string& name) {
   sqlite3_bind_text(statement, 1, name.data(), static_cast<int>(name.size()),
                     SQLITE_STATIC);

@@ -19,14 +19,15 @@ const fs::path workloads = PARLOUR_WORKLOADS;
 struct Row {
   const char* name;
   const char* sentence;
-  double bar;    // nanoseconds
-  double of_lua; // at most so much of Lua 5.4's time; 0: no bar
+  // The largest time of one operation, in nanoseconds.
+  double bar;
+  // The largest share of Lua 5.4's time; 0: no bar.
+  double of_lua;
   Expected<Measured> (DialogueWorkload::*run)(int count) const;
   int count;
 };
 
-// 2 million turns a second, where Lua by hand does 1.6; 10 million events. The
-// events end in the state in which Lua's do.
+// The number of events is chosen so that both sides end in the same state.
 const Row rows[] = {
     {"turns", "a turn of the user, in acts", 500, 0.80,
      &DialogueWorkload::turns, 20'000},
@@ -34,6 +35,7 @@ const Row rows[] = {
      &DialogueWorkload::events, 200'002},
 };
 
+// Prints one row. False if it could not be measured.
 bool measure(const Row& row, int runs, std::ostream& out) {
   const auto workload =
       DialogueWorkload::load(workloads / fmt::format("{}.xml", row.name));
@@ -44,6 +46,8 @@ bool measure(const Row& row, int runs, std::ostream& out) {
   const LuaContest contest(
       runs, [&] { return ((*workload).*row.run)(row.count); },
       workloads / fmt::format("{}.lua", row.name));
+  // The median of CPU time, compared with an absolute bar; the ratio to Lua
+  // follows.
   const auto figure = median(contest.ours.figures);
   out << fmt::format("{:<8} {:<31} {:6.0f} ns, bar {:.0f}: {}", row.name,
                      row.sentence, figure, row.bar,
@@ -51,9 +55,9 @@ bool measure(const Row& row, int runs, std::ostream& out) {
   const auto& trouble = contest.ours.trouble;
   if (!trouble.empty())
     out << "; " << trouble;
-  const bool well = contest.compare(row.of_lua, out);
+  const bool ok = contest.compare(row.of_lua, out);
   out << std::endl;
-  return well && trouble.empty();
+  return ok && trouble.empty();
 }
 
 } // namespace
@@ -68,11 +72,11 @@ std::vector<std::string> dialogue_bench_rows() {
 bool dialogue_bench(const BenchRows& wanted, std::ostream& out) {
   out << fmt::format("CPU time of one operation, median of {} runs\n",
                      wanted.runs);
-  bool well = true;
+  bool ok = true;
   for (const auto& row : rows)
     if (wanted.wants(row.name))
-      well &= measure(row, wanted.runs, out);
-  return well;
+      ok &= measure(row, wanted.runs, out);
+  return ok;
 }
 
 } // namespace parlour::tools

@@ -1,5 +1,8 @@
-// `parlour bench dialogue`: the dialogue engine alone, beside the same by hand
-// in Lua where it is installed, as a table.
+// `parlour bench dialogue`: the dialogue engine alone, compared with the same
+// dialogue written by hand in Lua, where Lua is installed.
+//
+//  turns   a user turn: acts in, a question or an answer out
+//  events  an event that a state machine takes under a condition
 #pragma once
 
 #include <iosfwd>
@@ -13,7 +16,7 @@ namespace parlour::tools {
 // The names of the rows.
 std::vector<std::string> dialogue_bench_rows();
 
-// False where something could not be measured; that is told in the table.
+// Prints the table. False if something could not be measured.
 bool dialogue_bench(const BenchRows& wanted, std::ostream& out);
 
 } // namespace parlour::tools

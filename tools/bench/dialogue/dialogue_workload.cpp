@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "script/compiler/compiler.hpp"
-#include "tools/bench/support/quiet_port.hpp"
+#include "tools/world/surroundings.hpp"
 
 namespace parlour::tools {
 
@@ -16,6 +16,8 @@ using dialogue::Act;
 using dialogue::ActPointer;
 using dialogue::Conversation;
 
+// The user asks for a topic, or (act_with) gives a value without naming a
+// topic.
 Act act_about(const char* topic) {
   Act act;
   act.kind = dialogue::ActKind::request;
@@ -31,6 +33,8 @@ Act act_with(const char* slot, const char* value) {
   return act;
 }
 
+// A form is interrupted by another topic and resumed, as turns.lua does by
+// hand.
 std::vector<ActPointer> six_turns() {
   std::vector<ActPointer> turns;
   for (auto& act :
@@ -41,21 +45,59 @@ std::vector<ActPointer> six_turns() {
   return turns;
 }
 
-constexpr std::size_t back_to_the_form = 3; // after this turn, by silence
+// After this turn the user is silent, and the engine takes the unfinished topic
+// up again.
+constexpr std::size_t back_to_the_form = 3;
+// Long enough for the unfinished topic, too short to count as no input.
+constexpr Milliseconds silence{3'000};
 
-// Characters said in one conversation.
-std::size_t converse(const std::shared_ptr<const script::Program>& program,
-                     std::span<const ActPointer> turns, QuietPort& port) {
-  Conversation conversation(program, {}, port);
-  conversation.open(0);
-  port.run(conversation);
+// A world that costs as little as possible: only the dialogue engine is to be
+// measured. It counts the characters that are said, with a blank between the
+// outputs of a turn, and keeps the last error.
+struct QuietWorld : Surroundings {
+  explicit QuietWorld(std::shared_ptr<const script::Program> its_program)
+      : Surroundings(std::move(its_program)) {
+    has_frame_actors = false;
+    hears = [this](const dialogue::Output& output) {
+      said += output.text.size() + (said > 0 ? 1 : 0);
+    };
+    sees = [this](const Inspection& inspection) {
+      if (inspection.kind == InspectionKind::error)
+        trouble = inspection.detail;
+    };
+  }
+
+  void begin() {
+    now = 0;
+    conversation =
+        std::make_unique<Conversation>(program, Conversation::Options(), *this);
+    conversation->open(now);
+    go_on();
+  }
+  void go_on() {
+    if (!run())
+      trouble = "the conversation does not come to rest";
+  }
+  void be_silent() {
+    if (!advance(silence))
+      trouble = "the conversation does not come to rest";
+  }
+
+  std::size_t said = 0;
+  std::string trouble;
+};
+
+// Returns the number of characters that were said in the conversation.
+std::size_t converse(QuietWorld& world, std::span<const ActPointer> turns) {
+  world.begin();
   std::size_t said = 0;
   for (std::size_t turn = 0; turn < turns.size(); ++turn) {
-    conversation.take_acts(turns.subspan(turn, 1), 0);
-    port.run(conversation);
+    world.conversation->take_acts(turns.subspan(turn, 1), world.now);
+    world.go_on();
+    // The topic that was interrupted is resumed after a silence.
     if (turn == back_to_the_form)
-      port.be_silent(conversation);
-    said += port.said();
+      world.be_silent();
+    said += std::exchange(world.said, 0);
   }
   return said;
 }
@@ -67,10 +109,11 @@ std::shared_ptr<const Message> next_event() {
   return std::make_shared<const Message>(std::move(message));
 }
 
+// An error of the engine makes the measurement void.
 Expected<Measured> measured(double nanoseconds, std::string result,
-                            const QuietPort& port) {
-  if (!port.trouble().empty())
-    return fail(ErrorKind::thrown, port.trouble());
+                            const QuietWorld& world) {
+  if (!world.trouble.empty())
+    return fail(ErrorKind::thrown, world.trouble);
   return Measured{nanoseconds, std::move(result)};
 }
 
@@ -86,31 +129,31 @@ DialogueWorkload::load(const std::filesystem::path& file) {
 }
 
 Expected<Measured> DialogueWorkload::turns(int conversations) const {
-  QuietPort port;
+  QuietWorld world(program_);
   const auto turns = six_turns();
   std::size_t said = 0;
   const auto start = cpu_nanoseconds();
   for (int i = 0; i < conversations; ++i)
-    said += converse(program_, turns, port);
+    said += converse(world, turns);
   const auto spent = cpu_nanoseconds() - start;
   return measured(
       spent / conversations / 6,
-      std::to_string(said / static_cast<std::size_t>(conversations)), port);
+      std::to_string(said / static_cast<std::size_t>(conversations)), world);
 }
 
 Expected<Measured> DialogueWorkload::events(int count) const {
-  QuietPort port;
-  Conversation conversation(program_, {}, port);
-  conversation.open(0);
-  port.run(conversation);
+  QuietWorld world(program_);
+  world.begin();
+  auto& conversation = *world.conversation;
   const auto event = next_event();
   const auto start = cpu_nanoseconds();
   for (int i = 0; i < count; ++i) {
+    // One event and one step: the state machine has no other work.
     conversation.receive(event);
     conversation.step(0);
   }
   const auto spent = cpu_nanoseconds() - start;
-  return measured(spent / count, conversation.state(), port);
+  return measured(spent / count, conversation.state(), world);
 }
 
 } // namespace parlour::tools

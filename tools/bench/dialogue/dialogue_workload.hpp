@@ -1,6 +1,6 @@
-// The two workloads of the dialogue engine alone: turns of the user through
-// topics and frames, fed with acts, and events through a state machine. No
-// actor, no understanding, no database.
+// The workloads of `parlour bench dialogue`: user turns through topics and
+// frames, given as acts, and events through a state machine. There are no
+// actors, no understanding and no database.
 #pragma once
 
 #include <filesystem>
@@ -12,16 +12,17 @@
 
 namespace parlour::tools {
 
+// Compiled once; may be run again and again.
 class DialogueWorkload {
 public:
-  // The error names the first finding.
+  // Compiles the workload. The error has the first finding.
   static Expected<DialogueWorkload> load(const std::filesystem::path& file);
 
-  // The six turns of turns.xml, in a new conversation each time; the result
-  // is how many characters were said in one conversation.
+  // Plays the six turns of turns.xml, in a new conversation each time. The
+  // result is the number of characters that the robot says in one conversation.
   Expected<Measured> turns(int conversations) const;
 
-  // Events Robot.Next to events.xml; the result is the state at the end.
+  // Sends events Robot.Next to events.xml. The result is the state at the end.
   Expected<Measured> events(int count) const;
 
 private:

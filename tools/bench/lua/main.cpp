@@ -1,9 +1,10 @@
-// A host of Lua 5.4 or LuaJIT for one workload:
+// Runs one workload with Lua 5.4 or LuaJIT:
 //
-//   bench_lua5.4 FILE [--interpreter]
+//  bench_lua5.4 FILE [--interpreter]
 //
-// The file gives a function; it gives the number of operations and a result.
-// Prints nanoseconds of CPU time for one operation, and the result.
+// The file returns a function. The function returns the number of operations
+// and a result. Prints the nanoseconds of CPU time for one operation, and the
+// result.
 #include <cstdio>
 #include <cstring>
 #include <ctime>
@@ -15,7 +16,7 @@
 
 namespace {
 
-// The built-in that the workload `builtin` calls.
+// The native function that the workload `builtin` calls.
 int larger(lua_State* state) {
   const auto a = lua_tonumber(state, 1);
   const auto b = lua_tonumber(state, 2);
@@ -30,6 +31,7 @@ double seconds() {
          static_cast<double>(time.tv_nsec) * 1e-9;
 }
 
+// Loading the file is not measured.
 bool run(lua_State* state, const char* file) {
   if (luaL_loadfile(state, file) || lua_pcall(state, 0, 1, 0))
     return false;
@@ -57,9 +59,9 @@ int main(int count, char** arguments) {
   if (count > 2 && std::strcmp(arguments[2], "--interpreter") == 0)
     luaJIT_setmode(state, 0, LUAJIT_MODE_ENGINE | LUAJIT_MODE_OFF);
 #endif
-  const bool well = run(state, arguments[1]);
-  if (!well)
+  const bool ok = run(state, arguments[1]);
+  if (!ok)
     std::fprintf(stderr, "%s\n", lua_tostring(state, -1));
   lua_close(state);
-  return well ? 0 : 1;
+  return ok ? 0 : 1;
 }

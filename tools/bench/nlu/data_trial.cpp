@@ -8,13 +8,14 @@
 
 namespace parlour::tools {
 
-using adapters::nlu::Understander;
+using adapters::nlu::NluEngine;
 using adapters::nlu::Understanding;
 
 double percent(std::size_t part, std::size_t whole) {
   return whole == 0 ? 0 : 100.0 * double(part) / double(whole);
 }
 
+// A slot is right if its name and its value are.
 void SlotCount::add(const NluText& text, const Understanding& made) {
   wanted += text.slots.size();
   const auto slots = made.acts.empty() ? Value() : made.acts[0]["slots"];
@@ -30,19 +31,22 @@ void SlotCount::add(const NluText& text, const Understanding& made) {
 }
 
 double SlotCount::f1() const {
+  // F1 = 2 PR / (P + R), with precision right / found and recall right /
+  // wanted.
   return percent(2 * right, wanted + found);
 }
 
 DataTrial::DataTrial(const std::vector<NluText>& texts,
-                     const Understander& understander) {
+                     const NluEngine& engine) {
   const auto start = cpu_nanoseconds();
   for (const auto& text : texts)
-    add(text, understander.understand(text.text));
+    add(text, engine.understand(text.text));
   seconds = (cpu_nanoseconds() - start) / 1e9;
   std::ranges::sort(scores);
 }
 
 double DataTrial::limit() const {
+  // The fifth percentile: scores are sorted.
   return scores.empty() ? 0 : scores[scores.size() / 20];
 }
 

@@ -1,3 +1,6 @@
+// Generates sentences by walking through the syntax trees of grammars:
+// alternatives and options are chosen at random (with a fixed seed), values are
+// drawn from their sets, and the tags on the way give the expected meaning.
 #include "tools/bench/nlu/frame_trial.hpp"
 
 #include <algorithm>
@@ -17,13 +20,13 @@ namespace jsgf = adapters::nlu::jsgf;
 using jsgf::Node;
 using jsgf::NodeKind;
 
-// How a value is said.
+// Words, and the value that they stand for.
 struct Spoken {
   std::string words;
   std::string value;
 };
 
-// Of normal forms and of open words.
+// Examples of normal forms and of open words.
 struct FormWords {
   std::string_view form;
   std::string_view words;
@@ -54,14 +57,16 @@ std::string joined(const std::string& left, const std::string& right) {
   return left.empty() || right.empty() ? left + right : left + ' ' + right;
 }
 
-// Says rules of one grammar by lot.
+// Generates sentences from the rules of one grammar, choosing alternatives at
+// random.
 class Speaker {
 public:
   Speaker(const UnderstandingModel& model, const ColumnReader& columns,
           const jsgf::Grammar& grammar, Random& random)
       : model_(model), columns_(columns), grammar_(grammar), random_(random) {}
 
-  // False for what is no sentence by itself, or cannot be said.
+  // False if the rule gives no complete sentence with a topic, or cannot be
+  // said.
   bool say(const Node& body, FrameTrial& trial) {
     trial_ = {};
     is_sentence_ = false;
@@ -73,6 +78,7 @@ public:
   }
 
 private:
+  // The words of a node, with its tags applied.
   Spoken speak(const Node& node) {
     auto spoken = words_of(node);
     for (const auto& tag : node.tags)
@@ -80,6 +86,7 @@ private:
     return spoken;
   }
 
+  // Stars and options are said or left out with equal probability.
   Spoken words_of(const Node& node) {
     switch (node.kind) {
     case NodeKind::word:
@@ -104,7 +111,7 @@ private:
     return {};
   }
 
-  // The value is the only one that there is in it, or the words.
+  // The value of a sequence is the one value in it, or else its words.
   Spoken all(const std::vector<Node>& nodes) {
     Spoken made;
     for (const auto& node : nodes) {
@@ -115,6 +122,7 @@ private:
     return made;
   }
 
+  // Says the body of the rule in place of its name.
   Spoken rule(const std::string& name) {
     const auto found =
         std::ranges::find(grammar_.rules, name, &jsgf::Rule::name);
@@ -124,6 +132,8 @@ private:
     return {};
   }
 
+  // A slot's value is drawn from its set or column, or from the examples of its
+  // form.
   Spoken reference(const std::string& name) {
     if (name.starts_with("db:"))
       return one_of_column(name);
@@ -135,6 +145,7 @@ private:
     return spoken;
   }
 
+  // A value that the slot takes, as its cardinality says.
   Spoken value_of(const std::string& topic_name, const std::string& slot_name) {
     const auto topic =
         std::ranges::find(model_.topics, topic_name, &TopicModel::name);
@@ -152,6 +163,7 @@ private:
     return {value, value};
   }
 
+  // A column without values makes the rule unsayable.
   Spoken one_of_column(const std::string& name) {
     const auto values =
         columns_ ? columns_(name) : Expected<std::vector<std::string>>();
@@ -162,6 +174,7 @@ private:
     return {value, value};
   }
 
+  // One of the examples of the form; a form without examples cannot be said.
   Spoken form(std::string_view name) {
     std::vector<Spoken> forms;
     for (const auto& one : form_words)
@@ -171,6 +184,7 @@ private:
     return forms.empty() ? Spoken{} : one_of(forms);
   }
 
+  // Notes what a tag says about the words.
   void take(const jsgf::Tag& tag, const Spoken& spoken) {
     if (tag.name == "act")
       is_sentence_ = true;
@@ -197,7 +211,7 @@ private:
   bool can_be_said_ = true;
 };
 
-// A recogniser's slips.
+// Simulates mistakes of a speech recogniser.
 class Mishearing {
 public:
   std::string run(const std::string& said) {
@@ -205,7 +219,7 @@ public:
     std::string heard;
     for (std::string word; in >> word;)
       heard = joined(heard, random_.next() % misheard_one_in == 0
-                                ? slipped(std::move(word))
+                                ? misheard(std::move(word))
                                 : word);
     return heard;
   }
@@ -213,7 +227,8 @@ public:
 private:
   static constexpr std::uint64_t misheard_one_in = 10;
 
-  std::string slipped(std::string word) {
+  // Small words are often not heard at all.
+  std::string misheard(std::string word) {
     constexpr std::array<std::string_view, 9> small{
         "a", "an", "the", "to", "is", "of", "in", "on", "at"};
     if (std::ranges::find(small, word) != small.end())
@@ -228,7 +243,8 @@ private:
     }
   }
 
-  // Not the first letter, and no digit.
+  // Replaces a letter by one that sounds or looks similar; never the first one
+  // or a digit.
   std::string misspelt(std::string word) {
     constexpr std::string_view from = "aeioucksztdbpfvmnlr";
     constexpr std::string_view to = "eaeuokczstdpbvfnmrl";
@@ -254,6 +270,8 @@ std::vector<FrameTrial> frame_trials(const UnderstandingModel& model,
   std::vector<jsgf::Grammar> grammars;
   for (const auto& grammar : model.grammars)
     grammars.push_back(jsgf::parse(grammar, ignored));
+  // Goes through all rules again and again, until there are enough sentences or
+  // a round adds none.
   for (std::size_t before = 1; made.size() < count && made.size() != before;) {
     before = made.size();
     for (const auto& grammar : grammars) {

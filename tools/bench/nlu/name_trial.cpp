@@ -15,7 +15,7 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-// Of no staff: names of other places.
+// Names that are in none of the databases.
 constexpr std::array<std::string_view, 20> given_names{
     "Bartholomew", "Ingrid",    "Thorvald",  "Giuseppe", "Esperanza",
     "Wolfgang",    "Katarzyna", "Oluwaseun", "Francois", "Yevgenia",
@@ -27,6 +27,7 @@ constexpr std::array<std::string_view, 16> family_names{
     "Vandenberg",   "Abernathy", "Castellano", "Hutchinson",
     "Grunewald",    "Petrovsky", "Fitzgerald", "Delacroix"};
 
+// The words of a name, without the connectors that may be left out.
 Words words_of(const std::string& name) {
   std::istringstream in(name);
   Words words;
@@ -57,6 +58,7 @@ public:
       names_.push_back(words_of(name));
   }
 
+  // Three variants of each name: rotated, with a word missing, and misspelt.
   std::vector<NameTrial> run(const std::vector<std::string>& names) {
     for (std::size_t at = 0; at < names.size(); ++at) {
       const auto& words = names_[at];
@@ -77,6 +79,7 @@ private:
     return static_cast<std::ptrdiff_t>(random_.next() % size);
   }
 
+  // Whether exactly one name has all these words.
   bool means_one(const Words& words) const {
     return !words.empty() &&
            std::ranges::count_if(names_, [&](const auto& one) {
@@ -89,7 +92,7 @@ private:
       made_.push_back({joined(words), name});
   }
 
-  // One letter of a word of four and more is wrong.
+  // Spoils one letter of a word with at least four letters.
   Words misspelt(Words words) {
     Words::iterator longest = std::ranges::max_element(
         words, {}, [](const auto& word) { return word.size(); });
@@ -98,7 +101,8 @@ private:
     return words;
   }
 
-  // Not the first letter, as nobody mistakes that.
+  // Drops, doubles, swaps or replaces a letter; never the first one, which
+  // hardly anybody gets wrong.
   void spoil(std::string& word) {
     const auto at = static_cast<std::size_t>(1 + pick(word.size() - 2));
     switch (pick(4)) {
@@ -116,6 +120,7 @@ private:
     }
   }
 
+  // Letters that are easily confused.
   static char other_letter(char letter) {
     constexpr std::string_view from = "aeioucksztdpbfvmnlr";
     constexpr std::string_view to = "eaeuokczstdbpvfnmrl";
@@ -140,6 +145,7 @@ std::vector<NameTrial> stranger_trials(const std::vector<std::string>& names) {
     std::string said(given_names[at % given_names.size()]);
     const auto words = words_of(names[at]);
     said += ' ';
+    // Sharing a last word makes it harder: part of the name is known.
     said += at % 2 == 0 || words.empty()
                 ? family_names[at / given_names.size() % family_names.size()]
                 : std::string_view(words.back());

@@ -1,3 +1,5 @@
+// Each row builds an engine for its own data and prints one line. The bars are
+// those of docs/benchmarks.md.
 #include "tools/bench/nlu/nlu_bench.hpp"
 
 #include <algorithm>
@@ -5,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "adapters/nlu/understand/understander.hpp"
+#include "adapters/nlu/understand/nlu_engine.hpp"
 #include "runtime/base/clock.hpp"
 #include "tools/bench/nlu/data_trial.hpp"
 #include "tools/bench/nlu/frame_trial.hpp"
@@ -17,13 +19,14 @@ namespace parlour::tools {
 
 namespace {
 
-using adapters::nlu::Understander;
+using adapters::nlu::NluEngine;
 using adapters::nlu::Understanding;
 
-const char* met(bool well) {
-  return well ? "met" : "missed";
+const char* met(bool ok) {
+  return ok ? "met" : "missed";
 }
 
+// A figure with its bar.
 std::string at_least(double figure, double bar, const char* unit = " %") {
   return fmt::format("{:.1f}{} (bar {:g}: {})", figure, unit, bar,
                      met(figure >= bar));
@@ -34,19 +37,21 @@ std::string at_most(double figure, double bar, const char* unit) {
                      met(figure <= bar));
 }
 
-// One understander and what it took to make it.
+// An engine, and the time and memory that building it took.
 struct Trained {
-  Understander understander;
+  NluEngine engine;
   double milliseconds = 0;
   double mebibytes = 0;
 };
 
+// Memory is measured as the difference before and after, so it includes the
+// vocabulary and the automaton.
 Expected<Trained> train(const UnderstandingModel& model,
                         const ColumnReader& columns,
-                        Understander::Options options) {
+                        NluEngine::Options options) {
   const auto bytes = bytes_in_use();
   const auto start = cpu_nanoseconds();
-  auto built = Understander::build(model, columns, std::move(options));
+  auto built = NluEngine::build(model, columns, std::move(options));
   const auto taken = cpu_nanoseconds() - start;
   if (!built)
     return tl::make_unexpected(built.error().front());
@@ -54,8 +59,11 @@ Expected<Trained> train(const UnderstandingModel& model,
   return Trained{std::move(*built), taken / 1e6, double(more) / (1 << 20)};
 }
 
+// Reads one of the data sets.
 using Read = Expected<NluData> (*)(const std::filesystem::path&, DataPart);
 
+// A row of a public data set. The threshold, from which the share of rejected
+// strangers follows, is chosen by the validation part.
 bool data_row(const char* name, Read read, double bar,
               const NluBenchOptions& options, std::ostream& out) {
   if (options.data.empty()) {
@@ -71,13 +79,15 @@ bool data_row(const char* name, Read read, double bar,
     out << fmt::format("{:<12} {}\n", name, to_string(trained.error()));
     return false;
   }
-  const DataTrial trial(data->texts, trained->understander);
+  const DataTrial trial(data->texts, trained->engine);
   out << fmt::format("{:<12} intent {}", name,
                      at_least(percent(trial.right, trial.asked), bar));
   if (trial.slots.wanted > 0)
     out << fmt::format(", slot F1 {}", at_least(trial.slots.f1(), 91));
   if (!trial.strangers.empty()) {
-    const auto limit = DataTrial(data->held_out, trained->understander).limit();
+    // The threshold is chosen by the validation part and applied to the test
+    // part.
+    const auto limit = DataTrial(data->held_out, trained->engine).limit();
     out << fmt::format(", accepted {:.1f} % at a threshold of {:.3f}, which "
                        "95 % of the validation's reach; strangers rejected "
                        "{:.1f} %",
@@ -90,22 +100,25 @@ bool data_row(const char* name, Read read, double bar,
   return true;
 }
 
-// What was understood of a name, as a person would say it.
+// Names are said within a sentence.
 const char* const before_names = "I am here to meet ";
 
 struct Heard {
   bool accepted = false;
-  std::string value; // "" where several fit
+  // Empty if several names fit.
+  std::string value;
 };
 
-Heard hear(const Understander& understander, const std::string& said) {
-  const auto made = understander.understand(before_names + said);
+// Says a name to the engine.
+Heard hear(const NluEngine& engine, const std::string& said) {
+  const auto made = engine.understand(before_names + said);
   const auto host = made.acts.empty() ? Value() : made.acts[0]["slots"]["Host"];
   if (!host.if_map() || host["unmatched"])
     return {};
   return {true, host["value"].text()};
 }
 
+// Uses an application of one slot, so that only the names matter.
 bool names_row(const NluApplication& application, std::ostream& out) {
   UnderstandingModel model;
   model.topics = {{"Visit",
@@ -124,16 +137,18 @@ bool names_row(const NluApplication& application, std::ostream& out) {
     out << "names        " << to_string(trained.error()) << '\n';
     return false;
   }
+  // A name is accepted if any value was found for it, and right if only the
+  // value that was meant was found.
   std::size_t right = 0, accepted = 0, strangers = 0;
   const auto trials = name_trials(application.names);
   for (const auto& trial : trials) {
-    const auto heard = hear(trained->understander, trial.said);
+    const auto heard = hear(trained->engine, trial.said);
     accepted += heard.accepted ? 1U : 0U;
     right += heard.value == trial.meant ? 1U : 0U;
   }
   const auto others = stranger_trials(application.names);
   for (const auto& trial : others)
-    strangers += hear(trained->understander, trial.said).accepted ? 1U : 0U;
+    strangers += hear(trained->engine, trial.said).accepted ? 1U : 0U;
   out << fmt::format("names        of {} said in another order, in part or "
                      "misspelt, right {}, "
                      "accepted {}; strangers accepted {}\n",
@@ -144,6 +159,8 @@ bool names_row(const NluApplication& application, std::ostream& out) {
   return true;
 }
 
+// Whether exactly one act was found, with the right topic and exactly the right
+// slots.
 bool is_right(const FrameTrial& trial, const Understanding& made) {
   if (made.acts.size() != 1 || made.acts[0]["topic"].text() != trial.topic)
     return false;
@@ -155,17 +172,19 @@ bool is_right(const FrameTrial& trial, const Understanding& made) {
          });
 }
 
-double frames_right(const Understander& understander,
+// The share of sentences that were understood completely.
+double frames_right(const NluEngine& engine,
                     const std::vector<FrameTrial>& trials) {
   const Map context{{"now", *parse_timestamp(frame_trial_time)}};
   const auto right = std::ranges::count_if(trials, [&](const auto& trial) {
-    return is_right(trial, understander.understand(trial.said, context));
+    return is_right(trial, engine.understand(trial.said, context));
   });
   return percent(static_cast<std::size_t>(right), trials.size());
 }
 
 constexpr std::size_t frames_tried = 2000;
 
+// The same sentences are measured as they are and misheard.
 bool frames_row(const NluApplication& application, std::ostream& out) {
   const auto trained =
       train(application.model, application.columns, {0.4, application.generic});
@@ -180,15 +199,18 @@ bool frames_row(const NluApplication& application, std::ostream& out) {
   out << fmt::format(
       "frames       of {} sentences of its grammars, topic and "
       "all slots right {}, misheard {}\n",
-      trials.size(), at_least(frames_right(trained->understander, trials), 90),
-      at_least(frames_right(trained->understander, misheard(trials)), 80));
+      trials.size(), at_least(frames_right(trained->engine, trials), 90),
+      at_least(frames_right(trained->engine, misheard(trials)), 80));
   return true;
 }
 
+// How often all texts are understood, so that the time is long enough to be
+// measured.
 constexpr std::size_t speed_rounds = 5;
 
+// Measures the speed with what visitors have said.
 bool application_row(const NluApplication& application, std::ostream& out) {
-  // Once to have its columns read, and once to be measured.
+  // The first build reads the columns, the second one is measured.
   if (const auto first = train(application.model, application.columns,
                                {0.4, application.generic});
       !first) {
@@ -205,8 +227,7 @@ bool application_row(const NluApplication& application, std::ostream& out) {
   const auto start = cpu_nanoseconds();
   for (std::size_t round = 0; round < speed_rounds; ++round)
     for (const auto& text : application.said)
-      understood +=
-          trained->understander.understand(text).acts.empty() ? 0U : 1U;
+      understood += trained->engine.understand(text).acts.empty() ? 0U : 1U;
   const auto seconds = (cpu_nanoseconds() - start) / 1e9;
   const auto count = application.said.size() * speed_rounds;
   out << fmt::format(
@@ -230,18 +251,18 @@ bool nlu_bench(const NluBenchOptions& options,
   const auto wanted = [&](const char* row) {
     return options.only.empty() || options.only == row;
   };
-  bool well = true;
+  bool ok = true;
   if (wanted("clinc"))
-    well &= data_row("clinc", read_clinc, 91, options, out);
+    ok &= data_row("clinc", read_clinc, 91, options, out);
   if (wanted("snips"))
-    well &= data_row("snips", read_snips, 98, options, out);
+    ok &= data_row("snips", read_snips, 98, options, out);
   if (wanted("names"))
-    well &= names_row(application, out);
+    ok &= names_row(application, out);
   if (wanted("frames"))
-    well &= frames_row(application, out);
+    ok &= frames_row(application, out);
   if (wanted("application"))
-    well &= application_row(application, out);
-  return well;
+    ok &= application_row(application, out);
+  return ok;
 }
 
 } // namespace parlour::tools

@@ -1,5 +1,10 @@
-// `parlour bench nlu`: how much is understood, and how fast: of public data
-// sets where they are, of names, and of what is said to an application.
+// `parlour bench nlu`: how much is understood, and how fast. Its rows:
+//
+//  clinc        topics of the public data set CLINC150
+//  snips        topics and slots of the public data set SNIPS
+//  names        names of people in the application's database
+//  frames       sentences made from the application's grammars
+//  application  what visitors have said to the application; speed and memory
 #pragma once
 
 #include <filesystem>
@@ -7,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/base/understanding.hpp"
+#include "runtime/message/understanding.hpp"
 
 namespace parlour::tools {
 
@@ -16,20 +21,26 @@ struct NluApplication {
   UnderstandingModel model;
   ColumnReader columns;
   std::vector<GrammarModel> generic;
-  std::vector<std::string> names; // of people that it knows
-  std::vector<std::string> said;  // what visitors said to it
+  // Names of people in its database.
+  std::vector<std::string> names;
+  // What visitors have said to it.
+  std::vector<std::string> said;
 };
 
 struct NluBenchOptions {
-  std::string only;           // one row; empty: all
-  std::filesystem::path data; // where the public data sets are; empty: nowhere
-  bool validation = false;    // of them what was held out, instead of the test
+  // The name of one row; empty: all.
+  std::string only;
+  // The folder of the public data sets; empty: they are not measured.
+  std::filesystem::path data;
+  // Measure the validation part instead of the test part. Settings are chosen
+  // by it.
+  bool validation = false;
 };
 
 // The names of the rows.
 std::vector<std::string> nlu_bench_rows();
 
-// False where something could not be measured; that is told in the table.
+// Prints the table. False if something could not be measured.
 bool nlu_bench(const NluBenchOptions& options,
                const NluApplication& application, std::ostream& out);
 

@@ -13,11 +13,12 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
+// The topics of SNIPS, which are also names of folders.
 const char* const snips_topics[] = {
     "AddToPlaylist", "BookRestaurant",     "GetWeather",          "PlayMusic",
     "RateBook",      "SearchCreativeWork", "SearchScreeningEvent"};
 
-// The first of them that is there, or an error that names what was wanted.
+// The first of the places that exists. The error names the first one.
 Expected<fs::path> first_there(const fs::path& folder,
                                std::initializer_list<const char*> places) {
   for (const auto* place : places)
@@ -27,7 +28,8 @@ Expected<fs::path> first_there(const fs::path& folder,
                                    " in " + folder.string());
 }
 
-// Some of the files are Latin-1, and some have halves of characters.
+// Some files are Latin-1, and some have halves of surrogate pairs ("\ud83d"
+// alone). Converts the former to UTF-8 and replaces the latter by '?'.
 std::string mended(const std::string& bytes) {
   if (json::accept(bytes))
     return bytes;
@@ -47,6 +49,7 @@ std::string mended(const std::string& bytes) {
   return made;
 }
 
+// Parses without exceptions.
 Expected<json> read_json(const fs::path& path) {
   std::ifstream file(path, std::ios::binary);
   const std::string bytes{std::istreambuf_iterator<char>(file), {}};
@@ -57,13 +60,14 @@ Expected<json> read_json(const fs::path& path) {
   return read;
 }
 
-// What is no text of a mark.
+// Removes the characters that have a meaning in an example.
 std::string unmarked(std::string text) {
   std::ranges::replace(text, '[', '(');
   std::ranges::replace(text, '\n', ' ');
   return text;
 }
 
+// Finds or adds a topic.
 TopicModel& topic_of(NluData& data, const std::string& name) {
   auto& topics = data.model.topics;
   const auto found = std::ranges::find(topics, name, &TopicModel::name);
@@ -73,8 +77,9 @@ TopicModel& topic_of(NluData& data, const std::string& name) {
   return topics.back();
 }
 
-// One of SNIPS: parts with or without a slot.
+// An example of SNIPS: parts of text, with or without a slot.
 struct Parts {
+  // A part without "entity" belongs to no slot.
   explicit Parts(const json& row) {
     for (const auto& part : row.at("data")) {
       const auto words = unmarked(part.at("text").get<std::string>());
@@ -91,14 +96,17 @@ struct Parts {
   std::vector<std::pair<std::string, std::string>> slots;
 };
 
+// Slots have no cardinality: their words must be learnt.
 void add_slot(TopicModel& topic, const std::string& slot) {
   if (std::ranges::find(topic.slots, slot, &SlotModel::name) ==
       topic.slots.end())
     topic.slots.push_back({slot, "", {}, "", false, false});
 }
 
+// SNIPS has no validation part, so every tenth example of the training is used.
 constexpr std::size_t held_out_of = 10;
 
+// Adds one topic: its examples, its slots, and the texts to be measured.
 Expected<void> add_snips(NluData& data, const fs::path& folder,
                          const std::string& name, DataPart part) {
   const auto train =
@@ -127,7 +135,7 @@ Expected<void> add_snips(NluData& data, const fs::path& folder,
   return {};
 }
 
-// Of CLINC's parts: those about a topic, and those about none.
+// The texts of CLINC about a topic, and those about none.
 std::vector<NluText> texts_of(const json& data, const char* inside,
                               const char* outside) {
   std::vector<NluText> texts;

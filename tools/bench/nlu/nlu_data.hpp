@@ -1,5 +1,5 @@
-// Public data sets for understanding, as an application's topics with examples,
-// and texts that were not among them.
+// Reads public data sets for language understanding as topics with examples,
+// and texts that are not among the examples.
 #pragma once
 
 #include <cstdint>
@@ -8,35 +8,38 @@
 #include <utility>
 #include <vector>
 
-#include "runtime/base/understanding.hpp"
+#include "runtime/message/understanding.hpp"
 
 namespace parlour::tools {
 
 struct NluText {
   std::string text;
-  std::string topic; // "" where it is about none
-  std::vector<std::pair<std::string, std::string>> slots; // name, words
+  // Empty if it is about none.
+  std::string topic;
+  // Names and words.
+  std::vector<std::pair<std::string, std::string>> slots;
 };
 
 struct NluData {
   UnderstandingModel model;
-  std::vector<NluText> texts;    // that are measured
-  std::vector<NluText> held_out; // to choose a threshold by
+  // The texts that are measured.
+  std::vector<NluText> texts;
+  // The texts by which a threshold is chosen.
+  std::vector<NluText> held_out;
 };
 
-// What is measured: settings are chosen by what training was held back from,
-// never by the test.
+// The part that is measured. Settings are chosen by the validation part, never
+// by the test.
 enum class DataPart : std::uint8_t { test, validation };
 
-// CLINC150 of github.com/clinc/oos-eval: data_full.json in this folder, its
-// oos-eval/ or data/ below. Slots there are none. It has a part for validation,
-// by which the threshold is chosen too.
+// CLINC150 (github.com/clinc/oos-eval): data_full.json in the folder or in its
+// oos-eval/ or data/. It has no slots, and a validation part of its own.
 Expected<NluData> read_clinc(const std::filesystem::path& folder,
                              DataPart part);
 
-// SNIPS of github.com/sonos/nlu-benchmark: 2017-06-custom-intent-engines in
-// this folder or its nlu-benchmark/. For validation every tenth example is held
-// out of training.
+// SNIPS (github.com/sonos/nlu-benchmark): 2017-06-custom-intent-engines in the
+// folder or in its nlu-benchmark/. For validation every tenth example is held
+// out of the training.
 Expected<NluData> read_snips(const std::filesystem::path& folder,
                              DataPart part);
 

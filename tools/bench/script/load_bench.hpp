@@ -1,5 +1,5 @@
-// Loading a script: read, check, compile; beside what only reading its XML and
-// walking over it takes.
+// Measures how long loading a script takes (reading, checking, compiling),
+// compared with only parsing its XML and walking over it.
 #pragma once
 
 #include <cstddef>
@@ -11,16 +11,18 @@
 
 namespace parlour::tools {
 
-// `pattern` between the lines of a <dialogue>, again and again until there are
-// so many bytes; every @ is the number of the repetition.
+// A script that repeats `pattern` until it has `bytes` bytes. Each @ in the
+// pattern is replaced by the number of the repetition.
 std::string repeated_script(std::string_view pattern, std::size_t bytes);
 
+// CPU time in nanoseconds.
 struct LoadTimes {
-  double ours = 0; // nanoseconds for the file
+  // Nanoseconds for the file.
+  double ours = 0;
   double parse_and_walk = 0;
 };
 
-// Each once. An error where the file has findings.
+// Measures each once. Fails if the script has errors.
 Expected<LoadTimes> load_once(const std::filesystem::path& file);
 
 } // namespace parlour::tools

@@ -1,3 +1,6 @@
+// Workloads are pairs of files in tools/bench/workloads: NAME.xml in the script
+// language and NAME.lua for the peers. A row counts only if both give the same
+// result.
 #include "tools/bench/script/script_bench.hpp"
 
 #include <filesystem>
@@ -19,9 +22,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// The build says where the files are.
 const fs::path workloads = PARLOUR_WORKLOADS;
 
-// A workload that Lua does too: at most `bar` of Lua 5.4's time.
+// A workload that exists in Lua, too. `bar` is the largest share of Lua 5.4's
+// time.
 struct Contest {
   const char* name;
   const char* sentence;
@@ -39,6 +44,7 @@ constexpr Contest contests[] = {
     {"builtin", "call of a built-in", 0.45},
 };
 
+// The size of the script that is loaded.
 constexpr std::size_t load_bytes = 100'000;
 
 class ScriptBench {
@@ -49,6 +55,7 @@ public:
   bool run();
 
 private:
+  // One function for each kind of row.
   void contest(const Contest& contest);
   void switches();
   void suspended();
@@ -67,12 +74,14 @@ void ScriptBench::fail(const std::string& name, const std::string& message) {
   well_ = false;
 }
 
+// Prints a row in which Lua competes.
 void ScriptBench::contest(const Contest& contest) {
   const auto file = workloads / contest.name;
   const auto workload =
       ScriptWorkload::load(fs::path(file).replace_extension(".xml"));
   if (!workload)
     return fail(contest.name, workload.error().message);
+  // Each run of ours is followed by a run of each Lua.
   const LuaContest held(
       wanted_.runs, [&] { return workload->run(); },
       fs::path(file).replace_extension(".lua"));
@@ -84,6 +93,7 @@ void ScriptBench::contest(const Contest& contest) {
   out_ << std::endl;
 }
 
+// Runs a workload that has no peer.
 Series ScriptBench::measure(const std::string& name) {
   Series series;
   const auto workload = ScriptWorkload::load(workloads / name);
@@ -94,6 +104,7 @@ Series ScriptBench::measure(const std::string& name) {
   return series;
 }
 
+// A switch must not become slower with the number of its arms.
 void ScriptBench::switches() {
   const auto few = measure("switch_8.xml");
   const auto many = measure("switch_64.xml");
@@ -106,6 +117,7 @@ void ScriptBench::switches() {
                       verdict(of_64 / of_8, 1.5));
 }
 
+// The memory of an activation that waits, compared with a coroutine of Lua.
 void ScriptBench::suspended() {
   constexpr double bar = 200;
   const auto workload = ScriptWorkload::load(workloads / "suspended.xml");
@@ -116,6 +128,7 @@ void ScriptBench::suspended() {
   out_ << fmt::format("{:<10} {:<28} {:6.0f} B ; bar {:.0f}: {}", "suspended",
                       "bytes of an activation", *bytes, bar,
                       *bytes <= bar ? "met" : "missed");
+  // For memory the peers' result is the number of bytes.
   for (const auto& peer : lua_peers())
     if (peer.is_there())
       if (const auto theirs = peer.run(workloads / "suspended.lua"))
@@ -123,6 +136,7 @@ void ScriptBench::suspended() {
   out_ << std::endl;
 }
 
+// Saving and restoring a session; short, so it is repeated more often.
 void ScriptBench::state() {
   std::vector<double> save;
   std::vector<double> restore;
@@ -140,6 +154,7 @@ void ScriptBench::state() {
                       median(save) / 1e3, median(restore) / 1e3);
 }
 
+// Writes a script of 100 KB to a temporary file and loads it again and again.
 void ScriptBench::load() {
   std::ifstream pattern(workloads / "load.xml");
   std::ostringstream text;

@@ -10,7 +10,7 @@ namespace parlour::tools {
 
 namespace {
 
-// Every effect waits, and nothing else is there.
+// A host on which every effect waits.
 class WaitingHost : public script::LonelyHost {
 public:
   script::Performed perform(script::Activation&,
@@ -25,12 +25,14 @@ public:
   }
 };
 
+// The limit on instructions is lifted: a workload is longer than any event.
 Expected<void> ready(script::Interpreter& interpreter, WaitingHost& host) {
   interpreter.limit_instructions(std::numeric_limits<std::int64_t>::max());
   interpreter.new_event();
   return interpreter.initialise(host);
 }
 
+// The constant `operations` of the script; 1 if it has none.
 double operations(const script::Interpreter& interpreter) {
   const auto& variables = interpreter.program().variables;
   for (std::size_t i = 0; i < variables.size(); ++i)
@@ -39,7 +41,7 @@ double operations(const script::Interpreter& interpreter) {
   return 1;
 }
 
-// Until it ends, well or not.
+// Runs the script to its end, resuming it after each wait and each slice.
 script::RunResult finish(script::Interpreter& interpreter,
                          script::Activation& activation, WaitingHost& host) {
   bool waiting = false;
@@ -81,6 +83,7 @@ Expected<Measured> ScriptWorkload::run() const {
 }
 
 Expected<double> ScriptWorkload::suspended_bytes() const {
+  // Enough that the overhead of the vector does not matter.
   constexpr std::size_t many = 10000;
   WaitingHost host;
   script::Interpreter interpreter(program_);

@@ -1,5 +1,10 @@
-// One workload in our own language: a script with a constant `operations` and
+// A workload in the script language: a script with a constant `operations` and
 // a function `work`.
+//
+//  <dialogue>
+//    <const name="operations" expr="1000"/>
+//    <function name="work">… <return expr="result"/></function>
+//  </dialogue>
 #pragma once
 
 #include <filesystem>
@@ -11,15 +16,17 @@
 
 namespace parlour::tools {
 
+// Compiled once; may be run again and again.
 class ScriptWorkload {
 public:
-  // The error names the first finding.
+  // Compiles the workload. The error has the first finding.
   static Expected<ScriptWorkload> load(const std::filesystem::path& file);
 
-  // Calls `work` in a fresh interpreter. A wait is resumed at once.
+  // Calls `work` in a new interpreter. A script that waits is resumed at once.
   Expected<Measured> run() const;
 
-  // Bytes that one activation of `work` holds while it waits, of many.
+  // The memory that one activation of `work` holds while it waits, as the
+  // average of many.
   Expected<double> suspended_bytes() const;
 
 private:

@@ -8,6 +8,7 @@ namespace parlour::tools {
 
 namespace {
 
+// A run without output in which no time passes.
 script::ExecOptions quiet() {
   script::ExecOptions options;
   options.print = [](std::string_view) {};
@@ -25,11 +26,13 @@ Expected<StateTimes> state_once(const std::filesystem::path& file) {
     return fail(ErrorKind::compile,
                 script::to_string(compiled.findings.all().front()));
   script::ExecRun run(compiled.program, quiet());
-  run.set_slice(1'000'000); // to the wait at once
+  // One slice is enough to reach the wait.
+  run.set_slice(1'000'000);
   run.step();
   if (run.failure())
     return tl::make_unexpected(run.failure()->error);
-  run.save(); // the program's identity is computed once
+  // The first save computes the identity of the program, which is then kept.
+  run.save();
   StateTimes times;
   const auto start = cpu_nanoseconds();
   const auto bytes = run.save();

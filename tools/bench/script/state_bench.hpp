@@ -1,4 +1,5 @@
-// What it takes to write a session's state to bytes, and to go on from them.
+// Measures how long it takes to write a session's state to bytes and to restore
+// it.
 #pragma once
 
 #include <cstddef>
@@ -8,14 +9,16 @@
 
 namespace parlour::tools {
 
+// CPU time, and the size of the state.
 struct StateTimes {
-  double save = 0; // nanoseconds
+  // Nanoseconds.
+  double save = 0;
   double restore = 0;
   std::size_t bytes = 0;
 };
 
-// A script's `main` up to its first wait, written and read back once. An error
-// where the script has findings or does not wait.
+// Runs a script's `main` up to its first wait, saves it and restores it once.
+// Fails if the script has errors or does not wait.
 Expected<StateTimes> state_once(const std::filesystem::path& file);
 
 } // namespace parlour::tools

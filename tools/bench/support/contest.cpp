@@ -21,11 +21,13 @@ std::string verdict(double ratio, double bar) {
                      ratio <= bar ? "met" : "missed");
 }
 
+// A missing peer is no failure; a different result is.
 bool compare(const Series& ours, const Series& theirs, const LuaPeer& peer,
              double bar, std::ostream& out) {
   if (!peer.is_there()) {
-    out << fmt::format("; {}: not built, as {} is missing", peer.title,
-                       peer.package);
+    out << fmt::format("; {}: {} is not built: tools/dependencies bench "
+                       "({}), then tools/bench/run",
+                       peer.title, peer.program, peer.package);
     return true;
   }
   if (!theirs.trouble.empty() || ours.result != theirs.result) {
@@ -47,6 +49,8 @@ bool compare(const Series& ours, const Series& theirs, const LuaPeer& peer,
 LuaContest::LuaContest(int runs, const std::function<Expected<Measured>()>& run,
                        const std::filesystem::path& lua)
     : theirs(lua_peers().size()) {
+  // Contestants take turns, so that a change of the machine's load affects all
+  // of them.
   for (int i = 0; i < runs; ++i) {
     ours.add(run());
     for (std::size_t peer = 0; peer < theirs.size(); ++peer)
@@ -56,11 +60,12 @@ LuaContest::LuaContest(int runs, const std::function<Expected<Measured>()>& run,
 }
 
 bool LuaContest::compare(double bar, std::ostream& out) const {
-  bool well = true;
+  bool ok = true;
   for (std::size_t i = 0; i < theirs.size(); ++i)
-    well &=
+    // The bar compares with Lua 5.4 only, the first peer.
+    ok &=
         tools::compare(ours, theirs[i], lua_peers()[i], i == 0 ? bar : 0, out);
-  return well;
+  return ok;
 }
 
 } // namespace parlour::tools

@@ -1,5 +1,6 @@
-// Our runs of one workload beside a peer's of the same: what a table's row
-// tells of them.
+// Compares our runs of a workload with those of a peer, and prints what a row
+// of a table says about them. Both sides must give the same result, or there is
+// no comparison.
 #pragma once
 
 #include <filesystem>
@@ -13,32 +14,35 @@
 
 namespace parlour::tools {
 
-// All runs of one workload by one who does it; the median counts.
+// All runs of one workload by one contestant. The median counts.
 struct Series {
   std::vector<double> figures;
-  std::vector<double> passed; // by the clock
+  // By the clock.
+  std::vector<double> passed;
   std::string result;
-  std::string trouble; // empty: all well
+  // Why a run failed; empty if none did.
+  std::string trouble;
 
   void add(const Expected<Measured>& measured);
 };
 
-// "0.57, bar 0.60: met"; a smaller ratio is a better one.
+// "0.57, bar 0.60: met". A smaller ratio is better.
 std::string verdict(double ratio, double bar);
 
-// "; Lua 5.4 26.3 (0.66, bar 0.60: missed)", or why there is no figure. False
-// where the peer is there but gave another result. No bar: 0.
+// Prints "; Lua 5.4 26.3 (0.66, bar 0.60: missed)", or why there is no figure.
+// False if the peer ran but its result differs. A bar of 0 means none.
 bool compare(const Series& ours, const Series& theirs, const LuaPeer& peer,
              double bar, std::ostream& out);
 
-// One workload by us and by every Lua that is there, in turn.
+// One workload, run by us and by every Lua that is installed, in turn.
 struct LuaContest {
   Series ours;
-  std::vector<Series> theirs; // of each of lua_peers()
+  // One for each of lua_peers().
+  std::vector<Series> theirs;
 
   LuaContest(int runs, const std::function<Expected<Measured>()>& run,
              const std::filesystem::path& lua);
-  // Of all of them; the bar is of the first.
+  // Prints the comparison with all of them; the bar is for the first.
   bool compare(double bar, std::ostream& out) const;
 };
 

@@ -13,7 +13,7 @@ void Desk::fire_event(Message event) {
   std::unique_lock lock(mutex_);
   events_.push_back(std::move(event));
   const bool is_first = events_.size() == 1;
-  // Who wakes need not wait for this thread.
+  // Unlocking first: the thread that wakes need not wait for this one.
   lock.unlock();
   if (is_first)
     arrived_.notify_one();

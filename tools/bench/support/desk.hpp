@@ -1,5 +1,5 @@
-// Desk: the platform as one component of a benchmark sees it. What it fires
-// gathers here, whichever thread it comes from.
+// Desk is the PluginHost of a single component in a bench. It collects the
+// events that the component fires, from any thread.
 #pragma once
 
 #include <condition_variable>
@@ -11,13 +11,15 @@
 
 namespace parlour::tools {
 
+// fire_event is thread-safe; one thread takes the events. All other requests
+// are ignored.
 class Desk : public PluginHost {
 public:
-  // Of the application and of the run.
+  // The application's folder and the data folder in one.
   explicit Desk(std::string folder) : folder_(std::move(folder)) {}
 
-  // All events since the last call, at least one: waits for it. `events` is
-  // given back, so that its memory is used again.
+  // Waits for events and returns all since the last call. The vector is passed
+  // back and forth to reuse its memory.
   void take(std::vector<Message>& events);
 
   void fire_event(Message event) override;
@@ -28,6 +30,7 @@ public:
   }
   void cancel(DelayId) override {}
   void failed(const std::string&) override {}
+  void available(bool) override {}
   const Clock& clock() const override {
     return clock_;
   }

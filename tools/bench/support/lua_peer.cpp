@@ -17,6 +17,7 @@ std::string quoted(const std::string& text) {
   return "'" + text + "'";
 }
 
+// Runs a shell command and returns what it prints.
 std::string output_of(const std::string& command) {
   const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"),
                                                    pclose);
@@ -38,6 +39,7 @@ Expected<Measured> LuaPeer::run(const std::filesystem::path& file) const {
   std::istringstream output(output_of(quoted(path_of(*this).string()) + " " +
                                       quoted(file.string()) + " " + argument));
   Measured measured;
+  // The program prints the time and the result.
   if (!(output >> measured.nanoseconds >> measured.result))
     return fail(ErrorKind::file, title + " cannot run " + file.string());
   return measured;

@@ -1,5 +1,6 @@
-// A Lua that does the same work as a script of ours, in a program of its own
-// (lua/main.cpp), which the build makes where it finds that Lua.
+// LuaPeer runs a workload with Lua, in a program of its own
+// (tools/bench/lua/main.cpp) that is built if that Lua is installed. The
+// program prints the time of one operation and the result.
 #pragma once
 
 #include <filesystem>
@@ -12,17 +13,21 @@
 namespace parlour::tools {
 
 struct LuaPeer {
-  std::string title;   // "Lua 5.4"
-  std::string program; // in the folder of the build's programs
+  // "Lua 5.4".
+  std::string title;
+  // Its name in the folder of the build's programs.
+  std::string program;
   std::string argument;
-  std::string package; // the Debian package that the build wants for it
+  // The Debian package that the build needs for it.
+  std::string package;
 
+  // Whether the program was built.
   bool is_there() const;
-  // Runs `file` once.
+  // Runs the file once.
   Expected<Measured> run(const std::filesystem::path& file) const;
 };
 
-// Lua 5.4 and LuaJIT's interpreter.
+// Lua 5.4 and the interpreter of LuaJIT.
 const std::vector<LuaPeer>& lua_peers();
 
 } // namespace parlour::tools

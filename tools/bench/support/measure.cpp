@@ -23,6 +23,7 @@ double cpu_nanoseconds() {
   return nanoseconds(CLOCK_PROCESS_CPUTIME_ID);
 }
 
+// The clock of another process can be read by its owner.
 double cpu_nanoseconds_of(int process) {
   clockid_t clock{};
   return process > 0 && clock_getcpuclockid(process, &clock) == 0
@@ -43,6 +44,7 @@ Measured StopWatch::stop(std::size_t operations, std::string result) const {
 
 std::size_t bytes_in_use() {
   const auto info = mallinfo2();
+  // Blocks on the heap, and those that malloc has mapped by themselves.
   return info.uordblks + info.hblkhd;
 }
 
@@ -51,6 +53,7 @@ double median(std::vector<double> values) {
     return 0;
   const auto middle =
       values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  // Linear time; of an even number of values the upper middle one.
   std::nth_element(values.begin(), middle, values.end());
   return *middle;
 }

@@ -1,5 +1,5 @@
-// What a benchmark measures with: CPU time, so that a busy machine disturbs
-// less, and memory as malloc counts it.
+// What benches measure: CPU time, which depends less on how busy the machine is
+// than the clock, and memory as malloc counts it.
 #pragma once
 
 #include <chrono>
@@ -9,32 +9,42 @@
 
 namespace parlour::tools {
 
-// Which rows of a table, and how often each.
+// Which rows of a table are wanted, and how often each is run.
 struct BenchRows {
-  int runs = 5;     // of each; their median counts
-  std::string only; // one row; empty: all
+  // The median of the runs counts.
+  int runs = 5;
+  // The name of one row; empty: all.
+  std::string only;
 
   bool wants(const std::string& row) const {
     return only.empty() || only == row;
   }
 };
 
-// One run of a workload, ours or a peer's.
+// One run of a workload, by us or by a peer.
 struct Measured {
-  double nanoseconds = 0; // of CPU time for one operation
-  std::string result;     // the same for all who do the same work
-  double passed = 0;      // by the clock, where that was measured
+  // CPU time of one operation.
+  double nanoseconds = 0;
+  // The same for all who do the same work, so that contestants can be compared.
+  std::string result;
+  // Time by the clock for one operation, where it was measured.
+  double passed = 0;
 };
 
-// CPU time of this process so far.
+// CPU time that this process has used, in all its threads.
 double cpu_nanoseconds();
-// Of another one; 0 where there is none.
+// CPU time that another process has used; 0 if there is none.
 double cpu_nanoseconds_of(int process);
 
-// CPU time and the clock's, from its making on.
+// Measures CPU time and the clock from its construction on.
+//
+//  const StopWatch watch(0);
+//  for (std::size_t i = 0; i < count; ++i)
+//    work(i);
+//  return watch.stop(count, result);
 class StopWatch {
 public:
-  // What a server spends meanwhile counts, too; 0: there is none.
+  // The CPU time of the process `server` is included; 0: there is none.
   explicit StopWatch(int server);
   Measured stop(std::size_t operations, std::string result) const;
 
@@ -45,10 +55,10 @@ private:
       std::chrono::steady_clock::now();
 };
 
-// Bytes that malloc has given out, its own overhead included.
+// The bytes that malloc has given out, its overhead included.
 std::size_t bytes_in_use();
 
-// 0 of none.
+// 0 if there are no values.
 double median(std::vector<double> values);
 
 } // namespace parlour::tools

@@ -1,4 +1,4 @@
-local larger = larger -- the host's, in C
+local larger = larger -- the host's function, in C
 return function()
   local most = 0
   for i = 1, 2000000 do most = larger(most, i) end

@@ -1,4 +1,5 @@
--- events.xml by hand: a table of states, in each a table of what an event does.
+-- events.xml written by hand: a table of states, each with a table of its
+-- transitions by event.
 local machine = {}
 local function edge(from, to)
   machine[from] = {

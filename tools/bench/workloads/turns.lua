@@ -1,4 +1,4 @@
--- turns.xml by hand: frames with slots, a stack of topics, the way back.
+-- turns.xml written by hand: frames with slots, a stack of topics, the return.
 local facility = {
   slots = {
     { name = "name", question = "Which facility do you want to know more?",

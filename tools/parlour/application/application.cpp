@@ -1,3 +1,5 @@
+// Loads an application: calls the checks in their order and collects their
+// findings.
 #include "tools/parlour/application/application.hpp"
 
 #include <algorithm>
@@ -8,6 +10,7 @@
 #include "script/compiler/application_loader.hpp"
 #include "script/compiler/settings_reader.hpp"
 #include "script/lint/lint.hpp"
+#include "tools/parlour/application/agent_listener.hpp"
 #include "tools/parlour/application/load_check.hpp"
 #include "tools/parlour/application/resource_check.hpp"
 #include "tools/parlour/application/sql_lint.hpp"
@@ -18,17 +21,20 @@ namespace fs = std::filesystem;
 
 namespace {
 
+// The environment as settings may use it: an unset variable is empty.
 std::string environment_value(const std::string& name) {
   const auto* value = std::getenv(name.c_str());
   return value ? value : "";
 }
 
+// `texts` may be null; then all files are read from the disk.
 script::CompileOptions compile_options(const fs::path& platform,
                                        const script::SourceTexts* texts) {
   return {platform, environment_value, texts};
 }
 
-// A plug-in that reads the platform's files is told where they are.
+// Tells plug-ins that have an option "platform" where the platform's files are,
+// unless the settings say it.
 void tell_platform(Composition& composition, const fs::path& platform) {
   for (auto& component : composition.components)
     for (const auto& option : component.factory.description.options)
@@ -36,9 +42,9 @@ void tell_platform(Composition& composition, const fs::path& platform) {
         component.options.emplace("platform", platform.string());
 }
 
-// The settings of an application whose scripts have errors: its components can
-// be looked at all the same. What is wrong with the settings themselves the
-// compiler has said.
+// Reads the settings alone, for an application whose scripts do not compile:
+// its components can be checked all the same. The compiler has reported what is
+// wrong with the settings, so these findings are dropped.
 Settings settings_alone(const fs::path& folder, const fs::path& platform,
                         const script::SourceTexts* texts) {
   script::Findings said;
@@ -53,13 +59,12 @@ Settings settings_alone(const fs::path& folder, const fs::path& platform,
       environment_value, said);
 }
 
-// Reads the settings once more: they are known to be readable, and who asks
-// has a mistake to tell of.
-std::optional<Place> place_of_option(const fs::path& folder,
-                                     const fs::path& platform,
-                                     const script::SourceTexts* texts,
-                                     const std::string& component,
-                                     const std::string& option) {
+// Reads the settings again to find the place of one option (OptionPlaces).
+std::optional<SourceLocation> place_of_option(const fs::path& folder,
+                                              const fs::path& platform,
+                                              const script::SourceTexts* texts,
+                                              const std::string& component,
+                                              const std::string& option) {
   script::Findings said;
   script::ApplicationLoader loader(folder, platform, said, texts);
   const auto settings =
@@ -74,6 +79,7 @@ std::optional<Place> place_of_option(const fs::path& folder,
   return std::nullopt;
 }
 
+// Lints need to know which roles and commands the components have.
 void lint(script::Compiled& compiled, const Application& application) {
   script::lint::Options options;
   for (const auto& component : application.composition.components) {
@@ -86,6 +92,7 @@ void lint(script::Compiled& compiled, const Application& application) {
   script::lint::lint(compiled, options);
 }
 
+// The finding for a folder that holds no application at all.
 script::Compiled no_application(const fs::path& folder) {
   script::Compiled compiled;
   const auto file = compiled.findings.add_file(folder.string());
@@ -95,6 +102,19 @@ script::Compiled no_application(const fs::path& folder) {
   return compiled;
 }
 
+// Whether the addresses of <agents> can be read.
+void check_agents(Application& application) {
+  const auto& agents = application.program->settings.agents;
+  if (agents.agents.empty())
+    return;
+  const auto options = server_options(agents, application.folder);
+  if (!options)
+    application.findings.push_back({script::Severity::error,
+                                    options.error().place,
+                                    "<agents>: " + options.error().message});
+}
+
+// By place; findings at the same place stay in the order of the checks.
 void sort(std::vector<script::Finding>& findings) {
   std::stable_sort(
       findings.begin(), findings.end(), [](const auto& a, const auto& b) {
@@ -116,15 +136,20 @@ Application load_application(const fs::path& folder, const fs::path& platform,
                              std::shared_ptr<Catalogue> plugins,
                              const script::SourceTexts* texts) {
   Application application{folder, platform, nullptr, {}, {}, plugins};
+  // Compile. Without a program, the settings alone still say which components
+  // there are.
   auto compiled = compile_folder(folder, platform, texts);
   application.program = compiled.program;
   application.composition = compose(
       application.program ? application.program->settings
                           : settings_alone(folder, platform, texts),
+      // Only called during compose(), so references may be captured.
       *plugins, [&](const auto& component, const auto& option) {
         return place_of_option(folder, platform, texts, component, option);
       });
   tell_platform(application.composition, platform);
+  // The lints add to the compiler's findings, so they run before these are
+  // copied. All later checks add to the application's findings.
   if (scrutiny == Scrutiny::lint)
     lint(compiled, application);
   auto& findings = application.findings;
@@ -134,7 +159,11 @@ Application load_application(const fs::path& folder, const fs::path& platform,
   const auto loads = check_loads(compiled, application.composition, *plugins);
   findings.insert(findings.end(), loads.begin(), loads.end());
   check_resources(application, columns_of_slots(compiled));
+  if (application.program)
+    check_agents(application);
   sort(findings);
+  // A program may have compiled and a component may still be wrong: nobody
+  // must run it then.
   if (application.has_errors())
     application.program = nullptr;
   return application;
@@ -154,6 +183,7 @@ script::Compiled load_file(const fs::path& file, const Places& places,
       file, compile_options(find_platform(places, file.parent_path()), texts));
 }
 
+// See the two plug-ins' options for what "file" and "copy" mean.
 Composition in_memory(Composition composition) {
   for (auto& component : composition.components) {
     const auto& plugin = component.factory.description.name;

@@ -1,6 +1,12 @@
-// Application: one application compiled and looked through, everything that
-// can be said without starting it. `check` prints the findings; all other
-// commands refuse to go on where there are errors.
+// Application: an application that has been compiled and checked, but not
+// started. load_application() collects every mistake that can be found without
+// starting it. `parlour check` prints them; the other commands go on only if
+// there are no errors (opening.hpp).
+//
+// The order of the checks: compile the scripts (script/compiler), choose
+// plug-ins and check their options (composition.hpp), lint (script/lint,
+// sql_lint.hpp), check <load> statements (load_check.hpp), read what components
+// will read (resource_check.hpp).
 #pragma once
 
 #include <filesystem>
@@ -17,30 +23,39 @@
 
 namespace parlour::tools {
 
+// Immutable once it is loaded; safe to share between threads, apart from
+// `plugins`, whose files are opened when they are asked for.
 struct Application {
   std::filesystem::path folder; // absolute
+  // The folder of the platform's own files (find_platform).
   std::filesystem::path platform;
-  std::shared_ptr<const script::Program> program; // null where it has errors
+  std::shared_ptr<const script::Program> program; // null if there are errors
   Composition composition;
-  std::vector<script::Finding> findings; // all of them, sorted
-  std::shared_ptr<Catalogue> plugins;    // never null
+  std::vector<script::Finding> findings; // sorted by file and line
+  std::shared_ptr<Catalogue> plugins;    // never null; shared with nodes
 
   bool has_errors() const;
 };
 
-// Whether what is right but probably not meant is looked for, too.
+// Whether lints run, too: warnings about code that is correct but probably not
+// meant.
 enum class Scrutiny { compile, lint };
 
-// Compiles, checks plug-ins and options, loads the database's SQL in memory,
-// reads the columns that grammars and slots name, builds the understanding.
-// Creates nothing on the disk. `texts` stand for files, where it is not null.
+// Loads the application in `folder`, which must be absolute. Never fails: what
+// is wrong is in `findings`.
+//
+// Runs the databases' schema and seed in memory, reads the columns that slots
+// and grammars name, and builds the understanding. Writes nothing to the disk
+// and asks no database server. `texts`, if not null, replace the contents of
+// files by name; they need to live only during the call.
 Application load_application(
     const std::filesystem::path& folder, const std::filesystem::path& platform,
     Scrutiny scrutiny = Scrutiny::compile,
     std::shared_ptr<Catalogue> plugins = std::make_shared<Catalogue>(),
     const script::SourceTexts* texts = nullptr);
 
-// What the compiler alone says of an application, and of one script file.
+// Only the compiler's part: an application's scripts, or one script file with
+// the platform's libraries. `texts` as above.
 script::Compiled compile_folder(const std::filesystem::path& folder,
                                 const std::filesystem::path& platform,
                                 const script::SourceTexts* texts = nullptr);
@@ -48,8 +63,9 @@ script::Compiled load_file(const std::filesystem::path& file,
                            const Places& places,
                            const script::SourceTexts* texts = nullptr);
 
-// Each Database component begins as a copy of its own, in memory where it is
-// SQLite's, of what its schema and seed make (engine rule 7.5).
+// A copy of the composition in which each database component starts from its
+// schema and seed and keeps nothing (engine rule 7.5): SQLite's in memory, a
+// server's as a copy of its own.
 Composition in_memory(Composition composition);
 
 } // namespace parlour::tools

@@ -1,3 +1,5 @@
+// The list of built-in plug-ins, and the search for plug-ins by name. No other
+// file names every built-in plug-in.
 #include "tools/parlour/application/catalogue.hpp"
 
 #include <algorithm>
@@ -30,6 +32,8 @@ const PluginFactory* find_in(const std::vector<PluginFactory>& plugins,
 
 } // namespace
 
+// The order is that of `parlour plugin list`. It does not matter for an
+// application: its settings choose plug-ins by name.
 const std::vector<PluginFactory>& built_in_plugins() {
   static const std::vector<PluginFactory> plugins = {
       adapters::grammar_nlu_factory(),     adapters::phrase_nlg_factory(),
@@ -51,6 +55,7 @@ Catalogue::Catalogue(const std::vector<std::filesystem::path>& folders,
                      const std::vector<PluginFactory>& built_in)
     : built_in_(built_in), folders_(folders.begin(), folders.end()) {}
 
+// The program's own plug-ins win over files of the same name.
 Expected<PluginFactory> Catalogue::find(const std::string& name) {
   if (const auto* own = built_in(name))
     return *own;
@@ -60,6 +65,7 @@ Expected<PluginFactory> Catalogue::find(const std::string& name) {
   return tl::make_unexpected(nowhere(name));
 }
 
+// Files that cannot be loaded are left out; find() reports why.
 std::vector<PluginDescription> Catalogue::all() {
   std::vector<PluginDescription> all;
   for (const auto& name : names())
@@ -75,6 +81,7 @@ bool Catalogue::has(const std::string& name) const {
 std::vector<std::string> Catalogue::names() const {
   std::vector<std::string> names;
   for (const auto& plugin : built_in_)
+    // Those of the program keep their order; files are sorted behind them.
     names.push_back(plugin.description.name);
   const auto own = names.size();
   for (const auto& folder : folders_)
@@ -102,6 +109,7 @@ Catalogue::folder_of(const std::string& name) const {
   return nullptr;
 }
 
+// With a suggestion, the folders would only distract.
 Error Catalogue::nowhere(const std::string& name) const {
   auto text = "there is no plug-in '" + name + "'";
   const auto hint = script::did_you_mean(name, names());

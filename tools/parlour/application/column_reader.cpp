@@ -1,3 +1,4 @@
+// Sends a column's name to the reader of its database (adapters/database).
 #include "tools/parlour/application/column_reader.hpp"
 
 #include <algorithm>
@@ -14,11 +15,14 @@ using Texts = Expected<std::vector<std::string>>;
 
 constexpr std::string_view prefix = "db:";
 
+// "db:Archive.robot.name" without the name of the database.
 struct Column {
-  std::string database; // empty: the first
-  std::string reference;
+  std::string database;  // empty: the first one
+  std::string reference; // "db:robot.name"
 };
 
+// A name with one dot belongs to the first database; with two dots, the part
+// before the first dot names the database.
 Column split(const std::string& name) {
   const auto parts = std::count(name.begin(), name.end(), '.');
   if (parts < 2 || !name.starts_with(prefix))
@@ -28,7 +32,8 @@ Column split(const std::string& name) {
           std::string(prefix) + name.substr(point + 1)};
 }
 
-// Empty where the component is no database that can be read like this.
+// The reader for a component, or null if it is no database that can be read
+// without starting the component.
 ColumnReader reader_of(const ChosenComponent& component,
                        const std::filesystem::path& application,
                        const std::string& data_folder) {
@@ -42,6 +47,7 @@ ColumnReader reader_of(const ChosenComponent& component,
   return {};
 }
 
+// One reader for each database component. Copied into the ColumnReader.
 class Readers {
 public:
   Readers(const Composition& composition,
@@ -54,6 +60,7 @@ public:
       first_ = first->name;
   }
 
+  // Errors name the column as it was asked for, with its database.
   Texts read(const std::string& name) const {
     const auto column = split(name);
     const auto found =
@@ -66,7 +73,7 @@ public:
   }
 
 private:
-  // What was asked for, in the words of who asked.
+  // Puts the full name into the error of a reader that knows only the rest.
   static Error named(Error error, const std::string& reference,
                      const std::string& name) {
     const auto quoted = "'" + reference + "'";
@@ -93,6 +100,7 @@ private:
   }
 
   std::map<std::string, ColumnReader> all_; // by the component's name
+  // The name of the first component with the role Database.
   std::string first_;
 };
 

@@ -1,3 +1,5 @@
+// The lock is flock() on the file `.lock` in the folder. The kernel releases it
+// when the process ends in any way, so a stale file does no harm.
 #include "tools/parlour/application/data_folder.hpp"
 
 #include <cerrno>
@@ -21,7 +23,7 @@ tl::unexpected<Error> trouble(const fs::path& path, const std::string& why) {
   return fail(ErrorKind::file, "the data folder " + path.string() + ' ' + why);
 }
 
-// " (process 123)" as the holder wrote it, or nothing.
+// " (process 123)" as the holder of the lock wrote it, or empty.
 std::string holder(int lock) {
   char text[32] = {};
   const auto size = pread(lock, text, sizeof text - 1, 0);
@@ -29,9 +31,10 @@ std::string holder(int lock) {
   return number > 0 ? " (process " + std::to_string(number) + ")" : "";
 }
 
+// Writes our process id into the lock file.
 void write_holder(int lock) {
   const auto text = std::to_string(getpid()) + "\n";
-  // For people to read; the lock itself is flock's.
+  // Only for people to read; the lock itself is flock's.
   if (ftruncate(lock, 0) == 0)
     (void)!pwrite(lock, text.data(), text.size(), 0);
 }
@@ -44,6 +47,7 @@ Expected<DataFolder> DataFolder::open(const fs::path& path) {
   fs::create_directories(path, code);
   if (code)
     return trouble(path, "cannot be made: " + code.message() + another);
+  // The path without links: two names of one folder share one lock.
   folder.path_ = fs::canonical(path, code);
   if (code)
     return trouble(path, "cannot be found: " + code.message());
@@ -52,6 +56,7 @@ Expected<DataFolder> DataFolder::open(const fs::path& path) {
   if (folder.lock_ < 0)
     return trouble(path, std::string("cannot be written: ") +
                              std::strerror(errno) + another);
+  // Do not wait: the other process may run for days.
   if (flock(folder.lock_, LOCK_EX | LOCK_NB) != 0)
     return trouble(path, "is in use by another parlour" + holder(folder.lock_) +
                              "; end that one, or choose another folder with "
@@ -75,10 +80,12 @@ Expected<DataFolder> DataFolder::temporary() {
   return folder;
 }
 
+// The moved-from object releases nothing.
 DataFolder::DataFolder(DataFolder&& other) noexcept
     : path_(std::move(other.path_)), lock_(std::exchange(other.lock_, -1)),
       temporary_(std::exchange(other.temporary_, false)) {}
 
+// Swaps, so that the destructor of `other` cleans up what this one held.
 DataFolder& DataFolder::operator=(DataFolder&& other) noexcept {
   std::swap(path_, other.path_);
   std::swap(lock_, other.lock_);

@@ -1,5 +1,6 @@
-// DataFolder: the folder that a run keeps its database, files and records in.
-// Held by one process at a time; what scripts see as `data/`.
+// DataFolder: the folder with a run's database, files, records and log. Scripts
+// see its files as `data/`. A lock keeps other processes out as long as the
+// object exists.
 #pragma once
 
 #include <filesystem>
@@ -11,19 +12,20 @@ namespace parlour::tools {
 
 class DataFolder {
 public:
-  // Makes the folder and takes its lock. Errors (kind File): it cannot be
-  // made or written, or another process holds it.
+  // Creates the folder if needed and locks it. Errors of kind File: it cannot
+  // be created or written, or another process holds the lock.
   static Expected<DataFolder> open(const std::filesystem::path& path);
 
-  // A folder of its own below the system's for temporary files, removed with
-  // all that is in it when this goes.
+  // A new folder below the system's temporary folder (TMPDIR), without a lock.
+  // The destructor removes it with everything in it.
   static Expected<DataFolder> temporary();
 
   DataFolder(DataFolder&& other) noexcept;
   DataFolder& operator=(DataFolder&& other) noexcept;
+  // Releases the lock.
   ~DataFolder();
 
-  // Absolute.
+  // The absolute path.
   const std::filesystem::path& path() const {
     return path_;
   }
@@ -32,7 +34,7 @@ private:
   DataFolder() = default;
 
   std::filesystem::path path_;
-  int lock_ = -1;
+  int lock_ = -1; // descriptor of the lock file
   bool temporary_ = false;
 };
 

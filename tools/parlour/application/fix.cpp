@@ -1,3 +1,10 @@
+// The search for corrections that do no harm.
+//
+// First all corrections are tried together. If the application is worse then,
+// the new corrections that this made possible are tried as well (settle). If
+// that does not help, the set is halved and each half is tried by itself, down
+// to single corrections (attempt_halves). Rounds repeat this until nothing
+// changes.
 #include "tools/parlour/application/fix.hpp"
 
 #include <algorithm>
@@ -19,9 +26,12 @@ namespace {
 namespace fs = std::filesystem;
 using Findings = std::vector<script::Finding>;
 
-constexpr int most_rounds = 10;
-constexpr int most_checks = 200; // each is a look at the whole application
+constexpr int max_rounds = 10;
+// Each check compiles and lints the whole application.
+constexpr int max_checks = 200;
 
+// Whether an edit shares a byte with others. An insertion counts as one byte
+// long, so that two insertions at the same place overlap.
 bool overlaps(const script::Edit& edit, const std::vector<script::Edit>& all) {
   return std::any_of(all.begin(), all.end(), [&](const script::Edit& other) {
     return edit.range.begin <
@@ -45,6 +55,7 @@ std::size_t errors(const Findings& findings) {
       }));
 }
 
+// Files that are not well-formed XML.
 std::set<std::string> broken_files(const Findings& findings) {
   std::set<std::string> files;
   for (const auto& finding : findings)
@@ -53,7 +64,8 @@ std::set<std::string> broken_files(const Findings& findings) {
   return files;
 }
 
-// One attempt after the other; what did no harm is `done`.
+// One run of correct(). `done_` is the best state so far: its texts, the
+// corrections made and the findings that remain.
 class Correcting {
 public:
   Correcting(Findings findings, const Check& check, const fs::path& folder)
@@ -62,22 +74,31 @@ public:
   Corrected run();
 
 private:
+  // Findings with a correction in a file below the folder.
   Findings fixable(const Corrected& state) const;
+  // The state after more corrections, checked.
   Corrected with(const Corrected& state, const Findings& fixes);
+  // Applies further corrections until `tried` is no worse than `done_`; false
+  // if that does not succeed.
   bool settle(Corrected& tried);
+  // Tries corrections. True if the base has changed, so that the places in the
+  // remaining findings are no longer valid and the round must end.
   bool attempt(const Findings& fixes);
+  // The same for two halves of a set that failed.
   bool attempt_halves(const Findings& fixes);
 
   const Check& check_;
   const fs::path& folder_;
   Corrected done_;
-  Corrected base_;    // what `done_` was when the round began
-  Findings accepted_; // corrections of this round
-  int checks_ = 0;
+  // The state when the round began: the places of `accepted_` and of the fixes
+  // in this round refer to its texts.
+  Corrected base_;
+  Findings accepted_; // corrections of this round that are kept
+  int checks_ = 0;    // calls of `check_` so far
 };
 
 Corrected Correcting::run() {
-  for (int round = 0; round < most_rounds; ++round) {
+  for (int round = 0; round < max_rounds; ++round) {
     const auto before = done_.made.size();
     base_ = done_;
     accepted_.clear();
@@ -99,6 +120,7 @@ Findings Correcting::fixable(const Corrected& state) const {
   return fixes;
 }
 
+// Groups the corrections by file and applies them to the current texts.
 Corrected Correcting::with(const Corrected& state, const Findings& fixes) {
   std::map<std::string, Findings> of_file;
   for (const auto& fix : fixes)
@@ -115,20 +137,21 @@ Corrected Correcting::with(const Corrected& state, const Findings& fixes) {
   return next;
 }
 
-// What a correction shows may be corrected in its turn.
+// A correction may uncover mistakes that have corrections themselves.
 bool Correcting::settle(Corrected& tried) {
-  for (int round = 0; round < most_rounds; ++round) {
+  for (int round = 0; round < max_rounds; ++round) {
     if (!is_worse(tried.findings, done_.findings))
       return true;
     const auto fixes = fixable(tried);
-    if (fixes.empty() || checks_ > most_checks)
+    if (fixes.empty() || checks_ > max_checks)
       return false;
     tried = with(tried, fixes);
   }
   return false;
 }
 
-// True where the places of further corrections are not known any more.
+// The places of all fixes in a round refer to `base_`, so they can be combined.
+// After settle() has changed the texts further, they no longer do.
 bool Correcting::attempt(const Findings& fixes) {
   auto all = accepted_;
   all.insert(all.end(), fixes.begin(), fixes.end());
@@ -146,7 +169,7 @@ bool Correcting::attempt(const Findings& fixes) {
 }
 
 bool Correcting::attempt_halves(const Findings& fixes) {
-  if (fixes.size() == 1 || checks_ > most_checks)
+  if (fixes.size() == 1 || checks_ > max_checks)
     return false;
   const auto middle =
       fixes.begin() + static_cast<std::ptrdiff_t>(fixes.size() / 2);
@@ -159,9 +182,9 @@ tl::unexpected<Error> cannot_write(const fs::path& file,
                                    why + "); it is as it was");
 }
 
-// Empty, or why it is not there now.
+// Writes a new file; the error is empty if that succeeded.
 std::error_code write_anew(const fs::path& file, const std::string& text) {
-  errno = 0; // a stream tells no reason
+  errno = 0; // a stream gives no reason
   std::ofstream out(file, std::ios::binary | std::ios::trunc);
   out << text;
   out.close();
@@ -173,6 +196,8 @@ std::error_code write_anew(const fs::path& file, const std::string& text) {
 std::string apply_fixes(std::string text,
                         const std::vector<script::Finding>& findings,
                         std::vector<script::Finding>& fixed) {
+  // Edits are collected first and applied from the back to the front, so that
+  // earlier offsets stay valid.
   std::vector<script::Edit> edits;
   for (const auto& finding : findings) {
     const auto& fix = finding.fix;

@@ -1,5 +1,7 @@
-// Fix: what `check` can safely correct. A correction is kept only where what is
-// found afterwards is no worse; a file changes whole or not at all.
+// `parlour check --fix`: applies the corrections that findings offer.
+//
+// A correction is kept only if the application is no worse afterwards, as
+// `check` sees it. A file is replaced as a whole or not at all.
 #pragma once
 
 #include <filesystem>
@@ -13,38 +15,40 @@
 
 namespace parlour::tools {
 
-// What there is to say where these texts stand for their files.
+// Checks the application as if these texts stood in their files.
 using Check =
     std::function<std::vector<script::Finding>(const script::SourceTexts&)>;
 
 struct Corrected {
-  script::SourceTexts texts;             // of the files that change
-  std::vector<script::Finding> made;     // as they were found
-  std::vector<script::Finding> findings; // that remain
+  script::SourceTexts texts;             // new texts of the files that change
+  std::vector<script::Finding> made;     // what was corrected
+  std::vector<script::Finding> findings; // what remains
 };
 
-// The text with the corrections of `findings`, which are of that file, and
-// which of them were made: of two that overlap, the first.
+// Applies the corrections of `findings`, which all concern the file with this
+// text, and returns the new text. Appends to `fixed` the findings that were
+// corrected: of two whose edits overlap, only the first is.
 std::string apply_fixes(std::string text,
                         const std::vector<script::Finding>& findings,
                         std::vector<script::Finding>& fixed);
 
-// Whether there are more errors, more findings where there were no errors
-// (which hide warnings), or a file that is not well-formed any more.
+// Whether a correction did harm: there are more errors; or there were none, and
+// there are more findings (errors hide warnings, so otherwise their number says
+// nothing); or a file is no longer well-formed XML.
 bool is_worse(const std::vector<script::Finding>& findings,
               const std::vector<script::Finding>& before);
 
-// Corrects the files below `folder` as far as that does no harm. Writes
-// nothing.
+// Corrects as much as possible in the files below `folder`. Calls `check` up to
+// some 200 times. Changes no file.
 Corrected correct(std::vector<script::Finding> findings, const Check& check,
                   const std::filesystem::path& folder);
 
-// The error says which file could not be written; it is as it was, and so are
-// those after it.
+// Writes the texts to their files. On an error, which names the file, that file
+// and those after it are unchanged; those before it are written.
 Expected<void> write_texts(const script::SourceTexts& texts);
 
-// Puts the text in the file's place, its permissions kept; a file that a link
-// stands for is replaced where it is.
+// Replaces a file's contents atomically, by a new file and a rename, and keeps
+// its permissions. If `file` is a link, its target is replaced.
 Expected<void> replace_file(const std::filesystem::path& file,
                             const std::string& text);
 

@@ -1,3 +1,4 @@
+// Looks at every <load> element of the compiled documents.
 #include "tools/parlour/application/load_check.hpp"
 
 #include <algorithm>
@@ -12,10 +13,12 @@ using script::Attribute;
 using script::Element;
 using script::Severity;
 
+// Whether the attribute holds no {expression}.
 bool is_literal(const Attribute* attribute) {
   return attribute && attribute->value.find('{') == std::string::npos;
 }
 
+// Walks the elements and collects findings.
 class LoadCheck {
 public:
   LoadCheck(const script::Compiled& compiled, const Composition& composition,
@@ -33,6 +36,7 @@ public:
   }
 
 private:
+  // Without an attribute `name`, the component is called like its plug-in.
   void check(const Element& load) {
     const auto* plugin = load.attribute("plugin");
     const auto* given = load.attribute("name");
@@ -40,21 +44,25 @@ private:
     if (!is_literal(plugin) || !is_literal(name) || name->value.empty())
       return;
     const auto found = plugins_.find(plugin->value);
-    if (!found) // perhaps it is there where the application runs
+    // It may exist where the application will run.
+    if (!found)
       return findings_.push_back(
           {Severity::warning, compiled_.findings.place(plugin->value_position),
            found.error().message, "unknown-module"});
     const auto& description = found->description;
-    if (!given || wrong_source_name(given->value).empty()) // told of already
+    // A wrong name given in `name` has been reported by the compiler.
+    if (!given || wrong_source_name(given->value).empty())
       report(check_component(name->value, description), *name);
+    // A <load> with the name of a running component replaces that component.
     for (const auto& component : composition_.components)
       if (component.name == name->value &&
-          component.upkeep.scope.instances != 0)
+          component.policy.scope.instances != 0)
         report(check_replacement(name->value, component.factory.description,
                                  description),
                *name);
   }
 
+  // Adds the error, if there is one, at the attribute's value.
   void report(const Expected<void>& right, const Attribute& name) {
     if (!right)
       findings_.push_back({Severity::error,

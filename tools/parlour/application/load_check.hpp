@@ -1,7 +1,7 @@
-// What scripts load, against the plug-ins that there are: a <load> that would
-// be refused when it comes to it is a mistake now; a plug-in that is not here
-// is warned of, as it may be where the application runs. Computed names are not
-// looked at.
+// Checks the <load> statements of scripts against the plug-ins that exist. A
+// <load> that would be refused at run time is an error now. A plug-in that is
+// not found is only a warning, because it may be installed where the
+// application will run. Names that a script computes are not checked.
 #pragma once
 
 #include <vector>
@@ -10,6 +10,7 @@
 #include "tools/parlour/application/composition.hpp"
 
 namespace parlour::tools {
+// Returns findings for the places in the scripts.
 
 std::vector<script::Finding> check_loads(const script::Compiled& compiled,
                                          const Composition& composition,

@@ -1,11 +1,13 @@
+// Names are compared by canonical role, so an alias equals its role.
 #include "tools/parlour/application/module_names.hpp"
 
-#include "runtime/base/roles.hpp"
+#include "runtime/message/roles.hpp"
 
 namespace parlour::tools {
 
 namespace {
 
+// Whether the component fills that role.
 bool fills(const std::map<std::string, std::set<std::string>>& roles,
            const std::string& component, const std::string& role) {
   const auto found = roles.find(component);

@@ -1,5 +1,6 @@
-// ModuleNames: whether two names mean the same component: by its own name, by
-// a role that it fills, or by the role's alias.
+// ModuleNames: whether two names address the same component. A component is
+// addressed by its own name, by a role that it fills, or by an alias of the
+// role.
 #pragma once
 
 #include <map>
@@ -12,6 +13,7 @@ namespace parlour::tools {
 
 class ModuleNames {
 public:
+  // Copies what it needs of the composition.
   explicit ModuleNames(const Composition& composition);
 
   bool same(const std::string& one, const std::string& other) const;
@@ -20,7 +22,7 @@ private:
   std::map<std::string, std::set<std::string>> roles_; // of each component
 };
 
-// Aliases of roles, as the node wants them.
+// Role aliases as NodeOptions::aliases: "Record" is "Microphone".
 std::map<std::string, std::string, std::less<>> role_aliases();
 
 } // namespace parlour::tools

@@ -1,21 +1,36 @@
+// Puts together what a node needs: components, plug-ins, columns, files,
+// sockets.
 #include "tools/parlour/application/node_options.hpp"
 
 #include "adapters/files/data_files.hpp"
 #include "adapters/network/tcp_sockets.hpp"
 #include "script/run/phrase_evaluator.hpp"
-#include "tools/parlour/application/hosting.hpp"
 #include "tools/parlour/application/module_names.hpp"
+#include "tools/parlour/application/process_isolation.hpp"
 
 namespace parlour::tools {
 
 namespace {
 
-// What a plug-in hears from a server comes in real time: where time is virtual
-// it has to be there before the next message.
+// In virtual time a plug-in must answer before the next message is handled. One
+// that talks to a server in real time has the option "one-by-one" for that.
 void fit_to_time(actors::ComponentOrder& order, bool is_virtual) {
   for (const auto& option : order.factory.description.options)
     if (is_virtual && option.name == "one-by-one")
       order.options[option.name] = "true";
+}
+
+actors::ComponentOrder order_of(const ChosenComponent& component,
+                                const RunWishes& wishes) {
+  actors::ComponentOrder order{component.name, component.factory,
+                               component.options, component.policy};
+  if (component.agent && wishes.agents) {
+    order.factory =
+        adapters::agents::remote_agent(*component.agent, wishes.agents);
+    order.options.clear();
+  }
+  fit_to_time(order, wishes.virtual_start.has_value());
+  return order;
 }
 
 } // namespace
@@ -26,16 +41,15 @@ actors::NodeOptions node_options(const Application& application,
   actors::NodeOptions options;
   options.program = application.program;
   const bool is_virtual = wishes.virtual_start.has_value();
-  for (const auto& component : composition.components) {
-    options.components.push_back({component.name, component.factory,
-                                  component.options, component.upkeep});
-    fit_to_time(options.components.back(), is_virtual);
-  }
+  for (const auto& component : composition.components)
+    options.components.push_back(order_of(component, wishes));
   options.plugins = application.plugins;
+  // Components that scripts <load> get the same treatment as those of the
+  // settings.
   options.complete = [plugins = application.plugins,
                       is_virtual](actors::ComponentOrder& order) {
     const auto file = plugins->file_of(order.factory.description.name);
-    order.factory = hosted(std::move(order.factory), order.upkeep, file);
+    order.factory = hosted(std::move(order.factory), order.policy, file);
     fit_to_time(order, is_virtual);
   };
   options.aliases = role_aliases();
@@ -44,11 +58,12 @@ actors::NodeOptions node_options(const Application& application,
       column_reader(composition, application.folder, wishes.data_folder);
   options.virtual_start = wishes.virtual_start;
   options.seed = wishes.seed;
+  options.restores_after_each_input = wishes.restores_after_each_input;
   options.data_folder = wishes.data_folder;
   options.application_folder = application.folder.string();
   if (!wishes.data_folder.empty())
     options.files = adapters::data_files(wishes.data_folder);
-  // What comes from a network comes in real time.
+  // Network input arrives in real time, so virtual time has no sockets.
   if (!wishes.virtual_start)
     options.sockets = std::make_shared<adapters::TcpSockets>();
   return options;

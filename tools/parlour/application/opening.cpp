@@ -1,3 +1,4 @@
+// See opening.hpp.
 #include "tools/parlour/application/opening.hpp"
 
 #include "tools/parlour/console/exit_code.hpp"

@@ -1,4 +1,4 @@
-// How every command that needs an application gets it, or says what is wrong.
+// open_application: how each command gets the application that it names.
 #pragma once
 
 #include <optional>
@@ -10,8 +10,13 @@
 
 namespace parlour::tools {
 
-// Found and without errors; else the exit status, findings and errors being
-// printed to `err`.
+// Finds and loads the application. If it does not exist or has errors, prints
+// them to `console.err` and returns the exit status instead:
+//
+//   auto opened = open_application(places, app, console);
+//   if (const auto* status = std::get_if<int>(&opened))
+//     return *status;
+//   const auto& application = std::get<Application>(opened);
 std::variant<Application, int> open_application(const Places& places,
                                                 const std::string& app,
                                                 const Console& console,

@@ -1,3 +1,4 @@
+// Compares given options with their descriptions (runtime/plugin).
 #include "tools/parlour/application/option_check.hpp"
 
 #include <algorithm>
@@ -13,6 +14,7 @@ std::vector<OptionMistake> option_mistakes(const std::string& whose,
   std::vector<std::string> known;
   for (const auto& option : plugin.options) {
     known.push_back(option.name);
+    // A missing option is a mistake only if the plug-in requires it.
     const auto value = given.find(option.name);
     if (value == given.end()) {
       if (option.required)

@@ -1,3 +1,5 @@
+// The checks of what components will read, one function for each kind of
+// component.
 #include "tools/parlour/application/resource_check.hpp"
 
 #include <algorithm>
@@ -18,18 +20,20 @@ namespace {
 
 using script::Severity;
 
-// An error that has no place of its own stands at the component's.
+// Adds an error. One without a place of its own is reported at the component.
 void report(Application& application, const Error& error,
-            const Place& otherwise, const std::string& component) {
+            const SourceLocation& otherwise, const std::string& component) {
   const auto has_place = !error.place.file.empty();
   auto place = has_place ? error.place : otherwise;
+  // Editors expect columns to count from 1; 0 means unknown.
   place.column = std::max(place.column, 1u);
   application.findings.push_back(
       {Severity::error, std::move(place),
        has_place ? error.message : component + ": " + error.message});
 }
 
-// What is not of its option's type was told with the settings.
+// False if an option has the wrong type, which composition.cpp has reported
+// already.
 bool options_fit(const ChosenComponent& component) {
   const auto& all = component.factory.description.options;
   return std::ranges::all_of(all, [&](const OptionDescription& option) {
@@ -39,9 +43,11 @@ bool options_fit(const ChosenComponent& component) {
   });
 }
 
+// SQLite: runs schema and seed in memory.
 void check_database(Application& application,
                     const ChosenComponent& component) {
-  // The data folder is not known here; any will do, as nothing is opened in it.
+  // The data folder is not known yet. Any folder will do, because nothing is
+  // opened in it.
   const auto options = adapters::read_sqlite_options(
       component.options, application.folder.string(),
       application.folder.string());
@@ -53,7 +59,7 @@ void check_database(Application& application,
     report(application, image.error(), component.place, component.name);
 }
 
-// Its server is not asked: a check runs anywhere.
+// Only the files are read: a check must work without the server.
 void check_server_database(Application& application,
                            const ChosenComponent& component) {
   const auto options = adapters::read_mariadb_options(
@@ -69,7 +75,8 @@ void check_server_database(Application& application,
   }
 }
 
-// Files of the application that components read when they start.
+// Options that name a file of the application which a component reads when it
+// starts. A missing file is a warning.
 struct FileOption {
   const char* plugin;
   const char* option;
@@ -78,6 +85,7 @@ constexpr FileOption file_options[] = {{"LogWeather", "reports"},
                                        {"LogTraffic", "reports"},
                                        {"LogDevices", "devices"}};
 
+// Warns of files that an option names and that do not exist.
 void check_files(Application& application, const ChosenComponent& component) {
   for (const auto& [plugin, option] : file_options) {
     const auto given = component.options.find(option);
@@ -98,7 +106,7 @@ void check_files(Application& application, const ChosenComponent& component) {
   }
 }
 
-// False where the settings were found wrong before.
+// Checks all databases. False if one of them has wrong options.
 bool check_databases(Application& application) {
   bool fit = true;
   for (const auto& component : application.composition.components) {
@@ -114,8 +122,8 @@ bool check_databases(Application& application) {
   return fit;
 }
 
-// Those that cannot be read are told where they are named; for who reads them
-// afterwards they are empty.
+// Reports columns that cannot be read where they are named. The returned reader
+// treats them as empty, so that the understanding does not report them again.
 ColumnReader check_columns(Application& application,
                            const std::vector<NamedColumn>& columns) {
   const auto reader =
@@ -135,15 +143,17 @@ ColumnReader check_columns(Application& application,
   };
 }
 
+// GrammarNLU: builds the understanding with its grammars and examples.
 void check_understanding(Application& application,
                          const ChosenComponent& component,
                          const ColumnReader& columns) {
-  const auto built = build_understander(application, component, columns);
+  const auto built = build_engine(application, component, columns);
   if (!built)
     for (const auto& error : built.error())
       report(application, error, component.place, component.name);
 }
 
+// KeywordNLU: reads its file of rules.
 void check_keywords(Application& application, const ChosenComponent& component,
                     const ColumnReader& columns) {
   const auto read = adapters::load_keyword_rules(
@@ -156,6 +166,7 @@ void check_keywords(Application& application, const ChosenComponent& component,
 
 } // namespace
 
+// Collects the attribute `source` of every <cardinality>, recursively.
 std::vector<NamedColumn> columns_of_slots(const script::Compiled& compiled) {
   std::vector<NamedColumn> columns;
   const std::function<void(const script::Element&)> look =
@@ -180,7 +191,8 @@ void check_resources(Application& application,
   const auto failed = application.findings.size();
   for (const auto& component : composition.components)
     check_files(application, component);
-  // Columns of a database that cannot be made would only say so again.
+  // If a database cannot be made, reading its columns would report the same
+  // again.
   if (!application.program || !fit || failed > before)
     return;
   const auto reader = check_columns(application, columns);

@@ -1,3 +1,4 @@
+// Prepares the SQL of scripts on a database in memory.
 #include "tools/parlour/application/sql_lint.hpp"
 
 #include <algorithm>
@@ -7,7 +8,7 @@
 #include "adapters/database/sqlite/sqlite_prepare.hpp"
 #include "runtime/plugin/folder.hpp"
 #include "script/dialogue/knowledge/sql_text.hpp"
-#include "script/lint/sql_statements.hpp"
+#include "tools/parlour/application/sql_statements.hpp"
 
 namespace parlour::tools {
 
@@ -15,15 +16,16 @@ namespace {
 
 using adapters::SQLitePreparer;
 using adapters::SQLiteProblem;
-using script::lint::SqlStatement;
 
+// The database of the application, made in memory.
 struct Database {
   SQLitePreparer prepared;
-  // Speaks SQL of its own: then only names that are missing are told.
+  // MariaDB's statements are prepared with SQLite, too. It knows another
+  // dialect, so only missing tables and columns are reported for them.
   bool is_sqlite;
 };
 
-// Schema and seed of a component, whichever server they are for.
+// The files of schema and seed of a component, for either product.
 adapters::SQLiteOptions files_of(const ChosenComponent& component,
                                  const std::filesystem::path& application) {
   adapters::SQLiteOptions options;
@@ -35,6 +37,7 @@ adapters::SQLiteOptions files_of(const ChosenComponent& component,
   return options;
 }
 
+// Empty if the application has no such database or its SQL fails.
 std::optional<Database> database_of(const Composition& composition,
                                     const std::filesystem::path& application) {
   const auto* component = first_of_role(composition, "Database");
@@ -53,7 +56,7 @@ std::optional<Database> database_of(const Composition& composition,
   return Database{std::move(*opened), plugin == "SQLiteDatabase"};
 }
 
-// "no such column: f.nme" -> "nme".
+// "no such column: f.nme" gives "nme"; other messages give "".
 std::string missing_name(const std::string& message) {
   const auto colon =
       message.find("no such ") == 0 ? message.rfind(": ") : std::string::npos;
@@ -64,6 +67,7 @@ std::string missing_name(const std::string& message) {
       point != std::string::npos && point > colon ? point + 1 : colon + 2);
 }
 
+// The length of the word at an offset of the statement, to be underlined.
 std::size_t word_length(const std::string& sql, std::size_t at) {
   auto end = at;
   while (end < sql.size() &&
@@ -73,16 +77,21 @@ std::size_t word_length(const std::string& sql, std::size_t at) {
   return std::max<std::size_t>(end - at, 1);
 }
 
+// Prepares statements one by one and reports what the database says.
 class SqlLint {
 public:
   SqlLint(const Database& database, script::Findings& findings)
       : database_(database), names_(database.prepared.names()),
         findings_(findings) {}
 
+  // Warns of what is wrong with one statement: at most one mistake in its own
+  // text, otherwise one for each column of a <by>.
   void look_at(const SqlStatement& statement);
 
 private:
   std::optional<SQLiteProblem> problem_of(const std::string& sql) const;
+  // Adds a warning with what the database says, and a similar name if one is
+  // missing.
   void warn(script::Spot spot, const std::string& message);
 
   const Database& database_;
@@ -90,6 +99,7 @@ private:
   script::Findings& findings_;
 };
 
+// What SQLite says about a statement, unless it is only a matter of dialect.
 std::optional<SQLiteProblem> SqlLint::problem_of(const std::string& sql) const {
   auto problem = database_.prepared.problem_of(sql);
   if (problem && !database_.is_sqlite &&
@@ -106,6 +116,8 @@ void SqlLint::warn(script::Spot spot, const std::string& message) {
                  "sql"});
 }
 
+// First the statement itself. If it is correct, each column that <by> compares
+// is tried as a condition of it.
 void SqlLint::look_at(const SqlStatement& statement) {
   if (const auto problem = problem_of(statement.sql)) {
     const auto at = problem->offset.value_or(0);
@@ -130,7 +142,7 @@ void lint_sql(script::Compiled& compiled, const Composition& composition,
   if (!database)
     return;
   SqlLint lint(*database, compiled.findings);
-  for (const auto& statement : script::lint::sql_statements(compiled))
+  for (const auto& statement : sql_statements(compiled))
     lint.look_at(statement);
 }
 

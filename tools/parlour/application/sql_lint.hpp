@@ -1,5 +1,5 @@
-// Lint "sql": whether the SQL of an application's scripts fits its database,
-// which is made in memory from schema and seed.
+// The lint "sql": prepares each SQL statement of the scripts on a database in
+// memory that is made from the schema and seed. Nothing is executed.
 #pragma once
 
 #include <filesystem>
@@ -9,8 +9,8 @@
 
 namespace parlour::tools {
 
-// Adds warnings to `compiled.findings`. Silent where the application has no
-// database of its own making, or one whose SQL fails (which is told elsewhere).
+// Adds warnings to `compiled.findings`. Does nothing if the first database has
+// no schema, or its SQL fails (resource_check.hpp reports that).
 void lint_sql(script::Compiled& compiled, const Composition& composition,
               const std::filesystem::path& application);
 

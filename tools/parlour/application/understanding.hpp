@@ -1,18 +1,18 @@
-// The understanding of an application without a running session, as GrammarNLU
-// builds it: for `check` and `parlour understand`.
+// Builds the understanding of an application without a session, exactly as the
+// component GrammarNLU does when it starts.
 #pragma once
 
 #include <vector>
 
-#include "adapters/nlu/understand/understander.hpp"
+#include "adapters/nlu/understand/nlu_engine.hpp"
 #include "tools/parlour/application/application.hpp"
 
 namespace parlour::tools {
 
-// All errors of options, grammars, examples and columns.
-tl::expected<adapters::nlu::Understander, std::vector<Error>>
-build_understander(const Application& application,
-                   const ChosenComponent& component,
-                   const ColumnReader& columns);
+// The engine, or all errors in options, grammars, examples and columns.
+// `component` must be a GrammarNLU. `columns` is only called during the build.
+tl::expected<adapters::nlu::NluEngine, std::vector<Error>>
+build_engine(const Application& application, const ChosenComponent& component,
+             const ColumnReader& columns);
 
 } // namespace parlour::tools

@@ -1,23 +1,45 @@
-#include <algorithm>
+// `parlour bench`: starts the program parlour-bench, which is beside this one
+// if it was built (tools/bench).
+#include <cerrno>
+#include <cstring>
 
-#include "tools/bench/benches.hpp"
-#include "tools/parlour/cli/bench_rows.hpp"
+#include <unistd.h>
+
+#include "runtime/base/file_bytes.hpp"
 #include "tools/parlour/cli/commands.hpp"
 #include "tools/parlour/console/console.hpp"
 #include "tools/parlour/console/exit_code.hpp"
 
 namespace parlour::tools {
 
-// The command line has looked whether there is such a bench.
-int bench_command(const BenchOptions& options, const Console& console) {
-  const auto& bench =
-      *std::find_if(benches().begin(), benches().end(),
-                    [&](const Bench& one) { return one.name == options.name; });
-  if (!has_row(bench.rows, options, console))
+namespace {
+
+// Replaces this process by the program. Returns only if that fails.
+void become(const std::filesystem::path& program,
+            std::vector<std::string> arguments) {
+  std::vector<char*> pointers;
+  for (auto& argument : arguments)
+    pointers.push_back(argument.data());
+  pointers.push_back(nullptr);
+  execv(program.c_str(), pointers.data());
+}
+
+} // namespace
+
+int bench_command(const std::vector<std::string>& arguments,
+                  const Places& places, const Console& console) {
+  const auto program = places.programs / "parlour-bench";
+  if (!is_there(program)) {
+    say_error(console, "the benches are not built here; in a clone of "
+                       "Parlour's sources run: tools/bench/run NAME");
     return exit_code::usage;
-  return bench.run({options.runs, options.only}, console.out)
-             ? exit_code::well
-             : exit_code::wrong;
+  }
+  auto all = arguments;
+  all.insert(all.begin(), program.string());
+  become(program, std::move(all));
+  say_error(console,
+            program.string() + " cannot be started: " + std::strerror(errno));
+  return exit_code::wrong;
 }
 
 } // namespace parlour::tools

@@ -1,3 +1,5 @@
+// `parlour check`. The findings come from application/application.hpp, the
+// corrections from application/fix.hpp.
 #include <algorithm>
 #include <ostream>
 
@@ -15,16 +17,18 @@ namespace {
 namespace fs = std::filesystem;
 using Findings = std::vector<script::Finding>;
 
-// What is checked: one file, or an application's folder.
+// What to check: an application's folder, or one script file.
 struct Target {
   fs::path path;
   bool is_file = false;
 
+  // The folder whose files --fix may change.
   fs::path folder() const {
     return is_file ? path.parent_path() : path;
   }
 };
 
+// A path to a file wins over an application of the same name.
 Expected<Target> find_target(const Places& places, const std::string& app) {
   const auto path = places.working / app;
   if (is_file_like(path))
@@ -34,6 +38,8 @@ Expected<Target> find_target(const Places& places, const std::string& app) {
   });
 }
 
+// Compiles and lints the target. `texts` replace the contents of files; --fix
+// uses that to try corrections before it writes them.
 Findings findings_of(const Places& places, const Target& target,
                      const script::SourceTexts& texts) {
   if (!target.is_file)
@@ -47,6 +53,8 @@ Findings findings_of(const Places& places, const Target& target,
   return compiled.findings.all();
 }
 
+// Prints each correction, and whether safe ones were left out because they
+// would lead to more findings.
 void say_fixed(const Places& places, const Corrected& corrected,
                const Console& console) {
   for (const auto& finding : corrected.made)
@@ -59,7 +67,7 @@ void say_fixed(const Places& places, const Corrected& corrected,
                    "there is now; it is left to you\n";
 }
 
-// Leaves the findings that remain.
+// Corrects the files; `findings` is left with what remains to be said.
 Expected<void> fix(const Places& places, const Target& target,
                    Findings& findings, const Console& console) {
   const auto check = [&](const script::SourceTexts& texts) {
@@ -82,6 +90,8 @@ int check_command(const Places& places, const CheckOptions& options,
     say_error(console, target.error().message);
     return exit_code::usage;
   }
+  // Print the findings that remain after --fix. Warnings do not change the exit
+  // status.
   auto findings = findings_of(places, *target, {});
   if (options.fix)
     if (const auto fixed = fix(places, *target, findings, console); !fixed) {
@@ -94,7 +104,7 @@ int check_command(const Places& places, const CheckOptions& options,
     print_lines(console.out, findings, places);
   const auto counted = count(findings);
   console.err << options.app << ": " << to_string(counted) << std::endl;
-  return counted.errors > 0 ? exit_code::wrong : exit_code::well;
+  return counted.errors > 0 ? exit_code::wrong : exit_code::success;
 }
 
 } // namespace parlour::tools

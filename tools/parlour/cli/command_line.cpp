@@ -1,3 +1,5 @@
+// The commands and their options, declared for CLI11. To add a command: an
+// add_x() below, called by the constructor, and a member with its options.
 #include "tools/parlour/cli/command_line.hpp"
 
 #include <algorithm>
@@ -10,11 +12,12 @@
 #include "runtime/base/file_bytes.hpp"
 #include "script/lint/lints.hpp"
 #include "script/source/findings.hpp"
-#include "tools/bench/benches.hpp"
-#include "tools/bench/nlu/nlu_bench.hpp"
+#include "tools/parlour/cli/agent_flags.hpp"
+#include "tools/parlour/cli/clock_option.hpp"
 #include "tools/parlour/cli/commands.hpp"
 #include "tools/parlour/cli/number_option.hpp"
 #include "tools/parlour/cli/plugin_commands.hpp"
+#include "tools/parlour/cli/run_flags.hpp"
 #include "tools/parlour/console/completion.hpp"
 #include "tools/parlour/console/exit_code.hpp"
 #include "tools/parlour/plugin_template/plugin_skeleton.hpp"
@@ -25,14 +28,17 @@ namespace parlour::tools {
 
 namespace {
 
+// One parse of the command line. Each add_x() declares a command whose options
+// are written to a member; `chosen_` is then the function to call.
 class CommandLine {
 public:
   CommandLine(const Places& places, const Console& console)
       : places_(places), console_(console) {
     app_.require_subcommand(1);
     app_.set_version_flag("--version", "parlour " PARLOUR_VERSION);
-    app_.footer(exit_statuses);
+    app_.footer(exit_code::statuses);
     add_run();
+    add_status();
     add_check();
     add_format();
     add_schema();
@@ -40,30 +46,35 @@ public:
     add_exec();
     add_understand();
     add_bench();
+    add_agent();
     add_plugin();
+    add_keygen();
     add_completion();
     add_component();
     add_help();
   }
 
+  // Parses the arguments and runs the chosen command. CLI11 throws for --help
+  // and --version, too, with an exit code of 0.
   int run(std::vector<std::string> arguments) {
     if (const auto wrong = trouble_with_first(arguments); !wrong.empty()) {
       say_error(console_, wrong + "; see parlour --help");
       return exit_code::usage;
     }
-    std::reverse(arguments.begin(), arguments.end());
+    std::reverse(arguments.begin(), arguments.end()); // as CLI11 wants them
     try {
       app_.parse(std::move(arguments));
       return status_of_printing(console_, chosen_());
     } catch (const CLI::ParseError& error) {
       return status_of_printing(
           console_, app_.exit(error, console_.out, console_.err) == 0
-                        ? exit_code::well
+                        ? exit_code::success
                         : exit_code::usage);
     }
   }
 
 private:
+  // The names of the commands, with or without hidden ones.
   std::vector<std::string> commands(bool hidden = true) const {
     std::vector<std::string> names;
     for (const auto* command : app_.get_subcommands(nullptr))
@@ -71,7 +82,7 @@ private:
         names.push_back(command->get_name());
     return names;
   }
-  // Empty where the first word is a command or an option of the program.
+  // Empty if the first word is a command or a global option.
   std::string
   trouble_with_first(const std::vector<std::string>& arguments) const {
     if (arguments.empty())
@@ -87,7 +98,7 @@ private:
            " '" + word + "'" + script::did_you_mean(word, known);
   }
 
-  // A command that runs `action` when it is chosen.
+  // Adds a command; run() calls `action` if the user chose it.
   template <class Action>
   CLI::App* add(const char* name, const char* sentence, Action action) {
     return add(app_, name, sentence, action);
@@ -100,6 +111,8 @@ private:
     return command;
   }
 
+  // The argument APP, with the option --plugins, which changes the search for
+  // its plug-ins.
   void add_app(CLI::App* command, std::string& app, const char* sentence) {
     command->add_option("APP", app, sentence)->required();
     add_plugins(command);
@@ -118,27 +131,9 @@ private:
         });
   }
 
-  // Such as what a variable of a shell holds that is not set.
+  // An empty name usually comes from an unset shell variable.
   static std::string is_named(const std::string& text) {
     return text.empty() ? "an empty name" : "";
-  }
-
-  void add_clock(CLI::App* command, std::optional<Timestamp>& clock,
-                 const char* sentence) {
-    command
-        ->add_option_function<std::string>(
-            "--clock",
-            [&clock](const std::string& text) {
-              const auto time = parse_timestamp(text);
-              if (!time)
-                throw CLI::ValidationError(
-                    "--clock", "'" + text +
-                                   "' is no time such as \"2026-11-21 "
-                                   "09:00\"");
-              clock = *time;
-            },
-            sentence)
-        ->type_name("TIME");
   }
 
   void add_run() {
@@ -146,27 +141,25 @@ private:
       return run_command(places_, run_, console_);
     });
     add_app(command, run_.app, app_sentence);
-    command->add_flag("--text", run_.text,
-                      "A turn a line, bare, also on a terminal");
-    add_clock(command, run_.clock,
-              "Virtual time from here; an empty line steps it to the next due "
-              "timer");
-    command
-        ->add_option("--data", run_.data,
-                     "Folder of the run's database, files and records")
+    add_run_flags(*command, run_);
+    add_clock(*command, run_.clock,
+              "Virtual time from here; an empty line steps to the next timer");
+    command->add_option("--data", run_.data, "Folder of its database and files")
         ->check(is_named);
-    command->add_flag("--fresh", run_.fresh,
-                      "Make the database anew from schema and seed; the old "
-                      "file is kept as FILE.before");
-    command->add_flag("--trace", run_.trace,
-                      "Show every message, transition and slot on stderr");
     add_number<std::uint64_t>(
         command, "--seed", {0, std::numeric_limits<std::uint64_t>::max()},
         "Of all that is random", [this](auto seed) { run_.seed = seed; });
-    command->add_flag("--voice", run_.voice,
-                      "Microphone and speaker (not available yet)");
   }
 
+  void add_status() {
+    auto* command =
+        add("status", "How the actors of running nodes are",
+            [this] { return status_command(places_, status_, console_); });
+    command->add_option("APP", status_.app, "A name or folder; else all");
+    command->add_flag("--json", status_.json, "As a JSON array");
+  }
+
+  // The help of `check` lists all lints, from their table.
   void add_check() {
     auto* command =
         add("check", "Say everything that is wrong with an application",
@@ -222,10 +215,9 @@ private:
     command->add_flag("--quiet,-q", test_.quiet, "Leave out the coverage");
     command->add_flag("--update", test_.update,
                       "Write what the robot says now into the conversations");
-    command
-        ->add_flag("--watch", test_.watch,
-                   "Hold them again whenever a file changes")
+    command->add_flag("--watch", test_.watch, "Again when a file changes")
         ->excludes("--junit");
+    command->add_flag("--restore-after-each-input", test_.restores)->group("");
     add_number<unsigned>(command, "--jobs,-j", {1, 1000},
                          "Conversations at a time; else as many as cores",
                          [this](auto jobs) { test_.jobs = jobs; });
@@ -235,8 +227,7 @@ private:
     auto* command = add("exec", "Run the function main of a script", [this] {
       return exec_command(places_, exec_, console_);
     });
-    command->add_option("FILE", exec_.file, "A script, or an application")
-        ->required();
+    command->add_option("FILE", exec_.file, "A script or app")->required();
     command->add_flag("--listing", exec_.listing, "Show its compiled code");
   }
 
@@ -247,37 +238,32 @@ private:
     add_app(command, understand_.app, app_sentence);
     command->add_option("TEXT", understand_.text, "What somebody says")
         ->required();
-    add_clock(command, understand_.clock,
+    add_clock(*command, understand_.clock,
               "The time that \"tomorrow\" counts from");
   }
 
   void add_bench() {
     auto* command =
         add("bench", "Measure beside others who do the same work", [this] {
-          return bench_.name == "nlu"
-                     ? bench_nlu_command(places_, bench_, console_)
-                     : bench_command(bench_, console_);
+          return bench_command(app_.get_subcommand("bench")->remaining(),
+                               places_, console_);
         });
-    std::vector<std::string> names{"nlu"};
-    auto rows = nlu_bench_rows();
-    for (const auto& bench : benches()) {
-      names.push_back(bench.name);
-      rows.insert(rows.end(), bench.rows.begin(), bench.rows.end());
-    }
-    command->add_option("NAME", bench_.name, "What is measured")
-        ->required()
-        ->check(CLI::IsMember(names));
-    add_number<int>(command, "--runs", {1, 1000},
-                    "Of each; the median counts; else 5",
-                    [this](auto runs) { bench_.runs = runs; });
-    command->add_option("--only", bench_.only, "One row of the table")
-        ->check(CLI::IsMember(rows));
-    command->add_option("--data", bench_.data,
-                        "Where the public data sets of nlu are");
-    command->add_flag("--validation", bench_.validation,
-                      "Of them what is held out of training, not the test");
+    command->prefix_command();
+    command->footer("parlour bench NAME [OPTION...] is the program "
+                    "parlour-bench, which is made on request:\nin a clone of "
+                    "Parlour's sources run tools/bench/run NAME.\n\n" +
+                    app_.get_footer());
   }
 
+  void add_agent() {
+    auto* command = add("agent", "Run a plug-in as a remote agent", [this] {
+      return agent_command(places_, agent_, console_);
+    });
+    add_agent_flags(*command, agent_);
+    add_plugins(command);
+  }
+
+  // `plugin` is a group: its commands are subcommands.
   void add_plugin() {
     auto* plugin =
         app_.add_subcommand("plugin", "Plug-ins: list, roles, new, test");
@@ -311,6 +297,18 @@ private:
     add_plugins(test);
   }
 
+  void add_keygen() {
+    auto* command =
+        add("keygen", "Make a pair of keys for remote agents",
+            [this] { return keygen_command(places_, key_file_, console_); });
+    command
+        ->add_option("FILE", key_file_,
+                     "A new file for the secret key; only you may read it")
+        ->required()
+        ->check(is_named);
+  }
+
+  // The script is made from `app_` itself, so it knows every option.
   void add_completion() {
     auto* command =
         add("completion", "Print a shell's completion script", [this] {
@@ -318,13 +316,14 @@ private:
                                             {{"--role", component_roles()},
                                              {"roles", component_roles()},
                                              {"help", reference_names()}});
-          return exit_code::well;
+          return exit_code::success;
         });
     command->add_option("SHELL", shell_, "bash")
         ->required()
         ->check(CLI::IsMember({"bash"}));
   }
 
+  // Hidden: the program starts this command itself.
   void add_component() {
     auto* command =
         add("component", "Run a component in a process of its own",
@@ -345,7 +344,7 @@ private:
         ->check(CLI::IsMember(reference_pages()))
         ->group(""); // not shown
   }
-  // Without a name of the program; with a command's name of that.
+  // Help on the program, on a command, or on a word of the language.
   int help() {
     const auto names = commands(false);
     const bool is_command = std::ranges::count(names, help_.name) > 0;
@@ -356,34 +355,30 @@ private:
     else
       console_.out << app_.get_formatter()->make_help(
           &app_, app_.get_name(), CLI::AppFormatMode::Normal);
-    return exit_code::well;
+    return exit_code::success;
   }
 
-  static constexpr const char* exit_statuses =
-      "Exit status: 0 well, also where SIGTERM or SIGHUP has ended a run in "
-      "order; 1\nsomething is wrong inside an application or file, or what is "
-      "printed cannot be\nwritten; 2 wrong usage, or there is no such "
-      "application or file; 130 after Ctrl-C;\n141 nobody reads what is "
-      "printed.";
   static constexpr const char* app_sentence =
       "A folder, or a name in ./config/apps or the installed share";
 
-  Places places_;
+  Places places_; // a copy: --plugins changes it
   const Console& console_;
   CLI::App app_{"A dialogue platform: talk with applications made of scripts",
                 "parlour"};
-  std::function<int()> chosen_;
+  std::function<int()> chosen_; // set by the command's callback
   RunOptions run_;
+  StatusOptions status_;
   CheckOptions check_;
   FormatOptions format_;
   SchemaOptions schema_;
   TestOptions test_;
   UnderstandOptions understand_;
-  BenchOptions bench_;
+  AgentOptions agent_;
   std::string plugin_app_;
   std::string plugin_role_;
   NewPluginOptions new_plugin_;
   TestPluginOptions test_plugin_;
+  std::string key_file_;
   ExecOptions exec_;
   std::string shell_;
   ComponentOptions component_;

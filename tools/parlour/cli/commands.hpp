@@ -1,5 +1,10 @@
-// The commands: one function and one file each (x_command.cpp). Each returns
-// the exit status. Answers go to `out`, everything about them to `err`.
+// The commands of `parlour`, one function and one file (x_command.cpp) each.
+//
+// A command gets its options already parsed and checked for form, the search
+// paths (Places) and the streams (Console), and returns the exit status
+// (exit_code.hpp). It prints its result to `console.out`, and errors, warnings
+// and progress to `console.err`. No command throws for what a user can cause.
+// Applications and scripts are looked up from `places.working`.
 #pragma once
 
 #include <cstdint>
@@ -14,93 +19,140 @@
 
 namespace parlour::tools {
 
+// `parlour check`: prints everything that is wrong with an application or with
+// one script file. `json` prints an array for editors instead of lines. `fix`
+// corrects the files where that is safe and prints what remains (fix.hpp).
 struct CheckOptions {
-  std::string app; // an application, or one file
+  std::string app; // a folder, an application's name, or a script
   bool json = false;
-  bool fix = false; // what can safely be corrected
+  bool fix = false; // apply the safe corrections
 };
 int check_command(const Places& places, const CheckOptions& options,
                   const Console& console);
 
+// `parlour test`: runs the conversations of an application in virtual time and
+// compares what the robot says (docs/test.md).
 struct TestOptions {
   std::string app;
-  std::vector<std::string> files; // none: all of dialogues/
-  std::string junit;              // a file; empty: none
-  bool trace = false;             // of failures
-  bool quiet = false;             // without coverage
-  bool update = false;            // other words of the robot are right
-  bool watch = false;             // again whenever a file changes
-  unsigned jobs = 0;              // threads; 0: as many as cores
+  std::vector<std::string> files; // empty: all of dialogues/
+  std::string junit;              // file for JUnit XML; empty: none
+  bool trace = false;             // print the trace of each failure
+  bool quiet = false;             // leave out the coverage
+  bool update = false;            // accept other words, rewrite the files
+  bool watch = false;             // run again whenever a file changes
+  bool restores = false;          // save and restore after each input
+  unsigned jobs = 0;              // threads; 0: one for each core
 };
 int test_command(const Places& places, const TestOptions& options,
                  const Console& console);
 
+// `parlour run`: talks with an application on a terminal or by piped lines
+// (docs/running.md).
 struct RunOptions {
   std::string app;
-  bool text = false; // lines, also on a terminal
+  bool text = false; // plain lines even on a terminal
+  // Show every message, transition and slot on standard error.
   bool trace = false;
+  std::vector<std::string> trace_actors; // kinds or names
   bool voice = false;
-  bool fresh = false;             // databases made anew
-  std::optional<Timestamp> clock; // virtual time from here
+  bool fresh = false;    // make the SQLite databases anew
+  bool simulate = false; // stand-ins in the place of remote agents
+  // Where agents connect by lines, and nowhere else; empty: as the settings
+  // say.
+  std::string agents;
+  std::optional<Timestamp> clock; // virtual time starts here
+  // Seed for everything random; without one, each run differs.
   std::optional<std::uint64_t> seed;
-  std::string data; // empty: the default
+  std::string data; // data folder; empty: the default
 };
 int run_command(const Places& places, const RunOptions& options,
                 const Console& console);
 
+// `parlour agent`: runs a plug-in as a remote agent of a platform elsewhere,
+// until a signal comes, the plug-in fails, or the platform does not want it.
+struct AgentOptions {
+  std::string plugin; // a file NAME.so, or a plug-in's name
+  std::string connect = "tcp://127.0.0.1:5671";
+  std::string name; // empty: the plug-in's
+  std::string authority;
+  std::string data;                 // empty: a temporary folder
+  std::vector<std::string> options; // "name=value"
+};
+int agent_command(const Places& places, const AgentOptions& options,
+                  const Console& console);
+
+// `parlour format`: rewrites script files in the standard layout.
+struct StatusOptions {
+  std::string app; // its name or folder; empty: all that run
+  bool json = false;
+};
+// How the actors of running applications are.
+int status_command(const Places& places, const StatusOptions& options,
+                   const Console& console);
+
 struct FormatOptions {
-  std::vector<std::string> files; // "-": from standard input to the output
-  bool check = false;             // only say which are not formatted
+  std::vector<std::string> files; // "-": standard input to output
+  bool check = false;             // only report unformatted files
 };
 int format_command(const Places& places, const FormatOptions& options,
                    std::istream& in, const Console& console);
 
+// `parlour schema`: prints the schema of the script language for XML editors,
+// RELAX NG or XML Schema (docs/editors.md).
 struct SchemaOptions {
   bool xsd = false;
 };
 int schema_command(const SchemaOptions& options, const Console& console);
 
+// `parlour help`: explains an element, function, role, attribute or event, or
+// lists what mentions a word. `page` prints a whole page of docs/reference.
 struct HelpOptions {
-  std::string name; // an element, function, role, attribute, event, or a word
-  std::string page; // of the reference; empty: none
+  std::string name; // what to explain; any word is allowed
+  std::string page; // a page's name; empty: none
 };
-// `commands`: those of the program, for who has misspelt one.
+// `commands` are the names of the program's commands. They are candidates for
+// "did you mean", and a name that is both a command and an element gets a hint
+// at `parlour NAME --help`.
 int help_command(const HelpOptions& options,
                  const std::vector<std::string>& commands,
                  const Console& console);
 
+// `parlour exec`: runs the function `main` of a script in real time, without a
+// dialogue. `listing` prints the compiled instructions and runs nothing.
 struct ExecOptions {
-  std::string file;     // a script, or an application
+  std::string file; // a script file or an application
+  // Print the compiled code instead of running it.
   bool listing = false; // show what it was compiled to, and run nothing
 };
 int exec_command(const Places& places, const ExecOptions& options,
                  const Console& console);
 
+// `parlour component`: the child process of a component with host="process".
 struct ComponentOptions {
   std::string plugin;
-  std::string folder; // of its file; empty: part of the program
+  std::string folder; // of its file; empty: built in
 };
-// Serves the plug-in to the program that started this one for it
-// (adapters/process); nobody else has a use for it.
+// Serves the plug-in over a socket that the parent has opened
+// (adapters/process). Hidden: the program starts it, never a user.
 int component_command(const ComponentOptions& options, const Console& console);
 
-struct BenchOptions {
-  std::string name; // of benches(), or nlu
-  int runs = 5;
-  std::string only; // one row; empty: all
-  std::string data; // a folder with public data sets, of nlu; empty: nowhere
-  bool validation = false; // of nlu: what is held out, instead of the test
-};
-int bench_command(const BenchOptions& options, const Console& console);
+// `parlour bench`: replaces this process by the program parlour-bench, which is
+// built on request (tools/bench/run). `arguments` are those of `parlour bench`.
+int bench_command(const std::vector<std::string>& arguments,
+                  const Places& places, const Console& console);
 
-// The understanding of the receptionist, and of public data sets.
-int bench_nlu_command(const Places& places, const BenchOptions& options,
-                      const Console& console);
+// `parlour keygen`: makes a pair of keys for remote agents over ZeroMQ. Writes
+// the secret one to a new file that only its owner may read, and prints the
+// public one with the line of settings that names it.
+int keygen_command(const Places& places, const std::string& file,
+                   const Console& console);
 
+// `parlour understand`: prints how the application's GrammarNLU understands a
+// text, and why.
 struct UnderstandOptions {
   std::string app;
   std::string text;
-  std::optional<Timestamp> clock; // what "tomorrow" counts from
+  std::optional<Timestamp> clock; // "now" for "tomorrow"; else the clock
 };
 int understand_command(const Places& places, const UnderstandOptions& options,
                        const Console& console);

@@ -1,3 +1,5 @@
+// `parlour component`: the child process of a component with host="process". It
+// finds the plug-in's factory and hands control to adapters/process.
 #include <sys/prctl.h>
 #include <sys/stat.h>
 
@@ -12,6 +14,8 @@ namespace parlour::tools {
 
 namespace {
 
+// The parent opens a socket at a fixed descriptor before it starts us. Without
+// it, somebody has typed the command by hand.
 bool is_socket(int descriptor) {
   struct stat status {};
   return fstat(descriptor, &status) == 0 && S_ISSOCK(status.st_mode);
@@ -26,10 +30,13 @@ int component_command(const ComponentOptions& options, const Console& console) {
                        "host=\"process\"");
     return exit_code::usage;
   }
-  prctl(PR_SET_NAME, "parlour"); // else it has that of a link, as ps shows it
+  // Name the process: without this, ps would show "exe" for the link
+  // /proc/self/exe that started it.
+  prctl(PR_SET_NAME, "parlour");
   std::vector<std::filesystem::path> folders;
   if (!options.folder.empty())
     folders.emplace_back(options.folder);
+  // If there is no such plug-in, tell the parent why instead of serving it.
   const auto factory = Catalogue(folders).find(options.plugin);
   return factory ? adapters::serve_component(socket, *factory)
                  : adapters::refuse_component(socket, factory.error());

@@ -1,3 +1,4 @@
+// `parlour format`. The layout itself is script/format.
 #include <algorithm>
 #include <istream>
 #include <iterator>
@@ -15,25 +16,31 @@ namespace parlour::tools {
 
 namespace {
 
-// Formats one text after the other and remembers the worst that happened.
+// Formats one text after the other and remembers the worst exit status.
 class Formatting {
 public:
   Formatting(const Places& places, const FormatOptions& options,
              const Console& console)
       : places_(places), options_(options), console_(console) {}
 
+  // Reads all of standard input and prints the result.
   void standard_input(std::istream& in);
+  // Formats a file in place. It is only written if its text changes.
   void file(const std::string& name);
   int status() const {
     return status_;
   }
 
 private:
+  // The formatted text; nothing if the source is not well-formed. Findings
+  // about it are printed then.
   std::optional<std::string> formatted(const std::string& text,
                                        const std::string& name);
-  // Only says whether it is formatted; true where no more is to be done.
+  // With --check, reports an unformatted text. True if nothing remains to be
+  // written.
   bool only_checks(const std::string& before, const std::string& after,
                    const std::string& name);
+  // One bad file does not stop the others; the worst status counts.
   void failed(int status, const std::string& message) {
     say_error(console_, message);
     status_ = std::max(status_, status);
@@ -42,7 +49,7 @@ private:
   const Places& places_;
   const FormatOptions& options_;
   const Console& console_;
-  int status_ = exit_code::well;
+  int status_ = exit_code::success;
 };
 
 std::optional<std::string> Formatting::formatted(const std::string& text,
@@ -80,6 +87,8 @@ void Formatting::standard_input(std::istream& in) {
     console_.out << *result << std::flush;
 }
 
+// A file that cannot be read is wrong usage, one that is not well-formed an
+// error inside of it.
 void Formatting::file(const std::string& name) {
   const auto path = places_.working / name;
   const auto text = script::read_bytes(path);

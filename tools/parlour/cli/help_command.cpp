@@ -1,3 +1,4 @@
+// `parlour help NAME`. The texts come from tools/parlour/reference.
 #include <algorithm>
 #include <ostream>
 
@@ -13,7 +14,7 @@ int help_command(const HelpOptions& options,
                  const Console& console) {
   if (!options.page.empty()) {
     console.out << reference_page(options.page);
-    return exit_code::well;
+    return exit_code::success;
   }
   const auto text = reference_text(options.name, commands);
   if (!text) {
@@ -21,11 +22,12 @@ int help_command(const HelpOptions& options,
     return exit_code::usage;
   }
   console.out << *text;
+  // A name that is both a command and a language element, such as "test".
   if (!entries_of(options.name).empty() &&
       std::ranges::count(commands, options.name) > 0)
     console.out << "\nOf the command: `parlour " << options.name
                 << " --help`\n";
-  return exit_code::well;
+  return exit_code::success;
 }
 
 } // namespace parlour::tools

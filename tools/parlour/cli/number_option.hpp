@@ -1,4 +1,7 @@
-// An option of a command that takes a whole number.
+// add_number: a command-line option whose value is a whole number in a range.
+//
+// CLI11 would also accept "0x10", "1e3" or a negative number for an unsigned
+// type; this option accepts decimal digits only (and "-" for signed types).
 #pragma once
 
 #include <charconv>
@@ -9,7 +12,12 @@
 
 namespace parlour::tools {
 
-// A whole number in its range, by digits alone.
+// Adds the option `name` to `command`, with `sentence` as its help text.
+// `take(number)` is called for a valid value; any other text is a usage error
+// that names the range, both ends of which are allowed.
+//
+//   add_number<int>(command, "--runs", {1, 1000}, "Runs of each row",
+//                   [&](int runs) { options.runs = runs; });
 template <class Number, class Take>
 void add_number(CLI::App* command, const std::string& name,
                 std::pair<Number, Number> range, const char* sentence,

@@ -1,5 +1,5 @@
-// The commands `parlour plugin …`: list what there is, tell of roles, make a
-// new one, try one out.
+// The commands `parlour plugin list|roles|new|test`. They follow the rules of
+// commands.hpp.
 #pragma once
 
 #include <string>
@@ -10,27 +10,34 @@
 
 namespace parlour::tools {
 
-// Of the program, and of the plug-in folders seen from `app` or else from the
-// working folder.
+// `parlour plugin list`: prints every plug-in with its roles, options, commands
+// and events: those of the program, then those in the plug-in folders (Places,
+// plugin_folders) of `app`, or of the working folder if `app` is empty. A file
+// that cannot be loaded is an error; the others are listed all the same.
 int plugin_list_command(const Places& places, const std::string& app,
                         const Console& console);
 
-// A role's commands and events; with an empty name, what roles there are.
+// `parlour plugin roles`: prints the commands and events of a role, or one line
+// for each role if `name` is empty.
 int plugin_roles_command(const std::string& name, const Console& console);
 
+// `parlour plugin new`: writes the files of a new plug-in (plugin_template).
+// Never overwrites a file.
 struct NewPluginOptions {
-  std::string name;
-  std::string role;
-  std::string folder; // empty: of the plug-in's name
+  std::string name;   // its class, such as EchoTTS
+  std::string role;   // a role or its alias
+  std::string folder; // empty: ./NAME
 };
 int plugin_new_command(const Places& places, const NewPluginOptions& options,
                        const Console& console);
 
+// `parlour plugin test`: runs the conformance test of the plug-in's roles
+// (runtime/plugin/conformance.hpp).
 struct TestPluginOptions {
-  std::string plugin;               // a file, or a name
+  std::string plugin;               // a file NAME.so, or a plug-in's name
   std::vector<std::string> options; // "name=value"
 };
-// In a process of its own, so that it may crash or hang.
+// The test runs in a child process, so a plug-in may crash or hang.
 int plugin_test_command(const Places& places, const TestPluginOptions& options,
                         const Console& console);
 

@@ -1,3 +1,4 @@
+// `parlour plugin list`: describes every plug-in of the catalogue.
 #include <ostream>
 
 #include "tools/parlour/application/catalogue.hpp"
@@ -15,17 +16,20 @@ std::string joined(const std::vector<std::string>& words) {
   return text;
 }
 
+// "required", "else VALUE" or empty.
 std::string default_of(const OptionDescription& option) {
   if (option.required)
     return "required";
   return option.fallback.empty() ? "" : "else " + option.fallback;
 }
 
+// The choices of an option, or the name of its type.
 std::string takes(const OptionDescription& option) {
   return option.type == OptionType::choice ? joined(option.choices)
                                            : std::string(name_of(option.type));
 }
 
+// One plug-in: name, roles and origin; its options, commands and events.
 void print(std::ostream& out, const PluginDescription& plugin,
            const std::string& where) {
   out << plugin.name << " (" << joined(plugin.roles) << "), " << where << "\n  "
@@ -57,7 +61,8 @@ int plugin_list_command(const Places& places, const std::string& app,
     folder = *found;
   }
   Catalogue plugins(plugin_folders(places, folder));
-  auto status = exit_code::well;
+  auto status = exit_code::success;
+  // A file that cannot be loaded makes the exit status 1, but the list goes on.
   for (const auto& name : plugins.names()) {
     const auto file = plugins.file_of(name);
     if (const auto found = plugins.find(name)) {

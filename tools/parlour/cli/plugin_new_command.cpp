@@ -1,3 +1,4 @@
+// `parlour plugin new`: writes the files of plugin_template to a folder.
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -13,7 +14,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Nothing that is there is written over.
+// Checks that none of the files exists before it writes the first one, so that
+// a refused command leaves nothing behind.
 Expected<void> write_files(const fs::path& folder,
                            const std::vector<SkeletonFile>& files) {
   std::error_code code;
@@ -52,7 +54,7 @@ int plugin_new_command(const Places& places, const NewPluginOptions& options,
   }
   for (const auto& file : *files)
     console.out << shown_path(places, (folder / file.name).string()) << '\n';
-  return exit_code::well;
+  return exit_code::success;
 }
 
 } // namespace parlour::tools

@@ -1,40 +1,15 @@
+// `parlour plugin roles`: prints the table of roles
+// (runtime/message/roles.def).
 #include <ostream>
 
-#include "runtime/base/roles.hpp"
+#include "runtime/message/roles.hpp"
 #include "tools/parlour/cli/plugin_commands.hpp"
 #include "tools/parlour/console/exit_code.hpp"
 #include "tools/parlour/plugin_template/plugin_skeleton.hpp"
+#include "tools/parlour/reference/entry_text.hpp"
+#include "tools/parlour/reference/role_entry.hpp"
 
 namespace parlour::tools {
-
-namespace {
-
-const char* meaning(Reply reply) {
-  switch (reply) {
-  case Reply::answer:
-    return "; ends a request";
-  case Reply::refusal:
-    return "; ends a request with an error";
-  case Reply::none:
-    break;
-  }
-  return "";
-}
-
-void print(std::ostream& out, const Role& role) {
-  out << role.name;
-  for (const auto& alias : role.aliases)
-    out << ", " << alias;
-  out << ": " << role.sentence << '\n';
-  for (const auto& command : role.commands)
-    out << "  understands " << command.name << '(' << command.parameters << ')'
-        << (command.answered ? "; always answered" : "") << '\n';
-  for (const auto& event : role.events)
-    out << "  fires " << event.name << '(' << event.parameters << ')'
-        << meaning(event.reply) << '\n';
-}
-
-} // namespace
 
 int plugin_roles_command(const std::string& name, const Console& console) {
   if (!name.empty()) {
@@ -43,13 +18,14 @@ int plugin_roles_command(const std::string& name, const Console& console) {
       say_error(console, role.error().message);
       return exit_code::usage;
     }
-    print(console.out, **role);
-    return exit_code::well;
+    console.out << entry_text(role_entry(**role));
+    return exit_code::success;
   }
+  // Reserved sources such as Session are no roles of components.
   for (const auto& role : roles())
     if (!role.reserved)
       console.out << role.name << ": " << role.sentence << '\n';
-  return exit_code::well;
+  return exit_code::success;
 }
 
 } // namespace parlour::tools

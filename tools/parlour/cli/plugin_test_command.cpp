@@ -1,3 +1,9 @@
+// `parlour plugin test`: runs the conformance test in a child process.
+//
+// A plug-in may crash, call exit() or hang. So the parent forks a child, which
+// loads the plug-in, runs the test and sends its report through a pipe. The
+// parent reads until the pipe is closed and then looks how the child ended. A
+// shared page tells it which step the child was in.
 #include <cerrno>
 #include <csignal>
 #include <cstring>
@@ -8,11 +14,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "adapters/plugins/plugin_file.hpp"
 #include "runtime/plugin/conformance.hpp"
-#include "tools/parlour/application/catalogue.hpp"
 #include "tools/parlour/application/data_folder.hpp"
-#include "tools/parlour/application/option_check.hpp"
+#include "tools/parlour/cli/given_plugin.hpp"
 #include "tools/parlour/cli/plugin_commands.hpp"
 #include "tools/parlour/console/exit_code.hpp"
 
@@ -20,38 +24,18 @@ namespace parlour::tools {
 
 namespace {
 
-// A whole trial; what takes longer hangs.
+// Time for the whole test; SIGALRM then ends the child.
 constexpr unsigned trial_seconds = 60;
 
-Expected<PluginFactory> find(const Places& places, const std::string& plugin) {
-  const auto path = places.working / plugin;
-  if (path.extension() == ".so")
-    return adapters::open_plugin_file(path);
-  return Catalogue(plugin_folders(places, places.working)).find(plugin);
-}
-
-Expected<Options> read_options(const std::vector<std::string>& given,
-                               const PluginDescription& plugin) {
-  Options options;
-  for (const auto& text : given) {
-    const auto equals = text.find('=');
-    if (equals == std::string::npos)
-      return fail(ErrorKind::settings,
-                  "--option " + text + " lacks its '=value'");
-    options[text.substr(0, equals)] = text.substr(equals + 1);
-  }
-  const auto mistakes = option_mistakes(plugin.name, plugin, options);
-  if (!mistakes.empty())
-    return fail(ErrorKind::settings, mistakes.front().text);
-  return options;
-}
-
+// What the child says: its exit status, and the text to print.
 struct Report {
-  int status = exit_code::well;
+  int status = exit_code::success;
   std::string text;
 };
 
-// What the process on trial does now, seen by the one that waits for it.
+// The step that the child is in, in memory that parent and child share. The
+// child writes, and the parent reads after the child has ended. If the memory
+// cannot be mapped, the step is unknown (empty).
 class Progress {
 public:
   Progress()
@@ -73,20 +57,21 @@ public:
   }
 
 private:
-  static constexpr std::size_t size = 256; // its last byte stays 0
+  static constexpr std::size_t size = 256; // the last byte stays 0
   void* memory_;
 };
 
+// The child: loads the plug-in and runs the conformance test.
 Report try_out(const Places& places, const TestPluginOptions& asked,
                const std::string& data, Progress& progress) {
   progress.is_at("opening it");
-  const auto factory = find(places, asked.plugin);
+  const auto factory = given_plugin(places, asked.plugin);
   if (!factory)
     return {exit_code::usage, "error: " + factory.error().message + "\n"};
-  auto options = read_options(asked.options, factory->description);
+  auto options = given_options(asked.options, factory->description);
   if (!options)
     return {exit_code::usage, "error: " + options.error().message + "\n"};
-  const auto wrong = nonconformities(
+  const auto wrong = conformance_errors(
       *factory,
       {std::move(*options), Milliseconds(2'000), data, places.working.string(),
        [&](const auto& step) { progress.is_at(step); }});
@@ -97,9 +82,11 @@ Report try_out(const Places& places, const TestPluginOptions& asked,
       asked.plugin + ": " +
       (wrong.empty() ? "conforms" : std::to_string(wrong.size()) + " wrong") +
       '\n';
-  return {wrong.empty() ? exit_code::well : exit_code::wrong, std::move(text)};
+  return {wrong.empty() ? exit_code::success : exit_code::wrong,
+          std::move(text)};
 }
 
+// Writes all bytes, also if the pipe takes them in parts.
 void write_all(int descriptor, std::string_view text) {
   while (!text.empty()) {
     const auto size = write(descriptor, text.data(), text.size());
@@ -109,6 +96,7 @@ void write_all(int descriptor, std::string_view text) {
   }
 }
 
+// Reads until the other end is closed.
 std::string read_all(int descriptor) {
   std::string text;
   char buffer[4096];
@@ -121,8 +109,8 @@ std::string read_all(int descriptor) {
   }
 }
 
-// What became of the process, in words; empty where it has said how the trial
-// went.
+// How the child ended, in words; empty if it has sent its report and exited
+// normally.
 std::string end_of(int status, const std::string& text) {
   if (!WIFSIGNALED(status))
     return text.empty() ? "it ends its process with status " +
@@ -145,6 +133,8 @@ int plugin_test_command(const Places& places, const TestPluginOptions& options,
     say_error(console, data ? "no pipe can be made" : data.error().message);
     return exit_code::wrong;
   }
+  // The child leaves by _exit, so that neither destructors nor atexit handlers
+  // of the parent run twice.
   const auto child = fork();
   if (child == 0) {
     close(ends[0]);
@@ -154,12 +144,16 @@ int plugin_test_command(const Places& places, const TestPluginOptions& options,
     write_all(ends[1], report.text);
     _exit(report.status);
   }
+  // Close our copy of the write end: read_all ends when the child's copy is
+  // closed, however the child ends.
   close(ends[1]);
   const auto text = read_all(ends[0]);
   close(ends[0]);
   int status = 0;
   while (child > 0 && waitpid(child, &status, 0) < 0 && errno == EINTR)
     continue;
+  // `why` is set if the child could not report. Its own text then still helps,
+  // so both are printed.
   const auto why = child > 0 ? end_of(status, text) : "no process can be made";
   if (!why.empty())
     say_error(console, options.plugin + ": " + progress.step() + ": " + why);

@@ -1,3 +1,9 @@
+// `parlour run`: starts a node for an application and connects it to a terminal
+// or to standard input and output (tools/parlour/talk).
+//
+// Threads: one drives the node and reads the input, one writes (Printer), one
+// waits for signals (SignalWatch), and the node's own threads call watch() and
+// log(). docs/running.md says how a run ends.
 #include <atomic>
 #include <cstdio>
 #include <cstdlib>
@@ -8,6 +14,7 @@
 #include <unistd.h>
 
 #include "adapters/database/sqlite/sqlite_origin.hpp"
+#include "tools/parlour/application/agent_listener.hpp"
 #include "tools/parlour/application/data_folder.hpp"
 #include "tools/parlour/application/node_options.hpp"
 #include "tools/parlour/application/opening.hpp"
@@ -16,6 +23,9 @@
 #include "tools/parlour/console/exit_code.hpp"
 #include "tools/parlour/console/printer.hpp"
 #include "tools/parlour/console/signal_watch.hpp"
+#include "tools/parlour/status/runtime_folder.hpp"
+#include "tools/parlour/status/status_report.hpp"
+#include "tools/parlour/status/status_server.hpp"
 #include "tools/parlour/talk/terminal_run.hpp"
 #include "tools/parlour/talk/text_run.hpp"
 #include "tools/parlour/talk/trace.hpp"
@@ -24,48 +34,53 @@ namespace parlour::tools {
 
 namespace {
 
-// Lines about the conversation, from any thread.
+// Lines about the conversation for standard error or the log file. Safe to call
+// from any thread.
 class Notes {
 public:
   Notes(const Console& console, Printer& printer, std::filesystem::path log)
       : console_(console), printer_(printer), log_(std::move(log)) {}
+  // Shows a line on standard error.
   void show(const std::string& text) {
     printer_.err(coloured(console_, grey, text));
   }
-  // Where showing would be in the way.
+  // Appends a line to the log file, where showing it would disturb a
+  // conversation on a terminal.
   void keep(const std::string& text) {
     std::lock_guard lock(mutex_);
     std::ofstream(log_, std::ios::app) << text << std::endl;
   }
 
 private:
-  std::mutex mutex_; // of the log
+  std::mutex mutex_; // guards the log file
   const Console& console_;
   Printer& printer_;
   std::filesystem::path log_;
 };
 
-// Talks no faster than somebody reads.
-class PacedPartner : public NodePartner {
+// A driver that waits while too many lines are unread. Otherwise a script that
+// talks without end would fill the memory when the reader is slow.
+class PacedDriver : public NodeDriver {
 public:
-  PacedPartner(actors::Node& node, bool is_virtual, Printer& printer)
-      : NodePartner(node, is_virtual,
-                    [&printer](const std::string& text) { printer.out(text); }),
+  PacedDriver(actors::Node& node, bool is_virtual, Printer& printer)
+      : NodeDriver(node, is_virtual,
+                   [&printer](const std::string& text) { printer.out(text); }),
         printer_(printer) {}
   void enter(const std::vector<std::string>& turns) override {
     printer_.wait_for_room();
-    NodePartner::enter(turns);
+    NodeDriver::enter(turns);
   }
   void let_time_pass() override {
     printer_.wait_for_room();
-    NodePartner::let_time_pass();
+    NodeDriver::let_time_pass();
   }
 
 private:
   Printer& printer_;
 };
 
-// A server's database is not ours to drop.
+// --fresh: renames the databases of the SQLite components, so that they are
+// made anew from schema and seed. A server's database is never dropped.
 Expected<void> put_databases_aside(const Application& application,
                                    const std::filesystem::path& data) {
   for (const auto& component : application.composition.components) {
@@ -74,63 +89,101 @@ Expected<void> put_databases_aside(const Application& application,
     const auto options = adapters::read_sqlite_options(
         component.options, data.string(), application.folder.string());
     if (!options || options->in_memory() || options->schema.empty())
-      continue; // wrong options are told when it starts
+      continue; // reported when the component starts
     if (auto done = adapters::put_aside(options->file); !done)
       return done;
   }
   return {};
 }
 
+// Editing and history need a terminal on both sides.
 bool wants_terminal(const RunOptions& options) {
   return !options.text && isatty(STDIN_FILENO) && isatty(STDOUT_FILENO);
 }
 
+// One run of an application, from the node's start to the exit status. The
+// members that callbacks use (printer_, notes_, screen_) outlive the node.
 class Run {
 public:
   Run(const Application& application, const RunOptions& options,
       const Console& console, const std::filesystem::path& data,
-      SignalWatch& signals)
+      const std::filesystem::path& sockets, SignalWatch& signals)
       : application_(application), options_(options), console_(console),
-        data_(data), signals_(signals),
+        data_(data), sockets_(sockets), signals_(signals),
         printer_(console.out, console.err, [this] { signals_.raise_closed(); }),
         notes_(console, printer_, data / "log") {}
 
   int run() {
     for (const auto& notice : application_.composition.notices)
       say_warning(console_, notice);
-    auto node = actors::Node::start(options());
-    if (!node) {
-      printer_.finish(); // what was noted before
-      say_error(console_, to_string(node.error()));
-      return exit_code::wrong;
-    }
+    auto agents = listen();
+    if (!agents)
+      return give_up(agents.error());
+    auto node = actors::Node::start(options(std::move(*agents)));
+    if (!node)
+      return give_up(node.error());
+    // Ctrl-C ends every wait of the node, and nobody waits for the reader any
+    // more.
     signals_.on_interrupt([&] {
       (*node)->interrupt();
       printer_.give_up();
     });
+    // Where time is virtual, actors run only while somebody talks.
+    if (!options_.clock)
+      serve_status(**node);
     if (wants_terminal(options_))
       talk_on_terminal(**node);
     else
       talk_by_lines(**node);
     finish();
+    // Zero, or the status of the signal that ended the run.
     return ended_;
   }
 
 private:
-  actors::NodeOptions options() {
+  int give_up(const Error& error) {
+    printer_.finish(); // prints what was noted before
+    say_error(console_, to_string(error));
+    return exit_code::wrong;
+  }
+
+  // Null: no remote agent can connect, and stand-ins take their places. Agents
+  // live in real time.
+  using Agents = std::shared_ptr<adapters::agents::AgentServer>;
+  Expected<Agents> listen() {
+    if (options_.simulate || options_.clock)
+      return nullptr;
+    auto agents = listen_for_agents(
+        application_.program->settings.agents, application_.folder,
+        options_.agents,
+        [this](const std::string& text) { log(as_one_line(text)); });
+    if (agents && *agents)
+      for (const auto& address : (*agents)->addresses())
+        notes_.show("remote agents connect at " + address);
+    return agents;
+  }
+
+  // Options of the node; its callbacks come from threads of the node.
+  actors::NodeOptions options(Agents agents) {
     auto made = node_options(application_, application_.composition,
-                             {data_.string(), options_.clock, options_.seed});
+                             {.data_folder = data_.string(),
+                              .virtual_start = options_.clock,
+                              .seed = options_.seed,
+                              .agents = std::move(agents)});
     made.inspect_all = options_.trace;
+    made.trace_actors = options_.trace_actors;
     made.on_inspection = [this](const Inspection& seen) { watch(seen); };
     made.log = [this](const std::string& text) { log(as_one_line(text)); };
     return made;
   }
 
-  // A script's errors are always shown, and what it logs as such.
+  // Errors and what a script logs as an error or a warning are always shown.
+  // The rest is shown with --trace and otherwise left to log().
   void watch(const Inspection& seen) {
     if (seen.kind == InspectionKind::branch)
       return;
-    if (options_.trace || is_trouble(seen))
+    if (options_.trace || seen.kind == InspectionKind::actor ||
+        is_trouble(seen))
       note(trace_line(seen));
     else
       log(trace_line(seen));
@@ -142,7 +195,8 @@ private:
             (seen.subject == "error" || seen.subject == "warning"));
   }
 
-  // A conversation on a terminal is not interrupted by it unless asked for.
+  // On a terminal, lines that nobody asked for go to the log file; with pipes
+  // they go to standard error.
   void log(const std::string& text) {
     if (screen_ && !options_.trace)
       notes_.keep(text);
@@ -150,6 +204,7 @@ private:
       note(text);
   }
 
+  // Above the line that is being typed, if there is a terminal.
   void note(const std::string& text) {
     if (auto* screen = screen_.load())
       screen->note(text);
@@ -157,16 +212,34 @@ private:
       notes_.show(text);
   }
 
-  // An interrupt that came later than this would cut short what ends the
-  // sessions in order.
+  void serve_status(actors::Node& node) {
+    auto server = StatusServer::open(
+        sockets_, [this, &node] { return to_json(report(node)); });
+    if (server)
+      status_ = std::move(*server);
+    else
+      log("parlour status cannot ask this run: " + to_string(server.error()));
+  }
+
+  StatusReport report(actors::Node& node) const {
+    const auto& name = application_.program->settings.name;
+    const auto& folder = application_.folder;
+    return {name.empty() ? folder.filename().string() : name, folder.string(),
+            getpid(), node.now(), node.status()};
+  }
+
+  // Stops the node. A first signal has no effect from here on: it would cut
+  // short the orderly end of the sessions.
   void end(actors::Node& node) {
     signals_.on_interrupt(nullptr);
     ended_ = signals_.status();
+    status_.reset(); // nobody may ask a node that stops
     has_stopped_ = node.stop();
   }
 
-  // What was said reaches its reader, unless nobody wants to wait for that.
-  // With something that does not return, a process ends without its farewells.
+  // Waits until everything is printed, or until a signal says that nobody reads
+  // it. If a thread still hangs in a stream, or the node has not stopped, the
+  // process ends at once: destructors would wait for that thread for ever.
   void finish() {
     signals_.on_interrupt([this] { printer_.give_up(); });
     const bool all_read = printer_.finish();
@@ -175,30 +248,34 @@ private:
       std::_Exit(status_of_cutting_short());
   }
 
+  // A cut is a failure unless a signal asked for the end.
   int status_of_cutting_short() const {
     const auto asked_for = signals_.status();
     const bool in_order = has_stopped_ && signals_.interrupted();
-    return asked_for == exit_code::well && !in_order ? exit_code::wrong
-                                                     : asked_for;
+    return asked_for == exit_code::success && !in_order ? exit_code::wrong
+                                                        : asked_for;
   }
 
+  // Piped input: rows of turns (row_reader.hpp), output by the printer.
   void talk_by_lines(actors::Node& node) {
-    PacedPartner partner(node, options_.clock.has_value(), printer_);
+    PacedDriver driver(node, options_.clock.has_value(), printer_);
     DescriptorSource source(STDIN_FILENO, signals_.descriptor());
     RowReader rows(source, [this](const std::string& text) { note(text); });
-    talk_by_rows(partner, rows);
+    talk_by_rows(driver, rows);
     end(node);
   }
 
+  // A terminal: the screen shows output above the line that is being typed.
   void talk_on_terminal(actors::Node& node) {
     Screen screen({stdin, stdout, signals_.descriptor()}, data_ / "history",
                   console_.colour, [&node](const std::string& line) {
                     return node.is_private(line);
                   });
     screen_ = &screen;
-    NodePartner partner(node, options_.clock.has_value(),
-                        [&](const std::string& text) { screen.say(text); });
-    tools::talk_on_terminal(partner, screen);
+    NodeDriver driver(node, options_.clock.has_value(),
+                      [&](const std::string& text) { screen.say(text); });
+    tools::talk_on_terminal(driver, screen);
+    // Stop first, then flush: the farewell of an ending session is shown, too.
     end(node);
     screen.flush();
     screen_ = nullptr;
@@ -208,12 +285,14 @@ private:
   const RunOptions& options_;
   const Console& console_;
   std::filesystem::path data_;
+  std::filesystem::path sockets_; // of who can be asked
   SignalWatch& signals_;
   Printer printer_;
   Notes notes_;
-  std::atomic<Screen*> screen_ = nullptr; // while there is a terminal
-  int ended_ = exit_code::well; // by a signal, before the conversation was over
-  bool has_stopped_ = true;     // the node, all of it
+  std::atomic<Screen*> screen_ = nullptr; // set while a terminal is used
+  std::unique_ptr<StatusServer> status_;  // null: it cannot be asked
+  int ended_ = exit_code::success;        // exit status, from a signal
+  bool has_stopped_ = true;               // whether node.stop() succeeded
 };
 
 } // namespace
@@ -226,7 +305,7 @@ int run_command(const Places& places, const RunOptions& options,
     return exit_code::usage;
   }
   SignalWatch signals;
-  // Until there is a conversation nothing has to be ended in order.
+  // Before the conversation starts, a signal may end the process at once.
   signals.on_interrupt([&] { std::_Exit(signals.status()); });
   auto opened = open_application(places, options.app, console);
   if (const auto* status = std::get_if<int>(&opened))
@@ -245,7 +324,9 @@ int run_command(const Places& places, const RunOptions& options,
       say_error(console, to_string(ready.error()));
       return exit_code::wrong;
     }
-  return Run(application, options, console, data->path(), signals).run();
+  return Run(application, options, console, data->path(),
+             runtime_folder(places), signals)
+      .run();
 }
 
 } // namespace parlour::tools

@@ -1,3 +1,4 @@
+// `parlour schema`: prints what script/schema makes from the element table.
 #include <ostream>
 
 #include "script/schema/relax_ng.hpp"
@@ -11,7 +12,7 @@ int schema_command(const SchemaOptions& options, const Console& console) {
   console.out << (options.xsd ? script::xml_schema()
                               : script::relax_ng_schema());
   console.out.flush();
-  return exit_code::well;
+  return exit_code::success;
 }
 
 } // namespace parlour::tools

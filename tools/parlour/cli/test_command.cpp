@@ -1,3 +1,5 @@
+// `parlour test`: checks the application, runs its conversations
+// (conversation_test/) and prints failures, coverage and a summary.
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
@@ -26,19 +28,24 @@ namespace {
 
 using Results = std::vector<ConversationResult>;
 
-// Conversations are shared out among threads; each has its own node.
+// Runs all conversations. Threads take the next one from a shared counter; each
+// conversation has its own node and its own coverage, so they share nothing
+// that changes. The results are in the order of the suite, whatever the threads
+// do.
 Results hold_all(const Application& application, const TestSuite& suite,
                  const TestOptions& options, Coverage& coverage) {
   Results results(suite.conversations.size());
   std::vector<Coverage> seen(results.size(), coverage);
-  const auto words = options.update ? Words::any : Words::as_written;
+  const HoldOptions hold{options.update ? Words::any : Words::as_written,
+                         options.restores};
   Witness witness;
+  // The index of the next conversation that no thread has taken.
   std::atomic<std::size_t> next = 0;
   const auto work = [&] {
     for (std::size_t i = next++; i < results.size(); i = next++) {
       const auto& conversation = suite.conversations[i];
       const Witness::Held held(witness, conversation.file);
-      results[i] = hold_conversation(application, conversation, seen[i], words);
+      results[i] = hold_conversation(application, conversation, seen[i], hold);
     }
   };
   const auto jobs = options.jobs
@@ -47,6 +54,7 @@ Results hold_all(const Application& application, const TestSuite& suite,
   std::vector<std::jthread> threads;
   for (unsigned i = 1; i < std::min<std::size_t>(jobs, results.size()); ++i)
     threads.emplace_back(work);
+  // This thread works, too; clearing `threads` joins the others.
   work();
   threads.clear();
   for (const auto& part : seen)
@@ -54,6 +62,7 @@ Results hold_all(const Application& application, const TestSuite& suite,
   return results;
 }
 
+// Writes the JUnit file, if one is wanted. False if that fails.
 bool write_junit(const TestOptions& options, const std::string& name,
                  const Results& results, const Console& console) {
   if (options.junit.empty())
@@ -67,6 +76,7 @@ bool write_junit(const TestOptions& options, const std::string& name,
   return !!file;
 }
 
+// Replaces the robot's words in one conversation file.
 Expected<void> rewrite(const std::filesystem::path& file,
                        const std::vector<Rewording>& rewordings) {
   const auto text = script::read_bytes(file);
@@ -74,7 +84,8 @@ Expected<void> rewrite(const std::filesystem::path& file,
               : Expected<void>(tl::make_unexpected(text.error()));
 }
 
-// A conversation that went wrong in more than its words stays as it is.
+// --update: rewrites the files with the words that the robot says now. A
+// conversation with another kind of failure stays as it is.
 bool update_files(const TestSuite& suite, const Results& results,
                   const Console& console) {
   bool well = true;
@@ -96,7 +107,8 @@ bool all_passed(const Results& results) {
                       [](const auto& result) { return !!result.failure; });
 }
 
-// Warnings are errors here.
+// Warnings, too, stop the test: a conversation that runs into a known mistake
+// proves nothing.
 bool refused(const std::vector<script::Finding>& findings, const Places& places,
              const Console& console) {
   if (findings.empty())
@@ -106,12 +118,14 @@ bool refused(const std::vector<script::Finding>& findings, const Places& places,
   return true;
 }
 
+// Runs the suite and prints everything about it.
 int hold_and_report(const Application& application, const TestSuite& suite,
                     const Places& places, const TestOptions& options,
                     const Console& console) {
   Coverage coverage(*application.program);
   const auto results = hold_all(application, suite, options, coverage);
-  // Before anything is printed, as its reader may go away.
+  // Write the file before anything is printed: the reader of our output may go
+  // away, and the file is to be complete then.
   const auto written = write_junit(options, application.program->settings.name,
                                    results, console);
   print_failures(console.out, results, options.trace);
@@ -119,10 +133,11 @@ int hold_and_report(const Application& application, const TestSuite& suite,
   if (!options.quiet)
     print(console.out, coverage, places);
   print_summary(console.out, results);
-  return updated && written && all_passed(results) ? exit_code::well
+  return updated && written && all_passed(results) ? exit_code::success
                                                    : exit_code::wrong;
 }
 
+// One test run, from opening the application to the summary.
 int test_once(const Places& places, const TestOptions& options,
               const Console& console) {
   auto opened = open_application(places, options.app, console, Scrutiny::lint);
@@ -146,10 +161,12 @@ int test_once(const Places& places, const TestOptions& options,
   return hold_and_report(application, *suite, places, options, console);
 }
 
-// Until Ctrl-C. What changes while conversations are held counts as well.
+// --watch: tests again after each change, until Ctrl-C. Changes while the
+// conversations run are not lost: the next wait returns at once.
 int test_again_and_again(const Places& places, const TestOptions& options,
                          const Console& console) {
   SignalWatch signals;
+  // Watch the application, the platform's files, and conversations elsewhere.
   const auto folder = find_application(places, options.app);
   if (!folder) {
     say_error(console, folder.error().message);
@@ -167,7 +184,7 @@ int test_again_and_again(const Places& places, const TestOptions& options,
   do {
     test_once(places, options, console);
     if (!console.out.flush())
-      return exit_code::well; // who called this tells of it
+      return exit_code::success; // the caller reports it
     console.err << coloured(console, grey, "waiting for changes; Ctrl-C ends\n")
                 << std::flush;
   } while (watch->wait(signals.descriptor()));

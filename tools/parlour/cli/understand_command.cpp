@@ -1,3 +1,5 @@
+// `parlour understand`: builds the application's GrammarNLU without a node and
+// prints what it makes of one text (application/understanding.hpp).
 #include <ostream>
 
 #include "tools/parlour/application/opening.hpp"
@@ -12,6 +14,7 @@ namespace {
 
 using adapters::nlu::Understanding;
 
+// The explanation, then the acts, then the score of the best reading.
 void print(std::ostream& out, const Understanding& understanding) {
   for (const auto& line : understanding.explanation)
     out << line << '\n';
@@ -22,6 +25,8 @@ void print(std::ostream& out, const Understanding& understanding) {
   out << "score " << number_text(understanding.score) << '\n';
 }
 
+// The text as the robot would get it from a line of input: invalid UTF-8
+// replaced, lines joined by blanks.
 std::string well_formed(std::string_view text) {
   LineReader reader;
   std::string all;
@@ -32,7 +37,8 @@ std::string well_formed(std::string_view text) {
   return all;
 }
 
-// As at the beginning of a conversation: in the first state, with its grammar.
+// The context of a first turn: the start state's grammar and the time, no
+// slots.
 Map beginning(const script::Program& program, Timestamp now) {
   Map context{{"now", now}};
   const auto state = program.state(program.settings.start);
@@ -54,10 +60,12 @@ int understand_command(const Places& places, const UnderstandOptions& options,
     say_error(console, options.app + " has no GrammarNLU to ask");
     return exit_code::wrong;
   }
+  // Columns come from a copy of the database in memory, so no run's data
+  // matter.
   const auto built =
-      build_understander(application, *component,
-                         column_reader(in_memory(application.composition),
-                                       application.folder, ""));
+      build_engine(application, *component,
+                   column_reader(in_memory(application.composition),
+                                 application.folder, ""));
   if (!built) {
     for (const auto& error : built.error())
       say_error(console, to_string(error));
@@ -67,7 +75,7 @@ int understand_command(const Places& places, const UnderstandOptions& options,
                                  options.clock.value_or(SystemClock().now()));
   print(console.out,
         built->understand(well_formed(options.text), context, true));
-  return exit_code::well;
+  return exit_code::success;
 }
 
 } // namespace parlour::tools

@@ -1,3 +1,6 @@
+// Builds one bash function `_parlour` of three `case` statements: commands that
+// have commands of their own ("plugin"), the options of each command, and
+// values after certain words.
 #include "tools/parlour/console/completion.hpp"
 
 #include <CLI/CLI.hpp>
@@ -6,16 +9,17 @@ namespace parlour::tools {
 
 namespace {
 
+// "--one --two": the visible long options.
 std::string options_of(const CLI::App& command) {
   std::string words;
   for (const auto* option : command.get_options())
-    if (!option->get_group().empty()) // it is shown
+    if (!option->get_group().empty()) // it is visible
       for (const auto& name : option->get_lnames())
         words += (words.empty() ? "--" : " --") + name;
   return words;
 }
 
-// Those that are shown.
+// The visible commands.
 std::vector<const CLI::App*> commands_of(const CLI::App& app) {
   std::vector<const CLI::App*> commands;
   for (const auto* command : app.get_subcommands(nullptr))
@@ -24,7 +28,7 @@ std::vector<const CLI::App*> commands_of(const CLI::App& app) {
   return commands;
 }
 
-// Commands and options, where a command is to come.
+// What may follow the program's name: commands and global options.
 std::string first_words(const CLI::App& app) {
   std::string words;
   for (const auto* command : commands_of(app))
@@ -32,16 +36,18 @@ std::string first_words(const CLI::App& app) {
   return words + options_of(app);
 }
 
-// Offers these words.
+// bash code that completes $word from these words and returns.
 std::string offer(const std::string& words) {
   return "COMPREPLY=($(compgen -W \"" + words + "\" -- \"$word\")); return";
 }
 
+// One branch of a `case` statement.
 std::string a_case(const std::string& pattern, const std::string& action) {
   return "    '" + pattern + "') " + action + " ;;\n";
 }
 
-// Of "plugin" the commands below it are looked at as well.
+// For a command with commands of its own, such as "plugin": completes the
+// second word, and extends $command by it ("plugin list") for the next `case`.
 std::string cases_of_groups(const CLI::App& app) {
   std::string cases;
   for (const auto* command : commands_of(app))
@@ -53,6 +59,7 @@ std::string cases_of_groups(const CLI::App& app) {
   return cases;
 }
 
+// Sets $words to the options of the command; recursive for "plugin list".
 std::string cases_of_options(const CLI::App& app, const std::string& before) {
   std::string cases;
   for (const auto* command : commands_of(app)) {
@@ -63,6 +70,7 @@ std::string cases_of_options(const CLI::App& app, const std::string& before) {
   return cases;
 }
 
+// Completes the value of the option or command before the cursor.
 std::string
 cases_of_values(const std::map<std::string, std::vector<std::string>>& values) {
   std::string cases;

@@ -18,6 +18,7 @@ void say_warning(const Console& console, std::string_view message) {
               << std::endl;
 }
 
+// If the command failed anyway, its own status says more than a full disk.
 int status_of_printing(const Console& console, int status) {
   if (console.out.flush())
     return status;
@@ -26,7 +27,7 @@ int status_of_printing(const Console& console, int status) {
   if (!nobody_reads)
     say_error(console, "what is printed cannot be written" +
                            (why ? std::string(": ") + std::strerror(why) : ""));
-  if (status != exit_code::well)
+  if (status != exit_code::success)
     return status;
   return nobody_reads ? exit_code::nobody_reads : exit_code::wrong;
 }

@@ -1,5 +1,6 @@
-// Console: where a command reads and writes. The program has the process's
-// streams, a test has strings.
+// Console: the streams that a command reads from and writes to. The program
+// passes the streams of the process, a test passes string streams. Commands
+// never use std::cout or std::cerr, so tests can call them as functions.
 #pragma once
 
 #include <functional>
@@ -9,26 +10,31 @@
 
 namespace parlour::tools {
 
+// A struct of references: the streams must outlive it.
 struct Console {
   std::ostream& out;
   std::ostream& err;
-  bool colour = false; // of what goes to `err`
-  // The errno of a write to `out` that failed; 0 where that is not known.
+  bool colour = false; // use colours on `err`
+  // The errno of the first failed write to `out`; 0 if none, or not known.
   std::function<int()> trouble = [] { return 0; };
 };
 
-// "error: message" as a line of `err`, red where there is colour.
+// Prints "error: message" as a line on `err`, in red if colours are used.
 void say_error(const Console& console, std::string_view message);
+// Prints "warning: message", in yellow.
 void say_warning(const Console& console, std::string_view message);
 
-// The exit status of a command that has printed: `status`, unless `out` could
-// not be written. That is said, but where nobody reads it any more.
+// The exit status of a command that has printed its result: `status`, or a
+// failure if `out` could not be written. That is reported on `err`, except if
+// the reader has gone away (EPIPE), as in `parlour … | head`. Flushes `out`.
 int status_of_printing(const Console& console, int status);
 
-// The text between the escape sequences of a colour, or as it is.
+// The text within the escape sequences for a colour, or unchanged if the
+// console has no colours. `code` is one of the constants below.
 std::string coloured(const Console& console, const char* code,
                      std::string_view text);
 
+// SGR codes of ANSI terminals.
 inline constexpr const char* red = "31";
 inline constexpr const char* green = "32";
 inline constexpr const char* yellow = "33";

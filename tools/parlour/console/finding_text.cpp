@@ -1,3 +1,4 @@
+// Findings as lines and as JSON. The excerpt with its mark is script/source.
 #include "tools/parlour/console/finding_text.hpp"
 
 #include <map>
@@ -15,7 +16,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Empty where the file cannot be read.
+// The text of a file, read once and kept in `texts`; empty if it cannot be
+// read.
 const script::SourceText&
 text_of(const std::string& file,
         std::map<std::string, script::SourceText>& texts) {
@@ -78,6 +80,7 @@ void print_lines(std::ostream& out,
   }
 }
 
+// Invalid UTF-8 in a message is replaced, so that the JSON is always valid.
 void print_json(std::ostream& out,
                 const std::vector<script::Finding>& findings) {
   auto array = Json::array();

@@ -1,4 +1,5 @@
-// How findings are printed: lines for people and editors, JSON for programs.
+// Prints the findings of the compiler and of `check` (script/source): as lines
+// for people and editors, or as JSON for programs.
 #pragma once
 
 #include <iosfwd>
@@ -15,21 +16,26 @@ struct FindingCount {
   std::size_t warnings = 0;
 };
 
+// Counts errors and warnings.
 FindingCount count(const std::vector<script::Finding>& findings);
 
 // "2 errors, 1 warning".
 std::string to_string(const FindingCount& count);
 
-// "file:line:column: severity: message", and below it the line of the file with
-// a mark under the place. Files below the working folder are named from there.
+// Prints "file:line:column: severity: message" for each finding, and below it
+// the source line with a mark under the place. Files below the working folder
+// are shown relative to it. Reads the files again to show their lines.
 void print_lines(std::ostream& out,
                  const std::vector<script::Finding>& findings,
                  const Places& places);
 
-// An array of {file, line, column, end, kind, name, message, fix}; files are
-// absolute. `end` is the place behind what is meant, `kind` "error" or
-// "warning", `name` that of the lint, or what the error is about. `fix` is an
-// array of {begin, end, text}: bytes of the file to replace; empty where no
+// Prints an array of {file, line, column, end, kind, name, message, fix}.
+//
+// `file` is absolute; lines and columns count from 1. `end` is the place behind
+// the marked text. `kind` is "error" or "warning". `name` is the lint's name,
+// or what an error is about. `fix` is an array of {begin, end, text}, which are
+// bytes of the file and their replacement; it is empty if no correction is
+// safe.
 // correction is safe.
 void print_json(std::ostream& out,
                 const std::vector<script::Finding>& findings);

@@ -1,3 +1,4 @@
+// A UTF-8 decoder by byte, which replaces invalid sequences by U+FFFD.
 #include "tools/parlour/console/line_reader.hpp"
 
 #include <algorithm>
@@ -11,7 +12,8 @@ unsigned char byte_at(const std::string& text, std::size_t index) {
   return static_cast<unsigned char>(text[index]);
 }
 
-// How many bytes a character has that begins so; 0 for no beginning.
+// The number of bytes of a character whose first byte this is, or 0 if no
+// character begins so: ASCII, a continuation byte, or C0, C1, F5 to FF.
 std::size_t size_of_sequence(unsigned char first) {
   if (first >= 0xC2 && first <= 0xDF)
     return 2;
@@ -20,8 +22,9 @@ std::size_t size_of_sequence(unsigned char first) {
   return first >= 0xF0 && first <= 0xF4 ? 4 : 0;
 }
 
-// Whether the byte may follow (Unicode, table 3-7: no overlong forms, no
-// surrogates, nothing beyond U+10FFFF).
+// Whether `next` may continue the sequence (The Unicode Standard, table 3-7).
+// The second byte's range excludes overlong forms, surrogates and code points
+// beyond U+10FFFF.
 bool may_follow(const std::string& sequence, unsigned char next) {
   if (sequence.size() > 1)
     return next >= 0x80 && next <= 0xBF;
@@ -59,6 +62,8 @@ std::optional<Line> LineReader::finish() {
   return give();
 }
 
+// `sequence_` holds the valid start of a character. A byte either continues it,
+// or the start is replaced and the byte is looked at anew.
 void LineReader::add(char byte) {
   const auto value = static_cast<unsigned char>(byte);
   if (!sequence_.empty() && may_follow(sequence_, value)) {
@@ -72,6 +77,7 @@ void LineReader::add(char byte) {
     return;
   }
   flush_sequence();
+  // A NUL would cut the text in C interfaces, so it is replaced, too.
   if (size_of_sequence(value) > 0)
     sequence_ = byte;
   else if (value >= 0x80 || value == 0)
@@ -80,8 +86,8 @@ void LineReader::add(char byte) {
     line_.text += byte;
 }
 
-// One for each byte sequence that is no character (Unicode 3.9, maximal
-// subparts).
+// Adds one U+FFFD for each maximal invalid part of the input (The Unicode
+// Standard, section 3.9).
 void LineReader::add_replacement() {
   count_character();
   line_.repaired = true;
@@ -107,6 +113,7 @@ Line LineReader::give() {
   auto line = std::exchange(line_, {});
   characters_ = 0;
   begun_ = false;
+  // CR LF ends a line as well.
   if (!line.text.empty() && line.text.back() == '\r')
     line.text.pop_back();
   return line;

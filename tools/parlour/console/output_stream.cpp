@@ -1,9 +1,11 @@
+// The buffer of OutputStream: passes everything on to the C stream.
 #include "tools/parlour/console/output_stream.hpp"
 
 #include <cerrno>
 
 namespace parlour::tools {
 
+// The buffer is a member, so it exists only after the base class.
 OutputStream::OutputStream(std::FILE* file)
     : std::ostream(nullptr), buffer_(file) {
   rdbuf(&buffer_);
@@ -28,6 +30,7 @@ int OutputStream::Buffer::sync() {
   return note(std::fflush(file_) == 0) ? 0 : -1;
 }
 
+// Only the first failure is kept: later ones follow from it.
 bool OutputStream::Buffer::note(bool written) {
   const auto why = errno;
   if (int none = 0; !written)

@@ -1,5 +1,5 @@
-// OutputStream: a stream of the process, such as standard output, that
-// remembers why it could not be written.
+// OutputStream: a std::ostream on a C stream, such as stdout, that remembers
+// why a write failed. A std::ofstream does not tell.
 #pragma once
 
 #include <atomic>
@@ -11,10 +11,11 @@ namespace parlour::tools {
 
 class OutputStream : public std::ostream {
 public:
-  // `file` has to outlive it and may be written by others at the same time.
+  // `file` must outlive the stream and stays the caller's. Output is buffered
+  // by `file`, so other code may write to it as well.
   explicit OutputStream(std::FILE* file);
 
-  // The errno of the first write that failed; 0: none did.
+  // The errno of the first failed write, 0 if there was none. From any thread.
   int trouble() const {
     return buffer_.trouble;
   }
@@ -31,6 +32,7 @@ private:
     int sync() override;
 
   private:
+    // Remembers errno if `written` is false; returns `written`.
     bool note(bool written);
 
     std::FILE* file_;

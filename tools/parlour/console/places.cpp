@@ -1,3 +1,4 @@
+// Search paths. docs/running.md tells users the same rules.
 #include "tools/parlour/console/places.hpp"
 
 #include <cerrno>
@@ -26,8 +27,8 @@ bool is_folder(const fs::path& path) {
   return fs::is_directory(path, ignored);
 }
 
-// Why what lies there cannot be an application that is read; empty where it
-// can, or nothing lies there.
+// Why an existing path cannot be read as an application; empty if it can, or if
+// nothing is there.
 std::string trouble_with(const fs::path& path) {
   std::error_code failed;
   const auto status = fs::status(path, failed);
@@ -40,10 +41,13 @@ std::string trouble_with(const fs::path& path) {
              : "";
 }
 
+// A bare name is also looked up in the known folders; a path is not.
 bool is_bare(const std::string& app) {
   return app.find('/') == std::string::npos && app != "." && app != "..";
 }
 
+// The path with links and ".." resolved, so that messages and locks name a
+// folder in one way.
 std::string absolute_text(const fs::path& path) {
   std::error_code code;
   auto canonical = fs::canonical(path, code);
@@ -54,10 +58,14 @@ std::string absolute_text(const fs::path& path) {
 
 Places process_places() {
   std::error_code ignored;
-  Places places{fs::current_path(ignored), {}, environment_variable, {}, {}};
-  // bin/parlour and share/parlour lie side by side, wherever both were put.
+  Places places{
+      fs::current_path(ignored), {}, environment_variable, {}, {}, {}};
+  // An installed program: bin/parlour and share/parlour have the same parent,
+  // wherever that is. PARLOUR_CONFIG is the source tree, PARLOUR_SHARE the
+  // configured prefix.
   const auto program = fs::read_symlink("/proc/self/exe", ignored);
-  const auto prefix = program.parent_path().parent_path();
+  places.programs = program.parent_path();
+  const auto prefix = places.programs.parent_path();
   const auto beside = prefix / "share/parlour";
   places.installed_plugins = prefix / PARLOUR_PLUGIN_FOLDER;
   for (const auto& share :
@@ -82,6 +90,8 @@ Expected<fs::path> find_application(const Places& places,
     for (const auto& share : places.shares)
       candidates.push_back(share / "apps" / app);
   }
+  // The first readable folder wins. A candidate that exists and cannot be read
+  // is an error, not skipped: another application of the name would surprise.
   std::string looked;
   for (const auto& candidate : candidates) {
     if (const auto why = trouble_with(candidate); !why.empty())
@@ -91,6 +101,7 @@ Expected<fs::path> find_application(const Places& places,
       return fs::path(absolute_text(candidate));
     looked += (looked.empty() ? "" : ", ") + candidate.string();
   }
+  // Somebody named a file inside of an application: suggest its folder.
   if (const auto file = places.working / app; !app.empty() && is_there(file))
     return fail(ErrorKind::settings,
                 "'" + app + "' is no folder, and an application is a folder: " +
@@ -103,6 +114,8 @@ bool is_file_like(const fs::path& path) {
   return path.has_filename() && is_there(path) && !is_folder(path);
 }
 
+// An application in a tree of `apps` and `platform` uses the platform's files
+// of that tree, so that a source tree does not depend on what is installed.
 fs::path find_platform(const Places& places, const fs::path& application) {
   const auto apps = application.parent_path();
   if (apps.filename() == "apps" && is_folder(apps.parent_path() / "platform"))
@@ -132,7 +145,7 @@ Expected<fs::path> default_data_folder(const Places& places,
     return fs::path(places.environment(variable).value_or(""));
   };
   auto data = folder("XDG_DATA_HOME");
-  // A relative one is to be ignored (XDG base directory specification).
+  // The XDG base directory specification: ignore relative paths.
   if (!data.is_absolute())
     data = folder("HOME") / ".local/share";
   if (!data.is_absolute())

@@ -1,5 +1,8 @@
-// Places: where applications, the platform's own files and a run's data are
-// looked for (docs/running.md, "Where things are looked for").
+// Places: the search paths for applications, platform files, plug-ins and data
+// folders (docs/running.md, "Where things are looked for").
+//
+// The program uses process_places(); a test fills the struct with folders of
+// its own, so that nothing depends on the environment.
 #pragma once
 
 #include <filesystem>
@@ -13,43 +16,49 @@
 namespace parlour::tools {
 
 struct Places {
-  std::filesystem::path working; // the folder that relative paths start from
-  // Folders that hold `apps` and `platform`, the first one preferred: what is
-  // installed with the program; the source tree, where it is not installed.
+  std::filesystem::path working; // relative paths start here
+  // Folders with `apps` and `platform`, the preferred one first: the installed
+  // share beside the program, or the source tree it was built from.
   std::vector<std::filesystem::path> shares;
+  // Looks up an environment variable; nothing if it is unset or empty.
   std::function<std::optional<std::string>(const char*)> environment;
-  std::filesystem::path plugins;           // as --plugins says; may be empty
-  std::filesystem::path installed_plugins; // may be empty
+  std::filesystem::path plugins;           // of --plugins; empty: not given
+  std::filesystem::path installed_plugins; // empty: none
+  std::filesystem::path programs;          // of the running program
 };
 
-// Those of the running program.
+// The search paths of the running program. Looks at the environment, the
+// working folder and the program's own location.
 Places process_places();
 
-// A file's name (or "file:line") as people want to read it: from the working
-// folder where it lies below that, else as it is.
+// A file's name, or "file:line", as it is shown to people: relative to the
+// working folder if it lies below that, otherwise unchanged.
 std::string shown_path(const Places& places, const std::string& file);
 
-// The folder, absolute: APP itself, ./config/apps/APP, an installed one. The
-// error (kind Settings) says where it was looked for.
+// The absolute folder of the application APP. Looks for a folder of that path,
+// then for a bare name in ./config/apps and in the shares. An error of kind
+// Settings lists where it looked, or says why a folder cannot be read.
 Expected<std::filesystem::path> find_application(const Places& places,
                                                  const std::string& app);
 
-// Whether something lies there that is no folder, even if it cannot be read:
-// for commands that take one file instead of an application.
+// Whether the path exists and is no folder, even if it cannot be read. For
+// commands that accept a script file or an application.
 bool is_file_like(const std::filesystem::path& path);
 
-// The platform's folder beside the application's `apps`, else a share's.
+// The folder of the platform's files: the `platform` beside the `apps` that
+// holds the application, otherwise that of the first share.
 std::filesystem::path find_platform(const Places& places,
                                     const std::filesystem::path& application);
 
-// Where plug-ins that are files are looked for, the first folder preferred: in
-// what --plugins or else PARLOUR_PLUGINS names, and nowhere else; or in
-// `plugins` of the application, then where they are installed.
+// The folders to search for plug-in files, the preferred one first. That is
+// --plugins alone if given, otherwise PARLOUR_PLUGINS alone if set, otherwise
+// the application's `plugins` and the installed folder, as far as they exist.
 std::vector<std::filesystem::path>
 plugin_folders(const Places& places, const std::filesystem::path& application);
 
-// Where a run of the application keeps its data unless it is told otherwise. An
-// error where there is no home folder.
+// The data folder of an application's runs if --data is not given, below
+// XDG_DATA_HOME or ~/.local/share. An error of kind Settings if neither
+// variable is set to an absolute path. Does not create the folder.
 Expected<std::filesystem::path>
 default_data_folder(const Places& places,
                     const std::filesystem::path& application);

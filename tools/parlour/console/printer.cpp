@@ -1,3 +1,7 @@
+// The queue of Printer and the thread that writes it.
+//
+// The thread owns a share of the state: if it hangs in a write, finish()
+// detaches it, and the state lives on.
 #include "tools/parlour/console/printer.hpp"
 
 #include <condition_variable>
@@ -10,12 +14,15 @@
 namespace parlour::tools {
 
 struct Printer::State {
+  // A line and the stream it is for.
   struct Line {
     bool is_out;
     std::string text;
   };
 
+  // Called by any thread.
   void add(Line line);
+  // The writing thread.
   void write_all();
   bool write(const Line& line);
   void close_once(std::unique_lock<std::mutex>& lock);
@@ -25,11 +32,12 @@ struct Printer::State {
   std::function<void()> closed;
   std::mutex mutex;
   std::condition_variable changed;
-  std::deque<Line> lines; // the first one is being written
-  std::size_t bytes = 0;  // of these
+  std::deque<Line> lines; // the front one is being written
+  std::size_t bytes = 0;  // the sum of their sizes
   bool is_closed = false;
   bool given_up = false;
   bool finished = false;
+  // Joined or detached by finish().
   std::thread thread;
 };
 
@@ -37,13 +45,18 @@ void Printer::State::add(Line line) {
   std::unique_lock lock(mutex);
   if (finished || (line.is_out && is_closed))
     return;
-  if (bytes + line.text.size() > most_to_write)
+  if (bytes + line.text.size() > max_to_write)
+    // Nobody can be reading any more: give the output up instead of growing.
     return close_once(lock);
   bytes += line.text.size();
   lines.push_back(std::move(line));
   changed.notify_all();
 }
 
+// Writes without the lock, so that adding never waits for a reader. The front
+// line stays in the queue until it is written: `lines` is empty only when
+// nothing is left to do, and references into a deque stay valid when lines are
+// added.
 void Printer::State::write_all() {
   std::unique_lock lock(mutex);
   for (;;) {
@@ -62,7 +75,8 @@ void Printer::State::write_all() {
   }
 }
 
-// Only a line for `out` that is not written tells anything.
+// Returns false only if a line for `out` could not be written: without standard
+// error a conversation can go on.
 bool Printer::State::write(const Line& line) {
   auto& stream = line.is_out ? *out_stream : *err_stream;
   if (stream)
@@ -70,6 +84,7 @@ bool Printer::State::write(const Line& line) {
   return stream || !line.is_out;
 }
 
+// Calls `closed` at most once, without the lock: it may add lines.
 void Printer::State::close_once(std::unique_lock<std::mutex>& lock) {
   if (std::exchange(is_closed, true) || !closed)
     return;
@@ -106,6 +121,8 @@ void Printer::wait_for_room() {
   });
 }
 
+// First wait without limit for the queue to be empty or given up, then for the
+// last lines' time.
 bool Printer::finish() {
   std::unique_lock lock(state_->mutex);
   const auto written = [this] { return state_->lines.empty(); };

@@ -1,3 +1,4 @@
+// Rows of turns from bytes: lines_ splits the bytes, take() groups the lines.
 #include "tools/parlour/console/row_reader.hpp"
 
 #include <utility>
@@ -15,6 +16,8 @@ RowEvent RowReader::next() {
   return event;
 }
 
+// Inside of a row, a pause of row_pause ends the row. Between rows there is no
+// limit.
 void RowReader::read_more() {
   auto read =
       source_.read(row_.empty() ? std::nullopt : std::optional(row_pause));
@@ -34,6 +37,8 @@ void RowReader::read_more() {
   }
 }
 
+// An empty line ends the row. Directly after a turn it means "wait for the
+// answer", otherwise "let time pass".
 void RowReader::take(Line line) {
   ++number_;
   const auto place = "input line " + std::to_string(number_) + ": ";
@@ -56,12 +61,14 @@ void RowReader::take(Line line) {
   after_turn_ = false;
 }
 
+// Delivers the row, if it has turns. An empty row is no event.
 void RowReader::end_row() {
   if (!row_.empty())
     events_.push_back({RowEvent::Kind::turns, std::exchange(row_, {}), false});
   row_bytes_ = 0;
 }
 
+// Reported once; a stream without pauses would report it all the time.
 void RowReader::end_part() {
   if (!std::exchange(told_of_parts_, true))
     note_("input line " + std::to_string(number_) +
@@ -70,6 +77,7 @@ void RowReader::end_part() {
   events_.back().is_part = true;
 }
 
+// The last line may lack its line end.
 void RowReader::read_rest() {
   if (auto line = lines_.finish(); line && !is_blank(line->text))
     take(std::move(*line));

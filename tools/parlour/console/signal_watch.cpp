@@ -1,3 +1,5 @@
+// The watching thread reads a signalfd. Three descriptors wake it: a signal,
+// the request to stop, and raise_closed().
 #include "tools/parlour/console/signal_watch.hpp"
 
 #include <cerrno>
@@ -6,11 +8,11 @@
 #include <system_error>
 #include <utility>
 
-#include <poll.h>
 #include <sys/eventfd.h>
 #include <sys/signalfd.h>
 #include <unistd.h>
 
+#include "adapters/loop/wait_until_ready.hpp"
 #include "tools/parlour/console/exit_code.hpp"
 
 namespace parlour::tools {
@@ -23,7 +25,7 @@ bool is_ignored(int signal) {
          action.sa_handler == SIG_IGN;
 }
 
-// Of those given the ones that are not to be ignored, as nohup has it.
+// The given signals without those that are ignored (nohup, background).
 sigset_t signals(std::initializer_list<int> given) {
   sigset_t set;
   sigemptyset(&set);
@@ -33,6 +35,7 @@ sigset_t signals(std::initializer_list<int> given) {
   return set;
 }
 
+// Throws for a descriptor that the system refused.
 int made(int descriptor) {
   if (descriptor < 0)
     throw std::system_error(errno, std::generic_category());
@@ -41,6 +44,7 @@ int made(int descriptor) {
 
 } // namespace
 
+// Threads inherit the mask, so threads started later block the signals, too.
 SignalWatch::SignalWatch() {
   const auto set = signals({SIGINT, SIGTERM, SIGHUP});
   pthread_sigmask(SIG_BLOCK, &set, &before_);
@@ -59,6 +63,8 @@ SignalWatch::~SignalWatch() {
   pthread_sigmask(SIG_SETMASK, &before_, nullptr);
 }
 
+// The action runs under the lock, here and in act(), so that nobody can remove
+// it while it runs.
 void SignalWatch::on_interrupt(std::function<void()> action) {
   std::lock_guard lock(mutex_);
   action_ = std::move(action);
@@ -67,7 +73,7 @@ void SignalWatch::on_interrupt(std::function<void()> action) {
 }
 
 int SignalWatch::status() const {
-  return signal_ == SIGINT ? exit_code::interrupted : exit_code::well;
+  return signal_ == SIGINT ? exit_code::interrupted : exit_code::success;
 }
 
 void SignalWatch::raise_closed() {
@@ -78,19 +84,19 @@ void SignalWatch::raise_closed() {
 void SignalWatch::watch() {
   pollfd waiting[] = {
       {signals_, POLLIN, 0}, {stop_, POLLIN, 0}, {wake_, POLLIN, 0}};
-  auto count = nfds_t{3};
-  while (poll(waiting, count, -1) >= 0 && !(waiting[1].revents & POLLIN)) {
+  while (adapters::wait_until_ready(waiting) != adapters::Waited::failed &&
+         !(waiting[1].revents & POLLIN)) {
     take_signal();
     if (interrupted() || closed_) {
       act();
-      count = 2; // the descriptor stays readable
-      waiting[2].revents = 0;
+      waiting[2].fd = -1; // it stays readable for ever
     }
   }
 }
 
-// From the first one on this thread is there for the second. Not so a second
-// SIGHUP: both the terminal and its shell send one.
+// Unblocks SIGINT and SIGTERM after the first signal, on this thread only: the
+// kernel delivers the second one here, with its default action. SIGHUP stays
+// blocked, because both the terminal and its shell send one.
 void SignalWatch::take_signal() {
   signalfd_siginfo signal;
   if (read(signals_, &signal, sizeof signal) != sizeof signal)

@@ -1,3 +1,4 @@
+// See conversation_file.hpp for what the fields of a step mean.
 #include "tools/parlour/conversation_test/conversation_check.hpp"
 
 #include <algorithm>
@@ -10,7 +11,7 @@ namespace {
 
 using script::Severity;
 
-// What is wrong with a name, or empty.
+// The error for a name that is not among the known ones; otherwise empty.
 std::string wrong_name(const std::string& what, const std::string& name,
                        const std::vector<std::string>& known) {
   if (std::find(known.begin(), known.end(), name) != known.end())
@@ -19,6 +20,7 @@ std::string wrong_name(const std::string& what, const std::string& name,
          script::did_you_mean(name, known);
 }
 
+// `text` is the topic of an `expect slot`, `target` its slot.
 std::string wrong_slot(const Step& step, const script::Program& program) {
   const auto topic = program.topic(step.text);
   if (topic == script::no_id)
@@ -27,6 +29,7 @@ std::string wrong_slot(const Step& step, const script::Program& program) {
                     names_of(program.topics[topic].slots));
 }
 
+// Only these two kinds of lines name things of the program.
 std::string wrong(const Step& step, const script::Program& program) {
   if (step.kind == StepKind::expect_slot)
     return wrong_slot(step, program);

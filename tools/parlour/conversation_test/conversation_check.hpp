@@ -1,5 +1,5 @@
-// What in a conversation file names something that the application does not
-// have, before it is held.
+// Checks the names in a conversation against the application before the
+// conversation runs.
 #pragma once
 
 #include <vector>
@@ -10,6 +10,8 @@
 
 namespace parlour::tools {
 
+// An error, with its line, for each `expect slot` and `expect state` that names
+// a topic, slot or state that does not exist. Pure.
 std::vector<script::Finding>
 check_conversation(const Conversation& conversation,
                    const script::Program& program);

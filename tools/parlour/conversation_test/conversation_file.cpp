@@ -1,3 +1,5 @@
+// One member function parses each kind of line. It reports an error or appends
+// a step.
 #include "tools/parlour/conversation_test/conversation_file.hpp"
 
 #include <algorithm>
@@ -35,6 +37,7 @@ public:
   }
 
   ParsedConversation parse(std::string_view text) {
+    // Invalid UTF-8 is one error, with its line; nothing else is parsed then.
     if (const auto invalid = find_invalid_utf8(text)) {
       line_ = 1 + static_cast<std::uint32_t>(
                       std::count(text.begin(), text.begin() + *invalid, '\n'));
@@ -51,8 +54,10 @@ public:
   }
 
 private:
+  // Parses what follows the line's first word.
   using Handler = void (Parser::*)(std::string_view rest);
 
+  // Dispatches a line by its first word.
   void line(std::string_view text) {
     if (text.empty() || text.front() == '#')
       return;
@@ -67,13 +72,16 @@ private:
         "; expected U:, R:, R~, P:, B:, wait, event, expect, clock, seed or #");
   }
 
-  // A directive of letters ends at a blank, U: and R~ by themselves.
+  // A directive of letters must be followed by a blank. "U:" and "R~" need
+  // none.
   static bool ends(std::string_view text, std::string_view word) {
     const auto last = word.back();
     return last == ':' || last == '~' || text.size() == word.size() ||
            text[word.size()] == ' ' || text[word.size()] == '\t';
   }
 
+  // No directive is the beginning of another one, so the order of the search
+  // does not matter.
   static const std::map<std::string_view, Handler>& handlers() {
     static const std::map<std::string_view, Handler> table = {
         {"U:", &Parser::user},     {"R:", &Parser::robot},
@@ -90,12 +98,15 @@ private:
   void robot(std::string_view rest) {
     words(StepKind::robot, rest, "R: needs what the robot says");
   }
+  // The pattern is compiled here only to find errors.
   void pattern(std::string_view rest) {
     RE2 pattern(std::string(rest), RE2::Quiet);
     if (!pattern.ok())
       return error("not a regular expression: " + pattern.error());
     words(StepKind::robot_pattern, rest, "R~ needs a regular expression");
   }
+  // A step whose text is the rest of the line; `otherwise` is the error if
+  // there is none.
   void words(StepKind kind, std::string_view rest, const char* otherwise) {
     if (rest.empty())
       return error(otherwise);
@@ -114,6 +125,7 @@ private:
     message(StepKind::event, rest, "event SOURCE COMMAND param…");
   }
 
+  // "SOURCE COMMAND param…": of `event` and of `expect post`.
   void message(StepKind kind, std::string_view rest, const std::string& form) {
     DirectiveReader reader(rest);
     auto target = reader.word();
@@ -131,6 +143,7 @@ private:
     made.params = std::move(params);
   }
 
+  // "expect post|slot|state|sql …": dispatches by the second word.
   void expect(std::string_view rest) {
     DirectiveReader reader(rest);
     const auto what = reader.word().value_or(Word{}).text;
@@ -148,6 +161,7 @@ private:
           script::did_you_mean(what, expectations));
   }
 
+  // "Topic.Slot = value". A slot's name has no " = ", so the first one counts.
   void expect_slot(std::string_view rest) {
     const auto sides = split_at_first_equals(rest);
     const auto dot = sides ? sides->left.find('.') : std::string_view::npos;
@@ -160,7 +174,7 @@ private:
     made.value = parse_literal(sides->right);
   }
 
-  // The last " = ", as a query has some of its own.
+  // Splits at the last " = ", because a query may contain one.
   void expect_sql(std::string_view rest) {
     const auto sides = split_at_last_equals(rest);
     if (!sides || sides->left.empty() || sides->right.empty())
@@ -170,7 +184,8 @@ private:
     made.value = parse_literal(sides->right);
   }
 
-  // Before the first step it says when the conversation begins.
+  // Before the first step it sets the start of the conversation; later, time
+  // passes until then.
   void clock(std::string_view rest) {
     const auto time = parse_timestamp(rest);
     if (!time)
@@ -196,6 +211,7 @@ private:
   void partial(std::string_view rest) {
     words(StepKind::partial, rest, "P: needs what the user is just saying");
   }
+  // "[words heard]" is optional.
   void barge_in(std::string_view rest) {
     auto& made = step(StepKind::barge_in);
     if (rest.substr(0, 1) == "[") {
@@ -208,6 +224,7 @@ private:
     made.text = rest;
   }
 
+  // Appends a step for the current line.
   Step& step(StepKind kind) {
     auto& made = result_.conversation.steps.emplace_back();
     made.kind = kind;
@@ -216,6 +233,7 @@ private:
     return made;
   }
 
+  // Reports an error at the current line; parsing goes on with the next.
   void error(std::string message) {
     result_.errors.push_back({Severity::error,
                               {result_.conversation.file, line_, 1},
@@ -241,6 +259,7 @@ ParsedConversation parse_conversation(std::string_view text, std::string file) {
 }
 
 ParsedConversation read_conversation(const std::filesystem::path& file) {
+  // A larger file is no conversation.
   constexpr std::size_t most = 16 << 20;
   const auto text = read_file(file, most);
   auto parsed = parse_conversation(text.value_or(""), file.string());
@@ -250,6 +269,7 @@ ParsedConversation read_conversation(const std::filesystem::path& file) {
   return parsed;
 }
 
+// Text behind a closing quote makes the whole an unquoted text.
 Value parse_literal(std::string_view text) {
   DirectiveReader reader(text);
   const auto word = reader.word();

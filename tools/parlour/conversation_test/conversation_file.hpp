@@ -1,5 +1,5 @@
-// A conversation as text: what `parlour test` holds against an application
-// (docs/test.md, "Lines").
+// The parser for conversation files, the tests of an application (docs/test.md,
+// "Lines"). Each line is one step:
 //
 //   # comment                     clock 2026-11-21 09:00    seed 7
 //   R: what the robot says        R~ a regular expression
@@ -9,12 +9,14 @@
 //   expect sql QUERY = value
 //   P: what the user is just saying      B: [words heard] what the user says
 //
-// `P:` is a partial result: somebody is speaking. `B:` breaks in on what the
-// robot said last, of which only the words in brackets were heard (without, no
-// word); without anything after them it is a noise that nothing comes of.
-// Parameters and values are numbers, true, false, unknown, or text, quoted
-// where it has blanks; `*` as a parameter matches anything. Of `expect post`
-// the parameters that are given are compared; a message may have more.
+// `P:` is a partial result of the recogniser. `B:` is a barge-in: the user
+// interrupts the robot's last output, of which only the words in brackets were
+// heard (none without brackets). Without words of the user it is a noise, to
+// which nothing is recognised.
+//
+// Parameters and values are numbers, true, false, unknown, or text, which is
+// quoted if it contains blanks. `*` as a parameter matches anything. `expect
+// post` compares the parameters that it names; the message may have more.
 #pragma once
 
 #include <cstdint>
@@ -29,12 +31,14 @@
 
 namespace parlour::tools {
 
+// The kinds of lines; `seed`, and `clock` before the first step, are fields of
+// Conversation instead.
 enum class StepKind : std::uint8_t {
-  user,
-  partial,
-  barge_in,
-  robot,
-  robot_pattern,
+  user,          // U:
+  partial,       // P:
+  barge_in,      // B:
+  robot,         // R:
+  robot_pattern, // R~
   wait,
   event,
   expect_post,
@@ -44,42 +48,48 @@ enum class StepKind : std::uint8_t {
   clock,
 };
 
-// One line. Which fields count is said by its kind.
+// One line. Its kind decides which fields are used.
 struct Step {
   StepKind kind = StepKind::user;
   std::uint32_t line = 0;
   std::string written;       // the line itself, for reports
-  std::string text;          // words, pattern, state, query, slot's topic
-  std::string target;        // source, module; slot's name; words heard
+  std::string text;          // words, pattern, state, query or topic
+  std::string target;        // source, module, slot or words heard
   std::string command;       // of an event or a post
   std::vector<Value> params; // of an event or a post
-  Value value;               // expected
+  Value value;               // the expected value
   Milliseconds duration{};   // of wait
   Timestamp time = 0;        // of clock
 };
 
+// A whole file: when it begins, its random seed and its steps.
 struct Conversation {
   std::string file;
-  std::string name; // the file's, without its folder and ".txt"
+  std::string name; // the file's name without folder and ".txt"
   Timestamp start = 0;
   std::uint64_t seed = 1;
   std::vector<Step> steps;
 };
 
+// What the parser has made of a file. If there are errors, the conversation is
+// incomplete and must not run.
 struct ParsedConversation {
   Conversation conversation;
-  std::vector<script::Finding> errors; // all of them
+  std::vector<script::Finding> errors; // all errors of the file
 };
 
-// The time at which a conversation begins that does not say another.
+// The start of a conversation without `clock`: 2026-11-21 09:00.
 Timestamp default_start();
 
+// Parses a text. `file` names it in errors and gives the conversation's name.
+// Finds all errors, not only the first. Pure.
 ParsedConversation parse_conversation(std::string_view text, std::string file);
+// Reads and parses a file of at most 16 MB.
 ParsedConversation read_conversation(const std::filesystem::path& file);
 
-// A number, true, false, unknown or text, quoted or not.
+// A value as it is written in a file: "7" is a number, "'7'" text.
 Value parse_literal(std::string_view text);
-// The `*` that matches anything.
+// Whether the value is `*`, which matches anything.
 bool is_wildcard(const Value& value);
 
 } // namespace parlour::tools

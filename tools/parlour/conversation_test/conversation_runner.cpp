@@ -9,23 +9,24 @@
 #include "tools/parlour/application/module_names.hpp"
 #include "tools/parlour/application/node_options.hpp"
 #include "tools/parlour/conversation_test/directive_reader.hpp"
-#include "tools/parlour/talk/thoughts.hpp"
+#include "tools/parlour/talk/failure_context.hpp"
 #include "tools/parlour/talk/trace.hpp"
 
 namespace parlour::tools {
 
 namespace {
 
-// The session that `expect sql` asks for; there is none of that id, so nobody
-// but the watcher sees the answer.
+// The session of `expect sql` messages. It does not exist, so only watch() sees
+// the answers.
 const SessionId asking = "parlour test";
 
 class Runner {
 public:
   Runner(const Application& application, const Conversation& conversation,
-         Coverage& coverage, Words words)
+         Coverage& coverage, const HoldOptions& options)
       : application_(application), conversation_(conversation),
-        coverage_(coverage), words_(words), names_(application.composition) {
+        coverage_(coverage), options_(options),
+        names_(application.composition) {
     result_.name = conversation.name;
     result_.file = conversation.file;
   }
@@ -50,7 +51,7 @@ private:
       return fail_at(0, "a folder for data", data.error().message);
     data_.emplace(std::move(*data));
     RunWishes wishes{data_->path().string(), conversation_.start,
-                     conversation_.seed};
+                     conversation_.seed, options_.restores_after_each_input};
     auto options =
         node_options(application_, in_memory(application_.composition), wishes);
     options.on_inspection = [this](const Inspection& seen) { watch(seen); };
@@ -72,11 +73,11 @@ private:
     return true;
   }
 
-  // What the file says itself may be shown.
+  // Masks private values. What the file itself says may be shown.
   void hide_what_is_private() {
     if (!node_)
       return;
-    for (auto* lines : {&result_.thoughts, &result_.trace})
+    for (auto* lines : {&result_.context, &result_.trace})
       for (auto& line : *lines)
         line = node_->masked(line);
     for (auto& line : result_.said)
@@ -100,7 +101,7 @@ private:
     if (seen.kind == InspectionKind::branch || seen.session == asking)
       return;
     has_error_ |= seen.kind == InspectionKind::error;
-    thoughts_.note(seen);
+    context_.note(seen);
     result_.trace.push_back(trace_line(seen));
   }
 
@@ -148,13 +149,13 @@ private:
     return true;
   }
 
-  // Somebody is speaking, while the row before it is still being dealt with.
+  // A partial result arrives while the row before it is still processed.
   bool partial(const Step& step) {
     result_.said.push_back("P: " + step.text);
     return inject(step, "ASR", "Partial", {step.text, 1});
   }
 
-  // The speaker tells what was heard of its last words, then comes the turn.
+  // First the speaker reports what was heard, then the turn is entered.
   bool barge_in(const Step& step) {
     node_->run_until_quiet();
     remember_session();
@@ -185,14 +186,14 @@ private:
     return true;
   }
 
-  // Turns of a row are entered together, when it has ended.
+  // Collects the turns of a row; enter_row() enters them together.
   bool user(const Step& step) {
     if (row_.empty()) {
       settle();
       if (!nothing_left(step.line, step.written))
         return false;
       posts_.clear();
-      thoughts_.begin_turn();
+      context_.begin_turn();
       has_error_ = false;
     }
     row_.push_back(step.text);
@@ -208,7 +209,7 @@ private:
     remember_session();
   }
 
-  // A session that has ended can still be asked about.
+  // A session that has ended can still be asked for its slots.
   void remember_session() {
     if (auto session = node_->session_at(seat_); !session.empty())
       session_ = std::move(session);
@@ -235,7 +236,7 @@ private:
   }
 
   bool accept(const Step& step, const std::string& said) {
-    if (words_ == Words::as_written || step.kind != StepKind::robot ||
+    if (options_.words == Words::as_written || step.kind != StepKind::robot ||
         has_error_ || said.empty())
       return false;
     result_.rewordings.push_back({step.line, step.text, said});
@@ -350,7 +351,7 @@ private:
     return compare_rows(step, *rows);
   }
 
-  // One cell is compared as it is; several as a list.
+  // One cell is compared as a value, several as a list.
   bool compare_rows(const Step& step, const ResultSet& rows) {
     Value found;
     if (rows.cells.size() == 1)
@@ -364,17 +365,17 @@ private:
 
   bool fail_at(std::uint32_t line, std::string expected, std::string found) {
     result_.failure = Failure{line, std::move(expected), std::move(found)};
-    result_.thoughts = thoughts_.lines();
+    result_.context = context_.lines();
     return false;
   }
 
   const Application& application_;
   const Conversation& conversation_;
   Coverage& coverage_;
-  Words words_;
+  HoldOptions options_;
   ModuleNames names_;
-  Thoughts thoughts_;
-  bool has_error_ = false; // a script's, since the last U
+  FailureContext context_;
+  bool has_error_ = false; // of a script, since the last U
   ConversationResult result_;
   std::deque<std::string> outputs_;
   std::vector<std::shared_ptr<const Message>> posts_; // since the last U
@@ -383,7 +384,7 @@ private:
   dialogue::OutputId last_output_ = 0;
   actors::SeatId seat_;
   SessionId session_;
-  std::optional<DataFolder> data_; // outlives the node
+  std::optional<DataFolder> data_; // must outlive the node
   std::unique_ptr<actors::Node> node_;
 };
 
@@ -391,8 +392,9 @@ private:
 
 ConversationResult hold_conversation(const Application& application,
                                      const Conversation& conversation,
-                                     Coverage& coverage, Words words) {
-  return Runner(application, conversation, coverage, words).run();
+                                     Coverage& coverage,
+                                     const HoldOptions& options) {
+  return Runner(application, conversation, coverage, options).run();
 }
 
 } // namespace parlour::tools

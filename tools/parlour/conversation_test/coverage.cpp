@@ -1,3 +1,6 @@
+// Coverage compares two sets of names: all that the program contains, and those
+// that inspections report. Branches, transitions and handlers have no names, so
+// their place "file:line" stands for them.
 #include "tools/parlour/conversation_test/coverage.hpp"
 
 #include <algorithm>
@@ -18,6 +21,7 @@ using script::Instruction;
 using script::Operation;
 using script::Program;
 
+// "Topic.Slot", as inspections name slots.
 std::vector<std::string> slot_names(const Program& program) {
   std::vector<std::string> names;
   for (const auto& topic : program.topics)
@@ -26,12 +30,14 @@ std::vector<std::string> slot_names(const Program& program) {
   return names;
 }
 
-std::string place_name(const Place& place) {
+// The name under which a place is reported and compared.
+std::string place_name(const SourceLocation& place) {
   return place.file + ":" + std::to_string(place.line);
 }
 
-// The lines of the instructions of which `wanted` is true, in the application's
-// own files, in their order: what the platform brings is not its to reach.
+// The places of all instructions for which `wanted` is true, sorted, one for
+// each line. Only the application's own files count: it need not reach
+// everything in the platform's libraries.
 template <class Predicate>
 std::vector<std::string> places_of(const Program& program, Predicate wanted) {
   std::set<std::pair<std::string, std::uint32_t>> places;
@@ -48,18 +54,19 @@ std::vector<std::string> places_of(const Program& program, Predicate wanted) {
   return names;
 }
 
+// Instructions store their operation as a byte.
 bool is(const Instruction& instruction, Operation operation) {
   return instruction.operation == static_cast<std::uint8_t>(operation);
 }
 
-// Where the compiler put a mark for coverage.
+// The compiler emits the instruction `reached` at the start of a branch.
 std::vector<std::string> branch_names(const Program& program) {
   return places_of(program, [](const auto&, const Instruction& instruction) {
     return is(instruction, Operation::reached);
   });
 }
 
-// Each <transit> and <push>.
+// Each <transit> and <push>: their effects are instructions.
 std::vector<std::string> transition_names(const Program& program) {
   return places_of(program, [](const script::Code& code,
                                const Instruction& instruction) {
@@ -70,7 +77,8 @@ std::vector<std::string> transition_names(const Program& program) {
   });
 }
 
-// "Turn (ASR.RecognitionResult)" of each, and what it is noted as when it runs.
+// For each handler's reaction, its name "Turn (ASR.RecognitionResult)" and the
+// place that is reported when it runs.
 using NamedPlaces = std::vector<std::pair<std::string, std::string>>;
 
 NamedPlaces reactions_of(const Program& program) {
@@ -87,6 +95,7 @@ NamedPlaces reactions_of(const Program& program) {
 
 Coverage::Coverage(const Program& program) : program_(&program) {}
 
+// Inspections report a branch, handler or transition by its place.
 void Coverage::note(const Inspection& inspection) {
   switch (inspection.kind) {
   case InspectionKind::transition:
@@ -122,6 +131,7 @@ std::vector<Coverage::Part> Coverage::parts() const {
           part("branches", branch_names(*program_), places_)};
 }
 
+// A handler is shown by its name but compared by its place.
 Coverage::Part Coverage::handlers() const {
   const auto all = reactions_of(*program_);
   Part made{"handlers", all.size(), {}};

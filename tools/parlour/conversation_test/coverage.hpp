@@ -1,5 +1,5 @@
-// Coverage: which states, transitions, topics, slots, handlers and branches of
-// an application its conversations reach.
+// Coverage: the states, transitions, topics, slots, handlers and branches of an
+// application that its conversations reach.
 #pragma once
 
 #include <iosfwd>
@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/base/inspection.hpp"
+#include "runtime/message/inspection.hpp"
 #include "script/program/program.hpp"
 #include "tools/parlour/console/places.hpp"
 
@@ -16,18 +16,21 @@ namespace parlour::tools {
 
 class Coverage {
 public:
-  // The program must outlive this.
+  // Nothing is reached yet. `program` must outlive this.
   explicit Coverage(const script::Program& program);
 
+  // Notes what an inspection of a node shows. Not thread-safe.
   void note(const Inspection& inspection);
-  // What another one of the same program has seen.
+  // Adds what another coverage of the same program has seen.
   void add(const Coverage& other);
 
+  // One kind of things, for example all states.
   struct Part {
     std::string name; // "states"
     std::size_t all = 0;
-    std::vector<std::string> missing; // in the order of the program
+    std::vector<std::string> missing; // in the program's order
   };
+  // The kinds, in the order in which they are printed.
   std::vector<Part> parts() const;
 
 private:
@@ -39,10 +42,12 @@ private:
   std::set<std::string> states_;
   std::set<std::string> topics_;
   std::set<std::string> slots_;
-  std::set<std::string> places_; // of branches, handlers, transitions
+  // "file:line" of branches, handlers and transitions.
+  std::set<std::string> places_;
 };
 
-// Files below the working folder are named from there.
+// Prints the counts, and everything that is not reached. Files below the
+// working folder are shown relative to it.
 void print(std::ostream& out, const Coverage& coverage, const Places& places);
 
 } // namespace parlour::tools

@@ -1,3 +1,4 @@
+// Words, quotes and " = " of one line.
 #include "tools/parlour/conversation_test/directive_reader.hpp"
 
 namespace parlour::tools {
@@ -7,6 +8,7 @@ namespace {
 constexpr std::string_view blanks = " \t\r";
 constexpr std::string_view equals = " = ";
 
+// Splits at `place`, where " = " begins; nothing for npos.
 std::optional<Sides> split_at(std::string_view text, std::size_t place) {
   if (place == std::string_view::npos)
     return std::nullopt;
@@ -23,8 +25,8 @@ Value Word::value() const {
     return {};
   if (text == "true" || text == "false")
     return text == "true";
-  // A number that prints otherwise than it is written is text (language rule
-  // 4.3): 007 is a telephone's.
+  // A number that would print differently is text (language rule 4.3): 007 is
+  // part of a telephone number.
   if (auto number = parse_number(text); to_string(number) == text)
     return number;
   return text;
@@ -33,6 +35,7 @@ Value Word::value() const {
 DirectiveReader::DirectiveReader(std::string_view text)
     : rest_(trimmed(text)) {}
 
+// `rest_` never begins or ends with blanks.
 std::optional<Word> DirectiveReader::word() {
   if (rest_.empty())
     return std::nullopt;
@@ -43,6 +46,7 @@ std::optional<Word> DirectiveReader::word() {
   return Word{std::string(word), false};
 }
 
+// A backslash escapes the next character, such as the quote.
 std::optional<Word> DirectiveReader::quoted_word(char quote) {
   Word word{{}, true};
   for (std::size_t i = 1; i < rest_.size(); ++i) {

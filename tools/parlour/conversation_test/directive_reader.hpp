@@ -1,4 +1,5 @@
-// DirectiveReader: the words of one line of a conversation file.
+// DirectiveReader: splits one line of a conversation file into words. Pure;
+// refers to the text, which must outlive it.
 #pragma once
 
 #include <optional>
@@ -9,11 +10,13 @@
 
 namespace parlour::tools {
 
+// A word of a line.
 struct Word {
-  std::string text; // without its quotes
+  std::string text; // without quotes and backslashes
   bool quoted = false;
 
-  // A number, true, false or unknown where it is not quoted; else text.
+  // The word as a value: a number, true, false or unknown if it is not quoted;
+  // otherwise text.
   Value value() const;
 };
 
@@ -21,13 +24,15 @@ class DirectiveReader {
 public:
   explicit DirectiveReader(std::string_view text);
 
-  // The next word, quoted with ' or " where it has blanks (a backslash
-  // escapes); nothing at the end or where a quote is left open.
+  // The next word. It may be quoted with ' or ", and then contain blanks and
+  // characters escaped with a backslash. Nothing at the end of the line, or if
+  // a quote is not closed (see open_quote).
   std::optional<Word> word();
-  // All that is left, trimmed.
+  // The rest of the line, without blanks around it.
   std::string_view rest() const {
     return rest_;
   }
+  // Whether a quote was opened and not closed.
   bool open_quote() const {
     return open_quote_;
   }
@@ -39,10 +44,12 @@ private:
   bool open_quote_ = false;
 };
 
+// The text without blanks around it.
 std::string_view trimmed(std::string_view text);
 
-// The parts before and after the first (or last) " = ", trimmed; nothing where
-// there is none.
+// The parts before and after " = ", without blanks around them; nothing if the
+// text has no " = ". A slot's value may contain one, and so may a query: they
+// are split at the first and the last one.
 struct Sides {
   std::string_view left;
   std::string_view right;

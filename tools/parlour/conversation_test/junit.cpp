@@ -1,3 +1,4 @@
+// The XML is small, so it is printed with format strings.
 #include "tools/parlour/conversation_test/junit.hpp"
 
 #include <algorithm>
@@ -11,7 +12,8 @@ namespace parlour::tools {
 
 namespace {
 
-// Characters that XML cannot hold become '?'.
+// Escapes text for attributes and elements. Control characters, which XML does
+// not allow, become '?'.
 std::string escaped(const std::string& text) {
   std::string safe;
   for (const auto c : text)
@@ -40,6 +42,7 @@ std::string escaped(const std::string& text) {
   return safe;
 }
 
+// A failure's text is the same as in the printed report.
 void print_case(std::ostream& out, const std::string& application,
                 const ConversationResult& result) {
   out << fmt::format("  <testcase classname=\"{}\" name=\"{}\" file=\"{}\" "
@@ -64,6 +67,7 @@ void print_junit(std::ostream& out, const std::string& application,
   double seconds = 0;
   for (const auto& result : results)
     seconds += result.seconds;
+  // CI servers want the totals before the cases.
   const auto failures =
       std::count_if(results.begin(), results.end(),
                     [](const auto& result) { return !!result.failure; });

@@ -1,4 +1,4 @@
-// Results of conversations in JUnit's XML, as CI servers read it.
+// Prints the results of conversations as JUnit XML, which CI servers read.
 #pragma once
 
 #include <iosfwd>
@@ -9,6 +9,8 @@
 
 namespace parlour::tools {
 
+// One <testsuite> named after the application, with a <testcase> for each
+// conversation.
 void print_junit(std::ostream& out, const std::string& application,
                  const std::vector<ConversationResult>& results);
 

@@ -1,3 +1,4 @@
+// See docs/test.md, "What is printed".
 #include "tools/parlour/conversation_test/report.hpp"
 
 #include <algorithm>
@@ -5,6 +6,7 @@
 
 namespace parlour::tools {
 
+// Line 0 means that the conversation did not begin, so no line is shown.
 std::string failure_text(const ConversationResult& result) {
   if (!result.failure)
     return {};
@@ -17,9 +19,9 @@ std::string failure_text(const ConversationResult& result) {
     text += "    " + line + '\n';
   text += "  expected: " + failure.expected + "\n  found:    " + failure.found +
           '\n';
-  if (!result.thoughts.empty())
+  if (!result.context.empty())
     text += "  what the engine thought:\n";
-  for (const auto& line : result.thoughts)
+  for (const auto& line : result.context)
     text += "    " + line + '\n';
   return text;
 }

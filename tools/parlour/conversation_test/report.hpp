@@ -1,4 +1,4 @@
-// What a test run says of its conversations, for people.
+// Prints the results of conversations for people.
 #pragma once
 
 #include <iosfwd>
@@ -9,18 +9,18 @@
 
 namespace parlour::tools {
 
-// The conversation up to the first line that differs, what was expected there,
-// what came, and what the engine thought. Empty for one that passed.
+// What was said up to the first line that differs, what was expected and found
+// there, and the state of the engine. Empty if the conversation passed.
 std::string failure_text(const ConversationResult& result);
 
-// Each failure, with its trace where wanted.
+// Prints each failure, with its trace if `trace`.
 void print_failures(std::ostream& out,
                     const std::vector<ConversationResult>& results, bool trace);
 
-// The lines that have other words now.
+// Prints the lines that --update has changed, before and after.
 void print_rewordings(std::ostream& out, const ConversationResult& result);
 
-// "2 of 3 conversations passed".
+// Prints "2 of 3 conversations passed".
 void print_summary(std::ostream& out,
                    const std::vector<ConversationResult>& results);
 

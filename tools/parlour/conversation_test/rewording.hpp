@@ -1,5 +1,5 @@
-// Rewording: a conversation file with other words in the robot's mouth, all
-// else as it was: comments, blanks, the ends of its lines.
+// Rewrites the robot's words in a conversation file and leaves everything else
+// as it was: comments, blanks and line ends. For `parlour test --update`.
 #pragma once
 
 #include <cstdint>
@@ -9,15 +9,16 @@
 
 namespace parlour::tools {
 
+// Other words that the robot said at an `R:`.
 struct Rewording {
-  std::uint32_t line = 0; // of the file, an "R:"
+  std::uint32_t line = 0; // of the file, counted from 1
   std::string before;
   std::string after;
 
   bool operator==(const Rewording&) const = default;
 };
 
-// `rewordings` in the order of their lines.
+// The text with the new words. `rewordings` must be sorted by line. Pure.
 std::string reworded(std::string_view text,
                      const std::vector<Rewording>& rewordings);
 

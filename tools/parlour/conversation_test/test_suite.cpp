@@ -1,3 +1,4 @@
+// Finds the files of a test run and parses them.
 #include "tools/parlour/conversation_test/test_suite.hpp"
 
 #include <algorithm>
@@ -13,13 +14,14 @@ namespace {
 
 using Paths = std::vector<fs::path>;
 
+// All .txt files in dialogues/, sorted; none if there is no such folder.
 Expected<Paths> all_files(const Application& application) {
   const auto dialogues = application.folder / "dialogues";
   return is_there(dialogues) ? list_files(dialogues, ".txt") : Paths();
 }
 
-// A path, from here or from the application, or the name of one of its
-// conversations.
+// A path, relative to the working folder or to the application, or a name in
+// dialogues/ with or without ".txt".
 Expected<fs::path> find_file(const Places& places,
                              const Application& application,
                              const std::string& name) {
@@ -29,6 +31,7 @@ Expected<fs::path> find_file(const Places& places,
   for (const auto& path : candidates)
     if (check_is_file(path))
       return path;
+  // Explains why something of that name cannot be read, such as a folder.
   for (const auto& path : candidates)
     if (is_there(path) && !name.empty())
       return tl::make_unexpected(check_is_file(path).error());
@@ -37,6 +40,7 @@ Expected<fs::path> find_file(const Places& places,
                                        dialogues.string());
 }
 
+// All conversations of the application, or those that were named.
 Expected<Paths> chosen_files(const Places& places,
                              const Application& application,
                              const std::vector<std::string>& names) {
@@ -66,10 +70,13 @@ Expected<TestSuite> read_suite(const Application& application,
     suite.findings.insert(suite.findings.end(), findings.begin(),
                           findings.end());
   };
+  // A file with errors stays in the suite; the caller runs nothing if there
+  // are findings.
   for (const auto& file : suite.files) {
     auto parsed = read_conversation(file);
     add(parsed.errors);
     add(check_conversation(parsed.conversation, *application.program));
+    // Shown paths are relative to the working folder, as in all output.
     parsed.conversation.file = shown_path(places, parsed.conversation.file);
     suite.conversations.push_back(std::move(parsed.conversation));
   }

@@ -1,4 +1,4 @@
-// The conversations of an application that are to be held.
+// Reads and checks the conversations that a test run is asked for.
 #pragma once
 
 #include <filesystem>
@@ -11,14 +11,15 @@
 
 namespace parlour::tools {
 
+// Files and conversations have the same order.
 struct TestSuite {
   std::vector<std::filesystem::path> files;
   std::vector<Conversation> conversations; // of each file
-  std::vector<script::Finding> findings;   // what is wrong with the files
+  std::vector<script::Finding> findings;   // errors in the files
 };
 
-// `names`: files, or names of conversations in dialogues/; none: all of them.
-// The error says which one is not there.
+// `names` are files, or names of conversations in dialogues/; none means all of
+// dialogues/. The error names a file that does not exist.
 Expected<TestSuite> read_suite(const Application& application,
                                const std::vector<std::string>& names,
                                const Places& places);

@@ -1,3 +1,6 @@
+// The parent holds the write end of a pipe, and the child reads from it. When
+// the parent ends, in whatever way, the kernel closes the pipe, and the child
+// wakes up.
 #include "tools/parlour/conversation_test/witness.hpp"
 
 #include <algorithm>
@@ -19,14 +22,17 @@ namespace parlour::tools {
 
 namespace {
 
+// Conversations that run now; the exit handler looks at it.
 std::atomic<int> held_now = 0;
 
-// A plug-in that calls exit() in the middle does not end a test well.
+// A plug-in that calls exit() in the middle of a test must not make the program
+// end with status 0. exit() runs this handler, which fails instead.
 void refuse_exit() {
   if (held_now > 0)
     _exit(exit_code::wrong);
 }
 
+// No stream: the child may use only async-signal-safe functions.
 void print(std::string_view text) {
   (void)!write(STDERR_FILENO, text.data(), text.size());
 }
@@ -34,6 +40,7 @@ void print(std::string_view text) {
 } // namespace
 
 Witness::Witness() {
+  // Registers the handler once per process.
   static const bool once = std::atexit(&refuse_exit) == 0;
   (void)once;
   int ends[2];
@@ -53,6 +60,8 @@ Witness::Witness() {
   end_ = ends[1];
 }
 
+// Closing the pipe ends the child. By now every Held is gone, so it finds no
+// names.
 Witness::~Witness() {
   if (end_ >= 0)
     close(end_);
@@ -62,8 +71,9 @@ Witness::~Witness() {
     munmap(names_, sizeof(Names));
 }
 
-// In the other process, which may have been made from one with threads: nothing
-// here takes a lock.
+// Runs in the child. It was forked from a process that may have had threads, so
+// it must not take locks or allocate memory. It ignores the signals that Ctrl-C
+// and a closing terminal send to the whole process group.
 void Witness::watch(int end) {
   for (const auto number : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE})
     signal(number, SIG_IGN);
@@ -89,6 +99,7 @@ void Witness::tell() {
     print("; parlour test APP FILE holds one alone\n");
 }
 
+// Takes the first free place and writes the name into it.
 Witness::Held::Held(Witness& witness, const std::string& name)
     : place_(nullptr) {
   ++held_now;
@@ -104,6 +115,7 @@ Witness::Held::Held(Witness& witness, const std::string& name)
   std::strncpy(place_, name.c_str(), longest - 1);
 }
 
+// The child may read at any moment; one byte is enough to free a place.
 Witness::Held::~Held() {
   --held_now;
   if (place_)

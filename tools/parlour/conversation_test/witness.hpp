@@ -1,7 +1,11 @@
-// Witness: a process beside a run of conversations that says which of them were
-// held when the program ended before they did, however that came about: by a
-// crash, a signal, or for want of memory. It handles no signal: it sees that a
-// pipe is closed.
+// Witness: a child process that reports which conversations were running if the
+// program ends before they do: by a crash, a signal or lack of memory. It needs
+// no signal handler: it waits for a pipe to be closed, and then reads the names
+// from memory that both processes share.
+//
+//   Witness witness; // before any thread
+//   ...
+//   const Witness::Held held(witness, conversation.file); // on any thread
 #pragma once
 
 #include <cstddef>
@@ -14,15 +18,15 @@ namespace parlour::tools {
 
 class Witness {
 public:
-  // Starts the process; make it before any thread. Where the system gives none
-  // there is no witness.
+  // Starts the child. Make it before any other thread. If the system cannot
+  // start one, there is simply no report.
   Witness();
   Witness(const Witness&) = delete;
   Witness& operator=(const Witness&) = delete;
-  ~Witness(); // nothing is left to tell
+  ~Witness(); // ends the child; it has nothing to report
 
-  // A conversation that is being held for as long as this exists. From any
-  // thread.
+  // Says that a conversation runs, for as long as this object exists. If all
+  // places are taken, the conversation is not listed. From any thread.
   class Held {
   public:
     Held(Witness& witness, const std::string& name);
@@ -31,22 +35,25 @@ public:
     ~Held();
 
   private:
-    char* place_;
+    char* place_; // in the shared memory, or null
   };
 
 private:
-  // What both processes see: names, each in a place of its own; "" is free.
+  // The shared memory: a fixed number of names; "" is a free place.
   static constexpr std::size_t places = 1000;
   static constexpr std::size_t longest = 256;
   using Names = char[places][longest];
 
+  // The child: waits until the parent has ended, reports and exits.
   [[noreturn]] void watch(int end);
+  // Prints the names that are left.
   void tell();
 
+  // Guards the search for a free place.
   std::mutex mutex_;
-  Names* names_ = nullptr; // null: no witness
-  int end_ = -1;           // of the pipe, closed when this process ends
-  pid_t process_ = -1;
+  Names* names_ = nullptr; // null: no child
+  int end_ = -1;           // our end of the pipe
+  pid_t process_ = -1;     // the child, or -1
 };
 
 } // namespace parlour::tools

@@ -1,3 +1,5 @@
+// The build file, test and README of a new plug-in, as text with the names
+// filled in.
 #include "tools/parlour/plugin_template/plugin_skeleton.hpp"
 
 #include <algorithm>
@@ -10,12 +12,14 @@ namespace parlour::tools {
 
 namespace {
 
+// A type name in our style: a capital, then letters, digits and underscores.
 bool is_class_name(const std::string& name) {
   return !name.empty() && std::isupper(static_cast<unsigned char>(name[0])) &&
          std::ranges::all_of(
              name, [](unsigned char c) { return std::isalnum(c) || c == '_'; });
 }
 
+// CMakeLists.txt: the plug-in as a file, and a test program of the same source.
 std::string build_file(const std::string& name, const std::string& stem) {
   return "cmake_minimum_required(VERSION 3.25)\n"
          "project(" +
@@ -38,11 +42,12 @@ std::string build_file(const std::string& name, const std::string& stem) {
          stem + " COMMAND " + stem + "_test)\n";
 }
 
+// A test program without a test framework: the conformance test alone.
 std::string test_file(const std::string& name, const std::string& role) {
   return "// " + name + " passes the conformance test of the role " + role +
          ";\n"
-         "// what else it is to do is tried with a TrialHost\n"
-         "// (runtime/plugin/trial_host.hpp).\n"
+         "// what else it is to do is tried with a TestHost\n"
+         "// (runtime/plugin/test_host.hpp).\n"
          "#include <cstdio>\n"
          "\n"
          "#include \"runtime/plugin/conformance.hpp\"\n"
@@ -52,13 +57,14 @@ std::string test_file(const std::string& name, const std::string& role) {
          "\n"
          "int main() {\n"
          "  const auto wrong = "
-         "parlour::nonconformities(parlour_plugin.factory(), {});\n"
+         "parlour::conformance_errors(parlour_plugin.factory(), {});\n"
          "  for (const auto& sentence : wrong)\n"
          "    std::puts(sentence.c_str());\n"
          "  return wrong.empty() ? 0 : 1;\n"
          "}\n";
 }
 
+// README.md: how to build, test and install the plug-in.
 std::string read_me(const std::string& name, const Role& role) {
   return "# " + name +
          "\n"
@@ -95,6 +101,7 @@ std::vector<std::string> component_roles() {
   return names;
 }
 
+// Without a similar name, the error lists all roles.
 Expected<const Role*> component_role(const std::string& name) {
   const auto* role = find_role(name);
   if (role && !role->reserved)
@@ -109,6 +116,7 @@ Expected<const Role*> component_role(const std::string& name) {
                   (hint.empty() ? "; roles are " + all : hint));
 }
 
+// Files are named after the class: EchoTTS is in echo_tts.cpp.
 Expected<std::vector<SkeletonFile>> plugin_skeleton(const std::string& name,
                                                     const std::string& role) {
   if (!is_class_name(name))

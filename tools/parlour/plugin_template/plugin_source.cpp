@@ -1,18 +1,20 @@
+// Puts the source together, from the inside out: types and calls, handlers, the
+// class, the file. clang-format is not needed: lines are wrapped here.
 #include "tools/parlour/plugin_template/plugin_source.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <sstream>
 #include <vector>
 
 #include "runtime/plugin/parameters.hpp"
+#include "runtime/text/words.hpp"
 
 namespace parlour::tools {
 
 namespace {
 
-// Roles that runtime/plugin/adaptors.hpp has a class for.
+// Roles with an adaptor class of their own in runtime/plugin/adaptors.hpp.
 constexpr std::array tailored = {"Microphone", "VAD", "ASR",      "TTS",
                                  "NLU",        "NLG", "Database", "Knowledge"};
 
@@ -22,7 +24,8 @@ bool is_tailored(const Role& role) {
 
 constexpr std::size_t line_length = 80;
 
-// `items` behind `head`, in as many lines as it takes, below each other.
+// `head`, the items separated by commas, and `tail`. Items that do not fit in
+// 80 columns continue on the next line, below the first item.
 std::string wrapped(const std::string& head,
                     const std::vector<std::string>& items,
                     const std::string& tail) {
@@ -43,24 +46,26 @@ std::string wrapped(const std::string& head,
   return items.empty() ? text + tail : text;
 }
 
+// The sentence as a comment, wrapped to 80 columns.
 std::string comment(const std::string& sentence) {
   std::string text = "//";
   auto used = text.size();
-  std::istringstream words(sentence);
-  for (std::string word; words >> word; used += 1 + word.size()) {
+  for (const auto& word : split_words(sentence)) {
     if (used + 1 + word.size() > line_length) {
       text += "\n//";
       used = 2;
     }
     text += ' ' + word;
+    used += 1 + word.size();
   }
   return text + '\n';
 }
 
+// How a kind of parameter is written in C++.
 struct Type {
   const char* passed;  // as a handler's parameter
-  const char* held;    // as a type of its own
-  const char* nothing; // a value of it
+  const char* held;    // as a value type
+  const char* nothing; // some value of it
 };
 
 Type type_of(ParameterKind kind) {
@@ -88,13 +93,15 @@ Type type_of(ParameterKind kind) {
   return {"const parlour::Value&", "parlour::Value", "parlour::Value{}"};
 }
 
-// "text or act" is `text`.
+// The C++ name of a parameter: "text or act" becomes "text".
 std::string identifier(const std::string& parameter) {
   return parameter.substr(0, parameter.find(' '));
 }
 
-// The event that ends the command best: Stopped for stop_mic, Grasped for
-// Grasp; the role's first where none is called alike.
+// The event that answers a command: of those that end a request, the one with
+// the longest common prefix with the command's name (Stopped for stop_mic,
+// Grasped for Grasp), otherwise the role's first. Null if the role has none.
+// `alike` is the length of the longest prefix found so far.
 const RoleEvent* answer_to(const RoleCommand& command, const Role& role) {
   const RoleEvent* best = nullptr;
   std::ptrdiff_t alike = -1;
@@ -114,7 +121,8 @@ const RoleEvent* answer_to(const RoleCommand& command, const Role& role) {
   return best;
 }
 
-// Whether the event says what the command gave.
+// Whether the event has a required parameter of the same name, so that the
+// command's value can be passed on.
 bool repeats(const RoleEvent& event, const Parameter& given) {
   return !given.optional &&
          std::ranges::any_of(read_parameters(event.parameters),
@@ -123,7 +131,8 @@ bool repeats(const RoleEvent& event, const Parameter& given) {
                              });
 }
 
-// As its adaptor calls it, where the role has one.
+// The call that fires an event, up to its arguments: the adaptor's function for
+// a role with an adaptor, otherwise fire_event.
 std::string firing(const RoleEvent& event, const Role& role) {
   if (!is_tailored(role))
     return "fire_event(\"" + event.name + "\", {";
@@ -133,6 +142,8 @@ std::string firing(const RoleEvent& event, const Role& role) {
          '(';
 }
 
+// The whole statement that fires the event. Parameters that the command does
+// not give get some value of their type.
 std::string fired(const RoleEvent& event, const Role& role,
                   const std::vector<Parameter>& given) {
   std::vector<std::string> params;
@@ -148,7 +159,8 @@ std::string fired(const RoleEvent& event, const Role& role,
                  is_tailored(role) ? ");\n" : "});\n");
 }
 
-// An utterance's number has a name of its own in the adaptor.
+// A parameter's type in a handler. The adaptor of TTS has a type of its own for
+// the number of an utterance.
 std::string type_of(const Parameter& parameter, const Role& role) {
   const bool is_utterance = role.name == "TTS" && parameter.name == "utterance";
   const auto type = type_of(parameter.kind);
@@ -158,6 +170,8 @@ std::string type_of(const Parameter& parameter, const Role& role) {
   return is_utterance ? held : type.passed;
 }
 
+// One handler. The names of parameters that it does not use are commented out,
+// so that the plug-in compiles without warnings.
 std::string handler(const RoleCommand& command, const Role& role) {
   const auto parameters = read_parameters(command.parameters);
   const auto* answer = command.answered ? answer_to(command, role) : nullptr;
@@ -174,6 +188,8 @@ std::string handler(const RoleCommand& command, const Role& role) {
          "\n" + body + "  }\n";
 }
 
+// The constructor of a class that derives from RolePlugin: it registers a
+// handler for each command.
 std::string constructor(const std::string& name, const Role& role) {
   auto text =
       "public:\n  " + name + "() : RolePlugin(\"" + role.name + "\") {\n";
@@ -183,6 +199,8 @@ std::string constructor(const std::string& name, const Role& role) {
   return text + "  }\n\nprivate:\n";
 }
 
+// The class's body. NLU and NLG override one function with a result instead of
+// handlers that fire events.
 std::string body(const std::string& name, const Role& role) {
   if (role.name == "NLU")
     return "protected:\n"
@@ -232,6 +250,8 @@ std::string plugin_source(const std::string& name, const Role& role) {
          role.sentence + "\"})\n";
 }
 
+// An underscore goes before a capital that follows a small letter, or that
+// begins a word after an abbreviation ("TTSPlugin" becomes "tts_plugin").
 std::string snake_case(const std::string& name) {
   auto is = [&](std::size_t at, int (*kind)(int)) {
     return at < name.size() && kind(static_cast<unsigned char>(name[at])) != 0;

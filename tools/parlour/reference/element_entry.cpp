@@ -1,3 +1,6 @@
+// Makes entries from the element table. "Content" below is a name for a group
+// of elements that may stand together, such as "statements"; an element is part
+// of contents (`in`) and holds contents (`holds`).
 #include "tools/parlour/reference/element_entry.hpp"
 
 #include <algorithm>
@@ -25,6 +28,7 @@ bool has(const Words& words, const std::string& word) {
   return std::ranges::count(words, word) > 0;
 }
 
+// The elements that may contain this content, each once.
 Words elements_that_hold(const std::string& content) {
   Words names;
   for (const auto& rule : script::element_table())
@@ -33,7 +37,8 @@ Words elements_that_hold(const std::string& content) {
   return names;
 }
 
-// "a file of its own", "statements", "<a>"
+// Adds the places where a content stands: "a file of its own", "statements", or
+// the tags of the elements that hold it.
 void add_places(Words& places, const std::string& content) {
   if (content == "root")
     places.emplace_back("a file of its own");
@@ -45,6 +50,7 @@ void add_places(Words& places, const std::string& content) {
         places.push_back(tag);
 }
 
+// All places where an element may stand.
 Words places_of(const ElementRule& rule) {
   Words places;
   for (const auto& content : rule.in)
@@ -52,6 +58,7 @@ Words places_of(const ElementRule& rule) {
   return places;
 }
 
+// What an element may contain: "text", "statements" or tags.
 std::string contents_of(const ElementRule& rule) {
   Words contents;
   for (const auto& content : rule.holds)
@@ -63,6 +70,7 @@ std::string contents_of(const ElementRule& rule) {
   return listed(contents);
 }
 
+// A form as text: "cond", "name from=1|2 step?".
 std::string text_of(const AttributeForm& form) {
   Words words;
   for (const auto& word : form)
@@ -73,6 +81,7 @@ std::string text_of(const AttributeForm& form) {
   return listed(words, " ");
 }
 
+// The alternative sets of attributes of an element.
 std::string forms_of(const ElementRule& rule) {
   Words forms;
   for (const auto& form : rule.forms)
@@ -80,11 +89,13 @@ std::string forms_of(const ElementRule& rule) {
   return listed(forms, "; ");
 }
 
+// Facts without text are left out.
 void add_fact(Entry& entry, const char* label, const std::string& text) {
   if (!text.empty())
     entry.facts.push_back({label, text});
 }
 
+// Things that are given as an attribute or as content, but not both.
 void add_either(Entry& entry, const ElementRule& rule) {
   for (const auto& either : rule.either)
     add_fact(entry, "either",
@@ -106,6 +117,7 @@ void add_facts(Entry& entry, const ElementRule& rule) {
 
 Entry entry_of(const ElementRule& rule) {
   Entry entry{rule.name, title_of(rule), rule.sentence};
+  // Rows such as "*" have no sentence of their own.
   if (entry.sentence.empty())
     entry.sentence = "whatever one likes";
   add_facts(entry, rule);
@@ -128,6 +140,7 @@ std::string tag_of(const std::string& element) {
 std::string title_of(const ElementRule& rule) {
   if (example_name(rule) == rule.name)
     return tag_of(rule.name);
+  // The first place tells elements of one name apart.
   const auto places = places_of(rule);
   return tag_of(rule.name) +
          (places.front() == statements ? " among " : " in ") + places.front() +

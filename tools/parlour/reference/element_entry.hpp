@@ -1,4 +1,4 @@
-// Entries of elements, from script/xml/elements.def.
+// Entries of the reference for XML elements, made from script/xml/elements.def.
 #pragma once
 
 #include <string>
@@ -9,19 +9,22 @@
 
 namespace parlour::tools {
 
-// Of each element, in the table's order.
+// An entry for each row of the table, in its order. Elements of the same name
+// in different places have several rows.
 std::vector<Entry> element_entries();
 
-// What may be repeated wherever "statements" are named.
+// The entry for "statements", the content that most actions hold.
 Entry statements_entry();
 
-// "<speak>"; "<NAME>" for whatever has no row of its own.
+// "<speak>". A row named "*" stands for elements that an application names
+// itself; its tag is "<NAME>".
 std::string tag_of(const std::string& element);
 
-// "<speak>", or "<var> in <call>" where several elements have that name.
+// An entry's title: the tag, with its place if several elements have the name:
+// "<var> in <call>".
 std::string title_of(const script::ElementRule& rule);
 
-// "needed; a duration such as 200ms, 1.5s or 2m"
+// What an attribute takes: "needed; a duration such as 200ms, 1.5s or 2m".
 std::string kind_of(const script::AttributeRule& attribute);
 
 } // namespace parlour::tools

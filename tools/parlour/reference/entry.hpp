@@ -1,5 +1,6 @@
-// Entry: what the reference tells of one element, function or role. It is made
-// from the tables, and printed for a terminal or on a page.
+// Entry: what the reference says about one element, built-in function or role.
+// x_entry.hpp makes entries from the tables; entry_text.hpp prints them for a
+// terminal, entry_page.hpp as Markdown.
 #pragma once
 
 #include <string>
@@ -8,29 +9,32 @@
 
 namespace parlour::tools {
 
-// "stands in", "<dialogue>"
+// A labelled line: "stands in", "<dialogue>".
 struct Fact {
   std::string label;
   std::string text;
 };
 
-// An attribute, or a command or event of a role.
+// One row of the entry's table: an attribute of an element, or a command or an
+// event of a role.
 struct Detail {
   std::string name;
-  std::string what; // "needed; a duration such as 200ms, 1.5s or 2m"
+  // "needed; a duration such as 200ms, 1.5s or 2m"
+  std::string what;
   std::string sentence;
 };
 
+// Plain data; entries are built once and copied.
 struct Entry {
-  std::string name;  // what it is asked for by
-  std::string title; // "<var> among statements", "length(x)"
-  std::string sentence;
+  std::string name;     // what users look up
+  std::string title;    // heading: "length(x)"
+  std::string sentence; // what it is
   std::vector<Fact> facts{};
   std::vector<Detail> details{};
-  std::string example{}; // lines, without the last line's end
+  std::string example{}; // without the last line end
 };
 
-// "a, b, c"
+// The words joined: "a, b, c".
 inline std::string listed(const std::vector<std::string>& words,
                           std::string_view between = ", ") {
   std::string text;

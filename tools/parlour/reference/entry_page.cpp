@@ -1,3 +1,5 @@
+// Markdown for entries. Sentences in the tables are plain text, so special
+// characters are escaped, and tags are set as code.
 #include "tools/parlour/reference/entry_page.hpp"
 
 #include <cctype>
@@ -9,6 +11,7 @@ namespace parlour::tools {
 
 namespace {
 
+// Whether "<name…>" begins at the position.
 bool is_tag_at(const std::string& text, std::size_t at) {
   return text[at] == '<' && at + 1 < text.size() &&
          std::isalpha(static_cast<unsigned char>(text[at + 1])) &&
@@ -19,7 +22,8 @@ bool is_letter(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0;
 }
 
-// Tags as code; what Markdown would take for its own is escaped.
+// Plain text as Markdown: tags become code, and characters with a meaning in
+// Markdown are escaped.
 std::string markdown(const std::string& text) {
   constexpr std::string_view its_own = "*_[]|<`\\";
   std::string result;
@@ -29,7 +33,7 @@ std::string markdown(const std::string& text) {
       result += '`' + text.substr(at, end + 1 - at) + '`';
       at = end;
     } else if (text[at] == '(' && at > 0 && text[at - 1] == ']')
-      result += "\\("; // no link
+      result += "\\("; // would be a link
     else if (its_own.find(text[at]) != std::string_view::npos)
       result += {'\\', text[at]};
     else
@@ -37,16 +41,18 @@ std::string markdown(const std::string& text) {
   return result;
 }
 
+// Elements have a tag as their title; functions and roles do not.
 bool is_tag(const Entry& entry) {
   return entry.title.front() == '<';
 }
 
+// The title of a function, such as "length(x)", is code.
 std::string heading_of(const Entry& entry) {
   return entry.title.ends_with(')') ? '`' + entry.title + '`'
                                     : markdown(entry.title);
 }
 
-// As GitHub makes it of the heading.
+// The anchor that GitHub makes from a heading.
 std::string anchor_of(const Entry& entry) {
   std::string anchor;
   for (const char c : entry.title)
@@ -57,7 +63,7 @@ std::string anchor_of(const Entry& entry) {
   return anchor;
 }
 
-// From docs/reference.
+// A link from docs/reference to what `told` names.
 std::string place_of(const std::string& told) {
   const auto text = place_text(told);
   const auto file = text.find('(');
@@ -69,12 +75,14 @@ std::string place_of(const std::string& told) {
   return "[" + words + "](../../" + path + ")";
 }
 
+// A fact as an item of a list.
 std::string line_of(const Fact& fact) {
   return "* " + fact.label + ": " +
          (fact.label == "told in" ? place_of(fact.text) : markdown(fact.text)) +
          '\n';
 }
 
+// A detail as a row of the table.
 std::string row_of(const Entry& entry, const Detail& detail) {
   return is_tag(entry) ? "| `" + detail.name + "` | " + markdown(detail.what) +
                              " | " + markdown(detail.sentence) + " |\n"
@@ -82,6 +90,7 @@ std::string row_of(const Entry& entry, const Detail& detail) {
                              markdown(detail.sentence) + " |\n";
 }
 
+// Empty if the entry has no details.
 std::string table_of(const Entry& entry) {
   if (entry.details.empty())
     return "";
@@ -93,6 +102,7 @@ std::string table_of(const Entry& entry) {
   return '\n' + rows;
 }
 
+// The example as a fenced block; empty if there is none.
 std::string block_of(const Entry& entry) {
   return entry.example.empty()
              ? ""

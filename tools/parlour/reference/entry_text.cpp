@@ -1,22 +1,27 @@
+// Text in columns: labels on the left, words on the right.
 #include "tools/parlour/reference/entry_text.hpp"
 
 #include <algorithm>
 #include <cctype>
 #include <sstream>
 
+#include "runtime/text/words.hpp"
+
 namespace parlour::tools {
 
 namespace {
 
+// The column where words start, so that it fits the longest label.
 std::size_t width_of(const Entry& entry) {
   std::size_t width = 0;
   for (const auto& fact : entry.facts)
     width = std::max(width, fact.label.size());
   for (const auto& detail : entry.details)
     width = std::max(width, detail.name.size());
-  return width + 4; // two blanks on both sides
+  return width + 4; // indentation and gap
 }
 
+// Each line with two blanks in front, as the example of an entry.
 std::string indented(const std::string& lines) {
   std::istringstream stream(lines);
   std::string text;
@@ -25,6 +30,7 @@ std::string indented(const std::string& lines) {
   return text;
 }
 
+// An attribute's sentence is left out if its kind ends with the same words.
 std::string text_of(const Detail& detail, std::size_t column) {
   const bool is_said = detail.what.ends_with(detail.sentence); // or empty
   return paragraph("  " + detail.name,
@@ -40,18 +46,20 @@ std::string text_of(const Fact& fact, std::size_t column) {
 
 } // namespace
 
+// Each word is followed by a blank; at a line's end the blank becomes the line
+// end.
 std::string paragraph(const std::string& label, std::string_view words,
                       std::size_t column) {
-  std::istringstream stream{std::string(words)};
   auto text = label + std::string(column - std::min(column, label.size()), ' ');
   auto used = text.size();
-  for (std::string word; stream >> word; used += word.size() + 1) {
+  for (const auto& word : split_words(words)) {
     if (used > column && used + word.size() > text_width) {
       text.back() = '\n';
       text += std::string(column, ' ');
       used = column;
     }
     text += word + ' ';
+    used += word.size() + 1;
   }
   text.back() = '\n';
   return text;
@@ -65,6 +73,7 @@ std::string place_text(const std::string& told) {
   return told;
 }
 
+// Title and sentence, the facts, an empty line, the details, the example.
 std::string entry_text(const Entry& entry) {
   const auto column = width_of(entry);
   auto text =

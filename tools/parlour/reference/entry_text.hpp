@@ -1,4 +1,4 @@
-// An entry as text for a terminal of 80 columns.
+// Prints an entry as text for a terminal of 80 columns.
 #pragma once
 
 #include <string>
@@ -10,15 +10,18 @@ namespace parlour::tools {
 
 inline constexpr std::size_t text_width = 80;
 
-// Several lines, each ended.
+// Several lines, each with its line end.
 std::string entry_text(const Entry& entry);
 
-// The words behind `label`, from `column` on where that is shorter; further
-// lines begin there. Ended.
+// The words, wrapped to text_width behind `label`. They start in `column`, or
+// behind the label if that is longer; further lines are indented to `column`.
+// Ends with a line end.
 std::string paragraph(const std::string& label, std::string_view words,
                       std::size_t column);
 
-// "language rule 5.1 (script/LANGUAGE.md)", "docs/repair.md"
+// The place that `told` means, in full: the text for 5.1 is "language rule 5.1
+// (script/LANGUAGE.md)"; a name that begins with "engine" is a rule of the
+// engine; anything else is a page and stays.
 std::string place_text(const std::string& told);
 
 } // namespace parlour::tools

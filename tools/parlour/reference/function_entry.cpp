@@ -1,3 +1,5 @@
+// The sentence comes from the table of built-in functions, parameters and
+// examples from function_examples.def.
 #include "tools/parlour/reference/function_entry.hpp"
 
 #include "script/expression/builtins.hpp"
@@ -7,6 +9,7 @@ namespace parlour::tools {
 
 namespace {
 
+// A line "expression  ->  result" for each example.
 std::string text_of(const std::vector<Trial>& trials) {
   std::vector<std::string> lines;
   for (const auto& trial : trials)

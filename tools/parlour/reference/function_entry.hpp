@@ -1,4 +1,5 @@
-// Entries of built-in functions, from script/expression/builtins.def.
+// Entries of the reference for built-in functions, made from
+// script/expression/builtins.def.
 #pragma once
 
 #include <vector>
@@ -7,7 +8,7 @@
 
 namespace parlour::tools {
 
-// Of each function, in the table's order.
+// An entry for each function, in the table's order.
 std::vector<Entry> function_entries();
 
 } // namespace parlour::tools

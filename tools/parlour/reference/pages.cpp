@@ -1,3 +1,5 @@
+// Each page is an introduction and the sections of its entries; the index links
+// to all of them.
 #include "tools/parlour/reference/pages.hpp"
 
 #include <algorithm>
@@ -14,6 +16,8 @@ namespace {
 
 using Entries = std::vector<Entry>;
 
+// A page: its file name, its heading, its introduction, and where its entries
+// come from.
 struct Page {
   const char* name;
   const char* heading;
@@ -43,6 +47,7 @@ constexpr Page pages[] = {
      &role_entries},
 };
 
+// Tells readers of the page not to edit it.
 constexpr const char* printed =
     "It is printed from the tables by `parlour help --page ";
 
@@ -54,6 +59,7 @@ std::string page_of(const Page& page) {
   return text;
 }
 
+// Links to all sections of a page, for the index.
 std::string links_of(const Page& page) {
   std::vector<std::string> links;
   for (const auto& entry : page.entries())

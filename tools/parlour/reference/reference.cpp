@@ -1,9 +1,11 @@
+// Searches all entries. There are a few hundred, so each search goes through
+// them in turn.
 #include "tools/parlour/reference/reference.hpp"
 
 #include <algorithm>
 #include <cctype>
 
-#include "runtime/base/roles.hpp"
+#include "runtime/message/roles.hpp"
 #include "script/source/findings.hpp"
 #include "script/source/source.hpp"
 #include "tools/parlour/reference/element_entry.hpp"
@@ -18,14 +20,15 @@ namespace {
 using Entries = std::vector<Entry>;
 using Lines = std::vector<std::string>;
 
-// More lines than that are told in one paragraph.
-constexpr std::size_t most_lines = 16;
+// More lines than this are joined to one paragraph of names.
+constexpr std::size_t max_lines = 16;
 
 bool is_element(const Entry& entry) {
   return entry.title.front() == '<';
 }
 
-// Elements by their name, roles also by an alias.
+// An element's first letter may have either case (language rule 1.4); a role is
+// also found by an alias.
 bool is_called(const Entry& entry, const std::string& name) {
   if (is_element(entry))
     return script::same_name(entry.name, name);
@@ -33,6 +36,7 @@ bool is_called(const Entry& entry, const std::string& name) {
   return entry.name == (role ? role->name : name);
 }
 
+// All entries, made once.
 const Entries& all_entries() {
   static const Entries all = [] {
     auto entries = element_entries();
@@ -43,7 +47,8 @@ const Entries& all_entries() {
   return all;
 }
 
-// "<speak interrupt>", "TTS fires Audio(audio, utterance)"
+// What a detail belongs to and is called: "<speak interrupt>", "TTS fires
+// Audio(audio, utterance)".
 std::string place_of(const Entry& entry, const Detail& detail) {
   if (!is_element(entry))
     return entry.name + ' ' + detail.name + ' ' + detail.what;
@@ -51,12 +56,14 @@ std::string place_of(const Entry& entry, const Detail& detail) {
   return tag.insert(tag.find('>'), ' ' + detail.name);
 }
 
-// "Audio" of "Audio(audio, utterance)"
+// The name under which a detail is looked up: "Audio" for "Audio(audio,
+// utterance)".
 std::string name_of(const Entry& entry, const Detail& detail) {
   return is_element(entry) ? detail.name
                            : detail.what.substr(0, detail.what.find('('));
 }
 
+// What it belongs to, and its sentence.
 std::string line_of(const Entry& entry, const Detail& detail) {
   const auto& words = detail.sentence;
   return place_of(entry, detail) + (words.empty() ? "" : ": " + words);
@@ -73,7 +80,8 @@ bool is_letter(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0;
 }
 
-// As a whole word.
+// Whether the word stands in the sentence as a whole word. `word` is in small
+// letters.
 bool stands_in(const std::string& word, const std::string& sentence) {
   const auto text = ' ' + lowered(sentence) + ' ';
   for (auto at = text.find(word); at != std::string::npos;
@@ -83,23 +91,26 @@ bool stands_in(const std::string& word, const std::string& sentence) {
   return false;
 }
 
+// Leaves out the placeholders for names that applications choose.
 void add_once(Lines& names, const std::string& name) {
   if (name != "*" && name != "NAME" && std::ranges::count(names, name) == 0)
     names.push_back(name);
 }
 
+// The lines up to their first colon.
 Lines without_sentences(Lines lines) {
   for (auto& line : lines)
     line.erase(std::min(line.find(": "), line.size()));
   return lines;
 }
 
+// Adds lines under a heading; nothing if there are none.
 void add_lines(std::string& text, const std::string& heading,
                const Lines& lines) {
   if (lines.empty())
     return;
   text += (text.empty() ? "" : "\n") + heading + '\n';
-  if (lines.size() > most_lines)
+  if (lines.size() > max_lines)
     text += paragraph("  ", listed(without_sentences(lines)), 2);
   else
     for (const auto& line : lines)
@@ -153,6 +164,7 @@ Lines reference_names() {
   return names;
 }
 
+// First what has the name; if nothing has it, what mentions the word.
 Expected<std::string> reference_text(const std::string& name,
                                      const Lines& others) {
   std::string text;

@@ -1,5 +1,6 @@
-// The reference: every element, built-in function and role by its name, and
-// who has an attribute, command or event of a name.
+// The reference: looks up elements, built-in functions and roles by name, and
+// finds out what else has an attribute, command or event of a name. The tables
+// do not change, so all functions are pure and safe to call from any thread.
 #pragma once
 
 #include <string>
@@ -10,24 +11,29 @@
 
 namespace parlour::tools {
 
-// Elements (of several of a name, each), a function, a role by name or alias.
+// The entries with a name: all elements of that name, a function, or a role
+// (also by an alias). Empty if there are none.
 std::vector<Entry> entries_of(const std::string& name);
 
-// "an attribute of <speak>: true or false; whether the user may break in", a
-// line each.
+// A line for each attribute, command or event of that name, with what it
+// belongs to: "<speak interrupt>: whether the user may break in".
 std::vector<std::string> holders_of(const std::string& name);
 
-// In whose sentences a word stands: "<sessions no-input-after>: silence …".
+// A line for each sentence of the reference that contains the word: "<sessions
+// no-input-after>: silence …".
 std::vector<std::string> mentions_of(const std::string& word);
 
-// All that may be asked for, each once.
+// Every name that can be looked up, once: for completion and "did you mean".
 std::vector<std::string> reference_names();
 
-// What is told of a name or word, never more than `screen` lines; an error
-// where nothing is known of it, with the nearest of the names, `others` too.
+// The answer to `parlour help NAME`: the entries, what else has the name, or
+// where the word is mentioned. A test keeps all answers within `screen` lines.
+// An error of kind Settings if nothing is known; it suggests the nearest name,
+// of the reference or of `others`.
 Expected<std::string> reference_text(const std::string& name,
                                      const std::vector<std::string>& others);
 
-inline constexpr std::size_t screen = 48; // lines
+// The lines of a terminal that an answer may fill.
+inline constexpr std::size_t screen = 48;
 
 } // namespace parlour::tools

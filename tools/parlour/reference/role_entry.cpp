@@ -1,14 +1,17 @@
+// The commands of a role are listed as "understands", its events as "fires".
 #include "tools/parlour/reference/role_entry.hpp"
 
 #include <algorithm>
 
-#include "runtime/base/roles.hpp"
+#include "runtime/message/roles.hpp"
 #include "runtime/plugin/parameters.hpp"
+#include "tools/parlour/reference/examples.hpp"
 
 namespace parlour::tools {
 
 namespace {
 
+// What an event means to whoever waits with <request>.
 const char* meaning(Reply reply) {
   switch (reply) {
   case Reply::answer:
@@ -21,12 +24,13 @@ const char* meaning(Reply reply) {
   return "";
 }
 
+// "Audio(audio, utterance)"
 template <class Named>
 std::string signature(const Named& named) {
   return named.name + "(" + named.parameters + ")";
 }
 
-// "text: a text", each once.
+// Adds "name: kind" for each parameter in a list, each only once.
 void add_parameters(std::vector<std::string>& all, const std::string& text) {
   for (const auto& parameter : read_parameters(text)) {
     auto words = parameter.name + ": ";
@@ -36,6 +40,7 @@ void add_parameters(std::vector<std::string>& all, const std::string& text) {
   }
 }
 
+// The parameters of all commands and events of a role.
 std::string parameters_of(const Role& role) {
   std::vector<std::string> all;
   for (const auto& command : role.commands)
@@ -56,7 +61,10 @@ void add_facts(Entry& entry, const Role& role) {
       {"told in", role.reserved ? "docs/engine.md" : "12.11"});
 }
 
-Entry entry_of(const Role& role) {
+} // namespace
+
+// A role's details are its commands, then its events.
+Entry role_entry(const Role& role) {
   Entry entry{role.name, role.name, role.sentence};
   add_facts(entry, role);
   for (const auto& command : role.commands)
@@ -64,15 +72,15 @@ Entry entry_of(const Role& role) {
                              command.answered ? "always answered" : ""});
   for (const auto& event : role.events)
     entry.details.push_back({"fires", signature(event), meaning(event.reply)});
+  if (const auto* example = role_example(role.name))
+    entry.example = example->xml;
   return entry;
 }
-
-} // namespace
 
 std::vector<Entry> role_entries() {
   std::vector<Entry> entries;
   for (const auto& role : roles())
-    entries.push_back(entry_of(role));
+    entries.push_back(role_entry(role));
   return entries;
 }
 

@@ -1,3 +1,9 @@
+// The line editor.
+//
+// libedit asks Editor::next_character for each key. It waits for a key, an
+// interrupt, or `news`, an eventfd that add() writes to. So other threads can
+// add output while the user types, and only the reading thread touches the
+// terminal.
 #include "tools/parlour/talk/terminal_run.hpp"
 
 #include <algorithm>
@@ -6,24 +12,26 @@
 #include <vector>
 
 #include <histedit.h>
-#include <poll.h>
 #include <sys/eventfd.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
 
+#include "adapters/loop/wait_until_ready.hpp"
 #include "tools/parlour/console/line_reader.hpp"
 
 namespace parlour::tools {
 
 namespace {
 
-constexpr int kept_lines = 1000; // of history
+constexpr int kept_lines = 1000; // of the history
 
+// The prompt, and the columns that it takes.
 constexpr int prompt_columns = 2;
 const wchar_t* prompt(EditLine*) {
   return L"> ";
 }
 
+// The terminal's width; 80 if it is not known.
 int columns_of(std::FILE* terminal) {
   winsize size{};
   const auto known = ioctl(fileno(terminal), TIOCGWINSZ, &size) == 0;
@@ -32,6 +40,8 @@ int columns_of(std::FILE* terminal) {
 
 } // namespace
 
+// libedit's objects. One object for each Screen, used by the reading thread
+// only.
 struct Screen::Editor {
   Editor(Screen* owner, const Terminal& both_ends, std::string history_file,
          IsPrivate asks)
@@ -60,6 +70,8 @@ struct Screen::Editor {
     close(news);
   }
 
+  // Goes through the history from the oldest line to the newest and keeps what
+  // is not private.
   void forget_what_is_private() {
     std::vector<std::string> kept;
     HistEvent event;
@@ -74,7 +86,9 @@ struct Screen::Editor {
       history(past, &event, H_ENTER, entry.c_str());
   }
 
-  // Waits for a key; meanwhile the robot may speak.
+  // Waits for a key, and shows output while it waits. Returns the number of
+  // characters; 0 at the end of the input, or if nothing can be waited for
+  // (libedit's EL_GETCFN).
   static int next_character(EditLine* line, wchar_t* character) {
     Editor* self = nullptr;
     el_get(line, EL_CLIENTDATA, &self);
@@ -82,9 +96,8 @@ struct Screen::Editor {
       pollfd waiting[] = {{self->terminal.interrupt, POLLIN, 0},
                           {self->news, POLLIN, 0},
                           {fileno(self->terminal.in), POLLIN, 0}};
-      if (poll(waiting, 3, -1) < 0)
-        continue;
-      if (waiting[0].revents)
+      if (adapters::wait_until_ready(waiting) == adapters::Waited::failed ||
+          waiting[0].revents)
         return 0;
       if (waiting[1].revents)
         self->show_news();
@@ -93,7 +106,7 @@ struct Screen::Editor {
     }
   }
 
-  // A character of UTF-8; bytes that are none become U+FFFD.
+  // Reads one character, byte by byte. Invalid UTF-8 becomes U+FFFD.
   int read_character(wchar_t* character) const {
     std::mbstate_t state{};
     for (;;) {
@@ -101,6 +114,7 @@ struct Screen::Editor {
       if (::read(fileno(terminal.in), &byte, 1) != 1)
         return 0;
       const auto size = std::mbrtowc(character, &byte, 1, &state);
+      // No character starts with these bytes.
       if (size == static_cast<std::size_t>(-1)) {
         *character = L'\xFFFD';
         return 1;
@@ -110,7 +124,8 @@ struct Screen::Editor {
     }
   }
 
-  // In place of the line that is being written, which goes on below.
+  // Clears the line that is being typed, prints the output, and lets libedit
+  // draw the line again below it.
   void show_news() {
     if (const auto above = rows_above_cursor(); above > 0)
       std::fprintf(terminal.out, "\033[%dA", above);
@@ -119,7 +134,8 @@ struct Screen::Editor {
     el_set(line, EL_REFRESH);
   }
 
-  // Of prompt and line, where the line is longer than the terminal is wide.
+  // The number of rows between the cursor and the prompt, where the line is
+  // longer than the terminal is wide.
   int rows_above_cursor() const {
     const auto* written = el_wline(line);
     auto columns = prompt_columns;
@@ -128,9 +144,10 @@ struct Screen::Editor {
     return columns / columns_of(terminal.out);
   }
 
-  Screen* screen;
-  Terminal terminal;
-  int news;
+  Screen* screen;    // owns this
+  Terminal terminal; // owned by the caller
+  int news;          // eventfd: output waits
+  // The history file.
   std::string file;
   IsPrivate is_private; // may be empty
   EditLine* line = nullptr;
@@ -169,6 +186,7 @@ void Screen::flush() {
   std::fflush(editor_->terminal.out);
 }
 
+// Shows what waits, then reads. The line is made valid UTF-8, like piped input.
 std::optional<std::string> Screen::read_line() {
   flush();
   int size = 0;
@@ -188,14 +206,14 @@ std::optional<std::string> Screen::read_line() {
   return line ? line->text : std::string();
 }
 
-void talk_on_terminal(Partner& partner, Screen& screen) {
+void talk_on_terminal(ConversationDriver& driver, Screen& screen) {
   while (const auto line = screen.read_line()) {
     if (!is_blank(*line)) {
-      partner.enter({*line});
-      if (partner.is_virtual())
-        partner.run_until_quiet();
-    } else if (partner.is_virtual()) {
-      partner.let_time_pass();
+      driver.enter({*line});
+      if (driver.is_virtual())
+        driver.run_until_quiet();
+    } else if (driver.is_virtual()) {
+      driver.let_time_pass();
     }
   }
 }

@@ -1,5 +1,5 @@
-// A conversation on a terminal: lines with editing and history; what the robot
-// says appears above the line that is being written.
+// A conversation on a terminal: a line editor with history (libedit), and
+// output that appears above the line that is being typed.
 #pragma once
 
 #include <cstdio>
@@ -15,20 +15,21 @@
 
 namespace parlour::tools {
 
-// Both ends of one terminal, and a descriptor that ends reading when it becomes
-// readable. Owns none of them.
+// A terminal to read from and write to, and a descriptor that ends reading when
+// it becomes readable (SignalWatch::descriptor). Owns none of them.
 struct Terminal {
   std::FILE* in;
   std::FILE* out;
   int interrupt;
 };
 
-// What is on the terminal. say and note may be called from any thread; the rest
-// from one.
+// The screen of a terminal. say() and note() may be called from any thread;
+// everything else from the thread that reads.
 class Screen {
 public:
-  // Lines written are kept in the file `history`, but for those of which
-  // `is_private`, when all is over.
+  // Loads the history from the file `history`, and saves it there when the
+  // screen is destroyed, without lines for which `is_private` is true (engine
+  // rule 7.6). `colour` switches bold and grey on.
   using IsPrivate = std::function<bool(const std::string& line)>;
   Screen(const Terminal& terminal, std::filesystem::path history, bool colour,
          IsPrivate is_private = {});
@@ -36,27 +37,32 @@ public:
   Screen& operator=(const Screen&) = delete;
   ~Screen();
 
-  void say(const std::string& text);  // the robot's words
-  void note(const std::string& text); // what is happening
-  // Shows what was said and noted since.
+  void say(const std::string& text);  // the robot's words, in bold
+  void note(const std::string& text); // traces and errors, in grey
+  // Prints the lines that were added since. read_line() does so while it waits;
+  // call flush() when nobody reads any more.
   void flush();
 
-  // A line without its end; nothing at the end of input or when interrupted.
+  // Reads a line, without its end. Nothing at the end of the input (Ctrl-D) or
+  // when interrupted.
   std::optional<std::string> read_line();
 
 private:
-  struct Editor;
+  struct Editor; // libedit and its history
 
+  // Queues a line and wakes the thread that reads.
   void add(std::string line);
 
-  std::mutex mutex_;
-  std::deque<std::string> lines_;
+  std::mutex mutex_;              // guards lines_
+  std::deque<std::string> lines_; // not printed yet
   bool colour_;
   std::unique_ptr<Editor> editor_;
 };
 
-// Each line is a turn; an empty line lets virtual time go to the next due
-// timer. Until the input ends or is interrupted.
-void talk_on_terminal(Partner& partner, Screen& screen);
+// Reads lines until the input ends or is interrupted. Each line is a user turn.
+// In virtual time, an empty line lets time pass (let_time_pass) and the others
+// are answered before the next is read; in real time the robot answers while
+// the user types.
+void talk_on_terminal(ConversationDriver& driver, Screen& screen);
 
 } // namespace parlour::tools

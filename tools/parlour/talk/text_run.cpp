@@ -1,3 +1,4 @@
+// Passes rows to a driver, and the driver for a node.
 #include "tools/parlour/talk/text_run.hpp"
 
 #include <algorithm>
@@ -6,8 +7,8 @@
 
 namespace parlour::tools {
 
-NodePartner::NodePartner(actors::Node& node, bool is_virtual,
-                         std::function<void(const std::string&)> say)
+NodeDriver::NodeDriver(actors::Node& node, bool is_virtual,
+                       std::function<void(const std::string&)> say)
     : node_(node), virtual_(is_virtual) {
   seat_ =
       node.open_seat({[this, say = std::move(say)](
@@ -19,7 +20,11 @@ NodePartner::NodePartner(actors::Node& node, bool is_virtual,
   node.open(seat_);
 }
 
-void NodePartner::let_time_pass() {
+// Steps from one due time to the next, until the robot has said something or
+// the earliest timer of the conversation has been reached. Delays of components
+// (a sensor, a slow answer) do not end the step before longest_pause has
+// passed.
+void NodeDriver::let_time_pass() {
   const auto said = said_.load();
   auto end = node_.now() + longest_pause.count();
   do {
@@ -30,24 +35,25 @@ void NodePartner::let_time_pass() {
   } while (said_ == said && node_.now() < end);
 }
 
-bool talk_by_rows(Partner& partner, RowReader& rows) {
+bool talk_by_rows(ConversationDriver& driver, RowReader& rows) {
   for (;;) {
     const auto event = rows.next();
     switch (event.kind) {
     case RowEvent::Kind::turns:
-      partner.enter(event.turns);
-      // In real time the world goes on by itself while we read.
-      if (partner.is_virtual() || event.is_part)
-        partner.run_until_quiet();
+      driver.enter(event.turns);
+      // In real time the node runs by itself while we read on. A part of a row
+      // waits even then, so that input cannot outrun the node.
+      if (driver.is_virtual() || event.is_part)
+        driver.run_until_quiet();
       break;
     case RowEvent::Kind::quiet:
-      partner.run_until_quiet();
+      driver.run_until_quiet();
       break;
     case RowEvent::Kind::step:
-      partner.let_time_pass();
+      driver.let_time_pass();
       break;
     case RowEvent::Kind::end:
-      partner.run_until_quiet();
+      driver.run_until_quiet();
       return true;
     case RowEvent::Kind::interrupted:
       return false;

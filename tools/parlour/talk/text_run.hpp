@@ -1,4 +1,5 @@
-// A conversation by lines: pipes, and `--text` (docs/running.md, "By lines").
+// A conversation by lines, for pipes and `--text` (docs/running.md, "By
+// lines"). Also the driver that connects it to a node.
 #pragma once
 
 #include <atomic>
@@ -9,29 +10,38 @@
 
 namespace parlour::tools {
 
-// How far an empty line lets time pass at most, to what is due next.
+// How far ahead the next due time may be for an empty line to wait for it: a
+// year.
 inline constexpr Milliseconds longest_step = std::chrono::hours(24 * 366);
-// Through what components do by themselves, such as a sensor without end.
+// How long a step goes on while only components act, for example a sensor that
+// reports for ever.
 inline constexpr Milliseconds longest_pause = std::chrono::minutes(1);
 
-// Who is talked with: a node's seat, or a test's notes.
-class Partner {
+// The conversation that input is for: a node's seat (NodeDriver), or a recorder
+// in tests. For one thread.
+class ConversationDriver {
 public:
-  virtual ~Partner() = default;
+  virtual ~ConversationDriver() = default;
+  // User turns that arrive together, in order.
   virtual void enter(const std::vector<std::string>& turns) = 0;
+  // Returns when nothing is left to do without time passing.
   virtual void run_until_quiet() = 0;
-  // Until something is said or a timer of the conversation is due.
+  // Lets time pass until something is said or a timer of the conversation is
+  // due.
   virtual void let_time_pass() = 0;
-  // Whether nothing happens but inside these calls.
+  // Whether time stands still outside of these calls.
   virtual bool is_virtual() const = 0;
 };
 
-// At a seat of its own, where a conversation begins at once.
-class NodePartner : public Partner {
+// Drives a node through a seat that it opens. The first conversation begins in
+// the constructor.
+class NodeDriver : public ConversationDriver {
 public:
-  // `say` is called as SeatCallbacks are, until the node has stopped.
-  NodePartner(actors::Node& node, bool is_virtual,
-              std::function<void(const std::string&)> say);
+  // `say` gets each output as one line. It is called like
+  // SeatCallbacks::on_output (from threads of the node in real time), until the
+  // node has stopped. The node must outlive the driver.
+  NodeDriver(actors::Node& node, bool is_virtual,
+             std::function<void(const std::string&)> say);
 
   void enter(const std::vector<std::string>& turns) override {
     node_.enter(seat_, turns);
@@ -47,12 +57,12 @@ public:
 private:
   actors::Node& node_;
   bool virtual_;
-  std::atomic<std::uint64_t> said_ = 0;
+  std::atomic<std::uint64_t> said_ = 0; // outputs so far
   actors::SeatId seat_;
 };
 
-// Talks until the input ends; all is quiet then. False where a signal ended
-// it.
-bool talk_by_rows(Partner& partner, RowReader& rows);
+// Passes the events of `rows` to the driver. True when the input has ended and
+// everything is quiet; false if a signal ended it.
+bool talk_by_rows(ConversationDriver& driver, RowReader& rows);
 
 } // namespace parlour::tools

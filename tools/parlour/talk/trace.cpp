@@ -1,3 +1,4 @@
+// The words of a kind are those of the table in inspection.hpp.
 #include "tools/parlour/talk/trace.hpp"
 
 namespace parlour::tools {
@@ -19,7 +20,7 @@ std::string_view word_for(InspectionKind kind) {
 
 std::string trace_line(const Inspection& inspection) {
   std::string line(word_for(inspection.kind));
-  line.resize(12, ' ');
+  line.resize(12, ' '); // the column where the text begins
   const auto with_message = inspection.message != nullptr;
   line += with_message ? to_string(*inspection.message) : inspection.subject;
   if (!with_message || inspection.kind == InspectionKind::unhandled)

@@ -1,4 +1,5 @@
-// What happens where the server dies, hangs, comes back or is asked by many.
+// The connections when the server dies, hangs or comes back, and when many
+// sessions query it.
 #include "adapters/database/mariadb/mariadb_pool.hpp"
 #include "tests/adapters/database/mariadb_fixture.hpp"
 

@@ -31,6 +31,19 @@ TEST_F(MariaDBSetupTest, BeginsAnewAfterASeedThatFails) {
             "Result([1])");
 }
 
+TEST_F(MariaDBSetupTest, BeginsAnewWithViews) {
+  const auto schema = folder.read("schema.sql");
+  folder.write("schema.sql",
+               schema + "\n;create view names as select name from staff;");
+  const auto seed = folder.read("seed.sql");
+  folder.write("seed.sql", "insert into nowhere values (1)");
+  EXPECT_FALSE(start(options_for("viewed")));
+  folder.write("seed.sql", seed);
+  const auto started = start(options_for("viewed"));
+  ASSERT_TRUE(started) << started.error().message;
+  EXPECT_EQ(query("select count(*) from names"), "Result([3])");
+}
+
 TEST_F(MariaDBSetupTest, IsMadeByOneOfSeveral) {
   auto first = mysql_database_factory().create();
   auto second = mysql_database_factory().create();

@@ -73,6 +73,22 @@ TEST_F(SQLiteImageTest, PlacesErrorsOfTheSeed) {
   EXPECT_THAT(wrong.error().message, HasSubstr("UNIQUE"));
 }
 
+TEST_F(SQLiteImageTest, ReadsNoHalfOfAFile) {
+  using namespace std::string_literals;
+  folder.write("schema.sql", "create table a (b);\n\0create table c (d);"s);
+  auto wrong = image();
+  ASSERT_FALSE(wrong);
+  EXPECT_EQ(wrong.error().place.line, 2u);
+  EXPECT_THAT(wrong.error().message, HasSubstr("zero byte"));
+}
+
+TEST_F(SQLiteImageTest, KeepsItsTransaction) {
+  folder.write("seed.sql", "rollback;");
+  auto wrong = image();
+  ASSERT_FALSE(wrong);
+  EXPECT_THAT(wrong.error().message, HasSubstr("leave out 'begin'"));
+}
+
 TEST_F(SQLiteImageTest, NeedsItsFiles) {
   for (const auto& path : {folder.path() / "missing.sql", folder.path()}) {
     auto wrong = sqlite_image(path, {});

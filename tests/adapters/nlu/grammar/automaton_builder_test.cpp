@@ -34,6 +34,10 @@ TEST(AutomatonBuilder, KnowsItsNames) {
             "there is no rule <place>, did you mean 'plaze'?");
   EXPECT_EQ(first_error("public <a> = b {act=informs};"),
             "there is no act 'informs', did you mean 'inform'?");
+  EXPECT_EQ(first_error("public <a> = b {act};"),
+            "the tag {act} needs a value: {act=…}");
+  EXPECT_EQ(first_error("public <a> = b {denies=last};"),
+            "what can be denied is the next words: {denies=next}");
   EXPECT_EQ(first_error("public <a> = b {topic=Taxis};"),
             "there is no topic 'Taxis', did you mean 'Taxi'?");
   EXPECT_EQ(first_error("public <a> = @phon;"),

@@ -65,14 +65,14 @@ TEST_F(ExampleFile, TellsWhatIsWrongAndWhere) {
 }
 
 TEST_F(ExampleFile, HasBounds) {
-  const std::string longest(most_example_bytes, 'a');
+  const std::string longest(max_example_bytes, 'a');
   EXPECT_THAT(add("Weather\t" + longest + "\nWeather\t" + longest + "a\n"),
               ElementsAre("2:9: an example has at most 1000 bytes"));
   std::string many;
   for (int line = 0; line < 200; ++line)
     many += "nothing\n";
   EXPECT_EQ(add(many).size(), 100U);
-  EXPECT_THAT(add(std::string(most_example_file_bytes + 1, '\n')),
+  EXPECT_THAT(add(std::string(max_example_file_bytes + 1, '\n')),
               ElementsAre("0:0: this file is larger than 8 MB"));
 }
 

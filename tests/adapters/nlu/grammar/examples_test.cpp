@@ -31,7 +31,7 @@ TEST(Examples, AreNotTooLong) {
   TopicModel topic;
   topic.name = "T";
   std::vector<Error> errors;
-  example_rules(topic, std::string(most_example_bytes + 1, 'a'), errors);
+  example_rules(topic, std::string(max_example_bytes + 1, 'a'), errors);
   ASSERT_EQ(errors.size(), 1U);
   EXPECT_NE(errors[0].message.find("has more than 1000 bytes"),
             std::string::npos);

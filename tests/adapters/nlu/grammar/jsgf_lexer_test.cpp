@@ -1,3 +1,5 @@
+#include <cstring>
+
 #include <gtest/gtest.h>
 
 #include "adapters/nlu/grammar/jsgf_lexer.hpp"
@@ -73,6 +75,7 @@ TEST(JsgfLexer, SaysWhatDoesNotEnd) {
     EXPECT_EQ(errors[0].place.column, 3U) << text;
     EXPECT_EQ(lexemes.front().text, "a");
     EXPECT_EQ(lexemes.back().kind, LexemeKind::end);
+    EXPECT_EQ(lexemes.back().place.column, std::strlen(text) + 1) << text;
   }
 }
 

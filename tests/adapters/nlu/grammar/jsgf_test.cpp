@@ -6,7 +6,8 @@ namespace parlour::adapters::nlu::jsgf {
 namespace {
 
 // "line:column message" of the first error, or "".
-std::string first_error(const std::string& text, const Place& place = {}) {
+std::string first_error(const std::string& text,
+                        const SourceLocation& place = {}) {
   std::vector<Error> errors;
   parse({"g", text, place}, errors);
   if (errors.empty())

@@ -1,4 +1,4 @@
-// A desk that lends robots: its topics, its columns, its rules.
+// A desk that lends robots: its topics, columns and keyword rules.
 #pragma once
 
 #include <stdexcept>

@@ -22,7 +22,7 @@ UnderstandingModel tables() {
 
 std::string understood(const char* asked, List said, const char* text) {
   static const auto built =
-      Understander::build(tables(), sample_column, {0.4, {generic_grammar()}});
+      NluEngine::build(tables(), sample_column, {0.4, {generic_grammar()}});
   auto context = *sample_context(std::string("Table.") + asked).if_map();
   context.set("said", std::move(said));
   return summary(built->understand(text, context).acts);

@@ -13,9 +13,8 @@ struct Turn {
 };
 
 std::string understood(const Turn& turn) {
-  static const auto understander = sample();
-  return summary(
-      understander.understand(turn.text, sample_context(turn.asked)).acts);
+  static const auto engine = sample();
+  return summary(engine.understand(turn.text, sample_context(turn.asked)).acts);
 }
 
 // A refusal, in whatever words, is never read as a yes.
@@ -146,7 +145,7 @@ std::string insured(const std::string& text, const Value& context) {
                    {{"Wants", "set", {"yes", "no"}, "", true, false}},
                    {"I want to be insured", "[yes](Wants)"}}};
   static const auto built =
-      Understander::build(model, {}, {0.4, {generic_grammar()}});
+      NluEngine::build(model, {}, {0.4, {generic_grammar()}});
   return summary(built->understand(text, context).acts);
 }
 
@@ -160,11 +159,11 @@ TEST(Doubt, TakesAYesAsAValueOnlyWhereNoQuestionWantsIt) {
 
 // The value that is asked about, with a no somewhere, is none.
 TEST(Doubt, TakesNoValueThatIsTakenBack) {
-  static const auto understander = sample();
+  static const auto engine = sample();
   const auto asked = [](const char* text) {
     auto context = *sample_context("Appointment.Time").if_map();
     context.set("confirms", "Did you say three?");
-    return summary(understander.understand(text, Value(context)).acts);
+    return summary(engine.understand(text, Value(context)).acts);
   };
   EXPECT_EQ(asked("yes three not"), "deny");
   EXPECT_THAT(asked("yes, three, don't book it"),
@@ -185,7 +184,7 @@ TEST(Doubt, TakesAYesAsAValueOfTheSlotThatWasAskedForOnly) {
                    {{"Name", "set", {"blue", "red"}, "", true, false},
                     {"Meals", "set", {"yes", "no"}, "", false, false}},
                    {"book a room", "book a room with meals [yes](Meals)"}}};
-  const auto built = Understander::build(model, {}, {0.4, {generic_grammar()}});
+  const auto built = NluEngine::build(model, {}, {0.4, {generic_grammar()}});
   const auto heard = [&](const char* asked, const char* text) {
     return summary(built->understand(text, sample_context(asked)).acts);
   };

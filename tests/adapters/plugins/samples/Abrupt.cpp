@@ -1,4 +1,4 @@
-// A robot that takes its process with it when it is to go somewhere.
+// A plug-in (role Robot) that ends its process when it is told to go somewhere.
 #include <cstdlib>
 
 #include "runtime/plugin/adaptors.hpp"

@@ -1,4 +1,5 @@
-// EchoTTS (role TTS): a synthesiser whose speech is the text, for tests.
+// A correct plug-in (role TTS) that fires each text as an event. It is built
+// twice, with different prefixes, to test reloading a changed file.
 #include "runtime/plugin/adaptors.hpp"
 #include "runtime/plugin/export.hpp"
 

@@ -1,5 +1,5 @@
-// Built for another interface of plug-ins: nothing behind that number is as it
-// was.
+// A plug-in built for another version of the plug-in interface. Only the
+// version number may be read.
 #include <cstdint>
 
 extern "C" const std::uint32_t parlour_plugin[];

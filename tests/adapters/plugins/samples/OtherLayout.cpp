@@ -1,4 +1,4 @@
-// Built by a compiler whose strings are of another size.
+// A plug-in built by a compiler with another size of std::string.
 #include "runtime/plugin/export.hpp"
 
 extern "C" const parlour::PluginLibrary parlour_plugin;

@@ -1,4 +1,4 @@
-// A plug-in that throws when it is to describe itself.
+// A plug-in that throws when it is asked to describe itself.
 #include <stdexcept>
 
 #include "runtime/plugin/export.hpp"

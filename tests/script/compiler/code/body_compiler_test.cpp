@@ -47,7 +47,7 @@ TEST_F(BodyCompilerTest, AFindingStandsWhereTheMistakeIs) {
   BodyCompiler compiler(program, names, findings);
   compiler.expression(attribute("1 + nobody"), context);
   ASSERT_EQ(findings.all().size(), 1u);
-  EXPECT_EQ(findings.all()[0].place, (Place{"a.xml", 1, 11}));
+  EXPECT_EQ(findings.all()[0].place, (SourceLocation{"a.xml", 1, 11}));
 }
 
 TEST_F(BodyCompilerTest, SomeChildrenCanBeLeftOut) {

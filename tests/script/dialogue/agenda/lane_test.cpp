@@ -1,20 +1,19 @@
 #include <gtest/gtest.h>
 
 #include "script/dialogue/agenda/lane.hpp"
-#include "script/dialogue/agenda/steps.hpp"
 
 namespace parlour::dialogue {
 namespace {
 
-Step numbered(TurnId number) {
-  return body_step(0, number);
+steps::Run numbered(TurnId number) {
+  return {{.turn = number}};
 }
 
 // The numbers of the steps that can be taken.
 std::vector<TurnId> taken(Lane& lane) {
   std::vector<TurnId> numbers;
   while (auto step = lane.next())
-    numbers.push_back(step->turn);
+    numbers.push_back(turn_of(*step));
   return numbers;
 }
 
@@ -37,7 +36,7 @@ TEST(Lane, AStepStaysWhereItIsWhileItIsTaken) {
   for (TurnId number = 8; number > 2; --number)
     lane.at_once(numbered(number));
   EXPECT_TRUE(lane.abandon().empty());
-  EXPECT_EQ(step->turn, 1u);
+  EXPECT_EQ(turn_of(*step), 1u);
   lane.at_once(numbered(2));
   EXPECT_EQ(taken(lane), Numbers{2});
 }
@@ -48,7 +47,7 @@ TEST(Lane, WhatComesWhileAStepIsTakenWaitsBehindIt) {
   lane.next();
   lane.queue({numbered(3)});
   lane.wait(9, Lane::Others::go_on); // the item is not its own
-  EXPECT_EQ(lane.next()->turn, 3u);
+  EXPECT_EQ(turn_of(*lane.next()), 3u);
   lane.wake(9, numbered(2));
   EXPECT_EQ(taken(lane), (Numbers{2}));
 }
@@ -56,7 +55,7 @@ TEST(Lane, WhatComesWhileAStepIsTakenWaitsBehindIt) {
 TEST(Lane, NowGoesInFront) {
   Lane lane;
   lane.queue({numbered(1), numbered(4)});
-  EXPECT_EQ(lane.next()->turn, 1u);
+  EXPECT_EQ(turn_of(*lane.next()), 1u);
   lane.now({numbered(2), numbered(3)});
   EXPECT_EQ(taken(lane), (Numbers{2, 3, 4}));
 }
@@ -87,7 +86,7 @@ TEST(Lane, AWaitForTheUserLetsItemsBeTaken) {
   EXPECT_FALSE(lane.held());
   lane.queue({numbered(2), numbered(3)});
   EXPECT_FALSE(lane.idle());
-  EXPECT_EQ(lane.next()->turn, 2u);
+  EXPECT_EQ(turn_of(*lane.next()), 2u);
   EXPECT_FALSE(lane.returning());
   EXPECT_TRUE(lane.wake(9, numbered(5)));
   EXPECT_TRUE(lane.returning());
@@ -97,11 +96,8 @@ TEST(Lane, AWaitForTheUserLetsItemsBeTaken) {
 
 TEST(Lane, OtherActsDoNotWaitForTheUser) {
   Lane lane;
-  auto act = numbered(2);
-  act.kind = StepKind::take_act;
-  auto conclude = numbered(4);
-  conclude.kind = StepKind::conclude;
-  lane.queue({numbered(1), act, numbered(3), conclude});
+  lane.queue({numbered(1), steps::TakeAct{.turn = 2}, numbered(3),
+              steps::Conclude{4}});
   lane.queue({numbered(5)});
   lane.next();
   lane.wait(9, Lane::Others::go_on);
@@ -117,7 +113,7 @@ TEST(Lane, WhatHasWaitedGoesOnBesideOthersThatWait) {
   lane.next();
   lane.wait(8, Lane::Others::go_on);
   lane.queue({numbered(2), numbered(6)});
-  EXPECT_EQ(lane.next()->turn, 2u);
+  EXPECT_EQ(turn_of(*lane.next()), 2u);
   lane.wait(9, Lane::Others::go_on);
   lane.wake(8, numbered(4));
   EXPECT_FALSE(lane.idle());
@@ -205,10 +201,10 @@ TEST(Lane, WhatFollowsAWaitComesOnce) {
   lane.queue({numbered(1), numbered(4)});
   lane.next();
   lane.wait(9, Lane::Others::go_on);
-  lane.follow(9, topic_step(StepKind::settle, 0));
-  lane.follow(9, topic_step(StepKind::settle, 0));
-  lane.follow(9, topic_step(StepKind::settle, 1));
-  lane.follow(7, topic_step(StepKind::settle, 2)); // nothing waits so
+  lane.follow(9, steps::Settle{0});
+  lane.follow(9, steps::Settle{0});
+  lane.follow(9, steps::Settle{1});
+  lane.follow(7, steps::Settle{2}); // nothing waits so
   lane.wake(9, numbered(2));
   EXPECT_EQ(taken(lane), (Numbers{2, 0, 0, 4}));
 }
@@ -219,7 +215,7 @@ TEST(Lane, WhatIsTakenOutIsOver) {
   lane.next();
   lane.wait(9, Lane::Others::go_on);
   const auto rest = lane.take_out(9);
-  EXPECT_EQ(rest.begin()->turn, 3u);
+  EXPECT_EQ(turn_of(*rest.begin()), 3u);
   EXPECT_TRUE(lane.take_out(9).empty());
   EXPECT_FALSE(lane.waits(9));
   EXPECT_EQ(taken(lane), Numbers{});
@@ -245,12 +241,12 @@ TEST(Lane, WhatItHasAheadCanBeTaken) {
   lane.queue({numbered(1), numbered(2), numbered(3)});
   lane.next();
   const auto odd =
-      lane.take_ahead([](const Step& step) { return step.turn % 2 == 1; });
-  EXPECT_EQ(odd.begin()->turn, 3u);
-  EXPECT_EQ(lane.ahead().begin()->turn, 2u);
+      lane.take_ahead([](const Step& step) { return turn_of(step) % 2 == 1; });
+  EXPECT_EQ(turn_of(*odd.begin()), 3u);
+  EXPECT_EQ(turn_of(*lane.ahead().begin()), 2u);
   lane.wait(9, Lane::Others::go_on);
   const auto waiting = lane.take_waiting([](const Step&) { return true; });
-  EXPECT_EQ(waiting.begin()->turn, 2u);
+  EXPECT_EQ(turn_of(*waiting.begin()), 2u);
 }
 
 } // namespace

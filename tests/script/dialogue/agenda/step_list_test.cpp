@@ -1,19 +1,18 @@
 #include <gtest/gtest.h>
 
 #include "script/dialogue/agenda/step_list.hpp"
-#include "script/dialogue/agenda/steps.hpp"
 
 namespace parlour::dialogue {
 namespace {
 
-Step numbered(TurnId number) {
-  return body_step(0, number);
+steps::Run numbered(TurnId number) {
+  return {{.turn = number}};
 }
 
 std::vector<TurnId> numbers(const StepList& steps) {
   std::vector<TurnId> found;
   for (const auto& step : steps)
-    found.push_back(step.turn);
+    found.push_back(turn_of(step));
   return found;
 }
 
@@ -25,30 +24,30 @@ TEST(StepList, KeepsTheOrder) {
   steps.append(StepList());
   steps.prepend(StepList{numbered(1)});
   steps.prepend(StepList());
-  steps.add(StepKind::conclude).turn = 5;
+  steps.add(steps::Conclude{5});
   EXPECT_EQ(numbers(steps), (Numbers{1, 2, 3, 4, 5}));
-  EXPECT_EQ(steps.back().kind, StepKind::conclude);
+  EXPECT_TRUE(is<steps::Conclude>(steps.back()));
 }
 
 TEST(StepList, AStepStaysWhereItIs) {
-  StepList steps;
-  const auto* place = &steps.add(StepKind::run);
+  StepList steps{numbered(2)};
+  const auto* place = &*steps.begin();
   auto other = std::move(steps);
   EXPECT_TRUE(steps.empty());
   StepList all{numbered(1)};
   all.append(std::move(other));
   all.take();
-  EXPECT_EQ(all.take().get(), place);
+  EXPECT_EQ(&all.take()->step, place);
   EXPECT_TRUE(all.empty());
 }
 
 TEST(StepList, TakesOutWhatIsWanted) {
   StepList steps{numbered(1), numbered(2), numbered(3), numbered(4)};
   const auto even =
-      steps.take_if([](const Step& s) { return s.turn % 2 == 0; });
+      steps.take_if([](const Step& s) { return turn_of(s) % 2 == 0; });
   EXPECT_EQ(numbers(even), (Numbers{2, 4}));
   EXPECT_EQ(numbers(steps), (Numbers{1, 3}));
-  steps.add(StepKind::run).turn = 5;
+  steps.add(numbered(5));
   EXPECT_EQ(numbers(steps), (Numbers{1, 3, 5}));
 }
 

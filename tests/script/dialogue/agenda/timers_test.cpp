@@ -1,3 +1,5 @@
+#include <utility>
+
 #include <gtest/gtest.h>
 
 #include "script/dialogue/agenda/timers.hpp"
@@ -9,10 +11,10 @@ using namespace std::chrono_literals;
 
 class Ports : public Port {
 public:
-  std::map<TimerId, Milliseconds> running;
+  std::map<TimerId, Timestamp> running;
 
-  void start_timer(TimerId id, Milliseconds after) override {
-    running[id] = after;
+  void start_timer(TimerId id, Timestamp due) override {
+    running[id] = due;
   }
   void cancel_timer(TimerId id) override {
     running.erase(id);
@@ -40,7 +42,7 @@ public:
   }
   void socket_taken(SocketId) override {}
   void close_socket(SocketId) override {}
-  void apply(TopicId, FrameRequest) override {}
+  void apply(TopicId, std::shared_ptr<const FrameRequest>) override {}
   void unhandled(const Message&) override {}
   bool inspected() const override {
     return false;
@@ -59,26 +61,26 @@ Timer script_timer(std::string name, Milliseconds every = 0ms) {
 TEST(Timers, FireOnce) {
   Ports port;
   Timers timers(port);
-  auto id = timers.start(5ms, script_timer("egg"));
-  EXPECT_EQ(port.running.at(id), 5ms);
+  auto id = timers.start(5, script_timer("egg"));
+  EXPECT_EQ(port.running.at(id), 5);
   port.running.clear();
-  EXPECT_EQ(timers.fired(id)->name, "egg");
-  EXPECT_FALSE(timers.fired(id));
+  EXPECT_EQ(timers.fired(id, 5)->name, "egg");
+  EXPECT_FALSE(timers.fired(id, 5));
   EXPECT_TRUE(port.running.empty());
 }
 
 TEST(Timers, RepeatUntilCancelledByName) {
   Ports port;
   Timers timers(port);
-  auto id = timers.start(5ms, script_timer("tick", 7ms));
+  auto id = timers.start(5, script_timer("tick", 7ms));
   port.running.erase(id);
-  EXPECT_TRUE(timers.fired(id));
+  EXPECT_TRUE(timers.fired(id, 5));
   ASSERT_EQ(port.running.size(), 1u);
-  const auto [next, after] = *port.running.begin();
-  EXPECT_EQ(after, 7ms);
+  const auto [next, due] = *port.running.begin();
+  EXPECT_EQ(due, 12);
   timers.cancel_named("tick");
   EXPECT_TRUE(port.running.empty());
-  EXPECT_FALSE(timers.fired(next));
+  EXPECT_FALSE(timers.fired(next, 12));
 }
 
 TEST(Timers, NamesAreScriptsOnly) {
@@ -87,7 +89,7 @@ TEST(Timers, NamesAreScriptsOnly) {
   Timer wait;
   wait.purpose = Timer::Purpose::wait;
   wait.wait = 3;
-  timers.start(5ms, wait);
+  timers.start(5, wait);
   timers.cancel_named("");
   EXPECT_EQ(port.running.size(), 1u);
   timers.cancel_wait(4);
@@ -103,11 +105,11 @@ TEST(Timers, ASessionHasSoManyOfScripts) {
   const Timer timer{.name = "t", .bytes = 10};
   for (int i = 0; i < 1000; ++i) {
     EXPECT_FALSE(timers.refuse(timer, 10'000));
-    timers.start(1s, timer);
+    timers.start(1'000, timer);
   }
   EXPECT_TRUE(timers.refuse(timer, 1'000'000)); // too many
   timers.cancel_named("t");
-  timers.start(1s, timer);
+  timers.start(1'000, timer);
   EXPECT_FALSE(timers.refuse(timer, 20));
   EXPECT_TRUE(timers.refuse(timer, 19)); // too much
 }
@@ -117,8 +119,8 @@ TEST(Timers, ThoseOfAVisitEndWithIt) {
   Timers timers(port);
   auto of_state = script_timer("a");
   of_state.visit = 3;
-  timers.start(5ms, of_state);
-  const auto other = timers.start(5ms, script_timer("b"));
+  timers.start(5, of_state);
+  const auto other = timers.start(5, script_timer("b"));
   const auto ring = timers.ring(of_state);
   timers.end_with([](VisitId visit) { return visit == 4; });
   EXPECT_EQ(port.running.size(), 2u);
@@ -155,25 +157,40 @@ TEST(Timers, ARingIsStoppedWithItsTimer) {
 TEST(Timers, KeepASessionOpen) {
   Ports port;
   Timers timers(port);
-  timers.start(1s, script_timer("may be lost"));
-  timers.start(1s, Timer::Purpose::silence);
+  timers.start(1'000, script_timer("may be lost"));
+  timers.start(1'000, Timer::Purpose::silence);
   EXPECT_FALSE(timers.keep_open());
   EXPECT_EQ(timers.pending().size(), 1u);
   auto egg = script_timer("egg");
   egg.keeps_open = true;
-  const auto id = timers.start(1s, egg);
+  const auto id = timers.start(1'000, egg);
   EXPECT_TRUE(timers.keep_open());
   timers.cancel(id);
   EXPECT_FALSE(timers.keep_open());
-  timers.start(1s, Timer::Purpose::wait);
+  timers.start(1'000, Timer::Purpose::wait);
   EXPECT_TRUE(timers.keep_open());
+}
+
+// One that is overdue repeats from when it rings at last.
+TEST(Timers, AreDueAtTheSameTimesWithAnotherPort) {
+  Ports port;
+  Timers timers(port);
+  const auto egg = timers.start(5, script_timer("egg"));
+  const auto tick = timers.start(7, script_timer("tick", 7ms));
+  timers.start(9, Timer::Purpose::silence);
+  const auto before = std::exchange(port.running, {});
+  timers.resume();
+  EXPECT_EQ(port.running, before);
+  EXPECT_TRUE(timers.fired(egg, 100));
+  EXPECT_TRUE(timers.fired(tick, 100));
+  EXPECT_EQ(port.running.rbegin()->second, 107);
 }
 
 TEST(Timers, CancelAll) {
   Ports port;
   Timers timers(port);
-  auto id = timers.start(5ms, script_timer("a"));
-  timers.start(5ms, script_timer("b"));
+  auto id = timers.start(5, script_timer("a"));
+  timers.start(5, script_timer("b"));
   timers.cancel(id);
   EXPECT_EQ(port.running.size(), 1u);
   timers.cancel_all();

@@ -1,4 +1,4 @@
-// What the conversation tells of what is private, and when.
+// Which private values the conversation reports to its port, and when.
 #include <gmock/gmock.h>
 
 #include "script/dialogue/context/privacy.hpp"

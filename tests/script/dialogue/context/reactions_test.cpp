@@ -15,7 +15,8 @@ struct ReactionsTest : testing::Test {
               "<handler name='H'><messages><component><Bell><Rings/></Bell>"
               "</component></messages></handler>",
               WorldOptions()),
-        context(world.program, {}, world), reactions(context) {
+        interpreter(world.program),
+        context(interpreter, world.program, {}, world), reactions(context) {
     world.components["Bell"] = {"Door"};
   }
   void enter(const char* state) {
@@ -23,6 +24,7 @@ struct ReactionsTest : testing::Test {
   }
 
   World world;
+  script::Interpreter interpreter;
   DialogueContext context;
   Reactions reactions;
 };

@@ -9,8 +9,11 @@ namespace {
 
 struct WaitsTest : testing::Test, ActivationRunner::Listener, Waits::Others {
   WaitsTest()
-      : world(""), context(world.program, {}, world),
-        runner(context, host, *this), waits(context, runner, *this) {}
+      : world(""), interpreter(world.program),
+        context(interpreter, world.program, {}, world), timers(world),
+        inbox(context.turns), messenger(context, inbox),
+        runner(context, interpreter, messenger, timers, host, *this),
+        waits(context, runner, *this) {}
 
   void wait_is_over(WaitId) override {}
   void body_failed(TopicId, CodeId) override {}
@@ -25,13 +28,17 @@ struct WaitsTest : testing::Test, ActivationRunner::Listener, Waits::Others {
   }
   // A script of the dialogue lane waits.
   void wait_in_lane(WaitId wait) {
-    context.lane.queue({Step()});
+    context.lane.queue(steps::Conclude{});
     context.lane.next();
     context.lane.wait(wait, Lane::Others::go_on);
   }
 
   World world;
+  script::Interpreter interpreter;
   DialogueContext context;
+  Timers timers;
+  Inbox inbox;
+  Messenger messenger;
   script::ComputingHost host{"a test", 0};
   ActivationRunner runner;
   Waits waits;
@@ -44,8 +51,8 @@ TEST_F(WaitsTest, WhatWaitsInTheLaneGoesOnThere) {
   waits.resume(5, Value("yes"));
   const auto* step = context.lane.next();
   ASSERT_NE(step, nullptr);
-  EXPECT_EQ(step->kind, StepKind::resume_wait);
-  EXPECT_EQ(step->wait, 5u);
+  ASSERT_TRUE(is<steps::ResumeWait>(*step));
+  EXPECT_EQ(std::get<steps::ResumeWait>(*step).wait, 5u);
   EXPECT_TRUE(resumed.empty());
   EXPECT_EQ(forgotten, std::vector<WaitId>{5});
 }
@@ -61,8 +68,9 @@ TEST_F(WaitsTest, CancelledAreThoseOfTheLaneButSome) {
   wait_in_lane(6);
   const auto steps = waits.cancel({5});
   ASSERT_EQ(std::distance(steps.begin(), steps.end()), 1);
-  EXPECT_EQ(steps.begin()->wait, 6u);
-  EXPECT_EQ(steps.begin()->more->data->error().kind, ErrorKind::cancelled);
+  const auto& first = std::get<steps::ResumeWait>(*steps.begin());
+  EXPECT_EQ(first.wait, 6u);
+  EXPECT_EQ(first.outcome->error().kind, ErrorKind::cancelled);
   EXPECT_TRUE(context.lane.waits(5));
   EXPECT_EQ(forgotten, std::vector<WaitId>{6});
 }

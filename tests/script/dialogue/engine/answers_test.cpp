@@ -1,5 +1,5 @@
-// What is said while a handler waits for the user: the conversation goes on
-// (language rule 12.16).
+// What the user says while a handler waits for an answer: the conversation goes
+// on (language rule 12.16).
 #include <gtest/gtest.h>
 
 #include "script/dialogue/engine/answers.hpp"

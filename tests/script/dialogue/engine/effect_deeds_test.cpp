@@ -29,6 +29,9 @@ TEST(EffectDeeds, AQueryIsNoneWhereItOnlyLooks) {
   EXPECT_FALSE(queries("\n  SELECT name from staff"));
   EXPECT_TRUE(queries("insert into staff values (1)"));
   EXPECT_TRUE(queries(""));
+  EXPECT_TRUE(queries("select name from staff into outfile '/tmp/staff'"));
+  EXPECT_TRUE(queries("select name from staff for update"));
+  EXPECT_TRUE(queries("with x as (delete from staff returning name) select 1"));
 }
 
 } // namespace

@@ -1,4 +1,4 @@
-// States: transitions, subtasks, what they capture (engine rules 2 and 4).
+// States: transitions, push and pop, capture (engine rules 2 and 4).
 #include <gtest/gtest.h>
 
 #include "script/dialogue/engine/state_machine.hpp"

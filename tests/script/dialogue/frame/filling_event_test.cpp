@@ -44,7 +44,7 @@ protected:
 
   Application app;
   TopicId topic = 0;
-  Frame frame;
+  TopicFrame frame;
   static constexpr SlotId name = 0, start = 1, end = 2, host = 3;
 };
 

@@ -18,8 +18,8 @@ constexpr const char* meeting = R"xml(
 struct Evaluation : testing::Test {
   Evaluation() : world(meeting), frame(with_end(12)) {}
 
-  Frame with_end(Value end) const {
-    Frame made;
+  TopicFrame with_end(Value end) const {
+    TopicFrame made;
     made.topic = 0;
     made.slots.resize(2);
     made.slots[0].value = 10;
@@ -35,7 +35,7 @@ struct Evaluation : testing::Test {
   }
 
   World world;
-  Frame frame;
+  TopicFrame frame;
 };
 
 TEST_F(Evaluation, SeesTheFrameAndTheVariables) {

@@ -6,7 +6,7 @@ namespace parlour::dialogue {
 namespace {
 
 TEST(FrameView, SlotsAndWhatAnEnquiryFound) {
-  Frame frame;
+  TopicFrame frame;
   frame.slots.resize(2);
   frame.slots[1].value = "food court";
   frame.rows = ResultSet{{"name"}, {"Food Chain"}};

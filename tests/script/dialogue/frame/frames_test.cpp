@@ -30,15 +30,13 @@ struct FramesOfASession : testing::Test {
     return change;
   }
   FrameResult at_the_actor(const FrameRequest& request) {
-    return apply(*world.program, request.start ? *request.start : *kept,
-                 request,
+    return apply(*world.program, request,
                  make_frame_evaluator(world.program, request.variables, 0));
   }
 
   World world;
   script::Interpreter interpreter;
   Frames frames;
-  FramePointer kept;
 };
 
 TEST_F(FramesOfASession, BeginWithInitialValues) {
@@ -46,30 +44,33 @@ TEST_F(FramesOfASession, BeginWithInitialValues) {
   EXPECT_EQ(frames.get(0, 0).status, TopicStatus::untouched);
 }
 
-TEST_F(FramesOfASession, TheFirstRequestBringsTheFrame) {
+TEST_F(FramesOfASession, ARequestBringsTheFrame) {
   frames.change(0, set(1, "b"), 0);
   auto request = frames.request(0, {set(0, "c")}, 5);
-  ASSERT_TRUE(request.start);
-  EXPECT_EQ(request.start->slots[1].value, "b");
+  ASSERT_TRUE(request.frame);
+  EXPECT_EQ(request.frame->slots[1].value, "b");
   EXPECT_EQ(request.now, 5);
   EXPECT_EQ(request.changes.size(), 1u);
   EXPECT_EQ(request.variables, nullptr);
 }
 
-TEST_F(FramesOfASession, LaterOnesBringItWhereItWasChangedHere) {
-  kept = at_the_actor(frames.request(0, {}, 0)).frame;
-  frames.store(kept);
+TEST_F(FramesOfASession, TheAnswerTakesItsPlace) {
+  frames.store(at_the_actor(frames.request(0, {}, 0)).frame);
   frames.change(0, set(1, "b"), 0);
   EXPECT_EQ(frames.get(0, 0).slots[1].value, "b");
-  auto request = frames.request(0, {set(0, "c")}, 0);
-  ASSERT_TRUE(request.start);
-  EXPECT_EQ(request.start->slots[1].value, "b");
-  auto result = at_the_actor(request);
+  auto result = at_the_actor(frames.request(0, {set(0, "c")}, 0));
   EXPECT_EQ(result.frame->slots[1].value, "b");
   EXPECT_EQ(result.reports.size(), 1u);
   frames.store(result.frame);
-  EXPECT_EQ(frames.get(0, 0).slots[0].value, "c");
-  EXPECT_FALSE(frames.request(0, {}, 0).start);
+  EXPECT_EQ(&frames.get(0, 0), result.frame.get());
+}
+
+// Another actor may answer, too: it needs to know nothing of what was before.
+TEST_F(FramesOfASession, EveryRequestBringsIt) {
+  frames.store(at_the_actor(frames.request(0, {set(1, "b")}, 0)).frame);
+  const auto result = at_the_actor(frames.request(0, {set(0, "c")}, 0));
+  EXPECT_EQ(result.frame->slots[0].value, "c");
+  EXPECT_EQ(result.frame->slots[1].value, "b");
 }
 
 TEST_F(FramesOfASession, VariablesTravelWhereTheyMayBeRead) {
@@ -98,14 +99,14 @@ TEST_F(FramesOfASession, CountAndChangeStatusLikeAnEvent) {
   EXPECT_TRUE(frames.get(0, 0).done); // it has no Functional slot
 }
 
-TEST_F(FramesOfASession, WhatTheActorHasStaysAsItWas) {
-  kept = at_the_actor(frames.request(0, {}, 0)).frame;
-  frames.store(kept);
+TEST_F(FramesOfASession, WhatWasGivenAwayStaysAsItWas) {
+  const auto answered = at_the_actor(frames.request(0, {}, 0)).frame;
+  frames.store(answered);
   frames.change(0, set(1, "b"), 0);
-  EXPECT_EQ(kept->slots[1].value, Value());
-  const auto start = frames.request(0, {}, 0).start;
+  EXPECT_EQ(answered->slots[1].value, Value());
+  const auto asked = frames.request(0, {}, 0).frame;
   frames.change(0, set(1, "c"), 0);
-  EXPECT_EQ(start->slots[1].value, "b");
+  EXPECT_EQ(asked->slots[1].value, "b");
 }
 
 } // namespace

@@ -108,7 +108,7 @@ TEST_F(Knowledge, UnconfirmedSlotsAreNotAskedWith) {
 
 TEST_F(Knowledge, ATopicWithoutQueryAsksNothing) {
   KnowledgeQuery none(app.program.topics[app.taxi],
-                      std::make_shared<const Frame>(app.frame(app.taxi)));
+                      std::make_shared<const TopicFrame>(app.frame(app.taxi)));
   EXPECT_FALSE(none.first());
   EXPECT_FALSE(none.next());
 }

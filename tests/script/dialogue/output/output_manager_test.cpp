@@ -1,4 +1,4 @@
-// How what is said gets its words and leaves (engine rule 3).
+// How outputs get their words and are released (engine rule 3).
 #include <gtest/gtest.h>
 
 #include "script/dialogue/output/output_manager.hpp"

@@ -55,7 +55,7 @@ TEST_F(Order, TheMostRecentlySuspendedResumesFirst) {
   order.activate(app.appointment);
   order.activate(app.taxi);
   order.activate(app.facility);
-  order.rests(app.facility, 0);
+  order.answered(app.facility, 0);
   EXPECT_EQ(order.suspended(), (std::vector{app.taxi, app.appointment}));
   ASSERT_TRUE(order.next());
   EXPECT_EQ(order.next()->topic, app.taxi);
@@ -94,7 +94,7 @@ TEST_F(Order, ThenATopicOfSystemInitiativeStartsOnce) {
 TEST_F(Order, ARestingEnquiryIsContextForAWhile) {
   EXPECT_FALSE(order.resting(0, 2min));
   order.activate(app.facility);
-  order.rests(app.facility, 1000);
+  order.answered(app.facility, 1000);
   EXPECT_FALSE(order.current());
   EXPECT_EQ(order.resting(1000, 2min), app.facility);
   EXPECT_EQ(order.resting(120'999, 2min), app.facility);
@@ -105,10 +105,10 @@ TEST_F(Order, AnotherAnsweredEnquiryTakesTheContextOver) {
   auto weather = app.topic("Weather", script::TopicKind::enquiry);
   TopicOrder both(app.program);
   both.activate(app.facility);
-  both.rests(app.facility, 0);
+  both.answered(app.facility, 0);
   both.activate(weather);
   EXPECT_EQ(both.resting(0, 2min), app.facility);
-  both.rests(weather, 0);
+  both.answered(weather, 0);
   EXPECT_EQ(both.resting(0, 2min), weather);
   both.completed(weather); // reset
   EXPECT_FALSE(both.resting(0, 2min));

@@ -5,9 +5,9 @@
 namespace parlour::tools {
 namespace {
 
-using adapters::nlu::Understander;
+using adapters::nlu::NluEngine;
 
-Understander understander() {
+NluEngine engine() {
   UnderstandingModel model;
   model.topics = {{"Taxi",
                    false,
@@ -15,7 +15,7 @@ Understander understander() {
                    {"take me to [Changi](Destination)",
                     "a ride to [Sentosa](Destination)"}},
                   {"Weather", true, {}, {"how is the weather"}}};
-  return std::move(*Understander::build(model, {}, {0, {}}));
+  return std::move(*NluEngine::build(model, {}, {0, {}}));
 }
 
 TEST(DataTrial, CountsWhatIsRight) {
@@ -23,7 +23,7 @@ TEST(DataTrial, CountsWhatIsRight) {
       {{"take me to Jurong", "Taxi", {{"Destination", "Jurong"}}},
        {"how is the weather", "Taxi", {}},
        {"xyzzy plugh", "", {}}},
-      understander());
+      engine());
   EXPECT_EQ(trial.asked, 2U);
   EXPECT_EQ(trial.right, 1U);
   EXPECT_EQ(trial.slots.f1(), 100);

@@ -26,10 +26,12 @@ TEST(Contest, what_cannot_run_is_told) {
   EXPECT_EQ(series.figures.size(), 1u);
 }
 
-TEST(Contest, a_peer_that_is_not_built_says_what_is_missing) {
+TEST(Contest, a_peer_that_is_not_built_says_how_to_build_it) {
   std::ostringstream out;
   EXPECT_TRUE(compare({}, {}, absent, 0, out));
-  EXPECT_THAT(out.str(), HasSubstr("liblua9-dev"));
+  EXPECT_THAT(out.str(), HasSubstr("bench_lua9 is not built: "
+                                   "tools/dependencies bench (liblua9-dev), "
+                                   "then tools/bench/run"));
 }
 
 } // namespace

@@ -46,7 +46,7 @@ script::Finding broken(const std::string& file) {
   return finding;
 }
 
-// Finds every '=' that stands alone, and as much as `worse` says of '!'.
+// Reports every '=' that stands alone, and as many '!' as `worse` says.
 std::vector<script::Finding> finds(const std::string& file,
                                    const std::string& text) {
   std::vector<script::Finding> all;
@@ -78,7 +78,7 @@ TEST(IsWorse, counts_errors_findings_and_broken_files) {
   EXPECT_FALSE(is_worse({warning}, {error}));
   EXPECT_TRUE(is_worse({error}, {warning, warning}));
   EXPECT_TRUE(is_worse({warning, warning}, {warning}));
-  EXPECT_FALSE(is_worse({warning, warning}, {error})); // it hid them
+  EXPECT_FALSE(is_worse({warning, warning}, {error})); // the error hid them
   EXPECT_TRUE(is_worse({broken("a")}, {error, broken("b")}));
   EXPECT_FALSE(is_worse({broken("a")}, {broken("a"), error}));
 }

@@ -10,7 +10,7 @@ protected:
     folder_.write("schema.sql", guest_schema);
     const auto application = load(guest_settings, guest_topic);
     EXPECT_EQ(findings(application), "");
-    return build_understander(
+    return build_engine(
         application, *first_of_role(application.composition, "NLU"), columns);
   }
 };

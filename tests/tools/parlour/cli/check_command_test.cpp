@@ -9,7 +9,7 @@ namespace {
 using testing::HasSubstr;
 
 TEST_F(CommandTest, check_finds_nothing_wrong_with_a_sound_application) {
-  EXPECT_EQ(call({"check", "greeter"}), exit_code::well);
+  EXPECT_EQ(call({"check", "greeter"}), exit_code::success);
   EXPECT_EQ(out_.str(), "");
   EXPECT_EQ(err_.str(), "greeter: 0 errors, 0 warnings\n");
 }
@@ -69,7 +69,7 @@ TEST_F(CommandTest, check_prints_json) {
   EXPECT_EQ(all[0]["end"]["column"], 13);
   EXPECT_EQ(all[0]["kind"], "error");
   EXPECT_EQ(all[0]["name"], "element");
-  EXPECT_EQ(call({"check", "greeter", "--json"}), exit_code::well);
+  EXPECT_EQ(call({"check", "greeter", "--json"}), exit_code::success);
   EXPECT_EQ(out_.str(), "[]\n");
 }
 
@@ -81,7 +81,7 @@ TEST_F(CommandTest, check_takes_one_file) {
 TEST_F(CommandTest, check_corrects_what_is_sure_until_nothing_is_left) {
   test::TemporaryFolder folder;
   places_.working = folder.path();
-  // The expression is looked at once the quotes are mended.
+  // The expression is checked after the quotes are corrected.
   folder.write("a.xml", "<dialogue><function name=\"main\">\n"
                         "<let name=a expr=\"NULL\"/>\n"
                         "<if cond=\"a = 1 && a < 2\"><PRINT param=\"b\"></if>\n"
@@ -91,23 +91,25 @@ TEST_F(CommandTest, check_corrects_what_is_sure_until_nothing_is_left) {
                             "<if cond=\"a == 1 &amp;&amp; a &lt; 2\">"
                             "<print param=\"b\"/></if>\n"
                             "</function></dialogue>\n";
-  EXPECT_EQ(call({"check", "a.xml", "--fix"}), exit_code::well) << out_.str();
+  EXPECT_EQ(call({"check", "a.xml", "--fix"}), exit_code::success)
+      << out_.str();
   EXPECT_EQ(folder.read("a.xml"), right);
   EXPECT_THAT(err_.str(), HasSubstr("a.xml:2:11: fixed: "));
   EXPECT_THAT(err_.str(), HasSubstr("a.xml: 0 errors, 0 warnings\n"));
-  EXPECT_EQ(call({"check", "a.xml", "--fix"}), exit_code::well);
+  EXPECT_EQ(call({"check", "a.xml", "--fix"}), exit_code::success);
   EXPECT_EQ(folder.read("a.xml"), right);
   EXPECT_EQ(err_.str(), "a.xml: 0 errors, 0 warnings\n");
 }
 
-// The warnings were there before, behind the error.
+// The error hid the warnings.
 TEST_F(CommandTest, check_corrects_errors_that_hide_warnings) {
   test::TemporaryFolder folder;
   places_.working = folder.path();
   folder.write("a.xml", "<dialogue><function name=\"main\">"
                         "<var name=\"a\" expr=\"null\"/>"
                         "<var name=\"b\" expr=\"1\"/></function></dialogue>");
-  EXPECT_EQ(call({"check", "a.xml", "--fix"}), exit_code::well) << out_.str();
+  EXPECT_EQ(call({"check", "a.xml", "--fix"}), exit_code::success)
+      << out_.str();
   EXPECT_THAT(folder.read("a.xml"), HasSubstr("expr=\"unknown\""));
   EXPECT_THAT(err_.str(), HasSubstr("a.xml: 0 errors, 2 warnings\n"));
 }
@@ -125,7 +127,7 @@ TEST_F(CommandTest, check_warns_and_leaves_with_success) {
   places_.working = folder.path();
   folder.write("a.xml", "<dialogue><function name=\"main\">"
                         "<while cond=\"true\"/></function></dialogue>");
-  EXPECT_EQ(call({"check", "a.xml"}), exit_code::well);
+  EXPECT_EQ(call({"check", "a.xml"}), exit_code::success);
   EXPECT_THAT(out_.str(), HasSubstr("warning: this loop cannot end"));
   EXPECT_EQ(err_.str(), "a.xml: 0 errors, 1 warning\n");
 }

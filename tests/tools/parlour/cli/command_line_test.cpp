@@ -17,23 +17,23 @@ TEST_F(CommandTest, line_tells_wrong_usage) {
 }
 
 TEST_F(CommandTest, line_has_help_version_and_completion) {
-  EXPECT_EQ(call({"--version"}), exit_code::well);
+  EXPECT_EQ(call({"--version"}), exit_code::success);
   EXPECT_THAT(out_.str(), testing::StartsWith("parlour "));
   for (const auto* command :
        {"run", "check", "format", "schema", "test", "exec", "understand"}) {
-    EXPECT_EQ(call({command, "--help"}), exit_code::well);
+    EXPECT_EQ(call({command, "--help"}), exit_code::success);
     EXPECT_THAT(out_.str(), HasSubstr("Usage: "));
   }
-  EXPECT_EQ(call({"check", "--help"}), exit_code::well);
+  EXPECT_EQ(call({"check", "--help"}), exit_code::success);
   for (const auto& lint : script::lint::lints()) {
     EXPECT_THAT(out_.str(), HasSubstr("  " + lint.name + " "));
     EXPECT_THAT(out_.str(), HasSubstr(lint.sentence));
   }
-  EXPECT_EQ(call({"completion", "bash"}), exit_code::well);
+  EXPECT_EQ(call({"completion", "bash"}), exit_code::success);
   EXPECT_THAT(out_.str(),
               HasSubstr("'check') words=\"--help --plugins --json --fix"));
   EXPECT_THAT(out_.str(),
-              HasSubstr("'run') words=\"--help --plugins --text --clock"));
+              HasSubstr("'run') words=\"--help --plugins --text --fresh"));
 }
 
 } // namespace

@@ -3,7 +3,7 @@
 namespace parlour::tools {
 namespace {
 
-// What it serves is tested where a program starts it (hosting_test.cpp).
+// Serving a component is tested in process_isolation_test.cpp.
 TEST_F(CommandTest, component_is_not_for_people) {
   EXPECT_EQ(call({"component", "LogTaxi"}), exit_code::usage);
   EXPECT_EQ(err_.str(),

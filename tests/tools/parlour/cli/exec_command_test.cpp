@@ -7,13 +7,13 @@ namespace {
 using testing::HasSubstr;
 
 TEST_F(CommandTest, exec_runs_main) {
-  EXPECT_EQ(call({"exec", "greeter/greeter.xml"}), exit_code::well);
+  EXPECT_EQ(call({"exec", "greeter/greeter.xml"}), exit_code::success);
   EXPECT_EQ(out_.str(), "two is 2\n");
 }
 
 TEST_F(CommandTest, exec_shows_compiled_code_and_runs_nothing) {
   EXPECT_EQ(call({"exec", "--listing", "greeter/greeter.xml"}),
-            exit_code::well);
+            exit_code::success);
   EXPECT_THAT(out_.str(), HasSubstr("function main: 0 of 0 parameters needed"));
   EXPECT_THAT(out_.str(), HasSubstr("end with unknown\n"));
   EXPECT_THAT(out_.str(), testing::Not(HasSubstr("two is 2\n")));

@@ -26,21 +26,21 @@ protected:
 };
 
 TEST_F(FormatCommandTest, lays_files_out_where_they_are) {
-  EXPECT_EQ(call({"format", "a.xml", "b.xml"}), exit_code::well);
+  EXPECT_EQ(call({"format", "a.xml", "b.xml"}), exit_code::success);
   EXPECT_EQ(folder_.read("a.xml"), tidy);
   EXPECT_EQ(folder_.read("b.xml"), tidy);
   EXPECT_EQ(out_.str() + err_.str(), "");
 }
 
 TEST_F(FormatCommandTest, only_says_which_are_not_laid_out) {
-  EXPECT_EQ(call({"format", "--check", "b.xml"}), exit_code::well);
+  EXPECT_EQ(call({"format", "--check", "b.xml"}), exit_code::success);
   EXPECT_EQ(call({"format", "--check", "a.xml", "b.xml"}), exit_code::wrong);
   EXPECT_EQ(err_.str(), "a.xml: not formatted\n");
   EXPECT_EQ(folder_.read("a.xml"), untidy);
 }
 
 TEST_F(FormatCommandTest, passes_standard_input_through) {
-  EXPECT_EQ(format({{"-"}, false}, untidy), exit_code::well);
+  EXPECT_EQ(format({{"-"}, false}, untidy), exit_code::success);
   EXPECT_EQ(out_.str(), tidy);
   EXPECT_EQ(format({{"-"}, true}, untidy), exit_code::wrong);
 }

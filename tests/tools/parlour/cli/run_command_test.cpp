@@ -12,7 +12,7 @@ namespace {
 
 using testing::HasSubstr;
 
-// A run by pipe is a process: its input is its own.
+// A run with pipes needs a process of its own, because it reads standard input.
 std::string piped(const std::string& input, const std::string& arguments,
                   const std::string& errors = "2>/dev/null") {
   const auto command = "printf '" + input + "' | " + test::program_path() +

@@ -6,9 +6,9 @@ namespace {
 using testing::HasSubstr;
 
 TEST_F(CommandTest, schema_prints_relax_ng_or_xsd) {
-  EXPECT_EQ(call({"schema"}), exit_code::well);
+  EXPECT_EQ(call({"schema"}), exit_code::success);
   EXPECT_THAT(out_.str(), HasSubstr("http://relaxng.org/ns/structure/1.0"));
-  EXPECT_EQ(call({"schema", "--xsd"}), exit_code::well);
+  EXPECT_EQ(call({"schema", "--xsd"}), exit_code::success);
   EXPECT_THAT(out_.str(), HasSubstr("http://www.w3.org/2001/XMLSchema"));
 }
 

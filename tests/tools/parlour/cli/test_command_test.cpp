@@ -7,16 +7,16 @@ namespace {
 using testing::HasSubstr;
 
 TEST_F(CommandTest, test_holds_conversations_and_prints_coverage) {
-  EXPECT_EQ(call({"test", "greeter"}), exit_code::well) << out_.str();
+  EXPECT_EQ(call({"test", "greeter"}), exit_code::success) << out_.str();
   EXPECT_THAT(out_.str(), testing::StartsWith("coverage:\n"));
   EXPECT_THAT(out_.str(), testing::EndsWith("\n1 of 1 conversations passed\n"));
   EXPECT_THAT(out_.str(), HasSubstr("states 1 of 1"));
   EXPECT_THAT(out_.str(), HasSubstr("handlers 1 of 1"));
 }
 
-// What newcomers say to an application of few examples.
+// What people say to an application that has few examples.
 TEST_F(CommandTest, test_holds_conversations_with_bicycles) {
-  EXPECT_EQ(call({"test", "bicycles", "-q"}), exit_code::well) << out_.str();
+  EXPECT_EQ(call({"test", "bicycles", "-q"}), exit_code::success) << out_.str();
 }
 
 TEST_F(CommandTest, test_shows_the_first_line_that_differs) {
@@ -44,11 +44,11 @@ TEST_F(CommandTest, test_names_files_from_the_working_folder) {
   folder.write("dialogues/brief.txt", "R: Hello.\n");
   places_.working = app;
   EXPECT_EQ(call({"test", app, (folder.path() / "dialogues/brief.txt")}),
-            exit_code::well);
+            exit_code::success);
   EXPECT_THAT(out_.str(), HasSubstr("    not reached: greeter.xml:"));
 }
 
-// A renamed folder is no green build.
+// If the folder was renamed, the test must fail.
 TEST_F(CommandTest, test_fails_where_there_is_no_conversation) {
   test::TemporaryFolder folder;
   folder.write("settings.xml", "<settings name=\"own\" start=\"Welcome\">"
@@ -61,7 +61,7 @@ TEST_F(CommandTest, test_fails_where_there_is_no_conversation) {
 }
 
 TEST_F(CommandTest, test_is_brief_where_that_is_wanted) {
-  EXPECT_EQ(call({"test", "greeter", "--quiet"}), exit_code::well);
+  EXPECT_EQ(call({"test", "greeter", "--quiet"}), exit_code::success);
   EXPECT_EQ(out_.str(), "1 of 1 conversations passed\n");
 }
 
@@ -114,7 +114,7 @@ TEST_F(CommandTest, test_tells_what_the_engine_thought_of_a_failure) {
 class UpdateTest : public CommandTest {
 protected:
   // The file after `parlour test --update`.
-  std::string update(const std::string& text, int status = exit_code::well) {
+  std::string update(const std::string& text, int status = exit_code::success) {
     folder_.write("x.txt", text);
     EXPECT_EQ(call({"test", "greeter", file_, "--update", "--quiet"}), status)
         << out_.str();
@@ -135,7 +135,7 @@ TEST_F(UpdateTest, writes_other_words_into_the_conversation) {
                             ":5:\n  - R: You said two.\n"
                             "  + R: You said one.\n"
                             "1 of 1 conversations passed\n");
-  EXPECT_EQ(call({"test", "greeter", file_}), exit_code::well);
+  EXPECT_EQ(call({"test", "greeter", file_}), exit_code::success);
 }
 
 TEST_F(UpdateTest, leaves_alone_what_is_right) {
@@ -144,7 +144,7 @@ TEST_F(UpdateTest, leaves_alone_what_is_right) {
   EXPECT_EQ(out_.str(), "1 of 1 conversations passed\n");
 }
 
-// More than words is different: somebody has to look.
+// More than the words is different, so --update changes nothing.
 TEST_F(UpdateTest, changes_nothing_where_more_than_words_differs) {
   for (const std::string rest :
        {"U: one\n", "U: one\nR: You said one.\nR: More.\n",

@@ -8,7 +8,7 @@ using testing::HasSubstr;
 TEST_F(CommandTest, understand_prints_the_words_the_way_and_the_acts) {
   EXPECT_EQ(call({"understand", "bicycles",
                   "I would like to rent a tandem for three days"}),
-            exit_code::well);
+            exit_code::success);
   EXPECT_THAT(out_.str(), HasSubstr("tokens i would like"));
   EXPECT_THAT(out_.str(), HasSubstr("Kind: {value: tandem,"));
   EXPECT_THAT(out_.str(), HasSubstr("Days: {value: 3,"));
@@ -16,7 +16,7 @@ TEST_F(CommandTest, understand_prints_the_words_the_way_and_the_acts) {
 }
 
 TEST_F(CommandTest, understand_says_what_it_did_not_understand) {
-  EXPECT_EQ(call({"understand", "bicycles", "zxqv"}), exit_code::well);
+  EXPECT_EQ(call({"understand", "bicycles", "zxqv"}), exit_code::success);
   EXPECT_THAT(out_.str(), HasSubstr("not understood: NoResult\nscore 0\n"));
 }
 

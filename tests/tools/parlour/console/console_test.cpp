@@ -23,17 +23,18 @@ TEST(Console, tells_of_what_cannot_be_written_unless_nobody_reads) {
   std::ostringstream out;
   std::ostringstream err;
   Console console{out, err};
-  EXPECT_EQ(status_of_printing(console, exit_code::well), exit_code::well);
+  EXPECT_EQ(status_of_printing(console, exit_code::success),
+            exit_code::success);
   EXPECT_EQ(err.str(), "");
   out.setstate(std::ios::badbit);
   console.trouble = [] { return ENOSPC; };
-  EXPECT_EQ(status_of_printing(console, exit_code::well), exit_code::wrong);
+  EXPECT_EQ(status_of_printing(console, exit_code::success), exit_code::wrong);
   EXPECT_EQ(status_of_printing(console, exit_code::usage), exit_code::usage);
   const std::string line = "error: what is printed cannot be written: No space "
                            "left on device\n";
   EXPECT_EQ(err.str(), line + line);
   console.trouble = [] { return EPIPE; };
-  EXPECT_EQ(status_of_printing(console, exit_code::well),
+  EXPECT_EQ(status_of_printing(console, exit_code::success),
             exit_code::nobody_reads);
   EXPECT_EQ(err.str(), line + line);
 }

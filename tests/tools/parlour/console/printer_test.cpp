@@ -11,7 +11,7 @@
 namespace parlour::tools {
 namespace {
 
-// A reader that reads nothing until it is told to.
+// A reader that does not read until the test lets it.
 class Stalled : public std::streambuf {
 public:
   void go_on() {
@@ -72,9 +72,9 @@ TEST(Printer, tells_once_that_nobody_listens) {
   EXPECT_EQ(err.str(), "three\n");
 }
 
-// Whoever speaks goes on; who makes more to say waits; neither for ever.
+// Adding lines never blocks; wait_for_room() does, but not for ever.
 TEST(Printer, holds_nobody_up_where_the_reader_has_stopped) {
-  static auto& stalled = *new Stalled; // outlives what is left behind
+  static auto& stalled = *new Stalled; // used by the thread that is left
   static auto& out = *new std::ostream(&stalled);
   int closed = 0;
   Printer printer(out, out, [&] { ++closed; });
@@ -82,7 +82,7 @@ TEST(Printer, holds_nobody_up_where_the_reader_has_stopped) {
   stalled.wait_until_written_to();
   printer.out("more");
   EXPECT_EQ(closed, 0);
-  printer.out(std::string(most_to_write, 'x')); // nobody can be reading
+  printer.out(std::string(max_to_write, 'x')); // too much: the reader has gone
   EXPECT_EQ(closed, 1);
   printer.give_up();
   printer.wait_for_room();

@@ -11,13 +11,13 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-// Plays what the test says would come, and notes how long it was waited for.
+// Returns the reads that the test has set, and notes how long each could wait.
 class ScriptedSource : public ByteSource {
 public:
   explicit ScriptedSource(std::vector<Read> reads) : reads_(std::move(reads)) {}
   Read read(std::optional<Milliseconds> patience) override {
     patiences.push_back(patience ? patience->count() : -1);
-    // Without patience there is no silence to tell.
+    // Without a time limit there is no silence.
     while (!patience && next_ < reads_.size() &&
            reads_[next_].kind == Read::Kind::silence)
       ++next_;
@@ -107,7 +107,7 @@ TEST(RowReader, takes_an_empty_line_after_a_pause_as_the_row_s_end) {
       ElementsAre("one", "quiet", "step", "end"));
 }
 
-// As `yes` writes: no pause, no empty line, no end.
+// Input like that of `yes`: no pause, no empty line, no end.
 TEST(RowReader, takes_a_row_without_end_in_parts) {
   std::string many;
   for (std::size_t i = 0; i < 2 * longest_row + 1; ++i)

@@ -33,7 +33,7 @@ TEST(SignalWatch, calls_at_the_first_signal_and_wakes_a_reader) {
   close(ends[1]);
 }
 
-// Whatever hangs in the first one's action.
+// Even if the first signal's action hangs.
 TEST(SignalWatchDeathTest, ends_at_once_at_the_second_signal) {
   GTEST_FLAG_SET(death_test_style, "threadsafe");
   EXPECT_EXIT(
@@ -54,7 +54,7 @@ TEST(SignalWatchDeathTest, ends_at_once_at_the_second_signal) {
       testing::KilledBySignal(SIGTERM), "");
 }
 
-// Which of the three a watch takes.
+// Which of the three signals a watch handles.
 std::string taken() {
   SignalWatch watch;
   sigset_t blocked;
@@ -82,10 +82,10 @@ TEST(SignalWatch, leaves_alone_what_was_to_be_ignored) {
 TEST(SignalWatch, says_how_an_end_in_order_counts) {
   for (const auto& [number, status] :
        {std::pair(SIGINT, exit_code::interrupted),
-        std::pair(SIGTERM, exit_code::well),
-        std::pair(SIGHUP, exit_code::well)}) {
+        std::pair(SIGTERM, exit_code::success),
+        std::pair(SIGHUP, exit_code::success)}) {
     SignalWatch watch;
-    EXPECT_EQ(watch.status(), exit_code::well);
+    EXPECT_EQ(watch.status(), exit_code::success);
     std::promise<void> called;
     std::atomic<bool> once = false;
     watch.on_interrupt([&] {

@@ -15,7 +15,7 @@ protected:
     EXPECT_TRUE(parsed.errors.empty());
     return hold_conversation(greeter_, parsed.conversation, coverage_);
   }
-  // What was found where it failed, with the line.
+  // The line at which it failed, and what was found there.
   std::string found(const std::string& text) {
     const auto result = hold(text);
     return result.failure ? std::to_string(result.failure->line) + ": " +
@@ -92,7 +92,7 @@ TEST_F(ConversationRunnerTest, accepts_other_words_where_it_may) {
   const auto parsed =
       parse_conversation("R: Hi.\nU: one\nR: two\nR~ x\n", "x.txt");
   const auto result =
-      hold_conversation(greeter_, parsed.conversation, coverage_, Words::any);
+      hold_conversation(greeter_, parsed.conversation, coverage_, {Words::any});
   EXPECT_THAT(result.rewordings,
               ElementsAre(Rewording{1, "Hi.", "Hello."},
                           Rewording{3, "two", "You said one."}));
@@ -102,7 +102,7 @@ TEST_F(ConversationRunnerTest, accepts_other_words_where_it_may) {
 
 TEST_F(ConversationRunnerTest, tells_what_the_engine_thought) {
   const auto result = hold("R: Hello.\nU: one\nR: two\n");
-  EXPECT_THAT(result.thoughts, Contains("state       Welcome"));
+  EXPECT_THAT(result.context, Contains("state       Welcome"));
 }
 
 } // namespace

@@ -43,7 +43,7 @@ TEST_F(CoverageTest, notes_states_topics_and_slots) {
   EXPECT_THAT(missing(3), ElementsAre());
 }
 
-// A message alone says nothing: it may have been captured or consumed before.
+// A message alone is no evidence: it may have been captured or consumed.
 TEST_F(CoverageTest, notes_handlers_that_ran) {
   auto message = std::make_shared<Message>();
   message->source = "Record";

@@ -11,7 +11,7 @@
 namespace parlour::tools {
 namespace {
 
-// What it says is seen from outside: crash_test.py.
+// crash_test.py tests what it prints.
 TEST(WitnessDeathTest, lets_no_exit_in_the_middle_count_as_success) {
   GTEST_FLAG_SET(death_test_style, "threadsafe");
   EXPECT_EXIT(

@@ -1,11 +1,12 @@
-// Every element and every built-in function has an example, and each example
-// is right: `check` says nothing, and functions give what is written.
+// Every element, built-in function and role has an example, and each example is
+// correct: `check` finds nothing, and functions give the written result.
 #include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <regex>
 #include <set>
 
+#include "runtime/message/roles.hpp"
 #include "runtime/plugin/parameters.hpp"
 #include "script/expression/builtins.hpp"
 #include "script/run/exec_run.hpp"
@@ -23,7 +24,8 @@ using script::Element;
 using script::ElementRule;
 using testing::HasSubstr;
 
-// What an application around an example has: components, a table, an agent.
+// The application around an example: components, a table, and an agent that
+// fills every role.
 constexpr const char* settings = R"(<settings name="example"START>
   <Plugins>
     <Plugin>GrammarNLU</Plugin>
@@ -36,7 +38,7 @@ constexpr const char* settings = R"(<settings name="example"START>
     <option name="schema" value="schema.sql"/>
   </component>
   <Scripts><Script>museum.xml</Script></Scripts>
-  <agents><Porter/></agents>
+  <agents><agent name="Porter" roles="ROLES"/></agents>
 </settings>
 )";
 constexpr const char* schema =
@@ -53,14 +55,20 @@ std::string script_of(const ElementExample& example) {
              : "<dialogue><state name='Welcome'/></dialogue>";
 }
 
-// Those that begin in the script's first state.
+// Settings whose start is the script's first state.
 std::string settings_for(const std::string& script) {
   std::smatch state;
   const auto start =
       std::regex_search(script, state, std::regex("<state name=['\"](\\w+)"))
           ? " start='" + state.str(1) + "'"
           : "";
-  return std::regex_replace(std::string(settings), std::regex("START"), start);
+  std::string all_roles;
+  for (const auto& role : roles())
+    if (!role.reserved)
+      all_roles += role.name + ' ';
+  return std::regex_replace(
+      std::regex_replace(std::string(settings), std::regex("START"), start),
+      std::regex("ROLES"), all_roles);
 }
 
 std::string root_of(const ElementExample& example) {
@@ -75,7 +83,7 @@ void collect(const Element& element, const ElementRule& rule,
       collect(child, *inside, names);
 }
 
-// Of the elements that stand in an example.
+// The names of all elements in an example.
 std::set<std::string> names_in(const ElementExample& example) {
   std::set<std::string> names;
   const auto root = test::tree_of(root_of(example));
@@ -96,7 +104,7 @@ std::string page_of(const std::string& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-// The part of a page that a rule or file name means; empty where there is none.
+// The part of a page that a rule or a file name means; empty if there is none.
 std::string told_part(const std::string& told) {
   const bool is_engine = told.starts_with("engine ");
   const auto number = is_engine ? told.substr(7) : told;
@@ -114,7 +122,7 @@ std::string told_part(const std::string& told) {
 
 class ElementExamples : public CommandTest {
 protected:
-  // What `check` says of an application that has the example.
+  // The findings of `check` about an application with the example.
   std::string checked(const ElementExample& example) {
     test::TemporaryFolder folder;
     const auto script = script_of(example);
@@ -152,7 +160,7 @@ TEST_F(ElementExamples, are_checked_without_a_finding) {
   }
 }
 
-// Also those of the platform's own files, which are no application's.
+// Including elements of the platform's own files.
 TEST_F(ElementExamples, are_what_the_table_allows) {
   for (const auto& example : element_examples()) {
     script::Findings findings;
@@ -176,12 +184,56 @@ TEST_F(ElementExamples, are_told_of_where_they_say) {
   }
 }
 
+void expect_narrow(const std::string& text) {
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);)
+    EXPECT_LE(line.size() + 2, text_width) << line;
+}
+
 TEST_F(ElementExamples, fit_in_a_terminal) {
-  for (const auto& example : element_examples()) {
-    std::istringstream lines(example.xml);
-    for (std::string line; std::getline(lines, line);)
-      EXPECT_LE(line.size() + 2, text_width) << line;
-  }
+  for (const auto& example : element_examples())
+    expect_narrow(example.xml);
+  for (const auto& example : role_examples())
+    expect_narrow(example.xml);
+}
+
+ElementExample as_of_element(const RoleExample& example) {
+  return {{}, "", example.around, example.xml};
+}
+
+// Whether a message of the example goes to the role or comes from it.
+bool speaks_with(const Element& element, const std::string& role) {
+  static const std::set<std::string> ways{"module", "source", "to"};
+  const bool names_it =
+      element.is(role) ||
+      std::ranges::any_of(element.attributes, [&](const auto& attribute) {
+        return ways.contains(attribute.name) && attribute.value == role;
+      });
+  return names_it || std::ranges::any_of(element.children, [&](auto& child) {
+           return speaks_with(child, role);
+         });
+}
+
+TEST_F(ElementExamples, of_roles_are_there_for_every_role) {
+  for (const auto& role : roles())
+    EXPECT_TRUE(role_example(role.name))
+        << "no EXAMPLE for \"" << role.name
+        << "\" in tools/parlour/reference/role_examples.def";
+  EXPECT_EQ(role_examples().size(), roles().size());
+}
+
+TEST_F(ElementExamples, of_roles_are_checked_without_a_finding) {
+  for (const auto& example : role_examples())
+    EXPECT_EQ(checked(as_of_element(example)), "") << example.xml;
+}
+
+TEST_F(ElementExamples, of_roles_speak_with_what_they_are_of) {
+  for (const auto& example : role_examples())
+    // The SQL of an application is posted to its database by the engine.
+    EXPECT_TRUE(speaks_with(test::tree_of(script_of(as_of_element(example))),
+                            example.role) ||
+                example.role == "Database")
+        << example.xml;
 }
 
 std::string escaped(std::string text) {
@@ -190,7 +242,7 @@ std::string escaped(std::string text) {
   return std::regex_replace(text, std::regex("\""), "&quot;");
 }
 
-// What is printed, or the error, on 21 November 2026 at nine.
+// The printed result or the error, on 21 November 2026 at nine.
 std::string evaluated(const std::string& expression) {
   const auto outcome = test::compile_declarations(
       "<function name='main'><var name='x' expr=\"" + escaped(expression) +

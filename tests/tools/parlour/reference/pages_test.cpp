@@ -10,10 +10,10 @@ using testing::StartsWith;
 
 TEST_F(CommandTest, help_prints_pages) {
   for (const auto& page : reference_pages()) {
-    EXPECT_EQ(call({"help", "--page", page}), exit_code::well);
+    EXPECT_EQ(call({"help", "--page", page}), exit_code::success);
     EXPECT_THAT(out_.str(), StartsWith("# "));
   }
-  EXPECT_EQ(call({"help", "--page", "elements"}), exit_code::well);
+  EXPECT_EQ(call({"help", "--page", "elements"}), exit_code::success);
   EXPECT_THAT(out_.str(), AllOf(HasSubstr("\n## `<speak>`\n\nsay it\n"),
                                 HasSubstr("| `interrupt` | true or false |"),
                                 HasSubstr("```xml\n<speak param=")));

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <sys/eventfd.h>
 
+#include "tests/support/no_descriptors.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/tools/parlour/terminal_fixture.hpp"
 #include "tools/parlour/talk/terminal_run.hpp"
@@ -37,13 +38,13 @@ protected:
     std::jthread person([&] { terminal_.type_at_prompt(keys); });
     return screen.read_line();
   }
-  void talk(Partner& partner, Screen& screen,
+  void talk(ConversationDriver& driver, Screen& screen,
             const std::vector<std::string>& lines) {
     std::jthread person([&] {
       for (const auto& line : lines)
         terminal_.type_at_prompt(line);
     });
-    talk_on_terminal(partner, screen);
+    talk_on_terminal(driver, screen);
   }
 
   test::TemporaryFolder folder_;
@@ -76,6 +77,20 @@ TEST_F(ScreenTest, ends_at_the_end_of_input_and_when_interrupted) {
   auto screen = make();
   EXPECT_EQ(read(screen, "\x04"), std::nullopt);
   eventfd_write(interrupt_, 1);
+  EXPECT_EQ(screen.read_line(), std::nullopt);
+}
+
+// The system cannot wait: to try again and again would take all of the
+// processor.
+TEST_F(ScreenTest, ends_when_nothing_can_be_waited_for) {
+  auto screen = make();
+  const test::NoDescriptors none;
+  EXPECT_EQ(screen.read_line(), std::nullopt);
+}
+
+TEST_F(ScreenTest, ends_when_its_terminal_has_gone) {
+  auto screen = make();
+  terminal_.hang_up();
   EXPECT_EQ(screen.read_line(), std::nullopt);
 }
 
@@ -121,9 +136,9 @@ TEST_F(ScreenTest, has_colours_only_where_they_are_wanted) {
   EXPECT_THAT(terminal_.seen_until("words"), Not(HasSubstr("\033")));
 }
 
-class NotingPartner : public Partner {
+class NotingDriver : public ConversationDriver {
 public:
-  explicit NotingPartner(bool is_virtual) : virtual_(is_virtual) {}
+  explicit NotingDriver(bool is_virtual) : virtual_(is_virtual) {}
   void enter(const std::vector<std::string>& turns) override {
     calls.insert(calls.end(), turns.begin(), turns.end());
   }
@@ -144,16 +159,16 @@ private:
 
 TEST_F(ScreenTest, makes_a_turn_of_each_line) {
   auto screen = make();
-  NotingPartner real(false);
+  NotingDriver real(false);
   talk(real, screen, {"one\n", "\n", "two\n", "\x04"});
   EXPECT_THAT(real.calls, ElementsAre("one", "two"));
 }
 
 TEST_F(ScreenTest, lets_virtual_time_go_on_at_an_empty_line) {
   auto screen = make();
-  NotingPartner partner(true);
-  talk(partner, screen, {"one\n", "\n", "\x04"});
-  EXPECT_THAT(partner.calls, ElementsAre("one", "(quiet)", "(step)"));
+  NotingDriver driver(true);
+  talk(driver, screen, {"one\n", "\n", "\x04"});
+  EXPECT_THAT(driver.calls, ElementsAre("one", "(quiet)", "(step)"));
 }
 
 } // namespace

@@ -20,9 +20,9 @@ private:
   Read first_;
 };
 
-class NotingPartner : public Partner {
+class NotingDriver : public ConversationDriver {
 public:
-  explicit NotingPartner(bool is_virtual) : virtual_(is_virtual) {}
+  explicit NotingDriver(bool is_virtual) : virtual_(is_virtual) {}
   void enter(const std::vector<std::string>& turns) override {
     calls.push_back("enter " + std::to_string(turns.size()));
   }
@@ -44,9 +44,9 @@ private:
 std::vector<std::string> calls_for(Read read, bool is_virtual, bool ended) {
   OneRead source(std::move(read));
   RowReader rows(source, [](const std::string&) {});
-  NotingPartner partner(is_virtual);
-  EXPECT_EQ(talk_by_rows(partner, rows), ended);
-  return partner.calls;
+  NotingDriver driver(is_virtual);
+  EXPECT_EQ(talk_by_rows(driver, rows), ended);
+  return driver.calls;
 }
 
 TEST(TalkByRows, lets_virtual_time_stand_still_but_for_empty_lines) {
@@ -73,7 +73,7 @@ TEST(TalkByRows, ends_when_interrupted) {
               ElementsAre());
 }
 
-// Ticks a hundred times a second, and strikes after a second.
+// A component that fires a hundred ticks a second, and a strike after a second.
 class Metronome : public IPlugin {
 public:
   void stop() override {}
@@ -106,14 +106,13 @@ protected:
     auto node = actors::Node::start(std::move(options));
     ASSERT_TRUE(node) << to_string(node.error());
     node_ = std::move(*node);
-    partner_.emplace(*node_, true, [this](const std::string& text) {
-      said_.push_back(text);
-    });
+    driver_.emplace(*node_, true,
+                    [this](const std::string& text) { said_.push_back(text); });
   }
-  // How much does.
+  // Returns how much time has passed.
   Milliseconds let_time_pass() {
     const auto before = node_->now();
-    partner_->let_time_pass();
+    driver_->let_time_pass();
     return Milliseconds(node_->now() - before);
   }
   ~NodePartnerTest() override {
@@ -125,7 +124,7 @@ protected:
 private:
   Application application_;
   std::unique_ptr<actors::Node> node_;
-  std::optional<NodePartner> partner_;
+  std::optional<NodeDriver> driver_;
 };
 
 constexpr const char* timers = R"(<handler name="Begin"><messages><component>

@@ -1,0 +1,275 @@
+#include "actors/components/component_context.hpp"
+
+#include <utility>
+
+#include <caf/actor_system.hpp>
+#include <caf/send.hpp>
+#include <caf/typed_event_based_actor.hpp>
+
+#include "actors/components/ask.hpp"
+#include "runtime/message/roles.hpp"
+
+namespace parlour::actors {
+
+namespace {
+
+// Nobody speaks as the platform or as a role (engine rule 1.5).
+bool may_speak_as(const std::string& source) {
+  return !source.empty() && !find_role(source);
+}
+
+} // namespace
+
+ComponentContext::ComponentContext(const ContextParts& parts, std::string name,
+                                   const PluginDescription& description,
+                                   InstanceId instance,
+                                   std::shared_ptr<const InstanceScope> scope)
+    : time_(parts.time), bus_(parts.bus), observer_(parts.observer),
+      environment_(parts.environment), supervisor_(parts.supervisor),
+      name_(std::move(name)), instance_(instance), scope_(std::move(scope)),
+      pending_requests_(description.roles, description.events) {}
+
+void ComponentContext::belongs_to(const component_host_actor& host) {
+  host_ = caf::actor_cast<caf::weak_actor_ptr>(host);
+}
+
+// -- who keeps the instance ---------------------------------------------------
+
+bool ComponentContext::gives(const Message& message, Timestamp now,
+                             InFlight& recycled) {
+  std::lock_guard lock(mutex_);
+  if (closed_)
+    return false;
+  rate_limiter_.earn();
+  pending_requests_.given(message, now);
+  rounds_ = message.rounds;
+  given_ = now;
+  if (!recycled_)
+    std::swap(recycled_, recycled);
+  return true;
+}
+
+void ComponentContext::drop_recycled() {
+  InFlight over; // let go of outside of the lock: it may wake others
+  std::lock_guard lock(mutex_);
+  std::swap(recycled_, over);
+}
+
+bool ComponentContext::calls_back(DelayId delay) {
+  std::lock_guard lock(mutex_);
+  return delays_.erase(delay) != 0;
+}
+
+void ComponentContext::drain() {
+  std::lock_guard lock(mutex_);
+  draining_ = true;
+}
+
+bool ComponentContext::is_closed() const {
+  std::lock_guard lock(mutex_);
+  return closed_;
+}
+
+bool ComponentContext::owes_nothing() {
+  std::lock_guard lock(mutex_);
+  return pending_requests_.none(clock().now());
+}
+
+std::vector<Message> ComponentContext::take_pending() {
+  std::lock_guard lock(mutex_);
+  return pending_requests_.take(clock().now());
+}
+
+std::vector<Message> ComponentContext::close() {
+  InFlight over;
+  std::unique_lock lock(mutex_);
+  closed_ = true;
+  std::swap(recycled_, over);
+  auto delays = std::exchange(delays_, {});
+  auto messages = pending_requests_.take(clock().now());
+  lock.unlock();
+  for (auto delay : delays)
+    time_.due_times.remove(delay);
+  return messages;
+}
+
+// -- what it says -------------------------------------------------------------
+
+// False where its rate is used up, or it is to say nothing any more.
+bool ComponentContext::may_say(Message& message, Timestamp now,
+                               InFlight& work) {
+  std::unique_lock lock(mutex_);
+  if (closed_ || flooded_)
+    return false;
+  flooded_ = !rate_limiter_.spend(now);
+  if (!flooded_)
+    pending_requests_.said(message);
+  message.rounds = rounds_of_event(now);
+  std::swap(work, recycled_);
+  const bool idle = draining_ && pending_requests_.none(now);
+  const bool floods = flooded_;
+  lock.unlock();
+  if (floods)
+    failed("it floods the node: more than " +
+           std::to_string(RateLimiter::each_second) + " events a second");
+  else if (idle)
+    report_idle();
+  return !floods;
+}
+
+// What it says soon after it was given something comes of that.
+std::uint32_t ComponentContext::rounds_of_event(Timestamp now) const {
+  constexpr Timestamp soon = 100;
+  return given_ != 0 && now - given_ <= soon ? rounds_ + 1 : 0;
+}
+
+void ComponentContext::report_idle() {
+  auto tell = [this, work = time_.work.begin()] {
+    caf::anon_send(supervisor_, instance_idle{instance_, work});
+  };
+  time_.main_thread.post(std::move(tell));
+}
+
+void ComponentContext::publish_as_itself(Message&& message) {
+  const auto now = clock().now();
+  InFlight work;
+  if (!may_say(message, now, work))
+    return;
+  if (!may_speak_as(message.source))
+    message.source = name_;
+  fill_session(message);
+  bus_.publish(std::move(message), now, std::move(work));
+}
+
+void ComponentContext::fill_session(Message& message) const {
+  if (scope_ && message.session.empty())
+    message.session = scope_->session();
+}
+
+std::uint32_t ComponentContext::rounds_now() const {
+  std::lock_guard lock(mutex_);
+  return rounds_of_event(clock().now());
+}
+
+void ComponentContext::fire_event(Message event) {
+  event.sinks.clear();
+  publish_as_itself(std::move(event));
+}
+
+void ComponentContext::send_message(Message message) {
+  publish_as_itself(std::move(message));
+}
+
+void ComponentContext::ask(Message request, Milliseconds patience,
+                           Reaction reaction) {
+  if (is_closed())
+    return;
+  request.source = name_;
+  fill_session(request);
+  request.rounds = rounds_now();
+  const auto id = time_.due_times.add(clock().now() + patience.count(),
+                                      DueTimes::Of::component);
+  AskOrder order{std::move(request), patience, caller_back(std::move(reaction)),
+                 std::make_shared<const DueTicket>(time_.due_times, id),
+                 time_.work.begin()};
+  time_.main_thread.post([this, order = std::move(order)] {
+    if (auto host = caf::actor_cast<caf::strong_actor_ptr>(host_))
+      host->home_system->spawn(actors::ask, &bus_,
+                               caf::actor_cast<component_host_actor>(host),
+                               order);
+  });
+}
+
+// The plug-in is called on its host's thread, unless it is closed by then.
+std::function<void(Expected<Message>)>
+ComponentContext::caller_back(Reaction reaction) {
+  return [context = weak_from_this(),
+          reaction = std::move(reaction)](Expected<Message> outcome) {
+    if (auto alive = context.lock())
+      alive->after(
+          Milliseconds::zero(),
+          [reaction, outcome = std::move(outcome)] { reaction(outcome); });
+  };
+}
+
+void ComponentContext::failed(const std::string& reason) {
+  auto tell = [this, reason, work = time_.work.begin()] {
+    caf::anon_send(supervisor_,
+                   component_failed{name_, instance_, reason, work});
+  };
+  time_.main_thread.post(std::move(tell));
+}
+
+void ComponentContext::available(bool is_available) {
+  auto tell = [this, is_available, work = time_.work.begin()] {
+    caf::anon_send(supervisor_,
+                   component_available{instance_, is_available, work});
+  };
+  time_.main_thread.post(std::move(tell));
+}
+
+// -- its delays ---------------------------------------------------------------
+
+PluginHost::DelayId ComponentContext::after(Milliseconds delay,
+                                            std::function<void()> action) {
+  const auto id = time_.due_times.add(clock().now() + delay.count(),
+                                      DueTimes::Of::component);
+  auto due = std::make_shared<const DueTicket>(time_.due_times, id);
+  std::unique_lock lock(mutex_);
+  if (closed_)
+    return id; // which goes with its ticket
+  delays_.insert(id);
+  lock.unlock();
+  auto order = [this, delay, due = std::move(due), action = std::move(action),
+                work = time_.work.begin()] {
+    if (auto host = caf::actor_cast<caf::strong_actor_ptr>(host_))
+      caf::anon_send(caf::actor_cast<component_host_actor>(host),
+                     run_after{delay, due, action, work});
+  };
+  time_.main_thread.post(std::move(order));
+  return id;
+}
+
+void ComponentContext::cancel(DelayId delay) {
+  {
+    std::lock_guard lock(mutex_);
+    delays_.erase(delay);
+  }
+  time_.due_times.remove(delay);
+}
+
+// -- what it asks for ---------------------------------------------------------
+
+const Clock& ComponentContext::clock() const {
+  return time_.clock;
+}
+
+void ComponentContext::log(const std::string& text) {
+  observer_.log(name_ + ": " + text);
+}
+
+std::shared_ptr<const UnderstandingModel>
+ComponentContext::understanding() const {
+  return environment_.understanding;
+}
+
+std::shared_ptr<const PhraseEvaluator> ComponentContext::phrases() const {
+  return environment_.phrases;
+}
+
+Expected<std::vector<std::string>>
+ComponentContext::column(const std::string& name) const {
+  if (environment_.columns)
+    return environment_.columns(name);
+  return fail(ErrorKind::database, "nobody reads the column " + name);
+}
+
+std::string ComponentContext::data_folder() const {
+  return environment_.data_folder;
+}
+
+std::string ComponentContext::application_folder() const {
+  return environment_.application_folder;
+}
+
+} // namespace parlour::actors

@@ -1,0 +1,131 @@
+#include "actors/components/placements.hpp"
+
+#include <utility>
+
+namespace parlour::actors {
+
+namespace {
+
+bool is_per_seat(const Deployment& deployment) {
+  return deployment.order.policy.scope.kind == Scope::Kind::seat;
+}
+
+} // namespace
+
+// -- who is there -------------------------------------------------------------
+
+void Placements::seat_opened(const actors::seat_opened& what) {
+  const auto scope = std::make_shared<InstanceScope>(what.name, what.name);
+  seats_[what.seat] = scope;
+  for (const auto& deployment : deployments_.all())
+    if (is_per_seat(*deployment))
+      service_for(deployment, scope);
+}
+
+void Placements::session_begins(const SessionId& session) {
+  const auto seat = parts_.sessions.seat_of(session);
+  for (const auto& deployment : deployments_.all())
+    attach(deployment, session, seat);
+}
+
+void Placements::session_ended(const actors::session_ended& what) {
+  if (const auto seat = seats_.find(what.seat); seat != seats_.end())
+    seat->second->is_over(what.session);
+}
+
+void Placements::settle(const DeploymentPointer& deployment) {
+  if (!deployment->by_session) {
+    service_for(deployment, node_);
+    return;
+  }
+  if (is_per_seat(*deployment))
+    for (const auto& [actor, scope] : seats_)
+      service_for(deployment, scope);
+  for (const auto& [session, seat] : parts_.sessions.seats())
+    attach(deployment, session, seat);
+}
+
+void Placements::attach(const DeploymentPointer& deployment,
+                        const SessionId& session, const seat_actor& seat) {
+  if (!deployment->by_session)
+    return;
+  auto scope = std::make_shared<InstanceScope>(session, session);
+  if (is_per_seat(*deployment)) {
+    const auto found = seats_.find(seat);
+    if (found == seats_.end())
+      return;
+    scope = found->second;
+    scope->begins(session);
+  }
+  if (const auto service = service_for(deployment, scope))
+    deployment->by_session->put(
+        session, {service->component->mailbox, service->component->up});
+}
+
+// A seat's stays for the seat's next session.
+ServicePointer Placements::detach(Deployment& deployment,
+                                  const SessionId& session) const {
+  if (!deployment.by_session)
+    return nullptr;
+  deployment.by_session->remove(session);
+  auto service = deployment.services.extract(session);
+  if (!service)
+    return nullptr;
+  service.mapped()->over = true;
+  return std::move(service.mapped());
+}
+
+// -- what it has --------------------------------------------------------------
+
+// The one that the scope has, or a new one; null where there may be no more.
+ServicePointer
+Placements::service_for(const DeploymentPointer& deployment,
+                        const std::shared_ptr<InstanceScope>& scope) {
+  const auto found = deployment->services.find(scope->name());
+  if (found != deployment->services.end())
+    return found->second;
+  if (deployment->services.size() < max_services)
+    return add_service(deployment, scope);
+  refuse(*deployment, *scope);
+  return nullptr;
+}
+
+void Placements::refuse(const Deployment& deployment,
+                        const InstanceScope& scope) const {
+  const auto reason = "has " + std::to_string(max_services) +
+                      " instances, as many as it may have";
+  news_.log(deployment.name() + " " + reason);
+  news_.tell("ComponentDown", {deployment.name(), reason}, scope.session());
+}
+
+// The one that another of its name, which it replaces or is replaced by, has in
+// this scope already: nothing that waits there is lost.
+std::shared_ptr<ComponentMailbox>
+Placements::mailbox_at(const std::string& name,
+                       const InstanceScope& scope) const {
+  for (const auto& deployment : deployments_.all())
+    if (deployment->name() == name)
+      if (const auto found = deployment->services.find(scope.name());
+          found != deployment->services.end())
+        return found->second->component->mailbox;
+  return std::make_shared<ComponentMailbox>();
+}
+
+// Until its instance works, its messages wait.
+ServicePointer
+Placements::add_service(const DeploymentPointer& deployment,
+                        const std::shared_ptr<InstanceScope>& scope) {
+  const bool serves = deployments_.is_serving(deployment);
+  auto service = std::make_shared<Service>();
+  service->scope = scope;
+  service->state = serves ? ServiceState::serving : ServiceState::coming;
+  service->component = std::make_shared<Component>();
+  service->component->order = deployment->order;
+  service->component->mailbox = mailbox_at(deployment->name(), *scope);
+  service->component->set_serving(serves);
+  deployment->services[scope->name()] = service;
+  running_.fill_up(service);
+  return service;
+}
+
+} // namespace parlour::actors

@@ -1,0 +1,53 @@
+// Placements: which seat and which session has what of each component, where
+// it is not one for the whole node. Lives on the supervisor's thread.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+
+#include "actors/components/running_instances.hpp"
+
+namespace parlour::actors {
+
+class Placements {
+public:
+  // A component has instances for no more scopes: each costs a thread.
+  static constexpr std::size_t max_services = 1'000;
+
+  Placements(const SupervisionParts& parts, const Deployments& deployments,
+             const ComponentNews& news, RunningInstances& running)
+      : parts_(parts), deployments_(deployments), news_(news),
+        running_(running) {}
+
+  void seat_opened(const actors::seat_opened& what);
+  void session_begins(const SessionId& session);
+  void session_ended(const session_ended& what);
+
+  // Every scope gets what it is to have of this component.
+  void settle(const DeploymentPointer& deployment);
+  // What the session had of it, and has no more; null where it had none of its
+  // own.
+  ServicePointer detach(Deployment& deployment, const SessionId& session) const;
+
+private:
+  void attach(const DeploymentPointer& deployment, const SessionId& session,
+              const seat_actor& seat);
+  ServicePointer service_for(const DeploymentPointer& deployment,
+                             const std::shared_ptr<InstanceScope>& scope);
+  void refuse(const Deployment& deployment, const InstanceScope& scope) const;
+  std::shared_ptr<ComponentMailbox>
+  mailbox_at(const std::string& name, const InstanceScope& scope) const;
+  ServicePointer add_service(const DeploymentPointer& deployment,
+                             const std::shared_ptr<InstanceScope>& scope);
+
+  const SupervisionParts& parts_;
+  const Deployments& deployments_;
+  const ComponentNews& news_;
+  RunningInstances& running_;
+  const std::shared_ptr<InstanceScope> node_ =
+      std::make_shared<InstanceScope>();
+  std::map<seat_actor, std::shared_ptr<InstanceScope>> seats_;
+};
+
+} // namespace parlour::actors

@@ -1,0 +1,20 @@
+// ComponentOrder: which plug-in to run, under which name and how. Settings and
+// <load> both come down to one.
+#pragma once
+
+#include <string>
+
+#include "runtime/base/component_policy.hpp"
+#include "runtime/plugin/plugin.hpp"
+
+namespace parlour::actors {
+
+// A plug-in under the name of an instance.
+struct ComponentOrder {
+  std::string name;
+  PluginFactory factory;
+  Options options;
+  ComponentPolicy policy = {};
+};
+
+} // namespace parlour::actors

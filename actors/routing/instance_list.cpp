@@ -1,0 +1,27 @@
+#include "actors/routing/instance_list.hpp"
+
+#include <mutex>
+#include <utility>
+
+namespace parlour::actors {
+
+void InstanceList::put(const SessionId& session, Entry entry) {
+  std::unique_lock lock(mutex_);
+  entries_[session] = std::move(entry);
+}
+
+void InstanceList::remove(const SessionId& session) {
+  std::unique_lock lock(mutex_);
+  entries_.erase(session);
+}
+
+std::optional<InstanceList::Entry>
+InstanceList::find(const SessionId& session) const {
+  std::shared_lock lock(mutex_);
+  const auto found = entries_.find(session);
+  if (found == entries_.end())
+    return std::nullopt;
+  return found->second;
+}
+
+} // namespace parlour::actors

@@ -1,0 +1,62 @@
+// AgentConnection is an agent's side of the protocol: it connects to the
+// platform, says hello, and connects again whenever the connection is lost
+// (adapters/agents/PROTOCOL.md). It has a thread of its own, so that heartbeats
+// go on while the agent is busy.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "adapters/agents/delivery/hello.hpp"
+#include "runtime/base/error.hpp"
+
+namespace parlour::adapters::agents {
+
+struct PlatformAddress {
+  std::string host;
+  std::string port;
+  // Speaks under TLS.
+  bool is_encrypted = false;
+  // A file in PEM with the certificate that the platform's is checked against;
+  // empty: those that the system trusts.
+  std::string authority;
+};
+
+class AgentConnection {
+public:
+  // Learns what happens, on the connection's thread; must not block.
+  class Listener {
+  public:
+    virtual ~Listener() = default;
+    // A message of the platform. For each that has a number handed_on() must be
+    // called once, in their order, when it has been dealt with.
+    virtual void received(AgentMessage message) = 0;
+    // A line for the log: the connection stands, or is lost.
+    virtual void note(const std::string& text) = 0;
+    // The platform does not want this agent; to connect again would not help.
+    // Nothing follows.
+    virtual void rejected(const Error& error) = 0;
+  };
+
+  // `listener` must outlive it. The error, of kind Settings, names a file that
+  // cannot be read.
+  static Expected<std::unique_ptr<AgentConnection>>
+  open(const PlatformAddress& address, const Hello& hello, Listener& listener);
+  // Waits for acknowledgements, for at most a second, and says goodbye.
+  ~AgentConnection();
+
+  // The following are safe from any thread.
+
+  // Queues a message, also while there is no connection. False: too much waits.
+  bool send(AgentMessage message);
+  void handed_on();
+  // False: says goodbye, and stays away until it is told to return.
+  void set_present(bool is_present);
+
+private:
+  class Implementation;
+  explicit AgentConnection(std::unique_ptr<Implementation> implementation);
+  std::unique_ptr<Implementation> implementation_;
+};
+
+} // namespace parlour::adapters::agents

@@ -1,0 +1,196 @@
+#include "adapters/agents/lines/line_listener.hpp"
+
+#include <map>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "adapters/agents/lines/line_connection.hpp"
+
+namespace parlour::adapters::agents {
+namespace {
+
+using asio::ip::tcp;
+using PlainStream = tcp::socket;
+using SecureStream = asio::ssl::stream<tcp::socket>;
+
+// The transport of lines: accepts connections and passes events on.
+class LineListener : public AgentTransport, private LineConnection::Owner {
+public:
+  LineListener(asio::io_context& context, TransportEvents& events)
+      : acceptor_(context), pause_(context), events_(events) {}
+
+  Expected<void> listen(const LineOptions& options) {
+    asio::error_code error;
+    const auto address = asio::ip::make_address(options.address, error);
+    if (error)
+      return fail(ErrorKind::settings,
+                  "'" + options.address + "' is no address of this host");
+    if (!options.certificate.empty() || !options.private_key.empty())
+      if (auto read = read_certificate(options); !read)
+        return read;
+    is_loopback_ = address.is_loopback();
+    // Without TLS the token of an agent would be readable on the network.
+    if (!is_loopback_ && !certificate_)
+      return fail(ErrorKind::settings,
+                  options.address + " can be reached from other hosts: give a "
+                                    "certificate and a private_key for TLS, or "
+                                    "listen on 127.0.0.1");
+    return bind({address, options.port});
+  }
+
+  // Accepts the next connection, again and again, until the acceptor is closed.
+  void accept() {
+    acceptor_.async_accept([this](asio::error_code error, tcp::socket socket) {
+      if (error == asio::error::operation_aborted)
+        return;
+      if (error) {
+        accept_later();
+        return;
+      }
+      add(std::move(socket));
+      accept();
+    });
+  }
+
+  bool is_loopback() const override {
+    return is_loopback_;
+  }
+  bool has(ConnectionId id) const override {
+    return connections_.contains(id);
+  }
+  void write(ConnectionId id, const AgentMessage& message) override {
+    connections_.at(id)->write(message);
+  }
+  void close(ConnectionId id) override {
+    if (const auto found = connections_.extract(id))
+      found.mapped()->close();
+  }
+  void shut() override {
+    // An acceptor that was never open cannot be closed; nor need it be.
+    asio::error_code ignored;
+    acceptor_.close(ignored);
+    pause_.cancel();
+    for (const auto& [id, connection] : std::exchange(connections_, {}))
+      connection->close();
+  }
+  std::string address() const override {
+    asio::error_code ignored; // it is open
+    const auto end = acceptor_.local_endpoint(ignored);
+    const auto host = end.address().to_string();
+    return end.address().is_v6()
+               ? fmt::format("tcp://[{}]:{}", host, end.port())
+               : fmt::format("tcp://{}:{}", host, end.port());
+  }
+
+private:
+  static constexpr std::chrono::milliseconds pause_between{200};
+
+  // While the process has too many files open, accepting fails at once, again
+  // and again.
+  void accept_later() {
+    pause_.expires_after(pause_between);
+    pause_.async_wait([this](asio::error_code error) {
+      if (!error && acceptor_.is_open())
+        accept();
+    });
+  }
+
+  // The certificate may be followed by those of its issuers (a chain).
+  Expected<void> read_certificate(const LineOptions& options) {
+    certificate_.emplace(asio::ssl::context::tls_server);
+    SSL_CTX_set_min_proto_version(certificate_->native_handle(),
+                                  TLS1_2_VERSION);
+    asio::error_code error;
+    certificate_->use_certificate_chain_file(options.certificate, error);
+    if (error)
+      return fail(ErrorKind::settings, "the certificate '" +
+                                           options.certificate +
+                                           "': " + error.message());
+    certificate_->use_private_key_file(options.private_key,
+                                       asio::ssl::context::pem, error);
+    if (error)
+      return fail(ErrorKind::settings, "the private key '" +
+                                           options.private_key +
+                                           "': " + error.message());
+    return {};
+  }
+
+  // Each step is taken only if the one before has succeeded.
+  Expected<void> bind(const tcp::endpoint& end) {
+    asio::error_code error;
+    acceptor_.open(end.protocol(), error);
+    if (!error)
+      acceptor_.set_option(tcp::acceptor::reuse_address(true), error);
+    if (!error)
+      acceptor_.bind(end, error);
+    if (!error)
+      acceptor_.listen(asio::socket_base::max_listen_connections, error);
+    if (error)
+      return fail(ErrorKind::network,
+                  fmt::format("agents cannot connect to {}:{}: {}",
+                              end.address().to_string(), end.port(),
+                              error.message()));
+    return {};
+  }
+
+  // Under TLS if there is a certificate.
+  std::shared_ptr<LineConnection> connection_over(tcp::socket socket,
+                                                  ConnectionId id) {
+    Owner& owner = *this;
+    if (!certificate_)
+      return std::make_shared<LineConnectionOver<PlainStream>>(
+          std::move(socket), id, owner);
+    return std::make_shared<LineConnectionOver<SecureStream>>(
+        SecureStream(std::move(socket), *certificate_), id, owner);
+  }
+
+  void add(tcp::socket socket) {
+    asio::error_code error;
+    const auto end = socket.remote_endpoint(error);
+    if (error)
+      // The other side has closed it already.
+      return;
+    const auto id = events_.next_id();
+    const auto connection = connection_over(std::move(socket), id);
+    connections_[id] = connection;
+    connection->start();
+    // A line has no key: agents authenticate by token.
+    events_.opened(id,
+                   {fmt::format("{}:{}", end.address().to_string(), end.port()),
+                    {},
+                    !is_loopback_});
+  }
+
+  void heard(ConnectionId id) override {
+    events_.heard(id);
+  }
+  void arrived(ConnectionId id, Read<AgentMessage> message) override {
+    events_.arrived(id, std::move(message));
+  }
+  void lost(ConnectionId id) override {
+    connections_.erase(id);
+    events_.closed(id);
+  }
+
+  tcp::acceptor acceptor_;
+  asio::steady_timer pause_;
+  bool is_loopback_ = true;
+  TransportEvents& events_;
+  std::optional<asio::ssl::context> certificate_;
+  std::map<ConnectionId, std::shared_ptr<LineConnection>> connections_;
+};
+
+} // namespace
+
+Expected<std::unique_ptr<AgentTransport>>
+listen_for_lines(Loop& loop, TransportEvents& events,
+                 const LineOptions& options) {
+  auto listener = std::make_unique<LineListener>(loop.context(), events);
+  if (auto listening = listener->listen(options); !listening)
+    return tl::make_unexpected(std::move(listening.error()));
+  listener->accept();
+  return listener;
+}
+
+} // namespace parlour::adapters::agents

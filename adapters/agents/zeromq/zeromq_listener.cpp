@@ -1,0 +1,326 @@
+#include "adapters/agents/zeromq/zeromq_listener.hpp"
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <iterator>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include <asio/ip/address.hpp>
+#include <poll.h>
+#include <zmq.hpp>
+#include <zmq_addon.hpp>
+
+#include "adapters/agents/wire/multipart.hpp"
+#include "adapters/agents/zeromq/key_pair.hpp"
+#include "adapters/loop/alarm.hpp"
+#include "adapters/loop/watch.hpp"
+
+namespace parlour::adapters::agents {
+namespace {
+
+// The host in "tcp://host:port", without the brackets of IPv6.
+std::string host_of(std::string_view address) {
+  constexpr std::string_view tcp = "tcp://";
+  if (!address.starts_with(tcp))
+    return {};
+  address.remove_prefix(tcp.size());
+  address = address.substr(0, address.rfind(':'));
+  if (address.starts_with('[') && address.ends_with(']'))
+    address = address.substr(1, address.size() - 2);
+  return std::string(address);
+}
+
+// Addresses that cannot be reached from other hosts.
+bool is_local(std::string_view address) {
+  if (address.starts_with("ipc://") || address.starts_with("inproc://"))
+    return true;
+  const auto host = host_of(address);
+  asio::error_code error;
+  const auto parsed = asio::ip::make_address(host, error);
+  return host == "localhost" || (!error && parsed.is_loopback());
+}
+
+// The frames as texts. They are valid as long as the frames.
+std::vector<std::string_view> texts(const std::vector<zmq::message_t>& frames) {
+  std::vector<std::string_view> all;
+  for (const auto& frame : frames)
+    all.push_back(frame.to_string_view());
+  return all;
+}
+
+// Runs `drain` on a loop whenever a socket of ZeroMQ has messages. ZeroMQ's
+// descriptor is edge-triggered: it reports changes only, and any use of the
+// socket may swallow one. So after each use of the socket go_on() must be
+// called, which looks at the socket's state itself.
+class Inflow {
+public:
+  Inflow(Loop& loop, zmq::socket_t& socket, std::function<void()> drain)
+      : watch_(loop, [this](short) { go_on(); }), again_(loop,
+                                                         [this] {
+                                                           drain_();
+                                                           go_on();
+                                                         }),
+        socket_(socket), drain_(std::move(drain)) {}
+
+  // Nothing is waited for any more.
+  void stop() {
+    is_stopped_ = true;
+    watch_.stop();
+    again_.set(Alarm::never);
+  }
+
+  // Has `drain` run soon if there are messages, otherwise waits for a change.
+  // Soon and not at once: other work of the loop has its turn.
+  void go_on() {
+    if (is_stopped_)
+      return;
+    if (is_readable())
+      again_.set(Alarm::Moment{});
+    else
+      watch_.await(socket_.get(zmq::sockopt::fd), POLLIN);
+  }
+
+private:
+  bool is_readable() const {
+    return (socket_.get(zmq::sockopt::events) & ZMQ_POLLIN) != 0;
+  }
+
+  Watch watch_;
+  Alarm again_;
+  zmq::socket_t& socket_;
+  std::function<void()> drain_;
+  bool is_stopped_ = false;
+};
+
+// The transport by ZeroMQ. ZeroMQ has no connections, only names of peers: a
+// peer counts as connected from its first message on.
+class ZeroMQListener : public AgentTransport {
+public:
+  ZeroMQListener(Loop& loop, TransportEvents& events,
+                 const ZeroMQOptions& options)
+      : events_(events), allowed_(options.allowed_keys),
+        is_loopback_(is_local(options.address)),
+        router_(zeromq_, zmq::socket_type::router),
+        inflow_(loop, router_, [this] { drain(); }) {
+    router_.set(zmq::sockopt::linger, 0);
+    // A message to a peer that has gone is an error; otherwise it would be
+    // dropped silently.
+    router_.set(zmq::sockopt::router_mandatory, true);
+    // A frame beyond this ends the connection. One between this and the
+    // protocol's limit gets an answer.
+    router_.set(zmq::sockopt::maxmsgsize,
+                static_cast<std::int64_t>(2 * max_message_bytes));
+    router_.set(zmq::sockopt::ipv6, options.address.starts_with("tcp://["));
+    if (!options.secret_key.empty())
+      encrypt(loop, options.secret_key);
+    router_.bind(options.address);
+    inflow_.go_on();
+  }
+
+  bool is_loopback() const override {
+    return is_loopback_;
+  }
+  bool has(ConnectionId id) const override {
+    return names_.contains(id);
+  }
+
+  void write(ConnectionId id, const AgentMessage& message) override {
+    const auto frames = frames_of(message);
+    if (!frames)
+      // The exchange has checked messages that are to be delivered.
+      return;
+    const auto& name = names_.at(id);
+    std::vector<zmq::const_buffer> parts = {zmq::buffer(name)};
+    for (const auto& frame : *frames)
+      parts.push_back(zmq::buffer(frame));
+    try {
+      // A full queue drops the message: the receiver notices the gap, and it is
+      // sent again (adapters/agents/PROTOCOL.md 4.4).
+      zmq::send_multipart(router_, parts, zmq::send_flags::dontwait);
+    } catch (const zmq::error_t&) {
+      // No peer has this name any more. It is reported by drain(), outside of
+      // the exchange's call.
+      lost_.push_back(id);
+    }
+    inflow_.go_on();
+  }
+
+  void close(ConnectionId id) override {
+    if (const auto name = names_.extract(id))
+      ids_.erase(name.mapped());
+  }
+  void shut() override {
+    is_shut_ = true;
+    inflow_.stop();
+    if (questions_inflow_)
+      questions_inflow_->stop();
+    names_.clear();
+    ids_.clear();
+  }
+  std::string address() const override {
+    return router_.get(zmq::sockopt::last_endpoint);
+  }
+
+private:
+  // How many messages are taken before others have their turn.
+  static constexpr int max_at_once = 100;
+  // More frames than a message can have: what follows them is not kept.
+  static constexpr std::size_t max_frames = max_parameters + 16;
+
+  void drain() {
+    for (int i = 0; i < max_at_once && !is_shut_; ++i) {
+      const auto frames = receive();
+      if (frames.empty())
+        break;
+      take(frames);
+    }
+    for (const auto id : std::exchange(lost_, {}))
+      if (has(id)) {
+        close(id);
+        events_.closed(id);
+      }
+  }
+
+  // The frames of a message; none if there is no message.
+  std::vector<zmq::message_t> receive() {
+    std::vector<zmq::message_t> frames;
+    bool more = true;
+    while (more) {
+      zmq::message_t frame;
+      if (!router_.recv(frame, zmq::recv_flags::dontwait))
+        break;
+      more = frame.more();
+      if (frames.size() < max_frames)
+        frames.push_back(std::move(frame));
+    }
+    return frames;
+  }
+
+  void take(const std::vector<zmq::message_t>& frames) {
+    const auto id = id_of(frames);
+    auto fields = texts(frames);
+    // The first frame is the peer's name, which ROUTER adds.
+    fields.erase(fields.begin());
+    events_.arrived(id, read_frames(std::move(fields)));
+  }
+
+  // The connection of a message; a new name opens one. The key with which the
+  // peer has authenticated is the property "User-Id" of its messages.
+  ConnectionId id_of(const std::vector<zmq::message_t>& frames) {
+    auto name = frames.front().to_string();
+    auto key = property(frames.back(), "User-Id");
+    if (const auto found = ids_.find(name); found != ids_.end()) {
+      const auto [id, former_key] = found->second;
+      if (former_key == key)
+        return id;
+      // Peers choose their names themselves: another one has taken this name.
+      close(id);
+      events_.closed(id);
+    }
+    const auto id = events_.next_id();
+    ids_[name] = {id, key};
+    names_[id] = std::move(name);
+    events_.opened(id, {property(frames.back(), "Peer-Address"), std::move(key),
+                        !is_loopback_});
+    return id;
+  }
+
+  static std::string property(const zmq::message_t& message, const char* name) {
+    const auto* value =
+        zmq_msg_gets(const_cast<zmq_msg_t*>(message.handle()), name);
+    return value ? value : "";
+  }
+
+  // -- CURVE ------------------------------------------------------------------
+
+  // Encrypts and authenticates by CURVE. ZeroMQ asks a socket of ours (ZAP, its
+  // RFC 27) for each connection whether the key may connect.
+  void encrypt(Loop& loop, const std::string& secret_key) {
+    router_.set(zmq::sockopt::curve_server, true);
+    router_.set(zmq::sockopt::curve_secretkey, secret_key);
+    router_.set(zmq::sockopt::zap_domain, "parlour");
+    questions_.emplace(zeromq_, zmq::socket_type::rep);
+    questions_->set(zmq::sockopt::linger, 0);
+    questions_->bind("inproc://zeromq.zap.01");
+    questions_inflow_.emplace(loop, *questions_,
+                              [this] { answer_questions(); });
+    questions_inflow_->go_on();
+  }
+
+  void answer_questions() {
+    std::vector<zmq::message_t> question;
+    while (zmq::recv_multipart(*questions_, std::back_inserter(question),
+                               zmq::recv_flags::dontwait)) {
+      answer(texts(question));
+      question.clear();
+    }
+  }
+
+  // A question has version, id, domain, address, identity, mechanism and key.
+  void answer(const std::vector<std::string_view>& question) {
+    std::string key(key_characters + 1, '\0');
+    if (question.size() == 7 && question[5] == "CURVE" &&
+        question[6].size() == 32)
+      zmq_z85_encode(key.data(),
+                     reinterpret_cast<const std::uint8_t*>(question[6].data()),
+                     question[6].size());
+    key.pop_back();
+    const bool may = std::ranges::find(allowed_, key) != allowed_.end();
+    const std::string id(question.size() > 1 ? question[1] : "");
+    const std::array<std::string, 6> reply = {
+        "1.0",          id, may ? "200" : "400", may ? "OK" : "unknown key",
+        may ? key : "", ""};
+    std::vector<zmq::const_buffer> parts;
+    for (const auto& part : reply)
+      parts.push_back(zmq::buffer(part));
+    zmq::send_multipart(*questions_, parts);
+  }
+
+  TransportEvents& events_;
+  const std::vector<std::string> allowed_;
+  const bool is_loopback_;
+  zmq::context_t zeromq_;
+  zmq::socket_t router_;
+  Inflow inflow_;
+  std::optional<zmq::socket_t> questions_;
+  std::optional<Inflow> questions_inflow_;
+  std::map<ConnectionId, std::string> names_;
+  // With the key of each.
+  std::map<std::string, std::pair<ConnectionId, std::string>> ids_;
+  std::vector<ConnectionId> lost_;
+  bool is_shut_ = false;
+};
+
+// Without keys, only loopback may be used.
+Expected<void> check(const ZeroMQOptions& options) {
+  if (!options.secret_key.empty() &&
+      options.secret_key.size() != key_characters)
+    return fail(ErrorKind::settings,
+                "a key has 40 characters; `parlour keygen` makes a pair");
+  if (options.secret_key.empty() && !is_local(options.address))
+    return fail(ErrorKind::settings,
+                options.address + " can be reached from other hosts: give "
+                                  "keys (`parlour keygen`), or listen on "
+                                  "127.0.0.1");
+  return {};
+}
+
+} // namespace
+
+Expected<std::unique_ptr<AgentTransport>>
+listen_by_zeromq(Loop& loop, TransportEvents& events,
+                 const ZeroMQOptions& options) {
+  if (auto checked = check(options); !checked)
+    return tl::make_unexpected(std::move(checked.error()));
+  try {
+    return std::make_unique<ZeroMQListener>(loop, events, options);
+  } catch (const zmq::error_t& error) {
+    return fail(ErrorKind::network, "agents cannot connect to " +
+                                        options.address + ": " + error.what());
+  }
+}
+
+} // namespace parlour::adapters::agents

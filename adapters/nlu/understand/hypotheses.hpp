@@ -1,0 +1,32 @@
+// Acts that are predicted by what was learnt from examples. They complete what
+// grammars found: where these found nothing, only a value, or less than all
+// that was said.
+#pragma once
+
+#include <vector>
+
+#include "adapters/nlu/parse/acts.hpp"
+#include "adapters/nlu/understand/trained_model.hpp"
+
+namespace parlour::adapters::nlu {
+
+// The act of the most likely topic, then those of topics that are almost as
+// likely. Acts below the threshold are left out.
+std::vector<BuiltAct> hypothesised_acts(const TrainedModel& learned,
+                                        const Utterance& utterance,
+                                        Spans& spans, const Schema& schema,
+                                        const Context& context,
+                                        double threshold);
+
+// Whether the acts that grammars found are so few or so weak that the examples
+// may know more.
+bool leaves_open(const std::vector<BuiltAct>& acts);
+
+// Puts the hypothesis in the place of the acts if it is better; otherwise adds
+// the slots that it found beside them. True if it took their place. A bare
+// value about the topic that the context expects is kept, whatever the examples
+// say.
+bool prefer_better(std::vector<BuiltAct>& acts, const BuiltAct& hypothesis,
+                   const Context& context);
+
+} // namespace parlour::adapters::nlu

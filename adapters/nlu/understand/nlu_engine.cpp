@@ -1,0 +1,303 @@
+// Building: all sources of rules go into one automaton, then the examples are
+// learnt, which needs the automaton's vocabulary. Understanding: see
+// NluEngine::understand.
+#include "adapters/nlu/understand/nlu_engine.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "adapters/nlu/grammar/automaton_builder.hpp"
+#include "adapters/nlu/grammar/examples.hpp"
+#include "adapters/nlu/parse/acts.hpp"
+#include "adapters/nlu/parse/correction.hpp"
+#include "adapters/nlu/parse/doubt.hpp"
+#include "adapters/nlu/understand/explanation.hpp"
+#include "adapters/nlu/understand/hypotheses.hpp"
+
+namespace parlour::adapters::nlu {
+
+namespace {
+
+// What a bare value, and a part of an example, lose against a whole sentence.
+constexpr float bare_bias = -0.3F;
+constexpr float part_bias = -0.2F;
+// How close to the best score an alternative is. It is less than what the
+// context is worth, so that of equals the expected topic wins. Scores are sums
+// of decimals, hence a tolerance.
+constexpr double alternative_range = 0.1;
+constexpr double tolerance = 1e-6;
+// How much lower the score of a chain about another topic may be.
+constexpr double fit_range = 0.35;
+
+// A grammar that is named like a topic is about it.
+void add_grammars(AutomatonBuilder& builder, const Schema& schema,
+                  const std::vector<GrammarModel>& grammars, bool generic,
+                  std::vector<Error>& errors) {
+  for (const auto& model : grammars) {
+    RuleInfo info;
+    info.generic = generic;
+    info.topic = schema.topic(model.name);
+    builder.add(jsgf::parse(model, errors), info);
+  }
+}
+
+// Adds {act=…} to a rule.
+jsgf::Node with_act(jsgf::Node node, std::string act) {
+  node.tags.push_back({"act", std::move(act), true, {}});
+  return node;
+}
+
+// More examples are learnt only. As rules they would make every utterance slow.
+constexpr std::size_t max_example_rules = 500;
+
+// Few examples also become rules.
+bool become_rules(const std::vector<TopicModel>& topics) {
+  std::size_t examples = 0;
+  for (const auto& topic : topics)
+    examples += topic.examples.size();
+  return examples <= max_example_rules;
+}
+
+// Reports the slots of an example that do not exist; as a rule, the builder
+// does it.
+void check_slots(const jsgf::Node& whole, Schema& schema,
+                 std::vector<Error>& errors) {
+  for (const auto& part : whole.children)
+    if (part.kind == jsgf::NodeKind::reference)
+      // Only the errors matter here.
+      schema.resolve(part.text, {}, errors);
+}
+
+void add_examples(AutomatonBuilder& builder, Schema& schema,
+                  const std::vector<TopicModel>& topics,
+                  std::vector<Error>& errors) {
+  const bool as_rules = become_rules(topics);
+  for (const auto& topic : topics) {
+    RuleInfo info;
+    info.topic = schema.topic(topic.name);
+    for (const auto& example : topic.examples) {
+      auto rules = example_rules(topic, example, errors);
+      if (!as_rules) {
+        check_slots(rules.whole, schema, errors);
+        continue;
+      }
+      info.name = "\"" + example + "\"";
+      info.bias = 0;
+      builder.add(with_act(std::move(rules.whole),
+                           topic.enquiry ? "request" : "inform"),
+                  info);
+      info.bias = part_bias;
+      for (const auto& part : rules.parts)
+        builder.add(part, info);
+    }
+  }
+}
+
+// Adds a rule for each slot, since its value may be said alone.
+void add_bare_values(AutomatonBuilder& builder, const Schema& schema) {
+  for (const auto& topic : schema.topics()) {
+    for (const auto& slot : topic.slots) {
+      if (slot.entity == words_entity)
+        continue;
+      const auto reference = topic.name + '.' + slot.name;
+      RuleInfo info;
+      info.name = "<@" + reference + ">";
+      info.topic = schema.topic(topic.name);
+      info.bare = true;
+      info.bias = bare_bias;
+      builder.add({jsgf::NodeKind::reference, reference, {}, {}, {}, {}}, info);
+    }
+  }
+}
+
+} // namespace
+
+namespace {
+
+// Acts about other topics that score almost as high as the best one. The engine
+// may ask the user which was meant.
+struct Alternatives {
+  std::vector<BuiltAct> acts;
+  // They say the same of the same slot, so the dialogue engine chooses the
+  // topic.
+  bool same_slots = false;
+};
+
+// The same slots from the same words.
+bool equal_slots(const BuiltAct& left, const BuiltAct& right) {
+  return left.act == right.act && left.fills.size() == right.fills.size() &&
+         std::ranges::equal(left.fills, right.fills, {}, &Fill::slot,
+                            &Fill::slot) &&
+         std::ranges::equal(left.fills, right.fills, {}, &Fill::begin,
+                            &Fill::begin) &&
+         std::ranges::equal(left.fills, right.fills, {}, &Fill::end,
+                            &Fill::end);
+}
+
+// Only a chain of exactly one act is an alternative.
+void add_alternative(Alternatives& alternatives, const BuiltAct& best,
+                     std::vector<BuiltAct> acts) {
+  if (acts.size() != 1 || acts[0].topic == no_topic ||
+      acts[0].topic == best.topic ||
+      acts[0].score < best.score - alternative_range + tolerance)
+    return;
+  alternatives.same_slots =
+      alternatives.same_slots ||
+      (equal_slots(best, acts[0]) && acts[0].score == best.score);
+  alternatives.acts.push_back(std::move(acts[0]));
+}
+
+// Puts the alternatives into the act, or leaves its topic open.
+void add_alternatives(Understanding& made, const Alternatives& alternatives,
+                      const Utterance& utterance, const Spans& spans,
+                      const Schema& schema) {
+  if (made.acts.size() != 1 || alternatives.acts.empty())
+    return;
+  auto first = *made.acts[0].if_map();
+  List others;
+  for (const auto& act : alternatives.acts)
+    others.push_back(act_value(act, utterance, spans, schema));
+  if (alternatives.same_slots)
+    first.set(act_key::topic, Value());
+  else
+    first.set(act_key::alternatives, std::move(others));
+  made.acts[0] = std::move(first);
+}
+
+} // namespace
+
+// Everything that was built. It does not change any more.
+struct NluEngine::Implementation {
+  Schema schema;
+  Automaton automaton;
+  TrainedModel learned;
+  double threshold;
+
+  // The entities to look for: those of the grammars, and those of the context.
+  std::vector<EntityId> entities(const Context& context) const {
+    auto all = automaton.entities;
+    all.push_back(context.asked_entity_id);
+    for (const auto& slot : context.said)
+      all.push_back(slot.entity);
+    std::ranges::sort(all);
+    all.erase(std::ranges::unique(all).begin(), all.end());
+    return all;
+  }
+
+  std::vector<BuiltAct> acts_of(const Chain& chain, const Utterance& utterance,
+                                const Context& context) const {
+    return build_acts(chain, utterance, schema, context, threshold);
+  }
+
+  // If the context names one grammar, examples are not used.
+  std::vector<BuiltAct> hypotheses(const Utterance& utterance, Spans& spans,
+                                   const Context& context) const {
+    if (!context.grammar.empty())
+      return {};
+    return hypothesised_acts(learned, utterance, spans, schema, context,
+                             threshold);
+  }
+
+  // The chains that end in other topics and score nearly as high.
+  Alternatives other_chains(const std::vector<Chain>& chains,
+                            const BuiltAct& best, const Utterance& utterance,
+                            const Context& context) const {
+    Alternatives alternatives;
+    for (std::size_t at = 1;
+         at < chains.size() && chains[at].score >= chains[0].score - fit_range;
+         ++at)
+      add_alternative(alternatives, best,
+                      acts_of(chains[at], utterance, context));
+    return alternatives;
+  }
+
+  std::vector<std::string> explain(const Utterance& utterance,
+                                   const Spans& spans,
+                                   const std::vector<Island>& islands,
+                                   const std::vector<Chain>& chains,
+                                   const std::vector<BuiltAct>& acts) const {
+    const Explanation explanation(utterance, spans, schema);
+    auto lines = explanation.lines(islands, chains, acts);
+    const auto learnt = explanation.learnt(learned);
+    lines.insert(lines.end() - static_cast<std::ptrdiff_t>(acts.size()),
+                 learnt.begin(), learnt.end());
+    return lines;
+  }
+};
+
+NluEngine::NluEngine(std::unique_ptr<const Implementation> implementation)
+    : implementation_(std::move(implementation)) {}
+
+NluEngine::NluEngine(NluEngine&&) noexcept = default;
+NluEngine& NluEngine::operator=(NluEngine&&) noexcept = default;
+NluEngine::~NluEngine() = default;
+
+tl::expected<NluEngine, std::vector<Error>>
+NluEngine::build(const UnderstandingModel& model, const ColumnReader& columns,
+                 Options options) {
+  std::vector<Error> errors;
+  Schema schema(model, columns, errors);
+  AutomatonBuilder builder(schema, errors);
+  add_grammars(builder, schema, options.generic, true, errors);
+  add_grammars(builder, schema, model.grammars, false, errors);
+  add_examples(builder, schema, model.topics, errors);
+  add_bare_values(builder, schema);
+  auto automaton = builder.finish();
+  if (!errors.empty())
+    return tl::make_unexpected(std::move(errors));
+  auto learned =
+      TrainedModel::train(model.topics, schema, automaton, options.threshold);
+  if (!learned)
+    return tl::make_unexpected(std::vector{learned.error()});
+  return NluEngine(std::make_unique<const Implementation>(
+      std::move(schema), std::move(automaton), std::move(*learned),
+      options.threshold));
+}
+
+Understanding NluEngine::understand(std::string_view text,
+                                    const Value& context_value,
+                                    bool explain) const {
+  const auto& self = *implementation_;
+  const auto& schema = self.schema;
+  // The stages, each on the result of the one before:
+  //  tokens -> spans (values) -> matches (rules) -> islands (meaning)
+  //  -> chains -> acts, completed by hypotheses of the examples
+  const auto context = read_context(context_value, schema);
+  const auto utterance = make_utterance(text, self.automaton);
+  Spans spans(schema, utterance, self.entities(context), context.now);
+  Matcher matcher(self.automaton, utterance, spans, context.asked_entity_id,
+                  context.grammar);
+  auto islands = read_islands(matcher.run(), matcher.traces(), spans,
+                              self.automaton, schema, context);
+  prefer_answers(islands, context);
+  const auto chains = best_chains(islands, utterance.size(), context);
+  auto acts = self.acts_of(chains[0], utterance, context);
+  // Examples are asked only if grammars left something open.
+  const auto hypotheses = leaves_open(acts)
+                              ? self.hypotheses(utterance, spans, context)
+                              : std::vector<BuiltAct>();
+  const bool guessed =
+      !hypotheses.empty() && prefer_better(acts, hypotheses[0], context);
+  for (auto& act : acts)
+    correct_what_was_said(act, spans, context);
+
+  Understanding made;
+  made.work = matcher.work();
+  if (explain)
+    made.explanation = self.explain(utterance, spans, islands, chains, acts);
+  for (const auto& act : acts) {
+    made.score = std::max(made.score, act.score);
+    made.acts.push_back(act_value(act, utterance, spans, schema));
+  }
+  // Alternatives come from the source that was chosen.
+  if (guessed)
+    add_alternatives(made, {{hypotheses.begin() + 1, hypotheses.end()}, false},
+                     utterance, spans, schema);
+  else if (acts.size() == 1 && acts[0].topic != no_topic)
+    add_alternatives(made,
+                     self.other_chains(chains, acts[0], utterance, context),
+                     utterance, spans, schema);
+  return made;
+}
+
+} // namespace parlour::adapters::nlu

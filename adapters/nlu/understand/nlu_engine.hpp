@@ -1,0 +1,66 @@
+// NluEngine understands utterances by grammars, by names and values, and by
+// what it has learnt from examples (docs/understanding.md). What grammars
+// understood well stands; what was learnt completes the rest.
+//
+//  auto engine = NluEngine::build(model, columns, {.threshold = 0.4});
+//  const auto made = engine->understand("a cab for half past five");
+//  // made.acts: [{topic: "Taxi", act: "inform", slots: {Time: …}, …}]
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include "runtime/message/understanding.hpp"
+
+namespace parlour::adapters::nlu {
+
+struct Understanding {
+  // The acts, as engine rule 5 wants them, in the order of the utterance; empty
+  // if nothing was understood well enough. In addition to the keys of
+  // runtime/message/understanding.hpp, a slot has `unmatched` true if its words
+  // stand for a value that the set does not have.
+  List acts;
+  // Of the best act.
+  double score = 0;
+  // Tokens, islands and scores, a line each; only if wanted.
+  std::vector<std::string> explanation;
+  // The number of arcs that were tried, for tests of the bound.
+  std::size_t work = 0;
+};
+
+// Immutable; any number of threads may use it.
+class NluEngine {
+public:
+  struct Options {
+    double threshold = 0.4;
+    // The platform's grammars: yes, no, help …
+    std::vector<GrammarModel> generic;
+  };
+
+  // Compiles grammars, reads columns and learns examples, which may take
+  // seconds. Returns all errors if there are any.
+  static tl::expected<NluEngine, std::vector<Error>>
+  build(const UnderstandingModel& model, const ColumnReader& columns,
+        Options options);
+
+  NluEngine(NluEngine&&) noexcept;
+  NluEngine& operator=(NluEngine&&) noexcept;
+  ~NluEngine();
+
+  // `context` is the map that comes with DoNLU, or unknown.
+  Understanding understand(std::string_view text, const Value& context = {},
+                           bool explain = false) const;
+
+private:
+  struct Implementation;
+
+  explicit NluEngine(std::unique_ptr<const Implementation> implementation);
+
+  std::unique_ptr<const Implementation> implementation_;
+};
+
+} // namespace parlour::adapters::nlu

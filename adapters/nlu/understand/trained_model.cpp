@@ -1,0 +1,319 @@
+// Training in two parts. A classifier learns which topic a text is about, with
+// one more label for texts about none. A tagger learns which words fill slots.
+// In both, words of a known value are replaced by its kind, so a few examples
+// cover all values.
+#include "adapters/nlu/understand/trained_model.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "adapters/nlu/grammar/marked_text.hpp"
+#include "adapters/nlu/text/words.hpp"
+
+namespace parlour::adapters::nlu {
+
+namespace {
+
+// The label of texts that are about no topic.
+constexpr std::uint32_t nothing = 0;
+
+// With fewer texts, too few can be held out to find the calibration.
+constexpr std::size_t many_texts = 300;
+// Words in one text without a topic.
+constexpr std::size_t words_of_nothing = 20;
+// One text in this many is held out for the calibration.
+constexpr std::size_t one_in = 5;
+
+// The least share of an utterance that examples must have. A few letters in
+// common ("foo" and "for") stay below it; another form of a word ("renting" for
+// "rent") is above.
+constexpr float min_known = 0.3F;
+
+// Whether the span is a known value, without titles and determiners before it.
+bool is_certain(const Span& span) {
+  return !span.weak && !span.unmatched && span.begin == span.core;
+}
+
+// The probability of the most likely label at this calibration.
+float highest(std::vector<float> scores, float calibration) {
+  for (auto& score : scores)
+    score *= calibration;
+  const auto probabilities = softmax(std::move(scores));
+  return *std::ranges::max_element(probabilities);
+}
+
+// Finds the smallest calibration at which 97 of 100 texts that were held out
+// reach the threshold, by bisection between 1 and 8 on a logarithmic scale.
+// Texts that were not learnt score lower than those that were; without
+// calibration too many would miss the threshold.
+float calibration_of(const std::vector<std::vector<float>>& held_out,
+                     double threshold) {
+  const auto reaches = [&](float calibration) {
+    std::size_t count = 0;
+    for (const auto& scores : held_out)
+      count += highest(scores, calibration) >= threshold ? 1U : 0U;
+    return count * 100 >= held_out.size() * 97;
+  };
+  float low = 1;
+  float high = 8;
+  for (int step = 0; step < 12; ++step) {
+    const auto middle = std::sqrt(low * high);
+    (reaches(middle) ? high : low) = middle;
+  }
+  return high;
+}
+
+} // namespace
+
+std::vector<LearningWord> learning_words(const Utterance& utterance,
+                                         const Spans& spans) {
+  std::vector<LearningWord> words;
+  for (const auto& token : utterance.tokens.list)
+    words.push_back({token.word, 0});
+  std::vector<const Span*> known;
+  for (const auto& span : spans.all())
+    if (is_certain(span))
+      known.push_back(&span);
+  // Longer values first, so that a value within a longer one does not count.
+  std::ranges::stable_sort(known, [](const Span* left, const Span* right) {
+    return left->end - left->begin > right->end - right->begin;
+  });
+  for (const auto* span : known) {
+    const auto part =
+        std::span(words).subspan(span->begin, span->end - span->begin);
+    if (std::ranges::all_of(part,
+                            [](const auto& one) { return one.kind == 0; }))
+      for (auto& word : part)
+        word.kind = span->entity + 1;
+  }
+  return words;
+}
+
+// Collects the examples in the form that classifier and tagger need, then
+// trains both.
+class Trainer {
+public:
+  Trainer(TrainedModel& learned, const Schema& schema,
+          const Automaton& automaton, LearningLimits limits)
+      : learned_(learned), schema_(schema), automaton_(automaton),
+        limits_(limits) {
+    learned_.slots_of_.resize(schema.topics().size());
+  }
+
+  // Adds the examples of a topic. Each call takes the next label.
+  Expected<void> add(const TopicModel& topic) {
+    if (topic.examples.empty())
+      return {};
+    learned_.topics_.push_back(schema_.topic(topic.name));
+    for (const auto& example : topic.examples)
+      if (const auto marked = read_marks(example)) {
+        add(*marked);
+        if (features_ > limits_.features)
+          return fail(ErrorKind::limit,
+                      "the examples are too many to be learnt: there is room "
+                      "for the first " +
+                          std::to_string(texts_.size() - 1) +
+                          "; leave out some, of those that say the same");
+      }
+    return {};
+  }
+
+  Expected<void> learn(double threshold) {
+    if (learned_.topics_.empty())
+      return {};
+    number_slots();
+    add_nothing();
+    return learn_topics(threshold).and_then([this] { return learn_slots(); });
+  }
+
+private:
+  // The classifier is trained on all texts; the calibration is found with a
+  // second one.
+  Expected<void> learn_topics(double threshold) {
+    const auto labels = static_cast<std::uint32_t>(learned_.topics_.size() + 1);
+    auto classifier = Classifier::train(texts_, labels, limits_.weights);
+    if (!classifier)
+      return fail(ErrorKind::limit,
+                  "the examples of " + std::to_string(labels - 1) +
+                      " topics are too many to be learnt; leave out examples, "
+                      "or write one topic for several");
+    learned_.classifier_ = std::move(*classifier);
+    if (texts_.size() >= many_texts)
+      learned_.calibration_ = find_calibration(labels, threshold);
+    // Frees the memory before the tagger needs it.
+    texts_ = {};
+    return {};
+  }
+
+  // A text may only have the slots of its topic.
+  Expected<void> learn_slots() {
+    for (std::size_t at = 0; at < tagged_.size(); ++at)
+      tagged_[at].slots = learned_.slots_of_[tagged_topics_[at]];
+    const auto slots = static_cast<std::uint32_t>(learned_.slots_.size());
+    auto tagger = Tagger::train(tagged_, slots, limits_.weights);
+    if (!tagger)
+      return fail(ErrorKind::limit,
+                  "the examples of " + std::to_string(slots) +
+                      " slots are too many to be learnt; leave out examples, "
+                      "or write one slot for several");
+    learned_.tagger_ = std::move(*tagger);
+    return {};
+  }
+
+  // An example's text with its values found.
+  struct Read {
+    explicit Read(std::string_view text, const Schema& schema,
+                  const Automaton& automaton)
+        : utterance(make_utterance(text, automaton)),
+          spans(schema, utterance, automaton.entities, Timestamp{0}),
+          words(learning_words(utterance, spans)) {}
+
+    Utterance utterance;
+    Spans spans;
+    std::vector<LearningWord> words;
+  };
+
+  void add(const MarkedText& marked) {
+    const Read read(marked.text, schema_, automaton_);
+    texts_.push_back({text_features(read.words),
+                      static_cast<std::uint32_t>(learned_.topics_.size())});
+    features_ += texts_.back().features.size();
+    const auto topic = learned_.topics_.back();
+    if (schema_.at(topic).slots.empty())
+      return;
+    tagged_.push_back({word_features(read.words), labels(marked, read), {}});
+    tagged_topics_.push_back(topic);
+    for (const auto& word : tagged_.back().features)
+      features_ += word.size();
+  }
+
+  // Labels the tokens that overlap with a mark.
+  std::vector<TagLabel> labels(const MarkedText& marked, const Read& read) {
+    const auto& tokens = read.utterance.tokens.list;
+    std::vector<TagLabel> made(tokens.size(), outside);
+    for (const auto& mark : marked.marks) {
+      const auto slot = slot_number(mark.slot);
+      bool first = true;
+      for (std::size_t at = 0; at < tokens.size(); ++at) {
+        if (tokens[at].begin >= mark.end || tokens[at].end <= mark.begin)
+          continue;
+        made[at] = first ? begins(slot) : goes_on(slot);
+        first = false;
+      }
+    }
+    return made;
+  }
+
+  // Slots of the same name in several topics are one slot for the tagger.
+  std::uint32_t slot_number(const std::string& slot) {
+    auto& slots = learned_.slots_;
+    const auto found = std::ranges::find(slots, slot);
+    const auto number = static_cast<std::uint32_t>(found - slots.begin());
+    if (found == slots.end())
+      slots.push_back(slot);
+    return number;
+  }
+
+  // Lists for each topic those slots that it has.
+  void number_slots() {
+    for (const auto topic : learned_.topics_)
+      for (std::uint32_t slot = 0; slot < learned_.slots_.size(); ++slot)
+        if (schema_.at(topic).find(learned_.slots_[slot]))
+          learned_.slots_of_[topic].push_back(slot);
+  }
+
+  // Function words and fillers are examples of no topic. Each text has many of
+  // them, so that a few in an utterance do not outweigh its other words.
+  void add_nothing() {
+    std::string text;
+    std::size_t count = 0;
+    for (const auto word : all_function_words()) {
+      text.append(word).append(" ");
+      if (++count % words_of_nothing == 0)
+        add_nothing(std::exchange(text, ""));
+    }
+    for (const auto phrase : filler_phrases())
+      text.append(phrase).append(" ");
+    add_nothing(text);
+  }
+
+  void add_nothing(const std::string& text) {
+    texts_.push_back(
+        {text_features(Read(text, schema_, automaton_).words), nothing});
+  }
+
+  // Trains a second classifier without the texts that are held out. Moves the
+  // texts, so that none is in memory twice.
+  float find_calibration(std::uint32_t labels, double threshold) {
+    std::vector<LabelledText> learnt;
+    std::vector<LabelledText> held_out;
+    for (std::size_t at = 0; at < texts_.size(); ++at) {
+      const bool out = at % one_in == 0 && texts_[at].label != nothing;
+      (out ? held_out : learnt).push_back(std::move(texts_[at]));
+    }
+    const auto trial = Classifier::train(learnt, labels);
+    std::vector<std::vector<float>> scores;
+    for (const auto& text : held_out)
+      scores.push_back(trial->scores(text.features));
+    return calibration_of(scores, threshold);
+  }
+
+  TrainedModel& learned_;
+  const Schema& schema_;
+  const Automaton& automaton_;
+  const LearningLimits limits_;
+  std::size_t features_ = 0; // of all examples so far
+  std::vector<LabelledText> texts_;
+  std::vector<TaggedText> tagged_;
+  std::vector<TopicNumber> tagged_topics_;
+};
+
+Expected<TrainedModel>
+TrainedModel::train(const std::vector<TopicModel>& topics, const Schema& schema,
+                    const Automaton& automaton, double threshold,
+                    LearningLimits limits) {
+  TrainedModel learned;
+  Trainer trainer(learned, schema, automaton, limits);
+  for (const auto& topic : topics)
+    if (auto added = trainer.add(topic); !added)
+      return tl::make_unexpected(added.error());
+  if (auto learnt = trainer.learn(threshold); !learnt)
+    return tl::make_unexpected(learnt.error());
+  return learned;
+}
+
+std::vector<TopicHypothesis>
+TrainedModel::topics(const std::vector<LearningWord>& words) const {
+  const auto features = text_features(words);
+  if (classifier_.known_share(features) < min_known)
+    return {};
+  auto scores = classifier_.scores(features);
+  for (auto& score : scores)
+    score *= calibration_;
+  const auto probabilities = softmax(std::move(scores));
+  std::vector<TopicHypothesis> made;
+  for (std::size_t at = 0; at < topics_.size(); ++at)
+    made.push_back({topics_[at], probabilities[at + 1]});
+  std::ranges::stable_sort(made, std::greater(), &TopicHypothesis::probability);
+  return made;
+}
+
+std::vector<SlotHypothesis>
+TrainedModel::slots(TopicNumber topic,
+                    const std::vector<std::vector<Feature>>& features) const {
+  const auto labels = tagger_.tag(features, slots_of_[topic]);
+  std::vector<SlotHypothesis> made;
+  for (std::uint32_t at = 0; at < labels.size(); ++at) {
+    if (labels[at] == outside)
+      continue;
+    // A continuation follows its beginning, so there is always an entry to
+    // extend.
+    if (is_beginning(labels[at]))
+      made.push_back({slots_[slot_of(labels[at])], at, at});
+    made.back().end = at + 1;
+  }
+  return made;
+}
+
+} // namespace parlour::adapters::nlu

@@ -1,0 +1,88 @@
+// TrainedModel is what is learnt from the examples of an application when it is
+// loaded: which topic an utterance is about, and which words fill its slots
+// (understanding, "Examples").
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "adapters/nlu/grammar/utterance.hpp"
+#include "adapters/nlu/learning/classifier.hpp"
+#include "adapters/nlu/learning/tagger.hpp"
+#include "adapters/nlu/parse/spans.hpp"
+#include "adapters/nlu/values/schema.hpp"
+
+namespace parlour::adapters::nlu {
+
+struct TopicHypothesis {
+  TopicNumber topic = no_topic;
+  double probability = 0;
+};
+
+struct SlotHypothesis {
+  std::string slot;
+  // Tokens [begin, end).
+  std::uint32_t begin = 0;
+  std::uint32_t end = 0;
+};
+
+// The words of an utterance; those of a known value have its kind.
+std::vector<LearningWord> learning_words(const Utterance& utterance,
+                                         const Spans& spans);
+
+// How much memory learning may use. An application that needs more cannot be
+// trained.
+struct LearningLimits {
+  // The features of all examples together; each takes eight bytes.
+  std::size_t features = 8 << 20;
+  // The weights of the classifier, and those of the tagger; each takes four
+  // bytes.
+  std::size_t weights = 16 << 20;
+};
+
+// Immutable; any number of threads may use it.
+class TrainedModel {
+public:
+  // Trains classifier and tagger. Examples whose marks do not fit are left out.
+  // With many examples, probabilities are calibrated so that 97 of 100 texts
+  // that were not learnt reach `threshold`. The error, of kind Limit, says what
+  // there is too much of.
+  static Expected<TrainedModel> train(const std::vector<TopicModel>& topics,
+                                      const Schema& schema,
+                                      const Automaton& automaton,
+                                      double threshold,
+                                      LearningLimits limits = {});
+
+  // The topics with examples, the most likely first. What is missing to 1 is
+  // the probability that the utterance is about none of them. Empty if examples
+  // have hardly any of the words: then only the frequency of the topics would
+  // speak.
+  std::vector<TopicHypothesis>
+  topics(const std::vector<LearningWord>& words) const;
+
+  // The words that fill slots of the topic, in their order. `features` is the
+  // result of word_features().
+  std::vector<SlotHypothesis>
+  slots(TopicNumber topic,
+        const std::vector<std::vector<Feature>>& features) const;
+
+  bool empty() const {
+    return topics_.empty();
+  }
+
+private:
+  friend class Trainer;
+
+  // The topic of each label from 1 on; label 0 means no topic.
+  std::vector<TopicNumber> topics_;
+  std::vector<std::string> slots_;
+  // By topic: its slots, as numbers of the tagger.
+  std::vector<std::vector<std::uint32_t>> slots_of_;
+  Classifier classifier_;
+  Tagger tagger_;
+  // The calibration: a factor for the classifier's scores. Above 1 it makes the
+  // probabilities more decided.
+  float calibration_ = 1;
+};
+
+} // namespace parlour::adapters::nlu

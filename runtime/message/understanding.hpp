@@ -1,0 +1,82 @@
+// The understanding model: what a language understanding component needs to
+// know of an application, as data (docs/understanding.md): topics with their
+// slots, sets of values, grammars and examples. The compiler makes it; it is
+// immutable and shared by all readers.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "runtime/base/error.hpp"
+#include "runtime/base/value.hpp"
+
+namespace parlour {
+
+// A slot as understanding sees it.
+struct SlotModel {
+  std::string name;
+  std::string type; // cardinality: "set", "time", "level", … or ""
+  std::vector<std::string> values; // of a set, canonical forms
+  std::string source;              // of a query: "db:table.column", else ""
+  bool functional = false;
+  bool relevant_to_query = false; // used by a <by> of the topic's query
+};
+
+struct TopicModel {
+  std::string name;
+  bool enquiry = false;
+  std::vector<SlotModel> slots;
+  std::vector<std::string> examples; // such as "I am [David](Visitor)"
+};
+
+// JSGF text of a <grammar> element or a file.
+struct GrammarModel {
+  std::string name;
+  std::string text;
+  SourceLocation place; // of the text's first line, for its findings
+};
+
+struct UnderstandingModel {
+  std::vector<TopicModel> topics;
+  std::vector<GrammarModel> grammars;
+};
+
+// Reads the values of a database column ("db:rr_staff.staff_name") for a set of
+// values. May block; called while the application loads and when the data is
+// said to have changed.
+using ColumnReader =
+    std::function<Expected<std::vector<std::string>>(const std::string&)>;
+
+// An act, as an entry of a list of frames (engine rule 5.2), is a map with
+// these keys:
+//   topic        string, or unknown if the engine's classifier is to choose
+//   act          "inform" "request" "confirm" "deny" "correct" "help"
+//                "repeat" "cancel" "restart" "greet" "bye" "thank"
+//                "explain" "options" "rephrase" "abandon" "person"
+//   confidence   0..1 or unknown
+//   slots        map: name -> value, or {value, confidence, text, candidates}
+//   text         the words
+//   elliptical   boolean
+//   alternatives list of acts, on the first act only
+// If several values match equally well, `candidates` lists them and `value` is
+// unknown.
+namespace act_key {
+inline constexpr const char* topic = "topic";
+inline constexpr const char* act = "act";
+inline constexpr const char* confidence = "confidence";
+inline constexpr const char* slots = "slots";
+inline constexpr const char* text = "text";
+inline constexpr const char* elliptical = "elliptical";
+inline constexpr const char* alternatives = "alternatives";
+inline constexpr const char* value = "value";
+inline constexpr const char* candidates = "candidates";
+} // namespace act_key
+
+// The session's context, the second parameter of DoNLU, is a map: asked
+// ({topic, slot} or unknown), said (its slots that were given before, the
+// latest last), current and resting topic, unfinished (a list of topics),
+// grammar (or unknown), and now (in ms).
+
+} // namespace parlour

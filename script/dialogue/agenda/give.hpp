@@ -1,0 +1,18 @@
+// give(): which part takes a step is said by its take() alone.
+#pragma once
+
+#include <utility>
+
+namespace parlour::dialogue {
+
+// To the first of the parts that takes steps of this kind; where none does, it
+// does not compile.
+template <class Kind, class Part, class... Parts>
+void give(Kind&& step, Part& part, Parts&... others) {
+  if constexpr (requires { part.take(std::forward<Kind>(step)); })
+    part.take(std::forward<Kind>(step));
+  else
+    give(std::forward<Kind>(step), others...);
+}
+
+} // namespace parlour::dialogue

@@ -1,0 +1,69 @@
+// The part of a conversation that turns it into bytes and back
+// (saved/archive.hpp), and goes on with another port.
+#include <utility>
+
+#include "script/dialogue/agenda/saved_step.hpp"
+#include "script/dialogue/engine/conversation.hpp"
+#include "script/dialogue/engine/conversation_implementation.hpp"
+#include "script/dialogue/saved/reader.hpp"
+#include "script/dialogue/saved/writer.hpp"
+
+namespace parlour::dialogue {
+
+std::string Conversation::save() const {
+  const auto& parts = *implementation_;
+  Writer writer(*parts.context.program);
+  writer.write(parts);
+  return writer.finish(parts.interpreter);
+}
+
+Expected<std::unique_ptr<Conversation>>
+Conversation::restore(std::shared_ptr<const script::Program> program,
+                      Options options, Port& port, std::string_view bytes) {
+  Reader reader(program, bytes);
+  auto conversation = std::make_unique<Conversation>(std::move(program),
+                                                     std::move(options), port);
+  auto& parts = *conversation->implementation_;
+  reader.begin(parts.interpreter);
+  reader(parts);
+  if (auto whole = reader.finish(); !whole)
+    return tl::make_unexpected(std::move(whole.error()));
+  return conversation;
+}
+
+void Conversation::resume(Timestamp now) {
+  if (ended())
+    return;
+  implementation_->context.now = now;
+  implementation_->resume();
+}
+
+bool Conversation::expects_outcome() const {
+  const auto& parts = *implementation_;
+  return waits_for_answer() || parts.sockets.any() || parts.output.plays();
+}
+
+// What is lost is handed out by the next steps: no script runs here, so that a
+// frame may be awaited meanwhile.
+void ConversationImplementation::resume() {
+  inbox.number_anew();
+  context.privacy.resume(context.now);
+  frames.conceal();
+  for (auto& lost : requests.lost())
+    lose(std::move(lost));
+  for (auto& lost : outside.resume())
+    lose(std::move(lost));
+  for (auto& lost : sockets.lose_all(inbox))
+    lose(std::move(lost));
+  timers.resume();
+  topics.resume();
+  output.resume();
+}
+
+void ConversationImplementation::lose(LostWait lost) {
+  forget_request(lost.wait);
+  timers.cancel_wait(lost.wait);
+  lost_.push_back(std::move(lost));
+}
+
+} // namespace parlour::dialogue

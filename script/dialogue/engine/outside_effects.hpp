@@ -1,0 +1,94 @@
+// OutsideEffects: what scripts want of databases, files, the network and
+// whoever keeps the components. Most of it waits, holding no thread; the
+// outcome comes back by answered().
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "script/dialogue/agenda/lost_wait.hpp"
+#include "script/dialogue/agenda/port.hpp"
+#include "script/dialogue/agenda/timers.hpp"
+#include "script/dialogue/context/activation_runner.hpp"
+#include "script/dialogue/context/dialogue_context.hpp"
+#include "script/dialogue/context/waits.hpp"
+#include "script/dialogue/engine/sockets.hpp"
+#include "script/dialogue/engine/subscriptions.hpp"
+#include "script/program/host.hpp"
+
+namespace parlour::dialogue {
+
+class OutsideEffects {
+public:
+  OutsideEffects(DialogueContext& context, Timers& timers,
+                 ActivationRunner& runner, Waits& waits, ScriptSockets& sockets)
+      : context_(context), timers_(timers), runner_(runner), waits_(waits),
+        sockets_(sockets), subscriptions_(context.port) {}
+
+  // An error where the effect is none of these.
+  script::Performed perform(script::Activation& activation,
+                            const script::Effect& effect);
+
+  // The outcome of a <querydb>, of a transaction's ends, a <readfile>, <load>
+  // …; false where it is none of these.
+  bool answered(QueryId id, Expected<Value> outcome);
+  bool waits_for_answer() const {
+    return !queries_.empty() || sockets_.waits_for_answer();
+  }
+  // The wait was ended from outside.
+  void forget(WaitId wait);
+  // Another port is told of the subscriptions. The waits for which nobody works
+  // any more.
+  std::vector<LostWait> resume();
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive.without(context_, timers_, runner_, waits_, sockets_);
+    archive(subscriptions_, queries_, connections_, current_);
+  }
+
+private:
+  using Performed = script::Performed;
+  using Call = const script::Effect&;
+
+  Performed connect_database(script::Activation& activation, Call effect);
+  Performed query_database(bool writes, Call effect);
+  Performed transaction(bool writes, Call effect, QueryRequest::Kind kind);
+  Performed ask_database(QueryRequest request, const Value& named);
+  Performed file(FileRequest request);
+  Performed open_socket(Call effect);
+  Performed change_component(Call effect);
+
+  struct Connection {
+    std::string component;
+    bool write = false;
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive(component, write);
+    }
+  };
+
+  struct Query {
+    WaitId wait = 0;
+    bool rollback = false; // never fails: the error that led to it counts
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive(wait, rollback);
+    }
+  };
+
+  DialogueContext& context_;
+  Timers& timers_;
+  ActivationRunner& runner_;
+  Waits& waits_;
+  ScriptSockets& sockets_;
+  Subscriptions subscriptions_;
+  std::map<QueryId, Query> queries_;
+  std::map<std::string, Connection, std::less<>> connections_; // with a name
+  std::string current_; // the component of those without; empty: the first
+};
+
+} // namespace parlour::dialogue

@@ -1,0 +1,105 @@
+#include "script/dialogue/engine/request_effects.hpp"
+
+#include <utility>
+
+#include "script/dialogue/engine/effect_operands.hpp"
+
+namespace parlour::dialogue {
+
+namespace {
+
+// What another session asks for: correlations are a session's own, and what is
+// answered goes to that one.
+Message message_of(SessionId session, const Value& module, const Value& command,
+                   List params) {
+  Message message;
+  message.source = "Script";
+  message.command = command.text();
+  message.params = std::move(params);
+  message.sinks = {module.text()};
+  message.session = std::move(session);
+  return message;
+}
+
+} // namespace
+
+script::Performed RequestEffects::post(TurnId turn,
+                                       const script::Effect& effect) {
+  const auto& other = effect.operand(3);
+  if (other.is_unknown() || other.text() == context_.options.session)
+    messenger_.post(effect.text(0), effect.text(1), params_of(effect), turn);
+  else
+    messenger_.post_for_another(message_of(other.text(), effect.operand(0),
+                                           effect.operand(1),
+                                           list_of(effect.operand(2))));
+  return Value();
+}
+
+// The understanding is told what was asked, unless the script tells it itself.
+List RequestEffects::params_of(const script::Effect& effect) const {
+  auto params = list_of(effect.operand(2));
+  if (params.size() == 1 && effect.text(1) == "DoNLU" &&
+      context_.port.is_source("NLU", effect.text(0)))
+    params.push_back(topics_.understanding_context());
+  return params;
+}
+
+script::Performed RequestEffects::request(TurnId turn,
+                                          const script::Effect& effect) {
+  const auto module = effect.text(0);
+  if (!context_.port.reachable(module))
+    return Error{ErrorKind::offline,
+                 "nobody fills the role or has the name '" + module + "'",
+                 {}};
+  auto correlation =
+      messenger_.post(module, effect.text(1), params_of(effect), turn);
+  const auto usual = context_.program->settings.sessions.request_timeout;
+  const auto timeout = effect.has(3) ? milliseconds(effect.operand(3)) : usual;
+  // For longer than usual nobody else has to wait.
+  const auto wait =
+      runner_.begin_wait(timeout > usual ? ActivationRunner::WaitFor::time
+                                         : ActivationRunner::WaitFor::answer);
+  requests_[correlation] = wait;
+  timers_.start(context_.in(timeout), {.purpose = Timer::Purpose::wait,
+                                       .wait = wait,
+                                       .correlation = correlation});
+  return script::Waits{};
+}
+
+bool RequestEffects::reply(const Message& message) {
+  auto found = requests_.find(message.correlation);
+  if (found == requests_.end())
+    return false;
+  const auto reply = context_.port.reply_to_request(message);
+  if (reply == Reply::none)
+    return false;
+  auto wait = found->second;
+  requests_.erase(found);
+  if (reply == Reply::refusal) {
+    auto reason =
+        message.params.empty() ? message.command : message.params.back().text();
+    auto kind = context_.port.is_source("Database", message.source)
+                    ? ErrorKind::database
+                    : ErrorKind::refused;
+    waits_.resume(wait, fail(kind, message.source + ": " + reason));
+  } else {
+    waits_.resume(wait, Value(Map{{"command", message.command},
+                                  {"params", List(message.params)}}));
+  }
+  return true;
+}
+
+std::vector<LostWait> RequestEffects::lost() const {
+  std::vector<LostWait> lost;
+  for (const auto& [correlation, wait] : requests_)
+    if (!messenger_.has_reply(correlation))
+      lost.push_back(in_doubt(wait));
+  return lost;
+}
+
+void RequestEffects::forget(WaitId wait) {
+  std::erase_if(requests_,
+                [&](const auto& entry) { return entry.second == wait; });
+}
+
+} // namespace parlour::dialogue

@@ -1,0 +1,60 @@
+// RequestEffects: what scripts want of components: <post>, and <request>, which
+// waits for the reply.
+#pragma once
+
+#include <map>
+#include <vector>
+
+#include "script/dialogue/agenda/lost_wait.hpp"
+#include "script/dialogue/agenda/timers.hpp"
+#include "script/dialogue/context/activation_runner.hpp"
+#include "script/dialogue/context/dialogue_context.hpp"
+#include "script/dialogue/context/messenger.hpp"
+#include "script/dialogue/context/waits.hpp"
+#include "script/dialogue/topic_engine/topic_engine.hpp"
+#include "script/program/host.hpp"
+
+namespace parlour::dialogue {
+
+class RequestEffects {
+public:
+  RequestEffects(DialogueContext& context, Messenger& messenger, Timers& timers,
+                 ActivationRunner& runner, Waits& waits,
+                 const TopicEngine& topics)
+      : context_(context), messenger_(messenger), timers_(timers),
+        runner_(runner), waits_(waits), topics_(topics) {}
+
+  // Both on behalf of that turn.
+  script::Performed post(TurnId turn, const script::Effect& effect);
+  script::Performed request(TurnId turn, const script::Effect& effect);
+
+  // A reply to a <request>; false where none waits for it.
+  bool reply(const Message& message);
+  bool waits_for_answer() const {
+    return !requests_.empty();
+  }
+  // The wait was ended from outside.
+  void forget(WaitId wait);
+  // With another port: the waits for which nobody works any more; those whose
+  // answer has come are none of them.
+  std::vector<LostWait> lost() const;
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive.without(context_, messenger_, timers_, runner_, waits_, topics_);
+    archive(requests_);
+  }
+
+private:
+  List params_of(const script::Effect& effect) const;
+
+  DialogueContext& context_;
+  Messenger& messenger_;
+  Timers& timers_;
+  ActivationRunner& runner_;
+  Waits& waits_;
+  const TopicEngine& topics_;
+  std::map<Correlation, WaitId> requests_;
+};
+
+} // namespace parlour::dialogue

@@ -1,0 +1,74 @@
+// TopicEffects: what scripts want of states and topics, what they say, and what
+// they read of them. Most of it happens when the activation ends or waits
+// (engine rule 2.3).
+#pragma once
+
+#include <string>
+
+#include "script/dialogue/context/activation_runner.hpp"
+#include "script/dialogue/context/dialogue_context.hpp"
+#include "script/dialogue/context/topic_frames.hpp"
+#include "script/dialogue/output/output_manager.hpp"
+#include "script/dialogue/topic_engine/topic_engine.hpp"
+#include "script/program/host.hpp"
+
+namespace parlour::dialogue {
+
+class TopicEffects {
+public:
+  using Performed = script::Performed;
+  using Call = const script::Effect&;
+  using Context = const script::ActivationContext&; // of the script
+
+  TopicEffects(DialogueContext& context, TopicFrames& frames,
+               ActivationRunner& runner, OutputManager& output,
+               TopicEngine& topics)
+      : context_(context), frames_(frames), runner_(runner), output_(output),
+        topics_(topics) {}
+
+  // -- states --
+  Performed transit(Context context, Call effect);
+  Performed push(Context context, Call effect);
+  Performed pop(Context context);
+
+  // -- topics --
+  Performed activate(Context context, Call effect);
+  Performed reset(Context context, Call effect);
+  Performed complete(Context context, Call effect);
+  Performed cancel(Context context, Call effect);
+  Performed ask(Context context, Call effect);
+  Performed confirm(Context context, Call effect);
+  Performed clear(Context context, Call effect);
+  Performed register_topic(Call effect);
+
+  // -- words --
+  Performed speak(Context context, Call effect);
+  Performed say(Context context, Call effect);
+  Performed repeat(Context context);
+
+  // -- what scripts read and write --
+  Value slot(TopicId topic, SlotId slot) const;
+  void set_slot(TopicId topic, SlotId slot, Value value);
+  Value system(Context context, script::SystemVariable variable) const;
+
+private:
+  // About the topic that it names, else the own one.
+  template <class Kind>
+  Performed later(Context context, Call effect, Kind step);
+  // The same, where there must be one.
+  template <class Kind>
+  Performed later_of_topic(Context context, Call effect, Kind step);
+  Performed ask_slot(Context context, Call effect);
+  // What operand 0 names; no_id where there is none.
+  StateId state_of(Call effect) const;
+  TopicId topic_of(Call effect) const;
+  SlotId slot_of(TopicId topic, const std::string& name) const;
+
+  DialogueContext& context_;
+  TopicFrames& frames_;
+  ActivationRunner& runner_;
+  OutputManager& output_;
+  TopicEngine& topics_;
+};
+
+} // namespace parlour::dialogue

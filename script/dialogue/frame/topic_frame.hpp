@@ -1,0 +1,223 @@
+// TopicFrame: the slots of one topic in one session, as a value, and the pure
+// function that changes it. The session owns it (frames.hpp); the topic frame's
+// actor is sent it, computes the next one, and keeps none (engine rule 5.12).
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "runtime/base/clock.hpp"
+#include "runtime/base/value.hpp"
+#include "script/program/program.hpp"
+#include "script/support/short_lived.hpp"
+
+namespace parlour::dialogue {
+
+using script::CodeId;
+using script::SlotId;
+using script::TopicId;
+
+enum class SlotStatus : std::uint8_t {
+  empty,
+  filled,      // accepted
+  unconfirmed, // has a value; waits for the answer to an explicit confirmation
+  ambiguous,   // several candidates
+};
+
+struct SlotState {
+  Value value; // what `this.X` reads; unknown unless filled or unconfirmed
+  SlotStatus status = SlotStatus::empty;
+  Value confidence; // 0..1 or unknown
+  std::string text; // the words
+  List candidates;
+  Value previous;          // accepted before; back on "no" or on doubt
+  bool implicit = false;   // to be echoed in the next output
+  bool by_default = false; // from the slot's expr; not an answer
+  std::uint32_t asked = 0; // questions released
+  std::uint32_t no_input = 0;
+  std::uint32_t no_match = 0;
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive.up_to(status, SlotStatus::ambiguous);
+    archive(value, confidence, text, candidates, previous, implicit, by_default,
+            asked, no_input, no_match);
+  }
+};
+
+enum class TopicStatus : std::uint8_t {
+  untouched,
+  active,    // current, or needed by the current one
+  suspended, // unfinished; another topic took over
+  resting,   // an enquiry that was answered; its slots are context
+  completed,
+  cancelled,
+};
+
+std::string_view name_of(TopicStatus status);
+
+struct TopicFrame {
+  TopicId topic = script::no_id;
+  TopicStatus status = TopicStatus::untouched;
+  std::vector<SlotState> slots;     // one for each slot of the topic
+  bool done = false;                // _FrameDone
+  Value rows;                       // of the last answered query
+  Value asked;                      // map of the conditions it was asked with
+  std::vector<std::string> relaxed; // slots that its answer left out
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive.topic(topic);
+    archive.up_to(status, TopicStatus::cancelled);
+    archive(slots, done, rows, asked, relaxed);
+    archive.has_slots(topic, slots.size());
+  }
+};
+
+using FramePointer = std::shared_ptr<const TopicFrame>;
+
+// One thing that happens to a frame. Plain data: it travels to the actor.
+struct FrameChange {
+  enum class Kind : std::uint8_t {
+    fill,         // a value from the user: matched, constrained, grounded
+    correct,      // the same, for a value that was there (a correction)
+    deny,         // "no, not X": empties the slot if it holds that value
+    set,          // by a script's <set>: accepted as it is
+    clear,        // empties the slot
+    reset,        // empties the whole frame, status too
+    confirmed,    // the user said yes to an explicit confirmation
+    disconfirmed, // the user said no
+    asked,        // the slot's question was released
+    no_input,
+    no_match,
+    status,   // `status` becomes the frame's
+    answered, // a query's outcome: rows in `value`, asked, relaxed
+    inherit,  // empties every slot but those in `keep` (a full request to a
+              // resting enquiry keeps none; an elliptical one keeps all but
+              // the relaxed)
+    echoed,   // implicit marks were used in an output
+  };
+  Kind kind = Kind::set;
+  SlotId slot = script::no_id;
+  Value value{};
+  Value confidence{};
+  std::string text{};
+  List candidates{};
+  bool unmatched = false; // words that stand where a value was expected
+  TopicStatus status = TopicStatus::active;
+  Value asked{};
+  std::vector<std::string> relaxed{};
+  std::vector<SlotId> keep{};
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive.up_to(kind, Kind::echoed);
+    archive.up_to(status, TopicStatus::cancelled);
+    archive(slot, value, confidence, text, candidates, unmatched, asked,
+            relaxed, keep);
+  }
+};
+
+struct FrameRequest {
+  FramePointer frame;               // as the session has it; never null
+  std::vector<FrameChange> changes; // of one event, in order
+  Timestamp now = 0;
+  // Session variables, for constraints that read them; may be null.
+  std::shared_ptr<const List> variables;
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(frame, changes, now, variables);
+    archive.needs(frame);
+    for (const auto& change : changes) {
+      archive.is_slot(frame ? frame->topic : script::no_id, change.slot);
+      for (auto kept : change.keep)
+        archive.is_there(frame ? frame->topic : script::no_id, kept);
+    }
+  }
+};
+
+// What became of a slot in an event.
+enum class SlotOutcome : std::uint8_t {
+  accepted,
+  corrected,   // accepted in place of another value
+  unconfirmed, // must be asked for by an explicit confirmation
+  ambiguous,   // "do you mean A or B?"
+  refused,     // not in its cardinality, or a constraint said no: the old
+               // value stays
+  rejected,    // confidence too low: as if it had not been said
+  cleared,
+  unchanged, // the same value again
+};
+
+std::string_view name_of(SlotOutcome outcome);
+
+struct SlotReport {
+  SlotId slot = script::no_id;
+  SlotOutcome outcome = SlotOutcome::accepted;
+  Value before;
+  Value offered;      // what was said, where it was refused
+  std::string reason; // a constraint's message; empty: the cardinality
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive.up_to(outcome, SlotOutcome::unchanged);
+    archive(slot, before, offered, reason);
+  }
+};
+
+using SlotReports = ShortLivedList<SlotReport>;
+
+struct FrameResult {
+  FramePointer frame;
+  SlotReports reports;            // in slot order
+  SlotId missing = script::no_id; // the first Functional slot not accepted
+  bool query_slot_filled = false; // one that a <by> uses, by this event
+  std::vector<Error> errors;      // of constraints: they count as failing
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(frame, reports, missing, query_slot_filled, errors);
+  }
+};
+
+// Evaluates a condition or text of the topic against a frame under
+// construction. The slots that it reads are appended to `reads`, unless null.
+using FrameEvaluator = std::function<Expected<Value>(
+    CodeId code, const TopicFrame& frame, std::vector<SlotId>* reads)>;
+
+// The slot with its initial value (its `expr`); an expr that fails is unknown.
+SlotState new_slot(const script::Slot& slot, const TopicFrame& frame,
+                   const FrameEvaluator& evaluate);
+
+// A new frame with the slots' initial values.
+TopicFrame new_frame(const script::Program& program, TopicId topic,
+                     const FrameEvaluator& evaluate);
+
+// The first Functional slot that is not accepted, in slot order; or no_id.
+SlotId missing_slot(const script::Topic& topic, const TopicFrame& frame);
+
+// One event, in the order of engine rule 5: corrections and denials; values
+// matched in slot order; constraints, each once; grounding. A constraint that
+// reads a slot without value cannot be judged yet. A failing one refuses those
+// of this event's slots that it reads (all, where it reads none).
+FrameResult apply(const script::Program& program, const FrameRequest& request,
+                  const FrameEvaluator& evaluate);
+
+// The same in place; the result has no frame.
+FrameResult apply_in_place(const script::Program& program, TopicFrame& frame,
+                           std::span<const FrameChange> changes,
+                           const FrameEvaluator& evaluate);
+
+// What needs no more than the frame, in place: its status; a question of this
+// slot that was released.
+void set_status(const script::Topic& topic, TopicFrame& frame,
+                TopicStatus status);
+void count_question(TopicFrame& frame, SlotId slot);
+
+} // namespace parlour::dialogue

@@ -1,0 +1,80 @@
+// NextQuestion: what is asked when all else of an utterance is done: what the
+// current topic misses (engine rule 5).
+#pragma once
+
+#include <cstdint>
+#include <utility>
+
+#include "script/dialogue/agenda/step_list.hpp"
+#include "script/dialogue/context/dialogue_context.hpp"
+#include "script/dialogue/context/topic_frames.hpp"
+#include "script/dialogue/output/output_manager.hpp"
+#include "script/dialogue/questions/confirmations.hpp"
+#include "script/dialogue/questions/open_question.hpp"
+#include "script/dialogue/questions/pushed_states.hpp"
+#include "script/dialogue/questions/reprompts.hpp"
+#include "script/dialogue/questions/topic_words.hpp"
+
+namespace parlour::dialogue {
+
+class NextQuestion {
+public:
+  NextQuestion(DialogueContext& context, OutputManager& output,
+               PushedStates& pushed_states, TopicFrames& frames,
+               TopicWords& words, OpenQuestion& question,
+               Confirmations& confirmations, Reprompts& reprompts)
+      : context_(context), output_(output), pushed_states_(pushed_states),
+        frames_(frames), words_(words), question_(question),
+        confirmations_(confirmations), reprompts_(reprompts) {}
+
+  void take(const steps::Conclude& step);
+  void take(const steps::AskNext& step);
+  // Which slot the topic asks for now; or no_id.
+  SlotId to_ask(TopicId topic) const;
+
+  // The user turn that acts come from now.
+  void turn_begins(TurnId turn) {
+    if (std::exchange(turn_, turn) != turn)
+      said_before_ = output_.spoken();
+  }
+  // That turn gives values for this topic.
+  void speaks_of(TopicId topic, TurnId turn) {
+    spoken_of_ = {topic, turn};
+  }
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive.without(context_, output_, pushed_states_, frames_, words_,
+                    question_, confirmations_, reprompts_);
+    archive(spoken_of_, turn_, said_before_);
+  }
+
+private:
+  void ask_what_misses(OutputAct as, TurnId turn); // of the current topic
+  bool waits_for_user(TopicId topic) const;
+  // Never silent: a topic that may not ask has heard what was said.
+  void acknowledge_unasked(TurnId turn);
+
+  DialogueContext& context_;
+  OutputManager& output_;
+  PushedStates& pushed_states_;
+  TopicFrames& frames_;
+  TopicWords& words_;
+  OpenQuestion& question_;
+  Confirmations& confirmations_;
+  Reprompts& reprompts_;
+  struct TurnOf {
+    TopicId topic = script::no_id;
+    TurnId turn = 0;
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive.topic(topic);
+      archive(turn);
+    }
+  } spoken_of_;                   // what the latest utterance was about
+  TurnId turn_ = 0;               // the latest
+  std::uint64_t said_before_ = 0; // outputs that were made before that
+};
+
+} // namespace parlour::dialogue

@@ -1,0 +1,69 @@
+// RepairRunner: which <repair> of the program is run, and what it sees (engine
+// rule 5).
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "script/dialogue/context/activation_runner.hpp"
+#include "script/dialogue/context/dialogue_context.hpp"
+#include "script/dialogue/context/topic_frames.hpp"
+#include "script/dialogue/questions/confirmations.hpp"
+#include "script/dialogue/questions/open_question.hpp"
+#include "script/dialogue/questions/topic_words.hpp"
+#include "script/dialogue/questions/whereabouts.hpp"
+
+namespace parlour::dialogue {
+
+// What the conversation has run into, for a <repair>.
+struct Trouble {
+  std::string_view act; // of the user; no_match, no_input
+  TopicId topic = script::no_id;
+  SlotId slot = script::no_id;
+  std::uint32_t count = 0;
+  TurnId turn = 0;
+  bool refused = false; // understood, and does not fit
+};
+
+class RepairRunner {
+public:
+  RepairRunner(DialogueContext& context, TopicFrames& frames,
+               ActivationRunner& runner, TopicWords& words,
+               OpenQuestion& question, Whereabouts& whereabouts)
+      : context_(context), frames_(frames), runner_(runner), words_(words),
+        question_(question), whereabouts_(whereabouts) {}
+
+  // The <repair> that is due for it is run; false where there is none.
+  bool repair(const Trouble& trouble);
+  // What a phrase of that act sees where a script's <say> gives no data.
+  Value data_of(const std::string& act, TopicId topic, SlotId slot);
+
+  // Without a question being asked, what was said made sense, or did not.
+  void understood() {
+    misses_ = 0;
+  }
+  void missed() {
+    ++misses_;
+  }
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive.without(context_, frames_, runner_, words_, question_,
+                    whereabouts_);
+    archive(misses_);
+  }
+
+private:
+  Value situation(const Trouble& trouble);
+
+  DialogueContext& context_;
+  TopicFrames& frames_;
+  ActivationRunner& runner_;
+  TopicWords& words_;
+  OpenQuestion& question_;
+  Whereabouts& whereabouts_;
+  std::uint32_t misses_ = 0; // not understood in a row, nothing being asked
+};
+
+} // namespace parlour::dialogue

@@ -1,0 +1,89 @@
+// Reprompts: questions that are not answered are asked again, up a ladder: when
+// nothing was understood, nobody said anything, or what was said does not fit
+// (engine rule 5).
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "script/dialogue/agenda/step_list.hpp"
+#include "script/dialogue/context/activation_runner.hpp"
+#include "script/dialogue/context/dialogue_context.hpp"
+#include "script/dialogue/context/topic_frames.hpp"
+#include "script/dialogue/questions/clarification.hpp"
+#include "script/dialogue/questions/confirmations.hpp"
+#include "script/dialogue/questions/offers.hpp"
+#include "script/dialogue/questions/open_question.hpp"
+#include "script/dialogue/questions/repair_runner.hpp"
+#include "script/dialogue/questions/topic_words.hpp"
+
+namespace parlour::dialogue {
+
+class Reprompts {
+public:
+  Reprompts(DialogueContext& context, ActivationRunner& runner, Offers& offers,
+            TopicFrames& frames, TopicWords& words, OpenQuestion& question,
+            Clarification& clarification, RepairRunner& repairs)
+      : context_(context), runner_(runner), offers_(offers), frames_(frames),
+        words_(words), question_(question), clarification_(clarification),
+        repairs_(repairs) {}
+
+  // Nothing was understood: offered to who listens to Dialogue.no_match; else
+  // it counts on the question that was asked, which comes again; without one an
+  // apology, unless somebody else made it.
+  void misunderstood(TurnId turn, std::string heard, bool apologised = false);
+  void take(const steps::NotUnderstood& step);
+  void take(const steps::NoInput& step);
+  void take(const steps::Ask& step);
+  void take(const steps::AskStill& step);
+  void take(const steps::AskAgain& step);
+  // A slot that was refused again leads up the ladder instead.
+  void ask_slot(TopicId topic, SlotId slot, OutputAct as, TurnId turn);
+  // In the words that were heard.
+  void repeat_question(TurnId turn);
+  // An answer that does not fit counts as one that was not understood.
+  void count_refusal(TopicId topic, SlotId slot);
+
+  // The user has said something else.
+  void act_begins() {
+    refused_.reset();
+  }
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive.without(context_, runner_, offers_, frames_, words_, question_,
+                    clarification_, repairs_);
+    archive(refused_);
+  }
+
+private:
+  struct SlotOf {
+    TopicId topic = script::no_id;
+    SlotId slot = script::no_id;
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive.slot(topic, slot);
+    }
+  };
+
+  void reprompt(TurnId turn, bool heard_something);
+  void climb(const Trouble& trouble);
+  std::uint32_t count_miss(bool heard_something);
+  bool climb_after_refusal(TopicId topic, SlotId slot, TurnId turn);
+  bool run_own_words(const Trouble& trouble);
+  void climb_own(const Trouble& trouble);
+
+  DialogueContext& context_;
+  ActivationRunner& runner_;
+  Offers& offers_;
+  TopicFrames& frames_;
+  TopicWords& words_;
+  OpenQuestion& question_;
+  Clarification& clarification_;
+  RepairRunner& repairs_;
+  std::optional<SlotOf> refused_; // by this act, though it had been asked for
+};
+
+} // namespace parlour::dialogue

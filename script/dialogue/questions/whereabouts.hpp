@@ -1,0 +1,69 @@
+// Whereabouts: where the conversation is, for the classifier, for the
+// understanding with each DoNLU, and for who asks what is unfinished.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "script/dialogue/agenda/step_list.hpp"
+#include "script/dialogue/context/dialogue_context.hpp"
+#include "script/dialogue/context/topic_frames.hpp"
+#include "script/dialogue/questions/confirmations.hpp"
+#include "script/dialogue/questions/open_question.hpp"
+#include "script/dialogue/topics/classifier.hpp"
+
+namespace parlour::dialogue {
+
+class Whereabouts {
+public:
+  Whereabouts(DialogueContext& context, TopicFrames& frames,
+              OpenQuestion& question, Confirmations& confirmations)
+      : context_(context), frames_(frames), question_(question),
+        confirmations_(confirmations) {}
+
+  ClassifierContext classifier_context() const;
+  // The topic that the act names, if it is registered; else the one that it is
+  // about, as things stand; or no_id.
+  TopicId topic_of(const Act& act) const;
+  // The context of DoNLU (runtime/message/understanding.hpp).
+  Value understanding_context() const;
+  void note_what_was_said(const steps::Fill& step, const FrameResult& result);
+  // The current topic first, then those that were suspended.
+  std::vector<TopicId> unfinished() const;
+  List unfinished_names() const;
+  // The name of the topic's status: while it waits for a yes to its completion,
+  // it is still active. Unknown for no_id.
+  Value status_of(TopicId topic) const;
+
+  void forget() {
+    said_ = {};
+  }
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive.without(context_, frames_, question_, confirmations_);
+    archive(said_);
+  }
+
+private:
+  List names_said_before(SlotId asked) const;
+  const std::string& narrowing_grammar(const ClassifierContext& context) const;
+  const std::string* yes_or_no_asked() const;
+
+  DialogueContext& context_;
+  TopicFrames& frames_;
+  OpenQuestion& question_;
+  Confirmations& confirmations_;
+  struct Said {
+    TopicId topic = script::no_id;
+    std::vector<SlotId> slots;
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive.topic(topic);
+      archive.slots_of(topic, slots);
+    }
+  } said_; // what the user gave values for last, fitting or not
+};
+
+} // namespace parlour::dialogue

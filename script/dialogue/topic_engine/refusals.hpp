@@ -1,0 +1,61 @@
+// Refusals: a no on the way to a topic's completion never leads there (language
+// rule 12.21).
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "script/dialogue/context/activation_runner.hpp"
+#include "script/dialogue/context/dialogue_context.hpp"
+#include "script/dialogue/context/topic_frames.hpp"
+#include "script/dialogue/output/output_manager.hpp"
+#include "script/dialogue/questions/asked.hpp"
+#include "script/dialogue/questions/confirmations.hpp"
+
+namespace parlour::dialogue {
+
+class Refusals {
+public:
+  Refusals(DialogueContext& context, ActivationRunner& runner,
+           OutputManager& output, TopicFrames& frames,
+           Confirmations& confirmations)
+      : context_(context), runner_(runner), output_(output), frames_(frames),
+        confirmations_(confirmations) {}
+
+  // A script of the topic ended with an error, or heard a no: the topic is not
+  // completed after all, where the script leads there.
+  void body_failed(TopicId topic, CodeId body);
+  void note_no(TopicId topic, CodeId body);
+  // What its scripts were refused and have not dealt with themselves.
+  std::vector<Refusal> take_refusals(TopicId topic);
+  // A refused value is taken back; whether the topic ends instead of being
+  // completed.
+  bool heeds_refusals(TopicId topic, TurnId turn);
+  // The user said no to a value: a topic that would be completed with the one
+  // before asks.
+  void doubt_earlier_value(TopicId topic, SlotId slot);
+
+  void clear() {
+    refusals_.clear();
+  }
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive.without(context_, runner_, output_, frames_, confirmations_);
+    archive(refusals_);
+  }
+
+private:
+  void note_refusal(TopicId topic, CodeId body, std::uint64_t told);
+  bool is_dealt_with(const Refusal& refusal) const;
+  bool gives_up(const Refusal& refusal) const;
+
+  DialogueContext& context_;
+  ActivationRunner& runner_;
+  OutputManager& output_;
+  TopicFrames& frames_;
+  Confirmations& confirmations_;
+  std::vector<Refusal> refusals_; // that a topic has not settled with yet
+};
+
+} // namespace parlour::dialogue

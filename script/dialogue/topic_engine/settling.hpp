@@ -1,0 +1,59 @@
+// Settling: what a filling event leads to (engine rule 5): the topic is done,
+// must be looked up, or asks for what is in doubt.
+#pragma once
+
+#include "script/dialogue/agenda/step_list.hpp"
+#include "script/dialogue/context/activation_runner.hpp"
+#include "script/dialogue/context/dialogue_context.hpp"
+#include "script/dialogue/context/topic_frames.hpp"
+#include "script/dialogue/questions/confirmations.hpp"
+#include "script/dialogue/questions/open_question.hpp"
+#include "script/dialogue/topic_engine/enquiries.hpp"
+#include "script/dialogue/topic_engine/refusals.hpp"
+#include "script/dialogue/topic_engine/topic_changes.hpp"
+
+namespace parlour::dialogue {
+
+class Settling {
+public:
+  Settling(DialogueContext& context, ActivationRunner& runner,
+           TopicFrames& frames, OpenQuestion& question,
+           Confirmations& confirmations, Refusals& refusals,
+           TopicChanges& topic_changes, Enquiries& enquiries)
+      : context_(context), runner_(runner), frames_(frames),
+        question_(question), confirmations_(confirmations), refusals_(refusals),
+        topic_changes_(topic_changes), enquiries_(enquiries) {}
+
+  void take(steps::Settle&& step);
+  void take(const steps::Finish& step);
+  void take(const steps::Complete& step);
+  void take(const steps::WindUp& step);
+
+  // When a topic was completed last.
+  Timestamp completed_at() const {
+    return completed_at_;
+  }
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive.without(context_, runner_, frames_, question_, confirmations_,
+                    refusals_, topic_changes_, enquiries_);
+    archive(completed_at_);
+  }
+
+private:
+  bool asks_for_refused(const steps::Settle& step);
+  void settle_enquiry(const steps::Settle& step);
+
+  DialogueContext& context_;
+  ActivationRunner& runner_;
+  TopicFrames& frames_;
+  OpenQuestion& question_;
+  Confirmations& confirmations_;
+  Refusals& refusals_;
+  TopicChanges& topic_changes_;
+  Enquiries& enquiries_;
+  Timestamp completed_at_ = 0; // the latest topic
+};
+
+} // namespace parlour::dialogue

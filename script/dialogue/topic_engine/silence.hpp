@@ -1,0 +1,77 @@
+// Silence: what it leads to, and how unfinished topics are taken up again
+// (engine rule 5, "Which topic next").
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "script/dialogue/agenda/step_list.hpp"
+#include "script/dialogue/context/activation_runner.hpp"
+#include "script/dialogue/context/dialogue_context.hpp"
+#include "script/dialogue/context/topic_frames.hpp"
+#include "script/dialogue/output/output_manager.hpp"
+#include "script/dialogue/questions/confirmations.hpp"
+#include "script/dialogue/questions/next_question.hpp"
+#include "script/dialogue/questions/offers.hpp"
+#include "script/dialogue/questions/open_question.hpp"
+#include "script/dialogue/questions/reprompts.hpp"
+#include "script/dialogue/topic_engine/topic_changes.hpp"
+
+namespace parlour::dialogue {
+
+class Silence {
+public:
+  Silence(DialogueContext& context, TopicFrames& frames,
+          ActivationRunner& runner, Offers& offers, OpenQuestion& question,
+          Confirmations& confirmations, Reprompts& reprompts,
+          NextQuestion& next_question, TopicChanges& topic_changes);
+
+  // Silence has lasted: the next question, resume or reprompt.
+  void silence();
+  // How long silence must last now; nothing where it leads nowhere.
+  std::optional<Milliseconds> silence_wanted() const;
+  void take(const steps::ResumeTopic& step);
+
+  void user_spoke() {
+    no_input_ = 0;
+  }
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive.without(context_, frames_, runner_, offers_, question_,
+                    confirmations_, reprompts_, next_question_, topic_changes_,
+                    listens_to_silence_);
+    archive(no_input_);
+  }
+
+private:
+  // What silence leads to.
+  enum class Due : std::uint8_t {
+    nothing,
+    reprompt,     // the question that was heard
+    again,        // the one that was withdrawn
+    confirmation, // a <confirm>'s, that others were put in front of
+    question,     // the current topic's next
+    state,        // nothing is asked, but the state listens to silence
+    topic,        // another topic
+  };
+
+  Due due() const;
+  bool state_listens() const;
+  void ask_again();
+
+  DialogueContext& context_;
+  TopicFrames& frames_;
+  ActivationRunner& runner_;
+  Offers& offers_;
+  OpenQuestion& question_;
+  Confirmations& confirmations_;
+  Reprompts& reprompts_;
+  NextQuestion& next_question_;
+  TopicChanges& topic_changes_;
+  std::vector<bool> listens_to_silence_; // each state
+  int no_input_ = 0;                     // unanswered questions in a row
+};
+
+} // namespace parlour::dialogue

@@ -1,0 +1,77 @@
+#include "script/dialogue/topic_engine/topic_ends.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "script/dialogue/questions/bodies.hpp"
+
+namespace parlour::dialogue {
+
+namespace {
+
+bool is_open(TopicStatus status) {
+  return status == TopicStatus::active || status == TopicStatus::suspended;
+}
+
+} // namespace
+
+// What waits is ended first, so that a <catch> still sees its topic.
+void TopicEnds::take(const steps::Cancel& step) {
+  auto topics = std::vector{step.topic};
+  if (step.all)
+    topics = whereabouts_.unfinished();
+  else if (step.topic == script::no_id)
+    topics = {to_cancel()};
+  std::erase_if(topics, [&](TopicId topic) {
+    return topic == script::no_id || !can_be_cancelled(topic);
+  });
+  question_.withdraw();
+  auto steps =
+      wait_ends_.cancel(step.all ? std::vector<WaitId>()
+                                 : confirmations_.confirms_but_of(topics));
+  pushed_states_.clear_pushed();
+  const bool several = topics.size() > 1; // one word is enough
+  for (auto topic : topics)
+    steps.add(steps::CancelTopic{topic, step.turn, several});
+  if (several)
+    words_.say("cancelled_all", script::no_id, script::no_id, {}, step.turn);
+  else if (topics.empty())
+    words_.say("cancelled", script::no_id, script::no_id, {}, step.turn);
+  context_.lane.now(std::move(steps));
+}
+
+void TopicEnds::take(const steps::CancelTopic& step) {
+  auto steps = confirmations_.end_confirms_of(step.topic);
+  if (question_ && question_->topic == step.topic)
+    question_.withdraw();
+  frames_.cancel(step.topic);
+  if (!step.silent)
+    words_.say("cancelled", step.topic, script::no_id, {}, step.turn);
+  run_body(context_.topic(step.topic).cancelled, step.topic, script::no_id,
+           step.turn, steps);
+  context_.lane.now(std::move(steps));
+}
+
+void TopicEnds::take(const steps::Reset& step) {
+  auto steps = confirmations_.end_confirms_of(step.topic);
+  frames_.change(step.topic, {.kind = FrameChange::Kind::reset});
+  context_.lane.now(std::move(steps));
+}
+
+// A <confirm> that is no topic's is all that is cancelled then.
+TopicId TopicEnds::to_cancel() const {
+  if (question_ && (question_->topic != script::no_id || question_->wait != 0))
+    return question_->topic;
+  if (auto current = frames_.order().current())
+    return *current;
+  if (const auto topic = confirmations_.completing(); topic != script::no_id)
+    return topic;
+  const auto& suspended = frames_.order().suspended();
+  return suspended.empty() ? script::no_id : suspended.front();
+}
+
+bool TopicEnds::can_be_cancelled(TopicId topic) const {
+  return is_open(frames_[topic].status) || confirmations_.is_completing(topic);
+}
+
+} // namespace parlour::dialogue

@@ -1,0 +1,36 @@
+// YesOrNoOutcome: what a yes or no leads to: a value in doubt is accepted or
+// taken back, a topic goes on or is cancelled, a script goes on (engine rule
+// 5.8).
+#pragma once
+
+#include "script/dialogue/context/dialogue_context.hpp"
+#include "script/dialogue/questions/asked.hpp"
+#include "script/dialogue/topic_engine/confirm_answers.hpp"
+#include "script/dialogue/topic_engine/filling.hpp"
+#include "script/dialogue/topic_engine/refusals.hpp"
+#include "script/dialogue/topic_engine/topic_changes.hpp"
+
+namespace parlour::dialogue {
+
+class YesOrNoOutcome {
+public:
+  YesOrNoOutcome(DialogueContext& context, Refusals& refusals,
+                 TopicChanges& topic_changes, ConfirmAnswers& confirm_answers,
+                 Filling& filling)
+      : context_(context), refusals_(refusals), topic_changes_(topic_changes),
+        confirm_answers_(confirm_answers), filling_(filling) {}
+
+  void answer(const Asked& asked, bool yes, TurnId turn);
+
+private:
+  void confirm_slot(TopicId topic, SlotId slot, bool yes, TurnId turn);
+  void answer_resume(TopicId topic, bool yes, TurnId turn);
+
+  DialogueContext& context_;
+  Refusals& refusals_;
+  TopicChanges& topic_changes_;
+  ConfirmAnswers& confirm_answers_;
+  Filling& filling_;
+};
+
+} // namespace parlour::dialogue

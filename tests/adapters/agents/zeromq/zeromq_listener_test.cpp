@@ -1,0 +1,58 @@
+#include <gmock/gmock.h>
+
+#include "adapters/agents/zeromq/zeromq_listener.hpp"
+#include "tests/adapters/agents/agents_fixture.hpp"
+
+namespace parlour::adapters::agents {
+namespace {
+
+using testing::ElementsAre;
+using testing::StartsWith;
+
+using ZeroMQListenerTest = AgentServerTest;
+
+TEST_F(ZeroMQListenerTest, SpeaksByZeroMQ) {
+  start({{}, {}, ServerOptions::ZeroMQ()});
+  FrameAgent robot(server->addresses().at(0));
+  robot.say("hello,,Robot,Hello,incarnation=aa");
+  EXPECT_THAT(robot.hear(), StartsWith("welcome,,Parlour,Welcome,version=1"));
+  EXPECT_THAT(component->wait_for(1), ElementsAre("Robot online"));
+  robot.say("text;n=1,,Robot,Arrived,lobby");
+  EXPECT_THAT(component->wait_for(1), ElementsAre("Arrived"));
+  EXPECT_EQ(robot.hear(), "ack;a=1");
+  server->send("Robot", command("Goto"));
+  EXPECT_EQ(robot.hear(), "text;n=1;a=1,,Robot,Goto");
+}
+
+TEST_F(ZeroMQListenerTest, LetsInWhoHasAKey) {
+  const auto own = new_key_pair().value();
+  const auto robots = new_key_pair().value();
+  const auto strangers = new_key_pair().value();
+  start({{},
+         {},
+         ServerOptions::ZeroMQ{
+             "tcp://127.0.0.1:*", own.secret_key, {robots.public_key}}});
+  FrameAgent stranger(server->addresses().at(0), strangers, own.public_key);
+  stranger.say("hello,,Robot,Hello");
+  FrameAgent robot(server->addresses().at(0), robots, own.public_key);
+  robot.say("hello,,Robot,Hello");
+  EXPECT_THAT(robot.hear(), StartsWith("welcome"));
+  EXPECT_THAT(component->wait_for(1), ElementsAre("Robot online"));
+}
+
+TEST_F(ZeroMQListenerTest, KnowsWhatIsLoopback) {
+  const auto refused = [](const std::string& address) {
+    const auto started = AgentServer::start(
+        {{}, {}, ServerOptions::ZeroMQ{address, "", {}}, {}});
+    return !started &&
+           started.error().message.find("other hosts") != std::string::npos;
+  };
+  EXPECT_TRUE(refused("tcp://localhost.example.org:*"));
+  EXPECT_TRUE(refused("tcp://127.example.org:*"));
+  EXPECT_TRUE(refused("tcp://[::]:*"));
+  EXPECT_FALSE(refused("tcp://[::1]:*"));
+  EXPECT_FALSE(refused("tcp://127.0.0.2:*"));
+}
+
+} // namespace
+} // namespace parlour::adapters::agents

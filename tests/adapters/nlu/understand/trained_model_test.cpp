@@ -1,0 +1,102 @@
+#include <set>
+
+#include <gmock/gmock.h>
+
+#include "adapters/nlu/understand/trained_model.hpp"
+#include "tests/adapters/nlu/stages.hpp"
+
+namespace parlour::adapters::nlu::test {
+namespace {
+
+using testing::HasSubstr;
+using testing::UnorderedElementsAre;
+
+std::vector<TopicModel> lessons() {
+  auto topics = sample_model().topics;
+  topics[0].examples = {
+      "I have a meeting with [Jeffery Ho](Host)",
+      "[Margaret Sim](Host) is waiting for me, I am [David](Visitor)",
+      "my name is [David](Visitor) from [Comptec](Organisation)",
+      "I am [Mary](Visitor) from [Acme](Organisation)",
+      "my name is [Paul](Visitor) and I am from [Initech](Organisation)",
+      "this is [Lena](Visitor) from [Hooli](Organisation)"};
+  topics[1].examples = {"where can I find a [coffee shop](Category)",
+                        "is there any [bank](Category) around"};
+  return topics;
+}
+
+// How many topics what is learnt tells of for a text.
+std::size_t topics_of(const std::string& text) {
+  Stages stages("public <x> = hello;", text);
+  const auto learned =
+      *TrainedModel::train(lessons(), stages.schema, stages.automaton, 0.4);
+  return learned.topics(learning_words(stages.utterance, stages.spans)).size();
+}
+
+// What is learnt says of a text: the topic, then its slots.
+std::string said_of(const std::string& text) {
+  Stages stages("public <x> = @Facility.Category | @Appointment.Host;", text);
+  const auto learned =
+      *TrainedModel::train(lessons(), stages.schema, stages.automaton, 0.4);
+  const auto words = learning_words(stages.utterance, stages.spans);
+  const auto hypotheses = learned.topics(words);
+  const auto hypothesis =
+      hypotheses.empty() ? TopicHypothesis() : hypotheses.front();
+  auto made = hypothesis.probability < 0.4
+                  ? std::string("none")
+                  : stages.schema.at(hypothesis.topic).name;
+  for (const auto& slot : learned.slots(hypothesis.topic, word_features(words)))
+    made += ' ' + slot.slot + '=' + stages.words(slot.begin, slot.end);
+  return made;
+}
+
+TEST(TrainedModel, TellsTopicsApart) {
+  EXPECT_EQ(said_of("where do I find some bank"), "Facility Category=bank");
+  EXPECT_EQ(said_of("there is a meeting with Priya Nair"),
+            "Appointment Host=Priya Nair");
+  EXPECT_EQ(said_of("book a ride for me please").substr(0, 4), "Taxi");
+}
+
+TEST(TrainedModel, FindsOpenSlots) {
+  EXPECT_EQ(said_of("my name is Wendy from Globex"),
+            "Appointment Visitor=Wendy Organisation=Globex");
+}
+
+TEST(TrainedModel, RejectsStrangers) {
+  EXPECT_EQ(said_of("the").substr(0, 4), "none");
+  EXPECT_EQ(said_of("so what is it").substr(0, 4), "none");
+}
+
+TEST(TrainedModel, KnowsNothingOfWordsThatNoExampleHas) {
+  for (const auto* word : {"foo", "xyzzy", "flurb gnok", "pizza"})
+    EXPECT_EQ(topics_of(word), 0U) << word;
+  EXPECT_NE(topics_of("waits"), 0U); // as in "waiting"
+}
+
+TEST(TrainedModel, SaysWhatIsTooMuchToLearn) {
+  Stages stages("public <x> = hello;", "hello");
+  const auto failure = [&](LearningLimits limits) {
+    const auto learned = TrainedModel::train(lessons(), stages.schema,
+                                             stages.automaton, 0.4, limits);
+    return learned ? "" : learned.error().message;
+  };
+  EXPECT_THAT(failure({1000, 1 << 20}),
+              HasSubstr("there is room for the first 4;"));
+  std::set<std::string> all;
+  for (std::size_t weights = 1000; weights < 100'000; weights += weights / 4)
+    all.insert(failure({1 << 20, weights}));
+  EXPECT_THAT(all, UnorderedElementsAre("", HasSubstr("of 3 topics are too"),
+                                        HasSubstr("of 6 slots are too")));
+}
+
+TEST(TrainedModel, IsEmptyWithoutExamples) {
+  Stages stages("public <x> = hello;", "hello");
+  auto topics = sample_model().topics;
+  for (auto& topic : topics)
+    topic.examples.clear();
+  EXPECT_TRUE(TrainedModel::train(topics, stages.schema, stages.automaton, 0.4)
+                  ->empty());
+}
+
+} // namespace
+} // namespace parlour::adapters::nlu::test

@@ -1,0 +1,102 @@
+// The context that the understanding gets with each DoNLU.
+#include <gtest/gtest.h>
+
+#include "tests/script/dialogue/conversation_world.hpp"
+
+namespace parlour::dialogue {
+namespace {
+
+constexpr const char* table = R"xml(
+  <topic name="Table">
+    <slot name="Guests" type="Functional" question="How many?" confirm="never">
+      <cardinality type="number"/></slot>
+    <slot name="Chairs" type="Functional" question="Chairs?" confirm="never">
+      <cardinality type="number"/></slot>
+    <slot name="Name" type="Functional" question="Who?" confirm="never"/>
+  </topic>
+  <handler name="Probe"><messages><component><Bell>
+    <Rings><post module="NLU" command="DoNLU" param="{'hello'}"/></Rings>
+  </Bell></component></messages></handler>)xml";
+
+class UnderstandingContext : public testing::Test {
+protected:
+  UnderstandingContext() {
+    world.components["Grammar"] = {"NLU"};
+  }
+  Value context() {
+    world.event("Bell", "Rings");
+    return world.messages.back().params.at(1);
+  }
+
+  World world{table};
+};
+
+TEST_F(UnderstandingContext, HasWhatWasSaidBeforeTheQuestion) {
+  EXPECT_TRUE(context()["said"].is_unknown());
+  world.say(inform("Table", {{"Guests", 2}}));
+  EXPECT_EQ(context()["asked"]["slot"], "Chairs");
+  EXPECT_EQ(context()["said"], (List{"Guests"}));
+}
+
+TEST_F(UnderstandingContext, HasTheLatestLast) {
+  world.say(inform("Table", {{"Chairs", 2}}));
+  world.say(inform("Table", {{"Guests", 2}}));
+  EXPECT_EQ(context()["asked"]["slot"], "Name");
+  EXPECT_EQ(context()["said"], (List{"Chairs", "Guests"}));
+  world.say(inform("Table", {{"Chairs", 3}}));
+  EXPECT_EQ(context()["said"], (List{"Guests", "Chairs"}));
+}
+
+// A correction is of the answer that did not fit, not of what was before it.
+TEST_F(UnderstandingContext, HasNothingBesideAnAnswerToTheQuestion) {
+  world.say(inform("Table", {{"Guests", 2}}));
+  world.say(inform("Table", {{"Chairs", "many"}}));
+  EXPECT_EQ(context()["asked"]["slot"], "Chairs");
+  EXPECT_EQ(context()["said"], List{});
+}
+
+TEST_F(UnderstandingContext, ForgetsItWhenItBeginsAnew) {
+  world.say(inform("Table", {{"Guests", 2}}));
+  world.say("restart");
+  EXPECT_TRUE(context()["said"].is_unknown());
+}
+
+// What narrows: the question's own grammar, else the state's.
+TEST(UnderstandingGrammar, IsTheQuestionsOrTheStates) {
+  WorldOptions options;
+  options.start = "Shop";
+  World world(R"xml(
+    <grammar name="wares">public &lt;w> = tea | coffee;</grammar>
+    <grammar name="size">public &lt;s> = small | large;</grammar>
+    <state name="Shop" grammar="wares"><Messages><component><Bell>
+      <Stops><transit state="Street"/></Stops>
+    </Bell></component></Messages></state>
+    <state name="Street"/>
+    <topic name="Order">
+      <slot name="What" type="Functional" question="What?"/>
+      <slot name="Size" type="Functional" question="Large?" grammar="size"/>
+    </topic>
+    <handler name="Probe"><messages><component><Bell>
+      <Rings><post module="NLU" command="DoNLU" param="{'hello'}"/></Rings>
+    </Bell></component></messages></handler>)xml",
+              options);
+  world.components["Grammar"] = {"NLU"};
+  const auto grammar = [&] {
+    world.event("Bell", "Rings");
+    return world.messages.back().params.at(1)["grammar"];
+  };
+  EXPECT_EQ(grammar(), "wares");
+  world.say(inform("Order", {}));
+  EXPECT_EQ(world.said(), Texts{"What?"});
+  EXPECT_EQ(grammar(), "wares");
+  world.say(inform("Order", {{"What", slot_value("tea", 1)}}));
+  EXPECT_EQ(world.said(), Texts{"Large?"});
+  EXPECT_EQ(grammar(), "size");
+  world.event("Bell", "Stops");
+  EXPECT_EQ(grammar(), "size");
+  world.say("cancel");
+  EXPECT_TRUE(grammar().is_unknown());
+}
+
+} // namespace
+} // namespace parlour::dialogue

@@ -1,0 +1,40 @@
+// NoDescriptors: while it lives, the process can open no further files.
+#pragma once
+
+#include <stdexcept>
+#include <system_error>
+
+#include <sys/resource.h>
+
+namespace parlour::test {
+
+class NoDescriptors {
+public:
+  // Descriptors below `first_refused` may still be opened.
+  explicit NoDescriptors(int first_refused = 0) {
+    know_system_error();
+    if (getrlimit(RLIMIT_NOFILE, &former_) != 0)
+      throw std::runtime_error("the limit of files cannot be read");
+    const rlimit none{static_cast<rlim_t>(first_refused), former_.rlim_max};
+    if (setrlimit(RLIMIT_NOFILE, &none) != 0)
+      throw std::runtime_error("the limit of files cannot be set");
+  }
+  NoDescriptors(const NoDescriptors&) = delete;
+  NoDescriptors& operator=(const NoDescriptors&) = delete;
+  ~NoDescriptors() {
+    setrlimit(RLIMIT_NOFILE, &former_);
+  }
+
+private:
+  // The sanitizer looks at the first object of a polymorphic type through a
+  // pipe, which it cannot open later; it would take what asio throws for no
+  // object at all. Further objects of the type are known to it.
+  static void know_system_error() {
+    const std::system_error error(std::make_error_code(std::errc::io_error));
+    static_cast<void>(error.code());
+  }
+
+  rlimit former_{};
+};
+
+} // namespace parlour::test

@@ -1,0 +1,159 @@
+"""The butler and its robot in two processes: `parlour run` with the agents of
+tools/agents."""
+
+import pathlib
+import queue
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import threading
+import unittest
+
+from program_case import ProgramCase
+
+AGENTS = pathlib.Path(__file__).parents[3] / "tools" / "agents"
+WAIT = 60  # seconds; only a test that fails waits so long
+
+
+class Lines:
+    """The lines of a stream, read on a thread, so that a test can wait for
+    one."""
+
+    def __init__(self, stream):
+        self._lines = queue.SimpleQueue()
+        self._seen = []
+        threading.Thread(target=self._read, args=[stream], daemon=True).start()
+
+    def _read(self, stream):
+        for line in stream:
+            self._lines.put(line.rstrip("\n"))
+        self._lines.put(None)
+
+    def find(self, pattern):
+        """The first match in a line that was not looked at before."""
+        while True:
+            try:
+                line = self._lines.get(timeout=WAIT)
+            except queue.Empty:
+                line = None
+            if line is None:
+                raise AssertionError(
+                    f"no line has '{pattern}': {self._seen[-20:]}")
+            self._seen.append(line)
+            if found := re.search(pattern, line):
+                return found
+
+
+class RemoteAgentTest(ProgramCase):
+
+    def run_butler(self):
+        butler = self.begin(
+            "run", "butler", "--text", "--agents", "127.0.0.1:0",
+            "--data", str(self.folder), stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        self.end_first(butler)
+        self.butler = butler
+        self.said = Lines(butler.stdout)
+        self.notes = Lines(butler.stderr)
+        port = self.notes.find(r"agents connect at tcp://127.0.0.1:(\d+)")[1]
+        self.address = f"lines://127.0.0.1:{port}"
+
+    def end_first(self, process):
+        """Before its streams are closed, as a thread reads them."""
+        self.addCleanup(process.wait)
+        self.addCleanup(process.kill)
+
+    def begin_robot(self, *command):
+        robot = subprocess.Popen([*command, "Porter", self.address, "0.1"],
+                                 stdout=subprocess.PIPE, text=True)
+        self.addCleanup(robot.stdout.close)
+        self.end_first(robot)
+        lines = Lines(robot.stdout)
+        lines.find("is connected")
+        return robot, lines
+
+    def begin_python_robot(self):
+        return self.begin_robot(sys.executable, "-B",
+                                AGENTS / "python" / "robot.py")
+
+    def say(self, *turns):
+        """Each turn ends at an empty line."""
+        for turn in turns:
+            self.butler.stdin.write(turn + "\n\n")
+        self.butler.stdin.flush()
+
+    def end(self):
+        self.butler.stdin.close()
+        self.assertEqual(self.butler.wait(WAIT), 0)
+
+    def fetch_an_apple(self, robot_lines):
+        self.say("bring the apple to the study")
+        self.said.find("Shall I bring the apple from the kitchen")
+        self.say("yes")
+        robot_lines.find("begins: Goto kitchen")
+        robot_lines.find("begins: Grasp apple")
+        robot_lines.find("begins: Goto study")
+        self.said.find("Here I am with the apple")
+        self.say("yes")
+        robot_lines.find("lets go")
+
+    def test_a_robot_in_python_fetches_and_carries(self):
+        self.run_butler()
+        _, lines = self.begin_python_robot()
+        self.said.find("What can I get for you")
+        self.fetch_an_apple(lines)
+        self.end()
+
+    @unittest.skipUnless(shutil.which("node"), "node is not installed")
+    def test_a_robot_in_node_fetches_and_carries(self):
+        self.run_butler()
+        _, lines = self.begin_robot("node", AGENTS / "node" / "robot.mjs")
+        self.fetch_an_apple(lines)
+        self.end()
+
+    def test_a_plugin_fetches_and_carries_in_a_process_of_its_own(self):
+        self.run_butler()
+        robot = self.begin("agent", "LogRobot", "--name", "Porter",
+                           "--connect", self.address.replace("lines", "tcp"),
+                           "--option", "travel=50ms", "--option", "grip=50ms",
+                           stderr=subprocess.PIPE, text=True)
+        self.end_first(robot)
+        Lines(robot.stderr).find("connected")
+        self.say("bring the apple to the study")
+        self.said.find("Shall I bring the apple")
+        self.say("yes")
+        self.said.find("Here I am with the apple")
+        self.end()
+
+    def test_a_robot_that_dies_on_the_way_is_missed_and_goes_on(self):
+        self.run_butler()
+        robot, lines = self.begin_python_robot()
+        self.say("bring the apple to the study")
+        self.said.find("Shall I bring")
+        robot.send_signal(signal.SIGSTOP)  # it does not answer the order
+        self.say("yes")
+        self.said.find("on my way")
+        robot.kill()
+        self.said.find("I have lost the robot")
+        _, lines = self.begin_python_robot()
+        self.said.find("The robot is back")
+        lines.find("begins: Grasp apple")
+        self.said.find("Here I am with the apple")
+        self.end()
+
+    def test_a_robot_that_comes_later_is_waited_for(self):
+        self.run_butler()
+        self.say("bring the apple to the study")
+        self.said.find("Shall I bring")
+        self.say("yes")
+        self.said.find("I have lost the robot")
+        _, lines = self.begin_python_robot()
+        self.said.find("The robot is back")
+        lines.find("begins: Grasp apple")
+        self.end()
+
+
+if __name__ == "__main__":
+    unittest.main()

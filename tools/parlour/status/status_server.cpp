@@ -1,0 +1,106 @@
+#include "tools/parlour/status/status_server.hpp"
+
+#include <cerrno>
+#include <cstring>
+#include <string_view>
+#include <utility>
+
+#include <sys/eventfd.h>
+#include <sys/socket.h>
+#include <sys/time.h>
+#include <sys/un.h>
+#include <unistd.h>
+
+#include "adapters/loop/wait_until_ready.hpp"
+#include "tools/parlour/status/runtime_folder.hpp"
+
+namespace parlour::tools {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// Who connects and does not read is let go.
+constexpr timeval send_patience{1, 0};
+constexpr int backlog = 4;
+
+tl::unexpected<Error> trouble(const fs::path& path) {
+  return fail(ErrorKind::file,
+              "the socket " + path.string() + ": " + std::strerror(errno));
+}
+
+Expected<int> listen_at(const fs::path& path) {
+  sockaddr_un address{};
+  address.sun_family = AF_UNIX;
+  if (path.string().size() >= sizeof address.sun_path)
+    return fail(ErrorKind::file,
+                "the socket " + path.string() + ": its name is too long");
+  path.string().copy(address.sun_path, sizeof address.sun_path - 1);
+  const int listener = socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
+  if (listener < 0)
+    return trouble(path);
+  unlink(path.c_str()); // of an earlier process with this number
+  if (bind(listener, reinterpret_cast<sockaddr*>(&address), sizeof address) ==
+          0 &&
+      listen(listener, backlog) == 0)
+    return listener;
+  const auto error = trouble(path);
+  close(listener);
+  return error;
+}
+
+} // namespace
+
+Expected<std::unique_ptr<StatusServer>>
+StatusServer::open(const fs::path& folder, Tell tell) {
+  if (auto made = make_runtime_folder(folder); !made)
+    return tl::make_unexpected(made.error());
+  auto path = folder / (std::to_string(getpid()) + ".sock");
+  const auto listener = listen_at(path);
+  if (!listener)
+    return tl::make_unexpected(listener.error());
+  return std::unique_ptr<StatusServer>(
+      new StatusServer(std::move(path), *listener, std::move(tell)));
+}
+
+StatusServer::StatusServer(fs::path path, int listener, Tell tell)
+    : path_(std::move(path)), listener_(listener),
+      stop_(eventfd(0, EFD_CLOEXEC)), tell_(std::move(tell)),
+      thread_([this] { serve(); }) {}
+
+StatusServer::~StatusServer() {
+  eventfd_write(stop_, 1);
+  thread_.join();
+  unlink(path_.c_str());
+  close(listener_);
+  close(stop_);
+}
+
+void StatusServer::serve() {
+  pollfd waiting[] = {{stop_, POLLIN, 0}, {listener_, POLLIN, 0}};
+  while (adapters::wait_until_ready(waiting) != adapters::Waited::failed) {
+    if (waiting[0].revents != 0)
+      return;
+    if (waiting[1].revents == 0)
+      continue;
+    const int connection = accept4(listener_, nullptr, nullptr, SOCK_CLOEXEC);
+    if (connection < 0)
+      continue;
+    answer(connection);
+    close(connection);
+  }
+}
+
+void StatusServer::answer(int connection) const {
+  setsockopt(connection, SOL_SOCKET, SO_SNDTIMEO, &send_patience,
+             sizeof send_patience);
+  const auto text = tell_();
+  for (std::string_view left = text; !left.empty();) {
+    const auto sent = send(connection, left.data(), left.size(), MSG_NOSIGNAL);
+    if (sent <= 0)
+      return;
+    left.remove_prefix(static_cast<std::size_t>(sent));
+  }
+}
+
+} // namespace parlour::tools

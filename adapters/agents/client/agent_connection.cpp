@@ -43,7 +43,8 @@ public:
         resolver_(loop_->context()),
         pause_alarm_(std::in_place, *loop_, [this] { connect(); }),
         tick_alarm_(std::in_place, *loop_, [this] { tick(); }) {}
-  // What was said last is still sent and acknowledged, if that is possible soon.
+  // What was said last is still sent and acknowledged, if that is possible
+  // soon.
   ~Implementation() override {
     loop_->post([this] {
       leaves_at_ = steady_now() + leave_within.count();

@@ -46,6 +46,7 @@ public:
         return;
       if (error) {
         accept_later();
+        events_.not_accepted(error.message());
         return;
       }
       add(std::move(socket));

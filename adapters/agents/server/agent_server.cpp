@@ -122,6 +122,9 @@ public:
     exchange_.closed(id);
     plan(); // its agent has some time to return
   }
+  void not_accepted(const std::string& reason) override {
+    mistakes_.note_not_accepted(reason, steady_now());
+  }
   void write(ConnectionId id, const AgentMessage& message) override {
     if (auto* transport = transport_of(id))
       transport->write(id, message);

@@ -69,7 +69,8 @@ public:
   std::vector<std::string> addresses() const;
 
   // How many mistakes of each kind (adapters/agents/PROTOCOL.md 5) there were
-  // since the start.
+  // since the start, and under "accept" how often no connection could be
+  // accepted, because the process had too many files open.
   std::map<std::string, std::uint64_t> mistakes() const;
 
   // Replaces the component of this name. It is told at once if its agent is

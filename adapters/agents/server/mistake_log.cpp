@@ -5,29 +5,30 @@
 #include <fmt/format.h>
 
 namespace parlour::adapters::agents {
-namespace {
-
-std::string line_about(const std::string& peer, const WireError& error,
-                       std::uint64_t more) {
-  auto line = fmt::format("agent {}: {}: {}", peer, name_of(error.kind),
-                          error.sentence);
-  return more == 0 ? line : fmt::format("{} (and {} more)", line, more);
-}
-
-} // namespace
-
 MistakeLog::MistakeLog(Write write) : write_(std::move(write)) {}
 
 void MistakeLog::note(const std::string& peer, const WireError& error,
                       Timestamp now) {
-  std::string line;
+  note(std::string(name_of(error.kind)),
+       fmt::format("agent {}: {}: {}", peer, name_of(error.kind),
+                   error.sentence),
+       now);
+}
+
+void MistakeLog::note_not_accepted(const std::string& reason, Timestamp now) {
+  note("accept", "an agent's connection is not accepted: " + reason, now);
+}
+
+void MistakeLog::note(const std::string& name, std::string line,
+                      Timestamp now) {
   {
     std::lock_guard lock(mutex_);
-    auto& kind = kinds_[std::string(name_of(error.kind))];
+    auto& kind = kinds_[name];
     ++kind.count;
     if (kind.written > 0 && now - kind.at < one_line_in.count())
       return;
-    line = line_about(peer, error, kind.count - kind.written - 1);
+    if (const auto more = kind.count - kind.written - 1; more > 0)
+      line += fmt::format(" (and {} more)", more);
     kind.written = kind.count;
     kind.at = now;
   }

@@ -1,6 +1,7 @@
-// MistakeLog counts the mistakes of agents and of strangers, and writes a line
-// about them (adapters/agents/PROTOCOL.md 5). Whoever sends rubbish must not
-// fill the log: of each kind there is one line a second at most.
+// MistakeLog counts the mistakes of agents and of strangers, and connections
+// that could not be accepted, and writes a line about them
+// (adapters/agents/PROTOCOL.md 5). Whoever sends rubbish must not fill the log:
+// of each kind there is one line a second at most.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +15,7 @@
 
 namespace parlour::adapters::agents {
 
-// counts() may be called from any thread, note() from one.
+// counts() may be called from any thread, the rest from one.
 class MistakeLog {
 public:
   using Write = std::function<void(const std::string& line)>;
@@ -24,6 +25,8 @@ public:
   explicit MistakeLog(Write write);
 
   void note(const std::string& peer, const WireError& error, Timestamp now);
+  // The kind is "accept".
+  void note_not_accepted(const std::string& reason, Timestamp now);
   // By the name of their kind.
   std::map<std::string, std::uint64_t> counts() const;
 
@@ -34,6 +37,8 @@ private:
     std::uint64_t written = 0;
     Timestamp at = 0;
   };
+
+  void note(const std::string& kind, std::string line, Timestamp now);
 
   Write write_;
   mutable std::mutex mutex_;

@@ -80,6 +80,10 @@ public:
                      static_cast<asio::ip::port_type>(std::stoi(port))});
   }
 
+  // Where it is connected.
+  asio::ip::tcp::endpoint platform() const {
+    return socket_.remote_endpoint();
+  }
   void say(const std::string& line) {
     asio::write(socket_, asio::buffer(line + '\n'));
   }

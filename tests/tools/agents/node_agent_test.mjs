@@ -87,9 +87,15 @@ test("reads what is written otherwise", () => {
 });
 
 test("answers mistakes", () => {
-  for (const example of VECTORS.errors)
-    assert.equal(readAll(new LineReader(), lineIn(example))[0],
-                 example.error, example.name);
+  for (const example of VECTORS.errors) {
+    const reader = new LineReader();
+    reader.add(lineIn(example));
+    assert.throws(() => reader.next(), (error) =>
+      refuses(example.error)(error) &&
+      (error.closes === true) ===
+        (new WireError(example.error).closes || example.closes === true),
+    example.name);
+  }
   for (const { name, frames, error } of VECTORS.frame_errors)
     assert.throws(() => readFrames(frames.map((frame) => Buffer.from(frame))),
                   refuses(error), name);
@@ -110,6 +116,14 @@ test("goes on behind a malformed message and its payload", () => {
   assert.deepEqual(
     readAll(new LineReader(), data),
     ["malformed", "malformed", new Message({ kind: "beat", number: 1 })]);
+});
+
+test("a payload of unknown length is never read as lines", () => {
+  for (const wrong of ["binary,,X,Y,f,five", 'binary,,X,Y,"f,5',
+                       "binary,,X,\xff,f,5", "binary"])
+    assert.deepEqual(
+      readAll(new LineReader(), Buffer.from(wrong + "\nbeat\n", "latin1")),
+      ["malformed"], wrong);
 });
 
 test("a message that may leave can be read, however long its line", () => {

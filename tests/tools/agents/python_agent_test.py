@@ -82,10 +82,15 @@ class Wire(unittest.TestCase):
 
     def test_answers_mistakes(self):
         for example in VECTORS["errors"]:
+            reader = LineReader()
+            reader.add(line_in(example))
             with self.subTest(example["name"]):
-                self.assertEqual(
-                    read_all(LineReader(), line_in(example))[:1],
-                    [example["error"]])
+                with self.assertRaises(WireError) as raised:
+                    reader.next()
+                self.assertEqual(raised.exception.kind, example["error"])
+                self.assertEqual(raised.exception.closes,
+                                 example["error"] in parlour_agent.CLOSING
+                                 or example.get("closes", False))
 
         for example in VECTORS["frame_errors"]:
             frames = [frame.encode() for frame in example["frames"]]
@@ -98,6 +103,12 @@ class Wire(unittest.TestCase):
         data = b"binary;n=x,,X,Y,f,5\nbeat\ntext,,X,\xff\nbeat;n=1\n"
         self.assertEqual(read_all(LineReader(), data),
                          ["malformed", "malformed", Message("beat", number=1)])
+
+    def test_a_payload_of_unknown_length_is_never_read_as_lines(self):
+        for wrong in (b"binary,,X,Y,f,five", b'binary,,X,Y,"f,5',
+                      b"binary,,X,\xff,f,5", b"binary"):
+            self.assertEqual(read_all(LineReader(), wrong + b"\nbeat\n"),
+                             ["malformed"], wrong)
 
     def test_reads_what_may_leave_however_long_its_line(self):
         most = parlour_agent.MAX_MESSAGE_BYTES

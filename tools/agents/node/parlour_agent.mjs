@@ -48,6 +48,8 @@ const CLOSING = new Set([
 
 // What is wrong with a message; `kind` as in PROTOCOL 5.
 export class WireError extends Error {
+  losesTrack = false; // what follows cannot be told from the rest of it
+
   constructor(kind, sentence) {
     super(sentence);
     this.name = "WireError";
@@ -56,7 +58,7 @@ export class WireError extends Error {
 
   // Whether the connection ends with it.
   get closes() {
-    return CLOSING.has(this.kind);
+    return this.losesTrack || CLOSING.has(this.kind);
   }
 }
 
@@ -323,13 +325,28 @@ export class LineReader {
       if (line === undefined) return undefined;
       if (line.at(-1) === 0x0d) line = line.subarray(0, -1);
       if (!line.length) continue;
-      const fields = fieldsIn(decode(line, "the line"));
-      if (!isBinary(fields[0])) return messageOf(fields);
-      this.#wanted = numberOf(fields.pop(), "a payload's length");
-      if (this.#wanted > MAX_MESSAGE_BYTES)
-        throw oversized("the payload is too long");
-      this.#fields = fields;
+      const fields = this.#fieldsOf(line);
+      if (fields) return messageOf(fields);
     }
+  }
+
+  // Undefined where a payload is awaited. Without its length (PROTOCOL 2.2) its
+  // bytes would be read as lines.
+  #fieldsOf(line) {
+    let fields;
+    try {
+      fields = fieldsIn(decode(line, "the line"));
+      if (!isBinary(fields[0])) return fields;
+      this.#wanted = numberOf(fields.pop(), "a payload's length");
+    } catch (error) {
+      error.losesTrack =
+        isBinary(line.toString("latin1").replace(/^"/, "").split(/[,"]/)[0]);
+      throw error;
+    }
+    if (this.#wanted > MAX_MESSAGE_BYTES)
+      throw oversized("the payload is too long");
+    this.#fields = fields;
+    return undefined;
   }
 
   #line() {

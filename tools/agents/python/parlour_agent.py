@@ -28,6 +28,7 @@ import itertools
 import json
 import logging
 import queue
+import re
 import secrets
 import selectors
 import socket
@@ -55,16 +56,18 @@ _log = logging.getLogger("parlour_agent")
 # -- messages (PROTOCOL 1) ----------------------------------------------------
 
 class WireError(Exception):
-    """What is wrong with a message; `kind` as in PROTOCOL 5."""
+    """What is wrong with a message; `kind` as in PROTOCOL 5. Who `loses_track`
+    cannot tell what follows from the rest of this message."""
 
-    def __init__(self, kind, sentence):
+    def __init__(self, kind, sentence, loses_track=False):
         super().__init__(sentence)
         self.kind = kind
+        self.loses_track = loses_track
 
     @property
     def closes(self):
         """Whether the connection ends with it."""
-        return self.kind in CLOSING
+        return self.loses_track or self.kind in CLOSING
 
 
 @dataclasses.dataclass
@@ -326,13 +329,26 @@ class LineReader:
             line = line.removesuffix(b"\r")
             if not line:
                 continue
+            fields = self._fields_of(line)
+            if fields is not None:
+                return message_of(fields)
+
+    def _fields_of(self, line):
+        """None where a payload is awaited. Without its length (PROTOCOL 2.2)
+        its bytes would be read as lines."""
+        try:
             fields = _fields_in(_text_of(line, "the line"))
             if not _is_binary(fields[0]):
-                return message_of(fields)
+                return fields
             self._wanted = number_of(fields.pop(), "a payload's length")
-            if self._wanted > MAX_MESSAGE_BYTES:
-                raise WireError("oversized", "the payload is too long")
-            self._fields = fields
+        except WireError as error:
+            head = re.split(b'[,"]', line.removeprefix(b'"'), maxsplit=1)[0]
+            error.loses_track = _is_binary(head.decode(errors="replace"))
+            raise
+        if self._wanted > MAX_MESSAGE_BYTES:
+            raise WireError("oversized", "the payload is too long")
+        self._fields = fields
+        return None
 
     def _line(self):
         end = self._held.find(b"\n", self._scanned)

@@ -159,8 +159,8 @@ ChosenComponent* Composer::add(const ComponentSettings& component) {
 // To the rest of the program an agent is its stand-in, with the agent's roles.
 // Without a stand-in it is an agent that never connects.
 void Composer::add_agent(const AgentSettings& agent) {
-  adapters::agents::RemoteAgentOrder order{
-      agent.name, agent.roles, settings_.sessions.request_timeout};
+  adapters::agents::RemoteAgentOrder order{agent.name, agent.roles,
+                                           settings_.sessions.request_timeout};
   if (agent.stand_in.empty()) {
     composition_.components.push_back(
         {agent.name,

@@ -25,6 +25,18 @@ TEST(MistakeLog, CountsAllAndWritesFew) {
               ElementsAre(Pair("identity", 6U), Pair("malformed", 1U)));
 }
 
+TEST(MistakeLog, CountsConnectionsThatAreNotAccepted) {
+  std::vector<std::string> lines;
+  MistakeLog log([&](const std::string& line) { lines.push_back(line); });
+  for (int i = 0; i < 3; ++i)
+    log.note_not_accepted("too many files", 700 * i);
+  EXPECT_THAT(lines, ElementsAre("an agent's connection is not accepted: too "
+                                 "many files",
+                                 "an agent's connection is not accepted: too "
+                                 "many files (and 1 more)"));
+  EXPECT_THAT(log.counts(), ElementsAre(Pair("accept", 3U)));
+}
+
 TEST(MistakeLog, MayHaveNoLog) {
   MistakeLog log({});
   log.note("Robot", {WireErrorKind::malformed, "no time"}, 5);

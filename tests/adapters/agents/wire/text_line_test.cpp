@@ -60,7 +60,10 @@ TEST(TextLine, AnswersTheMistakes) {
     const auto read = read_all(reader, line_in(example));
     ASSERT_FALSE(read.empty()) << example["name"];
     ASSERT_FALSE(read[0]) << example["name"];
-    EXPECT_EQ(name_of(read[0].error().kind), example["error"])
+    const auto& error = read[0].error();
+    EXPECT_EQ(name_of(error.kind), example["error"]) << example["name"];
+    EXPECT_EQ(closes_connection(error), closes_connection({error.kind, ""}) ||
+                                            example.value("closes", false))
         << example["name"];
     EXPECT_FALSE(read[0].error().sentence.empty());
   }

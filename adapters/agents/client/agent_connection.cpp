@@ -216,6 +216,10 @@ private:
     const auto welcome = welcome_of(message);
     if (!welcome)
       return lose("the platform's welcome: " + welcome.error().sentence);
+    if (link_.is_behind(welcome->introduction)) {
+      link_.renew(new_incarnation());
+      return lose("the platform knows of messages that were never sent");
+    }
     link_.connect(welcome->introduction, steady_now());
     pause_ = first_pause;
     loss_is_noted_ = false;

@@ -41,6 +41,11 @@ bool Link::goes_on_with(const Introduction& peer) const {
          peer.seen_number >= acknowledged_ && peer.seen_number <= highest_sent_;
 }
 
+bool Link::is_behind(const Introduction& peer) const {
+  return peer.seen_incarnation == incarnation_ &&
+         peer.seen_number > highest_sent_;
+}
+
 void Link::renew(std::string incarnation) {
   incarnation_ = std::move(incarnation);
 }

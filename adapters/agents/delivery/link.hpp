@@ -62,8 +62,11 @@ public:
   // Whether the peer remembers this side, and this side the peer: both go on
   // where they were. Otherwise both begin afresh.
   bool goes_on_with(const Introduction& peer) const;
-  // The platform's side alone: where it begins afresh with an agent, it must
-  // look to the agent like another process, so that the agent does the same.
+  // The peer has received more of this incarnation than this side knows to have
+  // sent: to it, this side must be another one (renew()).
+  bool is_behind(const Introduction& peer) const;
+  // Who begins afresh although the other side would go on must look to it like
+  // another process, so that it does the same.
   void renew(std::string incarnation);
   // The peer's hello or welcome has arrived: messages may be exchanged.
   void connect(const Introduction& peer, Timestamp now);

@@ -248,6 +248,13 @@ test("begins afresh with who has forgotten it", () => {
   }
 });
 
+test("who has received what was never sent meets another incarnation", () => {
+  const link = connectedLink();
+  assert.equal(link.connect(["incarnation=bb", "seen=aa:7"], 0), false);
+  assert.notEqual(link.incarnation, "aa");
+  assert.equal(link.connect(["incarnation=bb", "seen=aa:7"], 0), true);
+});
+
 test("a slow message is no silence", () => {
   const link = connectedLink();
   link.heard(2500);

@@ -438,7 +438,9 @@ export class Link {
     return said;
   }
 
-  // The other side's hello or welcome has arrived. Throws a WireError.
+  // The other side's hello or welcome has arrived. False: it has received more
+  // than was ever sent; hello is to be said again, in another incarnation.
+  // Throws a WireError.
   connect(parameters, now) {
     const said = new Map(parameters.map((parameter) => {
       const equals = (parameter + "=").indexOf("=");
@@ -448,6 +450,12 @@ export class Link {
     const [seen, seenNumber = ""] = (said.get("seen") ?? "").split(":");
     const number = seen ? numberOf(seenNumber, "seen") : 0;
     const peer = said.get("incarnation") ?? "";
+    if (seen === this.incarnation && number > this.#lastSent) {
+      this.incarnation = newIncarnation();
+      this.#peer = "";
+      this.#beginAfresh();
+      return false;
+    }
     // Who has forgotten this side, or what it acknowledged, begins afresh.
     const same = peer !== "" && peer === this.#peer &&
       seen === this.incarnation && number >= this.#acknowledged;
@@ -459,6 +467,7 @@ export class Link {
     this.connected = true;
     this.#gap = this.#gapIsTold = false;
     this.#heard = this.#said = this.#numberSaid = now;
+    return true;
   }
 
   disconnect() {
@@ -759,7 +768,7 @@ export class Agent {
   #open; // makes a connection that tells these events
   #options;
   #handlers = new Map();
-  #link = new Link(randomBytes(8).toString("hex"));
+  #link = new Link(newIncarnation());
   #connection;
   #openedAt;
   #triedAt = -Infinity;
@@ -996,7 +1005,10 @@ export class Agent {
   }
 
   #welcome(message) {
-    this.#link.connect(message.parameters, now());
+    if (!this.#link.connect(message.parameters, now())) {
+      this.#lost("the platform knows of messages that were never sent");
+      return;
+    }
     this.#welcomed = true;
     this.#online.resolve();
     this.#flush();
@@ -1081,6 +1093,10 @@ function messageWith(said, values) {
   });
   checkWritable(message);
   return message;
+}
+
+function newIncarnation() {
+  return randomBytes(8).toString("hex");
 }
 
 // Heartbeats must not jump with the wall clock.

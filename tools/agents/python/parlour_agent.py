@@ -18,7 +18,7 @@ pyzmq (Debian: python3-zmq). The protocol is adapters/agents/PROTOCOL.md.
 
 Nothing that an agent sends is lost and nothing arrives twice while both
 processes live, however often the connection breaks; the agent connects again
-by itself. Handlers are called one after the other, on a thread of their own:
+by itself. With a store that holds across a crash of the agent, too. Handlers are called one after the other, on a thread of their own:
 they may take their time, fire events and ask.
 """
 
@@ -27,6 +27,7 @@ import dataclasses
 import itertools
 import json
 import logging
+import os
 import queue
 import re
 import secrets
@@ -35,6 +36,12 @@ import socket
 import ssl
 import threading
 import time
+import zlib
+
+try:
+    import fcntl
+except ImportError:  # not on this system: nothing locks a store there
+    fcntl = None
 
 MAX_MESSAGE_BYTES = 1 << 20
 MAX_PARAMETERS = 64
@@ -404,11 +411,97 @@ def read_frames(frames):
                       payload)
 
 
+# -- what outlives the process (PROTOCOL 4.9) ---------------------------------
+
+class Store:
+    """What an agent must not forget when its process dies, in a file: a
+    snapshot, then a line for each change. A line is written at once, and what
+    a killed process has left of its last line does not count. The lines
+    outlive the process, not a failure of the computer. One process at a time
+    can have a store. Raises OSError where the file cannot be used."""
+
+    MAX_BYTES = 16 << 20  # of changes: then it begins anew
+
+    def __init__(self, path):
+        self._path = os.fspath(path)
+        self._lock = open(self._path + ".lock", "w", encoding="ascii")
+        try:
+            if fcntl is not None:
+                fcntl.flock(self._lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except OSError as error:
+            self._lock.close()
+            raise BlockingIOError(
+                f"another process uses the store {self._path}") from error
+        self._file = None  # not before begin()
+        self._size = 0
+
+    def load(self):
+        """The snapshot and the changes since, as dictionaries; [] where there
+        is no file yet. Raises ValueError."""
+        try:
+            with open(self._path, "rb") as file:
+                *lines, rest = file.read().split(b"\n")
+        except FileNotFoundError:
+            return []
+        found = [self._read(line, at) for at, line in enumerate(lines, 1)]
+        if not found:
+            raise ValueError(f"{self._path} is no store: '{rest[:32]!r}'")
+        return found
+
+    def _read(self, line, at):
+        check, _, text = line.partition(b" ")
+        if check != self._check(text):
+            raise ValueError(f"{self._path}:{at}: the store is damaged. "
+                             "Remove it, and the agent begins afresh")
+        return json.loads(text)
+
+    @staticmethod
+    def _check(text):
+        return b"%08x" % zlib.crc32(text)
+
+    def _line(self, change):
+        text = json.dumps(change, separators=(",", ":")).encode()
+        return self._check(text) + b" " + text + b"\n"
+
+    def begin(self, snapshot):
+        """Replaces all that was written."""
+        beside = self._path + "~"
+        with open(beside, "wb", buffering=0) as file:
+            file.write(self._line(snapshot))
+        os.replace(beside, self._path)
+        if self._file is not None:
+            self._file.close()
+        self._file = open(self._path, "ab", buffering=0)
+        self._size = 0
+
+    def add(self, change):
+        """False: it has grown long and wants to begin anew."""
+        line = self._line(change)
+        self._size += self._file.write(line)
+        return self._size < self.MAX_BYTES
+
+    def close(self):
+        if self._file is not None:
+            self._file.close()
+        self._lock.close()
+
+
+def _stored(message):
+    return line_of(message).decode("latin-1")
+
+
+def _restored(text):
+    reader = LineReader()
+    reader.add(text.encode("latin-1"))
+    return reader.next()
+
+
 # -- delivery (PROTOCOL 4) ----------------------------------------------------
 
 class Link:
     """One side of the promise that nothing is lost and nothing arrives twice.
-    It outlives connections. Knows no socket and no clock; times are seconds."""
+    It outlives connections, and with a store its process. Knows no socket and
+    no clock; times are seconds."""
 
     WINDOW = 100
     MAX_WAITING = 1000
@@ -417,8 +510,12 @@ class Link:
     BEAT_AFTER = 1.0
     OFFLINE_AFTER = 3.0
 
-    def __init__(self, incarnation):
+    def __init__(self, incarnation, store=None):
         self.incarnation = incarnation
+        # Not from 1: an answer to an earlier process must not answer this one.
+        self.first_correlation = 1 + secrets.randbelow(1 << 47)
+        self.last_correlation = self.first_correlation - 1
+        self._store = store
         self.connected = False
         self._peer = ""
         self._peer_window = self.WINDOW
@@ -435,6 +532,47 @@ class Link:
         self._gap_is_told = False
         self._heard = self._said = self._since = 0.0
         self._number_said = 0.0  # when the peer was told of the last number
+        if store is not None:
+            self._restore(store.load())
+
+    # What was kept may have been sent, and what was sent may have arrived.
+    def _restore(self, changes):
+        for change in changes:
+            if "incarnation" in change:
+                self.incarnation = change["incarnation"]
+                self._peer = change["peer"]
+                self.first_correlation = change["first_correlation"]
+                self.last_correlation = change["last_correlation"]
+                self._acknowledged = change["acknowledged"]
+            for message in map(_restored, change["sent"]):
+                self._outbox_bytes += self._weight(message)
+                self._outbox.append(message)
+                if message.sinks:
+                    self.last_correlation = max(self.last_correlation,
+                                                message.correlation or 0)
+            self._last_sent = self._acknowledged + len(self._outbox)
+            self._acknowledge(change["acknowledged"])
+            self._received = self._handed_on = change["handled"]
+        self._told = self._handed_on
+        self._keep_all()
+
+    def _keep_all(self):
+        if self._store is not None:
+            self._store.begin({
+                "incarnation": self.incarnation, "peer": self._peer,
+                "first_correlation": self.first_correlation,
+                "last_correlation": self.last_correlation,
+                "acknowledged": self._acknowledged,
+                "handled": self._handed_on,
+                "sent": [_stored(message) for message in self._outbox]})
+
+    def _keep(self, sent=()):
+        """Before any of it is told to the peer."""
+        if self._store is not None and not self._store.add({
+                "acknowledged": self._acknowledged,
+                "handled": self._handed_on,
+                "sent": [_stored(message) for message in sent]}):
+            self._keep_all()
 
     def introduction(self):
         """What this side's hello says, as parameters."""
@@ -444,16 +582,24 @@ class Link:
         return said
 
     def connect(self, parameters, now):
-        """The other side's hello or welcome has arrived. Raises a
+        """The other side's hello or welcome has arrived. False: it has
+        received more than this side knows to have sent, whose store is too
+        old; hello is to be said again, in another incarnation. Raises a
         WireError."""
         said = dict(parameter.partition("=")[::2] for parameter in parameters)
         window = number_of(said.get("window", str(self.WINDOW)), "window")
         seen, _, number = said.get("seen", "").partition(":")
         number = number_of(number, "seen") if seen else 0
         peer = said.get("incarnation", "")
+        if seen == self.incarnation and number > self._last_sent:
+            self.incarnation, self._peer = secrets.token_hex(8), ""
+            self._begin_afresh()
+            self._keep_all()
+            return False
         # Who has forgotten this side, or what it acknowledged, begins afresh.
         same = bool(peer) and peer == self._peer \
-            and seen == self.incarnation and number >= self._acknowledged
+            and seen == self.incarnation \
+            and self._acknowledged <= number <= self._last_sent
         if not same:
             self._begin_afresh()
         self._peer = peer
@@ -461,9 +607,12 @@ class Link:
         self._sent = 0
         if same:
             self._acknowledge(number)
+        else:
+            self._keep_all()
         self.connected = True
         self._gap = self._gap_is_told = False
         self._heard = self._said = self._number_said = now
+        return True
 
     def _begin_afresh(self):
         self._acknowledged = self._last_sent = 0
@@ -477,13 +626,24 @@ class Link:
 
     def send(self, message):
         """False where the outbox is full."""
-        size = self._weight(message)
-        if len(self._outbox) >= self.MAX_WAITING or \
-                self._outbox_bytes + size > self.MAX_WAITING_BYTES:
+        if not self._add([message]):
             return False
-        message.number = self._acknowledged + len(self._outbox) + 1
-        self._outbox_bytes += size
-        self._outbox.append(message)
+        self._keep([message])
+        return True
+
+    @classmethod
+    def has_room(cls, messages, count=0, size=0):
+        """In an outbox that holds so much already."""
+        return count + len(messages) <= cls.MAX_WAITING and \
+            size + sum(map(cls._weight, messages)) <= cls.MAX_WAITING_BYTES
+
+    def _add(self, messages):
+        if not self.has_room(messages, len(self._outbox), self._outbox_bytes):
+            return False
+        for message in messages:
+            message.number = self._acknowledged + len(self._outbox) + 1
+            self._outbox_bytes += self._weight(message)
+            self._outbox.append(message)
         return True
 
     @property
@@ -516,9 +676,20 @@ class Link:
         self.handed_on(message)
         return False
 
-    def handed_on(self, message):
-        """The message is with its receiver. What was received before a process
-        at the other end was replaced counts no more."""
+    def handed_on(self, message, said=()):
+        """The message is with its receiver, who has said this: both is kept at
+        once. False where the outbox is full."""
+        if not self._add(said):
+            return False
+        before = self._handed_on
+        self._mark(message)
+        if said or self._handed_on != before:
+            self._keep(said)
+        return True
+
+    def _mark(self, message):
+        """What was received before a process at the other end was replaced
+        counts no more."""
         if message.number is None or \
                 self._pending.get(message.number) is not message:
             return
@@ -713,6 +884,10 @@ class _Frames:
         self._dealer = zmq.Context.instance().socket(zmq.DEALER)
         try:
             self._dealer.linger = 500
+            # By itself ZeroMQ would connect again without a hello.
+            self._dealer.reconnect_ivl = -1
+            self._monitor = self._dealer.get_monitor_socket(
+                zmq.EVENT_DISCONNECTED | zmq.EVENT_CLOSED)
             self._dealer.ipv6 = ":" in host
             if keys is not None:
                 self._dealer.curve_publickey, self._dealer.curve_secretkey, \
@@ -750,8 +925,13 @@ class _Frames:
             except WireError as error:
                 message = error
             yield message
+        if self._monitor.events & self._zmq.POLLIN:
+            self._dealer.linger = 0  # what it says now means nothing
+            raise ConnectionError("the connection was closed")
 
     def close(self):
+        self._dealer.disable_monitor()
+        self._monitor.close()
         self._dealer.close()
 
 
@@ -775,6 +955,9 @@ class Agent:
     token      its secret, for lines off loopback
     tls        an ssl.SSLContext for lines under TLS
     keys       (own public, own secret, platform's public) for ZeroMQ's CURVE
+    store      the path of a file, for an agent that goes on after a crash: what
+               a handler fires leaves with the record that it has ended, and a
+               handler that was under way is called again with its message
 
     Methods may be called from any thread. Handlers run on the thread of run(),
     or on one that start() makes; the connection has a thread of its own. What
@@ -786,7 +969,8 @@ class Agent:
     WELCOME_WITHIN = 3.0
     STOP_WITHIN = 2.0
 
-    def __init__(self, name, address, roles=(), token="", tls=None, keys=None):
+    def __init__(self, name, address, roles=(), token="", tls=None, keys=None,
+                 store=None):
         self.name = name
         self._transport, _, place = address.partition("://")
         host, _, port = place.rpartition(":")
@@ -801,14 +985,15 @@ class Agent:
         self._roles, self._token = tuple(roles), token
         self._tls, self._keys = tls, keys
         self._handlers = {}
-        self._link = Link(secrets.token_hex(8))
+        self._store = None if store is None else Store(store)
+        self._link = Link(secrets.token_hex(8), self._store)
+        self._fires = None  # of the handler that is under way, with a store
+        self._handling = None  # its thread
         self._changed = threading.Condition()  # guards _link and _ended
         self._ended = False
         self._messages = queue.SimpleQueue()  # for handlers; None at the end
         self._requests = {}
-        # Not from 1: an answer to an earlier process must not answer this one.
-        self._first_correlation = 1 + secrets.randbelow(1 << 47)
-        self._correlations = itertools.count(self._first_correlation)
+        self._correlations = itertools.count(self._link.last_correlation + 1)
         self._connection = None
         self._welcomed = False
         self._malformed = 0  # in a row
@@ -895,6 +1080,10 @@ class Agent:
         for value in values:
             self._add(message, value, len(values))
         check_writable(message)
+        if end is None and self._fires is not None and \
+                threading.current_thread() is self._handling:
+            self._fire_later(message)
+            return
         with self._changed:
             while self._ended or not self._link.send(message):
                 if self._ended:
@@ -904,6 +1093,12 @@ class Agent:
                     raise Refused("Timeout", "too much is unacknowledged")
                 self._changed.wait(left)
         self._wake()
+
+    def _fire_later(self, message):
+        """With what else the handler fires, all of which waits at once."""
+        if not Link.has_room([*self._fires, message]):
+            raise Refused("Limit", "a handler has fired too much")
+        self._fires.append(message)
 
     @staticmethod
     def _add(message, value, count):
@@ -1067,7 +1262,10 @@ class Agent:
     def _take(self, message):
         if message.kind == "welcome":
             with self._changed:
-                self._link.connect(message.parameters, time.monotonic())
+                if not self._link.connect(message.parameters,
+                                          time.monotonic()):
+                    raise ConnectionError("the platform knows of messages "
+                                          "that were never sent")
                 self._changed.notify_all()
             self._welcomed = True
             self.online.set()
@@ -1114,7 +1312,7 @@ class Agent:
     def _is_answer(self, message):
         """Also a late one, which nobody waits for any more."""
         return not message.sinks and message.correlation is not None and \
-            0 <= message.correlation - self._first_correlation < 1 << 32
+            0 <= message.correlation - self._link.first_correlation < 1 << 32
 
     def _say(self, kind, sentence):
         """To the log: of each kind once a second at most, the same once a
@@ -1128,16 +1326,31 @@ class Agent:
     # -- the handlers' thread -------------------------------------------------
 
     def _handle(self):
+        self._handling = threading.current_thread()
         while True:
             message = self._messages.get()
             if message is None or self._ended:
-                return
+                break
+            self._fires = None if self._store is None else []
             handler = self._handlers.get(message.command,
                                          self._handlers.get("*"))
             if handler is not None:
                 self._call(handler, message)
+            self._finish(message)
+        if self._store is not None:
             with self._changed:
-                self._link.handed_on(message)
+                self._store.close()
+
+    def _finish(self, message):
+        """A handler has ended. What it has fired waits for the outbox."""
+        said, self._fires = self._fires or [], None
+        with self._changed:
+            while not self._link.handed_on(message, said):
+                if self._ended:
+                    return  # the next process handles it again
+                self._changed.wait()
+        if said:
+            self._wake()
 
     def _call(self, handler, message):
         """A handler's mistake ends one message."""

@@ -286,8 +286,10 @@ TEST_F(LinkTest, BeginsAfreshWithAPeerThatHasForgotten) {
   EXPECT_TRUE(platform.link.goes_on_with(peer));
   peer.seen_number = 0; // it had acknowledged 1
   EXPECT_FALSE(platform.link.goes_on_with(peer));
+  EXPECT_FALSE(platform.link.is_behind(peer));
   peer.seen_number = 2; // never sent
   EXPECT_FALSE(platform.link.goes_on_with(peer));
+  EXPECT_TRUE(platform.link.is_behind(peer));
   peer.seen_number = 1;
   peer.seen_incarnation = "another platform";
   EXPECT_FALSE(platform.link.goes_on_with(peer));

@@ -2,112 +2,17 @@
 
 #include <algorithm>
 
-#include <nlohmann/json.hpp>
+#include "runtime/text/json_text.hpp"
 
 namespace parlour::adapters::agents {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-// The beginning of a JSON parameter, and the deepest nesting that is read: the
-// conversion to values is recursive.
+// The beginning of a JSON parameter.
 constexpr std::string_view mark = "\x01J";
-constexpr int max_depth = 32;
-
-// -- writing ------------------------------------------------------------------
-
-Json json_of(const Value& value);
-
-// A result of a query becomes a list of maps, one for each row.
-Json json_of(const ResultSet& result) {
-  auto rows = Json::array();
-  for (std::size_t row = 0; row < result.row_count(); ++row) {
-    auto cells = Json::object();
-    for (const auto& column : result.columns)
-      cells[column] = json_of(*result.cell(row, column));
-    rows.push_back(std::move(cells));
-  }
-  return rows;
-}
-
-Json json_of(const Value& value) {
-  switch (value.type()) {
-  case ValueType::unknown:
-  case ValueType::binary:
-    return nullptr;
-  case ValueType::boolean:
-    return *value.if_boolean();
-  case ValueType::integer:
-    return *value.if_integer();
-  case ValueType::number:
-    return *value.if_number();
-  case ValueType::string:
-    return *value.if_string();
-  case ValueType::result:
-    return json_of(*value.if_result());
-  case ValueType::list: {
-    auto list = Json::array();
-    for (const auto& element : *value.if_list())
-      list.push_back(json_of(element));
-    return list;
-  }
-  case ValueType::map: {
-    auto map = Json::object();
-    for (const auto& [key, entry] : value.if_map()->entries())
-      map[key] = json_of(entry);
-    return map;
-  }
-  }
-  return nullptr;
-}
 
 // Values that only JSON can represent.
 bool is_compound(const Value& value) {
   return value.if_list() || value.if_map() || value.if_result();
-}
-
-// -- reading ------------------------------------------------------------------
-
-// Integers beyond the signed range become floating-point numbers, as in
-// scripts.
-Value value_of_json(const Json& json) {
-  if (json.is_boolean())
-    return json.get<bool>();
-  if (json.is_number_integer() &&
-      !(json.is_number_unsigned() &&
-        json.get<std::uint64_t>() > std::uint64_t{INT64_MAX}))
-    return json.get<std::int64_t>();
-  if (json.is_number())
-    return json.get<double>();
-  if (json.is_string())
-    return json.get<std::string>();
-  if (json.is_array()) {
-    List list;
-    for (const auto& element : json)
-      list.push_back(value_of_json(element));
-    return list;
-  }
-  Map map;
-  if (json.is_object())
-    for (const auto& [key, entry] : json.items())
-      map.set(key, value_of_json(entry));
-  return json.is_object() ? Value(std::move(map)) : Value();
-}
-
-// Bounds the depth of nesting: the parser calls `watch` for each value that
-// begins.
-Read<Json> parse(std::string_view text) {
-  bool too_deep = false;
-  const auto watch = [&](int depth, Json::parse_event_t, Json&) {
-    too_deep = too_deep || depth > max_depth;
-    return !too_deep;
-  };
-  auto json = Json::parse(text, watch, false);
-  if (too_deep)
-    return malformed("a JSON parameter is nested too deep");
-  if (json.is_discarded())
-    return malformed("what follows the mark of a JSON parameter is no JSON");
-  return json;
 }
 
 } // namespace
@@ -119,20 +24,21 @@ std::string parameter_of(const Value& value, bool json) {
     if (!json || !text->starts_with('\x01'))
       return *text;
   if (json)
-    return std::string(mark) +
-           json_of(value).dump(-1, ' ', false, Json::error_handler_t::replace);
+    return std::string(mark) + json_text(value);
   if (is_compound(value))
-    return json_of(value).dump(-1, ' ', false, Json::error_handler_t::replace);
+    return json_text(value);
   return value.is_unknown() || value.if_binary() ? "" : value.text();
 }
 
 Read<Value> value_of(std::string_view parameter, bool json) {
   if (!json || !parameter.starts_with(mark))
     return Value(parameter);
-  auto parsed = parse(parameter.substr(mark.size()));
-  if (!parsed)
-    return tl::make_unexpected(std::move(parsed.error()));
-  return value_of_json(*parsed);
+  auto read = read_json(parameter.substr(mark.size()));
+  if (!read && read.error() == JsonFault::too_deep)
+    return malformed("a JSON parameter is nested too deep");
+  if (!read)
+    return malformed("what follows the mark of a JSON parameter is no JSON");
+  return std::move(*read);
 }
 
 Read<AgentMessage> message_for_agent(const Message& message, bool json,

@@ -8,8 +8,9 @@ namespace {
 
 void check_roles(const PluginDescription& plugin,
                  std::vector<std::string>& findings) {
-  if (plugin.roles.empty())
-    findings.push_back("it is described without a role");
+  if (plugin.roles.empty() && plugin.commands.empty())
+    findings.push_back("it is described without a role, and without commands "
+                       "of its own");
   for (const auto& name : plugin.roles) {
     const auto* role = find_role(name);
     if (!role)

@@ -8,9 +8,9 @@
 
 namespace parlour {
 
-// One sentence per fault: a missing name, sentence or known role; an option
-// that is described twice or without a sentence; a default that does not fit
-// its option's type.
+// One sentence per fault: a missing name, sentence or known role (unless it has
+// commands of its own); an option that is described twice or without a
+// sentence; a default that does not fit its option's type.
 std::vector<std::string> check_description(const PluginDescription& plugin);
 
 } // namespace parlour

@@ -12,7 +12,7 @@ from pathlib import Path
 from page_case import ROOT, PageCase, blocks_of
 
 PAGES = sorted((ROOT / "docs").glob("*.md")) + [ROOT / "README.md"]
-RUN = {"tutorial.md", "plugins.md", "test.md", "engine.md"}  # by the tests called so
+RUN = {"tutorial.md", "plugins.md", "test.md", "engine.md", "services.md"}  # by the tests called so
 
 # Pages whose XML is compared with an application by tests of their own.
 HELD = {"writing.md", "repair.md"}

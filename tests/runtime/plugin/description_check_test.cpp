@@ -28,7 +28,8 @@ TEST(DescriptionCheck, MissesWhatEachHas) {
   EXPECT_THAT(check_description({}),
               ElementsAre("it is described without a name",
                           "it is described without a sentence",
-                          "it is described without a role"));
+                          "it is described without a role, and without "
+                          "commands of its own"));
 }
 
 TEST(DescriptionCheck, KnowsRoles) {

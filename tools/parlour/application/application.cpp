@@ -54,9 +54,11 @@ Settings settings_alone(const fs::path& folder, const fs::path& platform,
   const auto aliases = loader.read(platform / "aliases.xml", {"aliases"}, {});
   if (!settings)
     return {};
-  return script::read_settings(
+  auto read = script::read_settings(
       *settings, aliases ? script::read_aliases(*aliases) : script::Aliases(),
       environment_value, said);
+  read.folder = folder.string();
+  return read;
 }
 
 // Reads the settings again to find the place of one option (OptionPlaces).
@@ -183,7 +185,7 @@ script::Compiled load_file(const fs::path& file, const Places& places,
       file, compile_options(find_platform(places, file.parent_path()), texts));
 }
 
-// See the two plug-ins' options for what "file" and "copy" mean.
+// See the plug-ins' options for what "file", "copy" and "samples" mean.
 Composition in_memory(Composition composition) {
   for (auto& component : composition.components) {
     const auto& plugin = component.factory.description.name;
@@ -191,6 +193,8 @@ Composition in_memory(Composition composition) {
       component.options.erase("file");
     else if (plugin == "MySQLDatabase")
       component.options["copy"] = "true";
+    else if (plugin == "HTTPService")
+      component.options["samples"] = "true";
   }
   return composition;
 }

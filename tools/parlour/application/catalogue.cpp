@@ -6,6 +6,7 @@
 
 #include "adapters/database/mariadb/mariadb_database.hpp"
 #include "adapters/database/sqlite/sqlite_database.hpp"
+#include "adapters/http/http_service.hpp"
 #include "adapters/nlg/phrase_nlg.hpp"
 #include "adapters/nlu/keywords/keyword_nlu.hpp"
 #include "adapters/nlu/understand/grammar_nlu.hpp"
@@ -36,13 +37,20 @@ const PluginFactory* find_in(const std::vector<PluginFactory>& plugins,
 // application: its settings choose plug-ins by name.
 const std::vector<PluginFactory>& built_in_plugins() {
   static const std::vector<PluginFactory> plugins = {
-      adapters::grammar_nlu_factory(),     adapters::phrase_nlg_factory(),
-      adapters::sqlite_database_factory(), adapters::mysql_database_factory(),
-      adapters::log_telephone_factory(),   adapters::log_taxi_factory(),
-      adapters::log_sms_factory(),         adapters::log_weather_factory(),
-      adapters::log_traffic_factory(),     adapters::log_robot_factory(),
-      adapters::log_devices_factory(),     adapters::keyword_nlu_factory(),
+      adapters::grammar_nlu_factory(),
+      adapters::phrase_nlg_factory(),
+      adapters::sqlite_database_factory(),
+      adapters::mysql_database_factory(),
+      adapters::log_telephone_factory(),
+      adapters::log_taxi_factory(),
+      adapters::log_sms_factory(),
+      adapters::log_weather_factory(),
+      adapters::log_traffic_factory(),
+      adapters::log_robot_factory(),
+      adapters::log_devices_factory(),
+      adapters::keyword_nlu_factory(),
       adapters::text_file_tts_factory(),
+      adapters::http::http_service_factory(),
   };
   return plugins;
 }

@@ -8,6 +8,7 @@
 #include "runtime/base/call_deadline.hpp"
 #include "runtime/plugin/component_check.hpp"
 #include "runtime/plugin/scope_check.hpp"
+#include "tools/parlour/application/described_plugin.hpp"
 #include "tools/parlour/application/option_check.hpp"
 #include "tools/parlour/application/process_isolation.hpp"
 
@@ -136,6 +137,8 @@ ChosenComponent* Composer::add(const ComponentSettings& component) {
     error(component.place, factory.error().message);
     return nullptr;
   }
+  complete_description(factory->description, component.options,
+                       settings_.folder);
   // The effective policy, with the default deadline worked out.
   auto policy = component.policy;
   policy.deadline = call_deadline(policy, settings_.sessions.request_timeout);

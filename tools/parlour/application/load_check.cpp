@@ -49,7 +49,7 @@ private:
       return findings_.push_back(
           {Severity::warning, compiled_.findings.place(plugin->value_position),
            found.error().message, "unknown-module"});
-    const auto& description = found->description;
+    const auto description = described(found->description, name->value);
     // A wrong name given in `name` has been reported by the compiler.
     if (!given || wrong_source_name(given->value).empty())
       report(check_component(name->value, description), *name);
@@ -60,6 +60,17 @@ private:
         report(check_replacement(name->value, component.factory.description,
                                  description),
                *name);
+  }
+
+  // The plug-in as it will be with the options that the settings have for a
+  // component of this name.
+  PluginDescription described(PluginDescription plugin,
+                              const std::string& name) const {
+    for (const auto& component : composition_.components)
+      if (component.name == name &&
+          component.factory.description.name == plugin.name)
+        return component.factory.description;
+    return plugin;
   }
 
   // Adds the error, if there is one, at the attribute's value.

@@ -5,6 +5,7 @@
 #include "adapters/files/data_files.hpp"
 #include "adapters/network/tcp_sockets.hpp"
 #include "script/run/phrase_evaluator.hpp"
+#include "tools/parlour/application/described_plugin.hpp"
 #include "tools/parlour/application/module_names.hpp"
 #include "tools/parlour/application/process_isolation.hpp"
 
@@ -47,7 +48,9 @@ actors::NodeOptions node_options(const Application& application,
   // Components that scripts <load> get the same treatment as those of the
   // settings.
   options.complete = [plugins = application.plugins,
+                      folder = application.folder,
                       is_virtual](actors::ComponentOrder& order) {
+    complete_description(order.factory.description, order.options, folder);
     const auto file = plugins->file_of(order.factory.description.name);
     order.factory = hosted(std::move(order.factory), order.policy, file);
     fit_to_time(order, is_virtual);

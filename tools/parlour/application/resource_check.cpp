@@ -10,6 +10,7 @@
 #include "adapters/database/mariadb/mariadb_options.hpp"
 #include "adapters/database/sqlite/sqlite_image.hpp"
 #include "adapters/database/sqlite/sqlite_options.hpp"
+#include "adapters/http/http_service.hpp"
 #include "adapters/nlu/keywords/keyword_nlu.hpp"
 #include "runtime/base/file_bytes.hpp"
 #include "tools/parlour/application/understanding.hpp"
@@ -106,6 +107,17 @@ void check_files(Application& application, const ChosenComponent& component) {
   }
 }
 
+// HTTPService: reads its file of rules; the service itself is not asked.
+void check_rules(Application& application, const ChosenComponent& component) {
+  const auto mistakes = adapters::http::check_service(
+      component.options, application.folder.string());
+  for (const auto& error : mistakes.errors)
+    report(application, error, component.place, component.name);
+  for (const auto& missing : mistakes.missing)
+    application.findings.push_back(
+        {Severity::warning, missing.place, missing.message, "missing-secret"});
+}
+
 // Checks all databases. False if one of them has wrong options.
 bool check_databases(Application& application) {
   bool fit = true;
@@ -189,8 +201,11 @@ void check_resources(Application& application,
   const auto& composition = application.composition;
   const bool fit = check_databases(application);
   const auto failed = application.findings.size();
-  for (const auto& component : composition.components)
+  for (const auto& component : composition.components) {
     check_files(application, component);
+    if (component.factory.description.name == "HTTPService")
+      check_rules(application, component);
+  }
   // If a database cannot be made, reading its columns would report the same
   // again.
   if (!application.program || !fit || failed > before)

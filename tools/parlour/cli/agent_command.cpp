@@ -4,6 +4,7 @@
 #include "adapters/agents/client/plugin_agent.hpp"
 #include "adapters/network/address.hpp"
 #include "tools/parlour/application/data_folder.hpp"
+#include "tools/parlour/application/described_plugin.hpp"
 #include "tools/parlour/cli/commands.hpp"
 #include "tools/parlour/cli/given_plugin.hpp"
 #include "tools/parlour/console/exit_code.hpp"
@@ -42,6 +43,7 @@ Expected<PluginAgentOrder> order_of(const Places& places,
   auto given = given_options(options.options, factory->description);
   if (!given)
     return tl::make_unexpected(std::move(given.error()));
+  complete_description(factory->description, *given, places.working);
   PluginAgentOrder order;
   order.name = options.name.empty() ? factory->description.name : options.name;
   order.token = places.environment("PARLOUR_TOKEN").value_or("");

@@ -32,8 +32,10 @@ std::string takes(const OptionDescription& option) {
 // One plug-in: name, roles and origin; its options, commands and events.
 void print(std::ostream& out, const PluginDescription& plugin,
            const std::string& where) {
-  out << plugin.name << " (" << joined(plugin.roles) << "), " << where << "\n  "
-      << plugin.sentence << '\n';
+  const auto roles =
+      plugin.roles.empty() ? "" : " (" + joined(plugin.roles) + ')';
+  out << plugin.name << roles << ", " << where << "\n  " << plugin.sentence
+      << '\n';
   for (const auto& option : plugin.options) {
     const auto otherwise = default_of(option);
     out << "  " << option.name << ": " << takes(option)

@@ -16,6 +16,7 @@
 
 #include "runtime/plugin/conformance.hpp"
 #include "tools/parlour/application/data_folder.hpp"
+#include "tools/parlour/application/described_plugin.hpp"
 #include "tools/parlour/cli/given_plugin.hpp"
 #include "tools/parlour/cli/plugin_commands.hpp"
 #include "tools/parlour/console/exit_code.hpp"
@@ -65,12 +66,13 @@ private:
 Report try_out(const Places& places, const TestPluginOptions& asked,
                const std::string& data, Progress& progress) {
   progress.is_at("opening it");
-  const auto factory = given_plugin(places, asked.plugin);
+  auto factory = given_plugin(places, asked.plugin);
   if (!factory)
     return {exit_code::usage, "error: " + factory.error().message + "\n"};
   auto options = given_options(asked.options, factory->description);
   if (!options)
     return {exit_code::usage, "error: " + options.error().message + "\n"};
+  complete_description(factory->description, *options, places.working);
   const auto wrong = conformance_errors(
       *factory,
       {std::move(*options), Milliseconds(2'000), data, places.working.string(),

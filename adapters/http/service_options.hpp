@@ -1,0 +1,35 @@
+// The options of an HTTPService.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "adapters/http/rules/rules_reader.hpp"
+#include "adapters/http/transfer/http_client.hpp"
+#include "runtime/plugin/options.hpp"
+
+namespace parlour::adapters::http {
+
+struct ServiceOptions {
+  ClientOptions client;
+  // Answers come from the samples of the rules; nobody is asked.
+  bool samples = false;
+  // Each message is answered before the next one is taken.
+  bool one_by_one = false;
+};
+
+std::vector<OptionDescription> service_option_descriptions();
+
+// Reads all options but the rules. An error of kind Settings says what a value
+// has to be.
+Expected<ServiceOptions>
+read_service_options(const Options& options,
+                     const std::string& application_folder);
+
+// Reads the file of rules that the options name, or returns all errors.
+tl::expected<ReadRules, std::vector<Error>>
+load_service_rules(const Options& options,
+                   const std::string& application_folder,
+                   const Environment& environment);
+
+} // namespace parlour::adapters::http

@@ -198,9 +198,7 @@ private:
 
   void arrived(ConnectionId, Read<AgentMessage> message) override {
     if (!message)
-      return lose("the platform's message is " +
-                  std::string(name_of(message.error().kind)) + ": " +
-                  message.error().sentence);
+      return tell(message.error());
     if (message->kind == MessageKind::welcome)
       take_welcome(*message);
     else if (message->kind == MessageKind::error)
@@ -212,15 +210,39 @@ private:
     flush();
   }
 
+  // A mistake of the platform (adapters/agents/PROTOCOL.md 5). Nobody is told
+  // before the welcome.
+  void tell(const WireError& error) {
+    const auto now = steady_now();
+    if (now - std::exchange(noted_, now) >= 1000)
+      listener_.note(fmt::format("the platform's message is {}: {}",
+                                 name_of(error.kind), error.sentence));
+    if (link_.is_connected())
+      write_error(error);
+    if (++mistakes_ >= AgentExchange::max_malformed || closes_connection(error))
+      lose("the platform makes mistakes");
+  }
+
+  void write_error(const WireError& error) {
+    auto message = error_message(error);
+    message.component = hello_.name;
+    connection_->write(message);
+  }
+
   void take_welcome(const AgentMessage& message) {
     const auto welcome = welcome_of(message);
     if (!welcome)
       return lose("the platform's welcome: " + welcome.error().sentence);
+    if (auto checked = check_version(*welcome, hello_); !checked) {
+      write_error(checked.error());
+      return end("version: " + checked.error().sentence);
+    }
     if (link_.is_behind(welcome->introduction)) {
       link_.renew(new_incarnation());
       return lose("the platform knows of messages that were never sent");
     }
     link_.connect(welcome->introduction, steady_now());
+    mistakes_ = 0;
     pause_ = first_pause;
     loss_is_noted_ = false;
     listener_.note(
@@ -228,22 +250,32 @@ private:
   }
 
   void take_error(const AgentMessage& message) {
+    // It ends a request of the agent, or is about an answer of the agent's.
+    if (message.correlation)
+      return listener_.received(message);
     const auto sentence =
         message.parameters.empty() ? "" : message.parameters.front();
     const auto kind = error_kind_of(message.command);
-    if (!kind || !ends_for_good(*kind))
-      return listener_.note("the platform says " + message.command + ": " +
-                            sentence);
+    if (kind && ends_for_good(*kind))
+      return end(message.command + ": " + sentence);
+    listener_.note("the platform says " + message.command + ": " + sentence);
+    // The platform does not know this connection, or closes it.
+    if (kind == WireErrorKind::unknown ||
+        (kind && closes_connection({*kind, {}})))
+      lose("the platform refuses what the agent says");
+  }
+
+  void end(const std::string& reason) {
     is_present_ = false;
     say_bye();
-    listener_.rejected(
-        {ErrorKind::refused, message.command + ": " + sentence, {}});
+    listener_.rejected({ErrorKind::refused, reason, {}});
   }
 
   void take(AgentMessage message) {
     auto arrival = link_.receive(message, steady_now());
     if (arrival.error)
-      return lose(arrival.error->sentence);
+      return tell(*arrival.error);
+    mistakes_ = 0;
     if (!arrival.deliver)
       return;
     listener_.received(std::move(message));
@@ -282,7 +314,15 @@ private:
     if (connection_ && steady_now() - heard_ >= Link::offline_after.count())
       lose("the platform is silent");
     flush();
+    tell_if_offline();
     leave_if_done();
+  }
+
+  void tell_if_offline() {
+    if (link_.is_connected())
+      connected_at_ = steady_now();
+    else if (steady_now() - connected_at_ >= Link::offline_after.count())
+      listener_.offline();
   }
 
   // Then nothing is waited for, and the loop ends.
@@ -313,6 +353,11 @@ private:
   bool loss_is_noted_ = false;
   bool is_present_ = true;
   Timestamp heard_ = 0;
+  // When it was last connected, or began.
+  Timestamp connected_at_ = steady_now();
+  // The platform's, in a row, and when there last was one.
+  int mistakes_ = 0;
+  Timestamp noted_ = 0;
   // When it leaves at the latest; nothing: it stays.
   std::optional<Timestamp> leaves_at_;
 

@@ -28,13 +28,17 @@ public:
   class Listener {
   public:
     virtual ~Listener() = default;
-    // A message of the platform. For each that has a number handed_on() must be
-    // called once, in their order, when it has been dealt with.
+    // A message of the platform, which may be an error with a correlation. For
+    // each that has a number handed_on() must be called once, in their order,
+    // when it has been dealt with.
     virtual void received(AgentMessage message) = 0;
     // A line for the log: the connection stands, or is lost.
     virtual void note(const std::string& text) = 0;
-    // The platform does not want this agent; to connect again would not help.
-    // Nothing follows.
+    // There has been no connection for three seconds: nobody answers requests.
+    // Called again and again until there is one.
+    virtual void offline() = 0;
+    // The platform does not want this agent, or speaks no version of it; to
+    // connect again would not help. Nothing follows.
     virtual void rejected(const Error& error) = 0;
   };
 

@@ -1,6 +1,7 @@
 #include "adapters/agents/client/agent_host.hpp"
 
 #include <atomic>
+#include <random>
 #include <utility>
 
 #include <asio.hpp>
@@ -8,6 +9,16 @@
 #include "adapters/agents/wire/parameters.hpp"
 
 namespace parlour::adapters::agents {
+
+namespace {
+
+// Of 47 bits, so that every language has it exactly.
+std::uint64_t any_number() {
+  std::random_device device;
+  return (std::uint64_t{device()} << 32 | device()) >> 17;
+}
+
+} // namespace
 
 // The delays of the plug-in. Its thread alone touches the map.
 struct AgentHost::Timers {
@@ -19,7 +30,7 @@ AgentHost::AgentHost(std::string name, std::string data_folder,
                      asio::io_context& context, Outside outside)
     : name_(std::move(name)), data_folder_(std::move(data_folder)),
       context_(context), outside_(std::move(outside)),
-      timers_(std::make_unique<Timers>()) {}
+      timers_(std::make_unique<Timers>()), last_request_(any_number()) {}
 
 AgentHost::~AgentHost() = default;
 
@@ -72,10 +83,25 @@ void AgentHost::end_request(std::uint64_t number, Expected<Message> outcome) {
     found.mapped()(std::move(outcome));
 }
 
+void AgentHost::end_requests() {
+  std::unique_lock lock(mutex_);
+  const auto reactions = std::exchange(reactions_, {});
+  lock.unlock();
+  for (const auto& [number, reaction] : reactions)
+    reaction(fail(ErrorKind::offline, "the platform is not there"));
+}
+
 bool AgentHost::take_answer(const AgentMessage& message) {
   if (!message.sinks.empty() || !message.correlation)
     return false;
   const auto number = *message.correlation;
+  if (message.kind == MessageKind::error) {
+    end_request(number,
+                fail(ErrorKind::refused, message.parameters.empty()
+                                             ? message.command
+                                             : message.parameters.front()));
+    return true;
+  }
   auto made = message_from_agent(message, true);
   if (!made)
     end_request(number, fail(ErrorKind::network, made.error().sentence));

@@ -38,6 +38,8 @@ public:
   // On the plug-in's thread: a message of the platform. False: it answers
   // nothing that the plug-in has asked, and is a message for the plug-in.
   bool take_answer(const AgentMessage& message);
+  // On the plug-in's thread: the platform is away, and nobody answers.
+  void end_requests();
 
   void fire_event(Message event) override;
   void send_message(Message message) override;
@@ -71,7 +73,9 @@ private:
   std::unique_ptr<Timers> timers_;
 
   std::mutex mutex_; // of what follows
-  std::uint64_t last_request_ = 0;
+  // Not from 1: an answer to an earlier process must not answer this one, nor
+  // an error about the answer to a request of the platform.
+  std::uint64_t last_request_;
   std::map<std::uint64_t, Reaction> reactions_;
 };
 

@@ -105,6 +105,10 @@ private:
     order_.log(text);
   }
 
+  void offline() override {
+    asio::post(context_, [this] { host_.end_requests(); });
+  }
+
   void rejected(const Error& error) override {
     end_with(error);
   }

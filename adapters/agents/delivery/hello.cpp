@@ -141,15 +141,24 @@ Read<Hello> hello_of(const AgentMessage& message) {
   return hello;
 }
 
-Read<std::uint64_t> common_version(const Hello& hello) {
-  const auto version = std::min(hello.version, newest_version);
-  if (version < std::max(hello.oldest, oldest_version))
-    return tl::make_unexpected(
-        WireError{WireErrorKind::version,
-                  fmt::format("versions {} to {} are spoken here, not {} to {}",
-                              oldest_version, newest_version, hello.oldest,
-                              hello.version)});
+Read<std::uint64_t> common_version(const Hello& hello, Versions own) {
+  const auto version = std::min(hello.version, own.newest);
+  if (version < std::max(hello.oldest, own.oldest))
+    return tl::make_unexpected(WireError{
+        WireErrorKind::version,
+        fmt::format("versions {} to {} are spoken here, not {} to {}",
+                    own.oldest, own.newest, hello.oldest, hello.version)});
   return version;
+}
+
+Read<void> check_version(const Welcome& welcome, const Hello& hello) {
+  if (welcome.version < hello.oldest || welcome.version > hello.version)
+    return tl::make_unexpected(WireError{
+        WireErrorKind::version,
+        fmt::format("the agent speaks versions {} to {}, and the platform "
+                    "welcomes it in version {}",
+                    hello.oldest, hello.version, welcome.version)});
+  return {};
 }
 
 AgentMessage welcome_message(const Introduction& introduction,
@@ -166,6 +175,7 @@ AgentMessage welcome_message(const Introduction& introduction,
 Read<Welcome> welcome_of(const AgentMessage& message) {
   const Pairs pairs(message);
   Welcome welcome;
+  welcome.version = 1; // where it does not say
   if (auto read = pairs.number("version", welcome.version); !read)
     return tl::make_unexpected(std::move(read.error()));
   auto introduction = introduction_of(pairs);

@@ -35,8 +35,14 @@ AgentMessage hello_message(const Hello& hello);
 // key. Keys of later versions are ignored.
 Read<Hello> hello_of(const AgentMessage& message);
 
+// The versions of the protocol that a side speaks.
+struct Versions {
+  std::uint64_t oldest = oldest_version;
+  std::uint64_t newest = newest_version;
+};
+
 // The newest version that both sides speak, or an error of kind `version`.
-Read<std::uint64_t> common_version(const Hello& hello);
+Read<std::uint64_t> common_version(const Hello& hello, Versions own = {});
 
 AgentMessage welcome_message(const Introduction& introduction,
                              std::uint64_t version);
@@ -46,6 +52,9 @@ struct Welcome {
   Introduction introduction;
 };
 Read<Welcome> welcome_of(const AgentMessage& message);
+// Whether the version is one of those that the agent's hello has offered. The
+// error has the kind `version`.
+Read<void> check_version(const Welcome& welcome, const Hello& hello);
 
 // The message that reports an error to an agent.
 AgentMessage error_message(const WireError& error);

@@ -32,6 +32,9 @@ export const MAX_ATTRIBUTE_BYTES = 1024;
 const MAX_LINE_BYTES = 2 * MAX_MESSAGE_BYTES + 2 * MAX_ATTRIBUTE_BYTES;
 const MAX_MALFORMED = 10; // in a row
 const MAX_NUMBER = (1n << 63n) - 1n;
+// Of the protocol, that this file speaks.
+const NEWEST_VERSION = 1;
+const OLDEST_VERSION = 1;
 const KINDS = new Set([
   "text", "binary", "hello", "welcome", "ack", "beat", "error", "bye",
 ]);
@@ -773,6 +776,7 @@ export class Agent {
   #openedAt;
   #triedAt = -Infinity;
   #welcomed = false;
+  #onlineAt = now(); // or when it began
   #malformed = 0; // in a row
   #fires = []; // what waits for the outbox
   #requests = new Map();
@@ -875,6 +879,9 @@ export class Agent {
   // -- its connection ---------------------------------------------------------
 
   #tick() {
+    // Who returns soon still gets the answers.
+    if (!this.#welcomed && now() - this.#onlineAt >= Link.OFFLINE_AFTER)
+      this.#endRequests();
     if (this.#isOver()) this.#end();
     else if (this.#connection) this.#checkAlive();
     else if (now() - this.#triedAt >= Agent.RETRY_AFTER) this.#connect();
@@ -904,7 +911,10 @@ export class Agent {
   #hello() {
     this.#openedAt = now();
     const { roles, token } = this.#options;
-    const parameters = [...this.#link.introduction(), "json=1"];
+    const parameters = [
+      `version=${NEWEST_VERSION}`, `oldest=${OLDEST_VERSION}`,
+      ...this.#link.introduction(), "json=1",
+    ];
     if (roles.length) parameters.push("roles=" + roles.join(" "));
     if (token) parameters.push("token=" + token);
     this.#connection.write(new Message(
@@ -929,9 +939,13 @@ export class Agent {
   #disconnect() {
     this.#connection?.close();
     this.#connection = undefined;
+    if (this.#welcomed) this.#onlineAt = now();
     this.#welcomed = false;
     this.#malformed = 0;
     this.#link.disconnect();
+  }
+
+  #endRequests() {
     for (const request of this.#requests.values())
       request.reject(new Refused("Offline"));
   }
@@ -943,6 +957,7 @@ export class Agent {
       for (const message of this.#link.farewell())
         this.#connection.write(message);
     this.#disconnect();
+    this.#endRequests();
     this.#stopBy = -Infinity;
     for (const fire of this.#fires.splice(0))
       fire.reject(new Refused("Offline", "the agent was stopped"));
@@ -977,8 +992,8 @@ export class Agent {
   #arrived(message) {
     try {
       if (message instanceof WireError) throw message;
-      this.#malformed = 0;
       this.#take(message);
+      this.#malformed = 0;
     } catch (error) {
       if (!(error instanceof WireError)) throw error;
       this.#tell(error);
@@ -989,12 +1004,15 @@ export class Agent {
   #tell(error) {
     this.#log(error.kind, `${this.name} cannot take a message: ` +
                           error.message);
-    if (this.#welcomed)
-      this.#connection.write(new Message(
-        { kind: "error", component: this.name, command: error.kind,
-          parameters: [error.message] }));
+    if (this.#welcomed) this.#writeError(error.kind, error.message);
     if (error.closes || ++this.#malformed >= MAX_MALFORMED)
       this.#lost(error.message);
+  }
+
+  #writeError(kind, sentence) {
+    this.#connection.write(new Message(
+      { kind: "error", component: this.name, command: kind,
+        parameters: [sentence] }));
   }
 
   #take(message) {
@@ -1004,7 +1022,20 @@ export class Agent {
     else if (this.#welcomed) this.#receive(message);
   }
 
+  // PROTOCOL 3.2: to connect again would help nobody.
+  #checkVersion(welcome) {
+    const said = welcome.parameters.find((one) => one.startsWith("version="));
+    const version = numberOf(said?.slice("version=".length) ?? "1", "version");
+    if (version >= OLDEST_VERSION && version <= NEWEST_VERSION) return true;
+    const sentence = `the agent speaks versions ${OLDEST_VERSION} to ` +
+      `${NEWEST_VERSION}, and the platform welcomes it in version ${version}`;
+    this.#writeError("version", sentence);
+    this.#end(new Refused("version", sentence));
+    return false;
+  }
+
   #welcome(message) {
+    if (!this.#checkVersion(message)) return;
     if (!this.#link.connect(message.parameters, now())) {
       this.#lost("the platform knows of messages that were never sent");
       return;
@@ -1041,7 +1072,12 @@ export class Agent {
 
   #handOn(message) {
     if (this.#isAnswer(message)) {
-      this.#requests.get(message.correlation)?.resolve(message);
+      const request = this.#requests.get(message.correlation);
+      // So the platform says that nobody answers (PROTOCOL 4.7).
+      if (message.component === "Parlour" && message.command === "Failed")
+        request?.reject(
+          new Refused("refused", message.parameters.join(" ")));
+      else request?.resolve(message);
       return;
     }
     const handler =

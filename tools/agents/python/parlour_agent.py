@@ -50,6 +50,7 @@ MAX_ATTRIBUTE_BYTES = 1024
 MAX_LINE_BYTES = 2 * MAX_MESSAGE_BYTES + 2 * MAX_ATTRIBUTE_BYTES
 MAX_MALFORMED = 10  # in a row
 MAX_NUMBER = (1 << 63) - 1
+NEWEST_VERSION = OLDEST_VERSION = 1  # of the protocol, that this file speaks
 KINDS = ("text", "binary", "hello", "welcome", "ack", "beat", "error", "bye")
 PROTOCOL = b"parlour/1"
 NUMBERS = {"n": "number", "a": "acknowledged", "w": "window",
@@ -987,6 +988,7 @@ class Agent:
         self._handlers = {}
         self._store = None if store is None else Store(store)
         self._link = Link(secrets.token_hex(8), self._store)
+        self._online_at = time.monotonic()  # or when it began
         self._fires = None  # of the handler that is under way, with a store
         self._handling = None  # its thread
         self._changed = threading.Condition()  # guards _link and _ended
@@ -1158,7 +1160,9 @@ class Agent:
             if self._transport == "lines"
             else _Frames(self._host, self._port, self._keys))
         with self._changed:
-            parameters = [*self._link.introduction(), "json=1"]
+            parameters = [f"version={NEWEST_VERSION}",
+                          f"oldest={OLDEST_VERSION}",
+                          *self._link.introduction(), "json=1"]
         if self._roles:
             parameters.append("roles=" + " ".join(self._roles))
         if self._token:
@@ -1176,9 +1180,14 @@ class Agent:
         self._malformed = 0
         self.online.clear()
         with self._changed:
+            if self._link.connected:
+                self._online_at = time.monotonic()
             self._link.disconnect()
-        for answers in list(self._requests.values()):
-            answers.put(Refused("Offline"))
+        # Who returns soon still gets the answers.
+        if self._ended or \
+                time.monotonic() - self._online_at >= Link.OFFLINE_AFTER:
+            for answers in list(self._requests.values()):
+                answers.put(Refused("Offline"))
 
     def _say_goodbye(self):
         if not self._welcomed:
@@ -1243,8 +1252,8 @@ class Agent:
         try:
             if isinstance(message, WireError):
                 raise message
-            self._malformed = 0
             self._take(message)
+            self._malformed = 0
         except WireError as error:
             self._tell(error)
 
@@ -1261,6 +1270,7 @@ class Agent:
 
     def _take(self, message):
         if message.kind == "welcome":
+            self._check_version(message)
             with self._changed:
                 if not self._link.connect(message.parameters,
                                           time.monotonic()):
@@ -1280,6 +1290,25 @@ class Agent:
             if deliver:
                 self._hand_on(message)
 
+    def _check_version(self, welcome):
+        """PROTOCOL 3.2: to connect again would help nobody."""
+        said = dict(parameter.partition("=")[::2]
+                    for parameter in welcome.parameters)
+        version = number_of(said.get("version", "1"), "version")
+        if OLDEST_VERSION <= version <= NEWEST_VERSION:
+            return
+        sentence = f"the agent speaks versions {OLDEST_VERSION} to " \
+            f"{NEWEST_VERSION}, and the platform welcomes it in " \
+            f"version {version}"
+        self._welcomed = True  # so that it is told
+        self._end_for_good("version", sentence)
+        raise WireError("version", sentence)
+
+    def _end_for_good(self, kind, sentence):
+        self._refusal = Refused(kind, sentence)
+        self._stop_by = 0.0  # to connect again would help nobody
+        self._over.set()
+
     def _take_error(self, message):
         kind, sentence = message.command, " ".join(message.parameters)
         answers = self._requests.get(message.correlation)
@@ -1289,9 +1318,7 @@ class Agent:
         self._say(kind, f"the platform refuses {self.name}: {kind}: "
                         f"{sentence}")
         if kind in ("identity", "version", "replaced"):
-            self._refusal = Refused(kind, sentence)
-            self._stop_by = 0.0  # to connect again would help nobody
-            self._over.set()
+            self._end_for_good(kind, sentence)
         if kind in CLOSING or kind == "unknown":
             raise ConnectionError(sentence)
 
@@ -1299,7 +1326,11 @@ class Agent:
         if self._is_answer(message):
             answers = self._requests.get(message.correlation)
             if answers:
-                answers.put(message)
+                # So the platform says that nobody answers (PROTOCOL 4.7).
+                answers.put(
+                    Refused("refused", " ".join(message.parameters))
+                    if (message.component, message.command) ==
+                    ("Parlour", "Failed") else message)
             with self._changed:
                 self._link.handed_on(message)
         elif message.number is not None or \

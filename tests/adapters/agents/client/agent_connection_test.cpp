@@ -24,6 +24,7 @@ public:
   void note(const std::string& text) override {
     Notes::note("note: " + text);
   }
+  void offline() override {}
   void rejected(const Error& error) override {
     Notes::note("rejected: " + error.message);
   }

@@ -87,6 +87,25 @@ TEST_F(AgentHostTest, ARequestThatNobodyCanTakeFails) {
   EXPECT_THAT(outcomes, ElementsAre(HasSubstr("nobody is there")));
 }
 
+TEST_F(AgentHostTest, ARequestEndsByAnError) {
+  host.ask(to("Weather", "Ask"), 1h, noting());
+  auto error = answer_to(sent[0], "refused");
+  error.kind = MessageKind::error;
+  error.parameters = {"nobody takes it"};
+  EXPECT_TRUE(host.take_answer(error));
+  EXPECT_THAT(outcomes, ElementsAre(HasSubstr("nobody takes it")));
+}
+
+TEST_F(AgentHostTest, RequestsEndWhereThePlatformIsAway) {
+  host.ask(to("Weather", "Ask"), 1h, noting());
+  host.ask(to("Weather", "Ask"), 1h, noting());
+  EXPECT_NE(sent[0].correlation, sent[1].correlation);
+  host.end_requests();
+  host.end_requests();
+  EXPECT_THAT(outcomes,
+              ElementsAre(HasSubstr("not there"), HasSubstr("not there")));
+}
+
 TEST_F(AgentHostTest, ARequestEndsInTime) {
   host.ask(to("Weather", "Ask"), 1ms, noting());
   context.run();

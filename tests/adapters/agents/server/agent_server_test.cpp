@@ -84,6 +84,24 @@ TEST_F(AgentServerTest, StrangersAreLoggedAndCounted) {
   EXPECT_EQ(server->mistakes().at("identity"), 1U);
 }
 
+// An older platform, as a newer agent sees it, and the other way round.
+TEST_F(AgentServerTest, OlderAndNewerAgentsAgreeOnAVersionOrAreToldWhich) {
+  start({{}, LineOptions(), {}});
+  const auto answer = [&](const std::string& versions) {
+    LineAgent robot(server->addresses().at(0));
+    robot.say("hello,,Robot,Hello" + versions);
+    return robot.hear();
+  };
+  EXPECT_THAT(answer(",version=7,oldest=1"), HasSubstr("Welcome,version=1"));
+  EXPECT_THAT(answer(""), HasSubstr("Welcome,version=1"));
+  for (const auto* versions : {",version=7,oldest=2", ",version=2",
+                               ",version=0", ",version=1,oldest=2"})
+    EXPECT_THAT(answer(versions), HasSubstr("error,,Parlour,version,"
+                                            "\"versions 1 to 1 are spoken"))
+        << versions;
+  EXPECT_EQ(server->mistakes().at("version"), 4U);
+}
+
 TEST_F(AgentServerTest, RefusesWhatNobodyTakes) {
   start({{}, LineOptions(), {}});
   LineAgent robot(server->addresses().at(0));

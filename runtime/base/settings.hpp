@@ -43,6 +43,8 @@ struct AgentsSettings {
   // "127.0.0.1:5671" for lines of text, and for ZeroMQ. Empty: not that way.
   std::string lines = defaults::agent_lines;
   std::string zeromq = defaults::agent_zeromq;
+  // Where a copy of every message is published by ZeroMQ; empty: nowhere.
+  std::string taps;
   // Files in PEM, relative to the application: lines need TLS off loopback.
   std::string certificate;
   std::string private_key;

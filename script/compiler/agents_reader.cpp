@@ -20,6 +20,7 @@ public:
     settings.place = findings_.place(element.position);
     read_address(element, "lines", settings.lines);
     read_address(element, "zeromq", settings.zeromq);
+    read_address(element, "taps", settings.taps);
     settings.certificate = text(element, "certificate");
     settings.private_key = text(element, "private-key");
     settings.secret_key = text(element, "secret-key");

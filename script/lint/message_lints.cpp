@@ -45,6 +45,7 @@ private:
   bool is_missing(const std::string& name) const;
   bool never_comes(const Element& source) const;
   bool check_module(std::string name, Position position);
+  bool check_agent(const Attribute& agent);
   void check_role(const std::string& name, Position position);
   bool is_filled(std::string_view role) const;
   void check_command(const std::string& module, const Attribute& command);
@@ -74,6 +75,21 @@ bool MessageLint::check_module(std::string name, Position position) {
              (hint.empty() ? "; name a role such as ASR, or a component of "
                              "the settings"
                            : hint));
+  return false;
+}
+
+// <send> names an agent of the settings, no role and no other component.
+bool MessageLint::check_agent(const Attribute& agent) {
+  std::vector<std::string> names;
+  for (const auto& one : context_.program.settings.agents.agents)
+    names.push_back(one.name);
+  if (!context_.settings || is_computed(agent.value) ||
+      std::ranges::count(names, agent.value) > 0)
+    return true;
+  const auto hint = did_you_mean(agent.value, names);
+  warn(findings_, "unknown-module", agent.value_position,
+       "no agent is called '" + agent.value + "'" +
+           (hint.empty() ? "; name one in <agents> of the settings" : hint));
   return false;
 }
 
@@ -159,9 +175,11 @@ void MessageLint::check_command(const std::string& module,
           (hint.empty() ? "; it understands " + alternatives(commands) : hint));
 }
 
-// <post> and <request>: the receiver, then its command, then the parameters.
+// <post>, <request> and <send>: the receiver, then its command, then the
+// parameters.
 void MessageLint::message(const Element& element) {
-  const auto* module = element.attribute("module");
+  const auto* module =
+      element.attribute(element.is("send") ? "agent" : "module");
   const auto* command = element.attribute("command");
   if (!module || !check_module(module->value, module->value_position))
     return;
@@ -274,6 +292,8 @@ void MessageLint::route(const Element& element) {
 // Which statements name a component, an event or an act.
 void MessageLint::statement(const Element& element) {
   if (element.is("post") || element.is("request"))
+    message(element);
+  else if (element.is("send") && check_agent(*element.attribute("agent")))
     message(element);
   else if (element.is("unload"))
     check_module(element.value("name"),

@@ -35,7 +35,8 @@ TRIED = {"", "sh", "bash", "json", "xml"}
 PICTURES = {"text", "vim", "python"}
 # Commands of other programs, or ones that change the machine.
 OTHERS = ("trang ", "git clone ", "tools/run", "tools/test", "tools/install",
-          "export ", "parlour status", "parlour agent", "python3 tools/")
+          "export ", "parlour status", "parlour agent", "python3 tools/",
+          "parlour tap", "parlour run butler --taps")
 
 
 class Pages(PageCase):

@@ -8,40 +8,18 @@
 #include <optional>
 #include <utility>
 
-#include <asio/ip/address.hpp>
 #include <poll.h>
 #include <zmq.hpp>
 #include <zmq_addon.hpp>
 
 #include "adapters/agents/wire/multipart.hpp"
 #include "adapters/agents/zeromq/key_pair.hpp"
+#include "adapters/agents/zeromq/local_address.hpp"
 #include "adapters/loop/alarm.hpp"
 #include "adapters/loop/watch.hpp"
 
 namespace parlour::adapters::agents {
 namespace {
-
-// The host in "tcp://host:port", without the brackets of IPv6.
-std::string host_of(std::string_view address) {
-  constexpr std::string_view tcp = "tcp://";
-  if (!address.starts_with(tcp))
-    return {};
-  address.remove_prefix(tcp.size());
-  address = address.substr(0, address.rfind(':'));
-  if (address.starts_with('[') && address.ends_with(']'))
-    address = address.substr(1, address.size() - 2);
-  return std::string(address);
-}
-
-// Addresses that cannot be reached from other hosts.
-bool is_local(std::string_view address) {
-  if (address.starts_with("ipc://") || address.starts_with("inproc://"))
-    return true;
-  const auto host = host_of(address);
-  asio::error_code error;
-  const auto parsed = asio::ip::make_address(host, error);
-  return host == "localhost" || (!error && parsed.is_loopback());
-}
 
 // The frames as texts. They are valid as long as the frames.
 std::vector<std::string_view> texts(const std::vector<zmq::message_t>& frames) {
@@ -102,7 +80,7 @@ public:
   ZeroMQListener(Loop& loop, TransportEvents& events,
                  const ZeroMQOptions& options)
       : events_(events), allowed_(options.allowed_keys),
-        is_loopback_(is_local(options.address)),
+        is_loopback_(is_local_address(options.address)),
         router_(zeromq_, zmq::socket_type::router),
         inflow_(loop, router_, [this] { drain(); }) {
     router_.set(zmq::sockopt::linger, 0);
@@ -300,7 +278,7 @@ Expected<void> check(const ZeroMQOptions& options) {
       options.secret_key.size() != key_characters)
     return fail(ErrorKind::settings,
                 "a key has 40 characters; `parlour keygen` makes a pair");
-  if (options.secret_key.empty() && !is_local(options.address))
+  if (options.secret_key.empty() && !is_local_address(options.address))
     return fail(ErrorKind::settings,
                 options.address + " can be reached from other hosts: give "
                                   "keys (`parlour keygen`), or listen on "

@@ -193,7 +193,7 @@ void MariaDBPool::carry_out(const PoolPolicy::Close& deed) {
 }
 
 void MariaDBPool::carry_out(const PoolPolicy::Warn& deed) {
-  log_(deed.text);
+  log_(std::string(deed.text));
 }
 
 void MariaDBPool::start(Worker& worker, MariaDBConnection::Outcome task) {

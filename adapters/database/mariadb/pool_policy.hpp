@@ -42,6 +42,7 @@
 #include <deque>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -93,7 +94,7 @@ public:
   };
   // Logs the text.
   struct Warn {
-    std::string text;
+    std::string_view text; // of static storage
   };
   using Deed = std::variant<Open, Run, Close, Warn>;
 

@@ -90,8 +90,9 @@ private:
 
   void expect(char symbol) {
     if (!take_symbol(symbol))
-      error(next().place, std::string("'") + symbol +
-                              "' is expected here, not " + described(next()));
+      error(next().place, std::string{'\'', symbol, '\''}
+                              .append(" is expected here, not ")
+                              .append(described(next())));
   }
 
   // A lexeme as an error message shows it.

@@ -33,9 +33,14 @@ script::Performed EffectHandler::perform(script::Activation& activation,
 script::Performed EffectHandler::requests(script::Activation& activation,
                                           Call effect) {
   const auto turn = activation.context().turn;
-  return effect.kind == script::EffectKind::post
-             ? requests_.post(turn, effect)
-             : requests_.request(turn, effect);
+  switch (effect.kind) {
+  case script::EffectKind::post:
+    return requests_.post(turn, effect);
+  case script::EffectKind::send:
+    return requests_.send(turn, effect);
+  default:
+    return requests_.request(turn, effect);
+  }
 }
 
 script::Performed EffectHandler::reactions(script::Activation& activation,

@@ -1,5 +1,6 @@
 #include "script/dialogue/engine/request_effects.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "script/dialogue/engine/effect_operands.hpp"
@@ -32,6 +33,18 @@ script::Performed RequestEffects::post(TurnId turn,
     messenger_.post_for_another(message_of(other.text(), effect.operand(0),
                                            effect.operand(1),
                                            list_of(effect.operand(2))));
+  return Value();
+}
+
+// A role is no agent, even if one fills it: who sends means this one only.
+script::Performed RequestEffects::send(TurnId turn,
+                                       const script::Effect& effect) {
+  const auto& agents = context_.program->settings.agents.agents;
+  if (std::ranges::find(agents, effect.text(0), &AgentSettings::name) ==
+      agents.end())
+    return missing("agent", effect.operand(0));
+  messenger_.post(effect.text(0), effect.text(1), list_of(effect.operand(2)),
+                  turn);
   return Value();
 }
 

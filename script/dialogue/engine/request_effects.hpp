@@ -1,5 +1,5 @@
-// RequestEffects: what scripts want of components: <post>, and <request>, which
-// waits for the reply.
+// RequestEffects: what scripts want of components: <post>, <send> to a remote
+// agent, and <request>, which waits for the reply.
 #pragma once
 
 #include <map>
@@ -24,8 +24,9 @@ public:
       : context_(context), messenger_(messenger), timers_(timers),
         runner_(runner), waits_(waits), topics_(topics) {}
 
-  // Both on behalf of that turn.
+  // All on behalf of that turn.
   script::Performed post(TurnId turn, const script::Effect& effect);
+  script::Performed send(TurnId turn, const script::Effect& effect);
   script::Performed request(TurnId turn, const script::Effect& effect);
 
   // A reply to a <request>; false where none waits for it.

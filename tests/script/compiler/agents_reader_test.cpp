@@ -49,13 +49,15 @@ TEST(AgentsReader, KnowsWhereAgentsConnect) {
   const auto usual = read("", "").settings;
   EXPECT_EQ(usual.lines, defaults::agent_lines);
   EXPECT_EQ(usual.zeromq, defaults::agent_zeromq);
-  const auto given =
-      read("lines='0.0.0.0:7' zeromq='off' certificate='a' private-key='b'"
-           " secret-key='${SECRET}'",
-           "")
-          .settings;
+  EXPECT_EQ(usual.taps, "");
+  const auto given = read("lines='0.0.0.0:7' zeromq='off' taps='127.0.0.1:8' "
+                          "certificate='a' private-key='b'"
+                          " secret-key='${SECRET}'",
+                          "")
+                         .settings;
   EXPECT_EQ(given.lines, "0.0.0.0:7");
   EXPECT_EQ(given.zeromq, "");
+  EXPECT_EQ(given.taps, "127.0.0.1:8");
   EXPECT_EQ(given.certificate, "a");
   EXPECT_EQ(given.private_key, "b");
   EXPECT_EQ(given.secret_key, "abc");

@@ -25,7 +25,8 @@ inline std::string lints_of(const std::string& dialogue,
   test::TemporaryFolder folder;
   folder.write("settings.xml", "<settings start='" + start +
                                    "'><Scripts><Script>a.xml</Script>"
-                                   "</Scripts></settings>");
+                                   "</Scripts><agents><agent name='Porter' "
+                                   "roles='Robot'/></agents></settings>");
   folder.write("a.xml", "<dialogue>\n<state name='Welcome'/>\n" + dialogue +
                             "\n</dialogue>");
   auto compiled = compile_application(folder.path(), test::platform());

@@ -142,6 +142,12 @@ INSTANTIATE_TEST_SUITE_P(
                "<Said><log param='x'/></Said></AST></component></messages>"
                "</handler>",
                ""},
+        Linted{"<function name='main'><send agent='Porter' "
+               "command='Wave'/></function>",
+               ""},
+        Linted{"<function name='main'><send agent='Robot' command='Stop'/>"
+               "<send agent='Proter' command='Goto'/></function>",
+               "3:36 unknown-module, 3:72 unknown-module"},
         Linted{"<routes><relay source='ASR' command='*' "
                "to='NLU, Spekaer'/></routes>",
                "3:45 unknown-module"}));

@@ -69,9 +69,9 @@ INSTANTIATE_TEST_SUITE_P(
                 "<dialogue>; expected elements only"},
         Mistake{"<function name='f'><reload/></function>",
                 "30: error: <reload> is not available yet"},
-        Mistake{"<function name='f'><send agent='A' "
-                "command='b'><x/></send></function>",
-                "30: error: <send> is not available yet"}));
+        Mistake{"<function name='f'><reload sessions='keep'><x/></reload>"
+                "</function>",
+                "30: error: <reload> is not available yet"}));
 
 INSTANTIATE_TEST_SUITE_P(
     attributes, Mistakes,

@@ -31,6 +31,14 @@ class Lines:
             self._lines.put(line.rstrip("\n"))
         self._lines.put(None)
 
+    def has_any(self):
+        """Whether a line comes within a moment."""
+        try:
+            self._seen.append(self._lines.get(timeout=0.2))
+        except queue.Empty:
+            return False
+        return True
+
     def find(self, pattern):
         """The first match in a line that was not looked at before."""
         while True:
@@ -48,10 +56,10 @@ class Lines:
 
 class RemoteAgentTest(ProgramCase):
 
-    def run_butler(self):
+    def run_butler(self, *options):
         butler = self.begin(
             "run", "butler", "--text", "--agents", "127.0.0.1:0",
-            "--data", str(self.folder), stdin=subprocess.PIPE,
+            "--data", str(self.folder), *options, stdin=subprocess.PIPE,
             stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         self.end_first(butler)
         self.butler = butler
@@ -153,6 +161,25 @@ class RemoteAgentTest(ProgramCase):
         self.said.find("The robot is back")
         lines.find("begins: Grasp apple")
         self.end()
+
+    def test_a_tap_hears_what_robot_and_script_say(self):
+        self.run_butler("--taps", "127.0.0.1:0")
+        port = self.notes.find(r"taps connect at tcp://127.0.0.1:(\d+)")[1]
+        tap = self.begin("tap", "--connect", f"127.0.0.1:{port}",
+                         "Porter.", "ASR.", "Script.Goto",
+                         stdout=subprocess.PIPE, text=True)
+        self.end_first(tap)
+        heard = Lines(tap.stdout)
+        _, lines = self.begin_python_robot()
+        while not heard.has_any():  # it takes a moment to connect
+            self.say("hello")
+        self.fetch_an_apple(lines)
+        heard.find(r"ASR.RecognitionResult\(bring the apple")
+        heard.find(r"Script.Goto\(kitchen\)")
+        heard.find(r"Porter.Arrived\(kitchen\)")
+        self.end()
+        tap.send_signal(signal.SIGINT)
+        self.assertEqual(tap.wait(WAIT), 130)
 
 
 if __name__ == "__main__":

@@ -97,4 +97,15 @@ listen_for_agents(AgentsSettings agents, const std::filesystem::path& folder,
   return std::shared_ptr<AgentServer>(std::move(*server));
 }
 
+Expected<std::unique_ptr<MessageTap>> open_tap(const AgentsSettings& agents,
+                                               const std::string& taps) {
+  const auto& address = taps.empty() ? agents.taps : taps;
+  if (address.empty())
+    return nullptr;
+  auto tap = MessageTap::open("tcp://" + address);
+  if (!tap && taps.empty())
+    return tl::make_unexpected(at(agents.place, std::move(tap.error())));
+  return tap;
+}
+
 } // namespace parlour::tools

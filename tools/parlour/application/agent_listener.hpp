@@ -1,4 +1,5 @@
-// Listens for the remote agents of an application (docs/agents.md).
+// Listens for the remote agents of an application, and for its taps
+// (docs/agents.md).
 #pragma once
 
 #include <filesystem>
@@ -7,6 +8,7 @@
 #include <string>
 
 #include "adapters/agents/server/agent_server.hpp"
+#include "adapters/agents/zeromq/message_tap.hpp"
 #include "runtime/base/settings.hpp"
 
 namespace parlour::tools {
@@ -25,5 +27,11 @@ Expected<std::shared_ptr<adapters::agents::AgentServer>>
 listen_for_agents(AgentsSettings agents, const std::filesystem::path& folder,
                   const std::string& lines,
                   std::function<void(const std::string&)> log);
+
+// Publishes at `taps`, or else where the settings say. Null if neither names an
+// address. The error says why nobody can listen there, at the place in the
+// settings.
+Expected<std::unique_ptr<adapters::agents::MessageTap>>
+open_tap(const AgentsSettings& agents, const std::string& taps);
 
 } // namespace parlour::tools

@@ -30,4 +30,14 @@ inline void add_agent_flags(CLI::App& command, AgentOptions& options) {
                  "$PARLOUR_TOKEN.");
 }
 
+inline void add_tap_flags(CLI::App& command, TapOptions& options) {
+  command.add_option("BEGINNING", options.beginnings,
+                     "Such as Robot. or Script.Goto; all messages if there is "
+                     "none");
+  command
+      .add_option("--connect", options.connect,
+                  "Where it publishes them; else 127.0.0.1:5673")
+      ->type_name("HOST:PORT");
+}
+
 } // namespace parlour::tools

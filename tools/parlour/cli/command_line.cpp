@@ -47,6 +47,7 @@ public:
     add_understand();
     add_bench();
     add_agent();
+    add_tap();
     add_plugin();
     add_keygen();
     add_completion();
@@ -263,6 +264,12 @@ private:
     add_plugins(command);
   }
 
+  void add_tap() {
+    add_tap_flags(*add("tap", "Print the messages of a running application",
+                       [this] { return tap_command(tap_, console_); }),
+                  tap_);
+  }
+
   // `plugin` is a group: its commands are subcommands.
   void add_plugin() {
     auto* plugin =
@@ -292,16 +299,13 @@ private:
     test->add_option("PLUGIN", test_plugin_.plugin, "FILE.so, or a name")
         ->required();
     test->add_option("--option", test_plugin_.options,
-                     "NAME=VALUE, as often "
-                     "as there are some");
+                     "NAME=VALUE, as often as there are some");
     add_plugins(test);
   }
 
   void add_keygen() {
-    auto* command =
-        add("keygen", "Make a pair of keys for remote agents",
-            [this] { return keygen_command(places_, key_file_, console_); });
-    command
+    add("keygen", "Make a pair of keys for remote agents",
+        [this] { return keygen_command(places_, key_file_, console_); })
         ->add_option("FILE", key_file_,
                      "A new file for the secret key; only you may read it")
         ->required()
@@ -374,6 +378,7 @@ private:
   TestOptions test_;
   UnderstandOptions understand_;
   AgentOptions agent_;
+  TapOptions tap_;
   std::string plugin_app_;
   std::string plugin_role_;
   NewPluginOptions new_plugin_;

@@ -60,6 +60,8 @@ struct RunOptions {
   // Where agents connect by lines, and nowhere else; empty: as the settings
   // say.
   std::string agents;
+  // Where taps listen; empty: as the settings say.
+  std::string taps;
   std::optional<Timestamp> clock; // virtual time starts here
   // Seed for everything random; without one, each run differs.
   std::optional<std::uint64_t> seed;
@@ -80,6 +82,14 @@ struct AgentOptions {
 };
 int agent_command(const Places& places, const AgentOptions& options,
                   const Console& console);
+
+// `parlour tap`: prints the messages of a running application, until a signal
+// comes (docs/agents.md).
+struct TapOptions {
+  std::vector<std::string> beginnings; // of "source.command"; empty: all
+  std::string connect = "127.0.0.1:5673";
+};
+int tap_command(const TapOptions& options, const Console& console);
 
 // `parlour format`: rewrites script files in the standard layout.
 struct StatusOptions {

@@ -119,6 +119,12 @@ public:
     auto agents = listen();
     if (!agents)
       return give_up(agents.error());
+    auto tap = open_tap(application_.program->settings.agents, options_.taps);
+    if (!tap)
+      return give_up(tap.error());
+    tap_ = std::move(*tap);
+    if (tap_)
+      notes_.show("taps connect at " + tap_->address());
     auto node = actors::Node::start(options(std::move(*agents)));
     if (!node)
       return give_up(node.error());
@@ -170,7 +176,7 @@ private:
                               .virtual_start = options_.clock,
                               .seed = options_.seed,
                               .agents = std::move(agents)});
-    made.inspect_all = options_.trace;
+    made.inspect_all = options_.trace || tap_;
     made.trace_actors = options_.trace_actors;
     made.on_inspection = [this](const Inspection& seen) { watch(seen); };
     made.log = [this](const std::string& text) { log(as_one_line(text)); };
@@ -180,13 +186,22 @@ private:
   // Errors and what a script logs as an error or a warning are always shown.
   // The rest is shown with --trace and otherwise left to log().
   void watch(const Inspection& seen) {
-    if (seen.kind == InspectionKind::branch)
+    if (tap_ && seen.kind == InspectionKind::message)
+      tap_->publish(*seen.message);
+    if (seen.kind == InspectionKind::branch ||
+        !(options_.trace || is_told_always(seen.kind)))
       return;
     if (options_.trace || seen.kind == InspectionKind::actor ||
         is_trouble(seen))
       note(trace_line(seen));
     else
       log(trace_line(seen));
+  }
+
+  // The others come only because of --trace or a tap.
+  static bool is_told_always(InspectionKind kind) {
+    return kind == InspectionKind::error || kind == InspectionKind::log ||
+           kind == InspectionKind::unhandled || kind == InspectionKind::actor;
   }
 
   static bool is_trouble(const Inspection& seen) {
@@ -289,6 +304,7 @@ private:
   SignalWatch& signals_;
   Printer printer_;
   Notes notes_;
+  std::unique_ptr<adapters::agents::MessageTap> tap_; // null: nobody taps
   std::atomic<Screen*> screen_ = nullptr; // set while a terminal is used
   std::unique_ptr<StatusServer> status_;  // null: it cannot be asked
   int ended_ = exit_code::success;        // exit status, from a signal

@@ -30,6 +30,10 @@ inline void add_run_flags(CLI::App& command, RunOptions& options) {
                   "the settings' addresses; port 0: any that is free")
       ->type_name("HOST:PORT")
       ->excludes(simulate);
+  command
+      .add_option("--taps", options.taps,
+                  "Where `parlour tap` listens to all messages, on this host")
+      ->type_name("HOST:PORT");
   command.add_flag("--voice", options.voice,
                    "Microphone and speaker (not available yet)");
 }

@@ -69,11 +69,11 @@ std::string links_of(const Page& page) {
 }
 
 std::string index() {
-  auto text = std::string("# Reference\n\nEvery element, built-in function and "
-                          "role. `parlour help NAME` tells the same of one of\n"
-                          "them, of an attribute or of an event; `parlour help "
-                          "WORD` finds who speaks of it.\n") +
-              printed + "index`.\n";
+  std::string text = "# Reference\n\nEvery element, built-in function and "
+                     "role. `parlour help NAME` tells the same of one of\n"
+                     "them, of an attribute or of an event; `parlour help "
+                     "WORD` finds who speaks of it.\n";
+  text.append(printed).append("index`.\n");
   for (const auto& page : pages)
     text += links_of(page);
   return text;

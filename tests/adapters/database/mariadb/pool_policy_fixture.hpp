@@ -100,7 +100,7 @@ protected:
     return "close " + std::to_string(deed.place);
   }
   std::string text(const PoolPolicy::Warn& deed) {
-    return deed.text;
+    return std::string(deed.text);
   }
 
   PoolPolicy::Moment now{std::chrono::hours(1)};

@@ -81,5 +81,20 @@ TEST(AgentListener, SaysWhyNobodyCanConnect) {
   EXPECT_EQ(server.error().place.line, 3u);
 }
 
+TEST(AgentListener, OpensTapsWhereTheyAreWanted) {
+  EXPECT_EQ(open_tap({}, "").value(), nullptr);
+  EXPECT_THAT(open_tap({}, "127.0.0.1:0").value()->address(),
+              StartsWith("tcp://127.0.0.1:"));
+  AgentsSettings settings;
+  settings.place = {"settings.xml", 3, 1};
+  settings.taps = "127.0.0.1:0";
+  EXPECT_NE(open_tap(settings, "").value(), nullptr);
+  settings.taps = "0.0.0.0:0";
+  const auto refused = open_tap(settings, "");
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(refused.error().message, HasSubstr("listen on 127.0.0.1"));
+  EXPECT_EQ(refused.error().place.line, 3u);
+}
+
 } // namespace
 } // namespace parlour::tools

@@ -103,12 +103,21 @@ ReportTable::find(const std::vector<std::string>& asked) const {
             return false;
         return true;
       });
-  if (row == rows_.end())
-    return {};
+  return row == rows_.end() ? std::nullopt : std::optional(report(*row));
+}
+
+Report ReportTable::report(const Row& row) const {
   Map data;
   for (std::size_t i = 0; i < columns_.size(); ++i)
-    data.set(columns_[i], (*row)[i]);
-  return Report{data.find(said_)->text(), data};
+    data.set(columns_[i], row[i]);
+  return {data.find(said_)->text(), data};
+}
+
+std::vector<Report> ReportTable::reports() const {
+  std::vector<Report> all;
+  for (const auto& row : rows_)
+    all.push_back(report(row));
+  return all;
 }
 
 std::vector<std::string> ReportTable::subjects() const {

@@ -40,11 +40,16 @@ public:
   // matches everything, and an empty question matches every key.
   std::optional<Report> find(const std::vector<std::string>& asked) const;
 
+  // All rows, in the file's order.
+  std::vector<Report> reports() const;
+
   // The different first keys without `*`: what can be asked for.
   std::vector<std::string> subjects() const;
 
 private:
   using Row = std::vector<std::string>;
+
+  Report report(const Row& row) const;
 
   std::size_t keys_ = 0;
   std::string said_;

@@ -7,6 +7,7 @@
 #include "adapters/database/mariadb/mariadb_database.hpp"
 #include "adapters/database/sqlite/sqlite_database.hpp"
 #include "adapters/http/http_service.hpp"
+#include "adapters/mqtt/mqtt_devices.hpp"
 #include "adapters/nlg/phrase_nlg.hpp"
 #include "adapters/nlu/keywords/keyword_nlu.hpp"
 #include "adapters/nlu/understand/grammar_nlu.hpp"
@@ -51,6 +52,7 @@ const std::vector<PluginFactory>& built_in_plugins() {
       adapters::keyword_nlu_factory(),
       adapters::text_file_tts_factory(),
       adapters::http::http_service_factory(),
+      adapters::mqtt_devices_factory(),
   };
   return plugins;
 }

@@ -84,7 +84,8 @@ struct FileOption {
 };
 constexpr FileOption file_options[] = {{"LogWeather", "reports"},
                                        {"LogTraffic", "reports"},
-                                       {"LogDevices", "devices"}};
+                                       {"LogDevices", "devices"},
+                                       {"MQTTDevices", "devices"}};
 
 // Warns of files that an option names and that do not exist.
 void check_files(Application& application, const ChosenComponent& component) {

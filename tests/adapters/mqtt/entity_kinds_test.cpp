@@ -7,10 +7,7 @@ namespace parlour::adapters::mqtt {
 namespace {
 
 using testing::ElementsAre;
-using testing::IsEmpty;
-using testing::Pair;
 using testing::SizeIs;
-using testing::UnorderedElementsAre;
 
 std::vector<Entity> all_of(const std::string& kind, const std::string& text) {
   const auto json = *read_json(text);

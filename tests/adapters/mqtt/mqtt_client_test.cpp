@@ -12,7 +12,6 @@ namespace parlour::adapters::mqtt {
 namespace {
 
 using testing::IsEmpty;
-using testing::SizeIs;
 
 class MQTTClientTest : public testing::Test {
 protected:

@@ -60,6 +60,8 @@ Expected<void> HTTPService::on_start(const Options& options) {
   auto read = load_service_rules(options, folder, environment_);
   if (!read)
     return tl::make_unexpected(joined(read.error()));
+  if (auto heard = check_webhooks(*settings, read->rules); !heard)
+    return heard;
   samples_ = settings->samples;
   one_by_one_ = settings->one_by_one;
   rules_ = std::move(read->rules);
@@ -71,10 +73,25 @@ Expected<void> HTTPService::on_start(const Options& options) {
   if (!client)
     return tl::make_unexpected(client.error());
   client_ = std::move(*client);
+  return listen(std::move(settings->listener));
+}
+
+// Virtual time hears nothing from outside, as nothing outside waits for it.
+Expected<void> HTTPService::listen(ListenerOptions options) {
+  if (rules_.webhooks.empty() || one_by_one_)
+    return {};
+  auto listener = WebhookListener::start(
+      std::move(options),
+      [this](const WebhookRequest& request) { return take_webhook(request); });
+  if (!listener)
+    return tl::make_unexpected(listener.error());
+  listener_ = std::move(*listener);
+  host().log("webhooks are heard at " + listener_->address());
   return {};
 }
 
 void HTTPService::stop() {
+  listener_.reset();
   client_.reset();
 }
 
@@ -91,6 +108,25 @@ void HTTPService::on_message(const Message& message) {
   if (!client_)
     return refuse(message, "The component has ended.");
   ask(*rule, without_its_way(message), std::move(*request));
+}
+
+// On the listener's thread. 204: it has become an event; 404 and 422: the rules
+// know nothing of it.
+int HTTPService::take_webhook(const WebhookRequest& request) {
+  const auto* rule = rules_.find_webhook(request.path);
+  if (!rule)
+    return 404;
+  auto event = read_answer(rule->answers, rules_.file,
+                           "A report to " + rule->path + " came",
+                           {200, readable_body(request)}, {});
+  if (!event) {
+    host().log(event.error().none_applies
+                   ? "No rule applies to a report to " + rule->path + "."
+                   : event.error().reason);
+    return 422;
+  }
+  answer({}, std::move(event->command), std::move(event->params));
+  return 204;
 }
 
 // The rules live as long as the client, which is destroyed first.
@@ -127,7 +163,8 @@ void HTTPService::tell_sample(const CommandRule& rule, const Message& message) {
 
 void HTTPService::tell(const CommandRule& rule, const Message& message,
                        const HttpAnswer& received) {
-  auto event = read_answer(rules_, rule, received, message.params);
+  auto event = read_answer(rule.answers, rules_.file, rule.who_answered(),
+                           received, message.params);
   if (event)
     return answer(message, std::move(event->command), std::move(event->params));
   refuse(message, event.error().reason);
@@ -174,11 +211,14 @@ void describe_by_rules(PluginDescription& description, const Options& options,
 ServiceMistakes check_service(const Options& options,
                               const std::string& application_folder) {
   ServiceMistakes mistakes;
-  if (const auto read = read_service_options(options, application_folder);
-      !read)
+  const auto read = read_service_options(options, application_folder);
+  if (!read)
     mistakes.errors.push_back(read.error());
   const auto rules =
       load_service_rules(options, application_folder, environment_value);
+  if (rules && read)
+    if (auto heard = check_webhooks(*read, rules->rules); !heard)
+      mistakes.errors.push_back(heard.error());
   if (rules)
     mistakes.missing = rules->missing;
   else

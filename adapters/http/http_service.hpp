@@ -6,9 +6,13 @@
 // describe_by_rules() fills them in. A command that fails is answered with the
 // role's refusal, or with Failed(reason). No reason contains a secret.
 //
+// What the service reports by itself, by webhooks, becomes events that answer
+// nobody: conversations subscribe to them.
+//
 // Threads: an HttpClient asks the service on a thread of its own, and the
-// answers are fired from there. The thread that calls the plug-in waits only
-// with the option `one-by-one`, which virtual time needs.
+// answers are fired from there; webhooks are heard on another one. The thread
+// that calls the plug-in waits only with the option `one-by-one`, which virtual
+// time needs.
 #pragma once
 
 #include <condition_variable>
@@ -36,6 +40,8 @@ protected:
   void on_message(const Message& message) override;
 
 private:
+  Expected<void> listen(ListenerOptions options);
+  int take_webhook(const WebhookRequest& request);
   void ask(const CommandRule& rule, const Message& message,
            HttpRequest request);
   void tell_sample(const CommandRule& rule, const Message& message);
@@ -53,7 +59,8 @@ private:
   // Notified with each answer; `untold_` counts the messages without one.
   std::condition_variable told_;
   std::size_t untold_ = 0;
-  // The last member: it still answers messages while it is destroyed.
+  // The last members: they still fire events while they are destroyed.
+  std::unique_ptr<WebhookListener> listener_;
   std::unique_ptr<HttpClient> client_;
 };
 

@@ -80,6 +80,8 @@ std::vector<OptionDescription> service_option_descriptions() {
       {"pause", "30s", "for how long it is left alone", false, Type::duration},
       {"ca", "", "certificates to trust instead of the machine's, in PEM"},
       {"proxy", "", "the address of a proxy"},
+      {"listen", "", "where webhooks are heard, such as 127.0.0.1:8090"},
+      {"token", "", "what a webhook must have; needed off loopback"},
       {"samples", "false", "answers by the samples of the rules; asks nobody",
        false, Type::boolean},
       {"one-by-one", "false", "answers each message before the next", false,
@@ -104,6 +106,9 @@ read_service_options(const Options& options,
   client.breaker.failures = read.number<unsigned>("failures", 0, 1'000);
   client.breaker.pause = read.time("pause");
   client.transfer.proxy = read.text("proxy");
+  result.listener.listen = read.text("listen");
+  result.listener.token = read.text("token");
+  result.listener.max_body = client.transfer.max_answer;
   result.samples = read.yes("samples");
   result.one_by_one = read.yes("one-by-one");
   if (const auto ca = read.text("ca"); !ca.empty()) {
@@ -117,6 +122,17 @@ read_service_options(const Options& options,
   if (read.error())
     return tl::make_unexpected(*read.error());
   return result;
+}
+
+Expected<void> check_webhooks(const ServiceOptions& options,
+                              const ServiceRules& rules) {
+  if (rules.webhooks.empty() || options.samples)
+    return {};
+  if (options.listener.listen.empty())
+    return fail(ErrorKind::settings,
+                "the rules have a <webhook>; the option 'listen' says where "
+                "it is heard, such as 127.0.0.1:8090");
+  return check_listener(options.listener);
 }
 
 tl::expected<ReadRules, std::vector<Error>>

@@ -6,12 +6,14 @@
 
 #include "adapters/http/rules/rules_reader.hpp"
 #include "adapters/http/transfer/http_client.hpp"
+#include "adapters/http/webhooks/webhook_listener.hpp"
 #include "runtime/plugin/options.hpp"
 
 namespace parlour::adapters::http {
 
 struct ServiceOptions {
   ClientOptions client;
+  ListenerOptions listener;
   // Answers come from the samples of the rules; nobody is asked.
   bool samples = false;
   // Each message is answered before the next one is taken.
@@ -25,6 +27,11 @@ std::vector<OptionDescription> service_option_descriptions();
 Expected<ServiceOptions>
 read_service_options(const Options& options,
                      const std::string& application_folder);
+
+// Whether the options say where the webhooks of the rules are heard. Samples
+// need none.
+Expected<void> check_webhooks(const ServiceOptions& options,
+                              const ServiceRules& rules);
 
 // Reads the file of rules that the options name, or returns all errors.
 tl::expected<ReadRules, std::vector<Error>>

@@ -19,8 +19,12 @@ AROUND = (
 )
 SETTINGS = """<settings name="x">
   <Plugins><Plugin>HTTPService</Plugin></Plugins>
-  <component name="HTTPService"><option name="rules" value="services/rules.xml"/></component>
+  <component name="HTTPService">
+    <option name="rules" value="services/rules.xml"/>
+    <option name="listen" value="127.0.0.1:8090"/>
+  </component>
 </settings>"""
+WEBHOOK = "<webhook path='/a'><on><event name='Received'/></on></webhook>"
 SCRIPT = "<dialogue><state name='A'>{}</state></dialogue>"
 
 
@@ -41,6 +45,13 @@ class Services(PageCase):
         if text.startswith("<request"):
             yield {"a.xml": SCRIPT.format(f"<Entrance>{text}</Entrance>"),
                    "services/rules.xml": AROUND[1].format(text="<get url='/'/>")}
+            return
+        if text.startswith("<handler"):
+            yield {"a.xml": f"<dialogue>{text}</dialogue>",
+                   "settings.xml": SETTINGS.replace(
+                       "<Plugin>HTTPService</Plugin>", "").replace(
+                       '"HTTPService">', '"Gateway" plugin="HTTPService">'),
+                   "services/rules.xml": AROUND[0].format(text=WEBHOOK)}
             return
         if text.startswith("<component"):
             (self.work / "services").mkdir(exist_ok=True)

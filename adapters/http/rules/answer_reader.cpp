@@ -44,17 +44,18 @@ std::string spoken(const Value& value) {
 // One answer, read as far as the rules ask for it.
 class Reader {
 public:
-  Reader(const ServiceRules& rules, const CommandRule& command,
-         const HttpAnswer& answer, const List& parameters)
-      : rules_(rules), command_(command), answer_(answer),
+  Reader(const std::vector<AnswerRule>& rules, const std::string& file,
+         const std::string& subject, const HttpAnswer& answer,
+         const List& parameters)
+      : rules_(rules), file_(file), subject_(subject), answer_(answer),
         parameters_(parameters), text_(readable(answer.body)) {}
 
   Made read() {
-    for (const auto& rule : command_.answers)
+    for (const auto& rule : rules_)
       if (applies(rule))
         return event_of(rule);
-    return tl::make_unexpected(NoEvent{
-        begin() + "answered " + std::to_string(answer_.status) + ".", true});
+    return tl::make_unexpected(
+        NoEvent{subject_ + " " + std::to_string(answer_.status) + ".", true});
   }
 
 private:
@@ -99,9 +100,9 @@ private:
       if (lacks && param.otherwise)
         value = Value(*param.otherwise);
       if (!value)
-        return tl::make_unexpected(
-            NoEvent{begin() + "answered " + value.error() + " (" + rules_.file +
-                    ":" + std::to_string(param.line) + ")."});
+        return tl::make_unexpected(NoEvent{subject_ + " " + value.error() +
+                                           " (" + file_ + ":" +
+                                           std::to_string(param.line) + ")."});
       event.params.push_back(std::move(*value));
     }
     return event;
@@ -157,13 +158,9 @@ private:
     return *json_;
   }
 
-  std::string begin() const {
-    const auto& server = command_.request.server;
-    return (server.empty() ? "The service" : server) + " ";
-  }
-
-  const ServiceRules& rules_;
-  const CommandRule& command_;
+  const std::vector<AnswerRule>& rules_;
+  const std::string& file_;
+  const std::string& subject_;
   const HttpAnswer& answer_;
   const List& parameters_;
   const std::string text_;
@@ -173,9 +170,10 @@ private:
 
 } // namespace
 
-Made read_answer(const ServiceRules& rules, const CommandRule& command,
-                 const HttpAnswer& answer, const List& parameters) {
-  return Reader(rules, command, answer, parameters).read();
+Made read_answer(const std::vector<AnswerRule>& rules, const std::string& file,
+                 const std::string& subject, const HttpAnswer& answer,
+                 const List& parameters) {
+  return Reader(rules, file, subject, answer, parameters).read();
 }
 
 const SampleRule* find_sample(const CommandRule& command,

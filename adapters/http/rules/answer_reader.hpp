@@ -17,9 +17,11 @@ struct NoEvent {
   bool none_applies = false;
 };
 
-// The event of the first rule that applies.
-tl::expected<Answer, NoEvent> read_answer(const ServiceRules& rules,
-                                          const CommandRule& command,
+// The event of the first rule that applies. `subject` begins the reason if
+// there is none: "api.example.com answered".
+tl::expected<Answer, NoEvent> read_answer(const std::vector<AnswerRule>& rules,
+                                          const std::string& file,
+                                          const std::string& subject,
                                           const HttpAnswer& answer,
                                           const List& parameters);
 

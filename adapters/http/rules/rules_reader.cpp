@@ -1,52 +1,20 @@
 #include "adapters/http/rules/rules_reader.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <utility>
 
 #include <pugixml.hpp>
-#include <re2/re2.h>
 
 #include "adapters/http/message/http_address.hpp"
 #include "adapters/http/rules/answer_reader.hpp"
+#include "adapters/http/rules/answer_rule_reader.hpp"
 #include "adapters/http/rules/request_maker.hpp"
 #include "adapters/http/rules/request_reader.hpp"
 #include "runtime/text/json_text.hpp"
-#include "runtime/text/words.hpp"
 
 namespace parlour::adapters::http {
 
 namespace {
-
-// The memory that one expression may take.
-constexpr std::int64_t max_expression = 1 << 20;
-
-std::optional<int> read_number(std::string_view text) {
-  int number = 0;
-  const auto read =
-      std::from_chars(text.data(), text.data() + text.size(), number);
-  if (read.ec != std::errc() || read.ptr != text.data() + text.size())
-    return std::nullopt;
-  return number;
-}
-
-// "200", "2xx", "400-404".
-std::optional<std::pair<int, int>> read_statuses(const std::string& text) {
-  const auto dash = text.find('-');
-  auto from = read_number(text.substr(0, dash));
-  auto to =
-      dash == std::string::npos ? from : read_number(text.substr(dash + 1));
-  if (text.size() == 3 && text.ends_with("xx")) {
-    from = read_number(text.substr(0, 1));
-    if (from) {
-      *from *= 100;
-      to = *from + 99;
-    }
-  }
-  if (!from || !to || *from < 100 || *to > 599 || *from > *to)
-    return std::nullopt;
-  return std::pair(*from, *to);
-}
 
 // Reads one file.
 class Reader {
@@ -74,21 +42,18 @@ public:
 private:
   void read_service(const pugi::xml_node& root);
   void read_command(const pugi::xml_node& node);
+  void read_webhook(const pugi::xml_node& node);
   void read_parameters_of(const pugi::xml_node& node, CommandRule& command);
   void read_child(const pugi::xml_node& node, CommandRule& command,
                   const std::vector<std::string>& parameters);
   void read_request(const pugi::xml_node& node, CommandRule& command,
                     Method method, const std::vector<std::string>& parameters);
-  void read_answer_rule(const pugi::xml_node& node, CommandRule& command,
-                        const std::vector<std::string>& parameters);
-  void read_conditions(const pugi::xml_node& node, AnswerRule& rule);
-  void read_event(const pugi::xml_node& node, EventRule& event,
-                  const TemplateNames& names);
-  void check_event(const pugi::xml_node& node, const EventRule& event);
-  void read_sample(const pugi::xml_node& node, CommandRule& command);
   void check_command(const pugi::xml_node& node, const CommandRule& command);
   void check_request(const CommandRule& command, const List& parameters);
-  void check_samples(const CommandRule& command, const List& parameters);
+  void check_samples(const std::vector<AnswerRule>& answers,
+                     const std::string& subject,
+                     const std::vector<SampleRule>& samples,
+                     const List& parameters);
 
   std::string_view text_;
   RulesXml xml_;
@@ -115,10 +80,41 @@ void Reader::read_service(const pugi::xml_node& root) {
   for (const auto child : root.children())
     if (std::string_view(child.name()) == "command")
       read_command(child);
+    else if (std::string_view(child.name()) == "webhook")
+      read_webhook(child);
     else if (child.type() == pugi::node_element)
-      xml_.unknown(child, "<command>");
-  if (read_.rules.commands.empty())
-    xml_.error(root, "<service> has no <command>");
+      xml_.unknown(child, "<command> and <webhook>");
+  if (read_.rules.commands.empty() && read_.rules.webhooks.empty())
+    xml_.error(root, "<service> has no <command> and no <webhook>");
+}
+
+// Its events come unasked, so they need not end a request.
+void Reader::read_webhook(const pugi::xml_node& node) {
+  if (!xml_.check_attributes(node, {"path"}))
+    return;
+  WebhookRule webhook;
+  webhook.path = node.attribute("path").value();
+  if (!webhook.path.starts_with('/') ||
+      webhook.path.find('?') != std::string::npos)
+    xml_.error(node, "path=\"" + webhook.path +
+                         "\" begins with \"/\" and has no \"?\"");
+  if (read_.rules.find_webhook(webhook.path))
+    xml_.error(node, "there is a webhook " + webhook.path + " already");
+  AnswerRuleReader answers(xml_, role_, AnswerRuleReader::Of::webhook);
+  for (const auto child : node.children()) {
+    const std::string_view name = child.name();
+    if (name == "on" || name == "otherwise")
+      answers.read(child, {}, webhook.answers);
+    else if (name == "sample")
+      answers.read_sample(child, webhook.samples);
+    else if (child.type() == pugi::node_element)
+      xml_.unknown(child, "<on>, <otherwise>, <sample>");
+  }
+  if (webhook.answers.empty())
+    xml_.error(node, "a webhook needs an <on>, which makes an event of it");
+  if (!xml_.has_errors())
+    check_samples(webhook.answers, "A report comes", webhook.samples, {});
+  read_.rules.webhooks.push_back(std::move(webhook));
 }
 
 void Reader::read_command(const pugi::xml_node& node) {
@@ -157,12 +153,13 @@ void Reader::read_parameters_of(const pugi::xml_node& node,
 void Reader::read_child(const pugi::xml_node& node, CommandRule& command,
                         const std::vector<std::string>& parameters) {
   const std::string_view name = node.name();
+  AnswerRuleReader answers(xml_, role_, AnswerRuleReader::Of::command);
   if (const auto method = method_of_element(name))
     read_request(node, command, *method, parameters);
   else if (name == "on" || name == "otherwise")
-    read_answer_rule(node, command, parameters);
+    answers.read(node, parameters, command.answers);
   else if (name == "sample")
-    read_sample(node, command);
+    answers.read_sample(node, command.samples);
   else
     xml_.unknown(node, "<get>, <post>, <put>, <patch>, <delete>, <on>, "
                        "<otherwise>, <sample>");
@@ -177,128 +174,6 @@ void Reader::read_request(const pugi::xml_node& node, CommandRule& command,
   request_line_ = xml_.line_of(node);
   command.request = RequestReader(xml_, environment_, address_, read_.missing)
                         .read(node, method, parameters);
-}
-
-void Reader::read_answer_rule(const pugi::xml_node& node, CommandRule& command,
-                              const std::vector<std::string>& parameters) {
-  AnswerRule rule;
-  rule.line = xml_.line_of(node);
-  if (!command.answers.empty() && command.answers.back().statuses.empty())
-    xml_.error(node, "behind <otherwise> nothing can apply");
-  if (std::string_view(node.name()) == "on")
-    read_conditions(node, rule);
-  else
-    xml_.check_attributes(node, {});
-  TemplateNames names{parameters, false};
-  if (rule.matches)
-    names.groups =
-        static_cast<std::size_t>(rule.matches->NumberOfCapturingGroups());
-  const auto event = node.child("event");
-  const auto elements =
-      std::ranges::count_if(node.children(), [](const pugi::xml_node& one) {
-        return one.type() == pugi::node_element;
-      });
-  if (!event || elements != 1)
-    return xml_.error(node, "<" + std::string(node.name()) +
-                                "> has one <event>, and nothing else");
-  read_event(event, rule.event, names);
-  command.answers.push_back(std::move(rule));
-}
-
-// Without a status every success counts.
-void Reader::read_conditions(const pugi::xml_node& node, AnswerRule& rule) {
-  xml_.check_attributes(node, {}, {"status", "has", "is", "matches"});
-  for (const auto& word : split_words(
-           node.attribute("status") ? node.attribute("status").value() : "2xx"))
-    if (const auto range = read_statuses(word))
-      rule.statuses.push_back(*range);
-    else
-      xml_.error(node, "'" + word +
-                           "' is no status such as 200, 2xx or "
-                           "400-404");
-  if (rule.statuses.empty())
-    rule.statuses.emplace_back(100, 599);
-  if (const std::string_view has = node.attribute("has").value();
-      has.starts_with('/'))
-    rule.has.emplace(has);
-  else if (node.attribute("has"))
-    xml_.error(node,
-               "has=\"…\" is a place in the answer and begins with \"/\"");
-  if (const auto is = node.attribute("is"))
-    rule.is = is.value();
-  if (rule.is && !rule.has)
-    xml_.error(node, "is=\"…\" needs has=\"/…\", the place that is compared");
-  if (const auto matches = node.attribute("matches")) {
-    re2::RE2::Options options;
-    options.set_log_errors(false);
-    options.set_max_mem(max_expression);
-    rule.matches = std::make_shared<const re2::RE2>(matches.value(), options);
-    if (!rule.matches->ok())
-      xml_.error(node, "matches=\"…\": " + rule.matches->error());
-  }
-}
-
-void Reader::read_event(const pugi::xml_node& node, EventRule& event,
-                        const TemplateNames& names) {
-  if (!xml_.check_attributes(node, {"name"}))
-    return;
-  event.name = node.attribute("name").value();
-  for (const auto child : node.children()) {
-    if (child.type() != pugi::node_element)
-      continue;
-    if (std::string_view(child.name()) != "param") {
-      xml_.unknown(child, "<param>");
-      continue;
-    }
-    xml_.check_attributes(child, {}, {"value", "else"});
-    std::vector<std::string> none;
-    auto value = read_template(child.attribute("value").value(), names, none);
-    if (!value)
-      xml_.error(child, value.error());
-    ParamRule param{value.value_or(TextTemplate()), {}, xml_.line_of(child)};
-    if (const auto otherwise = child.attribute("else"))
-      param.otherwise = otherwise.value();
-    event.params.push_back(std::move(param));
-  }
-  check_event(node, event);
-}
-
-// An event of the role has the role's parameters and ends a request.
-void Reader::check_event(const pugi::xml_node& node, const EventRule& event) {
-  const auto* known = role_ ? role_->event(event.name) : nullptr;
-  if (known && known->reply == Reply::none)
-    return xml_.error(node, event.name +
-                                " ends no request, so that whoever has asked "
-                                "would wait in vain");
-  if (!known && event.name != "Failed")
-    return;
-  const std::string parameters = known ? known->parameters : "reason";
-  const auto all = read_parameters(parameters);
-  const auto needed = static_cast<std::size_t>(std::ranges::count_if(
-      all, [](const Parameter& one) { return !one.optional && !one.repeats; }));
-  const bool repeats = !all.empty() && all.back().repeats;
-  const auto given = event.params.size();
-  if (given < needed || (given > all.size() && !repeats))
-    xml_.error(node,
-               "the event " + event.name + " has " +
-                   (all.empty() ? "no parameters"
-                                : "the parameters \"" + parameters + "\"") +
-                   ", and here are " + std::to_string(given));
-}
-
-void Reader::read_sample(const pugi::xml_node& node, CommandRule& command) {
-  xml_.check_attributes(node, {}, {"status", "for"});
-  SampleRule sample;
-  const auto status = node.attribute("status");
-  const auto number = status ? read_number(status.value()) : 200;
-  if (!number || *number < 100 || *number > 599)
-    return xml_.error(node, "'" + std::string(status.value()) +
-                                "' is no status such as 200");
-  sample.answer = {*number, text_of(node)};
-  sample.line = xml_.line_of(node);
-  if (const auto whom = node.attribute("for"))
-    sample.whom = whom.value();
-  command.samples.push_back(std::move(sample));
 }
 
 void Reader::check_command(const pugi::xml_node& node,
@@ -317,7 +192,8 @@ void Reader::check_command(const pugi::xml_node& node,
   for (const auto& parameter : command.parameters)
     parameters.push_back(sample_of(parameter));
   check_request(command, parameters);
-  check_samples(command, parameters);
+  check_samples(command.answers, command.who_answered(), command.samples,
+                parameters);
 }
 
 // Makes a request, as a conversation will.
@@ -336,10 +212,13 @@ void Reader::check_request(const CommandRule& command, const List& parameters) {
 }
 
 // A sample of a failure may have no rule: the command then fails.
-void Reader::check_samples(const CommandRule& command, const List& parameters) {
-  for (const auto& sample : command.samples) {
-    const auto made =
-        read_answer(read_.rules, command, sample.answer, parameters);
+void Reader::check_samples(const std::vector<AnswerRule>& answers,
+                           const std::string& subject,
+                           const std::vector<SampleRule>& samples,
+                           const List& parameters) {
+  for (const auto& sample : samples) {
+    const auto made = read_answer(answers, read_.rules.file, subject,
+                                  sample.answer, parameters);
     const bool is_failure =
         sample.answer.status < 200 || sample.answer.status > 299;
     if (!made && (!made.error().none_applies || !is_failure))

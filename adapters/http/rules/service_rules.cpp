@@ -26,9 +26,19 @@ std::string parameters_of(const CommandRule& command) {
 
 } // namespace
 
+std::string CommandRule::who_answered() const {
+  return (request.server.empty() ? "The service" : request.server) +
+         " answered";
+}
+
 const CommandRule* ServiceRules::find(std::string_view command) const {
   const auto found = std::ranges::find(commands, command, &CommandRule::name);
   return found == commands.end() ? nullptr : &*found;
+}
+
+const WebhookRule* ServiceRules::find_webhook(std::string_view path) const {
+  const auto found = std::ranges::find(webhooks, path, &WebhookRule::path);
+  return found == webhooks.end() ? nullptr : &*found;
 }
 
 std::string ServiceRules::refusal() const {
@@ -54,14 +64,18 @@ std::vector<RoleCommand> own_commands(const ServiceRules& rules) {
 std::vector<RoleEvent> own_events(const ServiceRules& rules) {
   const auto* role = find_role(rules.role);
   std::vector<RoleEvent> own;
-  for (const auto& command : rules.commands)
-    for (const auto& answer : command.answers) {
+  auto add = [&](const std::vector<AnswerRule>& answers, Reply reply) {
+    for (const auto& answer : answers) {
       const auto& event = answer.event;
-      if (event.name == failed || (role && role->event(event.name)) ||
-          std::ranges::count(own, event.name, &RoleEvent::name))
-        continue;
-      own.push_back({event.name, parameters_of(event), Reply::answer});
+      if (event.name != failed && !(role && role->event(event.name)) &&
+          std::ranges::count(own, event.name, &RoleEvent::name) == 0)
+        own.push_back({event.name, parameters_of(event), reply});
     }
+  };
+  for (const auto& command : rules.commands)
+    add(command.answers, Reply::answer);
+  for (const auto& webhook : rules.webhooks)
+    add(webhook.answers, Reply::none);
   return own;
 }
 

@@ -99,21 +99,35 @@ struct CommandRule {
   // The first that applies counts.
   std::vector<AnswerRule> answers;
   std::vector<SampleRule> samples;
+
+  // "api.example.com answered": how messages begin.
+  std::string who_answered() const;
+};
+
+// What the service reports by itself, as a POST to this path.
+struct WebhookRule {
+  std::string path; // "/sms"
+  std::vector<AnswerRule> answers;
+  std::vector<SampleRule> samples;
 };
 
 struct ServiceRules {
   std::string file; // for messages
   std::string role; // empty: none
   std::vector<CommandRule> commands;
+  std::vector<WebhookRule> webhooks;
 
   // Null if the service does not know the command.
   const CommandRule* find(std::string_view command) const;
+  // Null if nothing is reported there.
+  const WebhookRule* find_webhook(std::string_view path) const;
   // The event that says no, with one parameter, the reason: the role's own, or
   // Failed.
   std::string refusal() const;
 };
 
-// Commands and events beyond those of the role, for the description.
+// Commands and events beyond those of the role, for the description. An event
+// that only a webhook has ends no request.
 std::vector<RoleCommand> own_commands(const ServiceRules& rules);
 std::vector<RoleEvent> own_events(const ServiceRules& rules);
 

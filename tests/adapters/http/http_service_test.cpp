@@ -6,6 +6,7 @@
 #include "runtime/plugin/test_host.hpp"
 #include "runtime/text/json_text.hpp"
 #include "tests/adapters/http/service_server.hpp"
+#include "tests/adapters/http/webhooks/client.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace parlour::adapters::http {
@@ -180,6 +181,86 @@ TEST_F(HTTPServiceTest, ItsEndAnswersAll) {
   service.stop();
   EXPECT_EQ(host.take_events().size(), 2u);
   EXPECT_THAT(ask("Balance", {}), ElementsAre(HasSubstr("has ended")));
+}
+
+constexpr auto reports = R"(<service role="SMS">
+  <webhook path="/inbox">
+    <on has="/From">
+      <event name="Received"><param value="{/From}"/><param value="{/Body}"/></event>
+    </on>
+  </webhook>
+</service>)";
+
+class WebhooksTest : public HTTPServiceTest {
+protected:
+  WebhooksTest() {
+    folder.write("sms.xml", reports);
+    options["listen"] = "127.0.0.1:0";
+    options["token"] = "streng";
+  }
+  // The status that a report is answered with.
+  int report(const std::string& target, const std::string& body,
+             const std::string& headers = "") {
+    if (address.empty())
+      address = host.take_logs().at(0);
+    test::Client client(address);
+    client.send(test::post(target, body, headers));
+    return client.status();
+  }
+  std::string address;
+};
+
+TEST_F(WebhooksTest, BecomeEventsThatAnswerNobody) {
+  ASSERT_TRUE(start("http://a.com"));
+  EXPECT_EQ(report("/inbox?token=streng", R"({"From":"+49 1","Body":"late"})"),
+            204);
+  EXPECT_EQ(report("/inbox?token=streng", "From=%2B49+2&Body=a%26b",
+                   "Content-Type: application/x-www-form-urlencoded\r\n"),
+            204);
+  const auto events = host.take_events();
+  ASSERT_EQ(events.size(), 2u);
+  EXPECT_EQ(to_string(events[0].params[0]), "+49 1");
+  EXPECT_EQ(events[1].params, (std::vector<Value>{"+49 2", "a&b"}));
+  EXPECT_EQ(events[0].command, "Received");
+  EXPECT_EQ(events[0].session, "");
+  EXPECT_EQ(events[0].correlation, 0u);
+}
+
+TEST_F(WebhooksTest, AreRefused) {
+  ASSERT_TRUE(start("http://a.com"));
+  EXPECT_EQ(report("/inbox", "{}"), 401);
+  EXPECT_EQ(report("/other?token=streng", "{}"), 404);
+  EXPECT_EQ(report("/inbox?token=streng", "{}"), 422);
+  EXPECT_EQ(report("/inbox?token=streng", R"({"From":1})"), 422);
+  EXPECT_THAT(host.take_events(), IsEmpty());
+  EXPECT_THAT(host.take_logs(),
+              ElementsAre(HasSubstr("No rule applies to a report to /inbox"),
+                          HasSubstr("A report to /inbox came without /Body")));
+}
+
+TEST_F(WebhooksTest, AreHeardUntilTheEnd) {
+  ASSERT_TRUE(start("http://a.com"));
+  EXPECT_EQ(report("/inbox", ""), 401);
+  service.stop();
+  EXPECT_FALSE(test::Client(address).is_connected());
+}
+
+// There nobody waits for what happens outside.
+TEST_F(WebhooksTest, AreNotHeardInVirtualTimeAndWithSamples) {
+  options["one-by-one"] = "true";
+  ASSERT_TRUE(start("http://a.com"));
+  EXPECT_THAT(host.take_logs(), IsEmpty());
+  options["samples"] = "true";
+  options["listen"] = "";
+  ASSERT_TRUE(start("http://a.com"));
+}
+
+TEST_F(WebhooksTest, NeedAPlace) {
+  options["listen"] = "";
+  EXPECT_THAT(start("http://a.com").error().message,
+              HasSubstr("the option 'listen' says where"));
+  EXPECT_THAT(check_service(options, host.application).errors.at(0).message,
+              HasSubstr("the option 'listen' says where"));
 }
 
 TEST_F(HTTPServiceTest, NeedsItsRulesAndItsSecrets) {

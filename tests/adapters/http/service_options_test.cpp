@@ -55,6 +55,21 @@ TEST_F(ServiceOptionsTest, HaveBounds) {
   EXPECT_NE(error("ca", "none.pem"), "");
 }
 
+TEST_F(ServiceOptionsTest, SayWhereWebhooksAreHeard) {
+  ServiceRules rules;
+  auto error = [&](const Options& options) {
+    const auto checked = check_webhooks(read(options).value(), rules);
+    return checked ? "" : checked.error().message;
+  };
+  EXPECT_EQ(error({}), "");
+  rules.webhooks.push_back({"/a", {}, {}});
+  EXPECT_THAT(error({}), HasSubstr("the option 'listen' says where"));
+  EXPECT_EQ(error({{"samples", "true"}}), "");
+  EXPECT_EQ(error({{"listen", "127.0.0.1:80"}}), "");
+  EXPECT_THAT(error({{"listen", "0.0.0.0:80"}}), HasSubstr("'token'"));
+  EXPECT_EQ(error({{"listen", "0.0.0.0:80"}, {"token", "t"}}), "");
+}
+
 TEST_F(ServiceOptionsTest, NameTheFileOfRules) {
   auto load = [this](const Options& options) {
     return load_service_rules(options, folder.path().string(), {});

@@ -10,10 +10,12 @@ import pathlib
 import queue
 import re
 import shutil
+import ssl
 import subprocess
 import threading
 import unittest
 import urllib.parse
+import urllib.request
 
 from program_case import PROGRAM, ProgramCase
 
@@ -35,8 +37,10 @@ class Service(http.server.ThreadingHTTPServer):
 
     daemon_threads = True
 
-    def __init__(self, answer):
+    def __init__(self, answer, context=None):
         super().__init__(("127.0.0.1", 0), Handler)
+        if context:
+            self.socket = context.wrap_socket(self.socket, server_side=True)
         self.answer = answer
         self.asked = []
         threading.Thread(target=self.serve_forever, daemon=True).start()
@@ -81,8 +85,8 @@ def weather(request):
 
 class ServicesTest(ProgramCase):
 
-    def serve(self, answer):
-        service = Service(answer)
+    def serve(self, answer, context=None):
+        service = Service(answer, context)
         self.addCleanup(service.server_close)
         self.addCleanup(service.shutdown)
         return service
@@ -115,6 +119,24 @@ class ServicesTest(ProgramCase):
             self.assertNotIn(secret, done.stdout + done.stderr)
         return done.stdout, done.stderr
 
+    def lines(self, robot, stream):
+        """A queue of the lines that a running program writes."""
+        lines = queue.SimpleQueue()
+        reader = threading.Thread(
+            target=lambda: [lines.put(line) for line in stream])
+        reader.start()
+        # The other way round: killed first, then waited for.
+        self.addCleanup(reader.join)
+        self.addCleanup(robot.wait)
+        self.addCleanup(robot.kill)
+        return lines
+
+    def find(self, pattern, lines):
+        """The first match in a line to come."""
+        while True:
+            if found := re.search(pattern, lines.get(timeout=WAIT)):
+                return found
+
     def test_the_weather_comes_from_the_service(self):
         forecasts = self.serve(weather)
         self.with_services(forecasts.address, "http://127.0.0.1:9")
@@ -124,6 +146,35 @@ class ServicesTest(ProgramCase):
         self.assertIn("I am sorry, I have no weather report for that.", said)
         self.assertEqual(forecasts.asked[0].query,
                          {"place": "Changi", "when": "today"})
+
+    @unittest.skipUnless(shutil.which("openssl"), "openssl is not installed")
+    def test_a_certificate_is_always_checked(self):
+        for name, is_right in (("IP:127.0.0.1", True),
+                               ("DNS:other.example", False)):
+            key, certificate = self.folder / "key.pem", self.folder / "ca.pem"
+            subprocess.run(
+                ["openssl", "req", "-x509", "-newkey", "rsa:2048", "-nodes",
+                 "-subj", "/CN=test", "-addext", f"subjectAltName={name}",
+                 "-keyout", key, "-out", certificate, "-days", "2"],
+                check=True, capture_output=True)
+            context = ssl.SSLContext(ssl.PROTOCOL_TLS_SERVER)
+            context.load_cert_chain(certificate, key)
+            forecasts = self.serve(weather, context)
+            address = forecasts.address.replace("http:", "https:")
+            self.with_services(address, "http://127.0.0.1:9")
+            said, _ = self.talk("how is the weather in Changi?")
+            self.assertIn("I have no weather report", said)
+            self.assertEqual(forecasts.asked, [])
+            shutil.copy(certificate, self.app / "ca.pem")
+            settings = self.app / "settings.xml"
+            settings.write_text(settings.read_text(encoding="utf-8").replace(
+                '<option name="rules" value="services/weather.xml"/>',
+                '<option name="rules" value="services/weather.xml"/>'
+                '<option name="ca" value="ca.pem"/>'), encoding="utf-8")
+            said, _ = self.talk("how is the weather in Changi?")
+            with self.subTest(name=name):
+                self.assertEqual("31 degrees in Changi" in said, is_right, said)
+            shutil.rmtree(self.app)
 
     def test_a_service_that_stumbles_is_asked_again(self):
         def stumble(request):
@@ -165,17 +216,52 @@ class ServicesTest(ProgramCase):
                            str(self.folder / "data"), env=self.environment,
                            stdin=subprocess.PIPE, stdout=subprocess.PIPE,
                            stderr=subprocess.DEVNULL, text=True)
-        lines = queue.SimpleQueue()
-        reader = threading.Thread(
-            target=lambda: [lines.put(line) for line in robot.stdout])
-        reader.start()
-        self.addCleanup(reader.join)
-        self.addCleanup(robot.wait)
-        self.addCleanup(robot.kill)
+        said = self.lines(robot, robot.stdout)
         robot.stdin.write("how is the weather in Changi?\n\n")
         robot.stdin.flush()
-        while "31 degrees in Changi" not in lines.get(timeout=WAIT):
-            pass
+        self.find("31 degrees in Changi", said)
+        robot.stdin.close()
+        self.assertEqual(robot.wait(WAIT), 0)
+
+    def test_a_report_of_a_service_reaches_the_conversation(self):
+        self.write("app/settings.xml", """<settings name="app" start="Desk">
+          <Plugins><Plugin>GrammarNLU</Plugin><Plugin>PhraseNLG</Plugin></Plugins>
+          <component name="Gateway" plugin="HTTPService">
+            <option name="rules" value="services/sms.xml"/>
+            <option name="listen" value="127.0.0.1:0"/>
+            <option name="token" value="${INBOX_TOKEN}"/>
+          </component>
+          <Scripts><Script>app.xml</Script></Scripts></settings>""")
+        self.write("app/services/sms.xml", """<service><webhook path="/inbox">
+          <on has="/from"><event name="Received">
+            <param value="{/from}"/><param value="{/text}"/></event></on>
+          </webhook></service>""")
+        self.write("app/app.xml", """<dialogue>
+          <include href="parlour:pipeline"/>
+          <state name="Desk"><Entrance><speak param="Hello."/></Entrance></state>
+          <handler name="Inbox"><messages><component>
+            <Session><Started>
+              <subscribe source="Gateway" command="Received"/>
+            </Started></Session>
+            <Gateway><Received>
+              <speak param="{_LPARAM1} writes: {_LPARAM2}"/>
+            </Received></Gateway>
+          </component></messages></handler></dialogue>""")
+        robot = self.begin(
+            "run", str(self.folder / "app"), "--text", "--data",
+            str(self.folder / "data"),
+            env=dict(os.environ, INBOX_TOKEN="streng"), stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        said, notes = self.lines(robot, robot.stdout), self.lines(
+            robot, robot.stderr)
+        address = self.find(r"heard at (http://\S+)", notes)[1]
+        self.find("Hello", said)
+        report = urllib.request.Request(
+            address + "/inbox?token=streng",
+            json.dumps({"from": "Ann", "text": "I am late"}).encode())
+        with urllib.request.urlopen(report, timeout=WAIT) as answer:
+            self.assertEqual(answer.status, 204)
+        self.find("Ann writes: I am late", said)
         robot.stdin.close()
         self.assertEqual(robot.wait(WAIT), 0)
 

@@ -16,7 +16,8 @@ std::string event(const std::string& answers, int status,
   if (rules.commands.empty())
     return "no rules";
   const auto made =
-      read_answer(rules, rules.commands[0], {status, body}, {"Ann"});
+      read_answer(rules.commands[0].answers, rules.file,
+                  rules.commands[0].who_answered(), {status, body}, {"Ann"});
   if (!made)
     return made.error().reason;
   return made->command + json_text(Value(made->params));

@@ -65,7 +65,7 @@ TEST(RulesReader, IsXml) {
   EXPECT_THAT(errors_of("<services/>"),
               ElementsAre(HasSubstr("<service>, not <services>")));
   EXPECT_THAT(errors_of("<service/>"),
-              ElementsAre(HasSubstr("has no <command>")));
+              ElementsAre(HasSubstr("has no <command> and no <webhook>")));
 }
 
 TEST(RulesReader, SaysAllThatIsWrongWithItsLine) {
@@ -104,36 +104,6 @@ TEST(RulesReader, SaysAllThatIsWrongWithItsLine) {
           HasSubstr("a.xml:13: <topic> is not known in <service>")));
 }
 
-std::string of_role(const std::string& role, const std::string& command,
-                    const std::string& event) {
-  return "<service role='" + role + "' address='http://a.com'><command " +
-         command + "><get url='/'/><on>" + event + "</on></command></service>";
-}
-
-TEST(RulesReader, KnowsTheRole) {
-  EXPECT_THAT(errors_of(of_role("Wether", "name='Ask'", "<event name='E'/>")),
-              ElementsAre(HasSubstr("there is no role 'Wether'")));
-  EXPECT_THAT(errors_of(of_role("System", "name='Ask'", "<event name='E'/>")),
-              ElementsAre(HasSubstr("there is no role 'System'")));
-  EXPECT_THAT(
-      errors_of(of_role("Weather", "name='Ask'", "<event name='Report'/>")),
-      ElementsAre(HasSubstr("the event Report has the parameters \"text, "
-                            "data\", and here are 0")));
-  EXPECT_THAT(errors_of(of_role("SMS", "name='Send'",
-                                "<event name='Sent'><param/></event>")),
-              ElementsAre(HasSubstr("the event Sent has no parameters, and "
-                                    "here are 1")));
-  EXPECT_THAT(
-      errors_of(of_role("Telephone", "name='Call'", "<event name='Ringing'/>")),
-      ElementsAre(HasSubstr("Ringing ends no request")));
-  EXPECT_THAT(errors_of(of_role("SMS", "name='Send' params='to'",
-                                "<event name='Sent'/>")),
-              ElementsAre(HasSubstr("has the parameters \"number, text\"")));
-  EXPECT_THAT(
-      errors_of(of_role("SMS", "name='Send'", "<event name='Failed'/>")),
-      ElementsAre(HasSubstr("\"reason\", and here are 0")));
-}
-
 TEST(RulesReader, ParametersMayHaveOtherNames) {
   EXPECT_THAT(errors_of("<service role='SMS' address='http://a.com'>"
                         "<command name='Send' params='to, body'>"
@@ -166,6 +136,48 @@ TEST(RulesReader, ACommandStandsOnce) {
   EXPECT_THAT(errors_of("<service address='http://a.com'>" + command + command +
                         "</service>"),
               ElementsAre(HasSubstr("there is a command A already")));
+}
+
+TEST(RulesReader, ReadsWebhooks) {
+  const auto rules =
+      rules_of("<webhook path='/sms'><on has='/from'><event name='Received'>"
+               "<param value='{/from}'/></event></on>"
+               "<sample>{\"from\": 1}</sample></webhook>");
+  ASSERT_TRUE(rules.find_webhook("/sms"));
+  EXPECT_EQ(rules.find_webhook("/other"), nullptr);
+}
+
+std::vector<std::string> wrong_webhook(const std::string& attributes,
+                                       const std::string& children) {
+  return errors_of("<service role='Telephone'><webhook " + attributes + ">\n" +
+                   children + "</webhook></service>");
+}
+
+TEST(RulesReader, KnowsWebhooks) {
+  const std::string on = "<on><event name='Ringing'/></on>";
+  EXPECT_THAT(wrong_webhook("path='/a'", on), IsEmpty()); // though no reply
+  EXPECT_THAT(wrong_webhook("", on).at(0), HasSubstr("attribute 'path'"));
+  EXPECT_THAT(wrong_webhook("path='a?b'", on),
+              ElementsAre(HasSubstr("begins with \"/\" and has no \"?\"")));
+  EXPECT_THAT(wrong_webhook("path='/a'", ""),
+              ElementsAre(HasSubstr("needs an <on>")));
+  EXPECT_THAT(wrong_webhook("path='/a'", "<get url='/'/>" + on),
+              ElementsAre(HasSubstr("a.xml:2: <get> is not known in "
+                                    "<webhook>")));
+  EXPECT_THAT(wrong_webhook("path='/a'", "<on status='200'>"
+                                         "<event name='Ringing'/></on>"),
+              ElementsAre(HasSubstr("<on> has no attribute 'status'")));
+  EXPECT_THAT(wrong_webhook("path='/a'", "<on><event name='Ringing'>"
+                                         "<param value='1'/></event></on>"),
+              ElementsAre(HasSubstr("here are 1")));
+  EXPECT_THAT(wrong_webhook("path='/a'", "<on has='/x'>"
+                                         "<event name='Ringing'/></on>"
+                                         "<sample>{}</sample>"),
+              ElementsAre(HasSubstr("no <on> applies to this sample")));
+  EXPECT_THAT(errors_of("<service><webhook path='/a'>" + on +
+                        "</webhook><webhook path='/a'>" + on +
+                        "</webhook></service>"),
+              ElementsAre(HasSubstr("a webhook /a already")));
 }
 
 // A secret in a message would be in a log.

@@ -28,6 +28,17 @@ TEST(ServiceRules, RefuseAsTheirRoleDoes) {
   EXPECT_EQ(rules_of(own).refusal(), "Failed");
 }
 
+TEST(ServiceRules, WhatIsReportedEndsNoRequest) {
+  const auto events = own_events(
+      rules_of(std::string(own) + "<webhook path='/a'><on has='/x'>"
+                                  "<event name='Gone'/></on>"
+                                  "<on><event name='Late'/></on></webhook>"));
+  ASSERT_THAT(events, SizeIs(2));
+  EXPECT_EQ(events[0].reply, Reply::answer); // a command has it, too
+  EXPECT_EQ(events[1].name, "Late");
+  EXPECT_EQ(events[1].reply, Reply::none);
+}
+
 TEST(ServiceRules, DescribeWhatTheRoleLacks) {
   const auto rules = rules_of(std::string(taxi) + own, "Taxi");
   const auto commands = own_commands(rules);

@@ -1,0 +1,104 @@
+#include "adapters/http/webhooks/webhook_request.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cstddef>
+#include <functional>
+#include <utility>
+
+#include "runtime/text/json_text.hpp"
+
+namespace parlour::adapters::http {
+
+namespace {
+
+constexpr std::string_view bearer = "Bearer ";
+
+// "%XX" at the beginning of the text, as a byte; -1: it is none.
+int escaped_byte(std::string_view text) {
+  int byte = 0;
+  if (text.size() < 3 || text[0] != '%')
+    return -1;
+  const auto* const end = text.data() + 3;
+  const auto read = std::from_chars(text.data() + 1, end, byte, 16);
+  return read.ec == std::errc() && read.ptr == end && byte >= 0 ? byte : -1;
+}
+
+std::string decoded(std::string_view text, bool plus_is_blank) {
+  std::string result;
+  for (std::size_t i = 0; i < text.size(); ++i)
+    if (const auto byte = escaped_byte(text.substr(i)); byte >= 0) {
+      result += static_cast<char>(byte);
+      i += 2;
+    } else {
+      result += plus_is_blank && text[i] == '+' ? ' ' : text[i];
+    }
+  return result;
+}
+
+// Calls `take` with each name and value of "a=b&c=d", decoded.
+void each_pair(std::string_view text,
+               const std::function<void(std::string, std::string)>& take) {
+  while (!text.empty()) {
+    const auto end = std::min(text.find('&'), text.size());
+    const auto pair = text.substr(0, end);
+    const auto equals = std::min(pair.find('='), pair.size());
+    if (!pair.empty())
+      take(form_decoded(pair.substr(0, equals)),
+           form_decoded(pair.substr(std::min(equals + 1, pair.size()))));
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+}
+
+// Looks at every byte, wherever the first difference is.
+bool is_same(std::string_view left, std::string_view right) {
+  bool differs = left.size() != right.size();
+  for (std::size_t i = 0; i < right.size(); ++i)
+    differs |= (i < left.size() ? left[i] : '\0') != right[i];
+  return !differs;
+}
+
+bool has_token(const WebhookRequest& request, std::string_view token) {
+  const std::string_view header = request.authorization;
+  if (header.starts_with(bearer) &&
+      is_same(header.substr(bearer.size()), token))
+    return true;
+  bool is_there = false;
+  each_pair(request.query, [&](const auto& name, const auto& value) {
+    is_there = is_there || (name == "token" && is_same(value, token));
+  });
+  return is_there;
+}
+
+} // namespace
+
+void set_target(WebhookRequest& request, std::string_view target) {
+  const auto mark = std::min(target.find('?'), target.size());
+  request.path = decoded(target.substr(0, mark), false);
+  request.query = target.substr(std::min(mark + 1, target.size()));
+}
+
+int refusal_of(const WebhookRequest& request, std::string_view token) {
+  if (!token.empty() && !has_token(request, token))
+    return 401;
+  return request.method == "POST" ? 0 : 405;
+}
+
+// Some senders call JSON a form. No form begins with a brace: it would be
+// encoded.
+std::string readable_body(const WebhookRequest& request) {
+  if (!request.content_type.starts_with("application/x-www-form-urlencoded") ||
+      request.body.starts_with('{'))
+    return request.body;
+  Map fields;
+  each_pair(request.body, [&](const auto& name, auto value) {
+    fields.set(name, Value(std::move(value)));
+  });
+  return json_text(Value(std::move(fields)));
+}
+
+std::string form_decoded(std::string_view text) {
+  return decoded(text, true);
+}
+
+} // namespace parlour::adapters::http

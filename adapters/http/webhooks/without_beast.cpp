@@ -1,0 +1,11 @@
+// What takes the place of beast_parser.cpp where Boost is missing: services can
+// be asked, but cannot report by themselves.
+#include "adapters/http/webhooks/request_parser.hpp"
+
+namespace parlour::adapters::http {
+
+std::unique_ptr<RequestParser> make_request_parser(std::size_t) {
+  return nullptr;
+}
+
+} // namespace parlour::adapters::http

@@ -43,11 +43,7 @@ public:
       std::lock_guard lock(mutex_);
       json_ = hello.json;
     }
-    for (const auto& role : hello.roles)
-      if (!std::ranges::count(order_.roles, role))
-        host_.log(fmt::format("the agent says that it fills the role {}; the "
-                              "settings do not, so nobody asks it for that",
-                              excerpt(role)));
+    tell_of_roles(hello.roles);
     host_.available(true);
   }
 
@@ -55,16 +51,17 @@ public:
     host_.available(false);
   }
 
-  void received(AgentMessage message) override {
+  std::optional<WireError> received(AgentMessage message) override {
     auto made = message.sinks.empty() ? incoming(message) : read(message);
     if (!made)
-      return mistake(made.error());
+      return std::move(made.error());
     if (made->sinks.empty())
       host_.fire_event(std::move(*made));
     else if (message.correlation)
       ask(std::move(*made), message);
     else
       host_.send_message(std::move(*made));
+    return {};
   }
 
   void refused(const AgentMessage& message, const Error& error) override {
@@ -85,12 +82,22 @@ public:
     host_.failed(reason);
   }
 
-  void mistake(const WireError& error) override {
-    host_.log(fmt::format("the agent's message was {}: {}", name_of(error.kind),
-                          error.sentence));
+private:
+  // A line for an agent that connects, once a second at most.
+  void tell_of_roles(const std::vector<std::string>& roles) {
+    std::vector<std::string> others;
+    for (const auto& role : roles)
+      if (!std::ranges::count(order_.roles, role))
+        others.push_back(role);
+    const auto now = host_.clock().now();
+    if (others.empty() || (told_of_roles_ && now - *told_of_roles_ < 1000))
+      return;
+    told_of_roles_ = now;
+    host_.log(fmt::format("the agent says that it fills {}; the settings do "
+                          "not, so nobody asks it for that",
+                          excerpt(fmt::format("{}", fmt::join(others, ", ")))));
   }
 
-private:
   std::optional<WireNumbers::Asker> asker_of(const AgentMessage& message) {
     std::lock_guard lock(mutex_);
     const auto* asker =
@@ -160,6 +167,8 @@ private:
   const RemoteAgentOrder order_;
   PluginHost& host_;
   const std::shared_ptr<AgentServer> server_;
+  // The server's thread alone uses it.
+  std::optional<Timestamp> told_of_roles_;
   std::mutex mutex_; // of what follows
   // Whether the agent reads parameters in JSON.
   bool json_ = false;

@@ -120,11 +120,12 @@ void AgentExchange::tell(ConnectionId id, const WireError& error,
     end(id);
 }
 
-void AgentExchange::tell_counted(ConnectionId id, WireError error) {
+void AgentExchange::tell_counted(ConnectionId id, WireError error,
+                                 std::optional<std::uint64_t> answered) {
   if (++open_.at(id).malformed >= max_malformed && !closes_connection(error))
     error = {WireErrorKind::flood,
              "too many mistakes in a row; the last: " + error.sentence};
-  tell(id, error);
+  tell(id, error, answered);
 }
 
 // -- what arrives -------------------------------------------------------------
@@ -177,7 +178,21 @@ Read<Hello> AgentExchange::admit(const Connection& connection,
   if (connection.agent && connection.agent != &found->second)
     return tl::make_unexpected(
         identity("this connection belongs to another agent"));
+  if (auto checked = check_rate(found->second); !checked)
+    return tl::make_unexpected(std::move(checked.error()));
   return hello;
+}
+
+Read<void> AgentExchange::check_rate(Agent& agent) {
+  if (now_ - agent.hellos_since >= 1000) {
+    agent.hellos_since = now_;
+    agent.hellos = 0;
+  }
+  if (++agent.hellos > max_hellos_per_second)
+    return tl::make_unexpected(
+        WireError{WireErrorKind::flood,
+                  "the agent says hello more often than a second allows"});
+  return {};
 }
 
 void AgentExchange::greet(ConnectionId id, const AgentMessage& message,
@@ -232,14 +247,16 @@ void AgentExchange::take(ConnectionId id, Connection& connection,
     tell_counted(id, std::move(*arrival.error));
     return;
   }
-  connection.malformed = 0;
   if (arrival.deliver) {
     const bool numbered = message.number.has_value();
+    // This may end the connection.
     hand_on(id, agent, std::move(message));
     // A message that is refused counts as handed on too: it must not be sent
     // again.
     if (numbered)
       agent.link.handed_on();
+  } else {
+    connection.malformed = 0;
   }
   flush(agent, now);
 }
@@ -255,10 +272,12 @@ void AgentExchange::hand_on(ConnectionId id, Agent& agent,
     return;
   }
   const auto correlation = message.correlation;
-  const auto refusal =
-      "nobody takes '" + excerpt(message.command) + "' at present";
-  if (!platform_.received(name, std::move(message)))
-    tell(id, {WireErrorKind::refused, refusal}, correlation);
+  auto error = platform_.received(name, std::move(message));
+  if (error && error->kind == WireErrorKind::malformed)
+    return tell_counted(id, std::move(*error), correlation);
+  open_.at(id).malformed = 0;
+  if (error)
+    tell(id, *error, correlation);
 }
 
 // -- what leaves --------------------------------------------------------------
@@ -298,8 +317,11 @@ bool AgentExchange::reads_json(const std::string& name) const {
 
 void AgentExchange::tick(Timestamp now) {
   now_ = now;
-  for (const auto id : late())
+  for (const auto id : late()) {
+    if (!open_.at(id).agent)
+      tell(id, {WireErrorKind::unknown, "no hello came in time"});
     end(id);
+  }
   for (auto& [name, agent] : agents_)
     if (agent.connection != 0)
       flush(agent, now);

@@ -68,8 +68,10 @@ public:
     virtual void online(const Hello& hello) = 0;
     virtual void offline(const std::string& agent) = 0;
     // When this returns, the message counts as handed on and is acknowledged.
-    // False: nobody takes it.
-    virtual bool received(const std::string& agent, AgentMessage message) = 0;
+    // The error, if there is one, is told to the agent: nobody takes the
+    // message (`refused`), or it cannot be read (`malformed`).
+    virtual std::optional<WireError> received(const std::string& agent,
+                                              AgentMessage message) = 0;
     // A message of send() was given up: the agent has stayed away.
     virtual void refused(const std::string& agent, const AgentMessage& message,
                          const Error& error) = 0;
@@ -84,6 +86,8 @@ public:
   static constexpr Milliseconds returns_within{60'000};
   // A connection is closed at the last of so many mistakes in a row.
   static constexpr int max_malformed = 10;
+  // Each hello may tell the platform that the agent came or went.
+  static constexpr int max_hellos_per_second = 50;
 
   // `connections` and `platform` must outlive the exchange.
   AgentExchange(std::vector<AgentAccount> accounts, std::string incarnation,
@@ -126,6 +130,9 @@ private:
     bool is_known = false;
     // When its connection was lost; meaningful while it has none.
     Timestamp left = 0;
+    // The present second of hellos, and how many it has had.
+    Timestamp hellos_since = 0;
+    int hellos = 0;
   };
   struct Connection {
     Peer peer;
@@ -141,12 +148,14 @@ private:
   void tell(ConnectionId id, const WireError& error,
             std::optional<std::uint64_t> answered = {});
   // The same, and closes the connection after too many in a row.
-  void tell_counted(ConnectionId id, WireError error);
+  void tell_counted(ConnectionId id, WireError error,
+                    std::optional<std::uint64_t> answered = {});
   void say_bye(ConnectionId id, Connection& connection,
                const AgentMessage& message, Timestamp now);
   void greet(ConnectionId id, const AgentMessage& message, Timestamp now);
   // Checks a hello (adapters/agents/PROTOCOL.md 3.3 and 3.4).
   Read<Hello> admit(const Connection& connection, const AgentMessage& message);
+  Read<void> check_rate(Agent& agent);
   void welcome(ConnectionId id, Agent& agent, const Hello& hello,
                Timestamp now);
   void hand_on(ConnectionId id, Agent& agent, AgentMessage message);

@@ -47,6 +47,8 @@ public:
   virtual void arrived(ConnectionId connection, Read<AgentMessage> message) = 0;
   // The other side has closed the connection, or it failed.
   virtual void closed(ConnectionId connection) = 0;
+  // A peer was not let in, so that there is no connection.
+  virtual void turned_away(const std::string& peer, const WireError& error) = 0;
   // A connection could not be accepted, and is tried again later: the process
   // has too many files open, say.
   virtual void not_accepted(const std::string& reason) = 0;

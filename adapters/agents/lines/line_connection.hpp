@@ -69,7 +69,7 @@ public:
     if constexpr (is_encrypted)
       stream_.async_handshake(
           side_, [self = this->shared_from_this()](asio::error_code error) {
-            error ? self->lost() : self->begin();
+            error ? self->fail(handshake_failed(error)) : self->begin();
           });
     else
       begin();
@@ -84,8 +84,9 @@ public:
       // The other side does not read. The owner learns it later, outside of its
       // own call.
       waiting_.clear();
-      asio::post(stream_.get_executor(),
-                 [self = this->shared_from_this()] { self->lost(); });
+      asio::post(stream_.get_executor(), [self = this->shared_from_this()] {
+        self->fail({WireErrorKind::flood, "it does not read what it is told"});
+      });
     }
     flush_soon();
   }
@@ -174,6 +175,17 @@ private:
           }
           self->flush();
         });
+  }
+
+  static WireError handshake_failed(asio::error_code error) {
+    return {WireErrorKind::malformed, "no TLS: " + error.message(), true};
+  }
+
+  // A mistake that closes the connection.
+  void fail(WireError error) {
+    if (owner_)
+      owner_->arrived(id_, tl::make_unexpected(std::move(error)));
+    lost();
   }
 
   // Reports the loss once.

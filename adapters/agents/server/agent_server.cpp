@@ -122,6 +122,9 @@ public:
     exchange_.closed(id);
     plan(); // its agent has some time to return
   }
+  void turned_away(const std::string& peer, const WireError& error) override {
+    mistakes_.note(peer, error, steady_now());
+  }
   void not_accepted(const std::string& reason) override {
     mistakes_.note_not_accepted(reason, steady_now());
   }
@@ -144,10 +147,17 @@ public:
     components_[agent].hello.reset();
     tell(agent, [](Component& component) { component.offline(); });
   }
-  bool received(const std::string& agent, AgentMessage message) override {
-    return tell(agent, [&](Component& component) {
-      component.received(std::move(message));
-    });
+  std::optional<WireError> received(const std::string& agent,
+                                    AgentMessage message) override {
+    WireError nobody{WireErrorKind::refused, "nobody takes '" +
+                                                 excerpt(message.command) +
+                                                 "' at present"};
+    std::optional<WireError> error;
+    if (!tell(agent, [&](Component& component) {
+          error = component.received(std::move(message));
+        }))
+      return nobody;
+    return error;
   }
   void refused(const std::string& agent, const AgentMessage& message,
                const Error& error) override {
@@ -159,7 +169,6 @@ public:
   }
   void mistake(const std::string& peer, const WireError& error) override {
     mistakes_.note(peer, error, steady_now());
-    tell(peer, [&](Component& component) { component.mistake(error); });
   }
 
 private:

@@ -46,12 +46,11 @@ public:
     virtual ~Component() = default;
     virtual void online(const Hello& hello) = 0;
     virtual void offline() = 0;
-    virtual void received(AgentMessage message) = 0;
+    // The error, if there is one, is told to the agent (AgentExchange).
+    virtual std::optional<WireError> received(AgentMessage message) = 0;
     // A message of send() could not be delivered. Only its session, correlation
     // and command are filled in.
     virtual void refused(const AgentMessage& message, const Error& error) = 0;
-    // A mistake of the agent, for the log.
-    virtual void mistake(const WireError& error) = 0;
     // One of the functions above has thrown, or the server has while it did
     // something for the agents. The component is detached by then: nothing else
     // is called.

@@ -247,6 +247,10 @@ private:
                      question[6].size());
     key.pop_back();
     const bool may = std::ranges::find(allowed_, key) != allowed_.end();
+    if (!may)
+      events_.turned_away(
+          excerpt(question.size() > 3 ? question[3] : "a stranger"),
+          {WireErrorKind::identity, "no agent has its key"});
     const std::string id(question.size() > 1 ? question[1] : "");
     const std::array<std::string, 6> reply = {
         "1.0",          id, may ? "200" : "400", may ? "OK" : "unknown key",

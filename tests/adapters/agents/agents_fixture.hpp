@@ -52,16 +52,14 @@ public:
   void offline() override {
     note("offline");
   }
-  void received(AgentMessage message) override {
+  std::optional<WireError> received(AgentMessage message) override {
     if (message.command == throws_at)
       throw std::runtime_error(message.command + " is too much");
     note(message.command);
+    return {};
   }
   void refused(const AgentMessage& message, const Error& error) override {
     note(message.command + " refused: " + std::string(name_of(error.kind)));
-  }
-  void mistake(const WireError& error) override {
-    note(std::string(name_of(error.kind)));
   }
   void failed(const std::string& reason) noexcept override {
     note("failed: " + reason);
@@ -120,8 +118,11 @@ public:
   void say(const std::string& line) {
     LineReader reader;
     reader.add(line + '\n');
+    say_frames(frames_of(**reader.next()).value());
+  }
+  // They need not be a message.
+  void say_frames(const std::vector<std::string>& frames) {
     std::vector<zmq::const_buffer> parts;
-    const auto frames = frames_of(**reader.next()).value();
     for (const auto& frame : frames)
       parts.push_back(zmq::buffer(frame));
     zmq::send_multipart(socket_, parts);
@@ -148,6 +149,8 @@ class AgentServerTest : public testing::Test {
 protected:
   void start(ServerOptions options) {
     options.accounts.push_back({"Robot", "", ""});
+    if (!options.log)
+      options.log = [this](const std::string& line) { log.note(line); };
     auto started = AgentServer::start(std::move(options));
     ASSERT_TRUE(started) << started.error().message;
     server = std::move(*started);
@@ -160,6 +163,7 @@ protected:
     return message;
   }
 
+  Notes log;
   std::shared_ptr<NotingComponent> component =
       std::make_shared<NotingComponent>();
   std::unique_ptr<AgentServer> server;

@@ -35,7 +35,7 @@ public:
     if (std::exchange(is_done_, false))
       done_.set_value();
   }
-  void received(AgentMessage message) override {
+  std::optional<WireError> received(AgentMessage message) override {
     const auto number = std::stoull(message.parameters.at(0));
     if (message.command == "Confirm") {
       confirmed_ = std::max<std::uint64_t>(confirmed_, number);
@@ -51,6 +51,7 @@ public:
         confirm();
     }
     send_more();
+    return {};
   }
   // It is sent again as soon as there is somebody, or room.
   void refused(const AgentMessage& message, const Error&) override {
@@ -58,7 +59,6 @@ public:
     if (message.command == "Number")
       again_.push_back(std::stoull(message.session));
   }
-  void mistake(const WireError&) override {}
   void failed(const std::string& reason) noexcept override {
     std::cerr << "failed: " << reason << '\n';
     std::_Exit(EXIT_FAILURE);

@@ -53,6 +53,12 @@ class Lines:
             if found := re.search(pattern, line):
                 return found
 
+    def rest(self):
+        """All lines to the end of the stream."""
+        while (line := self._lines.get(timeout=WAIT)) is not None:
+            self._seen.append(line)
+        return self._seen
+
 
 class RemoteAgentTest(ProgramCase):
 

@@ -160,19 +160,27 @@ TEST_F(RemoteAgentTest, AMessageThatCannotBeWrittenFails) {
 
 TEST_F(RemoteAgentTest, AParameterThatIsNoJsonIsAMistake) {
   connect();
-  porter->say("text;n=1,,Porter,Sensor,\x01J{");
-  std::vector<std::string> logs;
-  EXPECT_TRUE(
-      host.wait([&] { return !(logs = host.take_logs()).empty(); }, patience));
-  EXPECT_THAT(logs[0], HasSubstr("malformed"));
+  porter->say("text;n=1;c=7,,Porter,Sensor,\x01J{");
+  EXPECT_THAT(hear(), StartsWith("error;c=7,,Parlour,malformed"));
+  EXPECT_EQ(server->mistakes().at("malformed"), 1U);
+  // As many in a row end the connection as of any other mistake.
+  for (int i = 2; i < AgentExchange::max_malformed; ++i) {
+    porter->say("text,,Porter,Sensor,\x01J{");
+    EXPECT_THAT(hear(), StartsWith("error,,Parlour,malformed"));
+  }
+  porter->say("text,,Porter,Sensor,\x01J{");
+  EXPECT_THAT(hear(), StartsWith("error,,Parlour,flood"));
   EXPECT_THAT(host.take_events(), IsEmpty());
+  EXPECT_THAT(host.take_logs(), IsEmpty());
 }
 
 TEST_F(RemoteAgentTest, SaysThatARoleIsNotInTheSettings) {
-  connect("hello,,Porter,Hello,roles=Robot Taxi");
+  connect("hello,,Porter,Hello,roles=Robot Taxi Boat");
+  porter->say("hello,,Porter,Hello,roles=Car");
+  porter->hear();
   const auto logs = host.take_logs();
   ASSERT_EQ(logs.size(), 1u);
-  EXPECT_THAT(logs[0], HasSubstr("Taxi"));
+  EXPECT_THAT(logs[0], HasSubstr("fills Taxi, Boat;"));
 }
 
 TEST(RemoteAgent, WithoutAServerItIsAwayForEver) {

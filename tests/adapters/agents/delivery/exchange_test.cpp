@@ -1,7 +1,6 @@
 #include <gmock/gmock.h>
 
-#include "adapters/agents/delivery/exchange.hpp"
-#include "adapters/agents/wire/text_line.hpp"
+#include "tests/adapters/agents/delivery/exchange_fixture.hpp"
 
 namespace parlour::adapters::agents {
 namespace {
@@ -9,83 +8,6 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
-
-// What the exchange wants, noted down as "1< line" (written to connection 1),
-// "1 closed", and of the platform "Robot online", "Robot: Arrived(lobby)".
-class World : public AgentExchange::Connections,
-              public AgentExchange::Platform {
-public:
-  void write(ConnectionId id, const AgentMessage& message) override {
-    auto line = line_of(message).value();
-    line.pop_back();
-    notes.push_back(std::to_string(id) + "< " + line);
-  }
-  void close(ConnectionId id) override {
-    notes.push_back(std::to_string(id) + " closed");
-  }
-  void online(const Hello& hello) override {
-    notes.push_back(hello.name + " online");
-  }
-  void offline(const std::string& agent) override {
-    notes.push_back(agent + " offline");
-  }
-  bool received(const std::string& agent, AgentMessage message) override {
-    if (message.command == "Unwanted")
-      return false;
-    notes.push_back(agent + ": " + message.command);
-    return true;
-  }
-  void refused(const std::string& agent, const AgentMessage& message,
-               const Error& error) override {
-    notes.push_back(agent + ": " + message.command + " given up, " +
-                    std::string(name_of(error.kind)));
-  }
-  void mistake(const std::string& peer, const WireError& error) override {
-    mistakes.push_back(peer + ": " + std::string(name_of(error.kind)));
-  }
-
-  std::vector<std::string> take() {
-    return std::exchange(notes, {});
-  }
-
-  std::vector<std::string> notes;
-  std::vector<std::string> mistakes;
-};
-
-class AgentExchangeTest : public testing::Test {
-protected:
-  void open(ConnectionId id, std::optional<std::string> key = {},
-            bool is_remote = false) {
-    exchange.opened(
-        id, {"peer" + std::to_string(id), std::move(key), is_remote}, now);
-  }
-  void say(ConnectionId id, const std::string& line) {
-    LineReader reader;
-    reader.add(line + '\n');
-    exchange.arrived(id, std::move(*reader.next()), now);
-  }
-  void connect(ConnectionId id) {
-    open(id);
-    say(id, "hello,,Robot,Hello,incarnation=aa");
-    world.take();
-  }
-  static AgentMessage command(std::string what) {
-    AgentMessage message;
-    message.component = "Robot";
-    message.command = std::move(what);
-    return message;
-  }
-
-  Timestamp now = 1000;
-  World world;
-  AgentExchange exchange{{{"Robot", "", ""},
-                          {"Arm", "secret", ""},
-                          {"Eye", "", "key"},
-                          {"Both", "t", "k"}},
-                         "bb",
-                         world,
-                         world};
-};
 
 TEST_F(AgentExchangeTest, WelcomesAnAgent) {
   open(1);
@@ -186,7 +108,7 @@ TEST_F(AgentExchangeTest, NothingIsSaidBeforeHello) {
   EXPECT_THAT(world.take(), ElementsAre(HasSubstr("unknown")));
   now += AgentExchange::hello_within.count();
   exchange.tick(now);
-  EXPECT_THAT(world.take(), ElementsAre("1 closed"));
+  EXPECT_THAT(world.take(), ElementsAre(HasSubstr("no hello"), "1 closed"));
 }
 
 TEST_F(AgentExchangeTest, ANewConnectionReplacesTheOldOne) {
@@ -303,8 +225,8 @@ TEST_F(AgentExchangeTest, WhoReturnsGoesOn) {
 TEST_F(AgentExchangeTest, SaysThatNobodyTakesAMessage) {
   connect(1);
   say(1, "text;n=1;c=7,,Robot,Unwanted");
-  EXPECT_THAT(world.take(), ElementsAre("1< error;c=7,,Parlour,refused,"
-                                        "nobody takes 'Unwanted' at present"));
+  EXPECT_THAT(world.take(),
+              ElementsAre("1< error;c=7,,Parlour,refused,nobody takes it"));
   now += 100;
   exchange.tick(now);
   EXPECT_THAT(world.take(), ElementsAre("1< ack;a=1"));

@@ -40,7 +40,7 @@ TEST_F(AgentServerTest, WhatWasWrittenLeavesAtTheEnd) {
   robot.hear();
   component->wait_for(1);
   robot.say("shout");
-  component->wait_for(1); // the answer is being written
+  log.wait_for(1); // the answer is being written
   server.reset();
   EXPECT_THAT(robot.hear(), HasSubstr("unknown"));
 }
@@ -136,8 +136,9 @@ TEST_F(AgentServerTest, IsCalledWithoutALock) {
   public:
     Successor(AgentServer& its_server, std::shared_ptr<Component> its_next)
         : server(its_server), next(std::move(its_next)) {}
-    void received(AgentMessage) override {
+    std::optional<WireError> received(AgentMessage) override {
       server.attach("Robot", next);
+      return {};
     }
     AgentServer& server;
     std::shared_ptr<Component> next;

@@ -7,6 +7,7 @@ namespace parlour::adapters::agents {
 namespace {
 
 using testing::ElementsAre;
+using testing::HasSubstr;
 using testing::StartsWith;
 
 using ZeroMQListenerTest = AgentServerTest;
@@ -34,6 +35,8 @@ TEST_F(ZeroMQListenerTest, LetsInWhoHasAKey) {
              "tcp://127.0.0.1:*", own.secret_key, {robots.public_key}}});
   FrameAgent stranger(server->addresses().at(0), strangers, own.public_key);
   stranger.say("hello,,Robot,Hello");
+  EXPECT_THAT(log.wait_for(1), ElementsAre(HasSubstr("no agent has its key")));
+  EXPECT_GE(server->mistakes().at("identity"), 1U);
   FrameAgent robot(server->addresses().at(0), robots, own.public_key);
   robot.say("hello,,Robot,Hello");
   EXPECT_THAT(robot.hear(), StartsWith("welcome"));

@@ -67,6 +67,7 @@ class Soak:
                     self.cut_again_and_again(port)
             finally:
                 self.platform.kill()
+                self.platform.wait()
         self.figures["wrong"] = list(self.complaints())
         return self.figures
 
@@ -97,11 +98,12 @@ class Soak:
                     return
 
     def read(self, lines):
-        for line in self.platform.stdout:
-            if line.startswith("{"):
-                self.figures["platform"] = json.loads(line)
-            else:
-                lines.put(line)
+        with self.platform.stdout as said:
+            for line in said:
+                if line.startswith("{"):
+                    self.figures["platform"] = json.loads(line)
+                else:
+                    lines.put(line)
         lines.put(None)
 
     def agent(self, port, *store):
@@ -111,8 +113,9 @@ class Soak:
                          options.messages, stderr=subprocess.DEVNULL)
         scheme = "zmq" if options.transport == "zeromq" else "lines"
         python = python_with("zmq") if scheme == "zmq" else sys.executable
-        return start(python, "-B", HERE / "agent.py",
-                     f"{scheme}://127.0.0.1:{port}", options.messages,
+        program = ["node", HERE / "agent.mjs"] if options.agent == "node" \
+            else [python, "-B", HERE / "agent.py"]
+        return start(*program, f"{scheme}://127.0.0.1:{port}", options.messages,
                      options.pause, *store, stderr=subprocess.DEVNULL)
 
     def kill_again_and_again(self, port):
@@ -155,7 +158,7 @@ def options_of(arguments):
     parser.add_argument("--programs", type=pathlib.Path,
                         default=HERE.parents[2] / "build/release/bin",
                         help="where soak_platform and soak_agent are")
-    parser.add_argument("--agent", choices=("cpp", "python", "stored"),
+    parser.add_argument("--agent", choices=("cpp", "python", "node", "stored"),
                         default="python",
                         help="stored: in Python, killed instead of cut off")
     parser.add_argument("--transport", choices=("lines", "zeromq"),
@@ -164,7 +167,7 @@ def options_of(arguments):
     parser.add_argument("--cuts", type=int, default=200)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--pause", type=float, default=0.5,
-                        help="seconds before an agent in Python reconnects")
+                        help="seconds before an agent reconnects, but in C++")
     return parser.parse_args(arguments)
 
 

@@ -5,6 +5,7 @@ connections that are cut at least twenty times, or killed as often."""
 import concurrent.futures
 import os
 import pathlib
+import shutil
 import unittest
 
 import soak
@@ -19,6 +20,8 @@ SOAKS = {
     "Python by ZeroMQ": ["--agent", "python", "--transport", "zeromq",
                          "--messages", "6000"],
 }
+if shutil.which("node"):
+    SOAKS["Node.js"] = ["--agent", "node", "--messages", "6000"]
 if not soak.python_with("zmq"):
     del SOAKS["Python by ZeroMQ"]
 

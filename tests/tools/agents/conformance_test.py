@@ -25,20 +25,26 @@ PROGRAMS = pathlib.Path(os.environ.get("PARLOUR_PROGRAM", "")).parent
 WAIT = 20  # seconds; only a test that fails waits so long
 
 
-def python_with(module):
-    for python in (sys.executable, "/usr/bin/python3"):
-        if subprocess.run([python, "-c", f"import {module}"], check=False,
-                          capture_output=True).returncode == 0:
-            return python
-    return None
-
-
-AGENTS = {
-    "C++": [PROGRAMS / "conformance_agent"],
-    "Python": [sys.executable, "-B", HERE / "conformance_agent.py"],
-}
+NODE = ["node", HERE / "conformance_agent.mjs"]
+PYTHON = [sys.executable, "-B", HERE / "conformance_agent.py"]
+AGENTS = {"C++": [PROGRAMS / "conformance_agent"], "Python": PYTHON}
 if shutil.which("node"):
-    AGENTS["Node.js"] = ["node", HERE / "conformance_agent.mjs"]
+    AGENTS["Node.js"] = NODE
+
+
+def has_zeromq():
+    try:
+        import zmq  # noqa: F401
+        return True
+    except ImportError:
+        return False
+
+
+def node_has_zeromq():
+    return shutil.which("node") and subprocess.run(
+        ["node", "-e", "import('zeromq').catch(() => process.exit(1))"],
+        cwd=ROOT / "tools/agents/node", check=False,
+        capture_output=True).returncode == 0
 
 
 # -- lines, read independently of the agents ----------------------------------
@@ -170,17 +176,84 @@ class ByLines:
             self.connection.close()
             self.connection = None
 
+    def nobody_comes(self):
+        self.listener.settimeout(0.1)
+        try:
+            self.accept()
+        except TimeoutError:
+            return
+        raise Failure("it connected again")
+
     def close(self):
         self.hang_up()
         self.listener.close()
 
 
+class ByZeroMQ:
+    """The same by a ROUTER. It cannot cut a connection, nor see that one is
+    closed: but whoever connects again has another name."""
+
+    def __init__(self):
+        import zmq
+        self.zmq = zmq
+        self.router = zmq.Context.instance().socket(zmq.ROUTER)
+        self.router.linger = 0
+        self.address = "zmq://127.0.0.1:%d" % \
+            self.router.bind_to_random_port("tcp://127.0.0.1")
+        self.name = None
+        self.held = []
+
+    def accept(self, seconds=WAIT):
+        former, until = self.name, time.monotonic() + seconds
+        while self.router.poll(max(until - time.monotonic(), 0) * 1000):
+            name, *frames = self.router.recv_multipart()
+            if name != former:
+                self.name, self.held = name, [frames]
+                return
+        raise ConnectionError("the agent does not come")
+
+    def say(self, line, payload, _):
+        fields = fields_of(line)
+        if payload is not None:
+            fields[-1] = payload  # instead of its length
+        self.router.send_multipart(
+            [self.name, b"parlour/1", *(one.encode() for one in fields)])
+
+    def hear(self, seconds=WAIT):
+        until = time.monotonic() + seconds
+        while not self.held:
+            if not self.router.poll(max(until - time.monotonic(), 0) * 1000):
+                return None
+            name, *frames = self.router.recv_multipart()
+            if name == self.name:
+                self.held.append(frames)
+        protocol, *fields = (one.decode() for one in self.held.pop(0))
+        if protocol != "parlour/1":
+            raise Failure(f"its first frame is {protocol}")
+        is_binary = fields[0].startswith("binary")
+        payload = fields.pop() if is_binary else None
+        return Heard(fields, payload)
+
+    def gone(self):
+        pass
+
+    def nobody_comes(self):
+        try:
+            self.accept(0.1)
+        except ConnectionError:
+            return
+        raise Failure("it connected again")
+
+    def close(self):
+        self.router.close()
+
+
 class Play:
     """One exchange with one agent."""
 
-    def __init__(self, exchange, command):
+    def __init__(self, exchange, command, platform=ByLines):
         self.exchange, self.command = exchange, command
-        self.platform = ByLines()
+        self.platform = platform()
         self.known = {"incarnation": "", "n": ""}
         self.unread = []
 
@@ -301,24 +374,37 @@ class Play:
             raise Failure("it has not ended") from None
         if said != f"ended {reason}":
             raise Failure(f"it {said}")
-        self.platform.listener.settimeout(0.1)
-        try:
-            self.platform.accept()
-        except TimeoutError:
-            return
-        raise Failure("it connected again")
+        self.platform.nobody_comes()
+
+
+def needs_lines(exchange):
+    return "lines" in exchange.get("transports", []) or any(
+        verb in step for step in exchange["steps"] for verb in ("cut", "away"))
 
 
 class Conformance(unittest.TestCase):
-    def test_all_agents_behave_in_the_same_way(self):
+    def play(self, exchanges, agents, platform):
+        def run(*arguments):  # a socket of ZeroMQ belongs to one thread
+            return Play(*arguments).run()
         with concurrent.futures.ThreadPoolExecutor(12) as pool:
-            plays = [(language, exchange["name"], pool.submit(
-                Play(exchange, command).run))
-                     for exchange in EXCHANGES
-                     for language, command in AGENTS.items()]
+            plays = [(language, exchange["name"],
+                      pool.submit(run, exchange, command, platform))
+                     for exchange in exchanges
+                     for language, command in agents.items()]
         for language, name, play in plays:
             with self.subTest(language=language, exchange=name):
                 self.assertEqual(play.result(), "well")
+
+    def test_all_agents_behave_in_the_same_way(self):
+        self.play(EXCHANGES, AGENTS, ByLines)
+
+    @unittest.skipUnless(has_zeromq(), "pyzmq is not installed")
+    def test_and_so_they_do_by_zeromq(self):
+        agents = {"Python": PYTHON}
+        if node_has_zeromq():
+            agents["Node.js"] = NODE
+        self.play([exchange for exchange in EXCHANGES
+                   if not needs_lines(exchange)], agents, ByZeroMQ)
 
     def test_each_exchange_names_rules_that_there_are(self):
         protocol = (ROOT / "adapters/agents/PROTOCOL.md").read_text("utf-8")
@@ -328,4 +414,9 @@ class Conformance(unittest.TestCase):
 
 
 if __name__ == "__main__":
+    # Where this interpreter has no pyzmq, that of the system may have it.
+    if not has_zeromq() and os.access("/usr/bin/python3", os.X_OK) and \
+            os.path.realpath(sys.executable) != \
+            os.path.realpath("/usr/bin/python3"):
+        os.execv("/usr/bin/python3", ["/usr/bin/python3", "-B", *sys.argv])
     unittest.main()

@@ -714,11 +714,15 @@ class Frames {
     });
     if (!this.#events) return;
     const [publicKey, secretKey, serverKey] = keys ?? [];
+    // By itself ZeroMQ would connect again without a hello.
     this.#dealer = new Dealer({
-      linger: 500, sendTimeout: 0, ipv6: host.includes(":"),
+      linger: 500, sendTimeout: 0, reconnectInterval: -1,
+      ipv6: host.includes(":"),
       ...(keys && { curvePublicKey: publicKey, curveSecretKey: secretKey,
                     curveServerKey: serverKey }),
     });
+    for (const end of ["disconnect", "close"])
+      this.#dealer.events.on(end, () => this.#lost());
     this.#dealer.connect(
       `tcp://${host.includes(":") ? `[${host}]` : host}:${port}`);
     this.#events.opened();
@@ -726,6 +730,12 @@ class Frames {
       this.#events?.heard();
       this.#events?.arrived(attempt(() => readFrames(frames)));
     }
+  }
+
+  #lost() {
+    if (!this.#events) return; // it was closed here
+    this.#dealer.linger = 0; // what it says now means nothing
+    this.#events.lost("the connection was closed");
   }
 }
 

@@ -62,18 +62,19 @@ Expected<DeviceList> DeviceList::read(const std::filesystem::path& file) {
   const auto table = ReportTable::read(file, {"device", "room"}, "kind");
   if (!table)
     return tl::make_unexpected(table.error());
-  const auto wrong = [&](const std::string& what) {
-    return fail(ErrorKind::settings, what, {file.string(), 0, 0});
-  };
+  const auto reports = table->reports();
   DeviceList made;
-  for (const auto& [kind, data] : table->reports()) {
-    const auto& row = *data.if_map();
+  for (const auto& report : reports) {
+    const auto wrong = [&](const std::string& what) {
+      return fail(ErrorKind::settings, what, {file.string(), report.line, 0});
+    };
+    const auto& row = *report.data.if_map();
     auto device = listed(row);
     if (!is_known_kind(device.kind))
       return wrong("the kind of '" + device.device +
                    "' is one that Home Assistant knows, such as light or "
                    "sensor:temperature, not '" +
-                   kind + "'");
+                   report.text + "'");
     if (has_topic(row)) {
       auto found = announced(row, device);
       if (!found.mistakes.empty())

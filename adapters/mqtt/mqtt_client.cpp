@@ -58,6 +58,17 @@ const char* refusal_text(int code) {
   }
 }
 
+// The library's sentences, without their full stops.
+std::string text_of(int code, int system_error) {
+  if (code == MOSQ_ERR_KEEPALIVE) // version 2.0.11 has no words for it
+    return "it does not answer any more";
+  std::string text = code == MOSQ_ERR_ERRNO ? std::strerror(system_error)
+                                            : mosquitto_strerror(code);
+  if (text.ends_with('.'))
+    text.pop_back();
+  return text;
+}
+
 } // namespace
 
 // The library calls these within its functions; they only note what happens.
@@ -208,8 +219,7 @@ tl::unexpected<Error> MQTTClient::lost(int code) const {
   const int system_error = errno;
   if (refusal_ != 0)
     return fail(ErrorKind::network, refusal_text(refusal_));
-  const std::string text = code == MOSQ_ERR_ERRNO ? std::strerror(system_error)
-                                                  : mosquitto_strerror(code);
+  const auto text = text_of(code, system_error);
   return fail(ErrorKind::network,
               words_.empty() ? text : text + " (" + words_ + ")");
 }

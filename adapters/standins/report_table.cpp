@@ -77,9 +77,10 @@ Expected<ReportTable> ReportTable::read(const std::filesystem::path& file,
                       " columns, this line " + std::to_string(cells.size()) +
                       ".",
                   place);
-    if (!table.columns_.empty())
+    if (!table.columns_.empty()) {
       table.rows_.push_back(std::move(cells));
-    else if (has_columns(cells, keys, said))
+      table.lines_.push_back(number);
+    } else if (has_columns(cells, keys, said))
       table.columns_ = std::move(cells);
     else
       return fail(ErrorKind::settings,
@@ -103,19 +104,21 @@ ReportTable::find(const std::vector<std::string>& asked) const {
             return false;
         return true;
       });
-  return row == rows_.end() ? std::nullopt : std::optional(report(*row));
+  if (row == rows_.end())
+    return {};
+  return report(static_cast<std::size_t>(row - rows_.begin()));
 }
 
-Report ReportTable::report(const Row& row) const {
+Report ReportTable::report(std::size_t row) const {
   Map data;
   for (std::size_t i = 0; i < columns_.size(); ++i)
-    data.set(columns_[i], row[i]);
-  return {data.find(said_)->text(), data};
+    data.set(columns_[i], rows_[row][i]);
+  return {data.find(said_)->text(), data, lines_[row]};
 }
 
 std::vector<Report> ReportTable::reports() const {
   std::vector<Report> all;
-  for (const auto& row : rows_)
+  for (std::size_t row = 0; row < rows_.size(); ++row)
     all.push_back(report(row));
   return all;
 }

@@ -7,6 +7,7 @@
 //  *          *      Partly cloudy over the island.     31
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -21,6 +22,8 @@ struct Report {
   std::string text;
   // A map with every column of the row.
   Value data;
+  // Its line in the file, from 1.
+  std::uint32_t line = 0;
 };
 
 // In lower case (ASCII); keys are compared in this form.
@@ -49,12 +52,13 @@ public:
 private:
   using Row = std::vector<std::string>;
 
-  Report report(const Row& row) const;
+  Report report(std::size_t row) const;
 
   std::size_t keys_ = 0;
   std::string said_;
   Row columns_;
   std::vector<Row> rows_;
+  std::vector<std::uint32_t> lines_; // of the rows
 };
 
 } // namespace parlour::adapters

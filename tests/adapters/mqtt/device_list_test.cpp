@@ -7,9 +7,11 @@
 namespace parlour::adapters::mqtt {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
+using testing::StartsWith;
 
 Expected<DeviceList> read(const std::string& text) {
   const test::TemporaryFolder folder;
@@ -17,9 +19,12 @@ Expected<DeviceList> read(const std::string& text) {
   return DeviceList::read(folder.path() / "devices.tsv");
 }
 
+// The line and the message.
 std::string mistake(const std::string& text) {
   const auto list = read(text);
-  return list ? "none" : list.error().message;
+  return list ? "none"
+              : std::to_string(list.error().place.line) + ": " +
+                    list.error().message;
 }
 
 TEST(DeviceList, TellsWhatTheApplicationCallsThings) {
@@ -57,8 +62,8 @@ TEST(DeviceList, MayNameTopics) {
 TEST(DeviceList, SaysWhatIsWrong) {
   EXPECT_THAT(mistake("device\troom\tvalue\nlamp\thall\toff\n"),
               HasSubstr("'kind'"));
-  EXPECT_THAT(mistake("device\troom\tkind\nlamp\thall\tlantern\n"),
-              HasSubstr("not 'lantern'"));
+  EXPECT_THAT(mistake("device\troom\tkind\n\n# none\nlamp\thall\tlantern\n"),
+              AllOf(StartsWith("4: "), HasSubstr("not 'lantern'")));
   EXPECT_THAT(mistake("device\troom\tkind\tstate_topic\n"
                       "lamp\thall\tlight\ta/#\n"),
               HasSubstr("'a/#' has characters"));

@@ -11,6 +11,8 @@
 #include "adapters/database/sqlite/sqlite_image.hpp"
 #include "adapters/database/sqlite/sqlite_options.hpp"
 #include "adapters/http/http_service.hpp"
+#include "adapters/mqtt/device_list.hpp"
+#include "adapters/mqtt/mqtt_options.hpp"
 #include "adapters/nlu/keywords/keyword_nlu.hpp"
 #include "runtime/base/file_bytes.hpp"
 #include "tools/parlour/application/understanding.hpp"
@@ -119,6 +121,22 @@ void check_rules(Application& application, const ChosenComponent& component) {
         {Severity::warning, missing.place, missing.message, "missing-secret"});
 }
 
+// The list of devices is read, the server is not asked. A file that is missing
+// has been reported.
+void check_devices(Application& application, const ChosenComponent& component) {
+  const auto options = adapters::mqtt::read_mqtt_options(
+      component.options, application.folder.string());
+  if (!options)
+    return report(application, options.error(), component.place,
+                  component.name);
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(options->devices, ignored))
+    return;
+  if (const auto list = adapters::mqtt::DeviceList::read(options->devices);
+      !list)
+    report(application, list.error(), component.place, component.name);
+}
+
 // Checks all databases. False if one of them has wrong options.
 bool check_databases(Application& application) {
   bool fit = true;
@@ -206,6 +224,9 @@ void check_resources(Application& application,
     check_files(application, component);
     if (component.factory.description.name == "HTTPService")
       check_rules(application, component);
+    if (component.factory.description.name == "MQTTDevices" &&
+        options_fit(component))
+      check_devices(application, component);
   }
   // If a database cannot be made, reading its columns would report the same
   // again.

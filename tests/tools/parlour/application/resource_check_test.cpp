@@ -89,6 +89,18 @@ TEST_F(ResourceCheckTest, places_a_mistake_in_a_file_of_examples) {
                              "option 'threshold' takes a number[^\n]*\n"));
 }
 
+TEST_F(ResourceCheckTest, places_a_mistake_in_a_list_of_devices) {
+  const std::string settings =
+      "<Plugins><Plugin>MQTTDevices</Plugin></Plugins>"
+      "<component name=\"MQTTDevices\">"
+      "<option name=\"devices\" value=\"devices.tsv\"/></component>";
+  folder_.write("devices.tsv", "device\troom\tkind\nlamp\thall\tlight\n");
+  EXPECT_EQ(findings(load(settings, "")), "");
+  folder_.write("devices.tsv", "device\troom\tkind\nlamp\thall\tlantern\n");
+  EXPECT_THAT(findings(load(settings, "")),
+              MatchesRegex("devices.tsv:2:[0-9]+: error: [^\n]*'lantern'\n"));
+}
+
 TEST_F(ResourceCheckTest, misses_a_file_that_an_option_names) {
   const std::string settings =
       "<Plugins><Plugin>LogWeather</Plugin></Plugins>"

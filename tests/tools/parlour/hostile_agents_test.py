@@ -3,6 +3,7 @@ time, nothing that the others say reaches the script, the log tells of them
 sparingly, and the memory does not grow with what they send."""
 
 import concurrent.futures
+import os
 import pathlib
 import random
 import re
@@ -48,8 +49,11 @@ SCRIPT = """<dialogue>
 LIE = b"text;n=1,,Porter,Arrived,nowhere\ntext,,Porter,Arrived,nowhere\n"
 MEBIBYTE = 1 << 20
 # What parlour may take for itself, whatever is sent: 8 MiB for each of those
-# who do not read, and 2 MiB for each that does not end its line.
-MAX_GROWTH = 100 * MEBIBYTE
+# who do not read, and 2 MiB for each that does not end its line. A sanitizer
+# keeps what was given back, and takes its time.
+SANITIZED = "LSAN_OPTIONS" in os.environ
+MAX_GROWTH = (1000 if SANITIZED else 100) * MEBIBYTE
+MANY = 1 if SANITIZED else 20
 
 
 class Hostile:
@@ -73,42 +77,43 @@ class Hostile:
                 return b""
 
     def malformed(self):
-        for _ in range(30):
+        for _ in range(MANY):
             self.say(self.chance.randbytes(50_000) + b"\n" * 10, LIE)
 
     def truncated(self):
-        for _ in range(100):
+        for _ in range(5 * MANY):
             whole = b"hello,,Porter,Hello,token=secret2\n" + LIE
             with self.connect() as peer:
                 peer.sendall(whole[:self.chance.randrange(len(whole))])
 
     def oversized(self):
-        for _ in range(20):
+        for _ in range(MANY):
             self.say(b"text,,Porter,Arrived," + b"x" * (3 * MEBIBYTE))
             self.say(b"binary,,Porter,Arrived,f,99999999\n", LIE)
 
     def flooding(self):
         """As an agent that needs no token."""
-        for flood in (b"text;n=101,,Sensor,Sensed\n", b"beat\n" * 200_000,
-                      b"hello,,Sensor,Hello,roles=Taxi\n" * 20_000,
-                      b"text,,Sensor,Sensed,x\n" * 50_000,
-                      b"shout\n" * 20_000):
+        for flood in (b"text;n=101,,Sensor,Sensed\n",
+                      b"beat\n" * 10_000 * MANY,
+                      b"hello,,Sensor,Hello,roles=Taxi\n" * 1000 * MANY,
+                      b"text,,Sensor,Sensed,x\n" * 2500 * MANY,
+                      b"shout\n" * 1000 * MANY):
             self.say(b"hello,,Sensor,Hello\n", flood)
 
     def replaying(self):
-        for _ in range(20):
+        for _ in range(MANY):
             self.say(b"hello,,Sensor,Hello,incarnation=aa\n",
                      b"text;n=1,,Sensor,Sensed\n" * 1000)
 
     def impersonating(self):
         for token in (b"", b",token=guess", b",token="):
             self.say(b"hello,,Porter,Hello" + token + b"\n", LIE)
-        for _ in range(50):
+        for _ in range(2 * MANY):
             self.say(b"hello,,Sensor,Hello\n", LIE)
 
     def half_open(self):
         """Gone without a word."""
-        for _ in range(50):
+        for _ in range(2 * MANY):
             peer = self.connect()
             peer.sendall(b"hello,,Sensor,Hello,incarnation=%08x\n" %
                          self.chance.getrandbits(32))
@@ -133,7 +138,7 @@ class Hostile:
 
     def deaf(self):
         """Does not read the answers to what it says."""
-        for _ in range(3):
+        for _ in range(1 + MANY // 10):
             with self.connect() as peer:
                 peer.settimeout(10)
                 try:

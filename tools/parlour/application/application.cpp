@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <tuple>
 
+#include "adapters/standins/log_devices.hpp"
 #include "runtime/base/file_bytes.hpp"
 #include "script/compiler/application_loader.hpp"
 #include "script/compiler/settings_reader.hpp"
@@ -185,6 +186,17 @@ script::Compiled load_file(const fs::path& file, const Places& places,
       file, compile_options(find_platform(places, file.parent_path()), texts));
 }
 
+namespace {
+
+// The same devices, on paper. Both read the same list of them.
+void stand_in_for_devices(ChosenComponent& component) {
+  component.factory = adapters::log_devices_factory();
+  std::erase_if(component.options,
+                [](const auto& option) { return option.first != "devices"; });
+}
+
+} // namespace
+
 // See the plug-ins' options for what "file", "copy" and "samples" mean.
 Composition in_memory(Composition composition) {
   for (auto& component : composition.components) {
@@ -195,6 +207,8 @@ Composition in_memory(Composition composition) {
       component.options["copy"] = "true";
     else if (plugin == "HTTPService")
       component.options["samples"] = "true";
+    else if (plugin == "MQTTDevices")
+      stand_in_for_devices(component);
   }
   return composition;
 }

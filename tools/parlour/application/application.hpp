@@ -66,7 +66,7 @@ script::Compiled load_file(const std::filesystem::path& file,
 // A copy of the composition in which each database component starts from its
 // schema and seed and keeps nothing (engine rule 7.5): SQLite's in memory, a
 // server's as a copy of its own. An HTTPService asks nobody: the samples of its
-// rules answer.
+// rules answer. MQTTDevices switches nothing: LogDevices stands in.
 Composition in_memory(Composition composition);
 
 } // namespace parlour::tools

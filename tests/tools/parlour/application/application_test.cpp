@@ -51,6 +51,22 @@ TEST_F(ApplicationTest, keeps_its_database_in_memory_where_that_is_wanted) {
   EXPECT_EQ(options(in_memory(application.composition)).count("file"), 0u);
 }
 
+TEST_F(ApplicationTest, switches_devices_on_paper_where_that_is_wanted) {
+  folder_.write("devices.tsv", "device\troom\tvalue\tkind\n"
+                               "lamp\thall\toff\tlight\n");
+  const auto application =
+      load("<Plugins><Plugin>MQTTDevices</Plugin></Plugins>"
+           "<component name=\"MQTTDevices\">"
+           "<option name=\"host\" value=\"127.0.0.1\"/>"
+           "<option name=\"devices\" value=\"devices.tsv\"/></component>",
+           "<state name=\"Welcome\"/>");
+  const auto trial = in_memory(application.composition);
+  const auto& component = *first_of_role(trial, "Devices");
+  EXPECT_EQ(component.name, "MQTTDevices");
+  EXPECT_EQ(component.factory.description.name, "LogDevices");
+  EXPECT_EQ(component.options, (Options{{"devices", "devices.tsv"}}));
+}
+
 TEST_F(ApplicationTest, may_be_one_file) {
   folder_.write("one.xml", "<dialogue><function name=\"main\"/></dialogue>");
   const auto compiled = load_file(folder_.path() / "one.xml", process_places());

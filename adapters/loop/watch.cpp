@@ -13,7 +13,9 @@ namespace parlour::adapters {
 
 // asio's handlers share it, because they run later than a cancellation.
 struct Watch::State : std::enable_shared_from_this<Watch::State> {
-  using Descriptor = asio::posix::stream_descriptor;
+  // It knows the kind of its loop, which spares virtual calls.
+  using Descriptor =
+      asio::posix::basic_stream_descriptor<asio::io_context::executor_type>;
 
   State(asio::io_context& context, Ready action)
       : descriptor(context), ready(std::move(action)) {}
@@ -54,6 +56,16 @@ struct Watch::State : std::enable_shared_from_this<Watch::State> {
       descriptor.release();
   }
 
+  // Reports what is ready, unless nobody waits any more for what the handler
+  // was made for.
+  auto handler(short event) {
+    return [self = shared_from_this(), made_in = round,
+            event](const asio::error_code&) {
+      if (self->round == made_in)
+        self->report(event);
+    };
+  }
+
   void begin() {
     is_waiting = true;
     if (!descriptor.is_open()) {
@@ -73,16 +85,6 @@ struct Watch::State : std::enable_shared_from_this<Watch::State> {
     for (const auto& [event, kind] : kinds)
       if (events & event)
         descriptor.async_wait(kind, handler(event));
-  }
-
-  // Reports what is ready, unless nobody waits any more for what the handler
-  // was made for.
-  std::function<void(const asio::error_code&)> handler(short event) {
-    return [self = shared_from_this(), made_in = round,
-            event](const asio::error_code&) {
-      if (self->round == made_in)
-        self->report(event);
-    };
   }
 
   // A descriptor that is new to asio may get an event of an earlier one, whose

@@ -1,5 +1,6 @@
 #include "tools/bench/benches.hpp"
 
+#include "tools/bench/agents/agent_bench.hpp"
 #include "tools/bench/components/component_bench.hpp"
 #include "tools/bench/database/db_bench.hpp"
 #include "tools/bench/dialogue/dialogue_bench.hpp"
@@ -13,6 +14,7 @@ const std::vector<Bench>& benches() {
       {"dialogue", dialogue_bench_rows(), dialogue_bench},
       {"db", db_bench_rows(), db_bench},
       {"components", component_bench_rows(), component_bench},
+      {"agents", agent_bench_rows(), agent_bench},
   };
   return all;
 }

@@ -62,6 +62,12 @@ void add_options(CLI::App& app, BenchOptions& options) {
                   "Of each; the median counts; else 5",
                   [&](auto runs) { options.rows.runs = runs; });
   app.add_option("--only", options.rows.only, "One row of the table");
+  add_number<int>(&app, "--agents", {1, 4000},
+                  "Of the table agents: how many connect; else 1000",
+                  [&](auto agents) { options.rows.agents = agents; });
+  add_number<int>(&app, "--seconds", {1, 86'400},
+                  "Of the table agents: how long audio lasts; else 60",
+                  [&](auto seconds) { options.rows.seconds = seconds; });
   app.add_option("--data", options.data,
                  "Where the public data sets of nlu are");
   app.add_flag("--validation", options.validation,

@@ -1,15 +1,16 @@
 #include "adapters/agents/client/agent_connection.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
-#include <mutex>
 #include <optional>
+#include <thread>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "adapters/agents/client/shared_link.hpp"
 #include "adapters/agents/delivery/steady_time.hpp"
-#include "adapters/agents/lines/line_connection.hpp"
 #include "adapters/loop/alarm.hpp"
 
 namespace parlour::adapters::agents {
@@ -17,8 +18,6 @@ namespace parlour::adapters::agents {
 namespace {
 
 using namespace std::chrono_literals;
-using asio::ip::tcp;
-using SecureStream = asio::ssl::stream<tcp::socket>;
 
 constexpr std::chrono::milliseconds first_pause = 200ms;
 constexpr std::chrono::milliseconds longest_pause = 5s;
@@ -32,15 +31,14 @@ bool ends_for_good(WireErrorKind kind) {
 
 } // namespace
 
-// Everything belongs to the loop's thread, but for what is sent: it is queued
-// under a lock, so that send() can refuse.
-class AgentConnection::Implementation : private LineConnection::Owner {
+// Everything belongs to the loop's thread but the link.
+class AgentConnection::Implementation : private PeerConnection::Owner {
 public:
-  Implementation(PlatformAddress address, Hello hello, Listener& listener,
-                 std::unique_ptr<Loop> loop)
-      : address_(std::move(address)), hello_(std::move(hello)),
+  Implementation(const PlatformAddress& address, Hello hello,
+                 Listener& listener, std::unique_ptr<Loop> loop)
+      : address_(address.host + ":" + address.port),
+        is_zeromq_(address.is_zeromq), hello_(std::move(hello)),
         listener_(listener), loop_(std::move(loop)), link_(new_incarnation()),
-        resolver_(loop_->context()),
         pause_alarm_(std::in_place, *loop_, [this] { connect(); }),
         tick_alarm_(std::in_place, *loop_, [this] { tick(); }) {}
   // What was said last is still sent and acknowledged, if that is possible
@@ -53,20 +51,11 @@ public:
     loop_->stop(2 * leave_within);
   }
 
-  Expected<void> prepare() {
-    if (!address_.is_encrypted)
-      return {};
-    tls_.emplace(asio::ssl::context::tls_client);
-    asio::error_code error;
-    if (address_.authority.empty())
-      tls_->set_default_verify_paths(error);
-    else
-      tls_->load_verify_file(address_.authority, error);
-    if (error)
-      return fail(ErrorKind::settings, "the certificate '" +
-                                           address_.authority +
-                                           "': " + error.message());
-    tls_->set_verify_mode(asio::ssl::verify_peer);
+  Expected<void> prepare(PlatformAddress address) {
+    auto dialler = PlatformDialler::make(*loop_, std::move(address));
+    if (!dialler)
+      return tl::make_unexpected(std::move(dialler.error()));
+    dialler_ = std::move(*dialler);
     return {};
   }
 
@@ -79,21 +68,25 @@ public:
 
   // -- from any thread --------------------------------------------------------
 
-  bool send(AgentMessage message) {
-    std::lock_guard lock(mutex_);
-    if (queue_.size() >= Link::max_waiting)
+  bool send(AgentMessage&& message) {
+    if (auto checked = check_numbered(message); !checked) {
+      note_soon(message.command + " is not sent: " + checked.error().sentence);
+      return true;
+    }
+    if (!link_.send(std::move(message)))
       return false;
-    queue_.push_back(std::move(message));
-    if (queue_.size() == 1)
-      loop_->post([this] { send_queued(); });
+    flush_soon();
     return true;
   }
 
+  bool wait_for_room(Milliseconds patience) {
+    return link_.wait_for_room(patience);
+  }
+
+  // Other acknowledgements may wait for the next tick.
   void handed_on() {
-    loop_->post([this] {
-      link_.handed_on();
-      flush();
-    });
+    if (link_.handed_on())
+      flush_soon();
   }
 
   void set_present(bool is_present) {
@@ -113,40 +106,21 @@ private:
     if (!may_connect() || connection_ || std::exchange(is_connecting_, true))
       return;
     pause_alarm_->set(Alarm::never);
-    resolver_.async_resolve(
-        address_.host, address_.port,
-        [this](asio::error_code error,
-               const tcp::resolver::results_type& found) {
-          if (error)
-            return try_later(error.message());
-          auto socket = std::make_shared<tcp::socket>(loop_->context());
-          asio::async_connect(
-              *socket, found,
-              [this, socket](asio::error_code failed, const tcp::endpoint&) {
-                failed ? try_later(failed.message())
-                       : begin(std::move(*socket));
-              });
-        });
+    dialler_->dial(++last_id_, *this, [this](auto connection) {
+      is_connecting_ = false;
+      if (!connection)
+        return try_later(connection.error().message);
+      if (!may_connect())
+        return;
+      connection_ = std::move(*connection);
+      say_hello();
+    });
   }
 
-  void begin(tcp::socket socket) {
-    is_connecting_ = false;
-    if (!may_connect())
-      return;
-    const auto id = ++last_id_;
-    Owner& owner = *this;
-    if (tls_) {
-      SecureStream stream(std::move(socket), *tls_);
-      stream.set_verify_callback(
-          asio::ssl::host_name_verification(address_.host));
-      connection_ = std::make_shared<LineConnectionOver<SecureStream>>(
-          std::move(stream), id, owner, asio::ssl::stream_base::client);
-    } else {
-      connection_ = std::make_shared<LineConnectionOver<tcp::socket>>(
-          std::move(socket), id, owner);
-    }
+  void say_hello() {
     connection_->start();
     hello_.introduction = link_.introduction();
+    hello_.introduction.packed = is_zeromq_;
     connection_->write(hello_message(hello_));
     heard_ = steady_now();
   }
@@ -157,8 +131,7 @@ private:
     if (!may_connect())
       return;
     if (!std::exchange(loss_is_noted_, true))
-      listener_.note(fmt::format("not connected to {}:{}: {}", address_.host,
-                                 address_.port, reason));
+      listener_.note(fmt::format("not connected to {}: {}", address_, reason));
     pause_alarm_->set(std::chrono::steady_clock::now() + pause_);
     pause_ = std::min(2 * pause_, longest_pause);
   }
@@ -186,7 +159,6 @@ private:
 
   void heard(ConnectionId) override {
     heard_ = steady_now();
-    link_.heard(heard_);
   }
 
   void lost(ConnectionId) override {
@@ -196,18 +168,23 @@ private:
 
   // -- what arrives -----------------------------------------------------------
 
-  void arrived(ConnectionId, Read<AgentMessage> message) override {
-    if (!message)
-      return tell(message.error());
-    if (message->kind == MessageKind::welcome)
-      take_welcome(*message);
-    else if (message->kind == MessageKind::error)
-      take_error(*message);
-    else if (message->kind == MessageKind::bye)
+  void arrived(ConnectionId, Read<AgentMessage>&& message) override {
+    arrival_thread_.store(std::this_thread::get_id(),
+                          std::memory_order_relaxed);
+    message ? take(std::move(*message)) : tell(message.error());
+    arrival_thread_.store({}, std::memory_order_relaxed);
+    flush(heard_);
+  }
+
+  void take(AgentMessage&& message) {
+    if (message.kind == MessageKind::welcome)
+      take_welcome(message);
+    else if (message.kind == MessageKind::error)
+      take_error(message);
+    else if (message.kind == MessageKind::bye)
       lose("the platform has said goodbye");
     else if (link_.is_connected())
-      take(std::move(*message));
-    flush();
+      hand_on(std::move(message));
   }
 
   // A mistake of the platform (adapters/agents/PROTOCOL.md 5). Nobody is told
@@ -243,10 +220,11 @@ private:
     }
     link_.connect(welcome->introduction, steady_now());
     mistakes_ = 0;
+    if (welcome->introduction.packed)
+      connection_->pack();
     pause_ = first_pause;
     loss_is_noted_ = false;
-    listener_.note(
-        fmt::format("connected to {}:{}", address_.host, address_.port));
+    listener_.note("connected to " + address_);
   }
 
   void take_error(const AgentMessage& message) {
@@ -271,8 +249,8 @@ private:
     listener_.rejected({ErrorKind::refused, reason, {}});
   }
 
-  void take(AgentMessage message) {
-    auto arrival = link_.receive(message, steady_now());
+  void hand_on(AgentMessage&& message) {
+    auto arrival = link_.receive(message, heard_);
     if (arrival.error)
       return tell(*arrival.error);
     mistakes_ = 0;
@@ -283,27 +261,28 @@ private:
 
   // -- what leaves ------------------------------------------------------------
 
-  void send_queued() {
-    std::vector<AgentMessage> messages;
-    {
-      std::lock_guard lock(mutex_);
-      messages = std::exchange(queue_, {});
-    }
-    for (auto& message : messages) {
-      const auto command = message.command;
-      if (auto checked = check_numbered(message); !checked)
-        listener_.note(command + " is not sent: " + checked.error().sentence);
-      else if (!link_.send(std::move(message)))
-        listener_.note(command + " is not sent: too much waits already");
-    }
-    flush();
+  void note_soon(std::string text) {
+    loop_->post([this, text = std::move(text)] { listener_.note(text); });
   }
 
-  void flush() {
-    if (!connection_)
+  // Wakes the thread once for all messages that collect until then. A listener
+  // that answers at once need not wake it.
+  void flush_soon() {
+    if (arrival_thread_.load(std::memory_order_relaxed) ==
+            std::this_thread::get_id() ||
+        flush_is_posted_ || flush_is_posted_.exchange(true))
       return;
-    for (const auto& message : link_.take_output(steady_now()))
-      connection_->write(message);
+    loop_->post([this] {
+      flush_is_posted_ = false;
+      flush(steady_now());
+    });
+  }
+
+  void flush(Timestamp now) {
+    if (connection_)
+      link_.write_output(now, [this](const AgentMessage& message) {
+        connection_->write(message);
+      });
     leave_if_done();
   }
 
@@ -313,7 +292,7 @@ private:
     tick_alarm_->set(std::chrono::steady_clock::now() + tick_every);
     if (connection_ && steady_now() - heard_ >= Link::offline_after.count())
       lose("the platform is silent");
-    flush();
+    flush(steady_now());
     tell_if_offline();
     leave_if_done();
   }
@@ -331,22 +310,23 @@ private:
     if (!leaves_at_ || (waits && steady_now() < *leaves_at_))
       return;
     say_bye();
-    resolver_.cancel();
+    if (dialler_)
+      dialler_->cancel();
     pause_alarm_.reset();
     tick_alarm_.reset();
   }
 
-  const PlatformAddress address_;
+  const std::string address_;
+  const bool is_zeromq_;
   Hello hello_;
   Listener& listener_;
   const std::unique_ptr<Loop> loop_;
-  Link link_;
-  std::optional<asio::ssl::context> tls_;
-  tcp::resolver resolver_;
+  SharedLink link_;
+  std::unique_ptr<PlatformDialler> dialler_;
   // Nothing once it has left.
   std::optional<Alarm> pause_alarm_;
   std::optional<Alarm> tick_alarm_;
-  std::shared_ptr<LineConnection> connection_; // null: there is none
+  std::shared_ptr<PeerConnection> connection_; // null: there is none
   ConnectionId last_id_ = 0;
   std::chrono::milliseconds pause_ = first_pause;
   bool is_connecting_ = false;
@@ -361,8 +341,9 @@ private:
   // When it leaves at the latest; nothing: it stays.
   std::optional<Timestamp> leaves_at_;
 
-  std::mutex mutex_;
-  std::vector<AgentMessage> queue_;
+  // The connection's thread while it deals with a message, and will flush.
+  std::atomic<std::thread::id> arrival_thread_{};
+  std::atomic<bool> flush_is_posted_ = false;
 };
 
 Expected<std::unique_ptr<AgentConnection>>
@@ -373,7 +354,7 @@ AgentConnection::open(const PlatformAddress& address, const Hello& hello,
     return tl::make_unexpected(std::move(loop.error()));
   auto implementation = std::make_unique<Implementation>(
       address, hello, listener, std::move(*loop));
-  if (auto prepared = implementation->prepare(); !prepared)
+  if (auto prepared = implementation->prepare(address); !prepared)
     return tl::make_unexpected(std::move(prepared.error()));
   implementation->run();
   return std::unique_ptr<AgentConnection>(
@@ -387,6 +368,10 @@ AgentConnection::~AgentConnection() = default;
 
 bool AgentConnection::send(AgentMessage message) {
   return implementation_->send(std::move(message));
+}
+
+bool AgentConnection::wait_for_room(Milliseconds patience) {
+  return implementation_->wait_for_room(patience);
 }
 
 void AgentConnection::handed_on() {

@@ -7,20 +7,11 @@
 #include <memory>
 #include <string>
 
+#include "adapters/agents/client/platform_dialler.hpp"
 #include "adapters/agents/delivery/hello.hpp"
 #include "runtime/base/error.hpp"
 
 namespace parlour::adapters::agents {
-
-struct PlatformAddress {
-  std::string host;
-  std::string port;
-  // Speaks under TLS.
-  bool is_encrypted = false;
-  // A file in PEM with the certificate that the platform's is checked against;
-  // empty: those that the system trusts.
-  std::string authority;
-};
 
 class AgentConnection {
 public:
@@ -53,6 +44,10 @@ public:
 
   // Queues a message, also while there is no connection. False: too much waits.
   bool send(AgentMessage message);
+  // For authors who would rather wait than be refused: until half of what may
+  // wait is free. False: that took longer. Not on the connection's thread,
+  // which alone makes room.
+  bool wait_for_room(Milliseconds patience);
   void handed_on();
   // False: says goodbye, and stays away until it is told to return.
   void set_present(bool is_present);

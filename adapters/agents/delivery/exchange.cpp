@@ -45,7 +45,7 @@ AgentExchange::AgentExchange(std::vector<AgentAccount> accounts,
     : connections_(connections), platform_(platform) {
   for (auto& account : accounts) {
     const auto name = account.name;
-    agents_.emplace(name, Agent{std::move(account), Link(incarnation)});
+    agents_.emplace(name, Agent{std::move(account), Link(incarnation, window)});
   }
 }
 
@@ -130,7 +130,7 @@ void AgentExchange::tell_counted(ConnectionId id, WireError error,
 
 // -- what arrives -------------------------------------------------------------
 
-void AgentExchange::arrived(ConnectionId id, Read<AgentMessage> message,
+void AgentExchange::arrived(ConnectionId id, Read<AgentMessage>&& message,
                             Timestamp now) {
   const auto found = open_.find(id);
   if (found == open_.end())
@@ -232,15 +232,18 @@ void AgentExchange::welcome(ConnectionId id, Agent& agent, const Hello& hello,
   }
   agent.is_known = agent.is_online = true;
   link.connect(hello.introduction, now);
-  connections_.write(
-      id, welcome_message(link.introduction(), *common_version(hello)));
+  auto own = link.introduction();
+  own.packed = hello.introduction.packed;
+  connections_.write(id, welcome_message(own, *common_version(hello)));
+  if (own.packed)
+    connections_.pack(id);
   platform_.online(hello);
   flush(agent, now);
 }
 
 // A message of an agent that is online. The link decides whether it is new.
 void AgentExchange::take(ConnectionId id, Connection& connection,
-                         AgentMessage message, Timestamp now) {
+                         AgentMessage&& message, Timestamp now) {
   auto& agent = *connection.agent;
   auto arrival = agent.link.receive(message, now);
   if (arrival.error) {
@@ -262,7 +265,7 @@ void AgentExchange::take(ConnectionId id, Connection& connection,
 }
 
 void AgentExchange::hand_on(ConnectionId id, Agent& agent,
-                            AgentMessage message) {
+                            AgentMessage&& message) {
   const auto& name = agent.account.name;
   if (message.component.empty())
     message.component = name;
@@ -299,8 +302,9 @@ Expected<void> AgentExchange::send(const std::string& name,
 
 void AgentExchange::flush(Agent& agent, Timestamp now) {
   // Without a connection there is no output.
-  for (const auto& message : agent.link.take_output(now))
+  agent.link.write_output(now, [&](const AgentMessage& message) {
     connections_.write(agent.connection, message);
+  });
 }
 
 bool AgentExchange::is_online(const std::string& name) const {

@@ -56,6 +56,8 @@ public:
     virtual ~Connections() = default;
     virtual void write(ConnectionId connection,
                        const AgentMessage& message) = 0;
+    // The other side reads packed messages (adapters/agents/PROTOCOL.md 2.5).
+    virtual void pack(ConnectionId connection) = 0;
     // Messages that were written before are still sent.
     virtual void close(ConnectionId connection) = 0;
   };
@@ -71,7 +73,7 @@ public:
     // The error, if there is one, is told to the agent: nobody takes the
     // message (`refused`), or it cannot be read (`malformed`).
     virtual std::optional<WireError> received(const std::string& agent,
-                                              AgentMessage message) = 0;
+                                              AgentMessage&& message) = 0;
     // A message of send() was given up: the agent has stayed away.
     virtual void refused(const std::string& agent, const AgentMessage& message,
                          const Error& error) = 0;
@@ -84,6 +86,9 @@ public:
   static constexpr std::size_t max_connections = 4000;
   // So long after an agent has gone, what waits for it is given up.
   static constexpr Milliseconds returns_within{60'000};
+  // Of each agent, as many as its outbox may hold: messages are handed on at
+  // once and do not collect here.
+  static constexpr std::uint64_t window = Link::max_waiting;
   // A connection is closed at the last of so many mistakes in a row.
   static constexpr int max_malformed = 10;
   // Each hello may tell the platform that the agent came or went.
@@ -98,7 +103,7 @@ public:
   // Bytes have arrived, which need not be a whole message.
   void heard(ConnectionId connection, Timestamp now);
   // A message has arrived, or something that could not be read.
-  void arrived(ConnectionId connection, Read<AgentMessage> message,
+  void arrived(ConnectionId connection, Read<AgentMessage>&& message,
                Timestamp now);
   void closed(ConnectionId connection);
 
@@ -158,8 +163,8 @@ private:
   Read<void> check_rate(Agent& agent);
   void welcome(ConnectionId id, Agent& agent, const Hello& hello,
                Timestamp now);
-  void hand_on(ConnectionId id, Agent& agent, AgentMessage message);
-  void take(ConnectionId id, Connection& connection, AgentMessage message,
+  void hand_on(ConnectionId id, Agent& agent, AgentMessage&& message);
+  void take(ConnectionId id, Connection& connection, AgentMessage&& message,
             Timestamp now);
   void drop(ConnectionId id);
   void end(ConnectionId id);

@@ -62,6 +62,7 @@ Read<Introduction> introduction_of(const Pairs& pairs) {
     return malformed("incarnation consists of at most 32 hexadecimal digits");
   if (auto read = pairs.number("window", introduction.window); !read)
     return tl::make_unexpected(std::move(read.error()));
+  introduction.packed = pairs.text("packed") == "1";
   const auto seen = pairs.text("seen");
   if (seen.empty())
     return introduction;
@@ -97,6 +98,8 @@ void add(AgentMessage& message, const Introduction& introduction) {
     parameters.push_back(fmt::format(
         "seen={}:{}", introduction.seen_incarnation, introduction.seen_number));
   parameters.push_back(fmt::format("window={}", introduction.window));
+  if (introduction.packed)
+    parameters.emplace_back("packed=1");
 }
 
 } // namespace

@@ -1,18 +1,10 @@
 #include "adapters/agents/delivery/link.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <utility>
 
 namespace parlour::adapters::agents {
 namespace {
-
-std::size_t weight(const AgentMessage& message) {
-  auto bytes = message.component.size() + message.command.size();
-  for (const auto& parameter : message.parameters)
-    bytes += parameter.size();
-  return bytes + (message.payload ? message.payload->bytes.size() : 0);
-}
 
 bool is_numbered_kind(MessageKind kind) {
   return kind == MessageKind::text || kind == MessageKind::binary;
@@ -25,10 +17,11 @@ bool is_withdrawn(const AgentMessage& message) {
 
 } // namespace
 
-Link::Link(std::string incarnation) : incarnation_(std::move(incarnation)) {}
+Link::Link(std::string incarnation, std::uint64_t window)
+    : incarnation_(std::move(incarnation)), own_window_(window) {}
 
 Introduction Link::introduction() const {
-  return {incarnation_, peer_incarnation_, received_, own_window};
+  return {incarnation_, peer_incarnation_, received_, own_window_, false};
 }
 
 // -- the connection -----------------------------------------------------------
@@ -71,10 +64,11 @@ void Link::disconnect() {
 }
 
 void Link::withdraw_requests() {
-  for (auto& message : outbox_) {
+  for (std::size_t i = 0; i < outbox_.size(); ++i) {
+    auto& message = outbox_[i];
     if (!message.deadline)
       continue;
-    outbox_bytes_ -= weight(message);
+    outbox_bytes_ -= content_bytes(message);
     AgentMessage withdrawn;
     withdrawn.number = message.number;
     message = std::move(withdrawn);
@@ -82,14 +76,14 @@ void Link::withdraw_requests() {
 }
 
 void Link::erase_withdrawn() {
-  std::erase_if(outbox_, is_withdrawn);
+  for (auto& message : outbox_.take())
+    if (!is_withdrawn(message))
+      outbox_.push_back(std::move(message));
 }
 
 std::vector<AgentMessage> Link::give_up() {
   erase_withdrawn();
-  std::vector<AgentMessage> waiting(std::make_move_iterator(outbox_.begin()),
-                                    std::make_move_iterator(outbox_.end()));
-  outbox_.clear();
+  auto waiting = outbox_.take();
   outbox_bytes_ = sent_ = 0;
   peer_incarnation_.clear();
   return waiting;
@@ -100,15 +94,14 @@ std::vector<AgentMessage> Link::give_up() {
 void Link::begin_afresh() {
   acknowledged_ = highest_sent_ = received_ = handed_on_ = told_ = 0;
   erase_withdrawn();
-  std::uint64_t number = 0;
-  for (auto& message : outbox_)
-    message.number = ++number;
+  for (std::size_t i = 0; i < outbox_.size(); ++i)
+    outbox_[i].number = i + 1;
 }
 
 // -- sending ------------------------------------------------------------------
 
 bool Link::send(AgentMessage&& message) {
-  const auto bytes = weight(message);
+  const auto bytes = content_bytes(message);
   if (outbox_.size() >= max_waiting ||
       outbox_bytes_ + bytes > max_waiting_bytes)
     return false;
@@ -125,7 +118,7 @@ std::uint64_t Link::last_sent() const {
 // Forgets the messages up to this number.
 void Link::acknowledged(std::uint64_t number) {
   while (acknowledged_ < number && !outbox_.empty()) {
-    outbox_bytes_ -= weight(outbox_.front());
+    outbox_bytes_ -= content_bytes(outbox_.front());
     outbox_.pop_front();
     ++acknowledged_;
     sent_ -= std::min<std::size_t>(sent_, 1);
@@ -134,48 +127,54 @@ void Link::acknowledged(std::uint64_t number) {
 
 // Every message may carry an acknowledgement, which saves messages of their
 // own.
-AgentMessage Link::with_acknowledgement(AgentMessage message) {
+void Link::acknowledge_in(AgentMessage& message) {
   if (handed_on_ > 0)
     message.acknowledged = handed_on_;
+  else
+    message.acknowledged.reset();
   told_ = handed_on_;
-  return message;
 }
 
-// As many as the peer's window allows.
-void Link::write_messages(std::vector<AgentMessage>& output) {
-  while (sent_ < outbox_.size() && sent_ < peer_window_)
-    output.push_back(with_acknowledgement(outbox_[sent_++]));
+// As many as the peer's window allows. They stay in the outbox, and are not
+// copied.
+bool Link::write_messages(const Write& write) {
+  const auto before = sent_;
+  while (sent_ < outbox_.size() && sent_ < peer_window_) {
+    auto& message = outbox_[sent_++];
+    acknowledge_in(message);
+    write(message);
+  }
   highest_sent_ = std::max(highest_sent_, last_sent());
+  return sent_ > before;
 }
 
 // After half of the window or 100 ms, whichever comes first.
 bool Link::ack_is_due(Timestamp now) const {
-  return handed_on_ - told_ >= own_window / 2 ||
-         (handed_on_ > told_ &&
-          now - unacknowledged_since_ >= ack_after.count());
+  return owes_many() || (handed_on_ > told_ &&
+                         now - unacknowledged_since_ >= ack_after.count());
 }
 
-std::vector<AgentMessage> Link::take_output(Timestamp now) {
-  std::vector<AgentMessage> output;
+void Link::write_output(Timestamp now, const Write& write) {
   if (!connected_)
-    return output;
-  write_messages(output);
-  if (!output.empty())
+    return;
+  bool has_spoken = write_messages(write);
+  if (has_spoken)
     number_said_ = now;
-  write_own(output, now);
-  if (!output.empty())
+  has_spoken |= write_own_ack(now, write);
+  if (beat_is_due(!has_spoken, now)) {
+    write(own_beat());
+    has_spoken = true;
+    number_said_ = now;
+  }
+  if (has_spoken)
     said_ = now;
-  return output;
 }
 
-// What only the two links say to each other.
-void Link::write_own(std::vector<AgentMessage>& output, Timestamp now) {
-  if (gap_ || ack_is_due(now))
-    output.push_back(own_ack());
-  if (!beat_is_due(output.empty(), now))
-    return;
-  output.push_back(own_beat());
-  number_said_ = now;
+bool Link::write_own_ack(Timestamp now, const Write& write) {
+  if (!gap_ && !ack_is_due(now))
+    return false;
+  write(own_ack());
+  return true;
 }
 
 // Acknowledgements do not tell the last number: if they are all that is said,
@@ -189,7 +188,7 @@ AgentMessage Link::own_ack() {
   AgentMessage own;
   own.kind = MessageKind::ack;
   own.gap = std::exchange(gap_, false);
-  own = with_acknowledgement(std::move(own));
+  acknowledge_in(own);
   // 0 as well: the peer learns that nothing has arrived.
   own.acknowledged = handed_on_;
   return own;
@@ -198,7 +197,7 @@ AgentMessage Link::own_ack() {
 AgentMessage Link::own_beat() {
   AgentMessage own;
   own.kind = MessageKind::beat;
-  own = with_acknowledgement(std::move(own));
+  acknowledge_in(own);
   if (last_sent() > 0)
     own.number = last_sent();
   return own;
@@ -257,7 +256,7 @@ Link::Arrival Link::take_numbered(std::uint64_t number, Timestamp now) {
     told_ = std::min(told_, number - 1);
     return {};
   }
-  if (number > handed_on_ + own_window)
+  if (number > handed_on_ + own_window_)
     return {false, WireError{WireErrorKind::flood,
                              "more messages came than the window allows"}};
   if (number != received_ + 1) {

@@ -12,17 +12,18 @@
 //  acknowledged_ = 4, sent_ = 4     7 was lost; 8 is dropped, gap_ is set
 //
 // A plain state machine without socket, thread or clock. Its owner tells it
-// what has arrived and what time it is, and writes what take_output() returns,
-// in that order, to the current connection. Not thread-safe.
+// what has arrived and what time it is, and write_output()
+// gives it what is to be written to the current connection. Not thread-safe.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
-#include <deque>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "adapters/agents/delivery/outbox.hpp"
 #include "adapters/agents/wire/agent_message.hpp"
 #include "runtime/base/clock.hpp"
 
@@ -37,6 +38,8 @@ struct Introduction {
   std::string seen_incarnation;
   std::uint64_t seen_number = 0;
   std::uint64_t window = 100;
+  // It reads packed messages (2.5). The link does not know.
+  bool packed = false;
 
   bool operator==(const Introduction&) const = default;
 };
@@ -46,7 +49,7 @@ public:
   // The limits and times of adapters/agents/PROTOCOL.md 4.2 to 4.5.
   static constexpr std::size_t max_waiting = 1000;
   static constexpr std::size_t max_waiting_bytes = 4 << 20;
-  static constexpr std::uint64_t own_window = 100;
+  static constexpr std::uint64_t usual_window = 100;
   // Half of what the protocol allows: the other half is for the owner's timer.
   static constexpr Milliseconds ack_after{50};
   static constexpr Milliseconds beat_after{1000};
@@ -54,7 +57,8 @@ public:
   // Messages without number: nothing else holds them back.
   static constexpr int max_unnumbered_per_second = 1000;
 
-  explicit Link(std::string incarnation);
+  // `window`: how many messages the peer may send ahead.
+  explicit Link(std::string incarnation, std::uint64_t window = usual_window);
 
   // What this side's next hello or welcome is to say.
   Introduction introduction() const;
@@ -95,6 +99,10 @@ public:
   std::size_t waiting() const {
     return outbox_.size();
   }
+  bool has_half_free() const {
+    return outbox_.size() <= max_waiting / 2 &&
+           outbox_bytes_ <= max_waiting_bytes / 2;
+  }
 
   // What is to be done with a message that has arrived.
   struct Arrival {
@@ -121,8 +129,15 @@ public:
   // When tick() has something to do next; nothing without a connection.
   std::optional<Timestamp> next_tick() const;
 
-  // What is to be written now, in this order; empty without a connection.
-  std::vector<AgentMessage> take_output(Timestamp now);
+  // Gets a message that is to be written. It must not call the link.
+  using Write = std::function<void(const AgentMessage& message)>;
+  // Writes what is to be written now; nothing without a connection.
+  void write_output(Timestamp now, const Write& write);
+  // So much has been received and not yet acknowledged that it should be done
+  // now, and not only when the time has come.
+  bool owes_many() const {
+    return handed_on_ - told_ >= own_window_ / 2;
+  }
 
 private:
   void erase_withdrawn();
@@ -132,16 +147,17 @@ private:
   Arrival take_numbered(std::uint64_t number, Timestamp now);
   Arrival take_withdrawn(std::uint64_t number, Timestamp now);
   Arrival take_unnumbered(Timestamp now);
-  void write_own(std::vector<AgentMessage>& output, Timestamp now);
+  bool write_messages(const Write& write);
+  bool write_own_ack(Timestamp now, const Write& write);
   AgentMessage own_ack();
   AgentMessage own_beat();
   bool beat_is_due(bool is_silent, Timestamp now) const;
-  void write_messages(std::vector<AgentMessage>& output);
   bool ack_is_due(Timestamp now) const;
-  AgentMessage with_acknowledgement(AgentMessage message);
+  void acknowledge_in(AgentMessage& message);
   std::uint64_t last_sent() const;
 
   std::string incarnation_;
+  std::uint64_t own_window_;
   // Empty: no peer yet, or one at a terminal, who sends no beats.
   std::string peer_incarnation_;
   bool connected_ = false;
@@ -149,14 +165,14 @@ private:
   // To the peer. The outbox holds the messages after acknowledged_, in the
   // order of their numbers; the first `sent_` of them went out on the present
   // connection.
-  std::deque<AgentMessage> outbox_;
+  Outbox outbox_;
   std::size_t outbox_bytes_ = 0;
   std::size_t sent_ = 0;
   std::uint64_t acknowledged_ = 0;
   // The highest number that went out to this process: what was sent again may
   // be acknowledged twice.
   std::uint64_t highest_sent_ = 0;
-  std::uint64_t peer_window_ = own_window;
+  std::uint64_t peer_window_ = usual_window;
 
   // From the peer, as numbers of messages: the last that arrived, the last that
   // the platform has taken, and the last that was acknowledged. told_ <=

@@ -21,6 +21,9 @@ public:
   // message that cannot leave may be dropped: the link notices the gap, and
   // sends it again.
   virtual void write(ConnectionId connection, const AgentMessage& message) = 0;
+  // From now on messages to this connection may be packed
+  // (adapters/agents/PROTOCOL.md 2.5). Lines are as they are.
+  virtual void pack(ConnectionId) {}
   // What was written before is still sent, but no further event of this
   // connection is reported.
   virtual void close(ConnectionId connection) = 0;
@@ -41,10 +44,12 @@ public:
   virtual ConnectionId next_id() = 0;
   // An agent has connected. The connection may be closed within this call.
   virtual void opened(ConnectionId connection, Peer peer) = 0;
-  // Bytes have arrived, which need not be a whole message.
+  // Bytes have arrived, which need not be a whole message. The messages in
+  // them follow at once.
   virtual void heard(ConnectionId connection) = 0;
   // A message, or the reason why what has arrived is not one.
-  virtual void arrived(ConnectionId connection, Read<AgentMessage> message) = 0;
+  virtual void arrived(ConnectionId connection,
+                       Read<AgentMessage>&& message) = 0;
   // The other side has closed the connection, or it failed.
   virtual void closed(ConnectionId connection) = 0;
   // A peer was not let in, so that there is no connection.

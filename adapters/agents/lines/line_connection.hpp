@@ -6,49 +6,30 @@
 // operation is under way.
 #pragma once
 
-#include <array>
 #include <chrono>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
 #include <asio.hpp>
 #include <asio/ssl.hpp>
 
-#include "adapters/agents/delivery/exchange.hpp"
+#include "adapters/agents/delivery/peer_connection.hpp"
 #include "adapters/agents/wire/text_line.hpp"
 
 namespace parlour::adapters::agents {
 
-// One connection, without regard to whether it is encrypted. The listener holds
-// it until it is closed or lost.
-class LineConnection {
-public:
-  // Learns what happens. It must outlive the connection, or close it first.
-  class Owner {
-  public:
-    virtual ~Owner() = default;
-    // Bytes have arrived.
-    virtual void heard(ConnectionId connection) = 0;
-    virtual void arrived(ConnectionId connection,
-                         Read<AgentMessage> message) = 0;
-    // The other side has closed the connection, or it failed.
-    virtual void lost(ConnectionId connection) = 0;
-  };
-
-  virtual ~LineConnection() = default;
-  // Begins to read, under TLS after the handshake.
-  virtual void start() = 0;
-  virtual void write(const AgentMessage& message) = 0;
-  // Closes the connection after what was written has been sent, or after some
-  // time. No further event is reported.
-  virtual void close() = 0;
-};
+// They know the kind of their loop, which spares them virtual calls.
+using LineSocket =
+    asio::basic_stream_socket<asio::ip::tcp, asio::io_context::executor_type>;
+using LineAcceptor =
+    asio::basic_socket_acceptor<asio::ip::tcp, asio::io_context::executor_type>;
 
 // The same code for both kinds of streams: a TCP socket, or TLS over one.
 template <class Stream>
 class LineConnectionOver
-    : public LineConnection,
+    : public PeerConnection,
       public std::enable_shared_from_this<LineConnectionOver<Stream>> {
 public:
   using Side = asio::ssl::stream_base::handshake_type;
@@ -66,27 +47,28 @@ public:
     // terminal has gone.
     stream_.lowest_layer().set_option(asio::socket_base::keep_alive(true),
                                       ignored);
-    if constexpr (is_encrypted)
+    if constexpr (is_encrypted) {
       stream_.async_handshake(
           side_, [self = this->shared_from_this()](asio::error_code error) {
             error ? self->fail(handshake_failed(error)) : self->begin();
           });
-    else
+    } else {
+      stream_.non_blocking(true, ignored);
       begin();
+    }
   }
 
   void write(const AgentMessage& message) override {
     // A message that cannot be written is dropped: the exchange has checked
     // those that agents get, and its own replies are short.
-    if (auto line = line_of(message))
-      waiting_ += *line;
+    (void)append_line(waiting_, message);
+    if (waiting_.size() >= block)
+      flush();
     if (waiting_.size() + leaving_.size() > max_unsent) {
-      // The other side does not read. The owner learns it later, outside of its
-      // own call.
+      // The other side does not read.
       waiting_.clear();
-      asio::post(stream_.get_executor(), [self = this->shared_from_this()] {
-        self->fail({WireErrorKind::flood, "it does not read what it is told"});
-      });
+      lose_soon(
+          WireError{WireErrorKind::flood, "it does not read what it is told"});
     }
     flush_soon();
   }
@@ -94,7 +76,8 @@ public:
   void close() override {
     owner_ = nullptr;
     is_closing_ = true;
-    if (!is_flushing_) {
+    flush();
+    if (!is_writing_) {
       shut();
       return;
     }
@@ -108,9 +91,13 @@ public:
 
 private:
   static constexpr std::size_t max_unsent = 8 << 20;
+  // What has collected is written when it is so much, so that it never takes
+  // much memory.
+  static constexpr std::size_t block = 64 << 10;
+  // For what is read at once.
+  static constexpr std::size_t least_room = 16 << 10;
   static constexpr std::chrono::seconds close_within{2};
-  static constexpr bool is_encrypted =
-      !std::is_same_v<Stream, asio::ip::tcp::socket>;
+  static constexpr bool is_encrypted = !std::is_same_v<Stream, LineSocket>;
 
   // Nothing may be written before the end of the handshake.
   void begin() {
@@ -121,60 +108,93 @@ private:
 
   // One read is always under way until the connection ends.
   void read() {
-    stream_.async_read_some(asio::buffer(arriving_),
+    const auto room = reader_.room(least_room);
+    stream_.async_read_some(asio::buffer(room.data(), room.size()),
                             [self = this->shared_from_this()](
                                 asio::error_code error, std::size_t size) {
                               if (error)
                                 self->lost();
                               else
-                                self->take({self->arriving_.data(), size});
+                                self->take(size);
                             });
   }
 
-  void take(std::string_view bytes) {
+  // What is written meanwhile leaves together at the end.
+  void take(std::size_t size) {
+    is_taking_ = true;
     if (owner_)
       owner_->heard(id_);
-    reader_.add(bytes);
+    reader_.added(size);
     // The owner may close the connection at any message.
     while (owner_) {
       auto message = reader_.next();
-      if (!message) {
-        read();
-        return;
-      }
+      if (!message)
+        break;
       owner_->arrived(id_, std::move(*message));
     }
+    is_taking_ = false;
+    flush();
+    if (owner_)
+      read();
   }
 
   // Flushing in a later turn combines what is written in this one.
   void flush_soon() {
-    if (is_flushing_ || !is_ready_ || waiting_.empty())
+    if (waiting_.empty() || is_taking_ || is_writing_ || !is_ready_ ||
+        std::exchange(is_flushing_, true))
       return;
-    is_flushing_ = true;
-    asio::post(stream_.get_executor(),
-               [self = this->shared_from_this()] { self->flush(); });
+    asio::post(stream_.get_executor(), [self = this->shared_from_this()] {
+      self->is_flushing_ = false;
+      self->flush();
+    });
   }
 
-  // Writes what has collected, then what has collected meanwhile. At most one
-  // write is under way, as asio demands.
+  // Writes what has collected, unless the end of a write is awaited: asio
+  // allows one at a time.
   void flush() {
-    if (waiting_.empty()) {
-      is_flushing_ = false;
-      if (is_closing_)
-        shut();
+    if (!is_ready_ || is_writing_)
       return;
+    if constexpr (!is_encrypted)
+      write_at_once();
+    if (!waiting_.empty())
+      write_rest();
+  }
+
+  // As much as the system takes without waiting, which is nearly always all.
+  void write_at_once() {
+    std::size_t written = 0;
+    asio::error_code error;
+    while (!error && written < waiting_.size())
+      written += stream_.write_some(
+          asio::buffer(waiting_.data() + written, waiting_.size() - written),
+          error);
+    waiting_.erase(0, written);
+    if (error && error != asio::error::would_block) {
+      waiting_.clear();
+      lose_soon();
     }
-    leaving_ = std::exchange(waiting_, {});
+  }
+
+  void write_rest() {
+    is_writing_ = true;
+    std::swap(leaving_, waiting_);
     asio::async_write(
         stream_, asio::buffer(leaving_),
         [self = this->shared_from_this()](asio::error_code error, std::size_t) {
-          self->leaving_.clear();
-          if (error) {
-            self->waiting_.clear();
-            self->lost();
-          }
-          self->flush();
+          self->wrote(error);
         });
+  }
+
+  void wrote(asio::error_code error) {
+    is_writing_ = false;
+    leaving_.clear();
+    if (error) {
+      waiting_.clear();
+      lost();
+    }
+    flush();
+    if (is_closing_ && !is_writing_)
+      shut();
   }
 
   static WireError handshake_failed(asio::error_code error) {
@@ -184,8 +204,19 @@ private:
   // A mistake that closes the connection.
   void fail(WireError error) {
     if (owner_)
+      owner_->heard(id_);
+    if (owner_)
       owner_->arrived(id_, tl::make_unexpected(std::move(error)));
     lost();
+  }
+
+  // The owner must not learn it in its own call. Without an error the other
+  // side has gone.
+  void lose_soon(std::optional<WireError> error = {}) {
+    asio::post(stream_.get_executor(),
+               [self = this->shared_from_this(), error = std::move(error)] {
+                 error ? self->fail(*error) : self->lost();
+               });
   }
 
   // Reports the loss once.
@@ -212,12 +243,15 @@ private:
   Owner* owner_;
   const Side side_; // of the handshake
   LineReader reader_;
-  std::array<char, 64 << 10> arriving_;
   // To be written, and being written.
   std::string waiting_;
   std::string leaving_;
   bool is_ready_ = false;
+  bool is_taking_ = false;
+  // flush() will be called soon.
   bool is_flushing_ = false;
+  // A write is under way.
+  bool is_writing_ = false;
   bool is_closing_ = false;
 };
 

@@ -11,11 +11,11 @@ namespace parlour::adapters::agents {
 namespace {
 
 using asio::ip::tcp;
-using PlainStream = tcp::socket;
-using SecureStream = asio::ssl::stream<tcp::socket>;
+using PlainStream = LineSocket;
+using SecureStream = asio::ssl::stream<LineSocket>;
 
 // The transport of lines: accepts connections and passes events on.
-class LineListener : public AgentTransport, private LineConnection::Owner {
+class LineListener : public AgentTransport, private PeerConnection::Owner {
 public:
   LineListener(asio::io_context& context, TransportEvents& events)
       : acceptor_(context), pause_(context), events_(events) {}
@@ -41,7 +41,7 @@ public:
 
   // Accepts the next connection, again and again, until the acceptor is closed.
   void accept() {
-    acceptor_.async_accept([this](asio::error_code error, tcp::socket socket) {
+    acceptor_.async_accept([this](asio::error_code error, LineSocket socket) {
       if (error == asio::error::operation_aborted)
         return;
       if (error) {
@@ -122,7 +122,7 @@ private:
     asio::error_code error;
     acceptor_.open(end.protocol(), error);
     if (!error)
-      acceptor_.set_option(tcp::acceptor::reuse_address(true), error);
+      acceptor_.set_option(LineAcceptor::reuse_address(true), error);
     if (!error)
       acceptor_.bind(end, error);
     if (!error)
@@ -136,7 +136,7 @@ private:
   }
 
   // Under TLS if there is a certificate.
-  std::shared_ptr<LineConnection> connection_over(tcp::socket socket,
+  std::shared_ptr<PeerConnection> connection_over(LineSocket socket,
                                                   ConnectionId id) {
     Owner& owner = *this;
     if (!certificate_)
@@ -146,7 +146,7 @@ private:
         SecureStream(std::move(socket), *certificate_), id, owner);
   }
 
-  void add(tcp::socket socket) {
+  void add(LineSocket socket) {
     asio::error_code error;
     const auto end = socket.remote_endpoint(error);
     if (error)
@@ -166,7 +166,7 @@ private:
   void heard(ConnectionId id) override {
     events_.heard(id);
   }
-  void arrived(ConnectionId id, Read<AgentMessage> message) override {
+  void arrived(ConnectionId id, Read<AgentMessage>&& message) override {
     events_.arrived(id, std::move(message));
   }
   void lost(ConnectionId id) override {
@@ -174,12 +174,12 @@ private:
     events_.closed(id);
   }
 
-  tcp::acceptor acceptor_;
+  LineAcceptor acceptor_;
   asio::steady_timer pause_;
   bool is_loopback_ = true;
   TransportEvents& events_;
   std::optional<asio::ssl::context> certificate_;
-  std::map<ConnectionId, std::shared_ptr<LineConnection>> connections_;
+  std::map<ConnectionId, std::shared_ptr<PeerConnection>> connections_;
 };
 
 } // namespace

@@ -1,10 +1,12 @@
 #include "adapters/agents/server/agent_server.hpp"
 
+#include <atomic>
 #include <chrono>
 #include <exception>
 #include <future>
 #include <map>
 #include <mutex>
+#include <thread>
 #include <utility>
 
 #include "adapters/agents/delivery/steady_time.hpp"
@@ -39,7 +41,11 @@ public:
       : loop_(std::move(loop)),
         exchange_(options.accounts, new_incarnation(), *this, *this),
         mistakes_(options.log), alarm_(*loop_, [this] { tick(); }) {
-    loop_->on_exception([this](const std::string& what) { fail_all(what); });
+    loop_->on_exception([this](const std::string& what) {
+      fail_all(what);
+      loop_->post(
+          [this] { send_queued(steady_now()); }); // what an arrival has left
+    });
   }
   // The transports are closed on their own thread. What was written before the
   // end still leaves.
@@ -94,12 +100,13 @@ public:
   }
 
   // Wakes the thread only for the first message: it takes all that have
-  // collected.
+  // collected. A component that answers at once need not wake it.
   void send(const std::string& agent, AgentMessage message) {
     std::lock_guard lock(queue_mutex_);
     queue_.push_back({agent, std::move(message)});
-    if (queue_.size() == 1)
-      loop_->post([this] { send_queued(); });
+    is_queue_empty_.store(false, std::memory_order_relaxed);
+    if (queue_.size() == 1 && !is_in_arrival())
+      loop_->post([this] { send_queued(steady_now()); });
   }
 
   // -- the transports ---------------------------------------------------------
@@ -112,10 +119,17 @@ public:
     plan();
   }
   void heard(ConnectionId id) override {
-    exchange_.heard(id, steady_now());
+    heard_ = steady_now();
+    exchange_.heard(id, heard_);
   }
-  void arrived(ConnectionId id, Read<AgentMessage> message) override {
-    exchange_.arrived(id, std::move(message), steady_now());
+  void arrived(ConnectionId id, Read<AgentMessage>&& message) override {
+    {
+      const Arrival arrival(*this);
+      exchange_.arrived(id, std::move(message), heard_);
+    }
+    // What others have queued meanwhile has been posted as well.
+    if (!is_queue_empty_.load(std::memory_order_relaxed))
+      send_queued(heard_);
     plan();
   }
   void closed(ConnectionId id) override {
@@ -131,6 +145,10 @@ public:
   void write(ConnectionId id, const AgentMessage& message) override {
     if (auto* transport = transport_of(id))
       transport->write(id, message);
+  }
+  void pack(ConnectionId id) override {
+    if (auto* transport = transport_of(id))
+      transport->pack(id);
   }
   void close(ConnectionId id) override {
     if (auto* transport = transport_of(id))
@@ -148,15 +166,14 @@ public:
     tell(agent, [](Component& component) { component.offline(); });
   }
   std::optional<WireError> received(const std::string& agent,
-                                    AgentMessage message) override {
-    WireError nobody{WireErrorKind::refused, "nobody takes '" +
-                                                 excerpt(message.command) +
-                                                 "' at present"};
+                                    AgentMessage&& message) override {
+    const auto command = message.command;
     std::optional<WireError> error;
     if (!tell(agent, [&](Component& component) {
           error = component.received(std::move(message));
         }))
-      return nobody;
+      return WireError{WireErrorKind::refused,
+                       "nobody takes '" + excerpt(command) + "' at present"};
     return error;
   }
   void refused(const std::string& agent, const AgentMessage& message,
@@ -228,10 +245,9 @@ private:
     const auto found = components_.find(agent);
     if (found == components_.end() || !found->second.component)
       return false;
-    // It lives as long as the call, whoever detaches it meanwhile.
-    const auto component = found->second.component;
     try {
-      action(*component);
+      // Who is attached or detached meanwhile comes and goes in a later turn.
+      action(*found->second.component);
       return true;
     } catch (const std::exception& exception) {
       fail_component(found->second, exception.what());
@@ -253,15 +269,40 @@ private:
       fail_component(entry, reason);
   }
 
-  void send_queued() {
-    std::vector<Sent> sent;
+  // While it lives, the server's thread deals with a message that has arrived,
+  // and will look at the queue then.
+  class Arrival {
+  public:
+    explicit Arrival(Implementation& server) : server_(server) {
+      server_.arrival_thread_.store(std::this_thread::get_id(),
+                                    std::memory_order_relaxed);
+    }
+    Arrival(const Arrival&) = delete;
+    Arrival& operator=(const Arrival&) = delete;
+    ~Arrival() {
+      server_.arrival_thread_.store({}, std::memory_order_relaxed);
+    }
+
+  private:
+    Implementation& server_;
+  };
+  // Only the thread itself can find its own id there.
+  bool is_in_arrival() const {
+    return arrival_thread_.load(std::memory_order_relaxed) ==
+           std::this_thread::get_id();
+  }
+
+  void send_queued(Timestamp now) {
+    leaving_.clear();
+    if (leaving_.capacity() > Link::max_waiting)
+      leaving_.shrink_to_fit();
     {
       std::lock_guard lock(queue_mutex_);
-      sent = std::exchange(queue_, {});
+      std::swap(queue_, leaving_);
+      is_queue_empty_.store(true, std::memory_order_relaxed);
     }
-    const auto now = steady_now();
     // A message that is not sent is left as it was.
-    for (auto& [agent, message] : sent)
+    for (auto& [agent, message] : leaving_)
       if (auto done = exchange_.send(agent, std::move(message), now); !done)
         // NOLINTNEXTLINE(bugprone-use-after-move)
         refused(agent, message, done.error());
@@ -291,8 +332,16 @@ private:
   ConnectionId last_id_ = 0;
   std::map<std::string, Entry> components_;
 
+  // The time of what is being read.
+  Timestamp heard_ = 0;
+  std::atomic<std::thread::id> arrival_thread_{};
+
+  // Written with the mutex, read by the loop's thread without.
+  std::atomic<bool> is_queue_empty_ = true;
   std::mutex queue_mutex_;
   std::vector<Sent> queue_;
+  // Taken from the queue; for its memory.
+  std::vector<Sent> leaving_;
 };
 
 Expected<std::unique_ptr<AgentServer>>

@@ -94,7 +94,7 @@ public:
     }
     if (seen_.find(letter) != std::string::npos)
       return malformed(described(letter, value) + " occurs twice");
-    seen_ += letter;
+    seen_ += letter; // rarely more than fit into the string itself
     return set(letter, value);
   }
 
@@ -131,17 +131,13 @@ private:
   std::string seen_;
 };
 
-// The limits of 1.6 but that of the head, at reading and at writing.
-Read<void> check_size(const AgentMessage& message, std::size_t payload_bytes) {
-  auto size = message.component.size() + message.command.size() + payload_bytes;
-  for (const auto& parameter : message.parameters)
-    size += parameter.size();
-  if (message.payload)
-    size += message.payload->format.size();
+// The limits of 1.6 but that of the head, at reading and at writing. `more` are
+// bytes of the payload that are not in the message yet.
+Read<void> check_size(const AgentMessage& message, std::size_t more = 0) {
   if (message.parameters.size() > max_parameters)
     return oversized("a message has at most " + std::to_string(max_parameters) +
                      " parameters");
-  if (size > max_message_bytes)
+  if (content_bytes(message) + more > max_message_bytes)
     return oversized("a message has at most " +
                      std::to_string(max_message_bytes) + " bytes");
   return {};
@@ -209,6 +205,11 @@ void add(std::string& head, char letter, std::string_view value) {
   head += value;
 }
 
+void add(std::string& head, char letter, std::uint64_t number) {
+  add(head, letter, std::string_view());
+  append_number(head, number);
+}
+
 // What must hold before a message may leave.
 Read<void> check(const AgentMessage& message) {
   if (!message.session.empty() && !is_attribute_text(message.session))
@@ -217,12 +218,30 @@ Read<void> check(const AgentMessage& message) {
   for (const auto& sink : message.sinks)
     if (!is_attribute_text(sink))
       return malformed("a sink cannot be called '" + excerpt(sink) + "'");
-  return check_size(message,
-                    message.payload ? message.payload->bytes.size() : 0);
+  return check_size(message);
 }
 
-Read<void> check_head(std::size_t size) {
-  if (size > max_attribute_bytes)
+// A letter between a semicolon and an equals sign, and the digits of the
+// largest number.
+constexpr std::size_t letter_bytes = 3;
+constexpr std::size_t number_bytes = letter_bytes + 19;
+
+// At least as long as the first field is once the message has a number and an
+// acknowledgement.
+std::size_t most_of_head(const AgentMessage& message) {
+  constexpr std::size_t longest_kind = 7;
+  auto size = longest_kind + letter_bytes + message.session.size() +
+              (number_attributes.size() + 1) * number_bytes + letter_bytes + 1;
+  for (const auto& sink : message.sinks)
+    size += letter_bytes + sink.size();
+  return size;
+}
+
+// `more` will be added. Few messages are so long that they must be written to
+// be measured.
+Read<void> check_head(const AgentMessage& message, std::size_t more) {
+  if (most_of_head(message) > max_attribute_bytes &&
+      attributes_of(message).size() + more > max_attribute_bytes)
     return oversized("a message's kind has too many attributes");
   return {};
 }
@@ -235,36 +254,60 @@ void drop_empty_end(std::vector<std::string>& fields) {
 
 } // namespace
 
+std::size_t content_bytes(const AgentMessage& message) {
+  auto bytes = message.component.size() + message.command.size();
+  for (const auto& parameter : message.parameters)
+    bytes += parameter.size();
+  if (message.payload)
+    bytes += message.payload->format.size() + message.payload->bytes.size();
+  return bytes;
+}
+
 std::string_view name_of(MessageKind kind) {
   return kind_names.at(static_cast<std::size_t>(kind));
 }
 
-std::string attributes_of(const AgentMessage& message) {
-  auto head = std::string(name_of(message.kind));
+void append_number(std::string& text, std::uint64_t number) {
+  std::array<char, 20> digits{};
+  const auto end =
+      std::to_chars(digits.data(), digits.data() + digits.size(), number);
+  text.append(digits.data(), end.ptr);
+}
+
+void append_attributes(std::string& text, const AgentMessage& message) {
+  text += name_of(message.kind);
   if (!message.session.empty())
-    add(head, 's', message.session);
+    add(text, 's', message.session);
   for (const auto& sink : message.sinks)
-    add(head, 'k', sink);
+    add(text, 'k', sink);
   // Attributes that are absent are left out.
   for (const auto& attribute : number_attributes)
     if (const auto& number = message.*attribute.member)
-      add(head, attribute.letter, std::to_string(*number));
+      add(text, attribute.letter, *number);
   if (message.payload && message.payload->position)
-    add(head, 'p', std::to_string(*message.payload->position));
+    add(text, 'p', *message.payload->position);
   if (message.gap)
-    add(head, 'g', "1");
+    add(text, 'g', "1");
+}
+
+std::string attributes_of(const AgentMessage& message) {
+  std::string head;
+  append_attributes(head, message);
   return head;
 }
 
-Read<std::vector<std::string>> fields_of(const AgentMessage& message) {
+Read<void> check_writable(const AgentMessage& message) {
   if (auto checked = check(message); !checked)
-    return tl::make_unexpected(std::move(checked.error()));
-  auto head = attributes_of(message);
-  if (auto checked = check_head(head.size()); !checked)
+    return checked;
+  return check_head(message, 0);
+}
+
+Read<std::vector<std::string>> fields_of(const AgentMessage& message) {
+  if (auto checked = check_writable(message); !checked)
     return tl::make_unexpected(std::move(checked.error()));
   std::vector<std::string> fields;
   fields.reserve(first_parameter + message.parameters.size() + 1);
-  fields.push_back(std::move(head));
+  fields.push_back(attributes_of(message));
   fields.push_back(message.time ? std::to_string(*message.time) : "");
   fields.push_back(message.component);
   fields.push_back(message.command);
@@ -278,34 +321,36 @@ Read<std::vector<std::string>> fields_of(const AgentMessage& message) {
 }
 
 Read<void> check_numbered(const AgentMessage& message) {
-  // ";n=" and the digits of the largest number, and the same for ";a=".
-  constexpr std::size_t attribute = 3 + 19;
   if (auto checked = check(message); !checked)
     return checked;
-  return check_head(attributes_of(message).size() +
-                    (message.number ? 0 : attribute) +
-                    (message.acknowledged ? 0 : attribute));
+  return check_head(message, (message.number ? 0 : number_bytes) +
+                                 (message.acknowledged ? 0 : number_bytes));
 }
 
-Read<AgentMessage> message_of(const std::vector<std::string_view>& fields,
-                              std::size_t payload_bytes) {
+Read<void> read_message(const std::vector<std::string_view>& fields,
+                        std::size_t payload_bytes, AgentMessage& message) {
   // Fields that are missing at the end count as empty.
   const auto at = [&](std::size_t position) {
     return position < fields.size() ? fields[position] : std::string_view();
   };
-  AgentMessage message;
   if (auto read = read_head(at(0), message); !read)
-    return tl::make_unexpected(std::move(read.error()));
+    return read;
   if (auto read = read_time(at(1), message); !read)
-    return tl::make_unexpected(std::move(read.error()));
+    return read;
   message.component = at(2);
   message.command = at(3);
-  for (auto i = first_parameter; i < fields.size(); ++i)
-    message.parameters.emplace_back(fields[i]);
+  if (fields.size() > first_parameter)
+    message.parameters.assign(fields.begin() + first_parameter, fields.end());
   if (auto read = read_payload(message); !read)
-    return tl::make_unexpected(std::move(read.error()));
-  if (auto checked = check_size(message, payload_bytes); !checked)
-    return tl::make_unexpected(std::move(checked.error()));
+    return read;
+  return check_size(message, payload_bytes);
+}
+
+Read<AgentMessage> message_of(const std::vector<std::string_view>& fields,
+                              std::size_t payload_bytes) {
+  Read<AgentMessage> message;
+  if (auto read = read_message(fields, payload_bytes, *message); !read)
+    message = tl::make_unexpected(std::move(read.error()));
   return message;
 }
 

@@ -64,8 +64,15 @@ struct AgentMessage {
   bool operator==(const AgentMessage&) const = default;
 };
 
+// What counts towards the limit of a message.
+std::size_t content_bytes(const AgentMessage& message);
+
 // The first field: "text;s=K3f9;n=12".
 std::string attributes_of(const AgentMessage& message);
+void append_attributes(std::string& text, const AgentMessage& message);
+void append_number(std::string& text, std::uint64_t number);
+// Whether the message can be written as it is. Errors as those of fields_of().
+Read<void> check_writable(const AgentMessage& message);
 
 // All fields but the payload's bytes, which each transport carries in its own
 // way. Empty fields at the end are left out if there are no parameters. The
@@ -83,6 +90,10 @@ Read<void> check_numbered(const AgentMessage& message);
 // count towards the size. The fields are not trusted: every value is checked.
 Read<AgentMessage> message_of(const std::vector<std::string_view>& fields,
                               std::size_t payload_bytes = 0);
+// The same into a message that has no field yet. After an error it is of no
+// use.
+Read<void> read_message(const std::vector<std::string_view>& fields,
+                        std::size_t payload_bytes, AgentMessage& message);
 
 // Whether the first field, "binary;n=12", says that a payload follows.
 bool is_binary(std::string_view head);

@@ -4,12 +4,17 @@
 
 #include <algorithm>
 #include <charconv>
-#include <deque>
+#include <cstring>
+#include <forward_list>
 
+#include "adapters/agents/wire/special_characters.hpp"
 #include "runtime/base/utf8.hpp"
 
 namespace parlour::adapters::agents {
 namespace {
+
+// What a reader holds if no message is longer.
+constexpr std::size_t usual_capacity = 64 << 10;
 
 bool is_blank(char c) {
   return c == ' ' || c == '\t';
@@ -44,9 +49,18 @@ void add_character(std::string& line, char c) {
   }
 }
 
-// Most fields need neither quotation marks nor escapes and are copied as they
-// are.
+// Neither quotation marks nor escapes are needed.
+bool is_plain(std::string_view field) {
+  return field.empty() || !(is_blank(field.front()) || is_blank(field.back()) ||
+                            has_special(field));
+}
+
+// Most fields are copied as they are.
 void add_field(std::string& line, std::string_view field) {
+  if (is_plain(field)) {
+    line += field;
+    return;
+  }
   const bool quoted = needs_quotes(field);
   if (quoted)
     line += '"';
@@ -66,9 +80,13 @@ void add_field(std::string& line, std::string_view field) {
 // entries keep their addresses for as long as the fields are used.
 class FieldScanner {
 public:
-  explicit FieldScanner(std::string_view line) : rest_(line) {}
+  FieldScanner(std::string_view line, std::vector<std::string_view>& fields)
+      : rest_(line),
+        is_simple_(line.find('"') == line.npos && line.find('\\') == line.npos),
+        fields_(fields) {}
 
-  Read<std::vector<std::string_view>> run() {
+  Read<void> run() {
+    fields_.clear();
     for (;;) {
       auto field = next();
       if (!field)
@@ -77,7 +95,7 @@ public:
       if (fields_.size() > max_fields)
         return oversized("a message has too many fields");
       if (rest_.empty())
-        return std::move(fields_);
+        return {};
       rest_.remove_prefix(1); // the comma
     }
   }
@@ -92,6 +110,8 @@ private:
       return quoted();
     const auto field = rest_.substr(0, rest_.find(','));
     rest_.remove_prefix(field.size());
+    if (is_simple_)
+      return field;
     if (field.find('"') != std::string_view::npos)
       return malformed("a quotation mark stands within a field that does not "
                        "begin with one");
@@ -125,7 +145,7 @@ private:
       if (text[i] == '"')
         ++i; // the second of the pair
     }
-    return made_.emplace_back(std::move(single));
+    return made_.emplace_front(std::move(single));
   }
 
   // Replaces escapes. Only line breaks and backslashes have one.
@@ -148,14 +168,15 @@ private:
       else
         return malformed("a backslash is followed by n, r or a backslash");
     }
-    return made_.emplace_back(std::move(plain));
+    return made_.emplace_front(std::move(plain));
   }
 
   std::string_view rest_;
-  std::vector<std::string_view> fields_;
-
-public:
-  std::deque<std::string> made_;
+  // Fields are what stands between commas, without exception.
+  const bool is_simple_;
+  std::vector<std::string_view>& fields_;
+  // A list, which needs no memory as long as it is empty.
+  std::forward_list<std::string> made_;
 };
 
 std::optional<std::size_t> length_of(std::string_view text) {
@@ -195,111 +216,170 @@ bool begins_binary(std::string_view line) {
   return is_binary(line.substr(0, line.find_first_of(",\"")));
 }
 
-Read<std::vector<std::string_view>> split(FieldScanner& scanner,
-                                          std::string_view line) {
-  Read<std::vector<std::string_view>> fields =
-      malformed("the line is not UTF-8");
-  if (!find_invalid_utf8(line))
-    fields = scanner.run();
-  if (!fields && begins_binary(line))
-    return lost_track(std::move(fields.error()));
-  return fields;
+Read<void> split(FieldScanner& scanner, std::string_view line) {
+  Read<void> done;
+  if (find_invalid_utf8(line))
+    done = malformed("the line is not UTF-8");
+  else
+    done = scanner.run();
+  if (!done && begins_binary(line))
+    return lost_track(std::move(done.error()));
+  return done;
 }
 
 } // namespace
 
 Read<std::string> line_of(const AgentMessage& message) {
-  const auto fields = fields_of(message);
-  if (!fields)
-    return tl::make_unexpected(fields.error());
   std::string line;
-  for (const auto& field : *fields) {
-    if (&field != &fields->front())
-      line += ',';
-    add_field(line, field);
-  }
-  if (message.payload)
-    line += ',' + std::to_string(message.payload->bytes.size());
-  line += '\n';
-  if (message.payload)
-    line += message.payload->bytes;
+  if (auto appended = append_line(line, message); !appended)
+    return tl::make_unexpected(std::move(appended.error()));
   return line;
 }
 
-void LineReader::add(std::string_view bytes) {
-  let_go_of_what_was_read();
-  held_ += bytes;
+// Fields at the end are left out as fields_of() does.
+Read<void> append_line(std::string& text, const AgentMessage& message) {
+  if (auto checked = check_writable(message); !checked)
+    return checked;
+  append_attributes(text, message);
+  const bool has_more = !message.parameters.empty() || message.payload;
+  const bool has_command = has_more || !message.command.empty();
+  const bool has_component = has_command || !message.component.empty();
+  if (has_component || message.time)
+    text += ',';
+  if (message.time)
+    append_number(text, *message.time);
+  const auto add = [&](std::string_view field) {
+    text += ',';
+    add_field(text, field);
+  };
+  if (has_component)
+    add(message.component);
+  if (has_command)
+    add(message.command);
+  for (const auto& parameter : message.parameters)
+    add(parameter);
+  if (message.payload) {
+    add(message.payload->format);
+    text += ',';
+    append_number(text, message.payload->bytes.size());
+  }
+  text += '\n';
+  if (message.payload)
+    text += message.payload->bytes;
+  return {};
 }
 
-// Removes what was read only if it is more than what is left, so that each byte
-// is moved at most once on average.
-void LineReader::let_go_of_what_was_read() {
-  if (at_ < held_.size() / 2)
+void LineReader::add(std::string_view bytes) {
+  if (bytes.empty())
     return;
-  held_.erase(0, at_);
+  std::memcpy(room(bytes.size()).data(), bytes.data(), bytes.size());
+  added(bytes.size());
+}
+
+std::span<char> LineReader::room(std::size_t least) {
+  if (at_ == end_)
+    at_ = end_ = scanned_ = 0;
+  if (capacity_ - end_ < least || (end_ == 0 && capacity_ > usual_capacity))
+    make_room(least);
+  return {held_.get() + end_, capacity_ - end_};
+}
+
+void LineReader::added(std::size_t bytes) {
+  end_ += bytes;
+}
+
+// What was read gives way first. More memory than usual is let go of once it is
+// not needed any more. It grows by doubling, so that each byte is moved once or
+// twice on average.
+void LineReader::make_room(std::size_t least) {
+  const auto kept = unread();
+  const auto needed = kept.size() + least;
+  if (needed <= capacity_ && capacity_ <= usual_capacity) {
+    std::memmove(held_.get(), kept.data(), kept.size());
+  } else {
+    const auto capacity = std::max(
+        usual_capacity, needed <= usual_capacity ? needed : 2 * needed);
+    auto larger = std::make_unique_for_overwrite<char[]>(capacity);
+    if (!kept.empty())
+      std::memcpy(larger.get(), kept.data(), kept.size());
+    held_ = std::move(larger);
+    capacity_ = capacity;
+  }
+  end_ -= at_;
   scanned_ -= std::min(scanned_, at_);
   at_ = 0;
 }
 
-// Reads one line. A payload is awaited even if its line is malformed, since its
-// bytes are not lines.
-std::optional<Read<AgentMessage>> LineReader::take(std::string_view line) {
-  FieldScanner scanner(line);
-  auto fields = split(scanner, line);
-  if (!fields)
-    return tl::make_unexpected(std::move(fields.error()));
-  const auto length = take_length(*fields);
-  if (!length)
-    return lost_track(length.error());
-  auto message = message_of(*fields, *length);
+// Reads one line.
+void LineReader::take(std::string_view line, Next& next) {
+  FieldScanner scanner(line, fields_);
+  if (auto done = split(scanner, line); done)
+    take_fields(next);
+  else
+    next = tl::make_unexpected(std::move(done.error()));
+}
+
+// A payload is awaited even if its line is malformed, since its bytes are not
+// lines.
+void LineReader::take_fields(Next& next) {
+  auto length = take_length(fields_);
+  if (!length) {
+    next = lost_track(std::move(length.error()));
+    return;
+  }
+  auto& message = next.emplace();
+  if (auto read = read_message(fields_, *length, *message); !read)
+    message = tl::make_unexpected(std::move(read.error()));
   if (*length == 0 || (!message && closes_connection(message.error())))
-    return message;
-  waiting_ = std::move(message);
+    return;
+  waiting_ = std::exchange(next, {});
   wanted_ = *length;
-  return {};
 }
 
 // Nothing until the payload has arrived completely.
-std::optional<Read<AgentMessage>> LineReader::payload() {
-  if (held_.size() - at_ < wanted_)
-    return {};
+void LineReader::take_payload(Next& next) {
+  if (unread().size() < wanted_)
+    return;
   if (*waiting_)
-    (*waiting_)->payload->bytes = held_.substr(at_, wanted_);
+    (*waiting_)->payload->bytes = unread().substr(0, wanted_);
   at_ += wanted_;
-  return std::exchange(waiting_, {});
+  next = std::exchange(waiting_, {});
 }
 
 // The next line without its line break; nothing until it has arrived
 // completely.
 std::optional<std::string_view> LineReader::line() {
-  const auto end = held_.find('\n', std::max(at_, scanned_));
-  if (end == std::string::npos) {
-    scanned_ = held_.size();
+  const auto all = unread();
+  const auto end = all.find('\n', std::max(at_, scanned_) - at_);
+  if (end == std::string_view::npos) {
+    scanned_ = end_;
     return {};
   }
-  auto line = std::string_view(held_).substr(at_, end - at_);
-  at_ = end + 1;
+  auto line = all.substr(0, end);
+  at_ += end + 1;
   if (line.ends_with('\r'))
     line.remove_suffix(1);
   return line;
 }
 
 std::optional<Read<AgentMessage>> LineReader::next() {
-  for (;;) {
-    if (waiting_)
-      return payload();
+  Next next;
+  while (!next) {
+    if (waiting_) {
+      take_payload(next);
+      break;
+    }
     const auto found = line();
     // A line that is too long is refused before its end has arrived.
-    if (!found && held_.size() - at_ <= max_line_bytes)
-      return {};
+    if (!found && unread().size() <= max_line_bytes)
+      break;
     if (!found || found->size() > max_line_bytes)
-      return oversized("the line is too long");
-    // An empty line has no effect.
-    if (found->empty())
-      continue;
-    if (auto read = take(*found))
-      return read;
+      next = oversized("the line is too long");
+    else if (!found->empty()) // an empty line has no effect
+      take(*found, next);
+    // A payload of which all has arrived already follows at once.
   }
+  return next;
 }
 
 } // namespace parlour::adapters::agents

@@ -2,21 +2,20 @@
 
 #include <algorithm>
 #include <array>
-#include <functional>
 #include <iterator>
 #include <map>
+#include <memory>
 #include <optional>
 #include <utility>
 
-#include <poll.h>
 #include <zmq.hpp>
 #include <zmq_addon.hpp>
 
 #include "adapters/agents/wire/multipart.hpp"
+#include "adapters/agents/zeromq/inflow.hpp"
 #include "adapters/agents/zeromq/key_pair.hpp"
 #include "adapters/agents/zeromq/local_address.hpp"
-#include "adapters/loop/alarm.hpp"
-#include "adapters/loop/watch.hpp"
+#include "adapters/agents/zeromq/packed_lines.hpp"
 
 namespace parlour::adapters::agents {
 namespace {
@@ -29,57 +28,13 @@ std::vector<std::string_view> texts(const std::vector<zmq::message_t>& frames) {
   return all;
 }
 
-// Runs `drain` on a loop whenever a socket of ZeroMQ has messages. ZeroMQ's
-// descriptor is edge-triggered: it reports changes only, and any use of the
-// socket may swallow one. So after each use of the socket go_on() must be
-// called, which looks at the socket's state itself.
-class Inflow {
-public:
-  Inflow(Loop& loop, zmq::socket_t& socket, std::function<void()> drain)
-      : watch_(loop, [this](short) { go_on(); }), again_(loop,
-                                                         [this] {
-                                                           drain_();
-                                                           go_on();
-                                                         }),
-        socket_(socket), drain_(std::move(drain)) {}
-
-  // Nothing is waited for any more.
-  void stop() {
-    is_stopped_ = true;
-    watch_.stop();
-    again_.set(Alarm::never);
-  }
-
-  // Has `drain` run soon if there are messages, otherwise waits for a change.
-  // Soon and not at once: other work of the loop has its turn.
-  void go_on() {
-    if (is_stopped_)
-      return;
-    if (is_readable())
-      again_.set(Alarm::Moment{});
-    else
-      watch_.await(socket_.get(zmq::sockopt::fd), POLLIN);
-  }
-
-private:
-  bool is_readable() const {
-    return (socket_.get(zmq::sockopt::events) & ZMQ_POLLIN) != 0;
-  }
-
-  Watch watch_;
-  Alarm again_;
-  zmq::socket_t& socket_;
-  std::function<void()> drain_;
-  bool is_stopped_ = false;
-};
-
 // The transport by ZeroMQ. ZeroMQ has no connections, only names of peers: a
 // peer counts as connected from its first message on.
 class ZeroMQListener : public AgentTransport {
 public:
   ZeroMQListener(Loop& loop, TransportEvents& events,
                  const ZeroMQOptions& options)
-      : events_(events), allowed_(options.allowed_keys),
+      : loop_(loop), events_(events), allowed_(options.allowed_keys),
         is_loopback_(is_local_address(options.address)),
         router_(zeromq_, zmq::socket_type::router),
         inflow_(loop, router_, [this] { drain(); }) {
@@ -102,40 +57,43 @@ public:
     return is_loopback_;
   }
   bool has(ConnectionId id) const override {
-    return names_.contains(id);
+    return peers_.contains(id);
   }
 
   void write(ConnectionId id, const AgentMessage& message) override {
-    const auto frames = frames_of(message);
-    if (!frames)
-      // The exchange has checked messages that are to be delivered.
-      return;
-    const auto& name = names_.at(id);
-    std::vector<zmq::const_buffer> parts = {zmq::buffer(name)};
-    for (const auto& frame : *frames)
-      parts.push_back(zmq::buffer(frame));
-    try {
-      // A full queue drops the message: the receiver notices the gap, and it is
-      // sent again (adapters/agents/PROTOCOL.md 4.4).
-      zmq::send_multipart(router_, parts, zmq::send_flags::dontwait);
-    } catch (const zmq::error_t&) {
-      // No peer has this name any more. It is reported by drain(), outside of
-      // the exchange's call.
-      lost_.push_back(id);
+    auto& peer = peers_.at(id);
+    if (!peer.packs)
+      return send(id, peer, message);
+    if (!may_be_packed(message)) {
+      send_packed(id, peer);
+      return send(id, peer, message);
     }
-    inflow_.go_on();
+    if (peer.packed.empty())
+      to_be_sent_.push_back(id);
+    peer.packed.add(message);
+    if (peer.packed.is_full())
+      send_packed(id, peer);
+    flush_soon();
+  }
+  void pack(ConnectionId id) override {
+    peers_.at(id).packs = true;
   }
 
   void close(ConnectionId id) override {
-    if (const auto name = names_.extract(id))
-      ids_.erase(name.mapped());
+    const auto found = peers_.find(id);
+    if (found == peers_.end())
+      return;
+    send_packed(id, found->second);
+    ids_.erase(found->second.name);
+    peers_.erase(found);
   }
   void shut() override {
     is_shut_ = true;
+    flush();
     inflow_.stop();
     if (questions_inflow_)
       questions_inflow_->stop();
-    names_.clear();
+    peers_.clear();
     ids_.clear();
   }
   std::string address() const override {
@@ -148,13 +106,28 @@ private:
   // More frames than a message can have: what follows them is not kept.
   static constexpr std::size_t max_frames = max_parameters + 16;
 
+  // Another side of a connection.
+  struct Peer {
+    std::string name;
+    // It reads packed messages.
+    bool packs = false;
+    PackedLines packed = {};
+  };
+
+  // What is written meanwhile leaves together at the end.
   void drain() {
+    is_draining_ = true;
+    std::vector<zmq::message_t> frames;
     for (int i = 0; i < max_at_once && !is_shut_; ++i) {
-      const auto frames = receive();
+      receive(frames);
       if (frames.empty())
         break;
       take(frames);
+      if (is_packed(frames))
+        break; // those were many
     }
+    is_draining_ = false;
+    flush();
     for (const auto id : std::exchange(lost_, {}))
       if (has(id)) {
         close(id);
@@ -162,9 +135,68 @@ private:
       }
   }
 
+  // -- what leaves ------------------------------------------------------------
+
+  // Each field as a frame.
+  void send(ConnectionId id, const Peer& peer, const AgentMessage& message) {
+    const auto frames = frames_of(message);
+    if (!frames)
+      // The exchange has checked messages that are to be delivered.
+      return;
+    std::vector<zmq::const_buffer> parts = {zmq::buffer(peer.name)};
+    for (const auto& frame : *frames)
+      parts.push_back(zmq::buffer(frame));
+    // A full queue drops the message: the receiver notices the gap, and it is
+    // sent again (adapters/agents/PROTOCOL.md 4.4).
+    try_to(id, [&] {
+      zmq::send_multipart(router_, parts, zmq::send_flags::dontwait);
+    });
+    inflow_.go_on();
+  }
+
+  void send_packed(ConnectionId id, Peer& peer) {
+    if (peer.packed.empty())
+      return;
+    try_to(id, [&] {
+      router_.send(zmq::buffer(peer.name),
+                   zmq::send_flags::sndmore | zmq::send_flags::dontwait);
+      peer.packed.send(router_);
+    });
+  }
+
+  template <class Send>
+  void try_to(ConnectionId id, Send&& send) {
+    try {
+      send();
+    } catch (const zmq::error_t&) {
+      // No peer has this name any more. It is reported by drain(), outside of
+      // the exchange's call.
+      lost_.push_back(id);
+    }
+  }
+
+  void flush_soon() {
+    if (is_draining_ || std::exchange(is_flushing_, true))
+      return;
+    loop_.post([this, life = std::weak_ptr<bool>(life_)] {
+      if (!life.expired())
+        flush();
+    });
+  }
+  void flush() {
+    is_flushing_ = false;
+    for (const auto id : to_be_sent_)
+      if (const auto found = peers_.find(id); found != peers_.end())
+        send_packed(id, found->second);
+    to_be_sent_.clear();
+    inflow_.go_on();
+  }
+
+  // -- what arrives -----------------------------------------------------------
+
   // The frames of a message; none if there is no message.
-  std::vector<zmq::message_t> receive() {
-    std::vector<zmq::message_t> frames;
+  void receive(std::vector<zmq::message_t>& frames) {
+    frames.clear();
     bool more = true;
     while (more) {
       zmq::message_t frame;
@@ -174,13 +206,23 @@ private:
       if (frames.size() < max_frames)
         frames.push_back(std::move(frame));
     }
-    return frames;
   }
 
+  static bool is_packed(const std::vector<zmq::message_t>& frames) {
+    return frames.size() == 2;
+  }
+
+  // The first frame is the peer's name, which ROUTER adds.
   void take(const std::vector<zmq::message_t>& frames) {
     const auto id = id_of(frames);
+    events_.heard(id);
+    if (is_packed(frames))
+      return reader_.read(frames.back().to_string_view(),
+                          [&](Read<AgentMessage>&& message) {
+                            if (has(id)) // it may be closed at any message
+                              events_.arrived(id, std::move(message));
+                          });
     auto fields = texts(frames);
-    // The first frame is the peer's name, which ROUTER adds.
     fields.erase(fields.begin());
     events_.arrived(id, read_frames(std::move(fields)));
   }
@@ -189,7 +231,7 @@ private:
   // peer has authenticated is the property "User-Id" of its messages.
   ConnectionId id_of(const std::vector<zmq::message_t>& frames) {
     auto name = frames.front().to_string();
-    auto key = property(frames.back(), "User-Id");
+    auto key = questions_ ? property(frames.back(), "User-Id") : std::string();
     if (const auto found = ids_.find(name); found != ids_.end()) {
       const auto [id, former_key] = found->second;
       if (former_key == key)
@@ -200,7 +242,7 @@ private:
     }
     const auto id = events_.next_id();
     ids_[name] = {id, key};
-    names_[id] = std::move(name);
+    peers_[id].name = std::move(name);
     events_.opened(id, {property(frames.back(), "Peer-Address"), std::move(key),
                         !is_loopback_});
     return id;
@@ -261,6 +303,7 @@ private:
     zmq::send_multipart(*questions_, parts);
   }
 
+  Loop& loop_;
   TransportEvents& events_;
   const std::vector<std::string> allowed_;
   const bool is_loopback_;
@@ -269,11 +312,20 @@ private:
   Inflow inflow_;
   std::optional<zmq::socket_t> questions_;
   std::optional<Inflow> questions_inflow_;
-  std::map<ConnectionId, std::string> names_;
+  PackedReader reader_;
+  std::map<ConnectionId, Peer> peers_;
   // With the key of each.
   std::map<std::string, std::pair<ConnectionId, std::string>> ids_;
   std::vector<ConnectionId> lost_;
+  // Those for which something is packed.
+  std::vector<ConnectionId> to_be_sent_;
   bool is_shut_ = false;
+  // drain() is under way, and will flush.
+  bool is_draining_ = false;
+  // flush() has been posted.
+  bool is_flushing_ = false;
+  // What is posted runs only while it is there.
+  const std::shared_ptr<bool> life_ = std::make_shared<bool>();
 };
 
 // Without keys, only loopback may be used.

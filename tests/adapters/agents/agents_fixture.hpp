@@ -127,11 +127,16 @@ public:
       parts.push_back(zmq::buffer(frame));
     zmq::send_multipart(socket_, parts);
   }
-  // As a line.
+  void say_packed(const std::string& lines) {
+    socket_.send(zmq::buffer(lines), zmq::send_flags::none);
+  }
+  // As a line; what is packed as it is.
   std::string hear() {
     std::vector<zmq::message_t> frames;
     if (!zmq::recv_multipart(socket_, std::back_inserter(frames)))
       return "nothing";
+    if (frames.size() == 1)
+      return frames.front().to_string();
     std::vector<std::string_view> texts;
     for (const auto& frame : frames)
       texts.push_back(frame.to_string_view());

@@ -93,7 +93,7 @@ class Hostile:
 
     def flooding(self):
         """As an agent that needs no token."""
-        for flood in (b"text;n=101,,Sensor,Sensed\n",
+        for flood in (b"text;n=1001,,Sensor,Sensed\n",
                       b"beat\n" * 10_000 * MANY,
                       b"hello,,Sensor,Hello,roles=Taxi\n" * 1000 * MANY,
                       b"text,,Sensor,Sensed,x\n" * 2500 * MANY,

@@ -15,6 +15,9 @@ struct BenchRows {
   int runs = 5;
   // The name of one row; empty: all.
   std::string only;
+  // Of the table `agents`: how many connect, and how long audio is carried.
+  int agents = 1000;
+  int seconds = 60;
 
   bool wants(const std::string& row) const {
     return only.empty() || only == row;

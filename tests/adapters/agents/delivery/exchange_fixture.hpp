@@ -23,6 +23,9 @@ public:
     line.pop_back();
     notes.push_back(std::to_string(id) + "< " + line);
   }
+  void pack(ConnectionId id) override {
+    notes.push_back(std::to_string(id) + " packed");
+  }
   void close(ConnectionId id) override {
     notes.push_back(std::to_string(id) + " closed");
   }
@@ -33,7 +36,7 @@ public:
     notes.push_back(agent + " offline");
   }
   std::optional<WireError> received(const std::string& agent,
-                                    AgentMessage message) override {
+                                    AgentMessage&& message) override {
     if (message.command == "Unwanted")
       return WireError{WireErrorKind::refused, "nobody takes it"};
     if (message.command == "Garbled")

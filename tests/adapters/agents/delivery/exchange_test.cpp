@@ -15,7 +15,7 @@ TEST_F(AgentExchangeTest, WelcomesAnAgent) {
   EXPECT_THAT(
       world.take(),
       ElementsAre("1< welcome,,Parlour,Welcome,version=1,incarnation=bb,"
-                  "seen=aa:0,window=100",
+                  "seen=aa:0,window=1000",
                   "Robot online"));
   EXPECT_TRUE(exchange.is_online("Robot"));
 }
@@ -219,7 +219,7 @@ TEST_F(AgentExchangeTest, WhoReturnsGoesOn) {
   say(2, "hello,,Robot,Hello,incarnation=aa,seen=bb:1");
   EXPECT_THAT(world.take(),
               testing::Contains("2< welcome,,Parlour,Welcome,version=1,"
-                                "incarnation=bb,seen=aa:0,window=100"));
+                                "incarnation=bb,seen=aa:0,window=1000"));
 }
 
 TEST_F(AgentExchangeTest, SaysThatNobodyTakesAMessage) {

@@ -19,7 +19,7 @@ AgentMessage said(std::vector<std::string> parameters) {
 TEST(Hello, GoesThereAndBack) {
   Hello hello;
   hello.name = "Robot";
-  hello.introduction = {"0f3a", "99aa", 12, 7};
+  hello.introduction = {"0f3a", "99aa", 12, 7, true};
   hello.roles = {"Robot", "Sensor"};
   hello.json = true;
   hello.token = "secret=1";

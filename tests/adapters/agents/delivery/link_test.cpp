@@ -2,6 +2,7 @@
 
 #include "adapters/agents/delivery/link.hpp"
 #include "runtime/base/random.hpp"
+#include "tests/adapters/agents/delivery/link_output.hpp"
 
 namespace parlour::adapters::agents {
 namespace {
@@ -11,12 +12,6 @@ std::size_t below(Random& random, std::size_t end) {
 }
 
 using testing::ElementsAre;
-
-AgentMessage numbered(std::uint64_t what) {
-  AgentMessage message;
-  message.command = std::to_string(what);
-  return message;
-}
 
 // One end, and what it has received.
 struct End {
@@ -51,9 +46,9 @@ protected:
   }
   // Both ends write once, and what they write arrives.
   void exchange() {
-    for (auto& message : platform.link.take_output(now))
+    for (auto& message : output_of(platform.link, now))
       EXPECT_TRUE(robot.take(message, now));
-    for (auto& message : robot.link.take_output(now))
+    for (auto& message : output_of(robot.link, now))
       EXPECT_TRUE(platform.take(message, now));
   }
 
@@ -78,10 +73,10 @@ TEST_F(LinkTest, SendsAgainWhatWasLostWithAConnection) {
   platform.link.send(numbered(1));
   exchange();
   platform.link.send(numbered(2));
-  platform.link.take_output(now); // lost
+  output_of(platform.link, now); // lost
   disconnect();
   platform.link.send(numbered(3));
-  EXPECT_TRUE(platform.link.take_output(now).empty());
+  EXPECT_TRUE(output_of(platform.link, now).empty());
   connect();
   exchange();
   EXPECT_THAT(robot.received, ElementsAre("1", "2", "3"));
@@ -101,7 +96,7 @@ TEST_F(LinkTest, DropsWhatItHasSeen) {
 TEST_F(LinkTest, NoticesAGap) {
   connect();
   platform.link.send(numbered(1));
-  platform.link.take_output(now); // lost, though the connection stands
+  output_of(platform.link, now); // lost, though the connection stands
   platform.link.send(numbered(2));
   exchange();
   EXPECT_TRUE(robot.received.empty());
@@ -112,7 +107,7 @@ TEST_F(LinkTest, NoticesAGap) {
 TEST_F(LinkTest, NoticesByABeatThatTheLastWasLost) {
   connect();
   platform.link.send(numbered(1));
-  platform.link.take_output(now); // lost
+  output_of(platform.link, now); // lost
   now += Link::beat_after.count();
   exchange(); // the beat, and the gap
   exchange();
@@ -123,7 +118,7 @@ TEST_F(LinkTest, BeginsAfreshWithAnotherProcess) {
   connect();
   for (std::uint64_t i = 1; i <= 3; ++i)
     platform.link.send(numbered(i));
-  platform.link.take_output(now); // lost with the process
+  output_of(platform.link, now); // lost with the process
   disconnect();
   robot = End("another robot");
   robot.link.send(numbered(7));
@@ -137,14 +132,14 @@ TEST_F(LinkTest, SendsNoMoreThanTheWindow) {
   connect();
   for (std::uint64_t i = 1; i <= 250; ++i)
     ASSERT_TRUE(platform.link.send(numbered(i)));
-  EXPECT_EQ(platform.link.take_output(now).size(), Link::own_window);
-  EXPECT_TRUE(platform.link.take_output(now).empty());
+  EXPECT_EQ(output_of(platform.link, now).size(), Link::usual_window);
+  EXPECT_TRUE(output_of(platform.link, now).empty());
 }
 
 TEST_F(LinkTest, AcknowledgesOnlyWhatIsHandedOn) {
   connect();
   platform.link.send(numbered(1));
-  for (auto& message : platform.link.take_output(now))
+  for (auto& message : output_of(platform.link, now))
     EXPECT_TRUE(robot.link.receive(message, now).deliver);
   now += 2 * Link::beat_after.count();
   exchange();
@@ -167,7 +162,7 @@ TEST_F(LinkTest, RefusesWhatItsOutboxCannotHold) {
 TEST_F(LinkTest, EndsAFlood) {
   connect();
   auto message = numbered(1);
-  message.number = Link::own_window + 1;
+  message.number = Link::usual_window + 1;
   EXPECT_EQ(robot.link.receive(message, now).error->kind, WireErrorKind::flood);
 }
 
@@ -184,7 +179,7 @@ TEST_F(LinkTest, TakesALateAcknowledgementAfterAGap) {
   connect();
   platform.link.send(numbered(1));
   platform.link.send(numbered(2));
-  platform.link.take_output(now);
+  output_of(platform.link, now);
   AgentMessage gap;
   gap.kind = MessageKind::ack;
   gap.acknowledged = 0;
@@ -200,7 +195,7 @@ TEST_F(LinkTest, TakesALateAcknowledgementAfterAGap) {
 TEST_F(LinkTest, BeatsAndNoticesSilence) {
   connect();
   now = *robot.link.next_tick();
-  EXPECT_EQ(robot.link.take_output(now).at(0).kind, MessageKind::beat);
+  EXPECT_EQ(output_of(robot.link, now).at(0).kind, MessageKind::beat);
   EXPECT_TRUE(robot.link.tick(now));
   now = 1000 + Link::offline_after.count();
   EXPECT_FALSE(robot.link.tick(now));
@@ -224,7 +219,7 @@ TEST_F(LinkTest, LosesNothingAndRepeatsNothing) {
     std::size_t sent = 0;
     // One direction: what is written may be cut off, or lose its middle.
     const auto carry = [&](End& from, End& to) {
-      auto output = from.link.take_output(now);
+      auto output = output_of(from.link, now);
       const bool cut = below(random, 10) == 0;
       for (auto& message : output) {
         if (cut && below(random, 3) == 0)
@@ -299,7 +294,7 @@ TEST_F(LinkTest, BeginsAfreshWithAPeerThatHasForgotten) {
 TEST_F(LinkTest, NoticesALostMessageWhileAcknowledgementsFlow) {
   connect();
   platform.link.send(numbered(1));
-  platform.link.take_output(now); // lost
+  output_of(platform.link, now); // lost
   for (std::uint64_t i = 1; i <= 30; ++i) {
     robot.link.send(numbered(i));
     now += 100;
@@ -342,7 +337,7 @@ TEST_F(LinkTest, ReadsTheWindow) {
   ack.acknowledged = 0;
   ack.window = 2;
   EXPECT_FALSE(platform.link.receive(ack, now).error);
-  EXPECT_EQ(platform.link.take_output(now).size(), 2U);
+  EXPECT_EQ(output_of(platform.link, now).size(), 2U);
 }
 
 TEST_F(LinkTest, AcknowledgesInTime) {
@@ -370,7 +365,7 @@ TEST_F(LinkTest, WithdrawnRequestsAreCountedAndNotDelivered) {
   platform.link.send(numbered(1));
   platform.link.send(std::move(request));
   platform.link.send(numbered(3));
-  platform.link.take_output(now); // lost
+  output_of(platform.link, now); // lost
   disconnect();
   platform.link.withdraw_requests();
   connect();

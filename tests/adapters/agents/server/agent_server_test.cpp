@@ -152,6 +152,30 @@ TEST_F(AgentServerTest, IsCalledWithoutALock) {
   EXPECT_THAT(component->wait_for(1), ElementsAre("Robot online"));
 }
 
+// What it says within a call leaves at once, and in its order.
+TEST_F(AgentServerTest, AComponentMayAnswerAtOnce) {
+  class Answering : public NotingComponent {
+  public:
+    explicit Answering(AgentServer& its_server) : server(its_server) {}
+    std::optional<WireError> received(AgentMessage message) override {
+      server.send("Robot", command(message.command + "1"));
+      server.send("Robot", command(message.command + "2"));
+      return {};
+    }
+    AgentServer& server;
+  };
+  start({{}, LineOptions(), {}});
+  server->attach("Robot", std::make_shared<Answering>(*server));
+  LineAgent robot(server->addresses().at(0));
+  robot.say("hello,,Robot,Hello");
+  robot.hear();
+  robot.say("text,,Robot,A\ntext,,Robot,B");
+  EXPECT_THAT(robot.hear(), HasSubstr("A1"));
+  EXPECT_THAT(robot.hear(), HasSubstr("A2"));
+  EXPECT_THAT(robot.hear(), HasSubstr("B1"));
+  EXPECT_THAT(robot.hear(), HasSubstr("B2"));
+}
+
 TEST_F(AgentServerTest, NobodyComesFromOutsideWithoutACredential) {
   const auto refusal = [](const char* address) {
     const auto keys = new_key_pair().value();

@@ -150,7 +150,7 @@ TEST_F(HostilePeersTest, Floods) {
     hellos += "hello,,Porter,Hello,token=secret\n";
   }
   for (const auto& flood :
-       {std::string("text;n=101,,Porter,Moved\n"), unnumbered, hellos}) {
+       {std::string("text;n=1001,,Porter,Moved\n"), unnumbered, hellos}) {
     HostilePeer peer(server->addresses().at(0));
     peer.say("hello,,Porter,Hello,token=secret\n" + flood);
     peer.hear_to_the_end();

@@ -184,6 +184,56 @@ TEST(LineReader, NeverReadsAPayloadAsLines) {
   }
 }
 
+// Fields are looked at in blocks: wherever it stands, a character that needs
+// quotation marks or an escape is found.
+TEST(TextLine, FindsWhatMustBeQuotedAnywhere) {
+  for (const char special : {',', '"', '\n', '\r', '\\', ' '})
+    for (std::size_t size = 1; size < 40; ++size)
+      for (std::size_t at = 0; at < size; ++at) {
+        AgentMessage message;
+        message.component = "Robot";
+        message.command = "Say";
+        message.parameters = {std::string(size, 'x')};
+        message.parameters[0][at] = special;
+        LineReader reader;
+        const auto read = read_all(reader, line_of(message).value());
+        ASSERT_EQ(read.size(), 1U);
+        ASSERT_EQ(read[0], message) << size << ' ' << at << ' ' << special;
+      }
+}
+
+// Bytes that are read to where they are kept, in pieces of any size, among them
+// messages that are longer than usual.
+TEST(LineReader, GivesRoomForWhatArrives) {
+  std::string stream;
+  std::vector<std::string> expected;
+  for (int i = 0; i < 60; ++i) {
+    AgentMessage message;
+    message.command = std::to_string(i);
+    message.parameters = {std::string(i % 20 == 7 ? 200'000 : 700, 'x')};
+    stream += line_of(message).value();
+    expected.push_back(message.command);
+  }
+  LineReader reader;
+  std::vector<std::string> commands;
+  std::size_t step = 1;
+  for (std::string_view rest = stream; !rest.empty();) {
+    step = step * 7 % 40'009;
+    const auto room = reader.room(step);
+    ASSERT_GE(room.size(), step);
+    const auto size = std::min(step, rest.size());
+    rest.copy(room.data(), size);
+    rest.remove_prefix(size);
+    reader.added(size);
+    while (auto read = reader.next())
+      commands.push_back(read->value().command);
+    EXPECT_EQ(reader.has_part(),
+              commands.size() < expected.size() &&
+                  stream[stream.size() - rest.size() - 1] != '\n');
+  }
+  EXPECT_EQ(commands, expected);
+}
+
 TEST(TextLine, QuotesOnlyWholeCharacters) {
   LineReader reader;
   std::string name;

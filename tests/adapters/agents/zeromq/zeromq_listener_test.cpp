@@ -6,7 +6,9 @@
 namespace parlour::adapters::agents {
 namespace {
 
+using testing::AllOf;
 using testing::ElementsAre;
+using testing::EndsWith;
 using testing::HasSubstr;
 using testing::StartsWith;
 
@@ -23,6 +25,35 @@ TEST_F(ZeroMQListenerTest, SpeaksByZeroMQ) {
   EXPECT_EQ(robot.hear(), "ack;a=1");
   server->send("Robot", command("Goto"));
   EXPECT_EQ(robot.hear(), "text;n=1;a=1,,Robot,Goto");
+}
+
+TEST_F(ZeroMQListenerTest, PacksForWhoeverReadsIt) {
+  start({{}, {}, ServerOptions::ZeroMQ()});
+  FrameAgent robot(server->addresses().at(0));
+  robot.say("hello,,Robot,Hello,incarnation=aa,packed=1");
+  EXPECT_THAT(robot.hear(), HasSubstr("packed=1"));
+  EXPECT_THAT(component->wait_for(1), ElementsAre("Robot online"));
+  robot.say_packed("text;n=1,,Robot,Seen\ntext;n=2,,Robot,Lost\nshout\n");
+  EXPECT_THAT(component->wait_for(2), ElementsAre("Seen", "Lost"));
+  EXPECT_THAT(robot.hear(),
+              AllOf(StartsWith("error,,Parlour,unknown"), EndsWith("\n")));
+  EXPECT_EQ(robot.hear(), "ack;a=2\n");
+  server->send("Robot", command("Goto"));
+  EXPECT_EQ(robot.hear(), "text;n=1;a=2,,Robot,Goto\n");
+}
+
+// A closed connection takes nothing of what was packed behind.
+TEST_F(ZeroMQListenerTest, NothingIsTakenBehindAClosingMistake) {
+  start({{}, {}, ServerOptions::ZeroMQ()});
+  FrameAgent robot(server->addresses().at(0));
+  robot.say("hello,,Robot,Hello,incarnation=aa,packed=1");
+  robot.hear();
+  component->wait_for(1);
+  robot.say_packed("text,,Porter,Seen\ntext,,Robot,Arrived\n");
+  EXPECT_THAT(component->wait_for(1), ElementsAre("offline"));
+  EXPECT_THAT(robot.hear(), StartsWith("error,,Parlour,identity"));
+  robot.say("hello,,Robot,Hello,incarnation=aa");
+  EXPECT_THAT(component->wait_for(1), ElementsAre("Robot online"));
 }
 
 TEST_F(ZeroMQListenerTest, LetsInWhoHasAKey) {

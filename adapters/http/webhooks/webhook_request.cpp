@@ -36,17 +36,24 @@ std::string decoded(std::string_view text, bool plus_is_blank) {
   return result;
 }
 
+// What stands before the separator, or all if there is none. `text` keeps what
+// stands behind it.
+std::string_view take_until(std::string_view& text, char separator) {
+  const auto end = text.find(separator);
+  const auto taken = text.substr(0, end);
+  text = end == std::string_view::npos ? "" : text.substr(end + 1);
+  return taken;
+}
+
 // Calls `take` with each name and value of "a=b&c=d", decoded.
 void each_pair(std::string_view text,
                const std::function<void(std::string, std::string)>& take) {
   while (!text.empty()) {
-    const auto end = std::min(text.find('&'), text.size());
-    const auto pair = text.substr(0, end);
-    const auto equals = std::min(pair.find('='), pair.size());
-    if (!pair.empty())
-      take(form_decoded(pair.substr(0, equals)),
-           form_decoded(pair.substr(std::min(equals + 1, pair.size()))));
-    text.remove_prefix(std::min(end + 1, text.size()));
+    auto value = take_until(text, '&');
+    if (value.empty())
+      continue;
+    auto name = form_decoded(take_until(value, '='));
+    take(std::move(name), form_decoded(value));
   }
 }
 

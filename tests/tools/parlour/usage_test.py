@@ -32,7 +32,7 @@ PRINTING = (
     ("test", "app"), ("understand", "app", "hello"))
 # A program of its own, one that waits for a platform, and one that asks what
 # runs.
-NOT_TRIED = {"agent", "bench", "status"}
+NOT_TRIED = {"agent", "bench", "status", "tap"}
 
 # Arguments, status, and what is said about it.
 MISTAKES = (

@@ -8,7 +8,7 @@ OneCore::OneCore() {
   CPU_ZERO(&before_);
   if (sched_getaffinity(0, sizeof before_, &before_) != 0)
     return;
-  for (int core = CPU_SETSIZE - 1; core >= 0; --core)
+  for (std::size_t core = CPU_SETSIZE; core-- > 0;)
     if (CPU_ISSET(core, &before_)) {
       cpu_set_t one;
       CPU_ZERO(&one);

@@ -35,16 +35,6 @@ std::string new_request_id() {
   return id;
 }
 
-// The parts of a message that the answer needs.
-Message without_its_way(const Message& message) {
-  Message kept;
-  kept.command = message.command;
-  kept.params = message.params;
-  kept.session = message.session;
-  kept.correlation = message.correlation;
-  return kept;
-}
-
 } // namespace
 
 HTTPService::HTTPService(Environment environment)
@@ -132,26 +122,17 @@ int HTTPService::take_webhook(const WebhookRequest& request) {
 // The rules live as long as the client, which is destroyed first.
 void HTTPService::ask(const CommandRule& rule, const Message& message,
                       HttpRequest request) {
-  {
-    const std::lock_guard lock(mutex_);
-    ++untold_;
-  }
+  open_.open();
   client_->submit(std::move(request),
                   [this, &rule, message](const TryOutcome& outcome) {
                     if (outcome)
                       tell(rule, message, *outcome);
                     else
                       tell_failure(rule, message, outcome.error());
-                    const std::lock_guard lock(mutex_);
-                    --untold_;
-                    told_.notify_all();
+                    open_.close();
                   });
-  if (!one_by_one_)
-    return;
-  // In virtual time the next message may not be taken, nor the clock advanced,
-  // before this one is answered.
-  std::unique_lock lock(mutex_);
-  told_.wait(lock, [this] { return untold_ == 0; });
+  if (one_by_one_)
+    open_.wait_for_all();
 }
 
 void HTTPService::tell_sample(const CommandRule& rule, const Message& message) {

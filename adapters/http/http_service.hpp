@@ -15,13 +15,12 @@
 // time needs.
 #pragma once
 
-#include <condition_variable>
 #include <memory>
-#include <mutex>
 #include <string>
 #include <vector>
 
 #include "adapters/http/service_options.hpp"
+#include "runtime/plugin/open_messages.hpp"
 #include "runtime/plugin/plugin.hpp"
 
 namespace parlour::adapters::http {
@@ -55,10 +54,7 @@ private:
   ServiceRules rules_;
   bool samples_ = false;
   bool one_by_one_ = false;
-  std::mutex mutex_;
-  // Notified with each answer; `untold_` counts the messages without one.
-  std::condition_variable told_;
-  std::size_t untold_ = 0;
+  OpenMessages open_;
   // The last members: they still fire events while they are destroyed.
   std::unique_ptr<WebhookListener> listener_;
   std::unique_ptr<HttpClient> client_;

@@ -150,22 +150,12 @@ void DevicePolicy::tell(const Device& device, Moment now) {
   const auto spoken = table_.spoken(device);
   if (!spoken)
     return;
-  if (!may_tell(now))
+  if (!news_.admit(now))
     return complain(Complaint::news,
                     "devices change too fast; conversations do not hear of " +
                         in_quotes(device.entity.id),
                     now);
   deeds_.emplace_back(News{{spoken->device, spoken->room, device.state}});
-}
-
-bool DevicePolicy::may_tell(Moment now) {
-  const std::chrono::duration<double> gone = now - news_at_;
-  news_ = std::min(most_news, news_ + gone.count() * news_in_a_second);
-  news_at_ = now;
-  if (news_ < 1)
-    return false;
-  news_ -= 1;
-  return true;
 }
 
 // -- messages of conversations ------------------------------------------------

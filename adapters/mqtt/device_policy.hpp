@@ -17,6 +17,7 @@
 #include "adapters/mqtt/device_list.hpp"
 #include "adapters/mqtt/device_requests.hpp"
 #include "adapters/mqtt/device_table.hpp"
+#include "runtime/base/rate_limit.hpp"
 
 namespace parlour::adapters::mqtt {
 
@@ -36,8 +37,8 @@ public:
   static constexpr std::size_t max_payload = 262'144;
   // How many events may be told at once, and in a second. More would make the
   // platform think that the component has lost its mind (docs/components.md).
-  static constexpr double most_news = 200;
-  static constexpr double news_in_a_second = 100;
+  static constexpr unsigned most_news = 200;
+  static constexpr unsigned news_in_a_second = 100;
 
   DevicePolicy(PolicySettings settings, DeviceList list);
   DevicePolicy(const DevicePolicy&) = delete;
@@ -78,7 +79,6 @@ private:
   static void read_availability(Device& device, const std::string& topic,
                                 const Payload& payload);
   void tell(const Device& device, Moment now);
-  bool may_tell(Moment now);
   void follow_table();
   bool is_settled(Moment now) const;
   void complain(Complaint kind, const std::string& text, Moment now);
@@ -97,8 +97,7 @@ private:
   // It was logged how many devices there are.
   bool has_counted_ = false;
   // How many events may be told now, and since when that is so.
-  double news_ = most_news;
-  Moment news_at_{};
+  RateLimit news_{news_in_a_second, most_news};
 };
 
 } // namespace parlour::adapters::mqtt

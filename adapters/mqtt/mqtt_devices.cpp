@@ -14,17 +14,7 @@ using Steady = std::chrono::steady_clock;
 
 // How many messages may be without an answer; the policy has a limit for those
 // that it has taken in.
-constexpr std::size_t max_untold = 2 * DeviceRequests::max_pending;
-
-// The parts of a message that the policy and the answer need.
-Message without_its_way(const Message& message) {
-  Message kept;
-  kept.command = message.command;
-  kept.params = message.params;
-  kept.session = message.session;
-  kept.correlation = message.correlation;
-  return kept;
-}
+constexpr std::size_t max_open = 2 * DeviceRequests::max_pending;
 
 } // namespace
 
@@ -169,29 +159,19 @@ void MQTTDevices::stop() {
 }
 
 void MQTTDevices::on_message(const Message& message) {
-  std::unique_lock lock(mutex_);
-  if (!house_ || untold_ >= max_untold) {
-    lock.unlock();
-    return fire_event("Failed", {house_ ? "Too many wait for the devices."
-                                        : "The component is stopped."});
-  }
-  ++untold_;
-  lock.unlock();
+  if (!house_)
+    return fire_event("Failed", {"The component is stopped."});
+  if (!open_.open(max_open))
+    return fire_event("Failed", {"Too many wait for the devices."});
   house_->order(without_its_way(message));
-  if (!options_.one_by_one)
-    return;
-  lock.lock();
-  // In virtual time the next message may not be taken, nor the clock advanced,
-  // before this one is answered.
-  told_.wait(lock, [this] { return untold_ == 0; });
+  if (options_.one_by_one)
+    open_.wait_for_all();
 }
 
 void MQTTDevices::tell(const Message& to, const std::string& command,
                        std::vector<Value> params) {
   answer(to, command, std::move(params));
-  const std::lock_guard lock(mutex_);
-  --untold_;
-  told_.notify_all();
+  open_.close();
 }
 
 } // namespace parlour::adapters::mqtt

@@ -13,12 +13,10 @@
 // option `one-by-one`, which virtual time needs.
 #pragma once
 
-#include <condition_variable>
-#include <cstddef>
 #include <memory>
-#include <mutex>
 
 #include "adapters/mqtt/mqtt_options.hpp"
+#include "runtime/plugin/open_messages.hpp"
 #include "runtime/plugin/plugin.hpp"
 
 namespace parlour::adapters::mqtt {
@@ -44,10 +42,7 @@ private:
             std::vector<Value> params);
 
   MQTTOptions options_;
-  std::mutex mutex_;
-  // Notified with each answer; `untold_` counts the messages without one.
-  std::condition_variable told_;
-  std::size_t untold_ = 0;
+  OpenMessages open_;
   // The last member: it still answers messages while it is destroyed.
   std::unique_ptr<House> house_;
 };

@@ -19,17 +19,6 @@ std::string own_name(const std::string& database) {
          std::to_string(random() % 1000);
 }
 
-// The parts of a message that the pool and the answer need. The rest, such as
-// the sinks, has served its purpose and is not copied.
-Message without_its_way(const Message& message) {
-  Message kept;
-  kept.command = message.command;
-  kept.params = message.params;
-  kept.session = message.session;
-  kept.correlation = message.correlation;
-  return kept;
-}
-
 } // namespace
 
 MySQLDatabase::MySQLDatabase() = default;
@@ -89,16 +78,10 @@ void MySQLDatabase::on_message(const Message& message) {
 }
 
 void MySQLDatabase::submit(DatabaseOrder order) {
-  std::unique_lock lock(mutex_);
-  ++untold_;
-  lock.unlock();
+  open_.open();
   pool_->submit(std::move(order));
-  if (!options_.one_by_one)
-    return;
-  lock.lock();
-  // In virtual time the next message may not be taken, nor the clock advanced,
-  // before this one is answered.
-  told_.wait(lock, [this] { return untold_ == 0; });
+  if (options_.one_by_one)
+    open_.wait_for_all();
 }
 
 // A component has exactly one database, which its settings name, not the
@@ -113,9 +96,7 @@ void MySQLDatabase::tell(const Message& message, StatementOutcome outcome) {
     answer(message, "Result", result_params(message, std::move(*outcome)));
   else
     fail_with(message, outcome.error());
-  const std::lock_guard lock(mutex_);
-  --untold_;
-  told_.notify_all();
+  open_.close();
 }
 
 void MySQLDatabase::fail_with(const Message& message, const Error& error) {

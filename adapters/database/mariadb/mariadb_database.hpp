@@ -14,13 +14,12 @@
 // stops, or with the option `one-by-one`, which virtual time needs.
 #pragma once
 
-#include <condition_variable>
 #include <memory>
-#include <mutex>
 
 #include "adapters/database/database_command.hpp"
 #include "adapters/database/mariadb/mariadb_options.hpp"
 #include "adapters/database/statement.hpp"
+#include "runtime/plugin/open_messages.hpp"
 #include "runtime/plugin/plugin.hpp"
 
 namespace parlour::adapters {
@@ -48,10 +47,7 @@ private:
   void fail_with(const Message& message, const Error& error);
 
   MariaDBOptions options_;
-  std::mutex mutex_;
-  // Notified with each answer; `untold_` counts the messages without one.
-  std::condition_variable told_;
-  std::size_t untold_ = 0;
+  OpenMessages open_;
   // The last member: it still answers messages while it is destroyed.
   std::unique_ptr<MariaDBPool> pool_;
 };

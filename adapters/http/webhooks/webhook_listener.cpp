@@ -11,9 +11,9 @@
 #include <asio/ip/tcp.hpp>
 #include <asio/steady_timer.hpp>
 
-#include "adapters/http/policy/rate_limit.hpp"
 #include "adapters/http/webhooks/webhook_connection.hpp"
 #include "adapters/loop/loop.hpp"
+#include "runtime/base/rate_limit.hpp"
 
 namespace parlour::adapters::http {
 

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
-#include "adapters/http/policy/rate_limit.hpp"
+#include "runtime/base/rate_limit.hpp"
 
-namespace parlour::adapters::http {
+namespace parlour {
 namespace {
 
 using std::chrono::milliseconds;
@@ -24,5 +24,13 @@ TEST(RateLimit, LetsSoManyPassInASecond) {
   EXPECT_EQ(admitted(limit, now, 50), 10); // no more are saved up
 }
 
+TEST(RateLimit, LetsMorePassAtOnce) {
+  RateLimit limit(10, 20);
+  RateLimit::Moment now{milliseconds(5'000)};
+  EXPECT_EQ(admitted(limit, now, 50), 20);
+  now += milliseconds(1'000);
+  EXPECT_EQ(admitted(limit, now, 50), 10);
+}
+
 } // namespace
-} // namespace parlour::adapters::http
+} // namespace parlour

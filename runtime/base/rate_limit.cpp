@@ -1,12 +1,12 @@
-#include "adapters/http/policy/rate_limit.hpp"
+#include "runtime/base/rate_limit.hpp"
 
 #include <algorithm>
 
-namespace parlour::adapters::http {
+namespace parlour {
 
 bool RateLimit::admit(Moment now) {
   const std::chrono::duration<double> passed = now - last_;
-  left_ = std::min(per_second_, left_ + passed.count() * per_second_);
+  left_ = std::min(at_once_, left_ + passed.count() * per_second_);
   last_ = now;
   if (left_ < 1)
     return false;
@@ -14,4 +14,4 @@ bool RateLimit::admit(Moment now) {
   return true;
 }
 
-} // namespace parlour::adapters::http
+} // namespace parlour

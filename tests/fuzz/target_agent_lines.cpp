@@ -2,6 +2,7 @@
 // it. What is accepted must be written as something that reads the same.
 #include <algorithm>
 #include <cstdlib>
+#include <optional>
 
 #include "adapters/agents/delivery/exchange.hpp"
 #include "adapters/agents/wire/parameters.hpp"
@@ -18,14 +19,16 @@ public:
     if (!line_of(message))
       std::abort(); // the platform writes what can be written
   }
+  void pack(ConnectionId) override {}
   void close(ConnectionId) override {
     closed = true;
   }
   void online(const Hello&) override {}
   void offline(const std::string&) override {}
-  bool received(const std::string&, AgentMessage message) override {
-    static_cast<void>(message_from_agent(message, true));
-    return true;
+  std::optional<WireError> received(const std::string&,
+                                    AgentMessage&& message) override {
+    const auto made = message_from_agent(message, true);
+    return made ? std::nullopt : std::optional(made.error());
   }
   void refused(const std::string&, const AgentMessage&,
                const parlour::Error&) override {}

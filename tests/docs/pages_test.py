@@ -36,7 +36,7 @@ PICTURES = {"text", "vim", "python"}
 # Commands of other programs, or ones that change the machine.
 OTHERS = ("trang ", "git clone ", "tools/run", "tools/test", "tools/install",
           "export ", "parlour status", "parlour agent", "python3 tools/",
-          "parlour tap", "parlour run butler --taps")
+          "parlour tap", "parlour run butler")
 
 
 class Pages(PageCase):
@@ -74,6 +74,11 @@ class Pages(PageCase):
                     self.run_commands(line + "\n")
                     count += 1
         self.assertGreater(count, 10)
+
+    def test_the_first_command_is_written_as_it_is_used(self):
+        for page in PAGES:
+            text = page.read_text(encoding="utf-8")
+            self.assertNotRegex(text, r"tools/run +[a-z]", page.name)
 
     def test_examples_in_xml_are_right(self):
         count = 0

@@ -4,9 +4,9 @@
 
 #include <caf/typed_event_based_actor.hpp>
 
-#include "actors/routing/outcomes.hpp"
 #include "actors/support/actor_trace.hpp"
 #include "actors/support/tell_status.hpp"
+#include "runtime/message/replies.hpp"
 
 namespace parlour::actors {
 
@@ -71,7 +71,8 @@ query_actor::behavior_type ask(Self self, MessageBus* bus,
         const auto table = bus->table();
         const auto reply = table->reply_to_request(what.event);
         if (reply == Reply::refusal)
-          finish(tl::make_unexpected(refusal_of(*table, what.event)));
+          finish(tl::make_unexpected(refusal_of(
+              what.event, table->is_source("Database", what.event.source))));
         else if (reply == Reply::answer)
           finish(what.event);
       },

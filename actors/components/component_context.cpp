@@ -123,11 +123,17 @@ std::uint32_t ComponentContext::rounds_of_event(Timestamp now) const {
   return given_ != 0 && now - given_ <= soon ? rounds_ + 1 : 0;
 }
 
+// What is posted may wait in virtual time until the instance and this are gone:
+// it brings along all that it needs.
+template <class What>
+void ComponentContext::tell_supervisor(What what) {
+  time_.main_thread.post([supervisor = supervisor_, what = std::move(what)] {
+    caf::anon_send(supervisor, what);
+  });
+}
+
 void ComponentContext::report_idle() {
-  auto tell = [this, work = time_.work.begin()] {
-    caf::anon_send(supervisor_, instance_idle{instance_, work});
-  };
-  time_.main_thread.post(std::move(tell));
+  tell_supervisor(instance_idle{instance_, time_.work.begin()});
 }
 
 void ComponentContext::publish_as_itself(Message&& message) {
@@ -172,11 +178,10 @@ void ComponentContext::ask(Message request, Milliseconds patience,
   AskOrder order{std::move(request), patience, caller_back(std::move(reaction)),
                  std::make_shared<const DueTicket>(time_.due_times, id),
                  time_.work.begin()};
-  time_.main_thread.post([this, order = std::move(order)] {
-    if (auto host = caf::actor_cast<caf::strong_actor_ptr>(host_))
-      host->home_system->spawn(actors::ask, &bus_,
-                               caf::actor_cast<component_host_actor>(host),
-                               order);
+  time_.main_thread.post([bus = &bus_, to = host_, order = std::move(order)] {
+    if (auto host = caf::actor_cast<caf::strong_actor_ptr>(to))
+      host->home_system->spawn(
+          actors::ask, bus, caf::actor_cast<component_host_actor>(host), order);
   });
 }
 
@@ -193,19 +198,13 @@ ComponentContext::caller_back(Reaction reaction) {
 }
 
 void ComponentContext::failed(const std::string& reason) {
-  auto tell = [this, reason, work = time_.work.begin()] {
-    caf::anon_send(supervisor_,
-                   component_failed{name_, instance_, reason, work});
-  };
-  time_.main_thread.post(std::move(tell));
+  tell_supervisor(
+      component_failed{name_, instance_, reason, time_.work.begin()});
 }
 
 void ComponentContext::available(bool is_available) {
-  auto tell = [this, is_available, work = time_.work.begin()] {
-    caf::anon_send(supervisor_,
-                   component_available{instance_, is_available, work});
-  };
-  time_.main_thread.post(std::move(tell));
+  tell_supervisor(
+      component_available{instance_, is_available, time_.work.begin()});
 }
 
 // -- its delays ---------------------------------------------------------------
@@ -220,9 +219,9 @@ PluginHost::DelayId ComponentContext::after(Milliseconds delay,
     return id; // which goes with its ticket
   delays_.insert(id);
   lock.unlock();
-  auto order = [this, delay, due = std::move(due), action = std::move(action),
-                work = time_.work.begin()] {
-    if (auto host = caf::actor_cast<caf::strong_actor_ptr>(host_))
+  auto order = [to = host_, delay, due = std::move(due),
+                action = std::move(action), work = time_.work.begin()] {
+    if (auto host = caf::actor_cast<caf::strong_actor_ptr>(to))
       caf::anon_send(caf::actor_cast<component_host_actor>(host),
                      run_after{delay, due, action, work});
   };

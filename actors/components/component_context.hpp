@@ -83,6 +83,8 @@ private:
   std::uint32_t rounds_of_event(Timestamp now) const;
   std::uint32_t rounds_now() const;
   bool is_closed() const;
+  template <class What>
+  void tell_supervisor(What what);
   void report_idle();
   std::function<void(Expected<Message>)> caller_back(Reaction reaction);
 

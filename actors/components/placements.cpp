@@ -19,7 +19,7 @@ void Placements::seat_opened(const actors::seat_opened& what) {
   seats_[what.seat] = scope;
   for (const auto& deployment : deployments_.all())
     if (is_per_seat(*deployment))
-      service_for(deployment, scope);
+      attach_seat(deployment, scope);
 }
 
 void Placements::session_begins(const SessionId& session) {
@@ -40,9 +40,18 @@ void Placements::settle(const DeploymentPointer& deployment) {
   }
   if (is_per_seat(*deployment))
     for (const auto& [actor, scope] : seats_)
-      service_for(deployment, scope);
+      attach_seat(deployment, scope);
   for (const auto& [session, seat] : parts_.sessions.seats())
     attach(deployment, session, seat);
+}
+
+// Components of a seat hear each other also between two sessions: their
+// messages belong to the seat's name then.
+void Placements::attach_seat(const DeploymentPointer& deployment,
+                             const std::shared_ptr<InstanceScope>& scope) {
+  if (const auto service = service_for(deployment, scope))
+    deployment->by_session->put(
+        scope->name(), {service->component->mailbox, service->component->up});
 }
 
 void Placements::attach(const DeploymentPointer& deployment,

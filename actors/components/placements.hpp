@@ -31,6 +31,8 @@ public:
   ServicePointer detach(Deployment& deployment, const SessionId& session) const;
 
 private:
+  void attach_seat(const DeploymentPointer& deployment,
+                   const std::shared_ptr<InstanceScope>& scope);
   void attach(const DeploymentPointer& deployment, const SessionId& session,
               const seat_actor& seat);
   ServicePointer service_for(const DeploymentPointer& deployment,

@@ -1,6 +1,5 @@
 #include "actors/protocol/due_times.hpp"
 
-#include <algorithm>
 #include <utility>
 
 namespace parlour::actors {
@@ -11,6 +10,7 @@ DueTimes::DueTimes(std::function<void()> changed)
 DueTimes::Id DueTimes::add(Timestamp due, Of of) {
   std::lock_guard lock(mutex_);
   pending_[++last_] = {due, of};
+  in_order(of).emplace(due, last_);
   return last_;
 }
 
@@ -18,10 +18,13 @@ DueTimes::Id DueTimes::add(Timestamp due, Of of) {
 // the lock, as it asks for it.
 void DueTimes::remove(Id id) {
   std::unique_lock lock(mutex_);
-  const bool was_there = pending_.erase(id) != 0;
+  const auto found = pending_.find(id);
+  if (found == pending_.end())
+    return;
+  in_order(found->second.of).erase({found->second.due, id});
+  pending_.erase(found);
   lock.unlock();
-  if (was_there)
-    changed_();
+  changed_();
 }
 
 bool DueTimes::has(Id id) const {
@@ -29,26 +32,23 @@ bool DueTimes::has(Id id) const {
   return pending_.count(id) != 0;
 }
 
-// A search through all: there are as many as timers and delays, which is few,
-// and they are added far more often than asked for.
 std::optional<DueTimes::Entry> DueTimes::next() const {
   std::lock_guard lock(mutex_);
-  auto earlier = [](const auto& one, const auto& other) {
-    return one.second.due < other.second.due;
-  };
-  auto first = std::min_element(pending_.begin(), pending_.end(), earlier);
-  if (first == pending_.end())
+  const std::pair<Timestamp, Id>* first = nullptr;
+  for (const auto& all : in_order_)
+    if (!all.empty() && (!first || *all.begin() < *first))
+      first = &*all.begin();
+  if (!first)
     return std::nullopt;
-  return Entry{first->first, first->second.due};
+  return Entry{first->second, first->first};
 }
 
 std::optional<Timestamp> DueTimes::next_of_sessions() const {
   std::lock_guard lock(mutex_);
-  std::optional<Timestamp> first;
-  for (const auto& [id, pending] : pending_)
-    if (pending.of == Of::session && (!first || pending.due < *first))
-      first = pending.due;
-  return first;
+  const auto& all = in_order(Of::session);
+  if (all.empty())
+    return std::nullopt;
+  return all.begin()->first;
 }
 
 bool DueTimes::overdue(Timestamp now) const {
@@ -58,9 +58,7 @@ bool DueTimes::overdue(Timestamp now) const {
 
 bool DueTimes::component_pending() const {
   std::lock_guard lock(mutex_);
-  return std::any_of(pending_.begin(), pending_.end(), [](const auto& entry) {
-    return entry.second.of == Of::component;
-  });
+  return !in_order(Of::component).empty();
 }
 
 DueTicket::DueTicket(DueTicket&& other) noexcept

@@ -3,11 +3,14 @@
 // node is quiet while they are pending.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <map>
 #include <mutex>
 #include <optional>
+#include <set>
+#include <utility>
 
 #include "runtime/base/clock.hpp"
 
@@ -41,14 +44,24 @@ public:
   bool component_pending() const;
 
 private:
+  using InOrder = std::set<std::pair<Timestamp, Id>>;
   struct Pending {
     Timestamp due = 0;
     Of of = Of::session;
   };
 
+  InOrder& in_order(Of of) {
+    return in_order_[static_cast<std::size_t>(of)];
+  }
+  const InOrder& in_order(Of of) const {
+    return in_order_[static_cast<std::size_t>(of)];
+  }
+
   std::function<void()> changed_;
   mutable std::mutex mutex_;
   std::map<Id, Pending> pending_;
+  // The same in order, for each Of.
+  std::array<InOrder, 2> in_order_;
   Id last_ = 0;
 };
 

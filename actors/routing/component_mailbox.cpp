@@ -13,7 +13,7 @@ const char* ComponentMailbox::put(Job& job) {
   std::unique_lock lock(back_.mutex);
   if (back_.closed)
     return back_.closed;
-  if (back_.waiting.size() >= capacity)
+  if (is_full())
     return "has more messages waiting than it may";
   back_.waiting.push_back(std::move(job));
   auto host = one_to_wake();
@@ -22,9 +22,17 @@ const char* ComponentMailbox::put(Job& job) {
   return nullptr;
 }
 
+// Of both queues. The front's size is looked at only where it matters: it is on
+// the hosts' cache line.
+bool ComponentMailbox::is_full() const {
+  const auto waiting = back_.waiting.size();
+  return waiting + back_.moved >= capacity && waiting + front_.size >= capacity;
+}
+
 void ComponentMailbox::put_back(Job job) {
   std::unique_lock lock(front_.mutex);
   front_.waiting.push_front(std::move(job));
+  ++front_.size;
   wake_for_what_waits(std::move(lock));
 }
 
@@ -90,6 +98,7 @@ ComponentMailbox::take(const component_host_actor& host, IfEmpty then) {
     return std::nullopt;
   auto job = std::move(front_.waiting.front());
   front_.waiting.pop_front();
+  --front_.size;
   return job;
 }
 
@@ -98,6 +107,7 @@ void ComponentMailbox::bring_forward(const component_host_actor& host,
                                      IfEmpty then) {
   std::lock_guard lock(back_.mutex);
   front_.waiting.swap(back_.waiting);
+  front_.size = back_.moved = front_.waiting.size();
   if (front_.waiting.empty() && then == IfEmpty::go_idle)
     back_.idle.push_back(host);
 }
@@ -129,6 +139,7 @@ std::vector<ComponentMailbox::Job> ComponentMailbox::take_all() {
     std::move(waiting->begin(), waiting->end(), std::back_inserter(all));
     waiting->clear();
   }
+  front_.size = back_.moved = 0;
   return all;
 }
 

@@ -4,6 +4,7 @@
 // the component's services; the routing table holds it, too.
 #pragma once
 
+#include <atomic>
 #include <deque>
 #include <memory>
 #include <mutex>
@@ -65,6 +66,7 @@ public:
 private:
   using Lock = std::unique_lock<std::mutex>;
 
+  bool is_full() const;
   component_host_actor one_to_wake();
   void wake_for_what_waits(Lock front);
   static void wake(const component_host_actor& host);
@@ -80,11 +82,13 @@ private:
     std::deque<Job> waiting;
     std::vector<component_host_actor> idle;
     const char* closed = nullptr; // why
+    std::size_t moved = 0;        // to the front, when that was last empty
   };
   struct alignas(cache_line) Front {
     mutable std::mutex mutex;
     std::deque<Job> waiting;
     std::vector<component_host_actor> workers;
+    std::atomic<std::size_t> size = 0; // for senders, who hold no lock of it
   };
   Back back_;
   Front front_;

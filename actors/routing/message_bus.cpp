@@ -45,7 +45,7 @@ MessageBus::MessageBus(NodeTime& time, Observer& observer,
                        Aliases aliases)
     : time_(time), observer_(observer),
       parts_(parts(std::move(program), std::move(aliases))) {
-  set_targets({});
+  store({});
 }
 
 RoutingTable::Parts
@@ -68,26 +68,33 @@ MessageBus::parts(std::shared_ptr<const script::Program> program,
 }
 
 void MessageBus::connect(message_centre_actor centre) {
-  centre_ = std::move(centre);
+  centre_.store(
+      std::make_shared<const message_centre_actor>(std::move(centre)));
 }
 
 void MessageBus::take_down() {
-  table_.store(nullptr);
-  centre_ = nullptr;
+  const std::lock_guard lock(storing_);
+  down_ = true;
+  store({});
+  centre_.store(nullptr);
 }
 
 // -- the table ----------------------------------------------------------------
 
 void MessageBus::set_targets(std::vector<Target> targets) {
+  const std::lock_guard lock(storing_);
+  if (!down_)
+    store(std::move(targets));
+}
+
+void MessageBus::store(std::vector<Target> targets) {
   auto parts = parts_;
   parts.targets = std::move(targets);
   table_.store(std::make_shared<const RoutingTable>(std::move(parts)));
 }
 
 bool MessageBus::is_heard(const Message& message) const {
-  const auto current = table();
-  return current && !message.params.empty() &&
-         current->is_source("ASR", message.source);
+  return !message.params.empty() && table()->is_source("ASR", message.source);
 }
 
 // -- messages -----------------------------------------------------------------
@@ -115,8 +122,8 @@ void MessageBus::publish(std::vector<Message> messages) {
 void MessageBus::bring_in(std::vector<Message> messages) {
   time_.main_thread.post([this, messages = std::move(messages),
                           waits = time_.work.begin()]() mutable {
-    if (centre_)
-      caf::anon_send(centre_, actors::publish{std::move(messages), waits});
+    if (const auto centre = centre_.load())
+      caf::anon_send(*centre, actors::publish{std::move(messages), waits});
   });
 }
 
@@ -139,9 +146,9 @@ std::vector<Message> MessageBus::route(Message message, InlineCaller& caller) {
 
 void MessageBus::carry(Message&& message, Way& way, int depth,
                        Answers answers) {
-  const auto current = table();
-  if (!current)
-    return; // the node is down
+  if (down_)
+    return;
+  const auto current = table(); // the deliveries point into it
   auto routed = current->route(std::move(message), way.now);
   unreached(routed);
   for (auto& delivery : routed.deliveries)
@@ -169,8 +176,10 @@ void MessageBus::deliver(Delivery& delivery, Way& way, int depth,
 // Sessions get their messages by one actor, so that all senders' messages have
 // one order.
 void MessageBus::pass_to_centre(std::vector<Message> messages) {
-  if (!messages.empty() && centre_)
-    caf::anon_send(centre_,
+  if (messages.empty())
+    return;
+  if (const auto centre = centre_.load())
+    caf::anon_send(*centre,
                    distribute{std::move(messages), time_.work.begin()});
 }
 
@@ -185,13 +194,16 @@ std::optional<Message> MessageBus::hand_over(const Target& target,
 }
 
 void MessageBus::retire(session_actor session, InFlight work) {
-  caf::anon_send(centre_, actors::retire{std::move(session), std::move(work)});
+  if (const auto centre = centre_.load())
+    caf::anon_send(*centre,
+                   actors::retire{std::move(session), std::move(work)});
 }
 
 // A refusal needs no answer here: the caller fails at once where nobody took
 // it.
 bool MessageBus::ask(Message question, const InFlight& work) {
-  auto routed = table()->route(std::move(question));
+  const auto current = table(); // the deliveries point into it
+  auto routed = current->route(std::move(question));
   bool taken = false;
   for (auto& [target, sent] : routed.deliveries)
     taken |= !hand_over(*target, {std::move(sent), work});
@@ -201,7 +213,7 @@ bool MessageBus::ask(Message question, const InFlight& work) {
 // -- what goes wrong ----------------------------------------------------------
 
 void MessageBus::unhandled(const Message& message, const std::string& why) {
-  if (const auto current = table(); current && current->is_routine(message))
+  if (table()->is_routine(message))
     return;
   ++parts_.counters->unhandled;
   Inspection inspection;

@@ -5,8 +5,10 @@
 // exactly one (engine rule 1).
 #pragma once
 
+#include <atomic>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -53,15 +55,15 @@ public:
 
   // The message centre gets what sessions get.
   void connect(message_centre_actor centre);
-  // Nobody gets anything any more.
+  // Nobody gets anything any more, whoever still sends.
   void take_down();
 
   // -- the table -------------------------------------------------------------
 
   // Who fills which role from now on, in order of preference; the supervisor
-  // says so.
+  // says so. Nobody does when the node is down.
   void set_targets(std::vector<Target> targets);
-  // What senders apply; null when the node is down.
+  // What senders apply; never null.
   SharedTable::Pointer table() const {
     return table_.load();
   }
@@ -124,6 +126,7 @@ public:
   void failed(const Message& message, const Error& error);
 
 private:
+  void store(std::vector<Target> targets);
   RoutingTable::Parts parts(std::shared_ptr<const script::Program> program,
                             Aliases aliases);
   // On the way of one message and of all that answers it at once.
@@ -147,7 +150,9 @@ private:
   const RoutingTable::Parts parts_;
   SharedTable table_;
   ReplyRegistry replies_;
-  message_centre_actor centre_;
+  SharedByThreads<message_centre_actor> centre_; // null: none
+  std::mutex storing_; // the table, one after the other
+  std::atomic<bool> down_ = false;
 };
 
 } // namespace parlour::actors

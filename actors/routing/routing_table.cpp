@@ -137,6 +137,14 @@ bool RoutingTable::is_listened_to(const Message& message) const {
   return false;
 }
 
+bool RoutingTable::opens(const Message& message, std::string_view seat) const {
+  return std::ranges::any_of(
+      parts_.program->openings, [&](const script::Opening& opening) {
+        return (opening.seat.empty() || opening.seat == seat) &&
+               matches(opening, message);
+      });
+}
+
 bool RoutingTable::has_instances_by_session() const {
   return std::any_of(
       parts_.targets.begin(), parts_.targets.end(),
@@ -212,16 +220,16 @@ bool RoutingTable::apply_routes(const Message& message, Routed& routed) const {
   return false;
 }
 
-bool RoutingTable::matches(const script::Route& route,
-                           const Message& message) const {
-  return (route.command == "*" || route.command == message.command) &&
-         is_source(route.source, message.source) && holds(route, message);
+template <class Rule>
+bool RoutingTable::matches(const Rule& rule, const Message& message) const {
+  return (rule.command == "*" || rule.command == message.command) &&
+         is_source(rule.source, message.source) &&
+         holds(rule.condition, message);
 }
 
-bool RoutingTable::holds(const script::Route& route,
+bool RoutingTable::holds(script::CodeId condition,
                          const Message& message) const {
-  return route.condition == script::no_code ||
-         bool(evaluate(route.condition, message));
+  return condition == script::no_code || bool(evaluate(condition, message));
 }
 
 // Conditions see the message's own fields and constants, nothing of a session.

@@ -127,6 +127,9 @@ public:
   bool is_routine(const Message& message) const;
   // Whether a handler or a state of the program takes such a message.
   bool is_listened_to(const Message& message) const;
+  // Whether an <open> says that the message opens a conversation at the seat of
+  // that name (engine rule 1.8).
+  bool opens(const Message& message, std::string_view seat) const;
   // Whether a component has an instance for each seat or session.
   bool has_instances_by_session() const;
 
@@ -146,10 +149,12 @@ private:
                       Take&& take) const;
   void stamp(Message& message, Timestamp now) const;
   bool goes_in_a_ring(const Message& message) const;
-  bool matches(const script::Route& route, const Message& message) const;
+  // Whether a route or an opening is for such messages.
+  template <class Rule>
+  bool matches(const Rule& rule, const Message& message) const;
   // Unknown where it fails, which is told.
   Value evaluate(script::CodeId code, const Message& message) const;
-  bool holds(const script::Route& route, const Message& message) const;
+  bool holds(script::CodeId condition, const Message& message) const;
   Message copy_for(const script::Route& route, const Message& message,
                    const std::string& to) const;
   void send_copies(const script::Route& route, const Message& message,

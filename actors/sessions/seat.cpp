@@ -8,8 +8,22 @@
 
 namespace parlour::actors {
 
+namespace {
+
 // Foreign code is called here: what it throws must not end the seat, and once
-// the node is left behind nobody is called at all.
+// the node is left behind nobody is called at all. False if it threw.
+template <class Call>
+bool call_out(const SeatParts& parts, const char* what, Call call) {
+  if (parts.time->left_behind)
+    return true;
+  const auto reason = catch_to_string(call);
+  if (reason)
+    parts.observer->log(what + *reason);
+  return !reason;
+}
+
+} // namespace
+
 seat_actor::behavior_type seat(seat_actor::stateful_pointer<seat_state> self,
                                SeatParts parts, SeatCalls calls) {
   return traced<seat_actor::behavior_type>(
@@ -18,27 +32,27 @@ seat_actor::behavior_type seat(seat_actor::stateful_pointer<seat_state> self,
         if (parts.time->left_behind)
           return;
         self->state.session = what.session;
-        const auto reason = catch_to_string([&] {
-          if (calls.on_say)
-            calls.on_say(what.session, *what.output);
-        });
-        if (reason)
-          parts.observer->log("a seat did not show what was said: " + *reason);
+        const bool shown =
+            call_out(parts, "a seat did not show what was said: ", [&] {
+              if (calls.on_say)
+                calls.on_say(what.session, *what.output);
+            });
         if (auto session = parts.sessions->find(what.session))
-          self->send(session, output_done{what.output->id, !reason, what.work});
+          self->send(session, output_done{what.output->id, shown, what.work});
       },
       [=](const session_over& what) {
         if (self->state.session == what.session)
           self->state.session.clear();
-        if (!calls.on_over)
-          return;
-        if (auto reason = catch_to_string([&] { calls.on_over(what.session); }))
-          parts.observer->log("a seat did not take its session's end: " +
-                              *reason);
+        call_out(parts, "a seat did not take its session's end: ", [&] {
+          if (calls.on_over)
+            calls.on_over(what.session);
+        });
       },
       [=](const next_session& what) {
-        if (calls.on_next)
-          calls.on_next(what.session);
+        call_out(parts, "a seat did not take its next session: ", [&] {
+          if (calls.on_next)
+            calls.on_next(what.session);
+        });
       },
       [=](const get_status& what) {
         const auto& session = self->state.session;

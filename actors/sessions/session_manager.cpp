@@ -139,6 +139,19 @@ bool is_subscribed(const std::vector<Subscription>& all,
   });
 }
 
+// A sensor sees somebody, a robot has arrived: a conversation opens at each
+// seat that has none, and gets the message (engine rule 1.8).
+bool open_for(Self self, const Message& message, const RoutingTable& table,
+              const InFlight& work) {
+  bool opened = false;
+  for (const auto& [name, seat] : self->state.seats)
+    if (session_at(self->state, seat).empty() && table.opens(message, name)) {
+      bring(self, seat, {message}, work);
+      opened = true;
+    }
+  return opened;
+}
+
 // What the platform says goes to all, if anybody listens; what a component says
 // to those who have subscribed, unless it answers somebody. From then on it
 // belongs to the session.
@@ -157,6 +170,8 @@ void pass_to_all(Self self, Message message, const InFlight& work) {
       self->send(entry.session, deliver{{message}, work});
       taken = true;
     }
+  if (message.correlation == 0)
+    taken |= open_for(self, message, *table, work);
   if (!taken)
     bus.unhandled(message, "no session has subscribed to it");
 }

@@ -9,7 +9,6 @@ namespace {
 // More is shown, with all that was heard masked.
 constexpr std::size_t max_held = 10'000;
 constexpr std::size_t max_ended = 100;
-constexpr std::size_t max_words = 1'000;
 constexpr std::size_t max_heard = 1'000; // of one turn
 
 constexpr const char* to_session = "session";
@@ -23,6 +22,24 @@ void collect_texts(const Value& value, std::vector<std::string>& texts) {
   if (const auto* map = value.if_map())
     for (const auto& entry : map->entries())
       collect_texts(entry.second, texts);
+}
+
+Inspection all_masked(Inspection seen) {
+  auto message = *seen.message;
+  for (auto& param : message.params)
+    param = parlour::all_masked(param);
+  seen.detail = to_string(message);
+  seen.message = std::make_shared<const Message>(std::move(message));
+  return seen;
+}
+
+Inspection masked_by(const Secrets& secrets, Inspection seen) {
+  seen.subject = secrets.masked(seen.subject);
+  seen.detail = secrets.masked(seen.detail);
+  if (seen.message)
+    seen.message =
+        std::make_shared<const Message>(secrets.masked_message(*seen.message));
+  return seen;
 }
 
 } // namespace
@@ -53,22 +70,29 @@ void Discretion::conceal_turn(const SessionId& session) {
 void Discretion::settled(const SessionId& session, std::uint64_t received) {
   if (!hides())
     return;
-  const std::lock_guard lock(mutex_);
+  const std::lock_guard turn(showing_);
+  std::unique_lock lock(mutex_);
   const auto found = sessions_.find(session);
-  if (found != sessions_.end() && received >= found->second.opened)
-    show_held(found->second);
+  if (found == sessions_.end() || received < found->second.opened)
+    return;
+  auto ready = end_turn(found->second);
+  lock.unlock();
+  show_masked(std::move(ready));
 }
 
 void Discretion::ended(const SessionId& session) {
   if (!hides())
     return;
-  const std::lock_guard lock(mutex_);
+  const std::lock_guard turn(showing_);
+  std::unique_lock lock(mutex_);
   const auto found = sessions_.find(session);
   if (found == sessions_.end())
     return;
-  show_held(found->second);
+  auto ready = end_turn(found->second);
   ended_.push_back(session);
   drop_oldest();
+  lock.unlock();
+  show_masked(std::move(ready));
 }
 
 void Discretion::drop_oldest() {
@@ -96,62 +120,55 @@ void Discretion::pass(const Message& message, const std::string& way) {
 void Discretion::show(Inspection seen) {
   if (!hides())
     return show_(seen);
-  const std::lock_guard lock(mutex_);
-  if (seen.message && seen.way != to_session && is_heard_(*seen.message)) {
-    auto message = *seen.message;
-    for (auto& param : message.params)
-      param = all_masked(param);
-    seen.detail = to_string(message);
-    seen.message = std::make_shared<const Message>(std::move(message));
-    return show_(seen);
-  }
-  const auto found = sessions_.find(seen.session);
-  if (found == sessions_.end())
-    return show_(seen);
-  auto& session = found->second;
-  if (!session.is_open)
-    return show_masked(std::move(seen), session.secrets);
-  session.held.push_back(std::move(seen));
-  if (session.held.size() > max_held) {
-    session.hides_turn = true;
-    show_held(session);
-  }
+  const std::lock_guard turn(showing_);
+  if (seen.message && seen.way != to_session && is_heard_(*seen.message))
+    show_(all_masked(std::move(seen)));
+  else
+    show_masked(taken(std::move(seen)));
 }
 
-void Discretion::show_held(Session& session) {
-  auto secrets = session.secrets;
+// Nothing where it is held back.
+Discretion::Ready Discretion::taken(Inspection seen) {
+  const std::lock_guard lock(mutex_);
+  const auto found = sessions_.find(seen.session);
+  Ready ready;
+  if (found == sessions_.end() || !found->second.is_open) {
+    ready.seen.push_back(std::move(seen));
+    if (found != sessions_.end())
+      ready.secrets = found->second.secrets.secrets();
+    return ready;
+  }
+  auto& session = found->second;
+  session.held.push_back(std::move(seen));
+  if (session.held.size() <= max_held)
+    return ready;
+  session.hides_turn = true;
+  return end_turn(session);
+}
+
+Discretion::Ready Discretion::end_turn(Session& session) {
+  Ready ready{session.secrets.secrets(), std::exchange(session.held, {})};
   if (session.hides_turn)
-    secrets.add(words_of_turn(session));
-  for (auto& seen : std::exchange(session.held, {}))
-    show_masked(std::move(seen), secrets);
+    ready.secrets.add(note_private_turn(session));
   session.heard.clear();
   session.is_open = session.hides_turn = false;
+  return ready;
 }
 
 // All that was heard, and other ways to hear it.
-Secrets Discretion::words_of_turn(Session& session) {
+Secrets Discretion::note_private_turn(Session& session) {
   Secrets secrets;
-  for (auto& text : session.heard) {
+  for (const auto& text : session.heard) {
     secrets.add(text);
-    words_.insert(std::move(text));
+    words_.add(text);
   }
-  while (words_.size() > max_words)
-    words_.erase(words_.begin());
-  heard_ = {};
-  for (const auto& words : words_)
-    heard_.add(words);
   return secrets;
 }
 
-void Discretion::show_masked(Inspection seen, const Secrets& secrets) const {
-  if (!secrets.empty()) {
-    seen.subject = secrets.masked(seen.subject);
-    seen.detail = secrets.masked(seen.detail);
-    if (seen.message)
-      seen.message = std::make_shared<const Message>(
-          secrets.masked_message(*seen.message));
-  }
-  show_(seen);
+void Discretion::show_masked(Ready ready) const {
+  for (auto& seen : ready.seen)
+    show_(ready.secrets.empty() ? seen
+                                : masked_by(ready.secrets, std::move(seen)));
 }
 
 std::string Discretion::masked(const std::string& text) const {
@@ -160,8 +177,8 @@ std::string Discretion::masked(const std::string& text) const {
   const std::lock_guard lock(mutex_);
   auto shown = text;
   for (const auto& [id, session] : sessions_)
-    if (!session.secrets.empty())
-      shown = session.secrets.masked(shown);
+    if (const auto& secrets = session.secrets.secrets(); !secrets.empty())
+      shown = secrets.masked(shown);
   return shown;
 }
 
@@ -170,7 +187,7 @@ std::string Discretion::masked_afterwards(const std::string& text) const {
     return text;
   const auto shown = masked(text);
   const std::lock_guard lock(mutex_);
-  return heard_.masked(shown);
+  return words_.secrets().masked(shown);
 }
 
 bool Discretion::is_private(const std::string& words) const {

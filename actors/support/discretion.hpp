@@ -11,18 +11,21 @@
 #include <map>
 #include <memory>
 #include <mutex>
-#include <set>
 #include <string>
 #include <vector>
 
+#include "actors/support/recent_secrets.hpp"
 #include "runtime/message/inspection.hpp"
 #include "runtime/message/masking.hpp"
 
 namespace parlour::actors {
 
-// Safe from any thread.
+// Safe from any thread. What shows may ask what is masked or private, and may
+// send messages.
 class Discretion {
 public:
+  // Called in the order of what happened, by one thread at a time where
+  // something is private.
   using Show = std::function<void(const Inspection&)>;
   // Whether a message is what somebody was heard to say.
   using IsHeard = std::function<bool(const Message&)>;
@@ -58,26 +61,32 @@ public:
 
 private:
   struct Session {
-    Secrets secrets;
+    RecentSecrets secrets;
     bool is_open = false;           // somebody was heard, and is not understood
     std::uint64_t opened = 0;       // the number of the last that was heard
     bool hides_turn = false;        // a private slot was filled or asked for
     std::vector<std::string> heard; // since it is open
     std::vector<Inspection> held;
   };
+  // What is shown now, and how it is masked.
+  struct Ready {
+    Secrets secrets;
+    std::vector<Inspection> seen;
+  };
 
-  void show_held(Session& session);
-  void show_masked(Inspection seen, const Secrets& secrets) const;
-  Secrets words_of_turn(Session& session);
+  Ready taken(Inspection seen);
+  Ready end_turn(Session& session);
+  Secrets note_private_turn(Session& session);
   void drop_oldest();
+  void show_masked(Ready ready) const;
 
   const Show show_;
   const IsHeard is_heard_;
-  mutable std::mutex mutex_;
+  std::mutex showing_;       // taken before the other, and kept while showing
+  mutable std::mutex mutex_; // of what follows
   std::map<SessionId, Session> sessions_;
   std::deque<SessionId> ended_; // of which the secrets are still known
-  std::set<std::string> words_; // of private turns
-  Secrets heard_;               // the same, as they are masked
+  RecentSecrets words_;         // of private turns
 };
 
 } // namespace parlour::actors

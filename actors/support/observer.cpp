@@ -53,14 +53,12 @@ void Observer::log(const std::string& line) {
   write(discretion_.masked(line));
 }
 
-// What is thrown is written as it is: Discretion, which calls this, cannot be
-// asked meanwhile.
 void Observer::show(const Inspection& seen) {
   if (left_behind_)
     return;
   const std::lock_guard lock(showing_);
   if (auto reason = catch_to_string([&] { watcher_.on_inspection(seen); }))
-    write("who watches failed: " + *reason);
+    log("who watches failed: " + *reason);
 }
 
 void Observer::log_instead(const Inspection& seen) {

@@ -59,7 +59,9 @@ Expected<void> HTTPService::on_start(const Options& options) {
     return {};
   if (!read->missing.empty())
     return tl::make_unexpected(joined(read->missing));
-  auto client = HttpClient::start(std::move(settings->client));
+  auto client = HttpClient::start(
+      std::move(settings->client),
+      [this](const std::string& what) { host().failed(what); });
   if (!client)
     return tl::make_unexpected(client.error());
   client_ = std::move(*client);
@@ -72,7 +74,8 @@ Expected<void> HTTPService::listen(ListenerOptions options) {
     return {};
   auto listener = WebhookListener::start(
       std::move(options),
-      [this](const WebhookRequest& request) { return take_webhook(request); });
+      [this](const WebhookRequest& request) { return take_webhook(request); },
+      [this](const std::string& what) { host().failed(what); });
   if (!listener)
     return tl::make_unexpected(listener.error());
   listener_ = std::move(*listener);
@@ -125,11 +128,11 @@ void HTTPService::ask(const CommandRule& rule, const Message& message,
   open_.open();
   client_->submit(std::move(request),
                   [this, &rule, message](const TryOutcome& outcome) {
+                    const OpenMessages::Closing closing(open_);
                     if (outcome)
                       tell(rule, message, *outcome);
                     else
                       tell_failure(rule, message, outcome.error());
-                    open_.close();
                   });
   if (one_by_one_)
     open_.wait_for_all();

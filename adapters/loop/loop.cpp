@@ -36,6 +36,8 @@ std::thread thread_without_signals(std::function<void()> work) {
 } // namespace
 
 struct Loop::State {
+  explicit State(Thrown function) : thrown(std::move(function)) {}
+
   // One thread runs it, which asio is told.
   asio::io_context context{1};
   // Keeps the thread running although there may be nothing to do.
@@ -43,8 +45,7 @@ struct Loop::State {
       context.get_executor()};
   // Written on the loop's thread, when it is to end.
   Milliseconds linger{};
-  // Used on the loop's thread. Empty: exceptions end the program.
-  Thrown thrown;
+  const Thrown thrown;
   std::thread thread;
 
   void work() {
@@ -62,20 +63,16 @@ struct Loop::State {
       try {
         return run_context();
       } catch (const std::exception& exception) {
-        if (!thrown)
-          throw;
         thrown(exception.what());
       } catch (...) {
-        if (!thrown)
-          throw;
         thrown("an exception of an unknown type");
       }
   }
 };
 
-Expected<std::unique_ptr<Loop>> Loop::start() {
+Expected<std::unique_ptr<Loop>> Loop::start(Thrown thrown) {
   try {
-    auto state = std::make_unique<State>();
+    auto state = std::make_unique<State>(std::move(thrown));
     // asio opens its own descriptors only with the first one that is to be
     // waited for. If there are none left, that shows here and not later.
     const asio::posix::stream_descriptor first(state->context);
@@ -95,10 +92,6 @@ Loop::~Loop() {
 
 void Loop::post(Action action) {
   asio::post(state_->context, std::move(action));
-}
-
-void Loop::on_exception(Thrown thrown) {
-  post([this, function = std::move(thrown)] { state_->thrown = function; });
 }
 
 void Loop::stop(Milliseconds linger) {

@@ -1,7 +1,7 @@
 // Loop is a thread that waits for descriptors (Watch), for moments (Alarm) and
 // for what other threads post, and does one thing after the other:
 //
-//  auto loop = Loop::start();
+//  auto loop = Loop::start([](const std::string& what) { … });
 //  Watch watch(**loop, [&](short ready) { … });
 //  (*loop)->post([&] { watch.await(socket, POLLIN); });
 //
@@ -26,16 +26,18 @@ namespace parlour::adapters {
 class Loop {
 public:
   using Moment = std::chrono::steady_clock::time_point;
-  // It must not block for long. What it throws ends the program, unless there
-  // is a function for it (on_exception).
+  // It must not block for long. What it throws is given to the function that
+  // start() got.
   using Action = std::function<void()>;
-  // Gets what() of an exception. It must not throw.
+  // Gets what() of an exception, on the loop's thread. It must not throw.
   using Thrown = std::function<void(const std::string& what)>;
 
   // Starts the thread, on which all signals are blocked: other threads handle
-  // them. The error, of kind Limit, says that the system has no descriptors or
-  // threads left.
-  static Expected<std::unique_ptr<Loop>> start();
+  // them. The function gets the exceptions of actions, watches, alarms and of
+  // asio's handlers, and the loop goes on: what an adapter throws is no reason
+  // for others to end. The error, of kind Limit, says that the system has no
+  // descriptors or threads left.
+  static Expected<std::unique_ptr<Loop>> start(Thrown thrown);
   Loop(const Loop&) = delete;
   Loop& operator=(const Loop&) = delete;
   // Stops the loop if nobody has.
@@ -44,11 +46,6 @@ public:
   // Has the action done on the loop's thread, after those that were posted
   // before. Thread-safe; never blocks. After stop() it is never done.
   void post(Action action);
-
-  // From now on exceptions of actions, watches, alarms and of asio's handlers
-  // are given to the function, on the loop's thread, and the loop goes on.
-  // Thread-safe.
-  void on_exception(Thrown thrown);
 
   // Ends the thread after what has been posted so far. It goes on for `linger`
   // at most, and only while something is being waited for. Call it from one

@@ -46,7 +46,7 @@ template <class Ends>
 void DeviceRequests::end_those(Ends ends) {
   for (auto next = requests_.begin(); next != requests_.end();) {
     const auto one = next++;
-    if (ends(*one))
+    if (one->answered || ends(*one))
       requests_.erase(one);
   }
 }
@@ -58,7 +58,8 @@ void DeviceRequests::add(const Message& message, Moment now) {
                message.params.size() > 2 ? message.params[2] : Value(),
                now + patience_,
                true,
-               {}};
+               {},
+               false};
   if (!made.sets && message.command != "Ask")
     fail(made, "There is no command '" + message.command + "' here.");
   else if (made.what.device.empty() || made.what.room.empty())
@@ -155,16 +156,16 @@ void DeviceRequests::supersede(const Request& by) {
   for (auto next = requests_.begin(); next != requests_.end();) {
     const auto one = next++;
     const bool meets =
-        &*one != &by && one->sets && !one->held && !(one->value == by.value) &&
+        &*one != &by && one->sets && !one->held && !one->answered &&
+        !(one->value == by.value) &&
         std::ranges::any_of(one->awaited, [&](const Awaited& each) {
           return std::ranges::find(by.awaited, each.id, &Awaited::id) !=
                  by.awaited.end();
         });
-    if (!meets || one->awaited.empty())
+    if (!meets)
       continue;
     fail(*one, "Another order has come in between.");
-    one->awaited.clear(); // expire() forgets it
-    one->deadline = Moment::min();
+    one->answered = true;
   }
 }
 
@@ -247,8 +248,7 @@ void DeviceRequests::expire(Moment now) {
   end_those([&](Request& request) {
     if (now < request.deadline)
       return false;
-    if (request.deadline != Moment::min())
-      late(request);
+    late(request);
     return true;
   });
 }
@@ -280,7 +280,7 @@ void DeviceRequests::late(Request& request) {
 
 void DeviceRequests::fail_all(const std::string& reason) {
   for (const auto& request : std::exchange(requests_, {}))
-    if (request.deadline != Moment::min())
+    if (!request.answered)
       fail(request, reason);
 }
 

@@ -69,6 +69,8 @@ private:
     Moment deadline;
     bool held = true;
     std::vector<Awaited> awaited;
+    // It is only still in the list: end_those() forgets it.
+    bool answered = false;
   };
   using Requests = std::list<Request>;
 

@@ -70,14 +70,18 @@ DeviceTable::DeviceTable(const DeviceList& list) : list_(list) {
 
 bool DeviceTable::set(const std::string& message,
                       std::vector<Entity> entities) {
+  const auto former = by_message_.find(message);
+  const auto others = devices_.size() -
+                      (former == by_message_.end() ? 0 : former->second.size());
+  // What is known stays as it was.
+  if (others + entities.size() > max_devices)
+    return false;
   std::map<std::string, Device> before;
   if (const auto known = by_message_.extract(message))
     for (const auto& id : known.mapped()) {
       forget(id);
       before.insert(devices_.extract(id));
     }
-  if (devices_.size() + entities.size() > max_devices)
-    return false;
   for (auto& entity : entities) {
     auto device = device_of(std::move(entity));
     const auto id = device.entity.id;

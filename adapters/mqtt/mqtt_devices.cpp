@@ -147,7 +147,8 @@ Expected<void> MQTTDevices::on_start(const Options& options) {
       return tl::make_unexpected(found.error());
     list = std::move(*found);
   }
-  auto loop = Loop::start();
+  auto loop =
+      Loop::start([this](const std::string& what) { host().failed(what); });
   if (!loop)
     return tl::make_unexpected(loop.error());
   house_ = std::make_unique<House>(*this, std::move(*loop), std::move(list));
@@ -170,8 +171,8 @@ void MQTTDevices::on_message(const Message& message) {
 
 void MQTTDevices::tell(const Message& to, const std::string& command,
                        std::vector<Value> params) {
+  const OpenMessages::Closing closing(open_);
   answer(to, command, std::move(params));
-  open_.close();
 }
 
 } // namespace parlour::adapters::mqtt

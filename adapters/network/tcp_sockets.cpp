@@ -66,7 +66,7 @@ Sockets::Id TcpSockets::add(SocketOrder order, Tell tell) {
 Expected<void> TcpSockets::start_loop() {
   if (loop_)
     return {};
-  auto started = Loop::start();
+  auto started = Loop::start([this](const auto&) { drop_what_was_at_work(); });
   if (!started)
     return tl::make_unexpected(started.error());
   loop_ = std::move(*started);
@@ -129,6 +129,7 @@ void TcpSockets::act(Id id, short ready) {
   const auto found = connections_.find(id);
   if (found == connections_.end())
     return;
+  at_work_ = id;
   auto& [connection, watch, alarm] = *found->second;
   // While it connects, it may close its socket and open another one.
   if (!connection.is_open())
@@ -143,6 +144,12 @@ void TcpSockets::act(Id id, short ready) {
   }
   watch.await(connection.descriptor(), connection.interest());
   alarm.set(connection.deadline());
+}
+
+// Nobody knows what the connection would have done next.
+void TcpSockets::drop_what_was_at_work() {
+  std::lock_guard lock(mutex_);
+  connections_.erase(at_work_);
 }
 
 } // namespace parlour::adapters

@@ -15,7 +15,8 @@
 
 namespace parlour::adapters {
 
-// Thread-safe. A Tell function must not call it: the lock is held.
+// Thread-safe. A Tell function must not call it: the lock is held. If one
+// throws on the loop's thread, its connection is closed.
 class TcpSockets : public Sockets {
 public:
   TcpSockets();
@@ -37,6 +38,7 @@ private:
   TcpConnection* find(Id id);
   void changed(Id id);
   void act(Id id, short ready);
+  void drop_what_was_at_work();
 
   // Held while a connection is used and while it reports.
   std::mutex mutex_;
@@ -44,6 +46,8 @@ private:
   std::unique_ptr<Loop> loop_;
   std::map<Id, std::unique_ptr<Entry>> connections_;
   Id last_ = 0;
+  // Which act() has come to last.
+  Id at_work_ = 0;
   // The last member, destroyed first: it calls resolved().
   Resolver resolver_;
 };

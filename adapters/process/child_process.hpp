@@ -5,14 +5,11 @@
 
 #include <filesystem>
 #include <memory>
-#include <mutex>
 #include <string>
 #include <vector>
 
-#include <sys/types.h>
-
 #include "adapters/process/ipc_socket.hpp"
-#include "runtime/base/clock.hpp"
+#include "adapters/process/started_process.hpp"
 
 namespace parlour::adapters {
 
@@ -36,30 +33,26 @@ public:
   // Blocks until the socket or the output can be read, or the process has
   // ended.
   void wait() const {
-    socket_.wait(ended_, output_);
+    socket_.wait(process_->ended(), output_);
   }
   // Returns what the process has printed on standard output and error, at most
   // 64 KiB. Does not block.
   std::string read_output();
-  bool has_ended() const;
-  // Thread-safe. Does nothing after bury().
-  void kill();
-
-  // Waits for the end of the process, kills it after `patience`, and reaps it,
-  // so that no zombie remains. Returns how it ended: "was killed by signal 9
-  // (Killed)".
-  std::string bury(Milliseconds patience);
+  // As for a StartedProcess.
+  bool has_ended() const {
+    return process_->has_ended();
+  }
+  void kill() {
+    process_->kill();
+  }
+  std::string bury(Milliseconds patience) {
+    return process_->bury(patience);
+  }
 
 private:
-  ChildProcess(pid_t process, int socket, int output);
-  // Blocks until the process has ended or the deadline has passed.
-  bool ends_by(IpcSocket::Moment deadline) const;
+  ChildProcess(std::unique_ptr<StartedProcess> process, int socket, int output);
 
-  std::mutex mutex_;
-  // -1 after bury(): the number may belong to another process then.
-  pid_t process_;
-  // A pidfd, readable when the process has ended; -1 if the kernel has none.
-  int ended_;
+  const std::unique_ptr<StartedProcess> process_;
   // Our end of the output pipe; -1 after its end.
   int output_;
   IpcSocket socket_;

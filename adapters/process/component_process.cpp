@@ -101,7 +101,7 @@ Expected<void> ComponentProcess::deliver(IpcMessage message) {
     return {};
   if (!calling_) {
     lock.unlock();
-    return take_(message);
+    return take_(*this, message);
   }
   said_.push_back(std::move(message));
   lock.unlock();
@@ -163,7 +163,7 @@ Expected<IpcMessage> ComponentProcess::await(IpcKind kind, Moment deadline) {
       end_call();
       return message;
     }
-    if (auto taken = take_(*message); !taken)
+    if (auto taken = take_(*this, *message); !taken)
       end(taken.error().message);
   }
 }
@@ -199,7 +199,7 @@ void ComponentProcess::end_call() {
   const auto rest = std::exchange(said_, {});
   lock.unlock();
   for (const auto& message : rest)
-    if (auto taken = take_(message); !taken)
+    if (auto taken = take_(*this, message); !taken)
       end(taken.error().message);
   lock.lock();
   settling_ = false;

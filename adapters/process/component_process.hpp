@@ -43,8 +43,11 @@ struct ProcessOrder {
 // by `take` as well. The destructor ends the process.
 class ComponentProcess {
 public:
-  // Carries out a message of the process. An error ends the process.
-  using Take = std::function<Expected<void>(const IpcMessage&)>;
+  // Carries out a message of the process, which it may tell something
+  // meanwhile. The destructor waits for it, so the reference stays valid while
+  // the owner already forgets its pointer. An error ends the process.
+  using Take =
+      std::function<Expected<void>(ComponentProcess&, const IpcMessage&)>;
   // Called once, on any thread, when the process ends although nobody asked for
   // it.
   using Over = std::function<void(const std::string& reason)>;

@@ -21,6 +21,18 @@ tl::unexpected<Error> not_understood(const IpcMessage& message) {
                                       std::string(name_of(message.kind)));
 }
 
+// Answers a question. An answer that is too long is replaced by the error.
+Expected<void> reply(ComponentProcess& process, const IpcMessage& question,
+                     const Expected<Value>& answer) {
+  const auto& number = question.at(0);
+  if (!answer)
+    return process.tell({IpcKind::reply, {number, to_value(answer.error())}});
+  auto told = process.tell({IpcKind::reply, {number, {}, *answer}});
+  if (!told && told.error().kind == ErrorKind::limit)
+    return reply(process, question, tl::make_unexpected(told.error()));
+  return told;
+}
+
 // The platform's side. Calls of the supervisor become messages to the process;
 // messages of the process become calls of the host (take).
 class ProcessPlugin : public IPlugin {
@@ -44,15 +56,14 @@ private:
   List start_fields(const Options& options) const;
 
   // Carries out what the process wants.
-  Expected<void> take(const IpcMessage& message);
+  Expected<void> take(ComponentProcess& process, const IpcMessage& message);
   Expected<void> pass_on(const IpcMessage& message);
   Expected<void> ask(const IpcMessage& message);
   Expected<void> put_off(Id delay, Milliseconds time);
   void cancel(Id delay);
   void run(Id delay);
-  Expected<void> answer_column(const IpcMessage& question);
-  Expected<void> answer_phrase(const IpcMessage& question);
-  Expected<void> reply(const Value& question, const Expected<Value>& answer);
+  Expected<Value> column(const std::string& name) const;
+  Value phrase(const Value& say) const;
 
   Value now() const {
     return host().clock().now();
@@ -62,10 +73,13 @@ private:
   std::mutex mutex_;
   // The host's timers by the numbers that the process gave them.
   std::map<Id, PluginHost::DelayId> delays_;
-  std::unique_ptr<ComponentProcess> process_;
   std::mutex telling_;
   // Whether the host knows that the component has failed.
   bool told_ = false;
+  // For calls: only the calling thread may look at it, because the thread of
+  // the process may still be in take() when it is null. The last member: that
+  // thread uses all others.
+  std::unique_ptr<ComponentProcess> process_;
 };
 
 // -- calls --------------------------------------------------------------------
@@ -73,7 +87,10 @@ private:
 Expected<void> ProcessPlugin::on_start(const Options& options) {
   told_ = false;
   process_ = std::make_unique<ComponentProcess>(
-      order_, [this](const IpcMessage& message) { return take(message); },
+      order_,
+      [this](ComponentProcess& process, const IpcMessage& message) {
+        return take(process, message);
+      },
       [this](const std::string& line) { host().log("prints: " + line); });
   auto outcome = come_up(options);
   if (!outcome)
@@ -186,7 +203,8 @@ void ProcessPlugin::stop() {
 
 // -- what the process wants ---------------------------------------------------
 
-Expected<void> ProcessPlugin::take(const IpcMessage& message) {
+Expected<void> ProcessPlugin::take(ComponentProcess& process,
+                                   const IpcMessage& message) {
   switch (message.kind) {
   case IpcKind::fire:
   case IpcKind::send:
@@ -209,9 +227,9 @@ Expected<void> ProcessPlugin::take(const IpcMessage& message) {
     host().available(message.at(0) == Value(true));
     return {};
   case IpcKind::column:
-    return answer_column(message);
+    return reply(process, message, column(message.at(1).text()));
   case IpcKind::phrase:
-    return answer_phrase(message);
+    return reply(process, message, phrase(message.at(1)));
   default:
     return not_understood(message);
   }
@@ -261,30 +279,14 @@ void ProcessPlugin::cancel(Id delay) {
     host().cancel(ours.mapped());
 }
 
-Expected<void> ProcessPlugin::answer_column(const IpcMessage& question) {
-  const auto column = host().column(question.at(1).text());
-  if (!column)
-    return reply(question.at(0), tl::make_unexpected(column.error()));
-  return reply(question.at(0), to_value(*column));
+Expected<Value> ProcessPlugin::column(const std::string& name) const {
+  return host().column(name).map(
+      [](const std::vector<std::string>& values) { return to_value(values); });
 }
 
-Expected<void> ProcessPlugin::answer_phrase(const IpcMessage& question) {
+Value ProcessPlugin::phrase(const Value& say) const {
   const auto phrases = host().phrases();
-  return reply(
-      question.at(0),
-      to_value(phrases ? phrases->render(question.at(1)) : Rendering{}));
-}
-
-// Answers a question. An answer that is too long is replaced by the error.
-Expected<void> ProcessPlugin::reply(const Value& question,
-                                    const Expected<Value>& answer) {
-  if (!answer)
-    return process_->tell(
-        {IpcKind::reply, {question, to_value(answer.error())}});
-  auto told = process_->tell({IpcKind::reply, {question, {}, *answer}});
-  if (!told && told.error().kind == ErrorKind::limit)
-    return reply(question, tl::make_unexpected(told.error()));
-  return told;
+  return to_value(phrases ? phrases->render(say) : Rendering{});
 }
 
 } // namespace

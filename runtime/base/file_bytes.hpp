@@ -17,7 +17,6 @@ inline constexpr std::size_t largest_file = 256 << 20; // bytes
 // Errors are of kind File and read as "this is a named pipe, not a file" or
 // "this file cannot be read: Permission denied".
 Expected<void> check_is_file(const std::filesystem::path& path);
-// The same before a file is written, which need not be there.
 // The same, but a path that does not exist is fine, too: the file may be
 // created.
 Expected<void> check_may_be_file(const std::filesystem::path& path);

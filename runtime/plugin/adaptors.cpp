@@ -40,8 +40,11 @@ void MicrophonePlugin::fire_failed(std::string reason) {
 
 VADPlugin::VADPlugin() : RolePlugin("VAD") {
   on("Process", &VADPlugin::on_process);
+  on("SetEcho", &VADPlugin::on_set_echo);
   on("Reset", &VADPlugin::on_reset);
 }
+
+void VADPlugin::on_set_echo(const Binary&) {}
 
 void VADPlugin::fire_speech_started(std::int64_t position) {
   fire_event("SpeechStarted", {position});
@@ -64,8 +67,12 @@ void ASRPlugin::on_set_grammar(const List&) {
   refuse("it has no grammars");
 }
 
-void ASRPlugin::fire_partial(std::string text, std::int64_t revision) {
-  fire_event("Partial", {std::move(text), revision});
+void ASRPlugin::fire_partial(std::string text, std::int64_t revision,
+                             std::optional<bool> ends) {
+  std::vector<Value> params = {std::move(text), revision};
+  if (ends)
+    params.emplace_back(*ends);
+  fire_event("Partial", std::move(params));
 }
 
 void ASRPlugin::fire_result(std::string text, Value confidence,

@@ -43,11 +43,17 @@ class VADPlugin : public RolePlugin {
 protected:
   VADPlugin();
 
-  virtual void on_process(const Binary& audio) = 0;
+  // `position` is where the audio begins, in ms since the microphone was
+  // started. Without it the audio follows on what came before.
+  virtual void on_process(const Binary& audio,
+                          std::optional<std::int64_t> position) = 0;
+  // What the loudspeaker plays now. Ignored unless overridden.
+  virtual void on_set_echo(const Binary& audio);
   // The next audio has nothing to do with what came before.
   virtual void on_reset() = 0;
 
-  // Positions are in ms since the last reset.
+  // Positions are where speech began or ended, not where that was noticed: in
+  // ms as on_process has them, or since the last reset.
   void fire_speech_started(std::int64_t position);
   void fire_speech_ended(std::int64_t position);
 };
@@ -66,8 +72,10 @@ protected:
   // Uses only these grammars from now on. Refuses unless overridden.
   virtual void on_set_grammar(const List& names);
 
-  // The text recognised so far; revisions count from 1.
-  void fire_partial(std::string text, std::int64_t revision);
+  // The text recognised so far; revisions count from 1. `ends` tells whether a
+  // sentence may end there, if the recogniser knows.
+  void fire_partial(std::string text, std::int64_t revision,
+                    std::optional<bool> ends = {});
   // The confidence is between 0 and 1, or unknown.
   void fire_result(std::string text, Value confidence, List alternatives = {},
                    List words = {});

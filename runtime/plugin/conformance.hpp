@@ -33,6 +33,6 @@ struct TestOptions {
 // refused; that nothing is thrown; and that it fires only events that it has
 // described.
 std::vector<std::string> conformance_errors(const PluginFactory& factory,
-                                            const TestOptions& terms);
+                                            const TestOptions& options);
 
 } // namespace parlour

@@ -25,6 +25,20 @@ public:
   // advanced, before the last is answered.
   void wait_for_all();
 
+  // Closes one at its end, also where the answer throws.
+  class Closing {
+  public:
+    explicit Closing(OpenMessages& messages) : messages_(messages) {}
+    Closing(const Closing&) = delete;
+    Closing& operator=(const Closing&) = delete;
+    ~Closing() {
+      messages_.close();
+    }
+
+  private:
+    OpenMessages& messages_;
+  };
+
 private:
   std::mutex mutex_;
   std::condition_variable closed_;

@@ -7,6 +7,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "runtime/base/result_rows.hpp"
+
 namespace parlour {
 
 namespace {
@@ -121,16 +123,6 @@ void write_map(std::string& text, const Map& map) {
   }
 }
 
-void write_rows(std::string& text, const ResultSet& result) {
-  for (std::size_t row = 0; row < result.row_count(); ++row) {
-    Map cells;
-    for (const auto& column : result.columns)
-      cells.set(column, *result.cell(row, column));
-    text += row == 0 ? "" : ",";
-    write(text, Value(std::move(cells)));
-  }
-}
-
 void write(std::string& text, const Value& value) {
   switch (value.type()) {
   case ValueType::unknown:
@@ -160,7 +152,7 @@ void write(std::string& text, const Value& value) {
     return;
   case ValueType::result:
     text += '[';
-    write_rows(text, *value.if_result());
+    write_list(text, rows_as_maps(*value.if_result()));
     text += ']';
     return;
   }

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "runtime/base/result_rows.hpp"
 #include "runtime/base/utf8.hpp"
 #include "script/values/convert.hpp"
 #include "script/vm/builtin_call.hpp"
@@ -95,14 +96,7 @@ private:
 
   // A result set becomes a list of objects.
   bool write_result(const ResultSet& result, int depth) {
-    List rows;
-    for (std::size_t row = 0; row < result.row_count(); ++row) {
-      Map map;
-      for (const auto& column : result.columns)
-        map.set(column, *result.cell(row, column));
-      rows.emplace_back(std::move(map));
-    }
-    return write_list(rows, depth);
+    return write_list(rows_as_maps(result), depth);
   }
 
   std::size_t limit_;

@@ -66,6 +66,8 @@ Aliases Compiler::aliases() {
 void Compiler::take_settings(Element root) {
   program_->settings =
       read_settings(root, aliases(), options_.environment, findings_);
+  if (options_.adjust)
+    options_.adjust(program_->settings);
   settings_ = std::move(root);
 }
 
@@ -112,7 +114,9 @@ void Compiler::add_usual_plugins(Element& settings) {
 void Compiler::load_libraries() {
   if (options_.platform.empty())
     return;
-  for (const auto* library : {"phrases-en", "repair"}) {
+  auto libraries = options_.libraries;
+  libraries.insert(libraries.end(), {"phrases-en", "repair"});
+  for (const auto& library : libraries) {
     loader_.load_library(library, {});
     program_->settings.libraries.push_back(library);
   }

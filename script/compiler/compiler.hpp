@@ -27,6 +27,10 @@ struct CompileOptions {
   // empty.
   std::string (*environment)(const std::string& name) = nullptr;
   const SourceTexts* texts = nullptr; // unsaved texts of an editor
+  // Of the platform, besides those that scripts include: "voice".
+  std::vector<std::string> libraries = {};
+  // Changes the settings once they are read; may be empty.
+  std::function<void(Settings&)> adjust = nullptr;
 };
 
 // The result. Findings may include warnings even if there is a program.

@@ -3,6 +3,7 @@
 //   <relay source="ASR" command="RecognitionResult" to="LogRobot" as="Heard"/>
 //   <filter source="ASR" command="RecognitionResult" if="_LPARAM2 lt 0.3"
 //           drop="true"/>
+//   <open source="Devices" command="State" if="_LPARAM1 == 'door'"/>
 
 #include "script/compiler/route_compiler.hpp"
 
@@ -35,7 +36,11 @@ public:
   void compile(const Element& element);
 
 private:
+  EventName event_of(const Element& element);
+  CodeId condition_of(const Element& element);
   void compile_params(const Element& element, Route& route);
+  void compile_route(const Element& element);
+  void compile_opening(const Element& element);
 
   Compilation& compilation_;
   Names names_;
@@ -59,24 +64,45 @@ void RouteCompiler::compile_params(const Element& element, Route& route) {
   }
 }
 
-void RouteCompiler::compile(const Element& element) {
-  Route route;
-  route.is_filter = element.is("filter");
+EventName RouteCompiler::event_of(const Element& element) {
   const auto& source = *element.attribute("source");
   const auto& command = *element.attribute("command");
-  auto name =
-      checked_event({source.value, command.value}, source.value_position,
-                    command.value_position, compilation_);
+  return checked_event({source.value, command.value}, source.value_position,
+                       command.value_position, compilation_);
+}
+
+CodeId RouteCompiler::condition_of(const Element& element) {
+  const auto* condition = element.attribute("if");
+  return condition ? bodies_.expression(*condition, context_) : no_code;
+}
+
+void RouteCompiler::compile_route(const Element& element) {
+  auto name = event_of(element);
+  Route route;
+  route.is_filter = element.is("filter");
   route.source = std::move(name.source);
   route.command = std::move(name.event);
-  if (const auto* condition = element.attribute("if"))
-    route.condition = bodies_.expression(*condition, context_);
+  route.condition = condition_of(element);
   route.drop = element.value("drop") == "true";
   route.to = split_names(element.value("to"));
   route.as = element.value("as");
   compile_params(element, route);
   route.position = element.position;
   compilation_.program.routes.push_back(std::move(route));
+}
+
+void RouteCompiler::compile_opening(const Element& element) {
+  auto name = event_of(element);
+  compilation_.program.openings.push_back(
+      {std::move(name.source), std::move(name.event), condition_of(element),
+       std::string(element.value("seat")), element.position});
+}
+
+void RouteCompiler::compile(const Element& element) {
+  if (element.is("open"))
+    compile_opening(element);
+  else
+    compile_route(element);
 }
 
 } // namespace

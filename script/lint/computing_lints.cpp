@@ -101,6 +101,8 @@ void ComputingLint::run() {
     check(route.condition, route.position, "the condition of a route");
     check(route.params, route.position, "a parameter of a route");
   }
+  for (const auto& opening : program_.openings)
+    check(opening.condition, opening.position, "the condition of an <open>");
 }
 
 } // namespace

@@ -29,12 +29,13 @@ bool is_taken(const Program& program, const std::string& raised) {
       return takes(one.*reactions, raised);
     });
   };
+  const auto matches = [&](const auto& one) {
+    return takes(one.source, one.command, raised);
+  };
   return in(program.handlers, &Handler::reactions) ||
          in(program.states, &State::messages) ||
-         std::any_of(program.routes.begin(), program.routes.end(),
-                     [&](const Route& one) {
-                       return takes(one.source, one.command, raised);
-                     });
+         std::ranges::any_of(program.routes, matches) ||
+         std::ranges::any_of(program.openings, matches);
 }
 
 } // namespace

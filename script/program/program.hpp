@@ -193,6 +193,16 @@ struct Route {
   Position position;
 };
 
+// An <open>: a message that opens a conversation at a seat without one (engine
+// rule 1.8). Its condition sees the message only.
+struct Opening {
+  std::string source;
+  std::string command;
+  CodeId condition = no_code;
+  std::string seat; // empty: every seat
+  Position position;
+};
+
 // <facts>: a table that is queried like one of a database.
 struct FactTable {
   std::string name;
@@ -250,6 +260,7 @@ struct Program {
   std::vector<State> states;
   std::vector<Topic> topics;
   std::vector<Route> routes;
+  std::vector<Opening> openings;
   std::vector<FactTable> facts;
   std::vector<Phrase> phrases; // the application's first, then the platform's
   std::vector<Repair> repairs; // likewise

@@ -105,10 +105,12 @@ void end_in_this_process(const fs::path& folder) {
   }
 }
 
-// With the folder in its environment.
+// With the folder in its environment; ctest tells this process to run half of
+// the tests, but the other has only one.
 bool end_in_another_process(const fs::path& folder) {
   const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-  const auto command = std::string(states_of_the_first) + "='" +
+  const auto command = "env -u GTEST_TOTAL_SHARDS -u GTEST_SHARD_INDEX " +
+                       std::string(states_of_the_first) + "='" +
                        folder.string() + "' '" +
                        fs::read_symlink("/proc/self/exe").string() +
                        "' --gtest_filter=" + test->test_suite_name() + "." +

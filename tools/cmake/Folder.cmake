@@ -35,6 +35,7 @@ function(parlour_library name)
     if(count GREATER 8)
       target_precompile_headers(${name} PRIVATE ${PARLOUR_HEADERS})
     endif()
+    parlour_unite(${name})
   else()
     add_library(${name} INTERFACE)
     target_include_directories(${name} INTERFACE "${PROJECT_SOURCE_DIR}")
@@ -45,28 +46,51 @@ endfunction()
 # parlour_test(<folder> SOURCES ... LINK ... HEADERS <target>
 #   [TOGETHER <pattern>]):
 # makes the GoogleTest program test_<folder> from the sources, with the
-# precompiled headers of the target <target>. ctest runs each test in a process
-# of its own, and those that match the pattern together in one.
+# precompiled headers of the target <target>.
 function(parlour_test folder)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "HEADERS;TOGETHER" "SOURCES;LINK")
   parlour_folder_name(name "${folder}")
   add_executable(test_${name} ${arg_SOURCES})
-  target_link_libraries(test_${name} PRIVATE ${arg_LINK} parlour_testing)
+  # gtest_main comes first: libwebrtc_audio_processing has a main() of its own.
+  target_link_libraries(test_${name} PRIVATE
+    GTest::gtest_main ${arg_LINK} parlour_testing)
   target_precompile_headers(test_${name} REUSE_FROM ${arg_HEADERS})
-  if(PARLOUR_SANITIZE)
-    # One process for the whole folder: starting one takes long with sanitizers.
-    add_test(NAME "${folder}" COMMAND test_${name} --gtest_brief=1
+  if(PARLOUR_UNITE_TESTS)
+    parlour_unite(test_${name})
+  endif()
+  parlour_runs(test_${name} "${folder}" "${arg_TOGETHER}")
+endfunction()
+
+# parlour_runs(<program> <folder> <pattern>): how ctest runs the program: the
+# tests that match the pattern in one process, all others in two, because to
+# start a process takes longer than most tests. With PARLOUR_TESTS_APART each
+# of the others has a process and a name in ctest.
+function(parlour_runs program folder together)
+  if(PARLOUR_SANITIZE AND NOT PARLOUR_TESTS_APART)
+    # To start a process takes long with sanitizers.
+    add_test(NAME "${folder}" COMMAND ${program} --gtest_brief=1
       WORKING_DIRECTORY "${PROJECT_SOURCE_DIR}")
-  else()
-    if(arg_TOGETHER)
-      set(others TEST_FILTER "-${arg_TOGETHER}")
-      add_test(NAME "${folder}: ${arg_TOGETHER}"
-        COMMAND test_${name} --gtest_brief=1 --gtest_filter=${arg_TOGETHER}
-        WORKING_DIRECTORY "${PROJECT_SOURCE_DIR}")
-    endif()
-    gtest_discover_tests(test_${name} ${others}
+    return()
+  endif()
+  set(others "-${together}")
+  if(together)
+    add_test(NAME "${folder}: ${together}"
+      COMMAND ${program} --gtest_filter=${together}
+      WORKING_DIRECTORY "${PROJECT_SOURCE_DIR}")
+  endif()
+  if(PARLOUR_TESTS_APART)
+    gtest_discover_tests(${program} TEST_FILTER "${others}"
       TEST_PREFIX "${folder}: " DISCOVERY_MODE PRE_TEST
       WORKING_DIRECTORY "${PROJECT_SOURCE_DIR}"
       DISCOVERY_TIMEOUT 60)
+    return()
   endif()
+  foreach(half 0 1)
+    math(EXPR number "${half} + 1")
+    add_test(NAME "${folder}: half ${number}"
+      COMMAND ${program} --gtest_filter=${others}
+      WORKING_DIRECTORY "${PROJECT_SOURCE_DIR}")
+    set_tests_properties("${folder}: half ${number}" PROPERTIES
+      ENVIRONMENT "GTEST_TOTAL_SHARDS=2;GTEST_SHARD_INDEX=${half}")
+  endforeach()
 endfunction()

@@ -66,6 +66,12 @@ public:
     });
   }
 
+  // Nobody knows what has been lost. To connect again could lead to the same.
+  void threw(const std::string& what) {
+    arrival_thread_.store({}, std::memory_order_relaxed);
+    end({ErrorKind::thrown, what, {}});
+  }
+
   // -- from any thread --------------------------------------------------------
 
   bool send(AgentMessage&& message) {
@@ -212,7 +218,8 @@ private:
       return lose("the platform's welcome: " + welcome.error().sentence);
     if (auto checked = check_version(*welcome, hello_); !checked) {
       write_error(checked.error());
-      return end("version: " + checked.error().sentence);
+      return end(
+          {ErrorKind::refused, "version: " + checked.error().sentence, {}});
     }
     if (link_.is_behind(welcome->introduction)) {
       link_.renew(new_incarnation());
@@ -235,7 +242,7 @@ private:
         message.parameters.empty() ? "" : message.parameters.front();
     const auto kind = error_kind_of(message.command);
     if (kind && ends_for_good(*kind))
-      return end(message.command + ": " + sentence);
+      return end({ErrorKind::refused, message.command + ": " + sentence, {}});
     listener_.note("the platform says " + message.command + ": " + sentence);
     // The platform does not know this connection, or closes it.
     if (kind == WireErrorKind::unknown ||
@@ -243,10 +250,10 @@ private:
       lose("the platform refuses what the agent says");
   }
 
-  void end(const std::string& reason) {
+  void end(const Error& reason) {
     is_present_ = false;
     say_bye();
-    listener_.rejected({ErrorKind::refused, reason, {}});
+    listener_.rejected(reason);
   }
 
   void hand_on(AgentMessage&& message) {
@@ -349,11 +356,14 @@ private:
 Expected<std::unique_ptr<AgentConnection>>
 AgentConnection::open(const PlatformAddress& address, const Hello& hello,
                       Listener& listener) {
-  auto loop = Loop::start();
+  const auto owner = std::make_shared<Implementation*>();
+  auto loop =
+      Loop::start([owner](const std::string& what) { (*owner)->threw(what); });
   if (!loop)
     return tl::make_unexpected(std::move(loop.error()));
   auto implementation = std::make_unique<Implementation>(
       address, hello, listener, std::move(*loop));
+  *owner = implementation.get();
   if (auto prepared = implementation->prepare(address); !prepared)
     return tl::make_unexpected(std::move(prepared.error()));
   implementation->run();

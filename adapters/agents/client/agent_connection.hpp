@@ -29,7 +29,8 @@ public:
     // Called again and again until there is one.
     virtual void offline() = 0;
     // The platform does not want this agent, or speaks no version of it; to
-    // connect again would not help. Nothing follows.
+    // connect again would not help. Or one of these functions has thrown; then
+    // the kind is Thrown. Nothing follows.
     virtual void rejected(const Error& error) = 0;
   };
 

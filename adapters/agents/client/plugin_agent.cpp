@@ -20,13 +20,15 @@ public:
         host_(order_.name, order_.data_folder, context_, outside()) {}
 
   Expected<void> run() {
-    auto outcome = begin();
-    if (outcome)
-      outcome = call_until_the_end();
-    if (plugin_)
-      plugin_->stop();
+    const auto outcome =
+        guarded([this] { return begin().and_then([this] { return stay(); }); });
+    const auto stopped = guarded([this]() -> Expected<void> {
+      if (plugin_)
+        plugin_->stop();
+      return {};
+    });
     connection_.reset(); // what the plug-in said last is still sent
-    return outcome;
+    return outcome ? stopped : outcome;
   }
 
   void stop() {
@@ -67,12 +69,21 @@ private:
     return plugin_->start(host_, order_.options);
   }
 
-  Expected<void> call_until_the_end() {
+  // What the plug-in throws, wherever it is called.
+  template <class Action>
+  static Expected<void> guarded(Action action) {
     try {
-      context_.run();
+      return action();
     } catch (const std::exception& thrown) {
       return fail(ErrorKind::thrown, thrown.what());
+    } catch (...) {
+      return fail(ErrorKind::thrown, "an exception of an unknown type");
     }
+  }
+
+  // Calls the plug-in until the end.
+  Expected<void> stay() {
+    context_.run();
     if (end_)
       return tl::make_unexpected(*end_);
     return {};

@@ -40,13 +40,7 @@ public:
   Implementation(const ServerOptions& options, std::unique_ptr<Loop> loop)
       : loop_(std::move(loop)),
         exchange_(options.accounts, new_incarnation(), *this, *this),
-        mistakes_(options.log), alarm_(*loop_, [this] { tick(); }) {
-    loop_->on_exception([this](const std::string& what) {
-      fail_all(what);
-      loop_->post(
-          [this] { send_queued(steady_now()); }); // what an arrival has left
-    });
-  }
+        mistakes_(options.log), alarm_(*loop_, [this] { tick(); }) {}
   // The transports are closed on their own thread. What was written before the
   // end still leaves.
   ~Implementation() override {
@@ -56,6 +50,12 @@ public:
       alarm_.set(Alarm::never);
     });
     loop_->stop(leave_within);
+  }
+
+  void threw(const std::string& what) {
+    fail_all(what);
+    // What an arrival has left.
+    loop_->post([this] { send_queued(steady_now()); });
   }
 
   // On the loop's thread as well: agents may connect at once.
@@ -346,11 +346,14 @@ private:
 
 Expected<std::unique_ptr<AgentServer>>
 AgentServer::start(ServerOptions options) {
-  auto loop = Loop::start();
+  const auto owner = std::make_shared<Implementation*>();
+  auto loop =
+      Loop::start([owner](const std::string& what) { (*owner)->threw(what); });
   if (!loop)
     return tl::make_unexpected(std::move(loop.error()));
   auto implementation =
       std::make_unique<Implementation>(options, std::move(*loop));
+  *owner = implementation.get();
   if (auto listening = implementation->listen(options); !listening)
     return tl::make_unexpected(std::move(listening.error()));
   return std::unique_ptr<AgentServer>(

@@ -32,7 +32,8 @@ Expected<void> MySQLDatabase::on_start(const Options& options) {
   options_ = std::move(*read);
   if (options_.copy)
     options_.database = own_name(options_.database);
-  auto loop = Loop::start();
+  auto loop =
+      Loop::start([this](const std::string& what) { host().failed(what); });
   if (!loop)
     return tl::make_unexpected(loop.error());
   pool_ = std::make_unique<MariaDBPool>(
@@ -92,11 +93,11 @@ bool MySQLDatabase::is_this_database(const Value& wanted) const {
 }
 
 void MySQLDatabase::tell(const Message& message, StatementOutcome outcome) {
+  const OpenMessages::Closing closing(open_);
   if (outcome)
     answer(message, "Result", result_params(message, std::move(*outcome)));
   else
     fail_with(message, outcome.error());
-  open_.close();
 }
 
 void MySQLDatabase::fail_with(const Message& message, const Error& error) {

@@ -72,7 +72,7 @@ Expected<void> read_password(const OptionValues& values, const fs::path& folder,
   if (!text)
     return wrong("password-file",
                  "names '" + name.string() + "': " + text.error().message);
-  made.password = text->substr(0, text->find('\n'));
+  made.password = text->substr(0, text->find_first_of("\r\n"));
   if (made.password.empty())
     return wrong("password-file",
                  "names '" + name.string() + "', which has no first line");

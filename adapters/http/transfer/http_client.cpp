@@ -27,8 +27,9 @@ std::string server_of(const std::string& address) {
 } // namespace
 
 Expected<std::unique_ptr<HttpClient>> HttpClient::start(ClientOptions options,
+                                                        Loop::Thrown thrown,
                                                         const Open& open) {
-  auto loop = Loop::start();
+  auto loop = Loop::start(std::move(thrown));
   if (!loop)
     return tl::make_unexpected(loop.error());
   auto& thread = **loop;

@@ -40,9 +40,11 @@ public:
   using Open = std::function<Expected<std::unique_ptr<Transfers>>(
       Loop&, TransferOptions)>;
 
-  // The error says that no thread can be started or that there is no libcurl.
+  // `thrown` gets what a Done throws, on the client's thread. The error says
+  // that no thread can be started or that there is no libcurl.
   static Expected<std::unique_ptr<HttpClient>>
-  start(ClientOptions options, const Open& open = curl_transfers);
+  start(ClientOptions options, Loop::Thrown thrown,
+        const Open& open = curl_transfers);
   HttpClient(const HttpClient&) = delete;
   HttpClient& operator=(const HttpClient&) = delete;
   // Cancels what runs and waits, and tells each that the component ends.

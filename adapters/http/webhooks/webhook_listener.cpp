@@ -12,7 +12,6 @@
 #include <asio/steady_timer.hpp>
 
 #include "adapters/http/webhooks/webhook_connection.hpp"
-#include "adapters/loop/loop.hpp"
 #include "runtime/base/rate_limit.hpp"
 
 namespace parlour::adapters::http {
@@ -159,7 +158,8 @@ struct WebhookListener::State {
 };
 
 Expected<std::unique_ptr<WebhookListener>>
-WebhookListener::start(ListenerOptions options, Take take) {
+WebhookListener::start(ListenerOptions options, Take take,
+                       Loop::Thrown thrown) {
   if (auto may = check_listener(options); !may)
     return tl::make_unexpected(may.error());
   if (!make_request_parser(options.max_body))
@@ -167,7 +167,7 @@ WebhookListener::start(ListenerOptions options, Take take) {
                 "this program was built without Boost.Beast, so it hears no "
                 "webhooks; install libboost-dev and build it again");
   const auto end = endpoint_of(options.listen);
-  auto loop = Loop::start();
+  auto loop = Loop::start(std::move(thrown));
   if (!loop)
     return tl::make_unexpected(loop.error());
   auto state = std::make_unique<State>(std::move(*loop), std::move(options),

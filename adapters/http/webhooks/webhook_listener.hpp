@@ -9,6 +9,7 @@
 #include <string>
 
 #include "adapters/http/webhooks/webhook_request.hpp"
+#include "adapters/loop/loop.hpp"
 #include "runtime/base/clock.hpp"
 #include "runtime/base/error.hpp"
 
@@ -33,13 +34,15 @@ Expected<void> check_listener(const ListenerOptions& options);
 class WebhookListener {
 public:
   // Gets each request that is not refused, on the listener's thread, and
-  // returns the status of the answer. It must not throw or block.
+  // returns the status of the answer. It must not block.
   using Take = std::function<int(const WebhookRequest&)>;
 
-  // Listens at once, on a thread of its own. The error says which option is
-  // wrong, that the port is taken, or that this build lacks Boost.Beast.
+  // Listens at once, on a thread of its own. `thrown` gets what `take` throws,
+  // on that thread; the request is not answered then. The error says which
+  // option is wrong, that the port is taken, or that this build lacks
+  // Boost.Beast.
   static Expected<std::unique_ptr<WebhookListener>>
-  start(ListenerOptions options, Take take);
+  start(ListenerOptions options, Take take, Loop::Thrown thrown);
   WebhookListener(const WebhookListener&) = delete;
   WebhookListener& operator=(const WebhookListener&) = delete;
   // Closes all connections; then nothing is taken any more.

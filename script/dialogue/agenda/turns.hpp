@@ -5,6 +5,7 @@
 // behalf, or a script works for it.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -26,6 +27,10 @@ public:
   // until its result begins it, or this time is over.
   void speaks(Timestamp until) {
     speech_until_ = until;
+  }
+  // The same for who may be known to speak longer.
+  void speaks_on(Timestamp until) {
+    speech_until_ = std::max(speech_until_, until);
   }
   void speech_is_over() {
     speech_until_ = 0;

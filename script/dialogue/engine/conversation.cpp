@@ -137,10 +137,10 @@ void Conversation::output_finished(OutputId id, bool played, Timestamp now) {
   if (ended())
     return;
   implementation_->context.now = now;
-  if (played)
-    implementation_->output.finished(id);
-  else
+  if (!played)
     implementation_->output.interrupted(id, {});
+  else if (!implementation_->output.is_voiced())
+    implementation_->output.finished(id);
   implementation_->go_on();
 }
 

@@ -63,8 +63,8 @@ public:
   // By the other side. Whoever tells of it receives its message, too.
   void socket_closed(SocketId id);
   void timer_fired(TimerId id, Timestamp now);
-  // The speaker is done with it; `played` false: it was interrupted before a
-  // word was heard (a message Speaker.Finished tells of more).
+  // The seat has shown it; `played` false: it was interrupted before a word was
+  // heard. Where a loudspeaker plays it, too, its Finished counts instead.
   void output_finished(OutputId id, bool played, Timestamp now);
 
   // Ends the session: Exit runs, waits are cancelled, Session.Ended is fired.

@@ -15,11 +15,16 @@ namespace {
 using namespace std::string_view_literals;
 
 const std::string recogniser = "ASR";
+const std::string endpointer = "Endpointer";
+
+// Where the end of a turn is never told: no endpointer takes that long.
+constexpr Milliseconds longest_turn{300'000};
 
 // What the engine itself has an ear for, besides who reacts to it.
 constexpr std::string_view heard_commands[] = {
     "RecognitionResult", "SpeechStarted", "Partial",      "Rejected",
-    "Finished",          "AgentOnline",   "AgentOffline", "PhraseFailed"};
+    "TurnStarted",       "TurnEnded",     "TurnDropped",  "Finished",
+    "AgentOnline",       "AgentOffline",  "PhraseFailed", "Failed"};
 
 constexpr std::uint64_t lengths_of_heard = [] {
   std::uint64_t lengths = 0;
@@ -36,12 +41,27 @@ bool is_heard(const Message& message) {
              std::end(heard_commands);
 }
 
-// The user was heard to speak, but not yet understood.
-bool is_speech(const Port& port, const Message& message) {
-  return (message.command == "SpeechStarted"sv &&
-          port.is_source("VAD", message.source)) ||
-         (message.command == "Partial"sv &&
-          port.is_source(recogniser, message.source));
+// How long the words of a user who was heard to speak may take to arrive;
+// nothing: the message tells of no speech. A turn that has started lasts until
+// its end is told.
+std::optional<Milliseconds> words_come_within(const Port& port,
+                                              const Message& message) {
+  const auto is = [&](std::string_view command, const std::string& role) {
+    return message.command == command && port.is_source(role, message.source);
+  };
+  if (is("TurnStarted", endpointer))
+    return longest_turn;
+  if (is("TurnEnded", endpointer) || is("SpeechStarted", "VAD") ||
+      is("Partial", recogniser))
+    return defaults::speech_without_words;
+  return std::nullopt;
+}
+
+bool ends_speech(const Port& port, const Message& message) {
+  return (message.command == "Rejected"sv &&
+          port.is_source(recogniser, message.source)) ||
+         (message.command == "TurnDropped"sv &&
+          port.is_source(endpointer, message.source));
 }
 
 } // namespace
@@ -60,9 +80,8 @@ void ConversationImplementation::receive(
                                  : context.turns.of(message->correlation);
   const bool begins_turn = input.begins_turn;
   inbox.receive(std::move(input));
-  if (heard && is_speech(context.port, *message)) // known before a release
-    context.turns.speaks(std::max(context.now, message->time) +
-                         defaults::speech_without_words.count());
+  if (heard) // known before a release
+    note_speech(*message, std::max(context.now, message->time));
   if (!begins_turn)
     context.turns.answered(message->correlation);
 }
@@ -150,15 +169,27 @@ void ConversationImplementation::process(Input&& input) {
   }
 }
 
+// True if the user was heard to speak. Partial results tell nothing of how long
+// the turn goes on; its end does.
+bool ConversationImplementation::note_speech(const Message& message,
+                                             Timestamp now) {
+  const auto lasts = words_come_within(context.port, message);
+  if (!lasts)
+    return false;
+  if (message.command == "Partial"sv)
+    context.turns.speaks_on(now + lasts->count());
+  else
+    context.turns.speaks(now + lasts->count());
+  return true;
+}
+
 // Barge-in (engine rule 3).
 bool ConversationImplementation::hear_speech(const Message& message) {
-  if (message.command == "Rejected"sv &&
-      context.port.is_source(recogniser, message.source))
+  if (ends_speech(context.port, message))
     context.turns.speech_is_over();
-  if (!is_speech(context.port, message))
+  if (!note_speech(message, context.now))
     return false;
   stop_silence();
-  context.turns.speaks(context.now + defaults::speech_without_words.count());
   if (output.can_be_interrupted())
     for (const auto* role : {"TTS", "Speaker"})
       if (context.port.reachable(role))
@@ -169,6 +200,10 @@ bool ConversationImplementation::hear_speech(const Message& message) {
 // Finished(utterance, played, interrupted, spoken_text): what was heard of an
 // output; the utterance is the output's id.
 bool ConversationImplementation::hear_speaker(const Message& message) {
+  if (message.command == "Failed"sv &&
+      (context.port.is_source("TTS", message.source) ||
+       context.port.is_source("Speaker", message.source)))
+    output.voice_failed(); // others may take it, too
   if (message.command != "Finished"sv ||
       !context.port.is_source("Speaker", message.source))
     return false;

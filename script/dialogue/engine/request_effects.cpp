@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "runtime/message/replies.hpp"
 #include "script/dialogue/engine/effect_operands.hpp"
 
 namespace parlour::dialogue {
@@ -89,12 +90,9 @@ bool RequestEffects::reply(const Message& message) {
   auto wait = found->second;
   requests_.erase(found);
   if (reply == Reply::refusal) {
-    auto reason =
-        message.params.empty() ? message.command : message.params.back().text();
-    auto kind = context_.port.is_source("Database", message.source)
-                    ? ErrorKind::database
-                    : ErrorKind::refused;
-    waits_.resume(wait, fail(kind, message.source + ": " + reason));
+    const bool is_database =
+        context_.port.is_source("Database", message.source);
+    waits_.resume(wait, tl::make_unexpected(refusal_of(message, is_database)));
   } else {
     waits_.resume(wait, Value(Map{{"command", message.command},
                                   {"params", List(message.params)}}));

@@ -4,6 +4,8 @@
 #include <string_view>
 #include <utility>
 
+#include "script/dialogue/output/unheard_part.hpp"
+
 namespace parlour::dialogue {
 
 using namespace std::string_view_literals;
@@ -254,6 +256,14 @@ void OutputManager::finished(OutputId id) {
   taken_up_ = 0;
 }
 
+void OutputManager::voice_failed() {
+  playing_.clear();
+}
+
+bool OutputManager::is_voiced() const {
+  return context_.port.reachable("TTS") && context_.port.reachable("Speaker");
+}
+
 void OutputManager::no_longer_playing(OutputId id) {
   std::erase_if(playing_,
                 [&](const Playing& output) { return output.id == id; });
@@ -266,7 +276,11 @@ void OutputManager::interrupted(OutputId id, const std::string& heard) {
     return;
   inspect(*cut, "broken off");
   listener_.broken_off(*cut, heard);
-  if (!interrupted_) // what came after it was not heard either
+  if (interrupted_) // what comes after it was not heard either
+    return;
+  if (cut->act == OutputAct::answer) // a question is asked again as a whole
+    cut->text = unheard_part(cut->text, heard);
+  if (!cut->text.empty())
     interrupted_ = std::move(cut);
 }
 

@@ -102,6 +102,11 @@ public:
     return !queue_.last_turn().empty();
   }
   void finished(OutputId id);
+  // Voice or loudspeaker has given up: nothing is being played any more.
+  void voice_failed();
+  // Whether outputs are played by a loudspeaker, which tells when it has
+  // finished.
+  bool is_voiced() const;
   // The user broke in: of this output only these words were heard.
   void interrupted(OutputId id, const std::string& heard);
   // The user has said something after all: what was broken off stays so.

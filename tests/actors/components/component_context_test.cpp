@@ -1,3 +1,6 @@
+#include <optional>
+#include <thread>
+
 #include "actors/components/component_context.hpp"
 #include "tests/actors/bench.hpp"
 
@@ -8,6 +11,41 @@ class PluginDoorTest : public testing::Test {
 protected:
   PluginDoorTest() {
     bench.bus.connect(bench.centre_probe());
+  }
+
+  supervisor_actor supervisor_probe() {
+    auto done = [](const auto&) { return component_done{}; };
+    return bench.spawn(
+        [=, this](supervisor_actor::pointer,
+                  Bench*) -> supervisor_actor::behavior_type {
+          return {
+              [=](const load_component& what) { return done(what); },
+              [=](const load_plugin& what) { return done(what); },
+              [=](const unload_component& what) { return done(what); },
+              [](const stop_components&) {},
+              [](const instance_started&) {},
+              [](const instance_stopped&) {},
+              [this](const component_failed& what) {
+                bench.seen.push_back(what.name + " " +
+                                     std::to_string(what.instance) +
+                                     " failed: " + what.reason);
+              },
+              [this](const component_available& what) {
+                bench.seen.push_back(std::to_string(what.instance) +
+                                     (what.is_available ? " is" : " is not") +
+                                     " available");
+              },
+              [](const watch_instance&) {},
+              [](const instance_idle&) {},
+              [](const try_again&) {},
+              [](const drain_over&) {},
+              [](const seat_opened&) {},
+              [](const session_begins&) { return session_settled{}; },
+              [](const session_ended&) {},
+              no_status,
+          };
+        },
+        &bench);
   }
 
   Bench bench;
@@ -111,6 +149,30 @@ TEST_F(PluginDoorTest, ForgetsWhatIsCancelled) {
   context.cancel(delay);
   context.cancel(delay);
   EXPECT_FALSE(bench.time.due_times.component_pending());
+}
+
+// From a thread of its own, the last before it is stopped: what it asked for
+// waits until the actors have nothing to do, and it may be gone by then.
+TEST_F(PluginDoorTest, TellsWhatAnInstanceSaidThatIsGone) {
+  const ContextParts parts{bench.time, bench.bus, bench.observer, environment,
+                           supervisor_probe()};
+  std::optional<ComponentContext> gone;
+  gone.emplace(parts, "Nose", PluginDescription{"Nose", {}, "smells"}, 1);
+  const auto host = bench.component_probe("host");
+  gone->belongs_to(host);
+  std::thread([&] {
+    gone->available(false);
+    gone->failed("line cut");
+    gone->after(Milliseconds(5), [] {});
+    gone->ask(event("", "Help"), Milliseconds(5), [](const auto&) {});
+  }).join();
+  // Another stands in its place, so that nothing of it is left there.
+  gone.emplace(ContextParts{bench.time, bench.bus, bench.observer, environment},
+               "Eye", PluginDescription{"Eye", {}, "sees"}, 2);
+  bench.run();
+  EXPECT_THAT(bench.seen,
+              ElementsAre("1 is not available", "Nose 1 failed: line cut",
+                          "host is to wait"));
 }
 
 TEST_F(PluginDoorTest, ShowsWhatThePlatformShares) {

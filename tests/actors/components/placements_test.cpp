@@ -281,6 +281,24 @@ TEST_F(PlacementsTest, EachSeatHasItsOwnForAllItsSessions) {
 
 // It speaks for the session that is there; a turn opens one where there is
 // none.
+// A microphone is heard by the detector of its seat while nobody talks.
+TEST_F(PlacementsTest, ASeatsComponentsHearEachOtherBetweenSessions) {
+  start_with({city(Scope::Kind::seat)});
+  auto& first = desk();
+  auto& second = desk();
+  ask(first, "one");
+  end(first);
+  Message message;
+  message.command = "Book";
+  message.params = {"unasked"};
+  message.sinks = {"City"};
+  for (const auto& place : {first.seat, second.seat, first.seat})
+    node->inject(place, message);
+  node->run_until_quiet();
+  EXPECT_THAT(ask(first, "two"), ElementsAre("4 two"));
+  EXPECT_THAT(ask(second, "two"), ElementsAre("2 two"));
+}
+
 TEST_F(PlacementsTest, ASeatsComponentOpensItsSession) {
   auto ear = component("Ear", "ASR", [](auto& self, const Message& message) {
     Message heard;

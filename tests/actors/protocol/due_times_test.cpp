@@ -31,6 +31,24 @@ TEST(DueTimes, KnowsTheEarliestOfSessions) {
   EXPECT_EQ(times.next_of_sessions(), 20);
 }
 
+// As many as a busy node has; a search through all would take minutes.
+TEST(DueTimes, GivesManyInOrder) {
+  constexpr int many = 100'000;
+  DueTimes times([] {});
+  for (int i = 0; i < many; ++i)
+    times.add(i * 7'919 % many, i % 2 == 0 ? Of::session : Of::component);
+  for (Timestamp due = 0; due < many; ++due) {
+    const auto next = times.next();
+    ASSERT_TRUE(next);
+    ASSERT_EQ(next->due, due);
+    ASSERT_TRUE(times.overdue(due));
+    times.remove(next->id);
+  }
+  EXPECT_FALSE(times.next());
+  EXPECT_FALSE(times.next_of_sessions());
+  EXPECT_FALSE(times.component_pending());
+}
+
 TEST(DueTimes, TellsOfEachRemovalOnce) {
   int changes = 0;
   DueTimes times([&] { ++changes; });

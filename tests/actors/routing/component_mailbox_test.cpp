@@ -86,5 +86,22 @@ TEST_F(ComponentMailboxTest, RefusesWhenItIsFullOrClosed) {
   EXPECT_EQ(put("Go"), nullptr);
 }
 
+// What its slow instance has not come to counts, too.
+TEST_F(ComponentMailboxTest, RefusesWhenItIsFullWhoeverWorksHere) {
+  const auto slow = reader("slow");
+  mailbox->add_worker(slow);
+  for (std::size_t i = 0; i < ComponentMailbox::capacity; ++i)
+    ASSERT_EQ(put("Go"), nullptr);
+  EXPECT_TRUE(mailbox->take(slow));
+  EXPECT_EQ(put("Go"), nullptr);
+  EXPECT_STREQ(put("Go"), "has more messages waiting than it may");
+  EXPECT_EQ(mailbox->size(), ComponentMailbox::capacity);
+  EXPECT_TRUE(mailbox->take(slow));
+  EXPECT_TRUE(mailbox->take(slow));
+  EXPECT_EQ(put("Go"), nullptr);
+  EXPECT_EQ(mailbox->take_all().size(), ComponentMailbox::capacity - 1);
+  EXPECT_EQ(put("Go"), nullptr);
+}
+
 } // namespace
 } // namespace parlour::actors

@@ -94,6 +94,46 @@ TEST(MessageBus, PublishToNobodyWhenTheNodeIsDown) {
   EXPECT_TRUE(bench.time.work.none());
 }
 
+// Whoever still runs meanwhile: an interrupt ends the waiting for them.
+TEST(MessageBus, CanBeAskedWhenTheNodeIsDown) {
+  Bench bench;
+  bench.bus.connect(bench.centre_probe());
+  const auto ear = bench.target("Ear", {"ASR"});
+  bench.set_table({ear});
+  bench.bus.take_down();
+  ASSERT_TRUE(bench.bus.table());
+  EXPECT_EQ(bench.bus.table()->find("ASR", ""), nullptr);
+  EXPECT_FALSE(bench.bus.is_heard(event("Ear", "Hears", {"hello"})));
+  auto question = event("Bell", "Asks");
+  question.sinks = {"ASR"};
+  EXPECT_FALSE(bench.bus.ask(question, bench.work()));
+  bench.bus.publish({question, event("Bell", "Rings")});
+  bench.bus.bring_in({event("Bell", "Rings")});
+  bench.bus.retire(bench.session_probe("a"), bench.work());
+  bench.set_table({ear}); // the supervisor is late
+  EXPECT_FALSE(bench.bus.ask(question, bench.work()));
+  bench.run();
+  EXPECT_THAT(bench.seen, ElementsAre());
+  EXPECT_THAT(bench.logs, ElementsAre());
+  EXPECT_TRUE(bench.time.work.none());
+}
+
+// For threads that send while it goes: a sanitizer sees it.
+TEST(MessageBus, GoesDownWhileOthersSend) {
+  Bench bench;
+  bench.bus.connect(bench.centre_probe());
+  std::atomic<bool> over = false;
+  std::thread sender([&] {
+    while (!over) {
+      EXPECT_TRUE(bench.bus.table());
+      bench.bus.is_heard(event("Ear", "Hears", {"hello"}));
+    }
+  });
+  bench.bus.take_down();
+  over = true;
+  sender.join();
+}
+
 TEST(MessageBus, ShowWhatNobodyTookOrLogIt) {
   Bench bench;
   std::vector<Inspection> shown;

@@ -1,5 +1,6 @@
+#include <gtest/gtest.h>
+
 #include "actors/routing/outcomes.hpp"
-#include "tests/actors/bench.hpp"
 
 namespace parlour::actors {
 namespace {
@@ -27,20 +28,6 @@ TEST(Outcomes, OfEachEvent) {
   event.command = "Failed";
   event.params = {"Timeout", "no"};
   EXPECT_EQ(outcome_of(event).error().kind, ErrorKind::database);
-}
-
-// Only a database names the kind of its errors.
-TEST(Outcomes, ARefusalNamesWhoRefused) {
-  Bench bench;
-  bench.set_table(
-      {bench.target("db", {"Database"}), bench.target("Oven", {"Robot"})});
-  const auto table = bench.bus.table();
-  auto refused = event("db", "Error", {"Timeout", "locked"});
-  EXPECT_EQ(refusal_of(*table, refused).kind, ErrorKind::timeout);
-  EXPECT_EQ(refusal_of(*table, refused).message, "db: locked");
-  refused = event("Oven", "Error", {"Timeout", "too hot"});
-  EXPECT_EQ(refusal_of(*table, refused).kind, ErrorKind::refused);
-  EXPECT_EQ(refusal_of(*table, refused).message, "Oven: too hot");
 }
 
 TEST(Outcomes, RowsAreNotCopied) {

@@ -113,6 +113,18 @@ TEST_F(RoutingTableTest, KnowsAUsersTurn) {
   EXPECT_FALSE(table->begins_turn(event("Good", "Partial")));
 }
 
+TEST_F(RoutingTableTest, KnowsWhatOpensAConversation) {
+  make(R"(<routes><open source="Record" command="Loud" if="_LPARAM1 gt 3"
+          seat="lobby"/><open source="Good" command="*"/></routes>)");
+  EXPECT_TRUE(table->opens(event("Mic", "Loud", {4}), "lobby"));
+  EXPECT_FALSE(table->opens(event("Mic", "Loud", {3}), "lobby"));
+  EXPECT_FALSE(table->opens(event("Mic", "Loud", {4}), "desk"));
+  EXPECT_FALSE(table->opens(event("Mic", "Quiet", {4}), "lobby"));
+  EXPECT_TRUE(table->opens(event("Good", "Partial"), "desk"));
+  EXPECT_TRUE(table->route(event("Good", "Partial")).for_session);
+  EXPECT_EQ(table->counters().relayed, 0u);
+}
+
 TEST_F(RoutingTableTest, RelaysACopyAndGoesOn) {
   make(R"(<routes><relay source="Record" command="BufferFull" to="ASR, Good"
           as="DoRecognition"/></routes>)");

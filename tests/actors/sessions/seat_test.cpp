@@ -56,15 +56,32 @@ TEST_F(SeatTest, HasBeenHeardWhereNobodyListens) {
 TEST_F(SeatTest, SurvivesWhatItsCallsThrow) {
   SeatCalls throwing{
       [](const auto&, const auto&) { throw std::runtime_error("no paper"); },
-      [](const auto&) { throw std::runtime_error("no ink"); }};
+      [](const auto&) { throw std::runtime_error("no ink"); },
+      [](const auto&) { throw std::runtime_error("no pen"); }};
   auto actor = bench.spawn(seat, parts, throwing);
   speak(actor, "a");
   bench.send(actor, session_over{"a", bench.work()});
+  bench.send(actor, next_session{"b", bench.work()});
   speak(actor, "a");
   EXPECT_THAT(bench.seen, ElementsAre("a did not play 7", "a did not play 7"));
   EXPECT_THAT(bench.logs,
               ElementsAre(HasSubstr("no paper"), HasSubstr("no ink"),
-                          HasSubstr("no paper")));
+                          HasSubstr("no pen"), HasSubstr("no paper")));
+}
+
+// The tool that it would call may be gone by then.
+TEST_F(SeatTest, CallsNobodyOnceTheNodeIsLeftBehind) {
+  noting.on_next = [this](const auto& session) {
+    calls.push_back(session + " next");
+  };
+  auto actor = bench.spawn(seat, parts, noting);
+  bench.send(actor, next_session{"a", bench.work()});
+  EXPECT_THAT(calls, ElementsAre("a next"));
+  bench.time.left_behind = true;
+  speak(actor, "a");
+  bench.send(actor, session_over{"a", bench.work()});
+  bench.send(actor, next_session{"b", bench.work()});
+  EXPECT_THAT(calls, ElementsAre("a next"));
 }
 
 } // namespace

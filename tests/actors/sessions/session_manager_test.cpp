@@ -31,10 +31,14 @@ protected:
   Bench bench{std::string(loses_its_session) + R"(
     <state name="Here"><Exit><speak param="Bye."/></Exit></state>
     <handler name="H"><messages><component>
-      <Bell><Rings><speak param="Ding {_LPARAM1}"/></Rings></Bell>
+      <Bell>
+        <Rings><speak param="Ding {_LPARAM1}"/></Rings>
+        <Strikes><speak param="Struck {_LPARAM1}"/></Strikes>
+      </Bell>
       <ASR><RecognitionResult><speak param="{_LPARAM1}!"/></RecognitionResult>
       </ASR>
-    </component></messages></handler>)"};
+    </component></messages></handler>
+    <routes><open source="Bell" command="Strikes" seat="lobby"/></routes>)"};
   int ids = 0;
   SessionParts parts{bench.time, bench.bus, bench.observer, bench.program,
                      std::make_shared<ThrowingPhrases>()};
@@ -98,6 +102,31 @@ TEST_F(SessionManagerTest, PassesNoLateAnswerToThoseWhoSubscribed) {
   forward_all({late});
   EXPECT_THAT(bench.seen, IsEmpty());
   EXPECT_THAT(bench.logs, ElementsAre(HasSubstr("no session has subscribed")));
+}
+
+// Engine rule 1.8.
+TEST_F(SessionManagerTest, OpensAConversationForWhatASensorSays) {
+  const auto lobby = bench.seat_probe();
+  const auto desk = bench.seat_probe();
+  bench.send(manager, seat_opened{"lobby", lobby, bench.work()});
+  bench.send(manager, seat_opened{"desk", desk, bench.work()});
+  bench.send(manager, open_session{desk, bench.work()});
+  forward_all({event("Bell", "Rings", {1})}); // not of that kind
+  EXPECT_FALSE(bench.sessions.find("s2"));
+  bench.logs.clear();
+  forward_all({event("Bell", "Strikes", {1})});
+  EXPECT_THAT(bench.seen, ElementsAre("s2 is next", "says Struck 1"));
+  forward_all({event("Bell", "Strikes", {2})}); // there is one now
+  EXPECT_FALSE(bench.sessions.find("s3"));
+  EXPECT_THAT(bench.logs, ElementsAre(HasSubstr("no session has subscribed")));
+  bench.send(manager, close_session{"s1", bench.work()});
+  forward_all({event("Bell", "Strikes", {3})});
+  EXPECT_FALSE(bench.sessions.find("s3")); // the desk is not meant
+  auto late = event("Bell", "Strikes", {4});
+  late.correlation = 7; // answers somebody
+  bench.send(manager, close_session{"s2", bench.work()});
+  forward_all({late});
+  EXPECT_FALSE(bench.sessions.find("s3"));
 }
 
 TEST_F(SessionManagerTest, SaysWhatNobodyTakes) {

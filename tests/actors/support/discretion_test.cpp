@@ -1,3 +1,5 @@
+#include <thread>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -33,13 +35,22 @@ protected:
   void log(const std::string& text) {
     discretion.show({InspectionKind::log, "s", "info", text});
   }
+  // A turn of its own.
+  void hear_private(const std::string& text) {
+    discretion.pass(message("ASR", text, ++heard), "session");
+    discretion.conceal_turn("s");
+    discretion.settled("s", heard);
+  }
   std::vector<std::string> shown() {
     return std::exchange(shown_, {});
   }
 
+  std::uint64_t heard = 0;
+  std::function<void()> also = [] {}; // who watches does that
   std::vector<std::string> shown_;
   Discretion discretion{
       [this](const Inspection& seen) {
+        also();
         shown_.push_back(seen.message ? to_string(*seen.message) : seen.detail);
       },
       [](const Message& seen) { return seen.source == "ASR"; }};
@@ -111,6 +122,61 @@ TEST_F(DiscretionTest, KnowsItWhenTheSessionIsOver) {
   discretion.ended("s");
   EXPECT_THAT(shown(), ElementsAre("ASR.Says(bye)"));
   EXPECT_EQ(discretion.masked("1234"), "***");
+}
+
+// Whatever stands first in the alphabet.
+TEST_F(DiscretionTest, ForgetsTheOldestWordsOfPrivateTurns) {
+  hear_private("zero one");
+  for (int i = 0; i < 1'000; ++i)
+    hear_private("word " + std::to_string(i) + ".");
+  hear_private("91234567, please");
+  EXPECT_TRUE(discretion.is_private("91234567, please"));
+  EXPECT_EQ(discretion.masked_afterwards("91234567, please"), "***");
+  EXPECT_TRUE(discretion.is_private("word 999."));
+  EXPECT_FALSE(discretion.is_private("zero one"));
+}
+
+TEST_F(DiscretionTest, HoldsNotWithoutBound) {
+  see(message("ASR", "one two", 1));
+  for (int i = 0; i < 10'000; ++i)
+    log("one two");
+  EXPECT_THAT(shown(), testing::Contains("***").Times(10'000));
+  log("more");
+  EXPECT_THAT(shown(), ElementsAre("more"));
+}
+
+TEST_F(DiscretionTest, ForgetsSessionsThatEndedLongAgo) {
+  for (int i = 0; i <= 100; ++i) {
+    const auto id = std::to_string(i);
+    discretion.conceal(id, {"secret " + id + "."});
+    discretion.ended(id);
+  }
+  EXPECT_FALSE(discretion.is_private("secret 0."));
+  EXPECT_TRUE(discretion.is_private("secret 1."));
+}
+
+TEST_F(DiscretionTest, KnowsSoManySecretsOfASession) {
+  discretion.conceal("s", {"zero"});
+  for (int i = 0; i <= 1'000; ++i)
+    discretion.conceal("s", {"secret " + std::to_string(i) + "."});
+  EXPECT_FALSE(discretion.is_private("zero"));
+  EXPECT_TRUE(discretion.is_private("secret 1000."));
+}
+
+// Or else a report could not be written while somebody watches, and whoever
+// sends would wait for that.
+TEST_F(DiscretionTest, CanBeAskedAndToldWhileItShows) {
+  discretion.conceal("s", {"1234"});
+  also = [this] {
+    EXPECT_EQ(discretion.masked_afterwards("1234"), "***");
+    EXPECT_TRUE(discretion.is_private("1234"));
+    std::thread([this] {
+      discretion.pass(message("ASR", "hello", 1), "session");
+    }).join();
+  };
+  log("pin 1234");
+  EXPECT_THAT(shown(), ElementsAre("pin ***"));
+  discretion.settled("s", 1);
 }
 
 TEST(Discretion, WithoutAnythingPrivateShowsAllAsItIs) {

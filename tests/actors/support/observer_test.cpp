@@ -88,7 +88,6 @@ TEST_F(ObserverTest, MasksWhatIsPrivate) {
   }
 }
 
-// Discretion shows what it held back and waits until that is shown.
 TEST_F(ObserverTest, LogsThatWhoWatchesFailed) {
   watcher.on_inspection = [](const auto&) {
     throw std::runtime_error("blind");
@@ -101,6 +100,17 @@ TEST_F(ObserverTest, LogsThatWhoWatchesFailed) {
     observer.inspect({InspectionKind::error, "s1", "", ""});
     EXPECT_THAT(logs, ElementsAre("who watches failed: blind"));
   }
+}
+
+TEST_F(ObserverTest, MasksWhyWhoWatchesFailed) {
+  watcher.is_heard = [](const Message&) { return false; };
+  watcher.on_inspection = [](const auto&) {
+    throw std::runtime_error("no line for a secret");
+  };
+  Observer observer(watcher, left_behind);
+  observer.discretion().conceal("s1", {"secret"});
+  observer.inspect({InspectionKind::error, "s1", "", ""});
+  EXPECT_THAT(logs, ElementsAre("who watches failed: no line for a ***"));
 }
 
 TEST_F(ObserverTest, TellsNobodyWhatIsLeftBehind) {

@@ -101,6 +101,28 @@ TEST_F(HTTPServiceTest, SendsACommandAndTellsTheAnswer) {
               HasSubstr(R"({"to": "+49 1", "text": "your \"taxi\""})"));
 }
 
+// As a host in another process does where the event is too long.
+struct RefusingHost : TestHost {
+  void fire_event(Message) override {
+    throw std::runtime_error("17 MiB are too many");
+  }
+};
+
+TEST_F(HTTPServiceTest, HasFailedWhereItsAnswerIsRefused) {
+  ServiceServer server([](auto&, int) { return reply(201, "{}"); });
+  RefusingHost refusing;
+  refusing.application = host.application;
+  options["address"] = server.address();
+  ASSERT_TRUE(service.start(refusing, options));
+  send("Send", {"1", "a"});
+  std::vector<std::string> failures;
+  EXPECT_TRUE(refusing.wait(
+      [&] { return !(failures = refusing.take_failures()).empty(); },
+      Milliseconds(20'000)));
+  EXPECT_THAT(failures, ElementsAre("17 MiB are too many"));
+  service.stop();
+}
+
 TEST_F(HTTPServiceTest, TellsWhatTheServiceSays) {
   ServiceServer server([](auto&, int number) {
     return number == 1   ? reply(200, R"({"error":"no such number"})")

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "adapters/loop/alarm.hpp"
+#include "tests/support/start_loop.hpp"
 
 namespace parlour::adapters {
 namespace {
@@ -25,7 +26,7 @@ protected:
   }
 
   // A test stops it before its alarms go.
-  std::unique_ptr<Loop> loop = Loop::start().value();
+  std::unique_ptr<Loop> loop = test::start_loop();
   std::promise<void> done;
 };
 

@@ -19,7 +19,10 @@ using testing::ElementsAre;
 
 class LoopTest : public testing::Test {
 protected:
-  std::unique_ptr<Loop> loop = Loop::start().value();
+  std::vector<std::string> thrown;
+  std::unique_ptr<Loop> loop = Loop::start([this](const std::string& what) {
+                                 thrown.push_back(what);
+                               }).value();
 };
 
 TEST_F(LoopTest, DoesOneThingAfterTheOtherAndAllBeforeItStops) {
@@ -74,12 +77,12 @@ TEST_F(LoopTest, ItsThreadTakesNoSignals) {
 }
 
 TEST_F(LoopTest, GoesOnAfterAnException) {
-  std::vector<std::string> thrown;
-  loop->on_exception([&](const std::string& what) { thrown.push_back(what); });
   for (const auto* what : {"one", "two"})
     loop->post([what] { throw std::runtime_error(what); });
+  loop->post([] { throw 3; });
   loop->stop();
-  EXPECT_THAT(thrown, ElementsAre("one", "two"));
+  EXPECT_THAT(thrown,
+              ElementsAre("one", "two", "an exception of an unknown type"));
 }
 
 TEST_F(LoopTest, LingersWhileSomethingIsWaitedFor) {
@@ -98,7 +101,7 @@ TEST_F(LoopTest, LingersWhileSomethingIsWaitedFor) {
 TEST(Loop, SaysThatThereAreNoDescriptors) {
   const auto loop = [] {
     const test::NoDescriptors none;
-    return Loop::start();
+    return Loop::start([](const std::string&) {});
   }();
   ASSERT_FALSE(loop);
   EXPECT_EQ(loop.error().kind, ErrorKind::limit);

@@ -8,6 +8,7 @@
 
 #include "adapters/loop/watch.hpp"
 #include "tests/adapters/loop/pipe.hpp"
+#include "tests/support/start_loop.hpp"
 
 namespace parlour::adapters {
 namespace {
@@ -39,7 +40,7 @@ protected:
     on_loop([&] { EXPECT_THAT(seen, IsEmpty()); });
   }
 
-  std::unique_ptr<Loop> loop = Loop::start().value();
+  std::unique_ptr<Loop> loop = test::start_loop();
   Pipe pipe;
   std::optional<Watch> watch;
   std::vector<short> seen;

@@ -149,6 +149,10 @@ TEST_F(DeviceTableTest, HasALimit) {
     add(thing("sensor", std::to_string(i)));
   EXPECT_FALSE(table.set("more", {thing("sensor", "more")}));
   EXPECT_EQ(table.size(), DeviceTable::max_devices);
+  // What is announced anew with one thing too many stays as it was.
+  EXPECT_FALSE(table.set(thing("sensor", "7").id,
+                         {thing("sensor", "7"), thing("sensor", "more")}));
+  EXPECT_EQ(table.size(), DeviceTable::max_devices);
   // What is known may be announced again.
   add(thing("sensor", "7"));
   table.set(thing("sensor", "7").id, {});

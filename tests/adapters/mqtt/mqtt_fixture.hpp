@@ -14,6 +14,7 @@
 #include "adapters/mqtt/mqtt_link.hpp"
 #include "runtime/plugin/test_host.hpp"
 #include "tests/adapters/mqtt/mosquitto_server.hpp"
+#include "tests/support/start_loop.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace parlour::adapters::mqtt {
@@ -117,7 +118,7 @@ protected:
 class Home {
 public:
   explicit Home(const ServerOptions& options)
-      : loop_(*Loop::start()),
+      : loop_(test::start_loop()),
         link_(*loop_, options,
               {[this] { note("up"); }, [](const std::string&) {},
                [this](const Publication& one) {

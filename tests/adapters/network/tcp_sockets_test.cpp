@@ -39,6 +39,21 @@ TEST(TcpSockets, TalksToTheOtherSide) {
   EXPECT_FALSE(sockets.send(id, "x"));
 }
 
+TEST(TcpSockets, ClosesAConnectionWhoseTellThrowsAndGoesOn) {
+  Listener other;
+  TcpSockets sockets;
+  sockets.open(order(other.address()), [](const SocketEvent& event) {
+    if (event.kind == SocketEvent::Kind::text)
+      throw std::runtime_error("this is too much");
+  });
+  other.accept();
+  other.send("one\n");
+  EXPECT_EQ(other.receive(1), "") << "it is not closed";
+  Told told;
+  sockets.open(order(other.address()), told.teller());
+  EXPECT_THAT(told.wait_for(1), ElementsAre("opened"));
+}
+
 TEST(TcpSockets, SaysWhyItIsNotOpened) {
   std::string address;
   {

@@ -6,12 +6,25 @@
 namespace parlour::adapters {
 namespace {
 
+// What makes a shell say it to us.
+std::string says(const IpcMessage& message) {
+  const auto bytes = ipc_bytes(message).value();
+  std::string octal;
+  for (const char one : bytes) {
+    const int byte = one & 0xff;
+    octal += '\\';
+    for (const int shift : {6, 3, 0})
+      octal += static_cast<char>('0' + (byte >> shift & 7));
+  }
+  return "printf '" + octal + "' >&3;";
+}
+
 class ComponentProcessTest : public testing::Test {
 protected:
   void start(const ProcessOrder& order) {
     process.emplace(
         order,
-        [this](const IpcMessage& message) -> Expected<void> {
+        [this](ComponentProcess&, const IpcMessage& message) -> Expected<void> {
           taken.push_back(std::string(name_of(message.kind)));
           if (message.kind == IpcKind::failed)
             return fail(ErrorKind::network, "not to be taken");
@@ -87,6 +100,30 @@ TEST_F(ComponentProcessTest, MayPrintAsMuchAsItLikes) {
   start(shell("yes | head -c 10000000"));
   EXPECT_FALSE(process->hello(patience));
   EXPECT_LT(printed.size(), 10'000u);
+}
+
+// What is being taken may take its time: it talks to the process until the
+// destructor hangs up, while the owner has none any more.
+TEST_F(ComponentProcessTest, IsThereForWhatIsBeingTakenToTheLast) {
+  std::promise<void> taking;
+  std::promise<std::string> refused;
+  process.emplace(
+      shell(says({IpcKind::hello, {}}) + "head -c 1 <&3 >/dev/null;" +
+            says({IpcKind::column, {1, "db:a.b"}}) + "cat <&3 >/dev/null"),
+      [&](ComponentProcess& self, const IpcMessage& question) {
+        taking.set_value();
+        auto told = self.tell({IpcKind::reply, {question.at(0)}});
+        while (told)
+          told = self.tell({IpcKind::reply, {question.at(0)}});
+        refused.set_value(told.error().message);
+        return told;
+      },
+      [](const std::string&) {});
+  ASSERT_TRUE(process->hello(patience));
+  ASSERT_TRUE(process->tell({IpcKind::log, {}})); // "ask, nobody calls you"
+  taking.get_future().wait();
+  process.reset();
+  EXPECT_EQ(refused.get_future().get(), "it has closed its connection");
 }
 
 TEST_F(ComponentProcessTest, IsEndedAtOnceWhereNobodyWantsItAnyMore) {

@@ -1,4 +1,5 @@
 #include <stdexcept>
+#include <thread>
 
 #include <sys/wait.h>
 
@@ -165,6 +166,30 @@ TEST_F(ProcessPluginTest, WantsItsOwnVersion) {
       trouble(shell(R"(printf '\013\0\0\0\0\0\0\0\0\006\002\003\306\001\005)"
                     R"(\003xyz' >&3; cat <&3)")),
       HasSubstr("speaks version 99"));
+}
+
+// The process is given up while the platform still looks its question up, on
+// the process's thread: the answer has no receiver, and nobody minds. A very
+// long version gives the question the time to come between the two.
+TEST_F(ProcessPluginTest, MayBeGivenUpWhileItIsAnswered) {
+  bool asked = false;
+  host.columns = [&, starter = std::this_thread::get_id()](const auto&) {
+    asked = std::this_thread::get_id() != starter;
+    siginfo_t hung_up;
+    if (asked)
+      waitid(P_ALL, 0, &hung_up, WEXITED | WNOWAIT);
+    return fail(ErrorKind::database, "there is none");
+  };
+  // hello(xxx…) of 12,000,008 bytes, and column(1, x).
+  const auto order = shell(
+      R"(printf '\010\033\267\0\0\0\0\0\0\006\001\005\200\266\334\005' >&3;)"
+      R"(head -c 12000000 /dev/zero | tr '\0' x >&3;)"
+      R"(for i in $(seq 300); do)"
+      R"( printf '\010\0\0\0\0\0\0\0\020\006\002\003\002\005\001x' >&3; done;)"
+      R"(cat <&3 >/dev/null)");
+  for (int i = 0; i < 20 && !asked; ++i)
+    EXPECT_THAT(trouble(order), HasSubstr("speaks version xxx"));
+  EXPECT_TRUE(asked);
 }
 
 // -- what goes wrong later ----------------------------------------------------

@@ -28,8 +28,9 @@ protected:
 
 class Detector : public VADPlugin {
 protected:
-  void on_process(const Binary&) override {
-    fire_speech_started(20);
+  void on_process(const Binary&,
+                  std::optional<std::int64_t> position) override {
+    fire_speech_started(position.value_or(20));
     fire_speech_ended(40);
   }
   void on_reset() override {}

@@ -30,6 +30,10 @@ TEST(JsonText, RowsAreObjects) {
   const ResultSet rows{{"name", "room"}, {"Ann", 5, "Bo", Value()}};
   EXPECT_EQ(json_text(rows),
             R"([{"name":"Ann","room":5},{"name":"Bo","room":null}])");
+  // select a.name, b.name, a.id, b.id as ID
+  EXPECT_EQ(
+      json_text(ResultSet{{"name", "name", "id", "ID"}, {"a", "b", 1, 2}}),
+      R"([{"name":"a","name_2":"b","id":1,"ID":2}])");
 }
 
 TEST(JsonText, ReplacesWhatIsNoUtf8) {

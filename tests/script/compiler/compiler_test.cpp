@@ -40,7 +40,7 @@ TEST(Paper, fig4_names_plug_ins_that_are_mapped_to_ours) {
   for (const auto& component : compiled.program->settings.components)
     plugins.push_back(component.plugin);
   EXPECT_THAT(plugins,
-              ElementsAre("ESpeakTTS", "SpeexEnhancement", "PocketSphinxASR",
+              ElementsAre("EspeakTTS", "WebRtcEnhancement", "SphinxASR",
                           "GrammarNLU", "PhraseNLG", "MySQLDatabase"));
 }
 

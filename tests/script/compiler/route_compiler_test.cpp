@@ -30,6 +30,22 @@ TEST(RouteCompiler, reads_relays_and_filters_in_order) {
   EXPECT_FALSE(routes[2].has_params);
 }
 
+TEST(RouteCompiler, reads_what_opens_a_conversation) {
+  const auto outcome = test::compile_declarations(
+      "<routes><open source='Devices' command='State' if='_LPARAM1 == 1' "
+      "seat='lobby'/><open source='*' command='Arrived'/></routes>");
+  ASSERT_TRUE(outcome.program) << outcome.lines.at(0);
+  EXPECT_TRUE(outcome.program->routes.empty());
+  const auto& openings = outcome.program->openings;
+  ASSERT_EQ(openings.size(), 2u);
+  EXPECT_EQ(openings[0].source, "Devices");
+  EXPECT_EQ(openings[0].command, "State");
+  EXPECT_NE(openings[0].condition, no_code);
+  EXPECT_EQ(openings[0].seat, "lobby");
+  EXPECT_EQ(openings[1].condition, no_code);
+  EXPECT_EQ(openings[1].seat, "");
+}
+
 TEST(RouteCompiler, sees_nothing_of_a_session) {
   const auto outcome = test::compile_declarations(
       "<var name='v'/><routes><relay source='*' command='*' if='v == 1' "

@@ -146,7 +146,7 @@ TEST(SettingsReader, tells_what_does_not_fit) {
 TEST(SettingsReader, reads_the_platform_s_aliases) {
   const auto aliases = read_aliases(test::tree_of(
       read_bytes(test::source_path("config/platform/aliases.xml")).value()));
-  EXPECT_EQ(aliases.at("SR_WinTTS"), "ESpeakTTS");
+  EXPECT_EQ(aliases.at("SR_WinTTS"), "EspeakTTS");
   EXPECT_EQ(aliases.at("SR_SLUR"), "GrammarNLU");
 }
 

@@ -113,6 +113,49 @@ TEST_F(BargeIn, ANoiseIsFollowedByTheSameOnceMore) {
   EXPECT_EQ(world_->said(), Texts{});
 }
 
+// Engine rule 3.7.
+TEST_F(BargeIn, AnAnswerGoesOnWhereItStopped) {
+  begin();
+  world_->event("Ears", "SpeechStarted");
+  speaker_heard("good morning how");
+  world_->advance(2s);
+  EXPECT_EQ(world_->said(), Texts{"can I help you?"});
+}
+
+TEST_F(BargeIn, WhatWasHeardToItsEndIsNotSaidAgain) {
+  begin();
+  world_->event("Ears", "SpeechStarted");
+  speaker_heard("Good morning, how can I help you?");
+  world_->advance(5s);
+  EXPECT_EQ(world_->said(), Texts{});
+}
+
+// Engine rule 3.2.
+TEST_F(BargeIn, ATurnLastsAsLongAsTheEndpointerSays) {
+  begin();
+  world_->components["Turns"] = {"Endpointer"};
+  world_->event("Turns", "TurnStarted", {1'000});
+  EXPECT_EQ(world_->posted(), Texts{"Speaker.Stop()"});
+  speaker_heard("Good");
+  world_->event("Keyboard", "Partial", {"er", 1});
+  world_->advance(10s);
+  EXPECT_EQ(world_->said(), Texts{});
+  world_->event("Turns", "TurnEnded", {11'000});
+  world_->advance(1900ms);
+  EXPECT_EQ(world_->said(), Texts{});
+  world_->advance(100ms);
+  EXPECT_EQ(world_->said(), Texts{"Good morning, how can I help you?"});
+}
+
+TEST_F(BargeIn, ATurnThatIsDroppedIsANoise) {
+  begin();
+  world_->components["Turns"] = {"Endpointer"};
+  world_->event("Turns", "TurnStarted", {1'000});
+  speaker_heard("Good");
+  world_->event("Turns", "TurnDropped", {2'000});
+  EXPECT_EQ(world_->said(), Texts{"Good morning, how can I help you?"});
+}
+
 TEST_F(BargeIn, WhatTheRecogniserRejectsIsANoise) {
   begin();
   world_->event("Ears", "SpeechStarted");
@@ -129,6 +172,47 @@ TEST_F(BargeIn, WhoBreaksInIsAnswered) {
   EXPECT_EQ(world_->said(), Texts{"Where?"});
   world_->advance(5s);
   EXPECT_EQ(world_->said(), Texts{});
+}
+
+// What a loudspeaker plays is not over when it was shown (engine rule 3.8).
+class VoicedOutput : public testing::Test {
+protected:
+  VoicedOutput() {
+    std::string script = welcome;
+    script.replace(script.find("{X}"), 3, "true");
+    WorldOptions options;
+    options.start = "Welcome";
+    options.open = false;
+    world = std::make_unique<World>(script, options);
+    world->components["Loudspeaker"] = {"Speaker"};
+    world->components["Voice"] = {"TTS"};
+    world->components["Ears"] = {"VAD"};
+    world->open();
+    world->said();
+    world->posted();
+  }
+
+  std::unique_ptr<World> world;
+};
+
+TEST_F(VoicedOutput, IsPlayedUntilTheSpeakerSaysSo) {
+  world->event("Ears", "SpeechStarted");
+  EXPECT_EQ(world->posted(), (Texts{"TTS.Stop()", "Speaker.Stop()"}));
+  world->event("Loudspeaker", "Finished", {1, 900, true, "Good morning, how"});
+  world->advance(2s);
+  EXPECT_EQ(world->said(), Texts{"can I help you?"});
+}
+
+TEST_F(VoicedOutput, CannotBeInterruptedOnceItIsHeard) {
+  world->event("Loudspeaker", "Finished", {1, 2'000, false, "all of it"});
+  world->event("Ears", "SpeechStarted");
+  EXPECT_EQ(world->posted(), Texts{});
+}
+
+TEST_F(VoicedOutput, IsOverWhereTheVoiceFails) {
+  world->event("Voice", "Failed", {"no such voice"});
+  world->event("Ears", "SpeechStarted");
+  EXPECT_EQ(world->posted(), Texts{});
 }
 
 constexpr const char* booking = R"xml(

@@ -36,7 +36,7 @@ std::string text_of(const fs::path& file) {
 }
 
 Findings findings_of(const fs::path& file, const script::SourceTexts& texts) {
-  auto compiled = load_file(file, process_places(), &texts);
+  auto compiled = load_file(file, process_places(), {.texts = &texts});
   script::lint::lint(compiled, {});
   return compiled.findings.all();
 }

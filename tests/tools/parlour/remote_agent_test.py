@@ -14,6 +14,9 @@ import unittest
 from program_case import ProgramCase
 
 AGENTS = pathlib.Path(__file__).parents[3] / "tools" / "agents"
+sys.path.insert(0, str(AGENTS / "python"))
+sys.dont_write_bytecode = True
+import parlour_agent  # noqa: E402
 WAIT = 60  # seconds; only a test that fails waits so long
 
 
@@ -53,6 +56,10 @@ class Lines:
             if found := re.search(pattern, line):
                 return found
 
+    def last(self):
+        """The line that was looked at last."""
+        return self._seen[-1]
+
     def rest(self):
         """All lines to the end of the stream."""
         while (line := self._lines.get(timeout=WAIT)) is not None:
@@ -63,8 +70,11 @@ class Lines:
 class RemoteAgentTest(ProgramCase):
 
     def run_butler(self, *options):
+        self.run_application("butler", *options)
+
+    def run_application(self, name, *options):
         butler = self.begin(
-            "run", "butler", "--text", "--agents", "127.0.0.1:0",
+            "run", name, "--text", "--agents", "127.0.0.1:0",
             "--data", str(self.folder), *options, stdin=subprocess.PIPE,
             stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         self.end_first(butler)
@@ -166,6 +176,37 @@ class RemoteAgentTest(ProgramCase):
         _, lines = self.begin_python_robot()
         self.said.find("The robot is back")
         lines.find("begins: Grasp apple")
+        self.end()
+
+    def test_a_sensor_opens_a_conversation(self):
+        self.write("lobby/settings.xml", """
+            <settings name="lobby" start="Welcome">
+              <agents><agent name="Door" roles="Devices"/></agents>
+              <Scripts><Script>lobby.xml</Script></Scripts>
+              <sessions closes-after="50ms"/>
+            </settings>""")
+        self.write("lobby/lobby.xml", """
+            <dialogue>
+              <routes>
+                <open source="Door" command="State" if="_LPARAM3 == 'open'"/>
+              </routes>
+              <state name="Welcome">
+                <Entrance><speak param="Hello."/></Entrance>
+              </state>
+              <handler name="Visitor"><messages><component>
+                <Door><State><speak param="In the {_LPARAM2}!"/></State></Door>
+              </component></messages></handler>
+            </dialogue>""")
+        self.run_application(str(self.folder / "lobby"))
+        door = parlour_agent.Agent("Door", self.address)
+        door.start()
+        self.addCleanup(door.stop)
+        self.said.find("Hello.")
+        while not self.said.has_any():  # until that conversation is over
+            door.fire("State", "door", "hall", "closed")
+            door.fire("State", "door", "hall", "open")
+        self.assertEqual(self.said.last(), "Hello.")
+        self.said.find("In the hall!")
         self.end()
 
     def test_a_tap_hears_what_robot_and_script_say(self):

@@ -30,9 +30,9 @@ PRINTING = (
     ("plugin", "new", "EchoTTS", "--role", "TTS"), ("plugin", "roles"),
     ("plugin", "test", "LogTaxi"), ("run", "app"), ("schema",),
     ("test", "app"), ("understand", "app", "hello"))
-# A program of its own, one that waits for a platform, and one that asks what
-# runs.
-NOT_TRIED = {"agent", "bench", "status", "tap"}
+# A program of its own, one that waits for a platform, one that asks what runs,
+# and one that depends on the machine's sound card (devices_test.py).
+NOT_TRIED = {"agent", "bench", "devices", "status", "tap"}
 
 # Arguments, status, and what is said about it.
 MISTAKES = (
@@ -79,6 +79,9 @@ MISTAKES = (
     (("check", "settings-are-nowhere"), 1, "settings.xml: error: this file "
      "cannot be read: " + NOWHERE),
     (("check", "sql-is-pipe"), 1, "/x.sql: error: " + PIPE),
+    (("devices", "--seconds", "0"), 2, "'0' is no whole number from 1 to 600"),
+    (("devices", "--test", "--microphone", ""), 2, "an empty name"),
+    (("devices", "--speaker", "x"), 2, "--speaker requires --test"),
     (("test", "app", "--jobs", "0"), 2, "'0' is no whole number from 1"),
     (("test", "app", "--jobs", "-1"), 2, "'-1' is no whole number from 1"),
     (("test", "app", "nothing"), 2, "there is no conversation 'nothing'"),

@@ -28,10 +28,10 @@ std::string environment_value(const std::string& name) {
   return value ? value : "";
 }
 
-// `texts` may be null; then all files are read from the disk.
 script::CompileOptions compile_options(const fs::path& platform,
-                                       const script::SourceTexts* texts) {
-  return {platform, environment_value, texts};
+                                       const Sources& sources) {
+  return {platform, environment_value, sources.texts, sources.libraries,
+          sources.adjust};
 }
 
 // Tells plug-ins that have an option "platform" where the platform's files are,
@@ -41,25 +41,6 @@ void tell_platform(Composition& composition, const fs::path& platform) {
     for (const auto& option : component.factory.description.options)
       if (option.name == "platform")
         component.options.emplace("platform", platform.string());
-}
-
-// Reads the settings alone, for an application whose scripts do not compile:
-// its components can be checked all the same. The compiler has reported what is
-// wrong with the settings, so these findings are dropped.
-Settings settings_alone(const fs::path& folder, const fs::path& platform,
-                        const script::SourceTexts* texts) {
-  script::Findings said;
-  script::ApplicationLoader loader(folder, platform, said, texts);
-  const auto settings =
-      loader.read(script::settings_file(folder, platform), {"settings"}, {});
-  const auto aliases = loader.read(platform / "aliases.xml", {"aliases"}, {});
-  if (!settings)
-    return {};
-  auto read = script::read_settings(
-      *settings, aliases ? script::read_aliases(*aliases) : script::Aliases(),
-      environment_value, said);
-  read.folder = folder.string();
-  return read;
 }
 
 // Reads the settings again to find the place of one option (OptionPlaces).
@@ -134,22 +115,43 @@ bool Application::has_errors() const {
   });
 }
 
+// The compiler reports what is wrong with the settings, so these findings are
+// dropped.
+Settings settings_alone(const fs::path& folder, const fs::path& platform,
+                        const Sources& sources) {
+  script::Findings said;
+  script::ApplicationLoader loader(folder, platform, said, sources.texts);
+  const auto settings =
+      loader.read(script::settings_file(folder, platform), {"settings"}, {});
+  const auto aliases = loader.read(platform / "aliases.xml", {"aliases"}, {});
+  if (!settings)
+    return {};
+  auto read = script::read_settings(
+      *settings, aliases ? script::read_aliases(*aliases) : script::Aliases(),
+      environment_value, said);
+  read.folder = folder.string();
+  if (sources.adjust)
+    sources.adjust(read);
+  return read;
+}
+
 Application load_application(const fs::path& folder, const fs::path& platform,
                              Scrutiny scrutiny,
                              std::shared_ptr<Catalogue> plugins,
-                             const script::SourceTexts* texts) {
+                             const Sources& sources) {
   Application application{folder, platform, nullptr, {}, {}, plugins};
   // Compile. Without a program, the settings alone still say which components
   // there are.
-  auto compiled = compile_folder(folder, platform, texts);
+  auto compiled = compile_folder(folder, platform, sources);
   application.program = compiled.program;
-  application.composition = compose(
-      application.program ? application.program->settings
-                          : settings_alone(folder, platform, texts),
-      // Only called during compose(), so references may be captured.
-      *plugins, [&](const auto& component, const auto& option) {
-        return place_of_option(folder, platform, texts, component, option);
-      });
+  application.composition =
+      compose(application.program ? application.program->settings
+                                  : settings_alone(folder, platform, sources),
+              // Only called during compose(), so references may be captured.
+              *plugins, [&](const auto& component, const auto& option) {
+                return place_of_option(folder, platform, sources.texts,
+                                       component, option);
+              });
   tell_platform(application.composition, platform);
   // The lints add to the compiler's findings, so they run before these are
   // copied. All later checks add to the application's findings.
@@ -174,16 +176,18 @@ Application load_application(const fs::path& folder, const fs::path& platform,
 
 script::Compiled compile_folder(const fs::path& folder,
                                 const fs::path& platform,
-                                const script::SourceTexts* texts) {
+                                const Sources& sources) {
   if (!is_there(script::settings_file(folder, platform)))
     return no_application(folder);
-  return script::compile_application(folder, compile_options(platform, texts));
+  return script::compile_application(folder,
+                                     compile_options(platform, sources));
 }
 
 script::Compiled load_file(const fs::path& file, const Places& places,
-                           const script::SourceTexts* texts) {
+                           const Sources& sources) {
   return script::compile_file(
-      file, compile_options(find_platform(places, file.parent_path()), texts));
+      file,
+      compile_options(find_platform(places, file.parent_path()), sources));
 }
 
 namespace {

@@ -10,6 +10,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -41,27 +42,42 @@ struct Application {
 // meant.
 enum class Scrutiny { compile, lint };
 
+// What is compiled, apart from the files of the application's folder.
+struct Sources {
+  // Replace the contents of files by name; may be null. Need to live only
+  // during the call.
+  const script::SourceTexts* texts = nullptr;
+  // Of the platform, besides those that scripts include.
+  std::vector<std::string> libraries = {};
+  // What a run changes in the settings; may be empty.
+  std::function<void(Settings&)> adjust = nullptr;
+};
+
 // Loads the application in `folder`, which must be absolute. Never fails: what
 // is wrong is in `findings`.
 //
 // Runs the databases' schema and seed in memory, reads the columns that slots
 // and grammars name, and builds the understanding. Writes nothing to the disk
-// and asks no database server. `texts`, if not null, replace the contents of
-// files by name; they need to live only during the call.
+// and asks no database server.
 Application load_application(
     const std::filesystem::path& folder, const std::filesystem::path& platform,
     Scrutiny scrutiny = Scrutiny::compile,
     std::shared_ptr<Catalogue> plugins = std::make_shared<Catalogue>(),
-    const script::SourceTexts* texts = nullptr);
+    const Sources& sources = {});
 
 // Only the compiler's part: an application's scripts, or one script file with
-// the platform's libraries. `texts` as above.
+// the platform's libraries.
 script::Compiled compile_folder(const std::filesystem::path& folder,
                                 const std::filesystem::path& platform,
-                                const script::SourceTexts* texts = nullptr);
+                                const Sources& sources = {});
 script::Compiled load_file(const std::filesystem::path& file,
-                           const Places& places,
-                           const script::SourceTexts* texts = nullptr);
+                           const Places& places, const Sources& sources = {});
+
+// The settings alone, for an application whose scripts do not compile, or whose
+// components are needed first. What is wrong with them is not told.
+Settings settings_alone(const std::filesystem::path& folder,
+                        const std::filesystem::path& platform,
+                        const Sources& sources = {});
 
 // A copy of the composition in which each database component starts from its
 // schema and seed and keeps nothing (engine rule 7.5): SQLite's in memory, a

@@ -4,8 +4,16 @@
 
 #include <algorithm>
 
+#include "adapters/asr/moonshine_asr.hpp"
+#include "adapters/asr/sphinx/sphinx_asr.hpp"
+#include "adapters/audio/alsa/alsa_microphone.hpp"
+#include "adapters/audio/alsa/alsa_speaker.hpp"
+#include "adapters/audio/file_microphone.hpp"
+#include "adapters/audio/file_speaker.hpp"
 #include "adapters/database/mariadb/mariadb_database.hpp"
 #include "adapters/database/sqlite/sqlite_database.hpp"
+#include "adapters/endpointer/speech_endpointer.hpp"
+#include "adapters/enhancement/enhancement.hpp"
 #include "adapters/http/http_service.hpp"
 #include "adapters/mqtt/mqtt_devices.hpp"
 #include "adapters/nlg/phrase_nlg.hpp"
@@ -17,8 +25,16 @@
 #include "adapters/standins/log_sms.hpp"
 #include "adapters/standins/log_taxi.hpp"
 #include "adapters/standins/log_telephone.hpp"
+#include "adapters/tts/espeak_tts.hpp"
+#include "adapters/tts/flite_tts.hpp"
 #include "adapters/tts/text_file_tts.hpp"
+#include "adapters/vad/adaptive_vad.hpp"
+#include "adapters/vad/webrtc_vad.hpp"
+#include "adapters/wyoming/wyoming_asr.hpp"
+#include "adapters/wyoming/wyoming_tts.hpp"
+#include "adapters/wyoming/wyoming_wake.hpp"
 #include "script/source/findings.hpp"
+#include "tools/parlour/console/places.hpp"
 
 namespace parlour::tools {
 
@@ -33,6 +49,14 @@ const PluginFactory* find_in(const std::vector<PluginFactory>& plugins,
 }
 
 } // namespace
+
+std::vector<std::filesystem::path> moonshine_programs() {
+  std::vector<std::filesystem::path> programs;
+  for (const auto& share : process_places().shares)
+    for (const auto* const agents : {"agents", "../tools/agents"})
+      programs.push_back(share / agents / "moonshine/moonshine.mjs");
+  return programs;
+}
 
 // The order is that of `parlour plugin list`. It does not matter for an
 // application: its settings choose plug-ins by name.
@@ -50,7 +74,22 @@ const std::vector<PluginFactory>& built_in_plugins() {
       adapters::log_robot_factory(),
       adapters::log_devices_factory(),
       adapters::keyword_nlu_factory(),
+      adapters::speech_endpointer_factory(),
       adapters::text_file_tts_factory(),
+      adapters::espeak_tts_factory(),
+      adapters::alsa_microphone_factory(),
+      adapters::alsa_speaker_factory(),
+      adapters::flite_tts_factory(),
+      adapters::wyoming_asr_factory(),
+      adapters::wyoming_tts_factory(),
+      adapters::wyoming_wake_factory(),
+      adapters::file_microphone_factory(),
+      adapters::file_speaker_factory(),
+      adapters::sphinx_asr_factory(),
+      adapters::adaptive_vad_factory(),
+      adapters::webrtc_vad_factory(),
+      adapters::webrtc_enhancement_factory(),
+      adapters::moonshine_asr_factory(moonshine_programs()),
       adapters::http::http_service_factory(),
       adapters::mqtt_devices_factory(),
   };

@@ -12,6 +12,10 @@
 
 namespace parlour::tools {
 
+// Where the program of MoonshineASR may be: in the source tree, or where it is
+// installed; the best place first.
+std::vector<std::filesystem::path> moonshine_programs();
+
 // The plug-ins that are linked into this program. To add one, name its factory
 // in catalogue.cpp.
 const std::vector<PluginFactory>& built_in_plugins();

@@ -18,15 +18,17 @@ namespace {
 
 using script::Severity;
 
-// Plug-ins for voice that this build does not have, and what happens instead.
-// An application that asks for them still runs by text.
+// Plug-ins for voice that need a library which not every build has, and what
+// happens instead. An application that asks for them still runs by text.
 const std::map<std::string, std::string>& voice_plugins() {
   static const std::map<std::string, std::string> table = {
       {"AlsaMicrophone", "turns are typed instead of spoken"},
       {"AlsaSpeaker", "text is shown instead of played"},
-      {"ESpeakTTS", "text is shown instead of spoken"},
-      {"PocketSphinxASR", "turns are typed instead of spoken"},
-      {"SpeexEnhancement", "there is no audio to clean"},
+      {"EspeakTTS", "text is shown instead of spoken"},
+      {"FliteTTS", "text is shown instead of spoken"},
+      {"MoonshineASR", "turns are typed instead of spoken"},
+      {"SphinxASR", "turns are typed instead of spoken"},
+      {"WebRtcEnhancement", "audio is heard as it is"},
   };
   return table;
 }

@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "tools/parlour/application/application.hpp"
+#include "tools/parlour/application/voice.hpp"
 #include "tools/parlour/console/console.hpp"
 
 namespace parlour::tools {
@@ -21,5 +22,10 @@ std::variant<Application, int> open_application(const Places& places,
                                                 const std::string& app,
                                                 const Console& console,
                                                 Scrutiny = Scrutiny::compile);
+// The same for an application that also gets a voice.
+std::variant<Application, int> open_application(const Places& places,
+                                                const std::string& app,
+                                                const Console& console,
+                                                const VoiceWishes& voice);
 
 } // namespace parlour::tools

@@ -46,9 +46,9 @@ Findings findings_of(const Places& places, const Target& target,
     return load_application(
                target.path, find_platform(places, target.path), Scrutiny::lint,
                std::make_shared<Catalogue>(plugin_folders(places, target.path)),
-               &texts)
+               {.texts = &texts})
         .findings;
-  auto compiled = load_file(target.path, places, &texts);
+  auto compiled = load_file(target.path, places, {.texts = &texts});
   script::lint::lint(compiled, {});
   return compiled.findings.all();
 }

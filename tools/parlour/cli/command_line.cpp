@@ -39,6 +39,7 @@ public:
     app_.footer(exit_code::statuses);
     add_run();
     add_status();
+    add_devices();
     add_check();
     add_format();
     add_schema();
@@ -127,14 +128,9 @@ private:
           if (!is_there(places_.working / folder))
             return "there is no folder '" + folder + "'";
           const auto files = list_files(places_.working / folder, ".so");
-          return files ? is_named(folder)
+          return files ? check_named(folder)
                        : "'" + folder + "': " + files.error().message;
         });
-  }
-
-  // An empty name usually comes from an unset shell variable.
-  static std::string is_named(const std::string& text) {
-    return text.empty() ? "an empty name" : "";
   }
 
   void add_run() {
@@ -146,7 +142,7 @@ private:
     add_clock(*command, run_.clock,
               "Virtual time from here; an empty line steps to the next timer");
     command->add_option("--data", run_.data, "Folder of its database and files")
-        ->check(is_named);
+        ->check(check_named);
     add_number<std::uint64_t>(
         command, "--seed", {0, std::numeric_limits<std::uint64_t>::max()},
         "Of all that is random", [this](auto seed) { run_.seed = seed; });
@@ -158,6 +154,13 @@ private:
             [this] { return status_command(places_, status_, console_); });
     command->add_option("APP", status_.app, "A name or folder; else all");
     command->add_flag("--json", status_.json, "As a JSON array");
+  }
+
+  void add_devices() {
+    add_devices_flags(
+        *add("devices", "List microphones and speakers, and try them",
+             [this] { return devices_command(devices_, console_); }),
+        devices_);
   }
 
   // The help of `check` lists all lints, from their table.
@@ -208,17 +211,7 @@ private:
     add_app(command, test_.app, app_sentence);
     command->add_option("FILE", test_.files,
                         "Conversations; all of dialogues/ if there is none");
-    command->add_option("--junit", test_.junit, "Results as JUnit's XML")
-        ->check(is_named)
-        ->type_name("FILE");
-    command->add_flag("--trace", test_.trace,
-                      "Show what happened in those that failed");
-    command->add_flag("--quiet,-q", test_.quiet, "Leave out the coverage");
-    command->add_flag("--update", test_.update,
-                      "Write what the robot says now into the conversations");
-    command->add_flag("--watch", test_.watch, "Again when a file changes")
-        ->excludes("--junit");
-    command->add_flag("--restore-after-each-input", test_.restores)->group("");
+    add_test_flags(*command, test_);
     add_number<unsigned>(command, "--jobs,-j", {1, 1000},
                          "Conversations at a time; else as many as cores",
                          [this](auto jobs) { test_.jobs = jobs; });
@@ -291,7 +284,7 @@ private:
     made->add_option("NAME", new_plugin_.name, "Such as EchoTTS")->required();
     made->add_option("--role", new_plugin_.role, "Such as TTS")->required();
     made->add_option("--folder", new_plugin_.folder, "Where; else ./NAME")
-        ->check(is_named);
+        ->check(check_named);
     auto* test =
         add(*plugin, "test", "The conformance test of its roles", [this] {
           return plugin_test_command(places_, test_plugin_, console_);
@@ -309,7 +302,7 @@ private:
         ->add_option("FILE", key_file_,
                      "A new file for the secret key; only you may read it")
         ->required()
-        ->check(is_named);
+        ->check(check_named);
   }
 
   // The script is made from `app_` itself, so it knows every option.
@@ -372,6 +365,7 @@ private:
   std::function<int()> chosen_; // set by the command's callback
   RunOptions run_;
   StatusOptions status_;
+  DevicesOptions devices_;
   CheckOptions check_;
   FormatOptions format_;
   SchemaOptions schema_;

@@ -54,7 +54,10 @@ struct RunOptions {
   // Show every message, transition and slot on standard error.
   bool trace = false;
   std::vector<std::string> trace_actors; // kinds or names
+  // Microphone and speaker: devices or files; empty: the default ones.
   bool voice = false;
+  std::string microphone;
+  std::string speaker;
   bool fresh = false;    // make the SQLite databases anew
   bool simulate = false; // stand-ins in the place of remote agents
   // Where agents connect by lines, and nowhere else; empty: as the settings
@@ -91,7 +94,17 @@ struct TapOptions {
 };
 int tap_command(const TapOptions& options, const Console& console);
 
-// `parlour format`: rewrites script files in the standard layout.
+// `parlour devices`: lists microphones, speakers and what hears and speaks with
+// them; tries a speaker by a tone and a microphone by showing its level.
+struct DevicesOptions {
+  bool test = false;
+  std::string microphone = "default"; // names of ALSA
+  std::string speaker = "default";
+  Milliseconds time{5'000}; // of listening
+};
+int devices_command(const DevicesOptions& options, const Console& console);
+
+// `parlour status`: tells how the actors of running applications are.
 struct StatusOptions {
   std::string app; // its name or folder; empty: all that run
   bool json = false;

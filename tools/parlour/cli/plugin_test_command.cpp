@@ -91,7 +91,7 @@ Report try_out(const Places& places, const TestPluginOptions& asked,
 // Writes all bytes, also if the pipe takes them in parts.
 void write_all(int descriptor, std::string_view text) {
   while (!text.empty()) {
-    const auto size = write(descriptor, text.data(), text.size());
+    const auto size = ::write(descriptor, text.data(), text.size());
     if (size <= 0)
       return;
     text.remove_prefix(static_cast<std::size_t>(size));
@@ -103,7 +103,7 @@ std::string read_all(int descriptor) {
   std::string text;
   char buffer[4096];
   while (true) {
-    const auto size = read(descriptor, buffer, sizeof buffer);
+    const auto size = ::read(descriptor, buffer, sizeof buffer);
     if (size == 0 || (size < 0 && errno != EINTR))
       return text;
     if (size > 0)
@@ -139,7 +139,7 @@ int plugin_test_command(const Places& places, const TestPluginOptions& options,
   // of the parent run twice.
   const auto child = fork();
   if (child == 0) {
-    close(ends[0]);
+    ::close(ends[0]);
     alarm(trial_seconds);
     const auto report =
         try_out(places, options, data->path().string(), progress);
@@ -148,9 +148,9 @@ int plugin_test_command(const Places& places, const TestPluginOptions& options,
   }
   // Close our copy of the write end: read_all ends when the child's copy is
   // closed, however the child ends.
-  close(ends[1]);
+  ::close(ends[1]);
   const auto text = read_all(ends[0]);
-  close(ends[0]);
+  ::close(ends[0]);
   int status = 0;
   while (child > 0 && waitpid(child, &status, 0) < 0 && errno == EINTR)
     continue;

@@ -26,6 +26,7 @@
 #include "tools/parlour/status/runtime_folder.hpp"
 #include "tools/parlour/status/status_report.hpp"
 #include "tools/parlour/status/status_server.hpp"
+#include "tools/parlour/talk/hearing.hpp"
 #include "tools/parlour/talk/terminal_run.hpp"
 #include "tools/parlour/talk/text_run.hpp"
 #include "tools/parlour/talk/trace.hpp"
@@ -133,6 +134,7 @@ public:
     signals_.on_interrupt([&] {
       (*node)->interrupt();
       printer_.give_up();
+      hearing_.end();
     });
     // Where time is virtual, actors run only while somebody talks.
     if (!options_.clock)
@@ -176,7 +178,7 @@ private:
                               .virtual_start = options_.clock,
                               .seed = options_.seed,
                               .agents = std::move(agents)});
-    made.inspect_all = options_.trace || tap_;
+    made.inspect_all = options_.trace || tap_ || options_.voice;
     made.trace_actors = options_.trace_actors;
     made.on_inspection = [this](const Inspection& seen) { watch(seen); };
     made.log = [this](const std::string& text) { log(as_one_line(text)); };
@@ -186,8 +188,11 @@ private:
   // Errors and what a script logs as an error or a warning are always shown.
   // The rest is shown with --trace and otherwise left to log().
   void watch(const Inspection& seen) {
-    if (tap_ && seen.kind == InspectionKind::message)
-      tap_->publish(*seen.message);
+    if (seen.kind == InspectionKind::message) {
+      hearing_.take(*seen.message);
+      if (tap_)
+        tap_->publish(*seen.message);
+    }
     if (seen.kind == InspectionKind::branch ||
         !(options_.trace || is_told_always(seen.kind)))
       return;
@@ -276,7 +281,8 @@ private:
     PacedDriver driver(node, options_.clock.has_value(), printer_);
     DescriptorSource source(STDIN_FILENO, signals_.descriptor());
     RowReader rows(source, [this](const std::string& text) { note(text); });
-    talk_by_rows(driver, rows);
+    if (talk_by_rows(driver, rows) && options_.voice)
+      hearing_.wait();
     end(node);
   }
 
@@ -304,6 +310,7 @@ private:
   SignalWatch& signals_;
   Printer printer_;
   Notes notes_;
+  Hearing hearing_;
   std::unique_ptr<adapters::agents::MessageTap> tap_; // null: nobody taps
   std::atomic<Screen*> screen_ = nullptr; // set while a terminal is used
   std::unique_ptr<StatusServer> status_;  // null: it cannot be asked
@@ -315,15 +322,13 @@ private:
 
 int run_command(const Places& places, const RunOptions& options,
                 const Console& console) {
-  if (options.voice) {
-    say_error(console, "--voice is not available yet: this build talks by "
-                       "text");
-    return exit_code::usage;
-  }
   SignalWatch signals;
   // Before the conversation starts, a signal may end the process at once.
   signals.on_interrupt([&] { std::_Exit(signals.status()); });
-  auto opened = open_application(places, options.app, console);
+  auto opened = options.voice
+                    ? open_application(places, options.app, console,
+                                       {options.microphone, options.speaker})
+                    : open_application(places, options.app, console);
   if (const auto* status = std::get_if<int>(&opened))
     return *status;
   const auto& application = std::get<Application>(opened);

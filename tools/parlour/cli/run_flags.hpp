@@ -1,11 +1,19 @@
-// The options of `parlour run` that need no reader of their own.
+// The options of `parlour run`, `test` and `devices` that need no reader of
+// their own.
 #pragma once
 
 #include <CLI/CLI.hpp>
 
 #include "tools/parlour/cli/commands.hpp"
+#include "tools/parlour/cli/number_option.hpp"
 
 namespace parlour::tools {
+
+// For CLI::Option::check(). An empty name usually comes from an unset shell
+// variable.
+inline std::string check_named(const std::string& text) {
+  return text.empty() ? "an empty name" : "";
+}
 
 inline void add_run_flags(CLI::App& command, RunOptions& options) {
   command.add_flag("--text", options.text,
@@ -34,8 +42,50 @@ inline void add_run_flags(CLI::App& command, RunOptions& options) {
       .add_option("--taps", options.taps,
                   "Where `parlour tap` listens to all messages, on this host")
       ->type_name("HOST:PORT");
-  command.add_flag("--voice", options.voice,
-                   "Microphone and speaker (not available yet)");
+  auto* voice = command.add_flag("--voice", options.voice,
+                                 "Talk by microphone and speaker, too");
+  command
+      .add_option("--microphone", options.microphone,
+                  "With --voice: a device of ALSA, or a file to hear")
+      ->type_name("DEVICE|FILE.wav")
+      ->needs(voice);
+  command
+      .add_option("--speaker", options.speaker,
+                  "With --voice: a device of ALSA, or a file to write")
+      ->type_name("DEVICE|FILE.wav")
+      ->needs(voice);
+}
+
+inline void add_test_flags(CLI::App& command, TestOptions& options) {
+  command.add_option("--junit", options.junit, "Results as JUnit's XML")
+      ->check(check_named)
+      ->type_name("FILE");
+  command.add_flag("--trace", options.trace,
+                   "Show what happened in those that failed");
+  command.add_flag("--quiet,-q", options.quiet, "Leave out the coverage");
+  command.add_flag("--update", options.update,
+                   "Write what the robot says now into the conversations");
+  command.add_flag("--watch", options.watch, "Again when a file changes")
+      ->excludes("--junit");
+  command.add_flag("--restore-after-each-input", options.restores)->group("");
+}
+
+inline void add_devices_flags(CLI::App& command, DevicesOptions& options) {
+  auto* test =
+      command.add_flag("--test", options.test,
+                       "Play a tone, then show how loud the microphone is");
+  command
+      .add_option("--microphone", options.microphone,
+                  "The one to try; else the default one")
+      ->check(check_named)
+      ->needs(test);
+  command
+      .add_option("--speaker", options.speaker,
+                  "The one to try; else the default one")
+      ->check(check_named)
+      ->needs(test);
+  add_number<int>(&command, "--seconds", {1, 600}, "How long to listen; else 5",
+                  [&](int time) { options.time = std::chrono::seconds(time); });
 }
 
 } // namespace parlour::tools

@@ -10,7 +10,8 @@ inline constexpr int wrong = 1;
 // Wrong usage, or there is no such application or file.
 inline constexpr int usage = 2;
 // Ended by Ctrl-C: 128 + SIGINT, as shells expect. After SIGTERM or SIGHUP a
-// run ends in order with `well`; if it cannot, the signal itself is the status.
+// run ends in order with `success`; if it cannot, the signal itself is the
+// status.
 inline constexpr int interrupted = 130;
 // The reader of our output has gone away: 128 + SIGPIPE.
 inline constexpr int nobody_reads = 141;

@@ -36,7 +36,6 @@ void print_lines(std::ostream& out,
 // or what an error is about. `fix` is an array of {begin, end, text}, which are
 // bytes of the file and their replacement; it is empty if no correction is
 // safe.
-// correction is safe.
 void print_json(std::ostream& out,
                 const std::vector<script::Finding>& findings);
 

@@ -169,8 +169,8 @@ void FolderWatch::lose(const inotify_event& event) {
 bool FolderWatch::changed() {
   alignas(inotify_event) char buffer[4096];
   bool matters = false;
-  for (auto size = read(descriptor_, buffer, sizeof buffer); size > 0;
-       size = read(descriptor_, buffer, sizeof buffer))
+  for (auto size = ::read(descriptor_, buffer, sizeof buffer); size > 0;
+       size = ::read(descriptor_, buffer, sizeof buffer))
     for (const char* at = buffer; at < buffer + size;) {
       const auto& event = *reinterpret_cast<const inotify_event*>(at);
       matters |= take(event);

@@ -42,7 +42,7 @@ public:
     return signal_ != 0;
   }
   // The exit status of a program that ended in order after a signal:
-  // interrupted for SIGINT, otherwise well.
+  // interrupted for SIGINT, otherwise success.
   int status() const;
   bool closed() const {
     return closed_;

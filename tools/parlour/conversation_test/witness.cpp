@@ -80,7 +80,7 @@ void Witness::watch(int end) {
   close(STDIN_FILENO);
   close(STDOUT_FILENO);
   char nothing;
-  while (read(end, &nothing, 1) < 0 && errno == EINTR) {
+  while (::read(end, &nothing, 1) < 0 && errno == EINTR) {
   }
   tell();
   _exit(0);

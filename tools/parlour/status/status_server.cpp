@@ -1,6 +1,7 @@
 #include "tools/parlour/status/status_server.hpp"
 
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <string_view>
 #include <utility>
@@ -12,6 +13,7 @@
 #include <unistd.h>
 
 #include "adapters/loop/wait_until_ready.hpp"
+#include "runtime/base/clock.hpp"
 #include "tools/parlour/status/runtime_folder.hpp"
 
 namespace parlour::tools {
@@ -23,6 +25,9 @@ namespace {
 // Who connects and does not read is let go.
 constexpr timeval send_patience{1, 0};
 constexpr int backlog = 4;
+// While the process has no descriptors left, whoever connects stays in the
+// queue, and accepting fails at once, again and again.
+constexpr Milliseconds pause_between{200};
 
 tl::unexpected<Error> trouble(const fs::path& path) {
   return fail(ErrorKind::file,
@@ -56,17 +61,21 @@ StatusServer::open(const fs::path& folder, Tell tell) {
   if (auto made = make_runtime_folder(folder); !made)
     return tl::make_unexpected(made.error());
   auto path = folder / (std::to_string(getpid()) + ".sock");
+  const int stop = eventfd(0, EFD_CLOEXEC);
+  if (stop < 0)
+    return fail(ErrorKind::limit, std::strerror(errno));
   const auto listener = listen_at(path);
-  if (!listener)
+  if (!listener) {
+    close(stop);
     return tl::make_unexpected(listener.error());
+  }
   return std::unique_ptr<StatusServer>(
-      new StatusServer(std::move(path), *listener, std::move(tell)));
+      new StatusServer(std::move(path), *listener, stop, std::move(tell)));
 }
 
-StatusServer::StatusServer(fs::path path, int listener, Tell tell)
-    : path_(std::move(path)), listener_(listener),
-      stop_(eventfd(0, EFD_CLOEXEC)), tell_(std::move(tell)),
-      thread_([this] { serve(); }) {}
+StatusServer::StatusServer(fs::path path, int listener, int stop, Tell tell)
+    : path_(std::move(path)), listener_(listener), stop_(stop),
+      tell_(std::move(tell)), thread_([this] { serve(); }) {}
 
 StatusServer::~StatusServer() {
   eventfd_write(stop_, 1);
@@ -84,11 +93,20 @@ void StatusServer::serve() {
     if (waiting[1].revents == 0)
       continue;
     const int connection = accept4(listener_, nullptr, nullptr, SOCK_CLOEXEC);
-    if (connection < 0)
+    if (connection < 0) {
+      pause();
       continue;
+    }
     answer(connection);
     close(connection);
   }
+}
+
+// Ends early where the server is to end.
+void StatusServer::pause() const {
+  pollfd stop[] = {{stop_, POLLIN, 0}};
+  adapters::wait_until_ready(stop,
+                             std::chrono::steady_clock::now() + pause_between);
 }
 
 void StatusServer::answer(int connection) const {

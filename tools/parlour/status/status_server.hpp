@@ -18,7 +18,7 @@ public:
   using Tell = std::function<std::string()>;
 
   // Binds PROCESS.sock in the folder, which is made where it is missing. Errors
-  // have the kind File.
+  // have the kind File, or Limit where no descriptor is left.
   static Expected<std::unique_ptr<StatusServer>>
   open(const std::filesystem::path& folder, Tell tell);
   StatusServer(const StatusServer&) = delete;
@@ -27,8 +27,9 @@ public:
   ~StatusServer();
 
 private:
-  StatusServer(std::filesystem::path path, int listener, Tell tell);
+  StatusServer(std::filesystem::path path, int listener, int stop, Tell tell);
   void serve();
+  void pause() const;
   void answer(int connection) const;
 
   const std::filesystem::path path_;

@@ -17,6 +17,8 @@ using testing::HasSubstr;
 class NotingListener : public AgentConnection::Listener, public Notes {
 public:
   void received(AgentMessage message) override {
+    if (message.command == "Explode")
+      throw std::runtime_error("this is too much");
     Notes::note(message.command);
     if (connection)
       connection->handed_on();
@@ -62,6 +64,15 @@ TEST_F(AgentConnectionTest, CarriesMessagesBothWays) {
   EXPECT_THAT(listener.wait_for(1), ElementsAre("Goto"));
   EXPECT_TRUE(agent->send(command("Arrived")));
   EXPECT_THAT(component->wait_for(1), ElementsAre("Arrived"));
+}
+
+TEST_F(AgentConnectionTest, EndsWithWhatItsListenerThrows) {
+  const auto agent = connect("Robot");
+  EXPECT_THAT(component->wait_for(1), ElementsAre("Robot online"));
+  EXPECT_THAT(listener.wait_for(1), ElementsAre(HasSubstr("connected to")));
+  server->send("Robot", command("Explode"));
+  EXPECT_THAT(listener.wait_for(1), ElementsAre("rejected: this is too much"));
+  EXPECT_THAT(component->wait_for(1), ElementsAre("offline"));
 }
 
 TEST_F(AgentConnectionTest, SaysGoodbyeBehindItsLastMessage) {

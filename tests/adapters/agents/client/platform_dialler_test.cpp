@@ -4,6 +4,7 @@
 
 #include "adapters/agents/client/platform_dialler.hpp"
 #include "tests/adapters/agents/agents_fixture.hpp"
+#include "tests/support/start_loop.hpp"
 
 namespace parlour::adapters::agents {
 namespace {
@@ -65,7 +66,7 @@ protected:
   }
 
   Listening listening;
-  std::unique_ptr<Loop> loop = std::move(*Loop::start());
+  std::unique_ptr<Loop> loop = test::start_loop();
   std::unique_ptr<PlatformDialler> dialler;
   std::shared_ptr<PeerConnection> connection;
 };

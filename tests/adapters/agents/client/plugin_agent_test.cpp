@@ -19,6 +19,8 @@ using testing::HasSubstr;
 class Walker : public IPlugin {
 protected:
   Expected<void> on_start(const Options& options) override {
+    if (options.contains("early"))
+      throw std::runtime_error("it is too early");
     if (options.contains("lame"))
       return fail(ErrorKind::settings, "it is lame");
     return {};
@@ -115,6 +117,28 @@ TEST_F(PluginAgentTest, EndsWithThePlugin) {
   thread.join();
   ASSERT_FALSE(outcome);
   EXPECT_THAT(outcome.error().message, HasSubstr("too far"));
+}
+
+TEST_F(PluginAgentTest, SaysWhatThePluginThrowsAtItsStart) {
+  const auto done = PluginAgent(order({{"early", "yes"}})).run();
+  ASSERT_FALSE(done);
+  EXPECT_EQ(done.error().kind, ErrorKind::thrown);
+  EXPECT_EQ(done.error().message, "it is too early");
+}
+
+TEST_F(PluginAgentTest, SaysWhatThePluginThrowsAtItsEnd) {
+  struct Clinging : Walker {
+    void stop() override {
+      throw std::runtime_error("it wants to stay");
+    }
+  };
+  auto clinging = order();
+  clinging.factory.create = [] { return std::make_unique<Clinging>(); };
+  PluginAgent one(std::move(clinging));
+  one.stop();
+  const auto done = one.run();
+  ASSERT_FALSE(done);
+  EXPECT_EQ(done.error().message, "it wants to stay");
 }
 
 TEST_F(PluginAgentTest, EndsWhereThePluginSaysThatItIsBroken) {

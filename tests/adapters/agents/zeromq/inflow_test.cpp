@@ -5,6 +5,7 @@
 
 #include "adapters/agents/zeromq/inflow.hpp"
 #include "adapters/loop/loop.hpp"
+#include "tests/support/start_loop.hpp"
 
 namespace parlour::adapters::agents {
 namespace {
@@ -48,7 +49,7 @@ protected:
   zmq::context_t context;
   zmq::socket_t pull{context, zmq::socket_type::pull};
   zmq::socket_t push{context, zmq::socket_type::push};
-  std::unique_ptr<Loop> loop = std::move(*Loop::start());
+  std::unique_ptr<Loop> loop = test::start_loop();
   std::optional<Inflow> inflow;
   int wanted = 0;
   int stops_at = 0;

@@ -55,11 +55,14 @@ TEST(MariaDBOptions, VerifyOtherMachines) {
 
 TEST(MariaDBOptions, ReadThePasswordsFile) {
   const test::TemporaryFolder folder;
-  folder.write("secret", "swordfish\n");
-  const auto options = read_mariadb_options(
-      {{"database", "a"}, {"password-file", "secret"}}, folder.path().string());
-  ASSERT_TRUE(options);
-  EXPECT_EQ(options->password, "swordfish");
+  for (const auto* text : {"swordfish", "swordfish\n", "swordfish\r\n"}) {
+    folder.write("secret", text);
+    const auto options =
+        read_mariadb_options({{"database", "a"}, {"password-file", "secret"}},
+                             folder.path().string());
+    ASSERT_TRUE(options);
+    EXPECT_EQ(options->password, "swordfish");
+  }
 }
 
 TEST(MariaDBOptions, SayNothingOfThePassword) {

@@ -24,7 +24,8 @@ protected:
 
   std::future<TryOutcome> submit(HttpRequest request) {
     if (!client)
-      client = std::move(*HttpClient::start(options));
+      client = std::move(*HttpClient::start(
+          options, [this](const auto& what) { thrown.set_value(what); }));
     auto promise = std::make_shared<std::promise<TryOutcome>>();
     auto future = promise->get_future();
     client->submit(std::move(request), [promise](TryOutcome outcome) {
@@ -41,6 +42,7 @@ protected:
   }
 
   ClientOptions options;
+  std::promise<std::string> thrown;
   std::unique_ptr<HttpClient> client;
 };
 
@@ -199,9 +201,19 @@ TEST_F(HttpClientTest, ItsEndAnswersAll) {
   EXPECT_FALSE(pausing.get());
 }
 
+TEST_F(HttpClientTest, TellsWhatThrowsAndGoesOn) {
+  ServiceServer server([](auto&, int) { return reply(200, "here"); });
+  EXPECT_TRUE(get(server));
+  client->submit({Method::get, server.address() + "/"}, [](const auto&) {
+    throw std::runtime_error("this is too much");
+  });
+  EXPECT_EQ(thrown.get_future().get(), "this is too much");
+  EXPECT_TRUE(get(server));
+}
+
 TEST_F(HttpClientTest, SaysIfItCannotBegin) {
   const auto started = HttpClient::start(
-      options,
+      options, [](const auto&) {},
       [](Loop&, TransferOptions) -> Expected<std::unique_ptr<Transfers>> {
         return fail(ErrorKind::settings, "there is no library");
       });

@@ -5,6 +5,7 @@
 
 #include "adapters/http/transfer/transfers.hpp"
 #include "tests/adapters/http/service_server.hpp"
+#include "tests/support/start_loop.hpp"
 
 namespace parlour::adapters::http {
 namespace {
@@ -67,7 +68,7 @@ protected:
   Transfers::Id id = 0;
 
 private:
-  const std::unique_ptr<Loop> loop_ = std::move(*Loop::start());
+  const std::unique_ptr<Loop> loop_ = test::start_loop();
   std::unique_ptr<Transfers> transfers_;
 };
 

@@ -6,6 +6,7 @@
 #include "adapters/http/webhooks/webhook_connection.hpp"
 #include "adapters/loop/loop.hpp"
 #include "tests/adapters/http/webhooks/client.hpp"
+#include "tests/support/start_loop.hpp"
 
 namespace parlour::adapters::http {
 namespace {
@@ -36,7 +37,7 @@ protected:
   }
 
 private:
-  const std::unique_ptr<Loop> loop_ = std::move(*Loop::start());
+  const std::unique_ptr<Loop> loop_ = test::start_loop();
   tcp::acceptor acceptor_;
 
 protected:

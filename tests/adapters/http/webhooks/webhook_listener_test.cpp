@@ -24,13 +24,18 @@ protected:
   }
 
   void start() {
-    auto started = WebhookListener::start(options, [this](const auto& request) {
-      const std::lock_guard lock(mutex);
-      taken.push_back(request.path + " " + request.body);
-      return request.path == "/known" ? 204 : 404;
-    });
+    auto started = WebhookListener::start(
+        options, [this](const auto& request) { return take(request); },
+        [this](const std::string& what) { thrown.set_value(what); });
     ASSERT_TRUE(started) << started.error().message;
     listener = std::move(*started);
+  }
+  int take(const WebhookRequest& request) {
+    const std::lock_guard lock(mutex);
+    if (request.path == "/bad")
+      throw std::runtime_error("this is too much");
+    taken.push_back(request.path + " " + request.body);
+    return request.path == "/known" ? 204 : 404;
   }
   int send(const std::string& bytes) {
     Client client(listener->address());
@@ -45,6 +50,7 @@ protected:
   ListenerOptions options;
   std::mutex mutex;
   std::vector<std::string> taken;
+  std::promise<std::string> thrown;
   std::unique_ptr<WebhookListener> listener;
 };
 
@@ -54,6 +60,14 @@ TEST_F(WebhookListenerTest, TakesReports) {
   EXPECT_EQ(send(post("/known", "hello")), 204);
   EXPECT_EQ(send(post("/other", "")), 404);
   EXPECT_THAT(all_taken(), ElementsAre("/known hello", "/other "));
+}
+
+TEST_F(WebhookListenerTest, TellsWhatThrowsAndGoesOn) {
+  start();
+  Client bad(listener->address());
+  bad.send(post("/bad", ""));
+  EXPECT_EQ(thrown.get_future().get(), "this is too much");
+  EXPECT_EQ(send(post("/known", "")), 204);
 }
 
 TEST_F(WebhookListenerTest, AnswersAndCloses) {
@@ -139,8 +153,8 @@ TEST_F(WebhookListenerTest, ManySendAtOnce) {
 TEST_F(WebhookListenerTest, SaysWhyItDoesNotListen) {
   auto error = [&](const std::string& listen) {
     options.listen = listen;
-    const auto started =
-        WebhookListener::start(options, [](const auto&) { return 204; });
+    const auto started = WebhookListener::start(
+        options, [](const auto&) { return 204; }, [](const auto&) {});
     return started ? "" : started.error().message;
   };
   for (const auto* wrong : {"", "8090", "127.0.0.1", "127.0.0.1:x",

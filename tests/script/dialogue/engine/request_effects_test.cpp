@@ -37,6 +37,25 @@ TEST(RequestEffects, ARequestRefused) {
   EXPECT_EQ(world.said(), Texts{"Refused: Cabs: no car"});
 }
 
+// A database names the kind, as it does to <querydb>.
+TEST(RequestEffects, ARequestThatADatabaseRefuses) {
+  World world(R"xml(<handler name="H"><messages><component><Bell><Rings>
+    <try><request module="Archive" command="Query" param="" return="r"/>
+    <catch name="e"><speak param="{e.kind}: {e.message}"/></catch></try>
+    </Rings></Bell></component></messages></handler>)xml");
+  world.components["Archive"] = {"Database"};
+  const auto refused = [&](const char* event, const List& params) {
+    world.event("Bell", "Rings");
+    world.event("Archive", event, params, world.messages.back().correlation);
+    return world.said();
+  };
+  EXPECT_EQ(refused("Error", {"InDoubt", "the line broke"}),
+            Texts{"InDoubt: Archive: the line broke"});
+  EXPECT_EQ(refused("Error", {"locked"}), Texts{"Database: Archive: locked"});
+  EXPECT_EQ(refused("Failed", {"is down"}),
+            Texts{"Database: Archive: is down"});
+}
+
 // What a plug-in says of its own events counts, where its role says nothing.
 TEST(RequestEffects, ARequestHearsOfOwnEventsWhatTheyMean) {
   Bell world(call, R"xml(<handler name="Hold"><messages><component>

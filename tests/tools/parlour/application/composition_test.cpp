@@ -125,11 +125,14 @@ TEST(Composition, passes_over_what_is_not_loaded_yet) {
 }
 
 TEST(Composition, runs_without_the_voice_that_it_does_not_have) {
-  const auto made = compose(settings_with({component("ESpeakTTS")}));
+  const std::vector<PluginFactory> none;
+  Catalogue without({}, none);
+  const auto made =
+      tools::compose(settings_with({component("EspeakTTS")}), without);
   EXPECT_THAT(made.findings, IsEmpty());
   EXPECT_THAT(made.components, IsEmpty());
   EXPECT_THAT(made.notices,
-              ElementsAre("ESpeakTTS is not available in this build: text is "
+              ElementsAre("EspeakTTS is not available in this build: text is "
                           "shown instead of spoken"));
 }
 

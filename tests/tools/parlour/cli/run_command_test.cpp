@@ -107,9 +107,10 @@ TEST_F(CommandTest, run_refuses_a_folder_in_use) {
   EXPECT_THAT(err_.str(), HasSubstr("in use by another parlour"));
 }
 
-TEST_F(CommandTest, run_has_no_voice_yet) {
-  EXPECT_EQ(call({"run", "greeter", "--voice"}), exit_code::usage);
-  EXPECT_THAT(err_.str(), HasSubstr("--voice is not available yet"));
+TEST_F(CommandTest, run_takes_a_microphone_only_with_a_voice) {
+  EXPECT_EQ(call({"run", "greeter", "--microphone", "heard.wav"}),
+            exit_code::usage);
+  EXPECT_THAT(err_.str(), HasSubstr("--voice"));
 }
 
 } // namespace

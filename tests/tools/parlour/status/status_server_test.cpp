@@ -1,7 +1,12 @@
+#include <ctime>
 #include <filesystem>
 
 #include <gtest/gtest.h>
+#include <sys/socket.h>
+#include <sys/un.h>
+#include <unistd.h>
 
+#include "tests/support/no_descriptors.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tools/parlour/status/status_client.hpp"
 #include "tools/parlour/status/status_server.hpp"
@@ -36,6 +41,60 @@ TEST(StatusServer, TakesItsSocketAway) {
     EXPECT_FALSE(std::filesystem::is_empty(runtime));
   }
   EXPECT_TRUE(std::filesystem::is_empty(runtime));
+}
+
+// The lowest that is free.
+int next_descriptor() {
+  const int next = dup(STDIN_FILENO);
+  close(next);
+  return next;
+}
+
+double seconds_of(clockid_t clock) {
+  timespec time{};
+  clock_gettime(clock, &time);
+  return static_cast<double>(time.tv_sec) +
+         static_cast<double>(time.tv_nsec) / 1e9;
+}
+
+// What all other threads compute while this one computes for so long.
+double busy_meanwhile(double seconds) {
+  const auto own = seconds_of(CLOCK_THREAD_CPUTIME_ID);
+  const auto all = seconds_of(CLOCK_PROCESS_CPUTIME_ID);
+  double passed = 0;
+  while (passed < seconds)
+    passed = seconds_of(CLOCK_THREAD_CPUTIME_ID) - own;
+  return seconds_of(CLOCK_PROCESS_CPUTIME_ID) - all - passed;
+}
+
+TEST(StatusServer, RestsWhileItCannotAccept) {
+  test::TemporaryFolder folder;
+  const auto runtime = folder.path() / "parlour";
+  const auto server = StatusServer::open(runtime, [] { return "here"; });
+  ASSERT_TRUE(server);
+  sockaddr_un address{};
+  address.sun_family = AF_UNIX;
+  std::filesystem::directory_iterator(runtime)->path().string().copy(
+      address.sun_path, sizeof address.sun_path - 1);
+  const int client = socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
+  {
+    const test::NoDescriptors none(next_descriptor());
+    ASSERT_EQ(
+        connect(client, reinterpret_cast<sockaddr*>(&address), sizeof address),
+        0);
+    EXPECT_LT(busy_meanwhile(0.1), 0.03);
+  }
+  char text[8] = {};
+  EXPECT_EQ(recv(client, text, sizeof text, 0), 4);
+  close(client);
+}
+
+TEST(StatusServer, SaysThatThereAreNoDescriptors) {
+  test::TemporaryFolder folder;
+  const auto runtime = folder.path() / "parlour";
+  ASSERT_TRUE(StatusServer::open(runtime, [] { return ""; }));
+  const test::NoDescriptors but_one(next_descriptor() + 1);
+  EXPECT_FALSE(StatusServer::open(runtime, [] { return ""; }));
 }
 
 TEST(StatusServer, SaysWhyItCannotBeReached) {

@@ -1,0 +1,238 @@
+#include "adapters/asr/moonshine_asr.hpp"
+
+#include <cstdlib>
+#include <memory>
+#include <mutex>
+#include <utility>
+
+#include "adapters/asr/moonshine_place.hpp"
+#include "adapters/asr/moonshine_program.hpp"
+#include "adapters/asr/moonshine_text.hpp"
+#include "adapters/asr/moonshine_turns.hpp"
+#include "adapters/asr/moonshine_words.hpp"
+#include "runtime/plugin/adaptors.hpp"
+#include "runtime/plugin/open_messages.hpp"
+
+namespace parlour::adapters {
+
+namespace {
+
+using namespace moonshine;
+
+using Folders = std::vector<std::filesystem::path>;
+
+const std::vector<OptionDescription> options = {
+    {"program", "",
+     "the file moonshine.mjs; its packages are beside it. Otherwise the one "
+     "that comes with Parlour"},
+    {"node", "node", "Node.js, a name or a path"},
+    {"timeout", "10s", "how long a result may take, else it is started again",
+     false, OptionType::duration},
+    {"one-by-one", "false",
+     "answers each message before the next; virtual time sets it", false,
+     OptionType::boolean},
+};
+
+// The texts of alternatives or of words as people type them.
+List typed(List entries) {
+  for (auto& entry : entries)
+    entry = Map{{"text", typed_text(entry["text"].text())},
+                {"confidence", entry["confidence"]}};
+  return entries;
+}
+
+// Threads: commands come on the plug-in's own thread; answers of the program
+// come on its loop's thread.
+class MoonshineASR : public ASRPlugin {
+public:
+  explicit MoonshineASR(Folders programs) : programs_(std::move(programs)) {}
+  void stop() override;
+
+private:
+  Expected<void> on_start(const Options& given) override;
+  void on_do_recognition(const Binary& audio) override;
+  void on_finish() override;
+  void on_cancel() override;
+
+  Expected<ProgramOrder> program_order(const Options& given) const;
+  ProgramCalls calls();
+  void take(const Answer& answer);
+  void tell_partial(const Answer& answer);
+  void tell_result(const Message& order, const Answer& answer);
+  void reject(const Message& order, const std::string& reason);
+  void program_ended(const std::string& reason);
+  void end(const std::string& reason);
+
+  const Folders programs_;
+  bool one_by_one_ = false;
+  OpenMessages open_;
+  std::mutex mutex_;
+  MoonshineTurns turns_;
+  // Why the program has ended; empty while it runs.
+  std::string ended_;
+  // Destroyed first: it calls.
+  std::unique_ptr<MoonshineProgram> program_;
+};
+
+Expected<ProgramOrder> MoonshineASR::program_order(const Options& given) const {
+  const auto* const path = std::getenv("PATH");
+  return find_place({option_value(given, options, "program"), programs_,
+                     option_value(given, options, "node"), path ? path : ""})
+      .map([&](const Place& place) {
+        ProgramOrder order;
+        order.program = place.node;
+        order.arguments = {place.program.string()};
+        order.answer_within =
+            *parse_duration(option_value(given, options, "timeout"));
+        return order;
+      });
+}
+
+Expected<void> MoonshineASR::on_start(const Options& given) {
+  one_by_one_ = option_value(given, options, "one-by-one") == "true";
+  const auto order = program_order(given);
+  if (!order)
+    return tl::make_unexpected(order.error());
+  auto program = MoonshineProgram::start(*order, calls());
+  if (!program)
+    return fail(program.error().kind,
+                "the recogniser's program " + order->arguments.front() +
+                    " does not start: " + program.error().message);
+  program_ = std::move(*program);
+  program_->send(words_frame(application_words(host())));
+  return {};
+}
+
+ProgramCalls MoonshineASR::calls() {
+  return {[this](const Answer& answer) { take(answer); },
+          [this](Milliseconds time) {
+            host().log("The recogniser is ready, after " +
+                       std::to_string(time.count()) + " ms.");
+          },
+          [this](const std::string& reason) { program_ended(reason); },
+          [this](const std::string& line) { host().log(line); }};
+}
+
+void MoonshineASR::stop() {
+  program_.reset();
+  end("The component is stopped.");
+}
+
+void MoonshineASR::on_do_recognition(const Binary&) {
+  const auto message = current();
+  const auto samples = speech_samples(message.params.at(0));
+  if (!samples)
+    return refuse(samples.error().message);
+  const std::lock_guard lock(mutex_);
+  if (!ended_.empty() || samples->empty())
+    return;
+  const auto place = turns_.add(message, samples->size());
+  if (place.dropped)
+    program_->send(cancel_frame(*place.dropped));
+  if (place.samples > 0)
+    program_->send(audio_frame(place.turn, samples->first(place.samples)));
+}
+
+void MoonshineASR::on_finish() {
+  {
+    const std::lock_guard lock(mutex_);
+    if (!ended_.empty())
+      return fire_rejected(ended_);
+    if (!turns_.has_room())
+      return fire_rejected("Too many turns wait for the recogniser.");
+    const auto turn = turns_.finish(current());
+    if (!turn)
+      return fire_rejected("Nothing was heard.");
+    open_.open();
+    program_->finish(*turn);
+  }
+  if (one_by_one_)
+    open_.wait_for_all();
+}
+
+void MoonshineASR::on_cancel() {
+  MoonshineTurns::Cancelled cancelled;
+  {
+    const std::lock_guard lock(mutex_);
+    cancelled = turns_.cancel(current().session);
+    if (ended_.empty())
+      for (const auto turn : cancelled.turns)
+        program_->send(cancel_frame(turn));
+  }
+  for (const auto& order : cancelled.orders)
+    reject(order, "The turn is cancelled.");
+}
+
+// -- on the thread of the program's loop --------------------------------------
+
+void MoonshineASR::take(const Answer& answer) {
+  if (answer.kind == AnswerKind::partial)
+    return tell_partial(answer);
+  std::optional<Message> order;
+  {
+    const std::lock_guard lock(mutex_);
+    order = turns_.take(answer.turn);
+  }
+  if (!order) // it was cancelled meanwhile
+    return;
+  if (answer.kind == AnswerKind::rejected)
+    return reject(*order, answer.text);
+  tell_result(*order, answer);
+}
+
+void MoonshineASR::tell_partial(const Answer& one) {
+  std::optional<MoonshineTurns::Partial> partial;
+  {
+    const std::lock_guard lock(mutex_);
+    partial = turns_.partial(one.turn);
+  }
+  if (partial)
+    answer(partial->order, "Partial",
+           {typed_text(one.text), partial->revision});
+}
+
+void MoonshineASR::tell_result(const Message& order, const Answer& one) {
+  const OpenMessages::Closing closing(open_);
+  answer(order, "RecognitionResult",
+         {typed_text(one.text), one.confidence, typed(one.alternatives),
+          typed(one.words)});
+}
+
+void MoonshineASR::reject(const Message& order, const std::string& reason) {
+  const OpenMessages::Closing closing(open_);
+  answer(order, "Rejected", {reason});
+}
+
+void MoonshineASR::program_ended(const std::string& reason) {
+  const auto sentence = "The recogniser's program has ended: " + reason;
+  end(sentence);
+  host().failed(sentence);
+}
+
+// From now on everything is rejected for this reason.
+void MoonshineASR::end(const std::string& reason) {
+  std::vector<Message> orders;
+  {
+    const std::lock_guard lock(mutex_);
+    ended_ = reason;
+    orders = turns_.take_all();
+  }
+  for (const auto& order : orders)
+    reject(order, reason);
+}
+
+} // namespace
+
+PluginFactory moonshine_asr_factory(Folders programs) {
+  PluginDescription description;
+  description.name = "MoonshineASR";
+  description.roles = {"ASR"};
+  description.sentence =
+      "hears English, any words; a neural network, offline; needs Node.js";
+  description.options = options;
+  return {std::move(description), [programs = std::move(programs)] {
+            return std::make_unique<MoonshineASR>(programs);
+          }};
+}
+
+} // namespace parlour::adapters

@@ -1,0 +1,145 @@
+#include "adapters/asr/moonshine_frames.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "runtime/text/json_text.hpp"
+
+namespace parlour::adapters::moonshine {
+
+namespace {
+
+// In bytes; what the program takes.
+constexpr std::size_t longest_payload = 1 << 20;
+// Of alternatives and of words.
+constexpr std::size_t most_entries = 256;
+
+constexpr std::array<std::pair<std::string_view, AnswerKind>, 5> kinds = {{
+    {"ready", AnswerKind::ready},
+    {"partial", AnswerKind::partial},
+    {"result", AnswerKind::result},
+    {"rejected", AnswerKind::rejected},
+    {"failed", AnswerKind::failed},
+}};
+
+std::string frame(Map head, std::string_view payload = {}) {
+  if (!payload.empty())
+    head.set("bytes", static_cast<std::int64_t>(payload.size()));
+  auto bytes = json_text(Value(std::move(head)));
+  bytes += '\n';
+  bytes += payload;
+  return bytes;
+}
+
+std::string turn_frame(const char* type, TurnNumber turn,
+                       std::string_view payload = {}) {
+  return frame({{"type", type}, {"turn", turn}}, payload);
+}
+
+// Reads one answer of which nothing is known.
+class AnswerFields {
+public:
+  explicit AnswerFields(const Value& fields) : fields_(fields) {}
+
+  std::string text(std::string_view name) const {
+    const auto* const text = fields_[name].if_string();
+    return text ? *text : std::string();
+  }
+  double confidence() const {
+    return std::clamp(fields_["confidence"].number_or(0), 0.0, 1.0);
+  }
+  // Each with `text` and `confidence`, whatever else there is.
+  List entries(std::string_view name) const {
+    List entries;
+    if (const auto* const list = fields_[name].if_list())
+      for (const auto& one : *list)
+        if (entries.size() < most_entries && one.if_map())
+          entries.push_back(entry(AnswerFields(one)));
+    return entries;
+  }
+
+private:
+  static Value entry(const AnswerFields& one) {
+    return Map{{"text", one.text("text")}, {"confidence", one.confidence()}};
+  }
+
+  const Value& fields_;
+};
+
+tl::unexpected<Error> unreadable(std::string_view line) {
+  return fail(ErrorKind::network, "it says what cannot be read: " +
+                                      std::string(line.substr(0, 80)));
+}
+
+Expected<Answer> read_answer(std::string_view line) {
+  const auto value = read_json(line);
+  if (!value || !value->if_map())
+    return unreadable(line);
+  const AnswerFields fields(*value);
+  const auto* const kind = std::ranges::find(
+      kinds, fields.text("type"), [](const auto& one) { return one.first; });
+  if (kind == kinds.end())
+    return unreadable(line);
+  return Answer{kind->second,
+                (*value)["turn"].integer_or(0),
+                fields.text(kind->second == AnswerKind::rejected ||
+                                    kind->second == AnswerKind::failed
+                                ? "reason"
+                                : "text"),
+                fields.confidence(),
+                fields.entries("alternatives"),
+                fields.entries("words")};
+}
+
+} // namespace
+
+std::string audio_frame(TurnNumber turn, std::span<const Sample> samples) {
+  const auto bytes = std::as_bytes(samples);
+  return turn_frame("audio", turn,
+                    {reinterpret_cast<const char*>(bytes.data()),
+                     std::min(bytes.size(), longest_payload)});
+}
+
+std::string finish_frame(TurnNumber turn) {
+  return turn_frame("finish", turn);
+}
+
+std::string cancel_frame(TurnNumber turn) {
+  return turn_frame("cancel", turn);
+}
+
+std::string words_frame(const Words& words) {
+  std::string lines;
+  for (const auto& phrase : words.phrases) {
+    if (lines.size() + phrase.size() >= longest_payload)
+      break;
+    lines += phrase;
+    lines += '\n';
+  }
+  return frame(
+      {{"type", "words"}, {"names", static_cast<std::int64_t>(words.names)}},
+      lines);
+}
+
+void AnswerReader::add(std::string_view bytes) {
+  held_.erase(0, std::exchange(at_, 0));
+  held_ += bytes;
+}
+
+Expected<std::optional<Answer>> AnswerReader::next() {
+  const auto end = held_.find('\n', at_);
+  const auto length = std::min(end, held_.size()) - at_;
+  if (length > longest_line)
+    return fail(ErrorKind::network, "it says a line without an end");
+  if (end == std::string::npos)
+    return std::optional<Answer>();
+  const auto line = std::string_view(held_).substr(at_, length);
+  at_ = end + 1;
+  auto answer = read_answer(line);
+  if (!answer)
+    return tl::make_unexpected(answer.error());
+  return std::optional(std::move(*answer));
+}
+
+} // namespace parlour::adapters::moonshine

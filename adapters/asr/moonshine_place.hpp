@@ -1,0 +1,30 @@
+// Where the recogniser's program is, and what it runs on.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "runtime/base/error.hpp"
+
+namespace parlour::adapters::moonshine {
+
+struct Place {
+  std::filesystem::path node;    // the program that runs it; absolute
+  std::filesystem::path program; // moonshine.mjs; absolute
+};
+
+// What to look for. Relative paths start at the working folder.
+struct PlaceOrder {
+  // The program; empty: the first of `usual` that exists.
+  std::filesystem::path program;
+  std::vector<std::filesystem::path> usual;
+  // A path, or a name that is looked for in the folders of `path`.
+  std::string node;
+  std::string path; // "/usr/local/bin:/usr/bin"
+};
+
+// The error, of kind Settings, names what is missing and how to get it.
+Expected<Place> find_place(const PlaceOrder& order);
+
+} // namespace parlour::adapters::moonshine

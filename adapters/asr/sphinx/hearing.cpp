@@ -1,0 +1,160 @@
+#include "adapters/asr/sphinx/hearing.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <set>
+#include <sstream>
+#include <utility>
+
+#include "adapters/asr/words/agreement.hpp"
+#include "adapters/asr/words/pronunciations.hpp"
+
+namespace parlour::adapters::asr {
+
+namespace {
+
+constexpr const char* everything = "everything";
+constexpr const char* domain = "domain";
+constexpr std::size_t drawn_sentences = 20'000;
+constexpr std::size_t most_narrow = 16;
+
+std::vector<std::string> words_of(const std::vector<HeardWord>& heard) {
+  std::vector<std::string> words;
+  for (const auto& each : heard)
+    words.push_back(each.word);
+  return words;
+}
+
+} // namespace
+
+std::vector<std::string> split_text(const std::string& text) {
+  std::istringstream stream(text);
+  return {std::istream_iterator<std::string>(stream), {}};
+}
+
+std::string text_of(const std::vector<std::string>& words) {
+  std::string text;
+  for (const auto& word : words)
+    text.append(text.empty() ? "" : " ").append(word);
+  return text;
+}
+
+// Words without any sound are left out of grammar and model: PocketSphinx drops
+// what its dictionary lacks.
+Expected<Vocabulary> make_vocabulary(const LanguageSources& sources,
+                                     const std::string& model) {
+  auto language = std::make_shared<Language>(sources);
+  const auto words = language->words();
+  auto sounds = dictionary_sounds(model + "/cmudict-en-us.dict", words);
+  if (!sounds)
+    return fail(ErrorKind::settings,
+                "no dictionary of PocketSphinx is in " + model +
+                    "; install pocketsphinx-en-us, or set the option 'model'");
+  std::set<std::string> lacking;
+  for (const auto& word : words)
+    if (!sounds->contains(word))
+      lacking.insert(word);
+  sounds->merge(espeak_sounds(lacking));
+  Vocabulary made;
+  made.dictionary = dictionary_text(*sounds);
+  made.grammar = language->fsg(language->sentences());
+  made.domain = language->arpa(language->sentences(), drawn_sentences);
+  made.language = std::move(language);
+  return made;
+}
+
+Expected<Hearing> Hearing::make(std::shared_ptr<const Vocabulary> vocabulary,
+                                const std::string& model) {
+  auto grammar = SphinxDecoder::make(model + "/en-us", vocabulary->dictionary);
+  if (!grammar)
+    return tl::make_unexpected(grammar.error());
+  auto second = SphinxDecoder::make(model + "/en-us", vocabulary->dictionary);
+  if (!second)
+    return tl::make_unexpected(second.error());
+  if (auto added = grammar->add_grammar(everything, vocabulary->grammar);
+      !added)
+    return tl::make_unexpected(added.error());
+  if (auto added = second->add_domain(domain, vocabulary->domain); !added)
+    return tl::make_unexpected(added.error());
+  return Hearing(std::move(vocabulary), std::move(*grammar),
+                 std::move(*second));
+}
+
+Hearing::Hearing(std::shared_ptr<const Vocabulary> vocabulary,
+                 SphinxDecoder grammar, SphinxDecoder second)
+    : vocabulary_(std::move(vocabulary)), grammar_(std::move(grammar)),
+      domain_(std::move(second)), search_(everything) {}
+
+Expected<void> Hearing::begin(const std::vector<std::string>& grammars) {
+  search_ = search_for(grammars);
+  if (auto begun = grammar_.begin(search_); !begun)
+    return begun;
+  return domain_.begin(domain);
+}
+
+// Searches stay, as they take time to be made. The oldest is replaced when
+// there are too many.
+std::string Hearing::search_for(const std::vector<std::string>& names) {
+  const auto known = std::ranges::find(narrow_, names, &Narrow::names);
+  if (known != narrow_.end())
+    return known->search;
+  auto graph =
+      names.empty() ? std::nullopt : vocabulary_->language->sentences(names);
+  if (!graph)
+    return everything;
+  auto search = narrow_.size() < most_narrow
+                    ? "narrow" + std::to_string(narrow_.size())
+                    : narrow_.front().search;
+  if (!grammar_.add_grammar(search, vocabulary_->language->fsg(*graph)))
+    return everything;
+  if (narrow_.size() == most_narrow)
+    narrow_.erase(narrow_.begin());
+  narrow_.push_back({names, search, std::move(*graph)});
+  return search;
+}
+
+const WordGraph& Hearing::graph() const {
+  const auto found = std::ranges::find(narrow_, search_, &Narrow::search);
+  return found == narrow_.end() ? vocabulary_->language->sentences()
+                                : found->graph;
+}
+
+void Hearing::hear(std::span<const Sample> audio) {
+  grammar_.hear(audio);
+  domain_.hear(audio);
+}
+
+std::string Hearing::partial() const {
+  return grammar_.text();
+}
+
+std::optional<bool> Hearing::ends(const std::string& partial) const {
+  return vocabulary_->language->ends(graph(), split_text(partial));
+}
+
+// In noise the domain model hears better; what a narrow grammar expects is more
+// probable than either.
+Heard Hearing::finish() {
+  const auto first = grammar_.finish();
+  const auto second = domain_.finish();
+  const auto by_grammar = words_of(first);
+  const auto by_domain = words_of(second);
+  Heard heard;
+  heard.by_grammar = text_of(by_grammar);
+  heard.by_domain = text_of(by_domain);
+  const bool is_narrow = search_ != everything;
+  const bool take_grammar = (is_narrow && !first.empty()) || second.empty();
+  const auto agreed = take_grammar ? agreement(by_grammar, by_domain)
+                                   : agreement(by_domain, by_grammar);
+  heard.words = take_grammar ? first : second;
+  heard.agreement = agreed.value;
+  heard.agreed = agreed.agreed;
+  return heard;
+}
+
+void Hearing::drop() {
+  grammar_.drop();
+  domain_.drop();
+}
+
+} // namespace parlour::adapters::asr

@@ -1,0 +1,60 @@
+#include "adapters/asr/sphinx/language_sources.hpp"
+
+#include <utility>
+
+#include "runtime/base/file_bytes.hpp"
+#include "runtime/plugin/folder.hpp"
+
+namespace parlour::adapters::asr {
+
+namespace {
+
+// A grammar of the platform; nothing if there is none.
+std::optional<GrammarModel> platform_grammar(const std::string& folder,
+                                             const char* name) {
+  if (folder.empty())
+    return {};
+  const auto path = folder + "/" + name;
+  auto text = read_file(path);
+  if (!text)
+    return {};
+  return GrammarModel{name, std::move(*text), {path, 1, 1}};
+}
+
+} // namespace
+
+const std::vector<OptionDescription>& language_options() {
+  static const std::vector<OptionDescription> descriptions{
+      {"model", "/usr/share/pocketsphinx/model/en-us",
+       "folder of the acoustic model and its dictionary"},
+      {"conversations", "dialogues",
+       "folder of the application with conversations; what users say there is "
+       "expected"},
+      {"platform", "", "folder of what the platform ships"}};
+  return descriptions;
+}
+
+Expected<LanguageSources> language_sources(const PluginHost& host,
+                                           const Options& options) {
+  auto value = [&](const char* name) {
+    return option_value(options, language_options(), name);
+  };
+  LanguageSources sources;
+  if (const auto model = host.understanding())
+    sources.model = *model;
+  sources.columns = [&host](const std::string& name) {
+    return host.column(name);
+  };
+  sources.generic = platform_grammar(value("platform"), "generic-acts.jsgf");
+  sources.forms = platform_grammar(value("platform"), "spoken-forms.jsgf");
+  if (host.application_folder().empty())
+    return sources;
+  const auto folder = inside(host.application_folder(), value("conversations"),
+                             "conversations");
+  if (!folder)
+    return tl::make_unexpected(folder.error());
+  sources.conversations = read_conversations(*folder);
+  return sources;
+}
+
+} // namespace parlour::adapters::asr

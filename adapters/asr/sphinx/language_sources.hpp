@@ -1,0 +1,20 @@
+// Gathers what an application says of its language: from the host, and from
+// files of the application and the platform.
+#pragma once
+
+#include <vector>
+
+#include "adapters/asr/words/language.hpp"
+#include "runtime/plugin/plugin.hpp"
+
+namespace parlour::adapters::asr {
+
+// model, conversations, generic, platform.
+const std::vector<OptionDescription>& language_options();
+
+// The sources refer to the host. An error of kind Settings if a file that an
+// option names cannot be read.
+Expected<LanguageSources> language_sources(const PluginHost& host,
+                                           const Options& options);
+
+} // namespace parlour::adapters::asr

@@ -1,0 +1,186 @@
+#include "adapters/asr/sphinx/sphinx_decoder.hpp"
+
+#include <cstdio>
+#include <utility>
+
+#include <pocketsphinx.h>
+#include <sphinxbase/err.h>
+
+#include "adapters/asr/words/memory_file.hpp"
+
+namespace parlour::adapters::asr {
+
+namespace {
+
+struct Free {
+  void operator()(ps_decoder_t* decoder) const {
+    ps_free(decoder);
+  }
+  void operator()(cmd_ln_t* config) const {
+    cmd_ln_free_r(config);
+  }
+  void operator()(fsg_model_t* grammar) const {
+    fsg_model_free(grammar);
+  }
+  void operator()(ngram_model_t* domain) const {
+    ngram_model_free(domain);
+  }
+  void operator()(std::FILE* file) const {
+    std::fclose(file);
+  }
+};
+
+template <class T>
+using Owned = std::unique_ptr<T, Free>;
+
+// "(2)" behind a word is another way to say it; words in <> and [] are none.
+std::string plain_word(const char* text) {
+  std::string word(text);
+  if (word.empty() || word[0] == '<' || word[0] == '[' || word[0] == '(' ||
+      word[0] == '+')
+    return {};
+  return word.substr(0, word.find('('));
+}
+
+tl::unexpected<Error> refused(const std::string& what) {
+  return fail(ErrorKind::settings, "PocketSphinx does not take " + what);
+}
+
+} // namespace
+
+struct SphinxDecoder::Implementation {
+  Owned<cmd_ln_t> config;
+  Owned<ps_decoder_t> decoder;
+  int frames_a_second = 100;
+  bool is_open = false;
+
+  float weight() const {
+    return static_cast<float>(cmd_ln_float_r(config.get(), "-lw"));
+  }
+};
+
+Expected<void> SphinxDecoder::is_built_in() {
+  return {};
+}
+
+SphinxDecoder::SphinxDecoder(std::unique_ptr<Implementation> implementation)
+    : implementation_(std::move(implementation)) {}
+
+SphinxDecoder::SphinxDecoder(SphinxDecoder&&) noexcept = default;
+SphinxDecoder& SphinxDecoder::operator=(SphinxDecoder&&) noexcept = default;
+SphinxDecoder::~SphinxDecoder() = default;
+
+// A second pass over the utterance would begin only when it has ended, so there
+// is none.
+Expected<SphinxDecoder> SphinxDecoder::make(const std::string& model,
+                                            const std::string& dictionary) {
+  err_set_logfp(nullptr);
+  const auto file = MemoryFile::make(dictionary);
+  if (!file)
+    return fail(ErrorKind::limit, "there is no memory for a dictionary");
+  auto made = std::make_unique<Implementation>();
+  made->config.reset(cmd_ln_init(nullptr, ps_args(), 1, "-hmm", model.c_str(),
+                                 "-dict", file->path().c_str(), "-fwdflat",
+                                 "no", "-bestpath", "no", nullptr));
+  if (made->config)
+    made->decoder.reset(ps_init(made->config.get()));
+  if (!made->decoder)
+    return fail(ErrorKind::settings,
+                "no acoustic model of PocketSphinx can be loaded from " +
+                    model +
+                    "; install pocketsphinx-en-us, or set the option 'model'");
+  return SphinxDecoder(std::move(made));
+}
+
+Expected<void> SphinxDecoder::add_grammar(const std::string& name,
+                                          const std::string& fsg) {
+  auto* const decoder = implementation_->decoder.get();
+  auto text = fsg;
+  const Owned<std::FILE> file(fmemopen(text.data(), text.size(), "r"));
+  const Owned<fsg_model_t> grammar(
+      file ? fsg_model_read(file.get(), ps_get_logmath(decoder),
+                            implementation_->weight())
+           : nullptr);
+  if (!grammar || ps_set_fsg(decoder, name.c_str(), grammar.get()) < 0)
+    return refused("the grammar '" + name + "'");
+  return {};
+}
+
+Expected<void> SphinxDecoder::add_domain(const std::string& name,
+                                         const std::string& arpa) {
+  auto* const decoder = implementation_->decoder.get();
+  auto* const config = implementation_->config.get();
+  const auto file = MemoryFile::make(arpa);
+  // Not read with the configuration: the library would weigh the model without
+  // looking whether it could be read.
+  const Owned<ngram_model_t> domain(
+      file ? ngram_model_read(nullptr, file->path().c_str(), NGRAM_ARPA,
+                              ps_get_logmath(decoder))
+           : nullptr);
+  if (!domain)
+    return refused("the domain model '" + name + "'");
+  ngram_model_apply_weights(domain.get(),
+                            static_cast<float>(cmd_ln_float_r(config, "-lw")),
+                            static_cast<float>(cmd_ln_float_r(config, "-wip")));
+  if (ps_set_lm(decoder, name.c_str(), domain.get()) < 0)
+    return refused("the domain model '" + name + "'");
+  return {};
+}
+
+Expected<void> SphinxDecoder::add_keywords(const std::string& name,
+                                           const std::string& keywords) {
+  const auto file = MemoryFile::make(keywords);
+  if (!file || ps_set_kws(implementation_->decoder.get(), name.c_str(),
+                          file->path().c_str()) < 0)
+    return refused("the keywords");
+  return {};
+}
+
+Expected<void> SphinxDecoder::begin(const std::string& search) {
+  drop();
+  auto* const decoder = implementation_->decoder.get();
+  if (ps_set_search(decoder, search.c_str()) < 0 || ps_start_utt(decoder) < 0)
+    return refused("the search '" + search + "'");
+  implementation_->is_open = true;
+  return {};
+}
+
+void SphinxDecoder::hear(std::span<const Sample> audio) {
+  if (implementation_->is_open)
+    ps_process_raw(implementation_->decoder.get(), audio.data(), audio.size(),
+                   0, 0);
+}
+
+std::string SphinxDecoder::text() const {
+  const char* const text =
+      implementation_->is_open
+          ? ps_get_hyp(implementation_->decoder.get(), nullptr)
+          : nullptr;
+  return text ? text : "";
+}
+
+std::vector<HeardWord> SphinxDecoder::finish() {
+  std::vector<HeardWord> words;
+  if (!implementation_->is_open)
+    return words;
+  auto* const decoder = implementation_->decoder.get();
+  ps_end_utt(decoder);
+  implementation_->is_open = false;
+  const auto time = 1'000 / implementation_->frames_a_second;
+  for (auto* each = ps_seg_iter(decoder); each; each = ps_seg_next(each)) {
+    int first = 0;
+    int last = 0;
+    ps_seg_frames(each, &first, &last);
+    if (auto word = plain_word(ps_seg_word(each)); !word.empty())
+      words.push_back({std::move(word), std::int64_t{first} * time,
+                       std::int64_t{last + 1} * time});
+  }
+  return words;
+}
+
+void SphinxDecoder::drop() {
+  if (std::exchange(implementation_->is_open, false))
+    ps_end_utt(implementation_->decoder.get());
+}
+
+} // namespace parlour::adapters::asr

@@ -1,0 +1,119 @@
+// States are numbered as they come. A state that is final and goes on exists
+// twice for its incoming arcs: as itself and as the end. So no empty transition
+// is needed there, of which the decoder would form all combinations.
+#include "adapters/asr/words/fsg_text.hpp"
+
+#include <iterator>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace parlour::adapters::asr {
+
+namespace {
+
+class Writer {
+public:
+  Writer(const Symbols& symbols, const std::map<Symbol, WordGraph>& sets,
+         const FsgOptions& options)
+      : symbols_(symbols), sets_(sets), options_(options) {}
+
+  FsgText write(const WordGraph& graph) {
+    const auto first = states_;
+    states_ += graph.states.size();
+    end_ = states_++;
+    write_sentences(graph, first);
+    if (options_.another > 0)
+      line(end_, first, options_.another, "");
+    FsgText made;
+    made.text = fmt::format("FSG_BEGIN parlour\nNUM_STATES {}\nSTART_STATE "
+                            "{}\nFINAL_STATE {}\n",
+                            states_, first, end_);
+    made.text.append(lines_.begin(), lines_.end());
+    made.text += "FSG_END\n";
+    made.states = states_;
+    made.transitions = transitions_;
+    made.is_whole = is_whole_;
+    return made;
+  }
+
+private:
+  // All that follow are equally probable.
+  static double share(const WordGraph::State& state) {
+    return 1.0 / static_cast<double>(state.arcs.size() + state.is_final);
+  }
+
+  void line(std::size_t from, std::size_t to, double probability,
+            const std::string& word) {
+    if (transitions_ >= options_.most_transitions) {
+      is_whole_ = false;
+      return;
+    }
+    ++transitions_;
+    fmt::format_to(std::back_inserter(lines_), "TRANSITION {} {} {:.6g} {}\n",
+                   from, to, probability, word);
+  }
+
+  void write_sentences(const WordGraph& graph, std::size_t first) {
+    for (std::size_t i = 0; i < graph.states.size(); ++i)
+      for (const auto& arc : graph.states[i].arcs) {
+        const auto& target = graph.states[arc.target];
+        const auto probability = share(graph.states[i]);
+        const bool goes_on = !target.arcs.empty();
+        if (goes_on)
+          move(first + i, first + arc.target, probability, arc.symbol);
+        if (target.is_final)
+          move(first + i, end_,
+               goes_on ? probability * share(target) : probability, arc.symbol);
+      }
+  }
+
+  void move(std::size_t from, std::size_t to, double probability,
+            Symbol symbol) {
+    if (!symbols_.is_set(symbol))
+      return line(from, to, probability, symbols_.text(symbol));
+    const auto set = sets_.find(symbol);
+    if (set == sets_.end() || set->second.states[0].arcs.empty())
+      return;
+    const auto [place, is_new] = places_.try_emplace({symbol, to}, states_);
+    if (is_new)
+      write_set(set->second, to);
+    line(from, place->second, probability, "");
+  }
+
+  // A copy of the set's graph that goes on at `to`.
+  void write_set(const WordGraph& set, std::size_t to) {
+    const auto first = states_;
+    states_ += set.states.size();
+    for (std::size_t i = 0; i < set.states.size(); ++i)
+      for (const auto& arc : set.states[i].arcs) {
+        const auto& target = set.states[arc.target];
+        const auto probability = share(set.states[i]);
+        if (!target.arcs.empty())
+          move(first + i, first + arc.target, probability, arc.symbol);
+        if (target.is_final)
+          move(first + i, to, probability, arc.symbol);
+      }
+  }
+
+  const Symbols& symbols_;
+  const std::map<Symbol, WordGraph>& sets_;
+  FsgOptions options_;
+  fmt::memory_buffer lines_;
+  std::size_t states_ = 0;
+  std::size_t transitions_ = 0;
+  std::size_t end_ = 0;
+  bool is_whole_ = true;
+  // Where the copy of a set begins that goes on at a state.
+  std::map<std::pair<Symbol, std::size_t>, std::size_t> places_;
+};
+
+} // namespace
+
+FsgText fsg_text(const WordGraph& graph, const Symbols& symbols,
+                 const std::map<Symbol, WordGraph>& sets,
+                 const FsgOptions& options) {
+  return Writer(symbols, sets, options).write(graph);
+}
+
+} // namespace parlour::adapters::asr

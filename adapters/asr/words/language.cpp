@@ -1,0 +1,214 @@
+#include "adapters/asr/words/language.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "adapters/asr/words/fsg_text.hpp"
+#include "adapters/asr/words/sentences.hpp"
+#include "adapters/asr/words/spoken_words.hpp"
+#include "adapters/asr/words/trigrams.hpp"
+#include "adapters/nlu/grammar/examples.hpp"
+#include "adapters/nlu/grammar/jsgf.hpp"
+#include "adapters/nlu/grammar/marked_text.hpp"
+#include "adapters/nlu/text/words.hpp"
+
+namespace parlour::adapters::asr {
+
+namespace {
+
+constexpr std::array contracted{
+    "i'm",    "i'd",      "i'll",     "i've",    "you're",  "you'd",  "you'll",
+    "we're",  "we'd",     "we'll",    "we've",   "they're", "he's",   "she's",
+    "it's",   "that's",   "there's",  "what's",  "where's", "who's",  "how's",
+    "when's", "don't",    "doesn't",  "didn't",  "isn't",   "aren't", "can't",
+    "won't",  "wouldn't", "couldn't", "haven't", "let's"};
+
+// What is said counts more than what is drawn from grammars.
+constexpr double weight_of_said = 20;
+constexpr std::uint64_t seed = 1;
+// Utterances of several sentences, of those drawn.
+constexpr std::size_t one_in = 4;
+
+void copy(const WordGraph& graph, GraphBuilder& to) {
+  std::vector<GraphBuilder::State> states;
+  for (std::size_t i = 0; i < graph.states.size(); ++i)
+    states.push_back(to.add());
+  to.link(GraphBuilder::start, states[0]);
+  for (std::size_t i = 0; i < graph.states.size(); ++i) {
+    for (const auto& arc : graph.states[i].arcs)
+      to.take(states[i], states[arc.target], arc.symbol);
+    if (graph.states[i].is_final)
+      to.accept(states[i]);
+  }
+}
+
+std::vector<Symbol> symbols_of(std::string_view text, Symbols& symbols) {
+  std::vector<Symbol> made;
+  for (const auto& word : spoken_words(text))
+    made.push_back(symbols.word(word));
+  return made;
+}
+
+} // namespace
+
+Language::Language(const LanguageSources& sources) {
+  ValueSets sets(sources.model, sources.columns, symbols_, spellings_);
+  GrammarReader reader(symbols_, sets, spellings_);
+  std::vector<Error> ignored;
+  for (const auto* const both : contracted) {
+    const auto words = spoken_words(nlu::contraction(both));
+    if (words.size() == 2)
+      contractions_.push_back({symbols_.word(words[0]), symbols_.word(words[1]),
+                               symbols_.word(both)});
+  }
+  if (sources.forms)
+    reader.add_forms(nlu::jsgf::parse(*sources.forms, ignored));
+  for (const auto& topic : sources.model.topics)
+    add_example_values(topic, sets);
+  add_conversations(sources, sets);
+  for (const auto& grammar : sources.model.grammars)
+    add_grammar(grammar, reader);
+  if (sources.generic) {
+    GraphBuilder generic;
+    reader.add(nlu::jsgf::parse(*sources.generic, ignored), generic);
+    for (const auto phrase : nlu::filler_phrases())
+      generic.add_sentence(symbols_of(phrase, symbols_));
+    generic_ = generic.finish();
+  }
+  GraphBuilder examples;
+  for (const auto& topic : sources.model.topics)
+    add_examples(topic, reader, examples);
+  for (const auto& line : said_)
+    examples.add_sentence(line);
+  parts_["<examples>"] = examples.finish();
+  add_bare_values(sources.model, sets);
+  sets_ = sets.graphs();
+  put_together();
+}
+
+void Language::add_example_values(const TopicModel& topic, ValueSets& sets) {
+  for (const auto& example : topic.examples)
+    if (const auto marked = nlu::read_marks(example))
+      for (const auto& mark : marked->marks)
+        sets.add(sets.open_set(mark.slot),
+                 std::string_view(marked->text)
+                     .substr(mark.begin, mark.end - mark.begin));
+}
+
+void Language::add_conversations(const LanguageSources& sources,
+                                 ValueSets& sets) {
+  for (const auto& [slot, value] : sources.conversations.values)
+    sets.add(sets.open_set(slot.substr(slot.rfind('.') + 1)), value);
+  for (const auto& line : sources.conversations.lines) {
+    auto words = symbols_of(line, symbols_);
+    spellings_.note(line, true);
+    if (!words.empty())
+      said_.push_back(std::move(words));
+  }
+}
+
+void Language::add_grammar(const GrammarModel& model, GrammarReader& reader) {
+  std::vector<Error> ignored;
+  const auto grammar = nlu::jsgf::parse(model, ignored);
+  GraphBuilder whole;
+  reader.add(grammar, whole);
+  parts_[model.name] = whole.finish();
+}
+
+void Language::add_examples(const TopicModel& topic, GrammarReader& reader,
+                            GraphBuilder& to) {
+  std::vector<Error> ignored;
+  for (const auto& example : topic.examples) {
+    if (const auto marked = nlu::read_marks(example)) {
+      spellings_.note(marked->text, true);
+      said_.push_back(symbols_of(marked->text, symbols_));
+    }
+    const auto rules = nlu::example_rules(topic, example, ignored);
+    if (!rules.whole.children.empty())
+      reader.add(rules.whole, to);
+    for (const auto& part : rules.parts)
+      reader.add(part, to);
+  }
+}
+
+// Answers of one value.
+void Language::add_bare_values(const UnderstandingModel& model,
+                               ValueSets& sets) {
+  for (const auto& topic : model.topics)
+    for (const auto& slot : topic.slots) {
+      GraphBuilder bare;
+      bare.add_sentence({sets.set_of(topic, slot)});
+      parts_[topic.name + "." + slot.name] = bare.finish();
+    }
+}
+
+void Language::put_together() {
+  for (const auto& [set, graph] : sets_)
+    if (!parts_.contains(symbols_.text(set))) {
+      GraphBuilder bare;
+      bare.add_sentence({set});
+      parts_[symbols_.text(set)] = bare.finish();
+    }
+  std::vector<const WordGraph*> all{&generic_};
+  for (const auto& [name, graph] : parts_)
+    all.push_back(&graph);
+  sentences_ = joined(all);
+}
+
+WordGraph Language::joined(const std::vector<const WordGraph*>& graphs) const {
+  GraphBuilder builder(400'000);
+  for (const auto* graph : graphs)
+    if (!graph->states.empty())
+      copy(*graph, builder);
+  for (const auto& [first, second, both] : contractions_)
+    builder.contract(first, second, both);
+  return builder.finish();
+}
+
+std::optional<WordGraph>
+Language::sentences(const std::vector<std::string>& names) const {
+  std::vector<const WordGraph*> found;
+  for (const auto& name : names)
+    if (const auto part = parts_.find(name); part != parts_.end())
+      found.push_back(&part->second);
+  if (found.empty())
+    return {};
+  found.push_back(&generic_);
+  return joined(found);
+}
+
+std::string Language::fsg(const WordGraph& graph) const {
+  return fsg_text(graph, symbols_, sets_).text;
+}
+
+std::string Language::arpa(const WordGraph& graph, std::size_t count) const {
+  Trigrams trigrams;
+  auto drawn =
+      fill_sets(draw_sentences(graph, count, seed), symbols_, sets_, seed);
+  for (std::size_t i = 0; i < drawn.size(); ++i) {
+    // Every so often two in one breath.
+    if (i % one_in == 0 && i > 0)
+      drawn[i].insert(drawn[i].end(), drawn[i - 1].begin(), drawn[i - 1].end());
+    trigrams.add(drawn[i]);
+  }
+  for (const auto& line : said_)
+    trigrams.add(line, weight_of_said);
+  // Of large sets, what was not drawn.
+  for (const auto& [set, values] : sets_) {
+    const std::vector<Sentence> alone(values.arc_count(), Sentence{set});
+    for (const auto& value : fill_sets(alone, symbols_, sets_, seed + 1))
+      trigrams.add(value, 0.5);
+  }
+  return trigrams.arpa(symbols_);
+}
+
+std::set<std::string> Language::words() const {
+  std::set<std::string> words;
+  for (Symbol symbol = 0; symbol < symbols_.size(); ++symbol)
+    if (!symbols_.is_set(symbol))
+      words.insert(symbols_.text(symbol));
+  return words;
+}
+
+} // namespace parlour::adapters::asr

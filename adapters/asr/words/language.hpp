@@ -1,0 +1,90 @@
+// Language: what an application's users say, made from the application itself:
+// its grammars, value sets, columns, examples and conversations. From it come
+// the recogniser's grammar, its domain model and its words.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "adapters/asr/words/conversations.hpp"
+#include "adapters/asr/words/grammar_reader.hpp"
+#include "adapters/asr/words/value_sets.hpp"
+#include "adapters/asr/words/word_graph.hpp"
+#include "runtime/message/understanding.hpp"
+
+namespace parlour::adapters::asr {
+
+struct LanguageSources {
+  UnderstandingModel model;
+  ColumnReader columns;
+  // What people say in any conversation: yes, no, help.
+  std::optional<GrammarModel> generic;
+  // How times, numbers and the like are said: a public rule for each form.
+  std::optional<GrammarModel> forms;
+  Conversations conversations;
+};
+
+// Immutable after it was made; then any number of threads may use it.
+class Language {
+public:
+  // Takes a second or less. Parts with errors are left out: the understanding
+  // reports them.
+  explicit Language(const LanguageSources& sources);
+
+  // The graph of sentences: of all, or of what these names stand for: grammars,
+  // their public rules, slots (Topic.Slot), columns, forms. Generic sentences
+  // always belong. Nothing if no name is known.
+  const WordGraph& sentences() const {
+    return sentences_;
+  }
+  std::optional<WordGraph>
+  sentences(const std::vector<std::string>& names) const;
+
+  std::string fsg(const WordGraph& graph) const;
+  // The domain model, counted from `count` sentences drawn from the graph, and
+  // from the conversations.
+  std::string arpa(const WordGraph& graph, std::size_t count) const;
+  // All words that may be heard.
+  std::set<std::string> words() const;
+  // "Jeffery" for "jeffery".
+  std::string written(const std::string& word) const {
+    return spellings_.written(word);
+  }
+
+  // Whether the words are a whole sentence, or several; false if a sentence
+  // begins so but cannot end there; nothing if none begins so.
+  std::optional<bool> ends(const WordGraph& graph,
+                           const std::vector<std::string>& words) const;
+
+private:
+  void add_example_values(const TopicModel& topic, ValueSets& sets);
+  void add_conversations(const LanguageSources& sources, ValueSets& sets);
+  void add_grammar(const GrammarModel& model, GrammarReader& reader);
+  void add_examples(const TopicModel& topic, GrammarReader& reader,
+                    GraphBuilder& to);
+  void add_bare_values(const UnderstandingModel& model, ValueSets& sets);
+  // Only parts are read; what they make together comes last.
+  void put_together();
+  WordGraph joined(const std::vector<const WordGraph*>& graphs) const;
+
+  Symbols symbols_;
+  Spellings spellings_;
+  std::map<Symbol, WordGraph> sets_;
+  WordGraph sentences_;
+  WordGraph generic_;
+  // The contractions of this language, as symbols.
+  struct Contraction {
+    Symbol first;
+    Symbol second;
+    Symbol both;
+  };
+  std::vector<Contraction> contractions_;
+  // Grammars and public rules, slots, columns and forms by name.
+  std::map<std::string, WordGraph> parts_;
+  std::vector<std::vector<Symbol>> said_;
+};
+
+} // namespace parlour::adapters::asr

@@ -1,0 +1,32 @@
+// How words sound: from the recogniser's dictionary, and for those that it
+// lacks from espeak-ng.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "runtime/base/error.hpp"
+
+namespace parlour::adapters::asr {
+
+// Several for one word; each is phones with blanks between: "HH AH L OW".
+using Pronunciations = std::map<std::string, std::vector<std::string>>;
+
+// Those of these words that a dictionary in the format of PocketSphinx has: a
+// word a line, then its phones; "word(2)" for another way to say it.
+Expected<Pronunciations> dictionary_sounds(const std::filesystem::path& file,
+                                           const std::set<std::string>& words);
+
+// Those of these words that espeak-ng knows how to say, by running it. Blocks,
+// for at most ten seconds. Empty where it is not installed. It runs in a
+// process of its own, since the library has one state for all of a process,
+// which a voice may be using.
+Pronunciations espeak_sounds(const std::set<std::string>& words);
+
+// As PocketSphinx reads it.
+std::string dictionary_text(const Pronunciations& sounds);
+
+} // namespace parlour::adapters::asr

@@ -1,0 +1,158 @@
+#include "adapters/endpointer/speech_endpointer.hpp"
+
+#include <utility>
+
+#include "adapters/audio/pcm.hpp"
+#include "runtime/base/clock.hpp"
+
+namespace parlour::adapters {
+
+namespace {
+
+constexpr Milliseconds silent_microphone{1'000};
+// A speaker that never tells of the end.
+constexpr std::size_t most_utterances = 100;
+
+const std::vector<OptionDescription> options = {
+    {"after-sentence", "300ms", "the pause that ends a turn after a sentence",
+     false, OptionType::duration},
+    {"pause", "700ms", "the pause that usually ends a turn", false,
+     OptionType::duration},
+    {"within-sentence", "1200ms",
+     "the pause that ends a turn where no sentence can end", false,
+     OptionType::duration},
+    {"interruption", "250ms",
+     "how long somebody must speak to interrupt the robot", false,
+     OptionType::duration},
+    {"margin", "300ms", "how much audio around the speech belongs to the turn",
+     false, OptionType::duration},
+    {"longest", "30s", "longer turns are cut", false, OptionType::duration}};
+
+Milliseconds time_of(const Options& given, const std::string& name) {
+  return parse_duration(option_value(given, options, name))
+      .value_or(Milliseconds{});
+}
+
+Expected<void> check(const EndpointTimes& times) {
+  if (times.longest < Milliseconds(1'000))
+    return fail(ErrorKind::settings, "\"longest\" must be at least 1s");
+  if (times.longest > Milliseconds(300'000) ||
+      std::max({times.after_sentence, times.usual, times.within_sentence,
+                times.interruption, times.margin}) > Milliseconds(10'000))
+    return fail(ErrorKind::settings,
+                "a pause may be at most 10s, and \"longest\" 5m");
+  return {};
+}
+
+} // namespace
+
+SpeechEndpointer::SpeechEndpointer() : RolePlugin("Endpointer") {
+  on("Process", &SpeechEndpointer::on_process);
+  on("SpeechStarted", &SpeechEndpointer::on_speech_started);
+  on("SpeechEnded", &SpeechEndpointer::on_speech_ended);
+  on("Partial", &SpeechEndpointer::on_partial);
+  on("RobotStarted", &SpeechEndpointer::on_robot_started);
+  on("RobotFinished", &SpeechEndpointer::on_robot_finished);
+  on("Reset", &SpeechEndpointer::on_reset);
+}
+
+Expected<void> SpeechEndpointer::on_start(const Options& given) {
+  EndpointTimes times;
+  times.after_sentence = time_of(given, "after-sentence");
+  times.usual = time_of(given, "pause");
+  times.within_sentence = time_of(given, "within-sentence");
+  times.interruption = time_of(given, "interruption");
+  times.margin = time_of(given, "margin");
+  times.longest = time_of(given, "longest");
+  return check(times).map([&] { endpointing_ = Endpointing(times); });
+}
+
+void SpeechEndpointer::on_process(const Binary& audio,
+                                  std::optional<std::int64_t> position) {
+  const Value frame = current().params.at(0); // shares the bytes
+  const auto samples = speech_samples(frame);
+  if (!samples)
+    return refuse(samples.error().message);
+  const auto begin = position.value_or(next_position_);
+  next_position_ = begin + duration(audio.bytes.size() / sizeof(Sample));
+  last_ = current();
+  last_.params.clear();
+  heard_ = true;
+  carry_out(endpointing_.hear(frame, begin));
+  if (endpointing_.in_turn() && !watches_)
+    watch();
+}
+
+void SpeechEndpointer::on_speech_started(std::int64_t position) {
+  endpointing_.speech_started(position);
+}
+
+void SpeechEndpointer::on_speech_ended(std::int64_t position) {
+  endpointing_.speech_ended(position);
+}
+
+void SpeechEndpointer::on_partial(const std::string&, std::int64_t,
+                                  std::optional<bool> ends) {
+  endpointing_.recognised(ends);
+}
+
+void SpeechEndpointer::on_robot_started(std::int64_t utterance) {
+  if (robot_speaks_.size() == most_utterances)
+    robot_speaks_.clear();
+  robot_speaks_.insert(utterance);
+  endpointing_.robot_speaks(true);
+}
+
+void SpeechEndpointer::on_robot_finished(std::int64_t utterance) {
+  robot_speaks_.erase(utterance);
+  endpointing_.robot_speaks(!robot_speaks_.empty());
+}
+
+void SpeechEndpointer::on_reset() {
+  next_position_ = 0;
+  carry_out(endpointing_.reset());
+}
+
+// -- what follows
+// --------------------------------------------------------------
+
+void SpeechEndpointer::carry_out(TurnSteps steps) {
+  for (auto& step : steps)
+    carry_out(step);
+}
+
+void SpeechEndpointer::carry_out(TurnStep& step) {
+  if (auto* const audio = std::get_if<TurnAudio>(&step))
+    fire_event("Speech", {std::move(audio->frame)});
+  else if (const auto* const start = std::get_if<TurnStarted>(&step))
+    fire_event("TurnStarted", {start->position});
+  else if (const auto* const end = std::get_if<TurnEnded>(&step))
+    fire_event("TurnEnded", {end->position});
+  else
+    fire_event("TurnDropped", {std::get<TurnDropped>(step).position});
+}
+
+void SpeechEndpointer::watch() {
+  watches_ = true;
+  heard_ = false;
+  host().after(silent_microphone, [this] { look(); });
+}
+
+void SpeechEndpointer::look() {
+  watches_ = false;
+  if (!endpointing_.in_turn())
+    return;
+  if (heard_)
+    return watch();
+  as_answer_to(last_, [this] { carry_out(endpointing_.finish()); });
+}
+
+PluginFactory speech_endpointer_factory() {
+  return {{.name = "SpeechEndpointer",
+           .roles = {"Endpointer"},
+           .sentence = "decides which speech is a turn, and when it ends",
+           .options = options},
+          [] { return std::make_unique<SpeechEndpointer>(); }};
+}
+
+} // namespace parlour::adapters

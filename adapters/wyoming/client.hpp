@@ -1,0 +1,72 @@
+// Client is what the plug-ins of this folder have in common: their options, a
+// loop, and a watch that says whether the server is there.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "adapters/wyoming/server_watch.hpp"
+#include "runtime/plugin/plugin.hpp"
+
+namespace parlour::adapters::wyoming {
+
+// Options: address, connect-timeout, answer-timeout, pause, one-by-one.
+// `port` is that of the service's usual server.
+std::vector<OptionDescription> client_options(const std::string& port);
+
+// Thread-safe, except where a function says otherwise.
+class Client {
+public:
+  // Connects to the server, and calls host.available() as it comes and goes. An
+  // error of kind Settings if an option is wrong. The host outlives the client.
+  static Expected<std::unique_ptr<Client>>
+  start(PluginHost& host, const Options& options,
+        const std::vector<OptionDescription>& descriptions,
+        const std::string& service);
+  Client(const Client&) = delete;
+  Client& operator=(const Client&) = delete;
+  ~Client();
+
+  // Has the action done on the loop's thread.
+  void post(Loop::Action action);
+  // Has the action done there as the last one, and waits for it. Nothing is
+  // done any more after that.
+  void end(Loop::Action action);
+
+  // On the loop's thread.
+  const Route& route() const {
+    return route_;
+  }
+  bool is_up() const {
+    return watch_->is_up();
+  }
+
+  Milliseconds answer_timeout() const {
+    return answer_timeout_;
+  }
+  Milliseconds pause() const {
+    return pause_;
+  }
+  bool is_one_by_one() const {
+    return one_by_one_;
+  }
+
+private:
+  Client(std::unique_ptr<Loop> loop, Address address);
+
+  WatchCalls watch_calls(PluginHost& host);
+
+  const std::unique_ptr<Loop> loop_;
+  Resolver resolver_;
+  Route route_;
+  Milliseconds answer_timeout_{};
+  Milliseconds pause_{};
+  bool one_by_one_ = false;
+  bool is_ended_ = false;
+  std::unique_ptr<ServerWatch> watch_;
+  std::string reason_; // that was logged last
+};
+
+} // namespace parlour::adapters::wyoming

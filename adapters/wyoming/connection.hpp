@@ -1,0 +1,55 @@
+// Connection is one TCP connection to a Wyoming server.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "adapters/loop/alarm.hpp"
+#include "adapters/network/address.hpp"
+#include "adapters/network/resolver.hpp"
+#include "adapters/wyoming/event.hpp"
+#include "runtime/base/clock.hpp"
+
+namespace parlour::adapters::wyoming {
+
+// Where connections are made, and how long connecting may take.
+struct Route {
+  Loop& loop;
+  Resolver& resolver;
+  Address address;
+  Milliseconds connect_timeout{5'000};
+};
+
+// What a connection tells, on the loop's thread.
+struct ConnectionCalls {
+  std::function<void(Event event)> received;
+  // It could not be opened, has ended, or said nothing in time. The last call.
+  std::function<void(const std::string& reason)> closed;
+};
+
+// Used on the loop's thread only, destroyed like an Alarm.
+class Connection {
+public:
+  // How much may wait to be sent, in bytes; more closes the connection.
+  static constexpr std::size_t max_unsent = 1 << 20;
+
+  // Begins to connect. The route outlives the connection.
+  Connection(const Route& route, ConnectionCalls calls);
+  Connection(const Connection&) = delete;
+  Connection& operator=(const Connection&) = delete;
+  // Nothing is told any more.
+  ~Connection();
+
+  // What is sent before the connection is open waits for it.
+  void send(const Event& event);
+  // If nothing is received within the time, the connection is closed. Zero: no
+  // limit.
+  void expect(Milliseconds within);
+
+private:
+  struct State;
+  const std::shared_ptr<State> state_;
+};
+
+} // namespace parlour::adapters::wyoming

@@ -1,0 +1,52 @@
+// ServerWatch knows whether a Wyoming server is there and offers a service. It
+// keeps a connection of its own, on which it asks now and then, and tries again
+// after growing pauses if there is none.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "adapters/wyoming/connection.hpp"
+
+namespace parlour::adapters::wyoming {
+
+struct WatchOptions {
+  std::string service; // "asr", "tts", "wake"
+  Milliseconds answer_timeout{10'000};
+  Milliseconds first_pause{1'000};
+  Milliseconds ask_every{30'000};
+};
+
+// Told on the loop's thread; only changes are told, and every reason.
+struct WatchCalls {
+  std::function<void()> up;
+  std::function<void(const std::string& reason)> down;
+};
+
+// Used on the loop's thread only, destroyed like an Alarm.
+class ServerWatch {
+public:
+  ServerWatch(const Route& route, WatchOptions options, WatchCalls calls);
+
+  void start();
+  bool is_up() const {
+    return is_up_;
+  }
+
+private:
+  void ask();
+  void received(const Event& event);
+  void lose(const std::string& reason);
+  void rung();
+
+  const Route& route_;
+  const WatchOptions options_;
+  const WatchCalls calls_;
+  std::unique_ptr<Connection> connection_;
+  Alarm alarm_;
+  Milliseconds pause_;
+  bool is_up_ = false;
+};
+
+} // namespace parlour::adapters::wyoming

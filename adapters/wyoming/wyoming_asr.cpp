@@ -1,0 +1,231 @@
+#include "adapters/wyoming/wyoming_asr.hpp"
+
+#include <map>
+#include <utility>
+
+#include "adapters/audio/pcm.hpp"
+#include "adapters/wyoming/audio_events.hpp"
+#include "adapters/wyoming/client.hpp"
+
+namespace parlour::adapters {
+
+namespace {
+
+constexpr std::size_t max_turns = 64; // at a time, of as many sessions
+
+const std::vector<OptionDescription>& descriptions() {
+  static const auto all = [] {
+    auto options = wyoming::client_options("10300");
+    options.push_back(
+        {"model", "", "what recognises; else as the server likes"});
+    options.push_back({"language", "", "such as en; else as the server likes"});
+    return options;
+  }();
+  return all;
+}
+
+} // namespace
+
+// The turns that are spoken now, on the client's loop.
+class WyomingASR::Turns {
+public:
+  Turns(WyomingASR& plugin, std::unique_ptr<wyoming::Client> client,
+        const Options& options)
+      : plugin_(plugin), client_(std::move(client)),
+        model_(option_value(options, descriptions(), "model")),
+        language_(option_value(options, descriptions(), "language")) {}
+  Turns(const Turns&) = delete;
+  Turns& operator=(const Turns&) = delete;
+  // Answers those that wait.
+  ~Turns() {
+    client_->end([this] {
+      while (!turns_.empty())
+        reject(turns_.begin()->first, "the component was stopped");
+    });
+  }
+
+  // Thread-safe.
+  void hear(Message message, std::string samples) {
+    client_->post([this, message = std::move(message),
+                   samples = std::move(samples)] { heard(message, samples); });
+  }
+  void finish(Message message) {
+    client_->post([this, message = std::move(message)] { finished(message); });
+  }
+  void cancel(const SessionId& session) {
+    client_->post([this, session] {
+      if (turns_.contains(session))
+        reject(session, "it was cancelled");
+    });
+  }
+  bool is_one_by_one() const {
+    return client_->is_one_by_one();
+  }
+
+private:
+  struct Turn {
+    Message order;                                   // of the last message
+    std::unique_ptr<wyoming::Connection> connection; // null: it has failed
+    std::string trouble;
+    bool is_finished = false;
+    std::int64_t position = 0; // ms
+    std::string partial;
+    std::int64_t revision = 0;
+  };
+
+  void heard(const Message& message, const std::string& samples) {
+    auto found = turns_.find(message.session);
+    if (found == turns_.end()) {
+      if (turns_.size() >= max_turns)
+        return;
+      found = turns_.emplace(message.session, Turn{}).first;
+      open(found->second, message.session);
+    }
+    auto& turn = found->second;
+    // What comes before the result is there belongs to no turn.
+    if (turn.is_finished || !turn.connection)
+      return;
+    turn.order = message;
+    const auto event = wyoming::audio_chunk(samples, turn.position);
+    turn.position += wyoming::duration_of(samples);
+    turn.connection->send(event);
+  }
+
+  void open(Turn& turn, const SessionId& session) {
+    turn.connection = std::make_unique<wyoming::Connection>(
+        client_->route(),
+        wyoming::ConnectionCalls{[this, session](const wyoming::Event& event) {
+                                   received(session, event);
+                                 },
+                                 [this, session](const std::string& reason) {
+                                   closed(session, reason);
+                                 }});
+    wyoming::Event transcribe{"transcribe"};
+    if (!model_.empty())
+      transcribe.data["name"] = model_;
+    if (!language_.empty())
+      transcribe.data["language"] = language_;
+    turn.connection->send(transcribe);
+    turn.connection->send(wyoming::audio_start());
+  }
+
+  void finished(const Message& message) {
+    const auto found = turns_.find(message.session);
+    if (found == turns_.end())
+      return answer(message, "Rejected", {"there was no speech"});
+    auto& turn = found->second;
+    if (std::exchange(turn.is_finished, true))
+      return answer(message, "Rejected", {"the turn before is recognised yet"});
+    turn.order = message;
+    if (!turn.connection)
+      return reject(message.session, turn.trouble);
+    turn.connection->expect(client_->answer_timeout());
+    turn.connection->send(wyoming::audio_stop(turn.position));
+  }
+
+  void received(const SessionId& session, const wyoming::Event& event) {
+    auto& turn = turns_.at(session);
+    const auto text = wyoming::trimmed(wyoming::text_of(event.data, "text"));
+    if (event.type == "transcript" && turn.is_finished) {
+      if (text.empty())
+        return reject(session, "nothing was recognised");
+      return end(session, "RecognitionResult", {text, Value()});
+    }
+    if (event.type == "error")
+      return closed(session, "it reports an error: " + text);
+    if (event.type == "transcript-chunk")
+      partial(turn, wyoming::text_of(event.data, "text"));
+    if (turn.is_finished)
+      turn.connection->expect(client_->answer_timeout());
+  }
+
+  void partial(Turn& turn, const std::string& text) {
+    constexpr std::size_t longest = 10'000;
+    if (turn.partial.size() + text.size() > longest)
+      return;
+    turn.partial += text;
+    plugin_.answer(turn.order, "Partial",
+                   {wyoming::trimmed(turn.partial), ++turn.revision});
+  }
+
+  // A turn that has failed stays until it is finished or cancelled.
+  void closed(const SessionId& session, const std::string& reason) {
+    auto& turn = turns_.at(session);
+    if (turn.is_finished)
+      return reject(session, reason);
+    turn.trouble = reason;
+    turn.connection.reset();
+  }
+
+  void reject(const SessionId& session, const std::string& reason) {
+    if (turns_.at(session).is_finished)
+      end(session, "Rejected", {reason});
+    else
+      turns_.erase(session);
+  }
+
+  void end(const SessionId& session, const std::string& command,
+           std::vector<Value> params) {
+    const auto turn = turns_.extract(session);
+    answer(turn.mapped().order, command, std::move(params));
+  }
+  void answer(const Message& to, const std::string& command,
+              std::vector<Value> params) {
+    plugin_.answer(to, command, std::move(params));
+    plugin_.open_.close();
+  }
+
+  WyomingASR& plugin_;
+  const std::unique_ptr<wyoming::Client> client_;
+  const std::string model_;
+  const std::string language_;
+  std::map<SessionId, Turn> turns_;
+};
+
+WyomingASR::WyomingASR() = default;
+
+WyomingASR::~WyomingASR() = default;
+
+Expected<void> WyomingASR::on_start(const Options& options) {
+  auto client = wyoming::Client::start(host(), options, descriptions(), "asr");
+  if (!client)
+    return tl::make_unexpected(client.error());
+  turns_ = std::make_unique<Turns>(*this, std::move(*client), options);
+  return {};
+}
+
+void WyomingASR::stop() {
+  turns_.reset();
+}
+
+void WyomingASR::on_do_recognition(const Binary& audio) {
+  const auto samples = speech_samples(audio);
+  if (!samples)
+    return refuse(samples.error().message);
+  if (audio.bytes.size() > wyoming::longest_audio)
+    return refuse("so much audio comes in several messages");
+  turns_->hear(without_its_way(current()), wyoming::bytes_of(*samples));
+}
+
+void WyomingASR::on_finish() {
+  open_.open();
+  turns_->finish(without_its_way(current()));
+  if (turns_->is_one_by_one())
+    open_.wait_for_all();
+}
+
+void WyomingASR::on_cancel() {
+  turns_->cancel(current().session);
+}
+
+PluginFactory wyoming_asr_factory() {
+  PluginDescription description;
+  description.name = "WyomingASR";
+  description.roles = {"ASR"};
+  description.sentence = "has speech recognised by a server of the Wyoming "
+                         "protocol: faster-whisper, vosk";
+  description.options = descriptions();
+  return {description, [] { return std::make_unique<WyomingASR>(); }};
+}
+
+} // namespace parlour::adapters

@@ -1,0 +1,188 @@
+#include "adapters/wyoming/wyoming_wake.hpp"
+
+#include <map>
+#include <utility>
+
+#include "adapters/wyoming/audio_events.hpp"
+#include "adapters/wyoming/client.hpp"
+#include "runtime/plugin/open_messages.hpp"
+
+namespace parlour::adapters {
+
+namespace {
+
+using Steady = std::chrono::steady_clock;
+using Keywords = std::vector<std::string>;
+
+constexpr std::size_t max_streams = 64; // of as many sessions
+constexpr std::size_t max_keywords = 100;
+
+const std::vector<OptionDescription>& descriptions() {
+  static const auto all = [] {
+    auto options = wyoming::client_options("10400");
+    options.push_back(
+        {"keywords", "", "names separated by commas; else all that it knows"});
+    return options;
+  }();
+  return all;
+}
+
+Keywords split_at_commas(const std::string& text) {
+  Keywords words;
+  for (std::size_t at = 0; at <= text.size();) {
+    const auto end = std::min(text.find(',', at), text.size());
+    if (auto word = wyoming::trimmed(text.substr(at, end - at)); !word.empty())
+      words.push_back(std::move(word));
+    at = end + 1;
+  }
+  return words;
+}
+
+} // namespace
+
+// What the sessions send now, on the client's loop.
+class WyomingWake::Streams {
+public:
+  Streams(WyomingWake& plugin, std::unique_ptr<wyoming::Client> client,
+          Keywords keywords)
+      : plugin_(plugin), client_(std::move(client)),
+        keywords_(std::move(keywords)) {}
+  Streams(const Streams&) = delete;
+  Streams& operator=(const Streams&) = delete;
+  ~Streams() {
+    client_->end([this] { streams_.clear(); });
+  }
+
+  // Thread-safe.
+  void hear(Message message, std::string samples,
+            std::optional<std::int64_t> position) {
+    client_->post([this, message = std::move(message),
+                   samples = std::move(samples),
+                   position] { heard(message, samples, position); });
+  }
+  void look_for(Keywords keywords) {
+    client_->post([this, keywords = std::move(keywords)] {
+      keywords_ = keywords;
+      streams_.clear();
+    });
+  }
+
+private:
+  struct Stream {
+    Message order;                                   // the last message
+    std::unique_ptr<wyoming::Connection> connection; // null: it has failed
+    std::int64_t position = 0;                       // ms
+    Steady::time_point next_attempt{};
+  };
+
+  void heard(const Message& message, const std::string& samples,
+             std::optional<std::int64_t> position) {
+    const auto found = streams_.find(message.session);
+    if (found == streams_.end() && streams_.size() >= max_streams)
+      forget_idle();
+    if (found == streams_.end() && streams_.size() >= max_streams)
+      return;
+    auto& stream = streams_[message.session];
+    stream.order = message;
+    stream.position = position.value_or(stream.position);
+    if (!stream.connection && client_->is_up() &&
+        Steady::now() >= stream.next_attempt)
+      open(stream, message.session);
+    const auto event = wyoming::audio_chunk(samples, stream.position);
+    stream.position += wyoming::duration_of(samples);
+    if (stream.connection)
+      stream.connection->send(event);
+  }
+
+  // Sessions that have failed may have ended.
+  void forget_idle() {
+    std::erase_if(streams_,
+                  [](const auto& one) { return !one.second.connection; });
+  }
+
+  void open(Stream& stream, const SessionId& session) {
+    stream.next_attempt = Steady::now() + client_->pause();
+    stream.connection = std::make_unique<wyoming::Connection>(
+        client_->route(),
+        wyoming::ConnectionCalls{[this, session](const wyoming::Event& event) {
+                                   received(session, event);
+                                 },
+                                 [this, session](const std::string&) {
+                                   streams_.at(session).connection.reset();
+                                 }});
+    wyoming::Event detect{"detect"};
+    if (!keywords_.empty())
+      detect.data["names"] = keywords_;
+    stream.connection->send(detect);
+    stream.connection->send(wyoming::audio_start());
+  }
+
+  void received(const SessionId& session, const wyoming::Event& event) {
+    if (event.type != "detection")
+      return;
+    const auto& stream = streams_.at(session);
+    plugin_.answer(
+        stream.order, "Keyword",
+        {wyoming::text_of(event.data, "name"), Value(),
+         wyoming::number_of(event.data, "timestamp", stream.position)});
+  }
+
+  WyomingWake& plugin_;
+  const std::unique_ptr<wyoming::Client> client_;
+  Keywords keywords_;
+  std::map<SessionId, Stream> streams_;
+};
+
+WyomingWake::WyomingWake() : RolePlugin("KeywordSpotter") {
+  on("Process", &WyomingWake::on_process);
+  on("SetKeywords", &WyomingWake::on_set_keywords);
+}
+
+WyomingWake::~WyomingWake() = default;
+
+Expected<void> WyomingWake::on_start(const Options& options) {
+  auto client = wyoming::Client::start(host(), options, descriptions(), "wake");
+  if (!client)
+    return tl::make_unexpected(client.error());
+  streams_ = std::make_unique<Streams>(
+      *this, std::move(*client),
+      split_at_commas(option_value(options, descriptions(), "keywords")));
+  return {};
+}
+
+void WyomingWake::stop() {
+  streams_.reset();
+}
+
+void WyomingWake::on_process(const Binary& audio,
+                             std::optional<std::int64_t> position) {
+  const auto samples = speech_samples(audio);
+  if (!samples)
+    return refuse(samples.error().message);
+  if (audio.bytes.size() > wyoming::longest_audio)
+    return refuse("so much audio comes in several messages");
+  streams_->hear(without_its_way(current()), wyoming::bytes_of(*samples),
+                 position);
+}
+
+void WyomingWake::on_set_keywords(const List& words) {
+  if (words.size() > max_keywords)
+    return refuse("at most " + std::to_string(max_keywords) +
+                  " keywords are looked for");
+  Keywords keywords;
+  for (const auto& word : words)
+    keywords.push_back(word.text());
+  streams_->look_for(std::move(keywords));
+}
+
+PluginFactory wyoming_wake_factory() {
+  PluginDescription description;
+  description.name = "WyomingWake";
+  description.roles = {"KeywordSpotter"};
+  description.sentence = "has wake words found by a server of the Wyoming "
+                         "protocol: openWakeWord";
+  description.options = descriptions();
+  return {description, [] { return std::make_unique<WyomingWake>(); }};
+}
+
+} // namespace parlour::adapters

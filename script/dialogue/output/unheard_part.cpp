@@ -1,0 +1,67 @@
+#include "script/dialogue/output/unheard_part.hpp"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace parlour::dialogue {
+
+namespace {
+
+constexpr std::size_t too_few_words = 3;
+constexpr std::string_view space = " \t\r\n";
+
+bool is_letter(char character) {
+  const auto byte = static_cast<unsigned char>(character);
+  return byte >= 0x80 || (byte >= '0' && byte <= '9') ||
+         ((byte | 0x20) >= 'a' && (byte | 0x20) <= 'z');
+}
+
+char lower(char character) {
+  return character >= 'A' && character <= 'Z'
+             ? static_cast<char>(character | 0x20)
+             : character;
+}
+
+// The next word, without what stands before it; empty at the end.
+std::string_view next_word(std::string_view& rest) {
+  rest.remove_prefix(std::min(rest.find_first_not_of(space), rest.size()));
+  const auto word = rest.substr(0, rest.find_first_of(space));
+  rest.remove_prefix(word.size());
+  return word;
+}
+
+// Letters and digits, in small letters.
+std::string plain(std::string_view word) {
+  std::string letters;
+  for (const auto character : word)
+    if (is_letter(character))
+      letters += lower(character);
+  return letters;
+}
+
+// The same where a dash or the like stands alone.
+std::string next_plain_word(std::string_view& rest) {
+  for (;;) {
+    const auto word = next_word(rest);
+    auto letters = plain(word);
+    if (word.empty() || !letters.empty())
+      return letters;
+  }
+}
+
+} // namespace
+
+std::string unheard_part(std::string_view text, std::string_view heard) {
+  auto rest = text;
+  std::size_t words = 0;
+  for (auto word = next_plain_word(heard); !word.empty();
+       word = next_plain_word(heard), ++words)
+    if (next_plain_word(rest) != word)
+      return std::string(text);
+  if (words < too_few_words)
+    return std::string(text);
+  rest.remove_prefix(std::min(rest.find_first_not_of(space), rest.size()));
+  return plain(rest).empty() ? std::string() : std::string(rest);
+}
+
+} // namespace parlour::dialogue

@@ -1,0 +1,42 @@
+#include <gmock/gmock.h>
+
+#include "adapters/asr/moonshine_text.hpp"
+
+namespace parlour::adapters::moonshine {
+namespace {
+
+TEST(MoonshineText, WritesSpeltNumbersAsFigures) {
+  EXPECT_EQ(typed_text("My number is nine, one, two, three, four, five, six, "
+                       "seven."),
+            "My number is 91234567.");
+  EXPECT_EQ(typed_text("9, 1, 2, 3, 4, 5, 6, 7"), "91234567");
+  EXPECT_EQ(typed_text("Nine-eight, seven-six-five, oh."), "987650.");
+  EXPECT_EQ(typed_text("9123-4567, please"), "91234567, please");
+  EXPECT_EQ(typed_text("9123 4567"), "91234567");
+}
+
+TEST(MoonshineText, LeavesOtherNumbers) {
+  for (const auto* const text :
+       {"One, two.", "At 10:30.", "On the one hand", "10 30", "Level 2, 3 cups",
+        "nine", "", "-", "one-way"})
+    EXPECT_EQ(typed_text(text), text);
+}
+
+TEST(MoonshineText, ASentenceEndsANumber) {
+  EXPECT_EQ(typed_text("one two three. four five six"), "123. 456");
+}
+
+TEST(MoonshineText, WritesTimesAsTyped) {
+  EXPECT_EQ(typed_text("at 10.30 a.m. with Dr. Jeffery Ho."),
+            "at 10:30 am with Dr. Jeffery Ho.");
+  EXPECT_EQ(typed_text("At 5 p.m."), "At 5 pm.");
+  EXPECT_EQ(typed_text("At 5 P.M.?"), "At 5 PM.?");
+  EXPECT_EQ(typed_text("1.75 litres"), "1.75 litres");
+}
+
+TEST(MoonshineText, KeepsPunctuationAndOneBlank) {
+  EXPECT_EQ(typed_text("  Hello,   I am Lena. "), "Hello, I am Lena.");
+}
+
+} // namespace
+} // namespace parlour::adapters::moonshine

@@ -1,0 +1,81 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "adapters/asr/sphinx/hearing.hpp"
+#include "tests/adapters/asr/sphinx/small_application.hpp"
+
+namespace parlour::adapters::asr {
+namespace {
+
+class HearingTest : public testing::Test {
+protected:
+  void SetUp() override {
+    if (!SphinxDecoder::is_built_in() || !test::can_speak())
+      GTEST_SKIP() << "built without PocketSphinx or flite";
+    LanguageSources sources;
+    sources.model = small_application();
+    sources.columns = small_columns;
+    sources.generic = platform_grammar("generic-acts.jsgf");
+    sources.forms = platform_grammar("spoken-forms.jsgf");
+    const auto made = make_vocabulary(sources, english_model);
+    ASSERT_TRUE(made);
+    auto heard =
+        Hearing::make(std::make_shared<Vocabulary>(*made), english_model);
+    ASSERT_TRUE(heard);
+    hearing.emplace(std::move(*heard));
+  }
+  Heard hear(const test::Sound& sound,
+             const std::vector<std::string>& grammars = {}) {
+    EXPECT_TRUE(hearing->begin(grammars));
+    hearing->hear(sound);
+    return hearing->finish();
+  }
+
+  std::optional<Hearing> hearing;
+};
+
+TEST_F(HearingTest, BothWaysAgreeOnWhatBelongs) {
+  for (const auto* const voice : {"rms", "slt"}) {
+    const auto heard = hear(said("I would like lemon tea please.", voice));
+    EXPECT_EQ(heard.by_grammar, "i would like lemon tea please") << voice;
+    // Articles are weak: one more or less is heard easily.
+    EXPECT_GE(heard.agreement, 0.8);
+    EXPECT_EQ(heard.words.size(), heard.agreed.size());
+    EXPECT_EQ(heard.words.back().word, "please");
+  }
+}
+
+TEST_F(HearingTest, HearsNamesThatNoDictionaryHas) {
+  EXPECT_EQ(hear(said("Call Arumugam Pillai.")).by_grammar,
+            "call arumugam pillai");
+}
+
+TEST_F(HearingTest, TheyDisagreeOnWhatDoesNotBelong) {
+  EXPECT_LT(
+      hear(said("My grandmother kept her buttons in a tin box.")).agreement,
+      0.4);
+}
+
+TEST_F(HearingTest, NarrowsToGrammars) {
+  const auto heard = hear(said("Hot chocolate."), {"Order.Drink"});
+  EXPECT_EQ(heard.by_grammar, "hot chocolate");
+  // Of what belongs elsewhere, only what is generic can be heard.
+  EXPECT_EQ(hear(said("Call Jeffery Ho."), {"Order.Drink"})
+                .by_grammar.find("jeffery"),
+            std::string::npos);
+  EXPECT_EQ(hear(said("Call Jeffery Ho.")).by_grammar, "call jeffery ho");
+}
+
+TEST_F(HearingTest, TellsWhetherASentenceEnds) {
+  ASSERT_TRUE(hearing->begin({}));
+  EXPECT_EQ(hearing->ends("bring me"), false);
+  EXPECT_EQ(hearing->ends("bring me coffee"), true);
+  EXPECT_EQ(hearing->ends("coffee me bring"), std::nullopt);
+  hearing->hear(said("Bring me a coffee."));
+  EXPECT_EQ(hearing->partial(), "bring me a coffee");
+  hearing->drop();
+  EXPECT_TRUE(hearing->finish().words.empty());
+}
+
+} // namespace
+} // namespace parlour::adapters::asr

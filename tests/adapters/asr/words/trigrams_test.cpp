@@ -1,0 +1,54 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "adapters/asr/words/trigrams.hpp"
+
+namespace parlour::adapters::asr {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+class TrigramsTest : public testing::Test {
+protected:
+  TrigramsTest() {
+    trigrams.add({tea, please});
+    trigrams.add({coffee, please}, 2);
+    trigrams.add({tea});
+  }
+
+  Symbols symbols;
+  Symbol tea = symbols.word("tea");
+  Symbol coffee = symbols.word("coffee");
+  Symbol please = symbols.word("please");
+  Trigrams trigrams;
+};
+
+TEST_F(TrigramsTest, ProbabilitiesSumToOne) {
+  for (const auto last : {Trigrams::begin, tea, coffee, please}) {
+    double sum = 0;
+    for (const auto word : {tea, coffee, please, Trigrams::end})
+      sum += trigrams.probability(Trigrams::begin, last, word);
+    EXPECT_NEAR(sum, 1, 1e-9);
+  }
+}
+
+TEST_F(TrigramsTest, WhatWasSaidIsMoreProbable) {
+  EXPECT_GT(trigrams.probability(Trigrams::begin, coffee, please),
+            trigrams.probability(Trigrams::begin, coffee, tea));
+  EXPECT_GT(trigrams.probability(Trigrams::begin, Trigrams::begin, tea),
+            trigrams.probability(Trigrams::begin, Trigrams::begin, please));
+  EXPECT_GT(trigrams.probability(Trigrams::begin, coffee, tea), 0);
+}
+
+TEST_F(TrigramsTest, AreWrittenAsArpa) {
+  const auto text = trigrams.arpa(symbols);
+  EXPECT_THAT(text, HasSubstr("ngram 1=5\nngram 2=6\nngram 3=5\n"));
+  EXPECT_THAT(text, HasSubstr("-99 <s> "));
+  EXPECT_THAT(text, HasSubstr(" <s> coffee please\n"));
+  EXPECT_THAT(text, HasSubstr("\\end\\\n"));
+  EXPECT_THAT(trigrams.arpa(symbols, 2), Not(HasSubstr("<s> tea please\n")));
+}
+
+} // namespace
+} // namespace parlour::adapters::asr

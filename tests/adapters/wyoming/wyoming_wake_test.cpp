@@ -1,0 +1,74 @@
+#include "adapters/wyoming/wyoming_wake.hpp"
+#include "tests/adapters/wyoming/wyoming_fixture.hpp"
+
+namespace parlour::adapters {
+namespace {
+
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+class WyomingWakeTest : public test::WyomingTest {
+protected:
+  void use(test::WyomingServer::Serve serve, Options more = {}) {
+    server = std::make_unique<test::WyomingServer>("wake", std::move(serve));
+    more.merge(server->options());
+    connect(wyoming_wake_factory(), more);
+  }
+  // Finds the first of the names it was told, in the third frame.
+  static test::WyomingServer::Serve finding() {
+    struct Heard {
+      std::string name;
+      int frames = 0;
+    };
+    return [heard = std::make_shared<std::map<void*, Heard>>()](
+               Peer& peer, const Event& event) {
+      auto& own = (*heard)[&peer];
+      if (event.type == "detect")
+        own.name =
+            event.data.value("names", std::vector<std::string>{"any"})[0];
+      else if (event.type == "audio-chunk" && ++own.frames == 3)
+        peer.send(
+            {"detection",
+             {{"name", own.name}, {"timestamp", event.data["timestamp"]}}});
+      return true;
+    };
+  }
+
+  std::unique_ptr<test::WyomingServer> server;
+};
+
+TEST_F(WyomingWakeTest, finds_a_word) {
+  use(finding(), {{"keywords", " computer, robot"}});
+  for (int i = 0; i < 3; ++i)
+    send("Process", {frame(), 1'000 + 20 * i});
+  const auto found = answer("Keyword");
+  EXPECT_EQ(found.at(0), Value("computer"));
+  EXPECT_EQ(found.at(2), Value(1'040));
+}
+
+TEST_F(WyomingWakeTest, counts_by_itself_and_looks_for_others) {
+  use(finding());
+  send("SetKeywords", {List{"robot"}});
+  for (int i = 0; i < 3; ++i)
+    send("Process", {frame()}, "s2");
+  const auto found = answer("Keyword");
+  EXPECT_EQ(found.at(0), Value("robot"));
+  EXPECT_EQ(found.at(2), Value(40));
+}
+
+TEST_F(WyomingWakeTest, refuses_what_is_no_audio) {
+  use(finding());
+  send("Process", {Binary{"mp3", {}}});
+  EXPECT_THAT(answer("Failed").at(0).text(), HasSubstr("no audio"));
+}
+
+TEST_F(WyomingWakeTest, conforms) {
+  const test::WyomingServer own("wake", finding());
+  EXPECT_THAT(
+      conformance_errors(wyoming_wake_factory(),
+                         {own.options(), Milliseconds(5'000), {}, {}, {}}),
+      IsEmpty());
+}
+
+} // namespace
+} // namespace parlour::adapters

@@ -1,0 +1,277 @@
+// Tests of tools/agents/moonshine that need no weights: a toy model says what
+// may come next.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+
+import { END } from "../../../tools/agents/moonshine/model.mjs";
+import { Levels } from "../../../tools/agents/moonshine/levels.mjs";
+import {
+  FrameReader, samples,
+} from "../../../tools/agents/moonshine/protocol.mjs";
+import { search } from "../../../tools/agents/moonshine/search.mjs";
+import {
+  NOTHING, Steering,
+} from "../../../tools/agents/moonshine/steering.mjs";
+import { Turns } from "../../../tools/agents/moonshine/turns.mjs";
+
+// -- protocol
+
+const frame = (head, payload = "") =>
+  Buffer.from(`${JSON.stringify(head)}\n${payload}`);
+
+test("frames come in pieces", () => {
+  const bytes = Buffer.concat([
+    frame({ type: "audio", bytes: 4 }, "abcd"), frame({ type: "finish" })]);
+  const reader = new FrameReader();
+  const frames = [...bytes].flatMap((byte) => reader.add(Buffer.of(byte)));
+  assert.deepEqual(frames.map(({ head }) => head.type), ["audio", "finish"]);
+  assert.equal(frames[0].payload.toString(), "abcd");
+});
+
+test("what is no frame is refused", () => {
+  for (const bytes of ["hello\n", "null\n", "7\n", "x".repeat(5000),
+    '{"bytes":1000000000}\n', '{"bytes":-1}\n', '{"bytes":"4"}\n'])
+    assert.throws(
+      () => new FrameReader().add(Buffer.from(bytes)), Error, bytes);
+});
+
+test("samples are numbers up to 1", () => {
+  assert.deepEqual([...samples(Buffer.from([0, 128, 0, 64, 9]))], [-1, 0.5]);
+});
+
+// -- steering: tokens from 100 on begin words
+
+const steering = (...phrases) =>
+  new Steering(phrases.map((tokens) => ({ tokens, bonus: 1 })),
+    (token) => token >= 100);
+
+const place = (steered, tokens) =>
+  tokens.reduce((at, token) => steered.follow(at, token), NOTHING);
+
+test("a phrase earns a bonus for each token", () => {
+  const steered = steering([100, 1, 101]);
+  assert.equal(steered.hoped(place(steered, [100, 1])), 2);
+  assert.equal(steered.final(place(steered, [100, 1])), 0);
+  assert.equal(steered.final(place(steered, [100, 1, 101])), 3);
+  assert.equal(steered.hoped(place(steered, [100, 1, 101, 102])), 3);
+});
+
+test("it is lost where the text leaves the phrase", () => {
+  const steered = steering([100, 1, 101]);
+  assert.equal(steered.hoped(place(steered, [100, 2])), 0);
+  assert.equal(steered.hoped(place(steered, [100, 1, 102])), 0);
+});
+
+test("a phrase begins and ends with a word", () => {
+  const steered = steering([1, 2], [100, 1]);
+  assert.equal(steered.hoped(place(steered, [1, 2])), 0);
+  assert.equal(steered.hoped(place(steered, [100, 1, 5])), 0);
+});
+
+test("a longer phrase does not earn twice", () => {
+  const steered = steering([100], [100, 101], [101]);
+  assert.equal(steered.final(place(steered, [100, 101])), 2);
+  assert.equal(steered.final(place(steered, [100, 101, 100])), 3);
+});
+
+test("a name earns more than another phrase", () => {
+  const steered = new Steering(
+    [{ tokens: [100, 101], bonus: 1 }, { tokens: [100], bonus: 3 }],
+    (token) => token >= 100);
+  assert.equal(steered.final(place(steered, [100])), 3);
+  assert.equal(steered.final(place(steered, [100, 101])), 4);
+});
+
+// -- search: texts with their probabilities; every other token is unlikely
+
+const VOCABULARY = 200;
+
+function toyModel(texts) {
+  const logits = (beginnings) => Float32Array.from(beginnings.flatMap(
+    (beginning) => {
+      const chances = Array(VOCABULARY).fill(1e-9);
+      for (const { tokens, chance } of texts)
+        if (beginning.every((token, i) => tokens[i] === token))
+          chances[tokens[beginning.length] ?? END] += chance;
+      return chances.map(Math.log);
+    }));
+  const state = (beginnings) => ({
+    width: beginnings.length, beginnings, logits: logits(beginnings),
+  });
+  return {
+    begin: async () => state([[]]),
+    extend: async (from, parents, tokens) => state(parents.map(
+      (parent, i) => [...from.beginnings[parent], tokens[i]])),
+  };
+}
+
+const found = (model, steered, more) => search(
+  model, null, { steering: steered, width: 4, most: 10, ...more });
+
+const texts = [
+  { tokens: [100, 101], chance: 0.5 }, { tokens: [100, 102], chance: 0.3 },
+  { tokens: [103], chance: 0.2 },
+];
+
+test("the likeliest texts are found, best first", async () => {
+  const best = await found(toyModel(texts), steering());
+  assert.deepEqual(best.slice(0, 3).map(({ tokens }) => tokens),
+    [[100, 101], [100, 102], [103]]);
+  assert.deepEqual(best[0].chances.map((chance) => chance.toFixed(2)),
+    ["0.80", "0.63", "1.00"]);
+});
+
+test("steering prefers the application's words", async () => {
+  const best = await found(toyModel(texts), steering([102]));
+  assert.deepEqual(best[0].tokens, [100, 102]);
+});
+
+test("that nothing was said must be sure", async () => {
+  const nothing = (chance) => toyModel(
+    [{ tokens: [], chance }, { tokens: [100], chance: 1 - chance }]);
+  const [unsure] = await found(nothing(0.8), steering());
+  assert.deepEqual(unsure.tokens, [100]);
+  const [sure] = await found(nothing(0.95), steering());
+  assert.deepEqual(sure.tokens, []);
+});
+
+test("a text has an end", async () => {
+  const endless = toyModel([{ tokens: Array(1000).fill(100), chance: 1 }]);
+  const [best] = await found(endless, steering());
+  assert.equal(best.tokens.length, 10);
+});
+
+test("a search is given up", async () => {
+  assert.equal(
+    await found(toyModel(texts), steering(), { isOver: () => true }), null);
+});
+
+// -- levels: which part was spoken
+
+const tone = (seconds, level) => Float32Array.from(
+  { length: seconds * 16_000 }, (_, i) => level * Math.sin(i / 5));
+
+function levelsOf(...parts) {
+  const levels = new Levels();
+  for (const part of parts)
+    for (let at = 0; at < part.length; at += 320)
+      levels.add(part.subarray(at, at + 320));
+  return levels;
+}
+
+test("silence around speech is not spoken", () => {
+  const noise = tone(1, 0.01);
+  const { from, to } = levelsOf(noise, tone(1, 0.5), noise).spoken();
+  assert.deepEqual([from, to], [16_000 - 800, 32_000 + 1600]);
+});
+
+test("speech in loud noise is heard whole", () => {
+  const noise = tone(1, 0.2);
+  const { from, to } = levelsOf(noise, tone(1, 0.5), noise).spoken();
+  assert.deepEqual([from, to], [0, 48_000]);
+});
+
+test("there may be nothing at all", () => {
+  assert.deepEqual(new Levels().spoken(), { from: 0, to: 0 });
+  assert.deepEqual(levelsOf(tone(1, 0)).spoken(), { from: 0, to: 0 });
+});
+
+// -- turns
+
+// Recognises only when it is told to.
+function desk() {
+  const said = [];
+  const waiting = [];
+  const turns = new Turns((heard, how) => new Promise((done) => {
+    waiting.push({ how, heard, done: (result) => done(result) });
+  }), (head) => said.push(head));
+  const next = async (result = { text: "hello" }) => {
+    while (waiting.length === 0)
+      await new Promise(setImmediate);
+    waiting.shift().done(result);
+    await new Promise(setImmediate);
+  };
+  return { turns, said, waiting, next };
+}
+
+const second = tone(1, 0.5);
+
+test("a turn has partial results and a result", async () => {
+  const { turns, said, next } = desk();
+  turns.audio({ turn: 1 }, second);
+  await next();
+  turns.finish({ turn: 1 });
+  await next();
+  assert.deepEqual(said, [
+    { type: "partial", turn: 1, text: "hello" },
+    { type: "result", turn: 1, text: "hello" }]);
+  assert.equal(turns.turns.size, 0);
+});
+
+test("a result is computed in advance when a pause comes", async () => {
+  const { turns, said, waiting, next } = desk();
+  turns.audio({ turn: 1 }, second);
+  await next({ text: "hel" });
+  turns.audio({ turn: 1 }, tone(0.2, 0.001));
+  assert.equal(waiting[0].how.careful, true);
+  await next();
+  turns.audio({ turn: 1 }, tone(0.2, 0.001));
+  turns.finish({ turn: 1 });
+  assert.equal(waiting.length, 0);
+  assert.deepEqual(said.map(({ type, text }) => [type, text]),
+    [["partial", "hel"], ["partial", "hello"], ["result", "hello"]]);
+});
+
+test("what is said after a pause is not forgotten", async () => {
+  const { turns, said, next } = desk();
+  turns.audio({ turn: 1 }, second);
+  await next({ text: "hel" });
+  turns.audio({ turn: 1 }, tone(0.2, 0.001));
+  await next();
+  turns.audio({ turn: 1 }, tone(0.2, 0.5));
+  turns.finish({ turn: 1 });
+  await next({ text: "hello again" });
+  assert.equal(said.at(-1).text, "hello again");
+});
+
+test("nothing said is rejected", async () => {
+  const { turns, said, next } = desk();
+  turns.finish({ turn: 1 });
+  await next({ text: "" });
+  assert.equal(said[0].type, "rejected");
+});
+
+test("finished turns come first, in their order", async () => {
+  const { turns, said, waiting, next } = desk();
+  turns.audio({ turn: 1 }, second);
+  turns.audio({ turn: 2 }, second);
+  turns.audio({ turn: 3 }, second);
+  turns.finish({ turn: 3 });
+  turns.finish({ turn: 2 });
+  assert.equal(waiting[0].how.isOver(), true); // the partial result of 1
+  await next(null);
+  await next();
+  await next();
+  assert.deepEqual(said.map(({ type, turn }) => [type, turn]),
+    [["result", 3], ["result", 2]]);
+});
+
+test("a cancelled turn is not answered", async () => {
+  const { turns, said, waiting, next } = desk();
+  turns.audio({ turn: 1 }, second);
+  turns.finish({ turn: 1 });
+  turns.cancel({ turn: 1 });
+  assert.equal(waiting[0].how.isOver(), true);
+  await next();
+  assert.deepEqual(said, []);
+});
+
+test("turns are bounded in length and number", async () => {
+  const { turns } = desk();
+  for (let i = 0; i < 40; ++i)
+    turns.audio({ turn: 0 }, second);
+  assert.equal(turns.turns.get(0).length, 30 * 16_000);
+  for (let turn = 1; turn < 500; ++turn)
+    turns.audio({ turn }, second);
+  assert.equal(turns.turns.size, 128);
+});

@@ -1,0 +1,49 @@
+// How loud a turn was, piece by piece, and so which part of it was spoken. The
+// network was trained on speech without long silences: it often hears nothing
+// where much silence surrounds a short answer.
+
+// What is louder than so much of the loudest piece is speech …
+const PART_OF_PEAK = 0.03;
+// … and than so many times the quietest piece; but this part of the loudest
+// piece is speech whatever the noise.
+const TIMES_FLOOR = 3;
+const SURELY = 0.15;
+// What is quieter was not said into a microphone.
+const QUIETEST = 0.0005;
+// What stays around speech, in samples.
+const MARGIN_BEFORE = 800;
+export const MARGIN_BEHIND = 1600;
+
+export class Levels {
+  pieces = []; // {level, end}
+  length = 0;
+  peak = 0;
+  floor = Infinity;
+
+  add(samples) {
+    let sum = 0;
+    for (const one of samples)
+      sum += one * one;
+    const level = Math.sqrt(sum / Math.max(1, samples.length));
+    this.length += samples.length;
+    this.pieces.push({ level, end: this.length });
+    this.peak = Math.max(this.peak, level);
+    this.floor = Math.min(this.floor, level);
+  }
+
+  // The part that was spoken, as positions of samples.
+  spoken() {
+    const least = Math.max(QUIETEST, Math.min(this.peak * SURELY,
+      Math.max(this.peak * PART_OF_PEAK, this.floor * TIMES_FLOOR)));
+    const isLoud = ({ level }) => level >= least;
+    const first = this.pieces.findIndex(isLoud);
+    const last = this.pieces.findLastIndex(isLoud);
+    if (first < 0)
+      return { from: 0, to: 0 };
+    const start = first > 0 ? this.pieces[first - 1].end : 0;
+    return {
+      from: Math.max(0, start - MARGIN_BEFORE),
+      to: Math.min(this.length, this.pieces[last].end + MARGIN_BEHIND),
+    };
+  }
+}

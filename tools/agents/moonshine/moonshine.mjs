@@ -1,0 +1,75 @@
+// Hears English speech, offline. Speaks the protocol of README.md on standard
+// input and output until the input ends.
+//
+//     node moonshine.mjs               for MoonshineASR, which starts it
+//     node moonshine.mjs FILE.wav …    prints what is said in these files
+//                                      (16,000 samples a second, one channel)
+import fs from "node:fs";
+import path from "node:path";
+import { fileURLToPath } from "node:url";
+
+import { FrameReader, samples } from "./protocol.mjs";
+import { Recogniser } from "./recogniser.mjs";
+import { Turns } from "./turns.mjs";
+
+const say = (head) => process.stdout.write(`${JSON.stringify(head)}\n`);
+
+async function load() {
+  const began = performance.now();
+  const here = path.dirname(fileURLToPath(import.meta.url));
+  const recogniser = await Recogniser.load(here);
+  return { recogniser, milliseconds: Math.round(performance.now() - began) };
+}
+
+// The commands of the protocol.
+function commands(recogniser, turns) {
+  return {
+    words: ({ names }, payload) => recogniser.steer(
+      payload.toString("utf8").split("\n").filter(Boolean), names ?? 0),
+    audio: (head, payload) => turns.audio(head, samples(payload)),
+    finish: (head) => turns.finish(head),
+    cancel: (head) => turns.cancel(head),
+  };
+}
+
+function end(reason) {
+  say({ type: "failed", reason });
+  process.exitCode = 1;
+  process.stdin.destroy();
+}
+
+async function serve() {
+  const { recogniser, milliseconds } = await load();
+  const turns = new Turns(
+    (heard, how) => recogniser.recognise(heard, how), say);
+  const known = commands(recogniser, turns);
+  const reader = new FrameReader();
+  process.stdin.on("data", (bytes) => {
+    try {
+      for (const { head, payload } of reader.add(bytes))
+        known[head.type]?.(head, payload);
+    } catch (error) {
+      end(`what it is told cannot be read: ${error.message}`);
+    }
+  });
+  process.stdin.on("end", () => process.exit());
+  say({ type: "ready", milliseconds });
+}
+
+async function transcribe(files) {
+  const { recogniser } = await load();
+  for (const file of files) {
+    // The header of a plain WAV file has 44 bytes.
+    const heard = samples(fs.readFileSync(file).subarray(44));
+    const result = await recogniser.recognise(
+      heard, { careful: true, isOver: () => false });
+    console.log(JSON.stringify({ file, ...result }));
+  }
+}
+
+process.on("unhandledRejection", (error) => {
+  say({ type: "failed", reason: String(error?.message ?? error) });
+  process.exit(1);
+});
+const files = process.argv.slice(2);
+await (files.length ? transcribe(files) : serve());

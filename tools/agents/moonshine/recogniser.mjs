@@ -1,0 +1,105 @@
+// From samples to text: the model, the search and the words, put together.
+import fs from "node:fs";
+import path from "node:path";
+import { pathToFileURL } from "node:url";
+
+import { Model, packages } from "./model.mjs";
+import { mostTokens, search } from "./search.mjs";
+import { Steering } from "./steering.mjs";
+
+const WEIGHTS = "@moonshine-ai/moonshine-js/dist/model/tiny/quantized";
+const TOKENIZER = "llama-tokenizer-js/llama-tokenizer.js";
+// Hypotheses at a time for a careful result and for others.
+const WIDTH = 4;
+const PARTIAL_WIDTH = 1;
+// For each token of a name and of another phrase, in natural logarithms of a
+// probability; chosen by measuring.
+const NAME_BONUS = 2.5;
+const PHRASE_BONUS = 1.0;
+// Less than this is no speech, in seconds.
+const SHORTEST = 0.1;
+const RATE = 16_000;
+const WORD = "\u2581"; // stands for the space before a word
+
+export class Recogniser {
+  static async load(folder) {
+    const { require, find } = packages(folder);
+    const weights = find(WEIGHTS).find((place) => fs.existsSync(place));
+    if (!weights)
+      throw new Error(`the package of ${WEIGHTS} is missing`);
+    const recogniser = new Recogniser();
+    recogniser.model = await Model.load(require("onnxruntime-node"), weights);
+    const file = find(TOKENIZER).find((place) => fs.existsSync(place));
+    recogniser.tokenizer = (await import(pathToFileURL(file))).default;
+    recogniser.steer([], 0);
+    return recogniser;
+  }
+
+  // The words towards which it is steered, as they are written: first so many
+  // names and other values, then what else is said.
+  steer(phrases, names) {
+    const weighted = phrases.map((phrase, i) => ({
+      tokens: this.tokenizer.encode(phrase, false, true),
+      bonus: i < names ? NAME_BONUS : PHRASE_BONUS,
+    }));
+    this.steering = new Steering(weighted, (token) => this.startsWord(token));
+  }
+
+  startsWord(token) {
+    const piece = this.tokenizer.vocabById[token] ?? WORD;
+    return piece.startsWith(WORD) || !/^[\p{L}\p{N}']/u.test(piece);
+  }
+
+  // {text, confidence, alternatives, words}, or null once isOver() says so.
+  async recognise(samples, { careful, isOver }) {
+    if (samples.length < SHORTEST * RATE)
+      return { text: "" };
+    const heard = await this.model.encode(samples);
+    if (isOver())
+      return null;
+    const texts = await search(this.model, heard, {
+      steering: this.steering, width: careful ? WIDTH : PARTIAL_WIDTH,
+      most: mostTokens(samples.length / RATE), isOver,
+    });
+    return texts && this.result(texts);
+  }
+
+  result(texts) {
+    const [best, ...others] = texts.map((one) => this.told(one));
+    const seen = new Set([best.text]);
+    const alternatives = others.filter(
+      ({ text }) => text && !seen.has(text) && seen.add(text));
+    return {
+      ...best,
+      alternatives: alternatives.map(
+        ({ text, confidence }) => ({ text, confidence })),
+    };
+  }
+
+  told({ tokens, chances }) {
+    const text = this.tokenizer.decode(tokens, false, true).trim();
+    return {
+      text, confidence: rounded(Math.min(...chances)),
+      words: this.words(tokens, chances),
+    };
+  }
+
+  // Each word with the least probability of its tokens.
+  words(tokens, chances) {
+    const words = [];
+    tokens.forEach((token, i) => {
+      const piece = this.tokenizer.vocabById[token] ?? "";
+      if (piece.startsWith(WORD) || words.length === 0)
+        words.push({ tokens: [], confidence: 1 });
+      const word = words.at(-1);
+      word.tokens.push(token);
+      word.confidence = Math.min(word.confidence, chances[i]);
+    });
+    return words.map(({ tokens: of, confidence }) => ({
+      text: this.tokenizer.decode(of, false, true).trim(),
+      confidence: rounded(confidence),
+    })).filter(({ text }) => text);
+  }
+}
+
+const rounded = (chance) => Math.round(chance * 1000) / 1000;

@@ -1,0 +1,169 @@
+"""Chooses which sources are compiled together (Unite.cmake).
+
+    python3 unite.py LIMIT SOURCE...
+
+Prints "NUMBER SOURCE" for each source that is compiled with others; sources of
+the same number, at most LIMIT, are one piece. Two sources come into one piece
+only if neither, nor a header that it includes, mentions what the other keeps to
+itself: names in unnamed namespaces, macros, and namespaces that it opens for all
+that follows. So each means the same as if it were compiled alone, and may have
+helpers called like those of another source.
+"""
+
+import re
+import sys
+from functools import cache
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+TEXT = re.compile(
+    r"""R"(\w*)\(.*?\)\1" | //[^\n]* | /\*.*?\*/
+      | "(?:\\.|[^"\\\n])*" | '(?:\\.|[^'\\\n])+'""", re.S | re.X)
+WORD = re.compile(r"[A-Za-z_]\w*")
+BRACE = re.compile(r"[{}]")
+INCLUDE = re.compile(r'^#include "(.*\.hpp)"', re.M)
+NAMESPACE = re.compile(r"\bnamespace [\w:]+\s*\{")
+UNNAMED = re.compile(r"\bnamespace\s*\{")
+MACRO = re.compile(r"#\s*define\s+(\w+)")
+OPENED = re.compile(r"^using namespace (\S+);", re.M)
+TYPE = re.compile(r"\b(?:struct|class|enum|union|concept)\s+(?:class\s+)?(\w+)")
+ALIAS = re.compile(r"\busing (\w+) =")
+NOTHING_NEW = re.compile(r"\s*(using|static_assert|namespace|friend)\b")
+FUNCTION = re.compile(r"(?<![\w:~])(\w+)\s*\(")
+VARIABLE = re.compile(r"(\w+)\s*(\[[^\]]*\]\s*)*(=.*)?$", re.S)
+TEMPLATE = re.compile(r"template\s*<[^<>]*>")
+OPERATOR = re.compile(r"\boperator\b")
+# Macros of GoogleTest, which look like functions.
+SHARED = re.compile(r"(TYPED_)?TEST(_\w+)?$|\w*INSTANTIATE_\w+$|MATCHER\w*$")
+
+
+def bare(code):
+    """The code without comments, texts and characters."""
+    return TEXT.sub(lambda found: " " if found[0][0] == "/" else "0", code)
+
+
+def statements(code, begin):
+    """The statements of the namespace that begins there, without the bodies of
+    functions and classes."""
+    depth, outer, at = 1, [], begin
+    for brace in BRACE.finditer(code, begin):
+        if depth == 1:
+            outer.append(code[at:brace.start()])
+        depth += 1 if brace[0] == "{" else -1
+        at = brace.end()
+        if depth == 0:
+            break
+    return ";".join(outer).split(";")
+
+
+def declared(statement):
+    """The names that a statement of a namespace declares."""
+    statement = TEMPLATE.sub("", statement)
+    kind = TYPE.search(statement) or ALIAS.search(statement)
+    if kind:
+        return [kind[1]]
+    if NOTHING_NEW.match(statement):
+        return []
+    if OPERATOR.search(statement):
+        return ["operator"]
+    function = FUNCTION.search(statement)
+    variable = VARIABLE.search(statement.strip())
+    return [found[1] for found in (function, variable) if found]
+
+
+def names_in(kind, code):
+    """What the namespaces of this kind declare."""
+    return {name for namespace in kind.finditer(code)
+            for statement in statements(code, namespace.end())
+            for name in declared(statement)}
+
+
+@cache
+def included(path):
+    """The headers that a header includes itself."""
+    header = ROOT / path
+    return INCLUDE.findall(header.read_text("utf-8")) if header.exists() else []
+
+
+def with_theirs(headers):
+    """The headers and all that they include."""
+    found, waiting = set(), list(headers)
+    while waiting:
+        header = waiting.pop()
+        if header not in found:
+            found.add(header)
+            waiting += included(header)
+    return found
+
+
+@cache
+def header_names(path):
+    """What the header declares for all, and the types within."""
+    if not (ROOT / path).exists():
+        return set()
+    code = bare((ROOT / path).read_text("utf-8"))
+    return names_in(NAMESPACE, code) | set(TYPE.findall(code))
+
+
+def own_names(code):
+    """What the source keeps to itself."""
+    names = set(MACRO.findall(code))
+    names.update(name for name in OPENED.findall(code)
+                 if not name.endswith("literals"))
+    names |= names_in(UNNAMED, code)
+    return {name for name in names if not SHARED.match(name)}
+
+
+class Piece:
+    def __init__(self, sources=(), own=(), words=()):
+        self.sources, self.own = list(sources), set(own)
+        self.words = set(words)
+
+    def add(self, other):
+        self.sources += other.sources
+        self.own |= other.own
+        self.words |= other.words
+
+    def takes(self, other, limit):
+        return (len(self.sources) + len(other.sources) <= limit
+                and self.own.isdisjoint(other.words)
+                and self.words.isdisjoint(other.own))
+
+
+def joined(pieces, limit):
+    """Each piece is added to the first before it that takes it."""
+    result = []
+    for piece in pieces:
+        for earlier in result:
+            if earlier.takes(piece, limit):
+                earlier.add(piece)
+                break
+        else:
+            result.append(piece)
+    return result
+
+
+def read(source):
+    text = Path(source).read_text("utf-8")
+    code = bare(text)
+    words = {*WORD.findall(code), *OPENED.findall(code)}
+    headers = with_theirs(INCLUDE.findall(text))
+    return Piece([source], own_names(code),
+                 words.union(*map(header_names, headers)))
+
+
+def united(sources, limit):
+    """The pieces: first of each folder by itself, so that a change in one
+    folder rarely changes the pieces of others; then what is left of them."""
+    folders = {}
+    for source in sources:
+        folders.setdefault(Path(source).parent, []).append(read(source))
+    return joined([piece for pieces in folders.values()
+                   for piece in joined(pieces, limit)], limit)
+
+
+if __name__ == "__main__":
+    for number, piece in enumerate(united(sys.argv[2:], int(sys.argv[1]))):
+        for source in piece.sources:
+            if len(piece.sources) > 1:
+                print(number, source)

@@ -1,0 +1,170 @@
+#include "tools/parlour/application/voice.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <map>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "adapters/asr/moonshine_place.hpp"
+#include "adapters/audio/file_microphone.hpp"
+#include "adapters/audio/file_speaker.hpp"
+
+namespace parlour::tools {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::string_view microphone_role = "Microphone";
+constexpr std::string_view speaker_role = "Speaker";
+constexpr std::string_view enhancement_role = "Enhancement";
+
+// One link of the chain: who may fill the role, the best first.
+struct Link {
+  std::string_view role;
+  std::vector<std::string> plugins;
+  // Each seat has its own; otherwise one serves all.
+  bool per_seat = true;
+  bool required = true;
+};
+
+const std::vector<Link>& chain() {
+  static const std::vector<Link> links = {
+      {microphone_role, {"AlsaMicrophone"}},
+      {enhancement_role, {"WebRtcEnhancement"}, true, false},
+      {"VAD", {"AdaptiveVAD"}},
+      {"Endpointer", {"SpeechEndpointer"}},
+      {"ASR", {"MoonshineASR", "SphinxASR"}, false},
+      {"TTS", {"EspeakTTS", "FliteTTS"}, false},
+      {speaker_role, {"AlsaSpeaker"}}};
+  return links;
+}
+
+bool is_file_of_sound(const std::string& name) {
+  const auto extension = fs::path(name).extension();
+  return extension == ".wav" || extension == ".flac";
+}
+
+ComponentSettings component(const std::string& plugin, bool per_seat) {
+  ComponentSettings made{plugin, plugin, {}, {}};
+  if (per_seat)
+    made.policy.scope.kind = Scope::Kind::seat;
+  return made;
+}
+
+// A device of the command line: a file (use_files) or a device of ALSA.
+ComponentSettings device(std::string_view role, const std::string& name) {
+  const bool is_file = is_file_of_sound(name);
+  auto made =
+      component(fmt::format("{}{}", is_file ? "File" : "Alsa", role), true);
+  if (!is_file)
+    made.options["device"] = name;
+  return made;
+}
+
+// What the command line says of the device of a role.
+const std::string& wish_for(std::string_view role, const VoiceWishes& wishes) {
+  static const std::string none;
+  return role == microphone_role ? wishes.microphone
+         : role == speaker_role  ? wishes.speaker
+                                 : none;
+}
+
+// The components that fill each role, by their names.
+using Filled = std::map<std::string, std::vector<std::string>, std::less<>>;
+
+Filled filled_roles(const Composition& composition) {
+  Filled filled;
+  for (const auto& component : composition.components)
+    for (const auto& role : component.factory.description.roles)
+      filled[role].push_back(component.name);
+  return filled;
+}
+
+// Whether what the plug-in needs besides this program is installed, too.
+bool is_installed(const std::string& plugin) {
+  if (plugin != "MoonshineASR")
+    return true;
+  const auto* const path = std::getenv("PATH");
+  return adapters::moonshine::find_place(
+             {{}, moonshine_programs(), "node", path ? path : ""})
+      .has_value();
+}
+
+Expected<std::optional<ComponentSettings>> choose(const Link& link,
+                                                  const Catalogue& plugins) {
+  for (const auto& plugin : link.plugins)
+    if (plugins.has(plugin) && is_installed(plugin))
+      return component(plugin, link.per_seat);
+  if (!link.required)
+    return std::nullopt;
+  return fail(ErrorKind::settings,
+              fmt::format("--voice: this build has no plug-in for the role {} "
+                          "(docs/speech.md says what it needs); the "
+                          "application talks by text without --voice",
+                          link.role));
+}
+
+// What is done to the settings: components that leave, and those that come
+// before the others, which are preferred.
+struct Changes {
+  std::vector<std::string> out;
+  std::vector<ComponentSettings> in;
+
+  void apply(Settings& settings) const {
+    std::erase_if(settings.components, [&](const auto& component) {
+      return std::ranges::count(out, component.name) != 0;
+    });
+    settings.components.insert(settings.components.begin(), in.begin(),
+                               in.end());
+  }
+};
+
+} // namespace
+
+Expected<VoiceSources> add_voice(const fs::path& folder,
+                                 const fs::path& platform, Catalogue& plugins,
+                                 const VoiceWishes& wishes) {
+  auto filled =
+      filled_roles(compose(settings_alone(folder, platform), plugins));
+  Changes changes;
+  for (const auto& link : chain()) {
+    auto& by = filled[std::string(link.role)];
+    if (const auto& wish = wish_for(link.role, wishes); !wish.empty()) {
+      changes.out.insert(changes.out.end(), by.begin(), by.end());
+      changes.in.push_back(device(link.role, wish));
+    } else if (by.empty()) {
+      auto chosen = choose(link, plugins);
+      if (!chosen)
+        return tl::make_unexpected(chosen.error());
+      if (*chosen) {
+        by.push_back((*chosen)->name);
+        changes.in.push_back(std::move(**chosen));
+      }
+    }
+  }
+  const bool is_enhanced = !filled[std::string(enhancement_role)].empty();
+  return VoiceSources{
+      [changes](Settings& settings) { changes.apply(settings); },
+      is_enhanced ? "voice-enhanced" : "voice"};
+}
+
+// The files of the command line may lie anywhere, those of settings only in the
+// application's folder.
+void use_files(Composition& composition, const VoiceWishes& wishes,
+               const fs::path& folder) {
+  for (auto& component : composition.components) {
+    const auto& plugin = component.factory.description.name;
+    if (plugin == "FileMicrophone" && is_file_of_sound(wishes.microphone))
+      component.factory =
+          adapters::file_microphone_factory(folder / wishes.microphone);
+    else if (plugin == "FileSpeaker" && is_file_of_sound(wishes.speaker))
+      component.factory =
+          adapters::file_speaker_factory(folder / wishes.speaker);
+  }
+}
+
+} // namespace parlour::tools

@@ -19,10 +19,10 @@
 namespace parlour::dialogue {
 
 // How a piece of code reads slots; it records which.
-class Reader {
+class SlotReader {
 public:
-  Reader(const script::Topic& topic, const TopicFrame& frame,
-         std::vector<SlotId>* reads)
+  SlotReader(const script::Topic& topic, const TopicFrame& frame,
+             std::vector<SlotId>* reads)
       : topic_(topic), frame_(frame), reads_(reads) {}
 
   Value operator()(std::string_view slot) const {
@@ -38,18 +38,18 @@ private:
   std::vector<SlotId>* reads_;
 };
 
-using Body = std::function<Expected<Value>(const Reader&)>;
+using FakeBody = std::function<Expected<Value>(const SlotReader&)>;
 
 class Application {
 public:
   script::Program program;
 
-  CodeId code(Body body) {
+  CodeId code(FakeBody body) {
     bodies_.push_back(std::move(body));
     return static_cast<CodeId>(bodies_.size() - 1);
   }
   CodeId text(Value value) {
-    return code([value](const Reader&) { return value; });
+    return code([value](const SlotReader&) { return value; });
   }
 
   TopicId topic(std::string name,
@@ -76,7 +76,7 @@ public:
     return [this](CodeId code, const TopicFrame& frame,
                   std::vector<SlotId>* reads) {
       return bodies_.at(code)(
-          Reader(program.topics[frame.topic], frame, reads));
+          SlotReader(program.topics[frame.topic], frame, reads));
     };
   }
 
@@ -97,7 +97,7 @@ public:
   }
 
 private:
-  std::vector<Body> bodies_;
+  std::vector<FakeBody> bodies_;
 };
 
 inline FrameChange make(FrameChange::Kind kind, SlotId slot = script::no_id,

@@ -19,7 +19,7 @@ protected:
     frame = app.frame(topic);
   }
 
-  void constrain(Body condition, std::string message = "") {
+  void constrain(FakeBody condition, std::string message = "") {
     script::Constraint constraint;
     constraint.condition = app.code(std::move(condition));
     if (!message.empty())
@@ -48,7 +48,7 @@ protected:
   static constexpr SlotId name = 0, start = 1, end = 2, host = 3;
 };
 
-Expected<Value> end_after_start(const Reader& read) {
+Expected<Value> end_after_start(const SlotReader& read) {
   auto from = read("Start"), to = read("End");
   return Value(!from.is_unknown() && !to.is_unknown() &&
                from.text() < to.text());
@@ -171,7 +171,7 @@ TEST_F(Filling, AConstraintBringsTheOldValueBack) {
 }
 
 TEST_F(Filling, AConstraintThatReadsNoSlotRefusesAll) {
-  constrain([](const Reader&) { return Value(false); }, "Closed.");
+  constrain([](const SlotReader&) { return Value(false); }, "Closed.");
   auto result = change({fill(name, "David"), fill(start, "10:00")});
   EXPECT_EQ(ordered(result), (List{"refused", "refused"}));
   EXPECT_EQ(result.reports[0].reason, "Closed.");
@@ -179,7 +179,7 @@ TEST_F(Filling, AConstraintThatReadsNoSlotRefusesAll) {
 
 TEST_F(Filling, EachConstraintIsEvaluatedOnce) {
   int times = 0;
-  constrain([&](const Reader& read) {
+  constrain([&](const SlotReader& read) {
     ++times;
     return Value(!read("Name").is_unknown());
   });
@@ -188,7 +188,7 @@ TEST_F(Filling, EachConstraintIsEvaluatedOnce) {
 }
 
 TEST_F(Filling, AnErrorOfAConstraintFailsAndIsReported) {
-  constrain([](const Reader& read) -> Expected<Value> {
+  constrain([](const SlotReader& read) -> Expected<Value> {
     read("Name");
     return fail(ErrorKind::type, "'-' takes numbers");
   });

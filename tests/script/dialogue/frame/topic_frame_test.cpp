@@ -11,9 +11,9 @@ TEST(TopicFrame, BeginsWithTheInitialValues) {
   app.slot(topic, "Line").initial = app.text(1);
   app.slot(topic, "Number").initial = app.text({}); // expr="unknown"
   app.slot(topic, "Next").initial = app.code(
-      [](const Reader& read) { return Value(read("Line").integer_or(0) + 1); });
+      [](const SlotReader& read) { return Value(read("Line").integer_or(0) + 1); });
   app.slot(topic, "Bad").initial =
-      app.code([](const Reader&) { return fail(ErrorKind::type, "no"); });
+      app.code([](const SlotReader&) { return fail(ErrorKind::type, "no"); });
   auto frame = app.frame(topic);
   EXPECT_EQ(frame.status, TopicStatus::untouched);
   EXPECT_FALSE(frame.done);

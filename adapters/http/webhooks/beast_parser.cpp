@@ -62,8 +62,8 @@ private:
 
 } // namespace
 
-std::unique_ptr<RequestParser> make_request_parser(std::size_t max_body) {
-  return std::make_unique<BeastParser>(max_body);
+std::unique_ptr<RequestParser> make_request_parser(std::size_t limit) {
+  return std::make_unique<BeastParser>(limit);
 }
 
 } // namespace parlour::adapters::http

@@ -10,8 +10,9 @@ TEST(TopicFrame, BeginsWithTheInitialValues) {
   auto topic = app.topic("Call");
   app.slot(topic, "Line").initial = app.text(1);
   app.slot(topic, "Number").initial = app.text({}); // expr="unknown"
-  app.slot(topic, "Next").initial = app.code(
-      [](const SlotReader& read) { return Value(read("Line").integer_or(0) + 1); });
+  app.slot(topic, "Next").initial = app.code([](const SlotReader& read) {
+    return Value(read("Line").integer_or(0) + 1);
+  });
   app.slot(topic, "Bad").initial =
       app.code([](const SlotReader&) { return fail(ErrorKind::type, "no"); });
   auto frame = app.frame(topic);

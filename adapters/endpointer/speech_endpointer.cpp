@@ -2,14 +2,12 @@
 
 #include <utility>
 
-#include "adapters/audio/pcm.hpp"
 #include "runtime/base/clock.hpp"
 
 namespace parlour::adapters {
 
 namespace {
 
-constexpr Milliseconds silent_microphone{1'000};
 // A speaker that never tells of the end.
 constexpr std::size_t most_utterances = 100;
 
@@ -46,14 +44,12 @@ Expected<void> check(const EndpointTimes& times) {
 
 } // namespace
 
-SpeechEndpointer::SpeechEndpointer() : RolePlugin("Endpointer") {
-  on("Process", &SpeechEndpointer::on_process);
+SpeechEndpointer::SpeechEndpointer() {
   on("SpeechStarted", &SpeechEndpointer::on_speech_started);
   on("SpeechEnded", &SpeechEndpointer::on_speech_ended);
   on("Partial", &SpeechEndpointer::on_partial);
   on("RobotStarted", &SpeechEndpointer::on_robot_started);
   on("RobotFinished", &SpeechEndpointer::on_robot_finished);
-  on("Reset", &SpeechEndpointer::on_reset);
 }
 
 Expected<void> SpeechEndpointer::on_start(const Options& given) {
@@ -67,20 +63,20 @@ Expected<void> SpeechEndpointer::on_start(const Options& given) {
   return check(times).map([&] { endpointing_ = Endpointing(times); });
 }
 
-void SpeechEndpointer::on_process(const Binary& audio,
-                                  std::optional<std::int64_t> position) {
-  const Value frame = current().params.at(0); // shares the bytes
-  const auto samples = speech_samples(frame);
-  if (!samples)
-    return refuse(samples.error().message);
-  const auto begin = position.value_or(next_position_);
-  next_position_ = begin + duration(audio.bytes.size() / sizeof(Sample));
-  last_ = current();
-  last_.params.clear();
-  heard_ = true;
-  carry_out(endpointing_.hear(frame, begin));
-  if (endpointing_.in_turn() && !watches_)
-    watch();
+TurnSteps SpeechEndpointer::hear(Value frame, std::int64_t position) {
+  return endpointing_.hear(std::move(frame), position);
+}
+
+TurnSteps SpeechEndpointer::finish() {
+  return endpointing_.finish();
+}
+
+TurnSteps SpeechEndpointer::reset() {
+  return endpointing_.reset();
+}
+
+bool SpeechEndpointer::in_turn() const {
+  return endpointing_.in_turn();
 }
 
 void SpeechEndpointer::on_speech_started(std::int64_t position) {
@@ -106,45 +102,6 @@ void SpeechEndpointer::on_robot_started(std::int64_t utterance) {
 void SpeechEndpointer::on_robot_finished(std::int64_t utterance) {
   robot_speaks_.erase(utterance);
   endpointing_.robot_speaks(!robot_speaks_.empty());
-}
-
-void SpeechEndpointer::on_reset() {
-  next_position_ = 0;
-  carry_out(endpointing_.reset());
-}
-
-// -- what follows
-// --------------------------------------------------------------
-
-void SpeechEndpointer::carry_out(TurnSteps steps) {
-  for (auto& step : steps)
-    carry_out(step);
-}
-
-void SpeechEndpointer::carry_out(TurnStep& step) {
-  if (auto* const audio = std::get_if<TurnAudio>(&step))
-    fire_event("Speech", {std::move(audio->frame)});
-  else if (const auto* const start = std::get_if<TurnStarted>(&step))
-    fire_event("TurnStarted", {start->position});
-  else if (const auto* const end = std::get_if<TurnEnded>(&step))
-    fire_event("TurnEnded", {end->position});
-  else
-    fire_event("TurnDropped", {std::get<TurnDropped>(step).position});
-}
-
-void SpeechEndpointer::watch() {
-  watches_ = true;
-  heard_ = false;
-  host().after(silent_microphone, [this] { look(); });
-}
-
-void SpeechEndpointer::look() {
-  watches_ = false;
-  if (!endpointing_.in_turn())
-    return;
-  if (heard_)
-    return watch();
-  as_answer_to(last_, [this] { carry_out(endpointing_.finish()); });
 }
 
 PluginFactory speech_endpointer_factory() {

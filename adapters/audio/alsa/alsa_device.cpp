@@ -47,7 +47,10 @@ tl::unexpected<Error> cannot_open(const WantedDevice& wanted, int error) {
       missing           ? "there is no such sound device"
       : error == EBUSY  ? "another program uses it"
       : error == EACCES ? "this user may not use it; the group \"audio\" may"
-                        : snd_strerror(-error);
+      : error == EINVAL
+          ? "none of its formats can be used: 4,000 to 384,000 samples a "
+            "second, of 16, 24 or 32 bit, in at most 32 channels"
+          : snd_strerror(-error);
   return fail(missing ? ErrorKind::settings : ErrorKind::offline,
               fmt::format("the sound device \"{}\" cannot be used: {} ({})",
                           wanted.name, reason, way_out(wanted.direction)));

@@ -12,6 +12,7 @@
 #include "adapters/audio/file_speaker.hpp"
 #include "adapters/database/mariadb/mariadb_database.hpp"
 #include "adapters/database/sqlite/sqlite_database.hpp"
+#include "adapters/endpointer/key_endpointer.hpp"
 #include "adapters/endpointer/speech_endpointer.hpp"
 #include "adapters/enhancement/enhancement.hpp"
 #include "adapters/http/http_service.hpp"
@@ -19,6 +20,7 @@
 #include "adapters/nlg/phrase_nlg.hpp"
 #include "adapters/nlu/keywords/keyword_nlu.hpp"
 #include "adapters/nlu/understand/grammar_nlu.hpp"
+#include "adapters/push_to_talk/key_push_to_talk.hpp"
 #include "adapters/standins/log_devices.hpp"
 #include "adapters/standins/log_reports.hpp"
 #include "adapters/standins/log_robot.hpp"
@@ -75,6 +77,8 @@ const std::vector<PluginFactory>& built_in_plugins() {
       adapters::log_devices_factory(),
       adapters::keyword_nlu_factory(),
       adapters::speech_endpointer_factory(),
+      adapters::key_endpointer_factory(),
+      adapters::key_push_to_talk_factory(),
       adapters::text_file_tts_factory(),
       adapters::espeak_tts_factory(),
       adapters::alsa_microphone_factory(),

@@ -21,6 +21,8 @@ namespace {
 constexpr std::string_view microphone_role = "Microphone";
 constexpr std::string_view speaker_role = "Speaker";
 constexpr std::string_view enhancement_role = "Enhancement";
+constexpr std::string_view endpointer_role = "Endpointer";
+constexpr std::string_view key_role = "PushToTalk";
 
 // One link of the chain: who may fill the role, the best first.
 struct Link {
@@ -36,10 +38,12 @@ const std::vector<Link>& chain() {
       {microphone_role, {"AlsaMicrophone"}},
       {enhancement_role, {"WebRtcEnhancement"}, true, false},
       {"VAD", {"AdaptiveVAD"}},
-      {"Endpointer", {"SpeechEndpointer"}},
+      {endpointer_role, {"SpeechEndpointer"}},
       {"ASR", {"MoonshineASR", "SphinxASR"}, false},
       {"TTS", {"EspeakTTS", "FliteTTS"}, false},
-      {speaker_role, {"AlsaSpeaker"}}};
+      {speaker_role, {"AlsaSpeaker"}},
+      // Only if the command line says so.
+      {key_role, {}, true, false}};
   return links;
 }
 
@@ -65,12 +69,28 @@ ComponentSettings device(std::string_view role, const std::string& name) {
   return made;
 }
 
-// What the command line says of the device of a role.
-const std::string& wish_for(std::string_view role, const VoiceWishes& wishes) {
-  static const std::string none;
-  return role == microphone_role ? wishes.microphone
-         : role == speaker_role  ? wishes.speaker
-                                 : none;
+ComponentSettings key(const VoiceWishes& wishes) {
+  auto made = component("KeyPushToTalk", true);
+  if (wishes.push_to_talk != terminal_key)
+    made.options["device"] = wishes.push_to_talk;
+  if (!wishes.talk_key.empty())
+    made.options["key"] = wishes.talk_key;
+  return made;
+}
+
+// What the command line wants for a role.
+std::optional<ComponentSettings> wanted(std::string_view role,
+                                        const VoiceWishes& wishes) {
+  const bool by_key = !wishes.push_to_talk.empty();
+  if (role == microphone_role && !wishes.microphone.empty())
+    return device(role, wishes.microphone);
+  if (role == speaker_role && !wishes.speaker.empty())
+    return device(role, wishes.speaker);
+  if (role == endpointer_role && by_key)
+    return component("KeyEndpointer", true);
+  if (role == key_role && by_key)
+    return key(wishes);
+  return std::nullopt;
 }
 
 // The components that fill each role, by their names.
@@ -133,9 +153,9 @@ Expected<VoiceSources> add_voice(const fs::path& folder,
   Changes changes;
   for (const auto& link : chain()) {
     auto& by = filled[std::string(link.role)];
-    if (const auto& wish = wish_for(link.role, wishes); !wish.empty()) {
+    if (auto wish = wanted(link.role, wishes)) {
       changes.out.insert(changes.out.end(), by.begin(), by.end());
-      changes.in.push_back(device(link.role, wish));
+      changes.in.push_back(std::move(*wish));
     } else if (by.empty()) {
       auto chosen = choose(link, plugins);
       if (!chosen)
@@ -147,9 +167,12 @@ Expected<VoiceSources> add_voice(const fs::path& folder,
     }
   }
   const bool is_enhanced = !filled[std::string(enhancement_role)].empty();
-  return VoiceSources{
+  VoiceSources sources{
       [changes](Settings& settings) { changes.apply(settings); },
-      is_enhanced ? "voice-enhanced" : "voice"};
+      {is_enhanced ? "voice-enhanced" : "voice"}};
+  if (!wishes.push_to_talk.empty())
+    sources.libraries.emplace_back("push-to-talk");
+  return sources;
 }
 
 // The files of the command line may lie anywhere, those of settings only in the

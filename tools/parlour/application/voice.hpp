@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "runtime/base/error.hpp"
 #include "runtime/base/settings.hpp"
@@ -17,25 +18,32 @@ namespace parlour::tools {
 struct VoiceWishes {
   std::string microphone; // a device of ALSA, or a file NAME.wav or NAME.flac
   std::string speaker;
+  // Turns begin and end by a key: "terminal", or an input device of the kernel.
+  // Empty: by what the detector hears.
+  std::string push_to_talk = {};
+  std::string talk_key = {}; // empty: the component's default
 };
+
+// The value of push_to_talk for a key of the terminal.
+inline constexpr const char* terminal_key = "terminal";
 
 // What a voice changes in the application.
 struct VoiceSources {
   std::function<void(Settings&)> adjust;
-  std::string library; // that connects the components; empty: no voice
+  std::vector<std::string> libraries; // that connect the components
 
   Sources sources() const {
     Sources sources;
     sources.adjust = adjust;
-    if (!library.empty())
-      sources.libraries = {library};
+    sources.libraries = libraries;
     return sources;
   }
 };
 
-// A device of the command line takes the place of all components of its role;
-// every other role that is open gets the first plug-in that this build has. An
-// error names the role for which it has none.
+// A device of the command line takes the place of all components of its role,
+// and a key also that of the endpointer; every other role that is open gets the
+// first plug-in that this build has. An error names the role for which it has
+// none.
 Expected<VoiceSources> add_voice(const std::filesystem::path& folder,
                                  const std::filesystem::path& platform,
                                  Catalogue& plugins, const VoiceWishes& wishes);

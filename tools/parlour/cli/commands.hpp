@@ -58,6 +58,9 @@ struct RunOptions {
   bool voice = false;
   std::string microphone;
   std::string speaker;
+  // Turns by a key: "terminal" or an input device; empty: by what is heard.
+  std::string push_to_talk;
+  std::string talk_key;  // its name; empty: space
   bool fresh = false;    // make the SQLite databases anew
   bool simulate = false; // stand-ins in the place of remote agents
   // Where agents connect by lines, and nowhere else; empty: as the settings

@@ -11,6 +11,7 @@
 #include <mutex>
 #include <ostream>
 
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include "adapters/database/sqlite/sqlite_origin.hpp"
@@ -18,6 +19,7 @@
 #include "tools/parlour/application/data_folder.hpp"
 #include "tools/parlour/application/node_options.hpp"
 #include "tools/parlour/application/opening.hpp"
+#include "tools/parlour/application/seat_check.hpp"
 #include "tools/parlour/cli/commands.hpp"
 #include "tools/parlour/console/descriptor_source.hpp"
 #include "tools/parlour/console/exit_code.hpp"
@@ -97,9 +99,33 @@ Expected<void> put_databases_aside(const Application& application,
   return {};
 }
 
+// What hears and speaks must be there when a run begins; later it may go and
+// come back. False: the errors were printed.
+bool can_talk(const Application& application, const RunOptions& options,
+              const std::filesystem::path& data, const Console& console) {
+  const auto errors =
+      seat_errors(application.composition, application.folder, data);
+  for (const auto& error : errors)
+    say_error(console, error.message);
+  if (!errors.empty())
+    say_error(console,
+              fmt::format("{} is not started: it cannot talk by voice. "
+                          "parlour devices lists what there is; sound files "
+                          "can take the place of devices: --microphone "
+                          "FILE.wav --speaker FILE.wav (docs/speech.md)",
+                          options.app));
+  return errors.empty();
+}
+
+// A key of the terminal leaves nothing to type.
+bool is_keyed(const RunOptions& options) {
+  return options.push_to_talk == terminal_key && isatty(STDIN_FILENO);
+}
+
 // Editing and history need a terminal on both sides.
 bool wants_terminal(const RunOptions& options) {
-  return !options.text && isatty(STDIN_FILENO) && isatty(STDOUT_FILENO);
+  return !options.text && !is_keyed(options) && isatty(STDIN_FILENO) &&
+         isatty(STDOUT_FILENO);
 }
 
 // One run of an application, from the node's start to the exit status. The
@@ -279,11 +305,19 @@ private:
   // Piped input: rows of turns (row_reader.hpp), output by the printer.
   void talk_by_lines(actors::Node& node) {
     PacedDriver driver(node, options_.clock.has_value(), printer_);
-    DescriptorSource source(STDIN_FILENO, signals_.descriptor());
-    RowReader rows(source, [this](const std::string& text) { note(text); });
-    if (talk_by_rows(driver, rows) && options_.voice)
+    if (is_keyed(options_))
+      note("a key begins your turn and ends it: " +
+           (options_.talk_key.empty() ? "space" : options_.talk_key) +
+           "; Ctrl-C ends the conversation");
+    if (is_keyed(options_) || (talk_by_rows(driver) && options_.voice))
       hearing_.wait();
     end(node);
+  }
+
+  bool talk_by_rows(ConversationDriver& driver) {
+    DescriptorSource source(STDIN_FILENO, signals_.descriptor());
+    RowReader rows(source, [this](const std::string& text) { note(text); });
+    return tools::talk_by_rows(driver, rows);
   }
 
   // A terminal: the screen shows output above the line that is being typed.
@@ -327,7 +361,8 @@ int run_command(const Places& places, const RunOptions& options,
   signals.on_interrupt([&] { std::_Exit(signals.status()); });
   auto opened = options.voice
                     ? open_application(places, options.app, console,
-                                       {options.microphone, options.speaker})
+                                       {options.microphone, options.speaker,
+                                        options.push_to_talk, options.talk_key})
                     : open_application(places, options.app, console);
   if (const auto* status = std::get_if<int>(&opened))
     return *status;
@@ -345,6 +380,8 @@ int run_command(const Places& places, const RunOptions& options,
       say_error(console, to_string(ready.error()));
       return exit_code::wrong;
     }
+  if (options.voice && !can_talk(application, options, data->path(), console))
+    return exit_code::wrong;
   return Run(application, options, console, data->path(),
              runtime_folder(places), signals)
       .run();

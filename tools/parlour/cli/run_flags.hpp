@@ -54,6 +54,16 @@ inline void add_run_flags(CLI::App& command, RunOptions& options) {
                   "With --voice: a device of ALSA, or a file to write")
       ->type_name("DEVICE|FILE.wav")
       ->needs(voice);
+  auto* by_key = command
+                     .add_flag("--push-to-talk{terminal}", options.push_to_talk,
+                               "With --voice: a key begins and ends a turn; "
+                               "=/dev/input/eventN: one of this device")
+                     ->needs(voice);
+  command
+      .add_option("--talk-key", options.talk_key,
+                  "Which key: space, f5, k, code-164, any; else space")
+      ->check(check_named)
+      ->needs(by_key);
 }
 
 inline void add_test_flags(CLI::App& command, TestOptions& options) {

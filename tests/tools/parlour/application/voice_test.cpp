@@ -3,9 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "adapters/endpointer/key_endpointer.hpp"
 #include "adapters/endpointer/speech_endpointer.hpp"
 #include "adapters/nlg/phrase_nlg.hpp"
 #include "adapters/nlu/understand/grammar_nlu.hpp"
+#include "adapters/push_to_talk/key_push_to_talk.hpp"
 #include "tests/support/paths.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tools/parlour/application/voice.hpp"
@@ -51,7 +53,7 @@ protected:
     auto sources = add_voice(path(), platform, *plugins, wishes);
     if (!sources)
       return tl::make_unexpected(sources.error());
-    library = sources->library;
+    libraries = sources->libraries;
     return load_application(path(), platform, Scrutiny::compile, plugins,
                             sources->sources());
   }
@@ -68,6 +70,8 @@ protected:
       adapters::grammar_nlu_factory(),
       adapters::phrase_nlg_factory(),
       adapters::speech_endpointer_factory(),
+      adapters::key_endpointer_factory(),
+      adapters::key_push_to_talk_factory(),
       plugin("AlsaMicrophone", "Microphone", "device"),
       plugin("AlsaSpeaker", "Speaker", "device"),
       plugin("FileMicrophone", "Microphone", "file"),
@@ -76,7 +80,7 @@ protected:
       plugin("SphinxASR", "ASR"),
       plugin("EspeakTTS", "TTS"),
       plugin("OwnTTS", "TTS")};
-  std::string library;
+  std::vector<std::string> libraries;
 };
 
 TEST_F(VoiceTest, FillsEveryRoleOfTheChain) {
@@ -86,7 +90,7 @@ TEST_F(VoiceTest, FillsEveryRoleOfTheChain) {
   EXPECT_THAT(names(*application),
               ElementsAre("AlsaMicrophone", "AdaptiveVAD", "SpeechEndpointer",
                           "SphinxASR", "EspeakTTS", "AlsaSpeaker"));
-  EXPECT_EQ(library, "voice");
+  EXPECT_THAT(libraries, ElementsAre("voice"));
   ASSERT_TRUE(application->program);
   EXPECT_FALSE(application->program->routes.empty());
   for (const auto& component : application->composition.components)
@@ -109,7 +113,7 @@ TEST_F(VoiceTest, CleansTheAudioWhereItCan) {
   const auto application = load();
   ASSERT_TRUE(application);
   EXPECT_THAT(application->findings, IsEmpty());
-  EXPECT_EQ(library, "voice-enhanced");
+  EXPECT_THAT(libraries, ElementsAre("voice-enhanced"));
 }
 
 TEST_F(VoiceTest, TakesFilesInThePlaceOfDevices) {
@@ -127,6 +131,39 @@ TEST_F(VoiceTest, TakesFilesInThePlaceOfDevices) {
       std::ranges::find(components, "AlsaSpeaker", &ChosenComponent::name);
   ASSERT_NE(speaker, components.end());
   EXPECT_EQ(speaker->options.at("device"), "plughw:\"1&2\"");
+}
+
+TEST_F(VoiceTest, LetsAKeyBeginTurns) {
+  settings("<Plugins><Plugin>SpeechEndpointer</Plugin></Plugins>"
+           "<Scripts><Script>own.xml</Script></Scripts>");
+  VoiceWishes wishes;
+  wishes.push_to_talk = "/dev/input/event3";
+  wishes.talk_key = "f5";
+  const auto application = load(wishes);
+  ASSERT_TRUE(application);
+  EXPECT_THAT(application->findings, IsEmpty());
+  EXPECT_THAT(names(*application), AllOf(Contains("KeyEndpointer"),
+                                         Not(Contains("SpeechEndpointer"))));
+  EXPECT_THAT(libraries, ElementsAre("voice", "push-to-talk"));
+  const auto& components = application->composition.components;
+  const auto key =
+      std::ranges::find(components, "KeyPushToTalk", &ChosenComponent::name);
+  ASSERT_NE(key, components.end());
+  EXPECT_EQ(key->options.at("device"), "/dev/input/event3");
+  EXPECT_EQ(key->options.at("key"), "f5");
+  EXPECT_EQ(key->policy.scope.kind, Scope::Kind::seat);
+}
+
+TEST_F(VoiceTest, TheTerminalHasAKey) {
+  VoiceWishes wishes;
+  wishes.push_to_talk = terminal_key;
+  const auto application = load(wishes);
+  ASSERT_TRUE(application);
+  const auto& components = application->composition.components;
+  const auto key =
+      std::ranges::find(components, "KeyPushToTalk", &ChosenComponent::name);
+  ASSERT_NE(key, components.end());
+  EXPECT_THAT(key->options, IsEmpty());
 }
 
 TEST_F(VoiceTest, ReadsSettingsWithoutContent) {

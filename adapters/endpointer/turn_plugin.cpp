@@ -1,0 +1,75 @@
+#include "adapters/endpointer/turn_plugin.hpp"
+
+#include <utility>
+
+#include "adapters/audio/pcm.hpp"
+
+namespace parlour::adapters {
+
+namespace {
+
+constexpr Milliseconds silent_microphone{1'000};
+
+} // namespace
+
+TurnPlugin::TurnPlugin() : RolePlugin("Endpointer") {
+  on("Process", &TurnPlugin::on_process);
+  on("Reset", &TurnPlugin::on_reset);
+}
+
+void TurnPlugin::on_process(const Binary& audio,
+                            std::optional<std::int64_t> position) {
+  const Value frame = current().params.at(0); // shares the bytes
+  const auto samples = speech_samples(frame);
+  if (!samples)
+    return refuse(samples.error().message);
+  const auto begin = position.value_or(next_position_);
+  next_position_ = begin + duration(audio.bytes.size() / sizeof(Sample));
+  last_ = current();
+  last_.params.clear();
+  heard_ = true;
+  carry_out(hear(frame, begin));
+  if (in_turn() && !watches_)
+    watch();
+}
+
+void TurnPlugin::on_reset() {
+  next_position_ = 0;
+  carry_out(reset());
+}
+
+// -- what follows
+// --------------------------------------------------------------
+
+void TurnPlugin::carry_out(TurnSteps steps) {
+  for (auto& step : steps)
+    carry_out(step);
+}
+
+void TurnPlugin::carry_out(TurnStep& step) {
+  if (auto* const audio = std::get_if<TurnAudio>(&step))
+    fire_event("Speech", {std::move(audio->frame)});
+  else if (const auto* const start = std::get_if<TurnStarted>(&step))
+    fire_event("TurnStarted", {start->position});
+  else if (const auto* const end = std::get_if<TurnEnded>(&step))
+    fire_event("TurnEnded", {end->position});
+  else
+    fire_event("TurnDropped", {std::get<TurnDropped>(step).position});
+}
+
+void TurnPlugin::watch() {
+  watches_ = true;
+  heard_ = false;
+  host().after(silent_microphone, [this] { look(); });
+}
+
+void TurnPlugin::look() {
+  watches_ = false;
+  if (!in_turn())
+    return;
+  if (heard_)
+    return watch();
+  as_answer_to(last_, [this] { carry_out(finish()); });
+}
+
+} // namespace parlour::adapters

@@ -1,0 +1,84 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tools/parlour/application/seat_check.hpp"
+
+namespace parlour::tools {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+// Notes what is done with it.
+class Device : public IPlugin {
+public:
+  Device(std::vector<std::string>& log, std::string trouble)
+      : log_(log), trouble_(std::move(trouble)) {}
+  void stop() override {
+    log_.push_back("stop");
+  }
+
+protected:
+  Expected<void> on_start(const Options& options) override {
+    log_.push_back("start " + options.at("device") + " in " +
+                   host().application_folder() + " and " +
+                   host().data_folder());
+    if (trouble_.empty())
+      return {};
+    return fail(ErrorKind::offline, trouble_);
+  }
+  void on_message(const Message&) override {}
+
+private:
+  std::vector<std::string>& log_;
+  const std::string trouble_;
+};
+
+class SeatCheckTest : public testing::Test {
+protected:
+  ChosenComponent& add(const std::string& role, const std::string& trouble = "",
+                       Scope::Kind scope = Scope::Kind::seat) {
+    PluginFactory factory{{"Some" + role, {role}, "is tried"}, [=, this] {
+                            return std::make_unique<Device>(log, trouble);
+                          }};
+    ChosenComponent component{
+        "My" + role, std::move(factory), {{"device", "hw:7"}}, {}};
+    component.policy.scope.kind = scope;
+    composition.components.push_back(std::move(component));
+    return composition.components.back();
+  }
+  std::vector<std::string> errors() {
+    std::vector<std::string> all;
+    for (const auto& error : seat_errors(composition, "/app", "/data"))
+      all.push_back(error.message);
+    return all;
+  }
+
+  Composition composition;
+  std::vector<std::string> log;
+};
+
+TEST_F(SeatCheckTest, StartsAndStopsWhatIsAtASeat) {
+  add("Microphone");
+  EXPECT_THAT(errors(), IsEmpty());
+  EXPECT_THAT(log, ElementsAre("start hw:7 in /app and /data", "stop"));
+}
+
+TEST_F(SeatCheckTest, TellsOfEachThatCannotStart) {
+  add("Microphone", "there is no such device");
+  add("PushToTalk");
+  add("Speaker", "another program uses it");
+  EXPECT_THAT(errors(), ElementsAre("MyMicrophone: there is no such device",
+                                    "MySpeaker: another program uses it"));
+}
+
+// The node starts these itself, and says what is wrong with them.
+TEST_F(SeatCheckTest, LeavesTheOthersToTheNode) {
+  add("Microphone", "no", Scope::Kind::usual);
+  add("Robot", "no");
+  EXPECT_THAT(errors(), IsEmpty());
+  EXPECT_THAT(log, IsEmpty());
+}
+
+} // namespace
+} // namespace parlour::tools

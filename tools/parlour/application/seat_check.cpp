@@ -1,0 +1,47 @@
+#include "tools/parlour/application/seat_check.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "runtime/plugin/test_host.hpp"
+
+namespace parlour::tools {
+
+namespace {
+
+bool is_at_seat(const ChosenComponent& component) {
+  constexpr std::array<std::string_view, 6> roles = {
+      "Microphone", "PushToTalk", "Enhancement",
+      "VAD",        "Endpointer", "Speaker"};
+  return component.policy.scope.kind == Scope::Kind::seat &&
+         std::ranges::any_of(
+             component.factory.description.roles, [&](const auto& role) {
+               return std::ranges::find(roles, role) != roles.end();
+             });
+}
+
+} // namespace
+
+std::vector<Error> seat_errors(const Composition& composition,
+                               const std::filesystem::path& application,
+                               const std::filesystem::path& data) {
+  std::vector<Error> errors;
+  for (const auto& component : composition.components) {
+    if (!is_at_seat(component))
+      continue;
+    TestHost host; // outlives the plug-in
+    host.application = application.string();
+    host.data = data.string();
+    const auto plugin = component.factory.create();
+    if (const auto started = plugin->start(host, component.options))
+      plugin->stop();
+    else
+      errors.push_back({started.error().kind,
+                        component.name + ": " + to_string(started.error()),
+                        {}});
+  }
+  return errors;
+}
+
+} // namespace parlour::tools

@@ -54,8 +54,9 @@ protected:
 };
 
 TEST_F(KeyPushToTalkTest, Conforms) {
-  EXPECT_THAT(conformance_errors(key_push_to_talk_factory(),
-                                 {{{"device", keys.path()}}}),
+  TestOptions options;
+  options.options = {{"device", keys.path()}};
+  EXPECT_THAT(conformance_errors(key_push_to_talk_factory(), options),
               IsEmpty());
 }
 

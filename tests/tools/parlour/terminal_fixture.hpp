@@ -82,7 +82,7 @@ private:
     if (poll(&waiting, 1, patience) <= 0)
       return false;
     char buffer[4096];
-    const auto size = read(master_, buffer, sizeof buffer);
+    const auto size = ::read(master_, buffer, sizeof buffer);
     if (size > 0)
       shown_.append(buffer, static_cast<std::size_t>(size));
     return size > 0;

@@ -1,78 +1,12 @@
 """A conversation by voice: `parlour run --voice` hears a sound file and writes
 another. What it hears was spoken by the same program before."""
 
-import array
-import subprocess
 import unittest
-import wave
 
-from program_case import ProgramCase
-
-RATE = 16000
-WAIT = 240  # seconds; only a test that fails waits so long
+from voice_case import RATE, VoiceCase, samples_of
 
 
-def samples_of(path):
-    with wave.open(str(path)) as file:
-        assert (file.getframerate(), file.getnchannels()) == (RATE, 1)
-        return array.array("h", file.readframes(file.getnframes()))
-
-
-class VoiceTest(ProgramCase):
-
-    def write_sound(self, name, samples):
-        path = self.folder / name
-        with wave.open(str(path), "wb") as file:
-            file.setnchannels(1)
-            file.setsampwidth(2)
-            file.setframerate(RATE)
-            file.writeframes(samples.tobytes())
-        return path
-
-    def silence(self, seconds):
-        return array.array("h", bytes(int(2 * RATE * seconds)))
-
-    def application(self, name, speech, grammar="", topic=""):
-        """One that says something when it begins."""
-        self.write(f"{name}/settings.xml", f"""
-            <settings name="{name}" start="Begin">
-              <Plugins>
-                <Plugin>GrammarNLU</Plugin><Plugin>PhraseNLG</Plugin>
-                <Plugin>SphinxASR</Plugin><Plugin>FliteTTS</Plugin>
-              </Plugins>
-              <Scripts><Script>{name}.xml</Script></Scripts>
-            </settings>""")
-        self.write(f"{name}/{name}.xml", f"""
-            <dialogue>
-              <include href="parlour:pipeline"/>
-              <state name="Begin">
-                <Entrance><speak param="{speech}"/></Entrance>
-              </state>
-              {topic}
-            </dialogue>""")
-        if grammar:
-            self.write(f"{name}/orders.jsgf", grammar)
-        return str(self.folder / name)
-
-    def talk(self, application, heard, spoken, *options):
-        """Returns what was shown, line by line."""
-        run = self.begin(
-            "run", application, "--voice", "--microphone", str(heard),
-            "--speaker", str(spoken), "--data", str(self.folder / "data"),
-            *options, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-            stderr=subprocess.PIPE, text=True)
-        out, err = run.communicate(timeout=WAIT)
-        self.assertEqual(run.returncode, 0, err)
-        return out.splitlines(), err
-
-    def speech(self, text):
-        """A text, spoken by the voice."""
-        if not hasattr(self, "quiet"):
-            self.quiet = self.write_sound("quiet.wav", self.silence(0.2))
-        path = self.folder / "spoken.wav"
-        out, _ = self.talk(self.application("voice", text), self.quiet, path)
-        self.assertEqual(out, [text])
-        return samples_of(path)
+class VoiceTest(VoiceCase):
 
     def test_a_question_is_heard_and_answered(self):
         question = self.speech("please open the window")
@@ -80,20 +14,8 @@ class VoiceTest(ProgramCase):
         self.assertGreater(max(question), 1000)  # and to be heard
         heard = self.write_sound(
             "heard.wav", self.silence(3) + question + self.silence(2))
-        desk = self.application(
-            "desk", "Hello.", """#JSGF V1.0;
-            grammar orders;
-            public <order> = [please] open the <thing>
-              {topic=Opening} {act=inform};
-            <thing> = (window | door | red box) {Thing};
-            """, """
-            <grammar name="orders" file="orders.jsgf"/>
-            <topic name="Opening">
-              <slot name="Thing" type="Functional" question="What?"/>
-              <completed><speak param="I open the {this.Thing}."/></completed>
-            </topic>""")
         spoken = self.folder / "answer.wav"
-        out, err = self.talk(desk, heard, spoken, "--trace")
+        out, err = self.talk(self.desk(), heard, spoken, "--trace")
         self.assertIn("SphinxASR.RecognitionResult", err)
         self.assertEqual(out, ["Hello.", "I open the window."])
         self.assertGreater(max(samples_of(spoken)), 1000)

@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "tools/parlour/application/voice.hpp"
 #include "tools/parlour/cli/commands.hpp"
 #include "tools/parlour/cli/number_option.hpp"
 
@@ -54,11 +55,15 @@ inline void add_run_flags(CLI::App& command, RunOptions& options) {
                   "With --voice: a device of ALSA, or a file to write")
       ->type_name("DEVICE|FILE.wav")
       ->needs(voice);
-  auto* by_key = command
-                     .add_flag("--push-to-talk{terminal}", options.push_to_talk,
-                               "With --voice: a key begins and ends a turn; "
-                               "=/dev/input/eventN: one of this device")
-                     ->needs(voice);
+  auto* by_key =
+      command
+          .add_flag("--push-to-talk", options.push_to_talk,
+                    "With --voice: a key of the terminal begins and ends a "
+                    "turn; =/dev/input/eventN: a key of this device")
+          ->transform([](const std::string& given) {
+            return given == "true" ? terminal_key : given;
+          })
+          ->needs(voice);
   command
       .add_option("--talk-key", options.talk_key,
                   "Which key: space, f5, k, code-164, any; else space")

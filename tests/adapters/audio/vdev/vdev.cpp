@@ -11,6 +11,9 @@
 //  there;
 //                     `gone` is there from then on until the device is closed
 //
+// While the file `taken` is there, another program has the device; the
+// configuration need not name one.
+//
 // Each fault comes once; frames are counted on when the device is opened anew.
 // Whoever is late causes no xrun: the device waits. So tests come out alike on
 // a busy machine.
@@ -247,6 +250,8 @@ SND_PCM_PLUGIN_DEFINE_FUNC(vdev) {
   const auto gone = text(conf, "gone");
   if (access(gone.c_str(), F_OK) == 0)
     return -ENODEV;
+  if (access(text(conf, "taken").c_str(), F_OK) == 0)
+    return -EBUSY;
   auto* device = new Device;
   device->file = text(conf, "file");
   device->gone = gone;

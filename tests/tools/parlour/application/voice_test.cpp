@@ -15,6 +15,7 @@
 namespace parlour::tools {
 namespace {
 
+using testing::AllOf;
 using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;

@@ -1,0 +1,97 @@
+"""A conversation in which a key begins and ends the turns: `parlour run --voice
+--push-to-talk`, with a named pipe as the input device, and on a terminal."""
+
+import os
+import pty
+import struct
+import subprocess
+import unittest
+
+from program_case import PROGRAM
+from voice_case import WAIT, VoiceCase
+
+SPACE = 57  # as the kernel counts keys
+
+
+class PushToTalkTest(VoiceCase):
+
+    def setUp(self):
+        super().setUp()
+        self.heard = self.write_sound(
+            "heard.wav", self.silence(3) +
+            self.speech("please open the window") + self.silence(3))
+        self.arguments = (
+            "run", self.desk(), "--voice", "--microphone", str(self.heard),
+            "--speaker", str(self.folder / "answer.wav"),
+            "--data", str(self.folder / "data"), "--trace")
+
+    def held_while_something_is_said(self, lines, key):
+        """Presses the key when the robot has greeted, and releases it when the
+        detector has heard speech; returns all that was shown."""
+        shown = ""
+        for line in lines:
+            shown += line
+            if "Speaker.Finished" in line and "Pressed" not in shown:
+                key(True)
+            elif "VAD.SpeechEnded" in line:
+                key(False)
+            elif line.startswith("output") and "I open the window" in line:
+                break
+        return shown
+
+    def test_a_key_of_an_input_device(self):
+        device = self.folder / "event3"
+        os.mkfifo(device)
+        run = self.begin(*self.arguments, f"--push-to-talk={device}",
+                         stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                         stderr=subprocess.PIPE, text=True)
+        with open(device, "wb", buffering=0) as keyboard:
+            shown = self.held_while_something_is_said(
+                run.stderr, lambda pressed: keyboard.write(
+                    struct.pack("llHHi", 0, 0, 1, SPACE, pressed)))
+            out, _ = run.communicate(timeout=WAIT)
+        self.assertEqual(run.returncode, 0)
+        self.assertEqual(out.splitlines(), ["Hello.", "I open the window."])
+        self.assertIn("KeyPushToTalk.Pressed", shown)
+        self.assertIn("KeyPushToTalk.Released", shown)
+        self.assertIn("KeyEndpointer.TurnEnded", shown)
+
+    # Nobody presses it, so nothing is a turn, whatever the detector hears.
+    def test_without_the_key_nothing_is_heard(self):
+        device = self.folder / "event3"
+        os.mkfifo(device)
+        out, err = self.talk(self.arguments[1], self.heard,
+                             self.folder / "answer.wav", "--trace",
+                             f"--push-to-talk={device}")
+        self.assertIn("VAD.SpeechStarted", err)
+        self.assertNotIn("TurnStarted", err)
+        self.assertEqual(out, ["Hello."])
+
+    def test_a_key_of_the_terminal(self):
+        child, terminal = pty.fork()
+        if child == 0:
+            os.environ["NO_COLOR"] = "1"
+            os.execv(PROGRAM, [PROGRAM, *self.arguments, "--push-to-talk"])
+        with open(terminal, "r+b", buffering=0) as screen:
+            shown = self.held_while_something_is_said(
+                self.lines(screen), lambda _: screen.write(b" "))
+            screen.write(b"\x03")  # Ctrl-C
+            for _ in self.lines(screen):
+                pass
+        _, status = os.waitpid(child, 0)
+        self.assertEqual(os.waitstatus_to_exitcode(status), 130, shown)
+        self.assertIn("a key begins your turn and ends it: space", shown)
+        self.assertIn("KeyEndpointer.TurnEnded", shown)
+        self.assertIn("I open the window.", shown)
+
+    def lines(self, screen):
+        """Until the program has ended."""
+        try:
+            for line in iter(screen.readline, b""):
+                yield line.decode(errors="replace")
+        except OSError:  # the other side is closed
+            pass
+
+
+if __name__ == "__main__":
+    unittest.main()

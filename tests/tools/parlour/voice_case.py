@@ -1,0 +1,89 @@
+"""VoiceCase: for tests that talk with the program by sound files. What it hears
+was spoken by the program itself."""
+
+import array
+import subprocess
+import wave
+
+from program_case import ProgramCase
+
+RATE = 16000
+WAIT = 240  # seconds; only a test that fails waits so long
+
+
+def samples_of(path):
+    with wave.open(str(path)) as file:
+        assert (file.getframerate(), file.getnchannels()) == (RATE, 1)
+        return array.array("h", file.readframes(file.getnframes()))
+
+
+class VoiceCase(ProgramCase):
+
+    def write_sound(self, name, samples):
+        path = self.folder / name
+        with wave.open(str(path), "wb") as file:
+            file.setnchannels(1)
+            file.setsampwidth(2)
+            file.setframerate(RATE)
+            file.writeframes(samples.tobytes())
+        return path
+
+    def silence(self, seconds):
+        return array.array("h", bytes(int(2 * RATE * seconds)))
+
+    def application(self, name, speech, grammar="", topic=""):
+        """One that says something when it begins."""
+        self.write(f"{name}/settings.xml", f"""
+            <settings name="{name}" start="Begin">
+              <Plugins>
+                <Plugin>GrammarNLU</Plugin><Plugin>PhraseNLG</Plugin>
+                <Plugin>SphinxASR</Plugin><Plugin>FliteTTS</Plugin>
+              </Plugins>
+              <Scripts><Script>{name}.xml</Script></Scripts>
+            </settings>""")
+        self.write(f"{name}/{name}.xml", f"""
+            <dialogue>
+              <include href="parlour:pipeline"/>
+              <state name="Begin">
+                <Entrance><speak param="{speech}"/></Entrance>
+              </state>
+              {topic}
+            </dialogue>""")
+        if grammar:
+            self.write(f"{name}/orders.jsgf", grammar)
+        return str(self.folder / name)
+
+    def desk(self):
+        """One that opens windows and doors."""
+        return self.application(
+            "desk", "Hello.", """#JSGF V1.0;
+            grammar orders;
+            public <order> = [please] open the <thing>
+              {topic=Opening} {act=inform};
+            <thing> = (window | door | red box) {Thing};
+            """, """
+            <grammar name="orders" file="orders.jsgf"/>
+            <topic name="Opening">
+              <slot name="Thing" type="Functional" question="What?"/>
+              <completed><speak param="I open the {this.Thing}."/></completed>
+            </topic>""")
+
+    def talk(self, application, heard, spoken, *options):
+        """Returns what was shown, line by line."""
+        run = self.begin(
+            "run", application, "--voice", "--microphone", str(heard),
+            "--speaker", str(spoken), "--data", str(self.folder / "data"),
+            *options, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE, text=True)
+        out, err = run.communicate(timeout=WAIT)
+        self.assertEqual(run.returncode, 0, err)
+        return out.splitlines(), err
+
+    def speech(self, text):
+        """A text, spoken by the voice."""
+        if not hasattr(self, "quiet"):
+            self.quiet = self.write_sound("quiet.wav", self.silence(0.2))
+        path = self.folder / "spoken.wav"
+        out, _ = self.talk(self.application("voice", text), self.quiet, path)
+        self.assertEqual(out, [text])
+        return samples_of(path)

@@ -23,10 +23,8 @@ constexpr std::size_t max_departed = 1'000;
 
 SessionId session_at(const session_manager_state& state,
                      const seat_actor& seat) {
-  for (const auto& [id, entry] : state.sessions)
-    if (entry.seat == seat)
-      return id;
-  return {};
+  const auto found = state.session_of.find(seat.id());
+  return found == state.session_of.end() ? SessionId() : found->second;
 }
 
 // The session is in the directory before it begins: what components say to it
@@ -43,6 +41,8 @@ SessionId open(Self self, const open_session& what) {
       SessionOrder{id, state.names.next_seed(), what.seat});
   state.directory->add(id, session, what.seat);
   self->send(session, begin_session{what.work});
+  state.session_of[session.id()] = id;
+  state.session_of[what.seat.id()] = id;
   state.sessions[id] = {std::move(session), what.seat};
   return id;
 }
@@ -105,6 +105,8 @@ void forget(Self self, const session_gone& what) {
   if (entry.empty())
     return;
   auto& [session, seat, subscriptions] = entry.mapped();
+  state.session_of.erase(session.id());
+  state.session_of.erase(seat.id());
   self->send(state.parts->supervisor,
              session_ended{what.session, seat, what.work});
   state.departed.emplace_back(what.session, seat);
@@ -117,16 +119,16 @@ void forget(Self self, const session_gone& what) {
 
 // A session that ended without a word: its actor was lost to an exception.
 void notice_loss(Self self, const caf::down_msg& down) {
+  const auto found = self->state.session_of.find(down.source.id());
+  if (found == self->state.session_of.end())
+    return;
+  const SessionId id = found->second;
   auto& parts = *self->state.parts;
-  for (const auto& [id, entry] : self->state.sessions)
-    if (entry.session.address() == down.source) {
-      auto& last_error = self->state.last_error;
-      last_error =
-          "session " + id + " was lost: " + self->system().render(down.reason);
-      parts.observer.log(last_error);
-      forget(self, {SessionId(id), parts.time.work.begin()});
-      return;
-    }
+  auto& last_error = self->state.last_error;
+  last_error =
+      "session " + id + " was lost: " + self->system().render(down.reason);
+  parts.observer.log(last_error);
+  forget(self, {id, parts.time.work.begin()});
 }
 
 // -- messages -----------------------------------------------------------------

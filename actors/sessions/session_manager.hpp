@@ -7,6 +7,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -28,7 +29,9 @@ struct session_manager_state {
     seat_actor seat;
     std::vector<Subscription> subscriptions = {};
   };
-  std::map<SessionId, Entry> sessions;     // a seat has one at a time
+  std::map<SessionId, Entry> sessions; // a seat has one at a time
+  // By the ids of its actor and of its seat's.
+  std::unordered_map<caf::actor_id, SessionId> session_of;
   std::map<std::string, seat_actor> seats; // by name
   // Those that ended last, and where: for turns that come too late for them.
   std::deque<std::pair<SessionId, seat_actor>> departed;

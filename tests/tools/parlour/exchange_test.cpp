@@ -45,7 +45,7 @@ TEST_F(ExchangeTest, AVoiceWritesWhatIsSaidToAFile) {
   EXPECT_THAT(findings(application), IsEmpty());
   test::TemporaryFolder data;
   auto node = actors::Node::start(node_options(
-      application, in_memory(application.composition),
+      application, rehearsed(application.composition),
       {data.path().string(), parse_timestamp("2026-11-21 09:00").value(), 1}));
   ASSERT_TRUE(node);
   const auto seat = (*node)->open_seat(

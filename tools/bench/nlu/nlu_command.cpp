@@ -47,7 +47,7 @@ NluApplication measured_part(const Application& application) {
   if (const auto& model = application.program->understanding)
     measured.model = *model;
   measured.columns = remembered(column_reader(
-      in_memory(application.composition), application.folder, ""));
+      rehearsed(application.composition), application.folder, ""));
   if (const auto names = measured.columns(staff_names))
     measured.names = *names;
   if (const auto* component = first_of_role(application.composition, "NLU"))

@@ -6,7 +6,6 @@
 #include <cstdlib>
 #include <tuple>
 
-#include "adapters/standins/log_devices.hpp"
 #include "runtime/base/file_bytes.hpp"
 #include "script/compiler/application_loader.hpp"
 #include "script/compiler/settings_reader.hpp"
@@ -14,6 +13,7 @@
 #include "tools/parlour/application/agent_listener.hpp"
 #include "tools/parlour/application/load_check.hpp"
 #include "tools/parlour/application/resource_check.hpp"
+#include "tools/parlour/application/shipped_plugin.hpp"
 #include "tools/parlour/application/sql_lint.hpp"
 
 namespace parlour::tools {
@@ -190,30 +190,10 @@ script::Compiled load_file(const fs::path& file, const Places& places,
       compile_options(find_platform(places, file.parent_path()), sources));
 }
 
-namespace {
-
-// The same devices, on paper. Both read the same list of them.
-void stand_in_for_devices(ChosenComponent& component) {
-  component.factory = adapters::log_devices_factory();
-  std::erase_if(component.options,
-                [](const auto& option) { return option.first != "devices"; });
-}
-
-} // namespace
-
-// See the plug-ins' options for what "file", "copy" and "samples" mean.
-Composition in_memory(Composition composition) {
-  for (auto& component : composition.components) {
-    const auto& plugin = component.factory.description.name;
-    if (plugin == "SQLiteDatabase")
-      component.options.erase("file");
-    else if (plugin == "MySQLDatabase")
-      component.options["copy"] = "true";
-    else if (plugin == "HTTPService")
-      component.options["samples"] = "true";
-    else if (plugin == "MQTTDevices")
-      stand_in_for_devices(component);
-  }
+Composition rehearsed(Composition composition) {
+  composition.is_rehearsed = true;
+  for (auto& component : composition.components)
+    rehearse(component.factory, component.options);
   return composition;
 }
 

@@ -82,7 +82,8 @@ Settings settings_alone(const std::filesystem::path& folder,
 // A copy of the composition in which each database component starts from its
 // schema and seed and keeps nothing (engine rule 7.5): SQLite's in memory, a
 // server's as a copy of its own. An HTTPService asks nobody: the samples of its
-// rules answer. MQTTDevices switches nothing: LogDevices stands in.
-Composition in_memory(Composition composition);
+// rules answer. MQTTDevices switches nothing: LogDevices stands in. The same
+// goes for what scripts <load>.
+Composition rehearsed(Composition composition);
 
 } // namespace parlour::tools

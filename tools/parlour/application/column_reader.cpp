@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <map>
 
-#include "adapters/database/mariadb/mariadb_columns.hpp"
-#include "adapters/database/sqlite/sqlite_columns.hpp"
+#include "tools/parlour/application/shipped_plugin.hpp"
 
 namespace parlour::tools {
 
@@ -37,14 +36,10 @@ Column split(const std::string& name) {
 ColumnReader reader_of(const ChosenComponent& component,
                        const std::filesystem::path& application,
                        const std::string& data_folder) {
-  const auto& plugin = component.factory.description.name;
-  if (plugin == "SQLiteDatabase")
-    return adapters::sqlite_column_reader(component.options, data_folder,
-                                          application.string());
-  if (plugin == "MySQLDatabase")
-    return adapters::mariadb_column_reader(component.options,
-                                           application.string());
-  return {};
+  const auto columns =
+      shipped_plugin(component.factory.description.name).columns;
+  return columns ? columns(component.options, application, data_folder)
+                 : ColumnReader();
 }
 
 // One reader for each database component. Copied into the ColumnReader.

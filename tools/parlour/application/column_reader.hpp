@@ -15,7 +15,7 @@ namespace parlour::tools {
 // Settings if there is no such database. It blocks while it reads. SQLite's
 // values come from the run's database in `data_folder`, or from schema and seed
 // if that is empty; MariaDB's come from its server, or from schema and seed for
-// a copy (in_memory).
+// a copy (rehearsed).
 ColumnReader column_reader(const Composition& composition,
                            const std::filesystem::path& application,
                            const std::string& data_folder);

@@ -8,9 +8,9 @@
 #include "runtime/base/call_deadline.hpp"
 #include "runtime/plugin/component_check.hpp"
 #include "runtime/plugin/scope_check.hpp"
-#include "tools/parlour/application/described_plugin.hpp"
 #include "tools/parlour/application/option_check.hpp"
 #include "tools/parlour/application/process_isolation.hpp"
+#include "tools/parlour/application/shipped_plugin.hpp"
 
 namespace parlour::tools {
 

@@ -39,6 +39,8 @@ struct Composition {
   // One sentence for each plug-in of a voice seat that this build lacks. The
   // application is correct and works without it.
   std::vector<std::string> notices;
+  // Nothing outside is reached and nothing is kept (rehearsed).
+  bool is_rehearsed = false;
 };
 
 // Finds the place of a component's option in the settings, if it is there.

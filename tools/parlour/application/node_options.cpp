@@ -5,9 +5,9 @@
 #include "adapters/files/data_files.hpp"
 #include "adapters/network/tcp_sockets.hpp"
 #include "script/run/phrase_evaluator.hpp"
-#include "tools/parlour/application/described_plugin.hpp"
 #include "tools/parlour/application/module_names.hpp"
 #include "tools/parlour/application/process_isolation.hpp"
+#include "tools/parlour/application/shipped_plugin.hpp"
 
 namespace parlour::tools {
 
@@ -49,9 +49,12 @@ actors::NodeOptions node_options(const Application& application,
   // settings.
   options.complete = [plugins = application.plugins,
                       folder = application.folder,
+                      is_rehearsed = composition.is_rehearsed,
                       is_virtual](actors::ComponentOrder& order) {
     complete_description(order.factory.description, order.options, folder);
     const auto file = plugins->file_of(order.factory.description.name);
+    if (is_rehearsed)
+      rehearse(order.factory, order.options);
     order.factory = hosted(std::move(order.factory), order.policy, file);
     fit_to_time(order, is_virtual);
   };

@@ -23,7 +23,7 @@ struct RunWishes {
   std::shared_ptr<adapters::agents::AgentServer> agents = {};
 };
 
-// `composition` is the application's or a changed copy, such as in_memory().
+// `composition` is the application's or a changed copy, such as rehearsed().
 // The options share the program and the plug-ins, so the application itself may
 // go.
 actors::NodeOptions node_options(const Application& application,

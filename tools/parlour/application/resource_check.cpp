@@ -1,5 +1,3 @@
-// The checks of what components will read, one function for each kind of
-// component.
 #include "tools/parlour/application/resource_check.hpp"
 
 #include <algorithm>
@@ -7,15 +5,7 @@
 #include <set>
 #include <utility>
 
-#include "adapters/database/mariadb/mariadb_options.hpp"
-#include "adapters/database/sqlite/sqlite_image.hpp"
-#include "adapters/database/sqlite/sqlite_options.hpp"
-#include "adapters/http/http_service.hpp"
-#include "adapters/mqtt/device_list.hpp"
-#include "adapters/mqtt/mqtt_options.hpp"
-#include "adapters/nlu/keywords/keyword_nlu.hpp"
-#include "runtime/base/file_bytes.hpp"
-#include "tools/parlour/application/understanding.hpp"
+#include "tools/parlour/application/shipped_plugin.hpp"
 
 namespace parlour::tools {
 
@@ -46,111 +36,56 @@ bool options_fit(const ChosenComponent& component) {
   });
 }
 
-// SQLite: runs schema and seed in memory.
-void check_database(Application& application,
-                    const ChosenComponent& component) {
-  // The data folder is not known yet. Any folder will do, because nothing is
-  // opened in it.
-  const auto options = adapters::read_sqlite_options(
-      component.options, application.folder.string(),
-      application.folder.string());
-  if (!options)
-    return report(application, options.error(), component.place,
-                  component.name);
-  const auto image = adapters::sqlite_image(options->schema, options->seed);
-  if (!image)
-    report(application, image.error(), component.place, component.name);
+void warn(Application& application, SourceLocation place, std::string text,
+          std::string rule) {
+  place.column = std::max(place.column, 1u);
+  application.findings.push_back(
+      {Severity::warning, std::move(place), std::move(text), std::move(rule)});
 }
-
-// Only the files are read: a check must work without the server.
-void check_server_database(Application& application,
-                           const ChosenComponent& component) {
-  const auto options = adapters::read_mariadb_options(
-      component.options, application.folder.string());
-  if (!options)
-    return report(application, options.error(), component.place,
-                  component.name);
-  for (const auto* file : {&options->schema, &options->seed}) {
-    if (file->empty())
-      continue;
-    if (const auto text = read_file(*file); !text)
-      report(application, text.error(), component.place, component.name);
-  }
-}
-
-// Options that name a file of the application which a component reads when it
-// starts. A missing file is a warning.
-struct FileOption {
-  const char* plugin;
-  const char* option;
-};
-constexpr FileOption file_options[] = {{"LogWeather", "reports"},
-                                       {"LogTraffic", "reports"},
-                                       {"LogDevices", "devices"},
-                                       {"MQTTDevices", "devices"}};
 
 // Warns of files that an option names and that do not exist.
-void check_files(Application& application, const ChosenComponent& component) {
-  for (const auto& [plugin, option] : file_options) {
-    const auto given = component.options.find(option);
+void check_presence(Application& application, const ChosenComponent& component,
+                    const ShippedPlugin& plugin) {
+  for (const auto option : plugin.file_options) {
+    const auto given = component.options.find(std::string(option));
     std::error_code ignored;
-    if (component.factory.description.name != plugin ||
-        given == component.options.end() || given->second.empty() ||
+    if (given == component.options.end() || given->second.empty() ||
         std::filesystem::is_regular_file(application.folder / given->second,
                                          ignored))
       continue;
-    auto place = component.place;
-    place.column = std::max(place.column, 1u);
-    application.findings.push_back({Severity::warning, std::move(place),
-                                    component.name + ": there is no file '" +
-                                        given->second +
-                                        "', which the option '" + option +
-                                        "' names, in the application's folder",
-                                    "missing-file"});
+    warn(application, component.place,
+         component.name + ": there is no file '" + given->second +
+             "', which the option '" + std::string(option) +
+             "' names, in the application's folder",
+         "missing-file");
   }
 }
 
-// HTTPService: reads its file of rules; the service itself is not asked.
-void check_rules(Application& application, const ChosenComponent& component) {
-  const auto mistakes = adapters::http::check_service(
-      component.options, application.folder.string());
+void check_contents(Application& application, const ChosenComponent& component,
+                    const ShippedPlugin& plugin) {
+  const auto mistakes =
+      plugin.check_files(component.options, application.folder);
   for (const auto& error : mistakes.errors)
     report(application, error, component.place, component.name);
-  for (const auto& missing : mistakes.missing)
-    application.findings.push_back(
-        {Severity::warning, missing.place, missing.message, "missing-secret"});
+  for (const auto& missing : mistakes.missing_secrets)
+    warn(application, missing.place, missing.message, "missing-secret");
 }
 
-// The list of devices is read, the server is not asked. A file that is missing
-// has been reported.
-void check_devices(Application& application, const ChosenComponent& component) {
-  const auto options = adapters::mqtt::read_mqtt_options(
-      component.options, application.folder.string());
-  if (!options)
-    return report(application, options.error(), component.place,
-                  component.name);
-  std::error_code ignored;
-  if (!std::filesystem::is_regular_file(options->devices, ignored))
-    return;
-  if (const auto list = adapters::mqtt::DeviceList::read(options->devices);
-      !list)
-    report(application, list.error(), component.place, component.name);
-}
-
-// Checks all databases. False if one of them has wrong options.
-bool check_databases(Application& application) {
-  bool fit = true;
+// False if a database cannot be made: reading its columns would report the same
+// again.
+bool check_files(Application& application) {
+  bool databases_fit = true;
   for (const auto& component : application.composition.components) {
-    const auto& plugin = component.factory.description.name;
-    const auto check = plugin == "SQLiteDatabase"  ? check_database
-                       : plugin == "MySQLDatabase" ? check_server_database
-                                                   : nullptr;
-    if (check && !options_fit(component))
-      fit = false;
-    else if (check)
-      check(application, component);
+    const auto& plugin = shipped_plugin(component.factory.description.name);
+    check_presence(application, component, plugin);
+    const auto before = application.findings.size();
+    const bool fit = options_fit(component);
+    if (plugin.check_files && fit)
+      check_contents(application, component, plugin);
+    if (plugin.columns && (!fit || application.findings.size() > before))
+      databases_fit = false;
   }
-  return fit;
+  return databases_fit;
 }
 
 // Reports columns that cannot be read where they are named. The returned reader
@@ -158,7 +93,7 @@ bool check_databases(Application& application) {
 ColumnReader check_columns(Application& application,
                            const std::vector<NamedColumn>& columns) {
   const auto reader =
-      column_reader(in_memory(application.composition), application.folder, "");
+      column_reader(rehearsed(application.composition), application.folder, "");
   std::set<std::string> unreadable;
   for (const auto& [name, place] : columns)
     if (const auto values = reader(name); !values) {
@@ -172,27 +107,6 @@ ColumnReader check_columns(Application& application,
       return std::vector<std::string>();
     return reader(name);
   };
-}
-
-// GrammarNLU: builds the understanding with its grammars and examples.
-void check_understanding(Application& application,
-                         const ChosenComponent& component,
-                         const ColumnReader& columns) {
-  const auto built = build_engine(application, component, columns);
-  if (!built)
-    for (const auto& error : built.error())
-      report(application, error, component.place, component.name);
-}
-
-// KeywordNLU: reads its file of rules.
-void check_keywords(Application& application, const ChosenComponent& component,
-                    const ColumnReader& columns) {
-  const auto read = adapters::load_keyword_rules(
-      component.options, application.folder.string(),
-      *application.program->understanding, columns);
-  if (!read)
-    for (const auto& error : read.error())
-      report(application, error, component.place, component.name);
 }
 
 } // namespace
@@ -216,28 +130,14 @@ std::vector<NamedColumn> columns_of_slots(const script::Compiled& compiled) {
 
 void check_resources(Application& application,
                      const std::vector<NamedColumn>& columns) {
-  const auto before = application.findings.size();
-  const auto& composition = application.composition;
-  const bool fit = check_databases(application);
-  const auto failed = application.findings.size();
-  for (const auto& component : composition.components) {
-    check_files(application, component);
-    if (component.factory.description.name == "HTTPService")
-      check_rules(application, component);
-    if (component.factory.description.name == "MQTTDevices" &&
-        options_fit(component))
-      check_devices(application, component);
-  }
-  // If a database cannot be made, reading its columns would report the same
-  // again.
-  if (!application.program || !fit || failed > before)
+  if (!check_files(application) || !application.program)
     return;
   const auto reader = check_columns(application, columns);
-  for (const auto& component : composition.components)
-    if (component.factory.description.name == "GrammarNLU")
-      check_understanding(application, component, reader);
-    else if (component.factory.description.name == "KeywordNLU")
-      check_keywords(application, component, reader);
+  for (const auto& component : application.composition.components)
+    if (const auto check = shipped_plugin(component.factory.description.name)
+                               .check_understanding)
+      for (const auto& error : check(application, component, reader))
+        report(application, error, component.place, component.name);
 }
 
 } // namespace parlour::tools

@@ -8,6 +8,7 @@
 #include "adapters/database/sqlite/sqlite_prepare.hpp"
 #include "runtime/plugin/folder.hpp"
 #include "script/dialogue/knowledge/sql_text.hpp"
+#include "tools/parlour/application/shipped_plugin.hpp"
 #include "tools/parlour/application/sql_statements.hpp"
 
 namespace parlour::tools {
@@ -43,8 +44,8 @@ std::optional<Database> database_of(const Composition& composition,
   const auto* component = first_of_role(composition, "Database");
   if (!component || component->options.count("schema") == 0)
     return {};
-  const auto& plugin = component->factory.description.name;
-  if (plugin != "SQLiteDatabase" && plugin != "MySQLDatabase")
+  const auto& plugin = shipped_plugin(component->factory.description.name);
+  if (!plugin.columns)
     return {};
   const auto options = files_of(*component, application);
   const auto image = adapters::sqlite_image(options.schema, options.seed);
@@ -53,7 +54,7 @@ std::optional<Database> database_of(const Composition& composition,
   auto opened = SQLitePreparer::open(*image);
   if (!opened)
     return {};
-  return Database{std::move(*opened), plugin == "SQLiteDatabase"};
+  return Database{std::move(*opened), plugin.speaks_sqlite};
 }
 
 // "no such column: f.nme" gives "nme"; other messages give "".

@@ -4,7 +4,7 @@
 #include "adapters/agents/client/plugin_agent.hpp"
 #include "adapters/network/address.hpp"
 #include "tools/parlour/application/data_folder.hpp"
-#include "tools/parlour/application/described_plugin.hpp"
+#include "tools/parlour/application/shipped_plugin.hpp"
 #include "tools/parlour/cli/commands.hpp"
 #include "tools/parlour/cli/given_plugin.hpp"
 #include "tools/parlour/console/exit_code.hpp"

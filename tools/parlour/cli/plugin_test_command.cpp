@@ -16,7 +16,7 @@
 
 #include "runtime/plugin/conformance.hpp"
 #include "tools/parlour/application/data_folder.hpp"
-#include "tools/parlour/application/described_plugin.hpp"
+#include "tools/parlour/application/shipped_plugin.hpp"
 #include "tools/parlour/cli/given_plugin.hpp"
 #include "tools/parlour/cli/plugin_commands.hpp"
 #include "tools/parlour/console/exit_code.hpp"

@@ -20,6 +20,7 @@
 #include "tools/parlour/application/node_options.hpp"
 #include "tools/parlour/application/opening.hpp"
 #include "tools/parlour/application/seat_check.hpp"
+#include "tools/parlour/application/shipped_plugin.hpp"
 #include "tools/parlour/cli/commands.hpp"
 #include "tools/parlour/console/descriptor_source.hpp"
 #include "tools/parlour/console/exit_code.hpp"
@@ -87,13 +88,14 @@ private:
 Expected<void> put_databases_aside(const Application& application,
                                    const std::filesystem::path& data) {
   for (const auto& component : application.composition.components) {
-    if (component.factory.description.name != "SQLiteDatabase")
-      continue;
-    const auto options = adapters::read_sqlite_options(
-        component.options, data.string(), application.folder.string());
-    if (!options || options->in_memory() || options->schema.empty())
-      continue; // reported when the component starts
-    if (auto done = adapters::put_aside(options->file); !done)
+    const auto kept =
+        shipped_plugin(component.factory.description.name).kept_file;
+    const auto file =
+        kept ? kept(component.options, application.folder, data.string())
+             : std::filesystem::path();
+    if (file.empty())
+      continue; // what is wrong is reported when the component starts
+    if (auto done = adapters::put_aside(file); !done)
       return done;
   }
   return {};

@@ -64,7 +64,7 @@ int understand_command(const Places& places, const UnderstandOptions& options,
   // matter.
   const auto built =
       build_engine(application, *component,
-                   column_reader(in_memory(application.composition),
+                   column_reader(rehearsed(application.composition),
                                  application.folder, ""));
   if (!built) {
     for (const auto& error : built.error())

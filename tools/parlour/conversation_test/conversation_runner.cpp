@@ -53,7 +53,7 @@ private:
     RunWishes wishes{data_->path().string(), conversation_.start,
                      conversation_.seed, options_.restores_after_each_input};
     auto options =
-        node_options(application_, in_memory(application_.composition), wishes);
+        node_options(application_, rehearsed(application_.composition), wishes);
     options.on_inspection = [this](const Inspection& seen) { watch(seen); };
     options.exact_inspections = true;
     options.log = [this](const std::string& text) {

@@ -1,3 +1,4 @@
+#include "adapters/standins/log_devices.hpp"
 #include "tests/tools/parlour/application_fixture.hpp"
 
 namespace parlour::tools {
@@ -48,7 +49,7 @@ TEST_F(ApplicationTest, keeps_its_database_in_memory_where_that_is_wanted) {
     return first_of_role(composition, "Database")->options;
   };
   EXPECT_EQ(options(application.composition).at("file"), "greeter.db");
-  EXPECT_EQ(options(in_memory(application.composition)).count("file"), 0u);
+  EXPECT_EQ(options(rehearsed(application.composition)).count("file"), 0u);
 }
 
 TEST_F(ApplicationTest, switches_devices_on_paper_where_that_is_wanted) {
@@ -60,10 +61,11 @@ TEST_F(ApplicationTest, switches_devices_on_paper_where_that_is_wanted) {
            "<option name=\"host\" value=\"127.0.0.1\"/>"
            "<option name=\"devices\" value=\"devices.tsv\"/></component>",
            "<state name=\"Welcome\"/>");
-  const auto trial = in_memory(application.composition);
+  const auto trial = rehearsed(application.composition);
   const auto& component = *first_of_role(trial, "Devices");
   EXPECT_EQ(component.name, "MQTTDevices");
-  EXPECT_EQ(component.factory.description.name, "LogDevices");
+  EXPECT_TRUE(
+      dynamic_cast<adapters::LogDevices*>(component.factory.create().get()));
   EXPECT_EQ(component.options, (Options{{"devices", "devices.tsv"}}));
 }
 

@@ -10,7 +10,7 @@ using ColumnReaderTest = ApplicationTest;
 TEST_F(ColumnReaderTest, reads_the_first_database) {
   const auto greeter = load("greeter");
   const auto read =
-      column_reader(in_memory(greeter.composition), greeter.folder, "");
+      column_reader(rehearsed(greeter.composition), greeter.folder, "");
   EXPECT_THAT(read("db:guest.name").value(), testing::ElementsAre("Ada"));
   EXPECT_FALSE(read("db:guest.age"));
   const auto none = column_reader(Composition{}, greeter.folder, "");

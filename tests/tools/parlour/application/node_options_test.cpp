@@ -1,3 +1,4 @@
+#include "adapters/standins/log_devices.hpp"
 #include "tests/tools/parlour/application_fixture.hpp"
 #include "tools/parlour/application/node_options.hpp"
 
@@ -7,7 +8,7 @@ namespace {
 TEST_F(ApplicationTest, gives_a_node_all_it_needs) {
   const auto greeter = load("greeter");
   const auto options =
-      node_options(greeter, in_memory(greeter.composition), {"/data", 5, 7});
+      node_options(greeter, rehearsed(greeter.composition), {"/data", 5, 7});
   EXPECT_EQ(options.program, greeter.program);
   ASSERT_EQ(options.components.size(), 2u);
   EXPECT_EQ(options.components[0].name, "LogTelephone");
@@ -19,6 +20,25 @@ TEST_F(ApplicationTest, gives_a_node_all_it_needs) {
   EXPECT_EQ(options.seed, 7u);
   EXPECT_EQ(options.data_folder, "/data");
   EXPECT_EQ(options.application_folder, greeter.folder.string());
+}
+
+// What the component is that a script loads by this name.
+std::unique_ptr<IPlugin> loaded(const actors::NodeOptions& options,
+                                const std::string& plugin) {
+  actors::ComponentOrder order{plugin, *find_plugin(plugin), {}, {}};
+  options.complete(order);
+  return order.factory.create();
+}
+
+TEST_F(ApplicationTest, rehearses_what_scripts_load) {
+  const auto greeter = load("greeter");
+  const auto devices = [&](const Composition& composition) {
+    const auto it = loaded(node_options(greeter, composition, {"/data", 5, 7}),
+                           "MQTTDevices");
+    return dynamic_cast<adapters::LogDevices*>(it.get()) != nullptr;
+  };
+  EXPECT_TRUE(devices(rehearsed(greeter.composition)));
+  EXPECT_FALSE(devices(greeter.composition));
 }
 
 } // namespace

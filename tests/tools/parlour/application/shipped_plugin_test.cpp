@@ -1,5 +1,5 @@
 #include "tests/tools/parlour/application_fixture.hpp"
-#include "tools/parlour/application/described_plugin.hpp"
+#include "tools/parlour/application/shipped_plugin.hpp"
 
 namespace parlour::tools {
 namespace {
@@ -22,9 +22,9 @@ constexpr const char* cabs =
     "<component name='Cabs' plugin='HTTPService'>"
     "<option name='rules' value='services/taxi.xml'/></component>";
 
-using DescribedPlugin = ApplicationTest;
+using ShippedPluginTest = ApplicationTest;
 
-TEST_F(DescribedPlugin, HasTheRoleOfItsRules) {
+TEST_F(ShippedPluginTest, HasTheRoleOfItsRules) {
   folder_.write("taxi.xml", taxi_rules);
   auto plugin = find_plugin("HTTPService")->description;
   EXPECT_THAT(plugin.roles, IsEmpty());
@@ -32,7 +32,7 @@ TEST_F(DescribedPlugin, HasTheRoleOfItsRules) {
   EXPECT_THAT(plugin.roles, ElementsAre("Taxi"));
 }
 
-TEST_F(DescribedPlugin, StaysAsItIsIfItIsAnotherOrHasNoRules) {
+TEST_F(ShippedPluginTest, StaysAsItIsIfItIsAnotherOrHasNoRules) {
   auto taxi = find_plugin("LogTaxi")->description;
   complete_description(taxi, {{"rules", "taxi.xml"}}, folder_.path());
   EXPECT_THAT(taxi.roles, ElementsAre("Taxi"));
@@ -41,7 +41,37 @@ TEST_F(DescribedPlugin, StaysAsItIsIfItIsAnotherOrHasNoRules) {
   EXPECT_THAT(service.roles, IsEmpty());
 }
 
-TEST_F(DescribedPlugin, FillsItsRoleInAnApplication) {
+TEST_F(ShippedPluginTest, IsEmptyIfNothingIsKnown) {
+  EXPECT_FALSE(shipped_plugin("EchoTTS").rehearse);
+  EXPECT_FALSE(shipped_plugin("EchoTTS").columns);
+  auto taxi = *find_plugin("LogTaxi");
+  Options options = {{"file", "own.db"}};
+  rehearse(taxi, options);
+  EXPECT_EQ(options.count("file"), 1u);
+}
+
+// A row of the table that no plug-in goes by would never be read.
+TEST_F(ShippedPluginTest, GoesByTheNameOfAPlugin) {
+  for (const auto* name :
+       {"SQLiteDatabase", "MySQLDatabase", "HTTPService", "MQTTDevices",
+        "LogDevices", "LogWeather", "LogTraffic", "GrammarNLU", "KeywordNLU"}) {
+    EXPECT_EQ(shipped_plugin(name).name, name);
+    EXPECT_TRUE(find_plugin(name)) << name;
+  }
+}
+
+TEST_F(ShippedPluginTest, KeepsItsDataInItsFile) {
+  const auto kept = shipped_plugin("SQLiteDatabase").kept_file;
+  const auto file = [&](const Options& options) {
+    return kept(options, folder_.path(), "/data").string();
+  };
+  EXPECT_EQ(file({{"file", "own.db"}, {"schema", "schema.sql"}}),
+            "/data/own.db");
+  EXPECT_EQ(file({{"schema", "schema.sql"}}), "");
+  EXPECT_EQ(file({{"file", "../own.db"}, {"schema", "schema.sql"}}), "");
+}
+
+TEST_F(ShippedPluginTest, FillsItsRoleInAnApplication) {
   folder_.write("services/taxi.xml", taxi_rules);
   const auto application =
       load(cabs, "<state name='A'><Entrance>"
@@ -56,7 +86,7 @@ TEST_F(DescribedPlugin, FillsItsRoleInAnApplication) {
   EXPECT_EQ(component->name, "Cabs");
 }
 
-TEST_F(DescribedPlugin, MayBeLoadedInPlaceOfItself) {
+TEST_F(ShippedPluginTest, MayBeLoadedInPlaceOfItself) {
   folder_.write("services/taxi.xml", taxi_rules);
   EXPECT_THAT(findings(load(cabs, "<state name='A'><Entrance>"
                                   "<load plugin='HTTPService' name='Cabs'/>"
@@ -64,7 +94,7 @@ TEST_F(DescribedPlugin, MayBeLoadedInPlaceOfItself) {
               Not(HasSubstr("error")));
 }
 
-TEST_F(DescribedPlugin, ItsRulesAreCheckedWhereTheyStand) {
+TEST_F(ShippedPluginTest, ItsRulesAreCheckedWhereTheyStand) {
   folder_.write("services/taxi.xml",
                 "<service role='Taxi'>\n<command name='Book'/></service>");
   EXPECT_THAT(findings(load(cabs, "<state name='A'/>")),

@@ -133,10 +133,13 @@ void check_resources(Application& application,
   if (!check_files(application) || !application.program)
     return;
   const auto reader = check_columns(application, columns);
+  const auto& model = application.program->understanding;
   for (const auto& component : application.composition.components)
     if (const auto check = shipped_plugin(component.factory.description.name)
                                .check_understanding)
-      for (const auto& error : check(application, component, reader))
+      for (const auto& error :
+           check(component.options, application.folder,
+                 model ? *model : UnderstandingModel{}, reader))
         report(application, error, component.place, component.name);
 }
 

@@ -11,9 +11,9 @@
 #include "adapters/mqtt/device_list.hpp"
 #include "adapters/mqtt/mqtt_options.hpp"
 #include "adapters/nlu/keywords/keyword_nlu.hpp"
+#include "adapters/nlu/understand/grammar_nlu.hpp"
 #include "adapters/standins/log_devices.hpp"
 #include "runtime/base/file_bytes.hpp"
-#include "tools/parlour/application/understanding.hpp"
 
 namespace parlour::tools {
 
@@ -129,19 +129,20 @@ Mistakes check_devices(const Options& options, const fs::path& application) {
 
 // -- understanding ------------------------------------------------------------
 
-std::vector<Error> check_grammars(const Application& application,
-                                  const ChosenComponent& component,
+std::vector<Error> check_grammars(const Options& options,
+                                  const fs::path& application,
+                                  const UnderstandingModel& model,
                                   const ColumnReader& columns) {
-  return errors_of(build_engine(application, component, columns));
+  return errors_of(adapters::nlu::build_engine(options, model, columns,
+                                               application.string()));
 }
 
-std::vector<Error> check_keywords(const Application& application,
-                                  const ChosenComponent& component,
+std::vector<Error> check_keywords(const Options& options,
+                                  const fs::path& application,
+                                  const UnderstandingModel& model,
                                   const ColumnReader& columns) {
-  const auto& model = application.program->understanding;
-  return errors_of(adapters::load_keyword_rules(
-      component.options, application.folder.string(),
-      model ? *model : UnderstandingModel{}, columns));
+  return errors_of(adapters::load_keyword_rules(options, application.string(),
+                                                model, columns));
 }
 
 // -- the table ----------------------------------------------------------------

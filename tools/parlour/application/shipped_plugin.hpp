@@ -14,9 +14,6 @@
 
 namespace parlour::tools {
 
-struct Application;
-struct ChosenComponent;
-
 // What is wrong with the files that a component reads. An error without a place
 // of its own belongs to the component's.
 struct Mistakes {
@@ -47,8 +44,8 @@ struct ShippedPlugin {
 
   // Builds the understanding of an application that has compiled.
   std::vector<Error> (*check_understanding)(
-      const Application& application, const ChosenComponent& component,
-      const ColumnReader& columns) = nullptr;
+      const Options& options, const std::filesystem::path& application,
+      const UnderstandingModel& model, const ColumnReader& columns) = nullptr;
 
   // Of a database: reads its columns, without the component.
   ColumnReader (*columns)(const Options& options,

@@ -1,6 +1,5 @@
 #include "adapters/http/webhooks/webhook_listener.hpp"
 
-#include <charconv>
 #include <future>
 #include <map>
 #include <memory>
@@ -12,6 +11,7 @@
 #include <asio/steady_timer.hpp>
 
 #include "adapters/http/webhooks/webhook_connection.hpp"
+#include "runtime/base/host_and_port.hpp"
 #include "runtime/base/rate_limit.hpp"
 
 namespace parlour::adapters::http {
@@ -26,18 +26,11 @@ constexpr Milliseconds pause_between{200};
 
 // "127.0.0.1:8090", "[::1]:8090".
 Expected<tcp::endpoint> endpoint_of(const std::string& listen) {
-  const auto colon = listen.rfind(':');
-  std::uint16_t port = 0;
-  asio::error_code error;
-  if (colon != std::string::npos) {
-    auto host = listen.substr(0, colon);
-    if (host.size() > 2 && host.front() == '[' && host.back() == ']')
-      host = host.substr(1, host.size() - 2);
-    const auto* const end = listen.data() + listen.size();
-    const auto read = std::from_chars(listen.data() + colon + 1, end, port);
-    const auto address = asio::ip::make_address(host, error);
-    if (!error && read.ec == std::errc() && read.ptr == end)
-      return tcp::endpoint(address, port);
+  if (const auto read = read_host_and_port(listen)) {
+    asio::error_code error;
+    const auto address = asio::ip::make_address(read->host, error);
+    if (!error)
+      return tcp::endpoint(address, read->port);
   }
   return fail(ErrorKind::settings,
               "the option 'listen' is an address of this machine with a port, "

@@ -1,8 +1,8 @@
 #include "tools/parlour/application/agent_listener.hpp"
 
-#include <charconv>
-#include <cstdint>
 #include <utility>
+
+#include "runtime/base/host_and_port.hpp"
 
 namespace parlour::tools {
 
@@ -16,31 +16,17 @@ std::string file_in(const std::filesystem::path& folder,
   return name.empty() ? name : (folder / name).string();
 }
 
-Expected<std::uint16_t> read_port(const std::string& text) {
-  std::uint16_t port = 0;
-  const auto* end = text.data() + text.size();
-  const auto [stopped, error] = std::from_chars(text.data(), end, port);
-  if (error != std::errc() || stopped != end)
-    return fail(ErrorKind::settings, "'" + text + "' is no port");
-  return port;
-}
-
 // An address of this host and a port, which may be 0: "127.0.0.1:5671" or
 // "[::1]:0".
 Expected<LineOptions> line_options(const AgentsSettings& agents,
                                    const std::filesystem::path& folder) {
-  const auto& text = agents.lines;
-  const auto colon = text.rfind(':');
-  if (colon == std::string::npos)
-    return fail(ErrorKind::settings,
-                "'" + text + "' is no address; write 127.0.0.1:5671");
-  const auto port = read_port(text.substr(colon + 1));
-  if (!port)
-    return tl::make_unexpected(port.error());
-  auto host = text.substr(0, colon);
-  if (host.starts_with('[') && host.ends_with(']'))
-    host = host.substr(1, host.size() - 2);
-  return LineOptions{host, *port, file_in(folder, agents.certificate),
+  auto listen = read_host_and_port(agents.lines);
+  if (!listen)
+    return fail(ErrorKind::settings, "'" + agents.lines +
+                                         "' is no address; write "
+                                         "127.0.0.1:5671");
+  return LineOptions{std::move(listen->host), listen->port,
+                     file_in(folder, agents.certificate),
                      file_in(folder, agents.private_key)};
 }
 

@@ -44,17 +44,9 @@ std::string text_of(const std::vector<std::string>& words) {
 Expected<Vocabulary> make_vocabulary(const LanguageSources& sources,
                                      const std::string& model) {
   auto language = std::make_shared<Language>(sources);
-  const auto words = language->words();
-  auto sounds = dictionary_sounds(model + "/cmudict-en-us.dict", words);
+  const auto sounds = model_sounds(model, language->words());
   if (!sounds)
-    return fail(ErrorKind::settings,
-                "no dictionary of PocketSphinx is in " + model +
-                    "; install pocketsphinx-en-us, or set the option 'model'");
-  std::set<std::string> lacking;
-  for (const auto& word : words)
-    if (!sounds->contains(word))
-      lacking.insert(word);
-  sounds->merge(espeak_sounds(lacking));
+    return tl::make_unexpected(sounds.error());
   Vocabulary made;
   made.dictionary = dictionary_text(*sounds);
   made.grammar = language->fsg(language->sentences());

@@ -33,6 +33,11 @@ struct Free {
 template <class T>
 using Owned = std::unique_ptr<T, Free>;
 
+// The library tells the score of a keyword less this, and divided by a power of
+// two.
+constexpr int most_of_keywords = 1'500;
+constexpr int senone_shift = 10;
+
 // "(2)" behind a word is another way to say it; words in <> and [] are none.
 std::string plain_word(const char* text) {
   std::string word(text);
@@ -157,6 +162,26 @@ std::string SphinxDecoder::text() const {
           ? ps_get_hyp(implementation_->decoder.get(), nullptr)
           : nullptr;
   return text ? text : "";
+}
+
+std::vector<SpottedPhrase> SphinxDecoder::spotted() const {
+  std::vector<SpottedPhrase> found;
+  auto* const decoder = implementation_->decoder.get();
+  int score = 0;
+  // The segments are those of the last hypothesis.
+  if (!implementation_->is_open || !ps_get_hyp(decoder, &score))
+    return found;
+  for (auto* each = ps_seg_iter(decoder); each; each = ps_seg_next(each)) {
+    const auto scaled =
+        (ps_seg_prob(each, nullptr, nullptr, nullptr) + most_of_keywords)
+        << senone_shift;
+    // A blank stands behind it.
+    std::string phrase = ps_seg_word(each);
+    phrase.erase(phrase.find_last_not_of(' ') + 1);
+    found.push_back({std::move(phrase),
+                     logmath_log_to_ln(ps_get_logmath(decoder), scaled)});
+  }
+  return found;
 }
 
 std::vector<HeardWord> SphinxDecoder::finish() {

@@ -19,6 +19,13 @@ struct HeardWord {
   std::int64_t end = 0;
 };
 
+// A phrase that a search for keywords has found.
+struct SpottedPhrase {
+  std::string phrase;
+  // How much more probable it is than any other speech, as a logarithm.
+  double score = 0;
+};
+
 class SphinxDecoder {
 public:
   // Nothing, or an error that says what to install.
@@ -36,8 +43,8 @@ public:
   // Adds a search of this name, or replaces it. Not within an utterance.
   Expected<void> add_grammar(const std::string& name, const std::string& fsg);
   Expected<void> add_domain(const std::string& name, const std::string& arpa);
-  // Words with their thresholds, as PocketSphinx reads them: "oh mighty
-  // computer /1e-20/".
+  // Phrases with their thresholds, a line each, as PocketSphinx reads them: "oh
+  // mighty computer /1e-20/".
   Expected<void> add_keywords(const std::string& name,
                               const std::string& keywords);
 
@@ -46,6 +53,8 @@ public:
   void hear(std::span<const Sample> audio);
   // What was heard so far.
   std::string text() const;
+  // The phrases of a search for keywords that were found so far.
+  std::vector<SpottedPhrase> spotted() const;
   // Ends the utterance. The words without those of silence and noise.
   std::vector<HeardWord> finish();
   void drop();

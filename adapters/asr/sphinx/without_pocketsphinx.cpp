@@ -49,6 +49,10 @@ std::string SphinxDecoder::text() const {
   return {};
 }
 
+std::vector<SpottedPhrase> SphinxDecoder::spotted() const {
+  return {};
+}
+
 std::vector<HeardWord> SphinxDecoder::finish() {
   return {};
 }

@@ -77,6 +77,21 @@ Pronunciations espeak_sounds(const std::set<std::string>& words) {
   return word == words.end() ? found : Pronunciations();
 }
 
+Expected<Pronunciations> model_sounds(const std::filesystem::path& model,
+                                      const std::set<std::string>& words) {
+  auto sounds = dictionary_sounds(model / "cmudict-en-us.dict", words);
+  if (!sounds)
+    return fail(ErrorKind::settings,
+                "no dictionary of PocketSphinx is in " + model.string() +
+                    "; install pocketsphinx-en-us, or set the option 'model'");
+  std::set<std::string> lacking;
+  for (const auto& word : words)
+    if (!sounds->contains(word))
+      lacking.insert(word);
+  sounds->merge(espeak_sounds(lacking));
+  return sounds;
+}
+
 std::string dictionary_text(const Pronunciations& sounds) {
   std::string text;
   for (const auto& [word, ways] : sounds)

@@ -26,6 +26,12 @@ Expected<Pronunciations> dictionary_sounds(const std::filesystem::path& file,
 // which a voice may be using.
 Pronunciations espeak_sounds(const std::set<std::string>& words);
 
+// The sounds of these words: by the dictionary in the folder of a model of
+// PocketSphinx, else by espeak_sounds(). Words without any are left out. An
+// error of kind Settings if there is no dictionary.
+Expected<Pronunciations> model_sounds(const std::filesystem::path& model,
+                                      const std::set<std::string>& words);
+
 // As PocketSphinx reads it.
 std::string dictionary_text(const Pronunciations& sounds);
 

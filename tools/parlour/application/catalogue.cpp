@@ -6,6 +6,7 @@
 
 #include "adapters/asr/moonshine_asr.hpp"
 #include "adapters/asr/sphinx/sphinx_asr.hpp"
+#include "adapters/asr/sphinx/sphinx_keywords.hpp"
 #include "adapters/audio/alsa/alsa_microphone.hpp"
 #include "adapters/audio/alsa/alsa_speaker.hpp"
 #include "adapters/audio/file_microphone.hpp"
@@ -90,6 +91,7 @@ const std::vector<PluginFactory>& built_in_plugins() {
       adapters::file_microphone_factory(),
       adapters::file_speaker_factory(),
       adapters::sphinx_asr_factory(),
+      adapters::sphinx_keywords_factory(),
       adapters::adaptive_vad_factory(),
       adapters::webrtc_vad_factory(),
       adapters::webrtc_enhancement_factory(),

@@ -1,0 +1,171 @@
+#include "adapters/asr/sphinx/sphinx_keywords.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <map>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "adapters/asr/sphinx/keyword_search.hpp"
+#include "runtime/plugin/role_plugin.hpp"
+
+namespace parlour::adapters {
+
+namespace {
+
+constexpr std::size_t max_phrases = 50;
+
+const std::vector<OptionDescription> options = {
+    {"keywords", "", "the phrases, separated by commas"},
+    {"sensitivity", "0.5", "0: finds only what is clear, to 1: finds too much",
+     false, OptionType::number},
+    {"streams", "4", "how many sessions it hears at the same time, 1 to 16",
+     false, OptionType::integer},
+    {"model", "/usr/share/pocketsphinx/model/en-us",
+     "folder of the acoustic model and its dictionary"}};
+
+std::vector<std::string> split_at_commas(const std::string& text) {
+  std::vector<std::string> phrases;
+  for (std::size_t at = 0; at <= text.size();) {
+    const auto end = std::min(text.find(',', at), text.size());
+    const auto first = text.find_first_not_of(' ', at);
+    if (first < end) {
+      const auto last = text.find_last_not_of(' ', end - 1);
+      phrases.push_back(text.substr(first, last + 1 - first));
+    }
+    at = end + 1;
+  }
+  return phrases;
+}
+
+class SphinxKeywords : public RolePlugin {
+public:
+  SphinxKeywords() : RolePlugin("KeywordSpotter") {
+    on("Process", &SphinxKeywords::on_process);
+    on("SetKeywords", &SphinxKeywords::on_set_keywords);
+  }
+
+  void stop() override {
+    streams_.clear();
+  }
+
+protected:
+  Expected<void> on_start(const Options& given) override {
+    if (auto built = asr::SphinxDecoder::is_built_in(); !built)
+      return built;
+    sensitivity_ =
+        parse_number(option_value(given, options, "sensitivity")).number_or(-1);
+    if (sensitivity_ < 0 || sensitivity_ > 1)
+      return fail(ErrorKind::settings, "the option 'sensitivity' is 0 to 1");
+    const auto count =
+        parse_number(option_value(given, options, "streams")).integer_or(0);
+    if (count < 1 || count > 16)
+      return fail(ErrorKind::settings, "the option 'streams' is 1 to 16");
+    max_streams_ = static_cast<std::size_t>(count);
+    model_ = option_value(given, options, "model");
+    return look_for(split_at_commas(option_value(given, options, "keywords")));
+  }
+
+private:
+  struct Stream {
+    std::unique_ptr<asr::KeywordSearch> search;
+    std::int64_t position = 0; // ms, where its audio ends
+    std::uint64_t used = 0;
+  };
+
+  Expected<void> look_for(const std::vector<std::string>& phrases) {
+    auto made = asr::make_keywords(phrases, model_, sensitivity_);
+    if (!made)
+      return tl::make_unexpected(made.error());
+    keywords_ = std::make_shared<asr::Keywords>(std::move(*made));
+    streams_.clear();
+    spare_.reset();
+    return prepare();
+  }
+
+  // So that no error comes later, and the first to speak need not wait.
+  Expected<void> prepare() {
+    if (keywords_->phrases.empty() || spare_)
+      return {};
+    auto made = asr::KeywordSearch::make(keywords_, model_);
+    if (!made)
+      return tl::make_unexpected(made.error());
+    spare_ = std::make_unique<asr::KeywordSearch>(std::move(*made));
+    return {};
+  }
+
+  void on_set_keywords(const List& list) {
+    if (list.size() > max_phrases)
+      return refuse("at most " + std::to_string(max_phrases) +
+                    " phrases are looked for");
+    std::vector<std::string> phrases;
+    for (const auto& phrase : list)
+      phrases.push_back(phrase.text());
+    if (const auto done = look_for(phrases); !done)
+      refuse(done.error().message);
+  }
+
+  void on_process(const Binary& audio, std::optional<std::int64_t> position) {
+    const Value value(audio);
+    const auto samples = speech_samples(value);
+    if (!samples)
+      return refuse(samples.error().message);
+    if (keywords_->phrases.empty())
+      return;
+    auto& stream = stream_of(current().session);
+    if (!stream.search)
+      return refuse("there is no memory for another search");
+    // Positions may be rounded.
+    if (position && std::abs(*position - stream.position) > frame_time) {
+      stream.search->begin();
+      stream.position = *position;
+    }
+    stream.position += duration(samples->size());
+    for (const auto& found : stream.search->hear(*samples))
+      fire_event("Keyword", {found.phrase, found.confidence, stream.position});
+  }
+
+  Stream& stream_of(const SessionId& session) {
+    if (!streams_.contains(session) && streams_.size() >= max_streams_)
+      drop_least_used();
+    auto& stream = streams_[session];
+    stream.used = ++uses_;
+    if (!stream.search && prepare())
+      stream.search = std::move(spare_);
+    return stream;
+  }
+
+  // Its search serves another session.
+  void drop_least_used() {
+    const auto found = std::ranges::min_element(
+        streams_, {}, [](const auto& each) { return each.second.used; });
+    spare_ = std::move(found->second.search);
+    if (spare_)
+      spare_->begin();
+    streams_.erase(found);
+  }
+
+  std::string model_;
+  double sensitivity_ = 0;
+  std::size_t max_streams_ = 0;
+  std::shared_ptr<const asr::Keywords> keywords_;
+  std::unique_ptr<asr::KeywordSearch> spare_;
+  std::map<SessionId, Stream> streams_;
+  std::uint64_t uses_ = 0;
+};
+
+} // namespace
+
+PluginFactory sphinx_keywords_factory() {
+  PluginDescription description;
+  description.name = "SphinxKeywords";
+  description.roles = {"KeywordSpotter"};
+  description.sentence = "finds phrases in speech, by PocketSphinx; English";
+  description.options = options;
+  description.events = {{"Failed", "reason", Reply::refusal}};
+  return {std::move(description),
+          [] { return std::make_unique<SphinxKeywords>(); }};
+}
+
+} // namespace parlour::adapters

@@ -85,6 +85,18 @@ void Client::post(Loop::Action action) {
   loop_->post(std::move(action));
 }
 
+bool Client::post(Loop::Action action, std::size_t bytes) {
+  if (posted_.fetch_add(bytes) + bytes > max_posted) {
+    posted_ -= bytes;
+    return false;
+  }
+  loop_->post([this, action = std::move(action), bytes] {
+    posted_ -= bytes;
+    action();
+  });
+  return true;
+}
+
 void Client::end(Loop::Action action) {
   if (std::exchange(is_ended_, true))
     return;

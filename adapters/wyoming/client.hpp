@@ -2,6 +2,7 @@
 // loop, and a watch that says whether the server is there.
 #pragma once
 
+#include <atomic>
 #include <functional>
 #include <memory>
 #include <string>
@@ -19,6 +20,9 @@ std::vector<OptionDescription> client_options(const std::string& port);
 // Thread-safe, except where a function says otherwise.
 class Client {
 public:
+  // How much may be posted and not done yet, in bytes.
+  static constexpr std::size_t max_posted = 4 << 20;
+
   // Connects to the server, and calls host.available() as it comes and goes. An
   // error of kind Settings if an option is wrong. The host outlives the client.
   static Expected<std::unique_ptr<Client>>
@@ -31,6 +35,9 @@ public:
 
   // Has the action done on the loop's thread.
   void post(Loop::Action action);
+  // The same for an action that keeps so many bytes. False: too many wait
+  // already, and it is not done.
+  bool post(Loop::Action action, std::size_t bytes);
   // Has the action done there as the last one, and waits for it. Nothing is
   // done any more after that.
   void end(Loop::Action action);
@@ -59,6 +66,7 @@ private:
   WatchCalls watch_calls(PluginHost& host);
 
   const std::unique_ptr<Loop> loop_;
+  std::atomic<std::size_t> posted_ = 0;
   Resolver resolver_;
   Route route_;
   Milliseconds answer_timeout_{};

@@ -56,6 +56,8 @@ struct Connection::State : std::enable_shared_from_this<State> {
       return close("it cannot be reached: " + error.message());
     asio::error_code ignored;
     socket.set_option(tcp::no_delay(true), ignored);
+    // Otherwise megabytes would wait there that are counted nowhere.
+    socket.set_option(tcp::socket::send_buffer_size(system_buffer), ignored);
     is_open = true;
     expect(patience);
     read();
@@ -63,17 +65,20 @@ struct Connection::State : std::enable_shared_from_this<State> {
   }
 
   void read() {
+    if (is_paused || std::exchange(is_reading, true))
+      return;
     socket.async_read_some(
         asio::buffer(buffer),
         [self = shared_from_this()](const asio::error_code& error,
                                     std::size_t size) {
           if (!self->is_over)
-            self->received(error, size);
+            self->read_done(error, size);
         });
   }
 
   // Whoever is told may end the connection.
-  void received(const asio::error_code& error, std::size_t size) {
+  void read_done(const asio::error_code& error, std::size_t size) {
+    is_reading = false;
     if (error)
       return close(reader.is_inside() ? "it was cut off within an event"
                                       : "it has ended the connection");
@@ -93,9 +98,9 @@ struct Connection::State : std::enable_shared_from_this<State> {
   void send(const std::string& bytes) {
     if (is_over)
       return;
-    waiting += bytes;
-    if (waiting.size() > max_unsent)
+    if (waiting.size() + sending.size() + bytes.size() > max_unsent)
       return close("it takes too little of what is sent");
+    waiting += bytes;
     if (is_open && sending.empty())
       write();
   }
@@ -145,6 +150,8 @@ struct Connection::State : std::enable_shared_from_this<State> {
   std::string sending;
   Milliseconds patience{0};
   bool is_open = false;
+  bool is_reading = false;
+  bool is_paused = false;
   bool is_over = false;
 };
 
@@ -174,6 +181,16 @@ void Connection::send(const Event& event) {
 
 void Connection::expect(Milliseconds within) {
   state_->expect(within);
+}
+
+void Connection::pause() {
+  state_->is_paused = true;
+}
+
+void Connection::resume() {
+  state_->is_paused = false;
+  if (state_->is_open && !state_->is_over)
+    state_->read();
 }
 
 } // namespace parlour::adapters::wyoming

@@ -33,6 +33,8 @@ class Connection {
 public:
   // How much may wait to be sent, in bytes; more closes the connection.
   static constexpr std::size_t max_unsent = 1 << 20;
+  // How much of what is sent the system may keep beyond that.
+  static constexpr int system_buffer = 64 << 10;
 
   // Begins to connect. The route outlives the connection.
   Connection(const Route& route, ConnectionCalls calls);
@@ -46,6 +48,11 @@ public:
   // If nothing is received within the time, the connection is closed. Zero: no
   // limit.
   void expect(Milliseconds within);
+  // Until resume(), nothing more is read, so that TCP slows the server down.
+  // What has been read is still received: the events that end in the last
+  // 16 KiB.
+  void pause();
+  void resume();
 
 private:
   struct State;

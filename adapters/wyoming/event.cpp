@@ -1,8 +1,11 @@
 #include "adapters/wyoming/event.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
+
+#include "runtime/base/utf8.hpp"
 
 namespace parlour::adapters::wyoming {
 
@@ -31,6 +34,19 @@ Expected<std::size_t> length_of(const json& header, const char* name,
   return static_cast<std::size_t>(length);
 }
 
+// Discarded if the text is no JSON or nests too deep.
+json parse(std::string_view text, int max_depth) {
+  bool is_deep = false;
+  auto made = json::parse(
+      text,
+      [&](int depth, json::parse_event_t, json&) {
+        is_deep = is_deep || depth > max_depth;
+        return !is_deep;
+      },
+      false);
+  return is_deep ? json(json::value_t::discarded) : made;
+}
+
 } // namespace
 
 std::string encode(const Event& event) {
@@ -45,8 +61,14 @@ std::string encode(const Event& event) {
 
 std::string text_of(const json& data, const char* name) {
   const auto found = data.find(name);
-  return found != data.end() && found->is_string() ? found->get<std::string>()
-                                                   : "";
+  if (found == data.end() || !found->is_string())
+    return "";
+  const auto& text = found->get_ref<const std::string&>();
+  auto length = std::min(text.size(), max_text);
+  while (length < text.size() && length > 0 &&
+         continues_code_point(text[length]))
+    --length;
+  return text.substr(0, length);
 }
 
 std::int64_t number_of(const json& data, const char* name,
@@ -81,7 +103,7 @@ Expected<bool> EventReader::take_one(std::string_view& rest, Event& event) {
   if (rest.size() < data_length_ + payload_length_)
     return false;
   if (data_length_ > 0) {
-    const auto data = json::parse(rest.substr(0, data_length_), nullptr, false);
+    const auto data = parse(rest.substr(0, data_length_), max_depth - 1);
     if (!data.is_object())
       return broken("the data of an event are no JSON object");
     event_.data.update(data);
@@ -109,7 +131,7 @@ Expected<bool> EventReader::take_header(std::string_view& rest) {
 }
 
 Expected<void> EventReader::read_header(std::string_view line) {
-  const auto header = json::parse(line, nullptr, false);
+  const auto header = parse(line, max_depth);
   if (!header.is_object() || text_of(header, "type").empty())
     return broken("a line is no JSON object with a type");
   event_ = {text_of(header, "type")};

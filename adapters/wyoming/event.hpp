@@ -22,7 +22,9 @@ struct Event {
 // Text that is not UTF-8 is replaced by U+FFFD.
 std::string encode(const Event& event);
 
-// The member of this name, or nothing that is of use.
+// The member of this name, or nothing that is of use. Of a text, no more than
+// the first `max_text` bytes.
+inline constexpr std::size_t max_text = 10'000;
 std::string text_of(const nlohmann::json& data, const char* name);
 std::int64_t number_of(const nlohmann::json& data, const char* name,
                        std::int64_t otherwise);
@@ -35,6 +37,8 @@ public:
   static constexpr std::size_t max_header = 1 << 20;
   static constexpr std::size_t max_data = 4 << 20;
   static constexpr std::size_t max_payload = 1 << 20;
+  // Lists within lists: each of them costs much more memory than its two bytes.
+  static constexpr int max_depth = 32;
 
   // Adds bytes and returns the events that are complete now. After an error, of
   // kind Network, nothing more can be read.

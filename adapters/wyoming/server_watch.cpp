@@ -31,16 +31,22 @@ void ServerWatch::start() {
   ask();
 }
 
+// Who says other things than the answer has no more than the alarm's time.
 void ServerWatch::ask() {
+  is_asked_ = true;
+  alarm_.set(Steady::now() + route_.connect_timeout + options_.answer_timeout);
   connection_->send({"describe"});
   connection_->expect(options_.answer_timeout);
 }
 
 void ServerWatch::received(const Event& event) {
-  if (event.type != "info")
+  if (event.type != "info" && is_asked_)
     return connection_->expect(options_.answer_timeout);
+  if (event.type != "info")
+    return;
   if (!offers(event.data, options_.service))
     return lose("it does not offer the service '" + options_.service + "'");
+  is_asked_ = false;
   pause_ = options_.first_pause;
   alarm_.set(Steady::now() + options_.ask_every);
   if (!std::exchange(is_up_, true))
@@ -49,6 +55,7 @@ void ServerWatch::received(const Event& event) {
 
 void ServerWatch::lose(const std::string& reason) {
   connection_.reset();
+  is_asked_ = false;
   alarm_.set(Steady::now() + pause_);
   pause_ = std::min(pause_ * 2, longest_pause);
   is_up_ = false;
@@ -56,7 +63,9 @@ void ServerWatch::lose(const std::string& reason) {
 }
 
 void ServerWatch::rung() {
-  if (connection_)
+  if (is_asked_)
+    lose("it does not answer in time");
+  else if (connection_)
     ask();
   else
     start();

@@ -44,9 +44,11 @@ private:
   const WatchOptions options_;
   const WatchCalls calls_;
   std::unique_ptr<Connection> connection_;
+  // For the next question, for the end of this one, or to connect again.
   Alarm alarm_;
   Milliseconds pause_;
   bool is_up_ = false;
+  bool is_asked_ = false;
 };
 
 } // namespace parlour::adapters::wyoming

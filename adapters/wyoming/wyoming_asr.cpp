@@ -1,6 +1,9 @@
 #include "adapters/wyoming/wyoming_asr.hpp"
 
+#include <chrono>
 #include <map>
+#include <mutex>
+#include <set>
 #include <utility>
 
 #include "adapters/audio/pcm.hpp"
@@ -11,7 +14,16 @@ namespace parlour::adapters {
 
 namespace {
 
+using Steady = std::chrono::steady_clock;
+
 constexpr std::size_t max_turns = 64; // at a time, of as many sessions
+// A turn that is not spoken on for so long may be given up for another one's
+// sake: its session may have ended.
+constexpr Milliseconds idle_time{30'000};
+// How long an answer may take in all, from a server that says other things.
+constexpr Milliseconds longest_answer{60'000};
+constexpr std::size_t longest_text = wyoming::max_text / 2; // in bytes
+constexpr const char* too_slow = "it takes too little of what is sent";
 
 const std::vector<OptionDescription>& descriptions() {
   static const auto all = [] {
@@ -45,9 +57,15 @@ public:
   }
 
   // Thread-safe.
-  void hear(Message message, std::string samples) {
-    client_->post([this, message = std::move(message),
-                   samples = std::move(samples)] { heard(message, samples); });
+  void hear(const Message& message, std::string samples) {
+    const auto size = samples.size();
+    const bool is_posted = client_->post(
+        [this, message, samples = std::move(samples)] {
+          heard(message, samples);
+        },
+        size);
+    if (!is_posted)
+      lose(message);
   }
   void finish(Message message) {
     client_->post([this, message = std::move(message)] { finished(message); });
@@ -68,20 +86,56 @@ private:
     std::unique_ptr<wyoming::Connection> connection; // null: it has failed
     std::string trouble;
     bool is_finished = false;
+    Steady::time_point heard_at{};
+    Steady::time_point latest_answer{};
     std::int64_t position = 0; // ms
     std::string partial;
     std::int64_t revision = 0;
   };
 
+  // What was to be posted was too much: the session's turn has a hole, so it is
+  // told once, and never more than once at a time.
+  void lose(const Message& message) {
+    const std::lock_guard lock(mutex_);
+    if (!losing_.insert(message.session).second)
+      return;
+    client_->post([this, message] {
+      {
+        const std::lock_guard locked(mutex_);
+        losing_.erase(message.session);
+      }
+      if (!turn_of(message).is_finished)
+        closed(message.session, too_slow);
+    });
+  }
+
+  // The session's turn, which begins if there is none.
+  Turn& turn_of(const Message& message) {
+    const auto found = turns_.find(message.session);
+    if (found != turns_.end())
+      return found->second;
+    if (turns_.size() >= max_turns)
+      forget_idle();
+    auto& turn = turns_[message.session];
+    turn.order = message;
+    turn.heard_at = Steady::now();
+    if (turns_.size() > max_turns)
+      turn.trouble = "too many turns are spoken at the same time";
+    else
+      open(turn, message.session);
+    return turn;
+  }
+
+  void forget_idle() {
+    const auto latest = Steady::now() - idle_time;
+    std::erase_if(turns_, [&](const auto& one) {
+      return !one.second.is_finished && one.second.heard_at < latest;
+    });
+  }
+
   void heard(const Message& message, const std::string& samples) {
-    auto found = turns_.find(message.session);
-    if (found == turns_.end()) {
-      if (turns_.size() >= max_turns)
-        return;
-      found = turns_.emplace(message.session, Turn{}).first;
-      open(found->second, message.session);
-    }
-    auto& turn = found->second;
+    auto& turn = turn_of(message);
+    turn.heard_at = Steady::now();
     // What comes before the result is there belongs to no turn.
     if (turn.is_finished || !turn.connection)
       return;
@@ -117,6 +171,8 @@ private:
     if (std::exchange(turn.is_finished, true))
       return answer(message, "Rejected", {"the turn before is recognised yet"});
     turn.order = message;
+    turn.latest_answer =
+        Steady::now() + std::max(longest_answer, client_->answer_timeout());
     if (!turn.connection)
       return reject(message.session, turn.trouble);
     turn.connection->expect(client_->answer_timeout());
@@ -127,6 +183,8 @@ private:
     auto& turn = turns_.at(session);
     const auto text = wyoming::trimmed(wyoming::text_of(event.data, "text"));
     if (event.type == "transcript" && turn.is_finished) {
+      if (text.size() > longest_text)
+        return reject(session, "the result is no sentence");
       if (text.empty())
         return reject(session, "nothing was recognised");
       return end(session, "RecognitionResult", {text, Value()});
@@ -135,13 +193,15 @@ private:
       return closed(session, "it reports an error: " + text);
     if (event.type == "transcript-chunk")
       partial(turn, wyoming::text_of(event.data, "text"));
-    if (turn.is_finished)
-      turn.connection->expect(client_->answer_timeout());
+    if (!turn.is_finished)
+      return;
+    if (Steady::now() > turn.latest_answer)
+      return closed(session, "it does not answer in time");
+    turn.connection->expect(client_->answer_timeout());
   }
 
   void partial(Turn& turn, const std::string& text) {
-    constexpr std::size_t longest = 10'000;
-    if (turn.partial.size() + text.size() > longest)
+    if (text.empty() || turn.partial.size() + text.size() > longest_text)
       return;
     turn.partial += text;
     plugin_.answer(turn.order, "Partial",
@@ -171,8 +231,8 @@ private:
   }
   void answer(const Message& to, const std::string& command,
               std::vector<Value> params) {
+    const OpenMessages::Closing closing(plugin_.open_);
     plugin_.answer(to, command, std::move(params));
-    plugin_.open_.close();
   }
 
   WyomingASR& plugin_;
@@ -180,6 +240,8 @@ private:
   const std::string model_;
   const std::string language_;
   std::map<SessionId, Turn> turns_;
+  std::mutex mutex_;
+  std::set<SessionId> losing_; // they are told soon
 };
 
 WyomingASR::WyomingASR() = default;
@@ -204,7 +266,9 @@ void WyomingASR::on_do_recognition(const Binary& audio) {
     return refuse(samples.error().message);
   if (audio.bytes.size() > wyoming::longest_audio)
     return refuse("so much audio comes in several messages");
-  turns_->hear(without_its_way(current()), wyoming::bytes_of(*samples));
+  auto order = without_its_way(current());
+  order.params.clear(); // the samples travel by themselves
+  turns_->hear(order, wyoming::bytes_of(*samples));
 }
 
 void WyomingASR::on_finish() {

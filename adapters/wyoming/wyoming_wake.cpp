@@ -1,5 +1,6 @@
 #include "adapters/wyoming/wyoming_wake.hpp"
 
+#include <atomic>
 #include <map>
 #include <utility>
 
@@ -16,6 +17,8 @@ using Keywords = std::vector<std::string>;
 
 constexpr std::size_t max_streams = 64; // of as many sessions
 constexpr std::size_t max_keywords = 100;
+// A session that says nothing for so long may have ended.
+constexpr Milliseconds idle_time{30'000};
 
 const std::vector<OptionDescription>& descriptions() {
   static const auto all = [] {
@@ -54,11 +57,18 @@ public:
   }
 
   // Thread-safe.
-  void hear(Message message, std::string samples,
+  void hear(const Message& message, std::string samples,
             std::optional<std::int64_t> position) {
-    client_->post([this, message = std::move(message),
-                   samples = std::move(samples),
-                   position] { heard(message, samples, position); });
+    const auto size = samples.size();
+    const bool is_posted =
+        client_->post([this, message, samples = std::move(samples),
+                       position] { heard(message, samples, position); },
+                      size);
+    if (!is_posted && !is_losing_.exchange(true))
+      client_->post([this, message] {
+        is_losing_ = false;
+        closed(message.session, "it takes too little of what is sent");
+      });
   }
   void look_for(Keywords keywords) {
     client_->post([this, keywords = std::move(keywords)] {
@@ -73,6 +83,9 @@ private:
     std::unique_ptr<wyoming::Connection> connection; // null: it has failed
     std::int64_t position = 0;                       // ms
     Steady::time_point next_attempt{};
+    Steady::time_point heard_at{};
+    // When it was told that no word is found.
+    std::optional<Steady::time_point> told_at;
   };
 
   void heard(const Message& message, const std::string& samples,
@@ -80,10 +93,16 @@ private:
     const auto found = streams_.find(message.session);
     if (found == streams_.end() && streams_.size() >= max_streams)
       forget_idle();
-    if (found == streams_.end() && streams_.size() >= max_streams)
+    if (found == streams_.end() && streams_.size() >= max_streams) {
+      if (!std::exchange(is_full_, true))
+        plugin_.answer(message, "Failed",
+                       {"no words are found: too many sessions listen"});
       return;
+    }
+    is_full_ = false;
     auto& stream = streams_[message.session];
     stream.order = message;
+    stream.heard_at = Steady::now();
     stream.position = position.value_or(stream.position);
     if (!stream.connection && client_->is_up() &&
         Steady::now() >= stream.next_attempt)
@@ -94,10 +113,11 @@ private:
       stream.connection->send(event);
   }
 
-  // Sessions that have failed may have ended.
   void forget_idle() {
-    std::erase_if(streams_,
-                  [](const auto& one) { return !one.second.connection; });
+    const auto latest = Steady::now() - idle_time;
+    std::erase_if(streams_, [&](const auto& one) {
+      return !one.second.connection || one.second.heard_at < latest;
+    });
   }
 
   void open(Stream& stream, const SessionId& session) {
@@ -107,8 +127,8 @@ private:
         wyoming::ConnectionCalls{[this, session](const wyoming::Event& event) {
                                    received(session, event);
                                  },
-                                 [this, session](const std::string&) {
-                                   streams_.at(session).connection.reset();
+                                 [this, session](const std::string& reason) {
+                                   closed(session, reason);
                                  }});
     wyoming::Event detect{"detect"};
     if (!keywords_.empty())
@@ -117,10 +137,28 @@ private:
     stream.connection->send(wyoming::audio_start());
   }
 
+  // Tells that no word is found now, once a minute at most: it is tried again.
+  void closed(const SessionId& session, const std::string& reason) {
+    const auto found = streams_.find(session);
+    if (found == streams_.end())
+      return;
+    auto& stream = found->second;
+    stream.connection.reset();
+    const auto now = Steady::now();
+    if (stream.told_at && now - *stream.told_at < std::chrono::minutes(1))
+      return;
+    stream.told_at = now;
+    plugin_.answer(stream.order, "Failed",
+                   {"no words are found: the server: " + reason});
+  }
+
   void received(const SessionId& session, const wyoming::Event& event) {
+    const auto& stream = streams_.at(session);
+    if (event.type == "error")
+      return closed(session, "it reports an error: " +
+                                 wyoming::text_of(event.data, "text"));
     if (event.type != "detection")
       return;
-    const auto& stream = streams_.at(session);
     plugin_.answer(
         stream.order, "Keyword",
         {wyoming::text_of(event.data, "name"), Value(),
@@ -131,6 +169,8 @@ private:
   const std::unique_ptr<wyoming::Client> client_;
   Keywords keywords_;
   std::map<SessionId, Stream> streams_;
+  bool is_full_ = false;                // that has been told
+  std::atomic<bool> is_losing_ = false; // that is told soon
 };
 
 WyomingWake::WyomingWake() : RolePlugin("KeywordSpotter") {
@@ -161,8 +201,9 @@ void WyomingWake::on_process(const Binary& audio,
     return refuse(samples.error().message);
   if (audio.bytes.size() > wyoming::longest_audio)
     return refuse("so much audio comes in several messages");
-  streams_->hear(without_its_way(current()), wyoming::bytes_of(*samples),
-                 position);
+  auto order = without_its_way(current());
+  order.params.clear(); // the samples travel by themselves
+  streams_->hear(order, wyoming::bytes_of(*samples), position);
 }
 
 void WyomingWake::on_set_keywords(const List& words) {

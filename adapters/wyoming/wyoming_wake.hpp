@@ -4,7 +4,8 @@
 //  Process(audio, position?)
 //      Goes to the server over a connection of the session's own. Keyword(text,
 //      unknown, position) when the server has found one: position as Process
-//      has it, or in ms since the session's first audio.
+//      has it, or in ms since the session's first audio. Failed(reason): the
+//      server does not listen; it is tried again.
 //  SetKeywords(list)
 //      Only these are looked for from now on, in all sessions.
 //

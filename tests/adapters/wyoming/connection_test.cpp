@@ -1,3 +1,4 @@
+#include <atomic>
 #include <future>
 
 #include <gmock/gmock.h>
@@ -50,6 +51,38 @@ TEST_F(WyomingConnectionTest, sends_and_receives) {
     return true;
   });
   EXPECT_EQ(outcome(server.port(), {"ping", {}, "abc"}), "got ping abc");
+}
+
+TEST_F(WyomingConnectionTest, slows_a_server_down_that_says_too_much) {
+  constexpr std::size_t pieces = 100;
+  std::atomic<std::size_t> sent = 0;
+  const test::WyomingServer server("", [&](Peer& peer, const Event&) {
+    for (; sent < pieces; ++sent)
+      peer.send({"sound", {}, std::string(1 << 20, 'x')});
+    return true;
+  });
+  std::promise<void> first;
+  std::promise<void> last;
+  std::size_t received = 0;
+  route.address.port = std::to_string(server.port());
+  loop->post([&] {
+    connection = std::make_unique<Connection>(
+        route, ConnectionCalls{[&](const Event&) {
+                                 if (++received == 1) {
+                                   connection->pause();
+                                   first.set_value();
+                                 }
+                                 if (received == pieces)
+                                   last.set_value();
+                               },
+                               [](const std::string&) {}});
+    connection->send({"go"});
+  });
+  first.get_future().wait();
+  // What is under way fits the system's buffers.
+  EXPECT_LT(sent, pieces / 2);
+  loop->post([&] { connection->resume(); });
+  last.get_future().wait();
 }
 
 TEST_F(WyomingConnectionTest, says_why_it_has_ended) {

@@ -78,6 +78,22 @@ TEST(WyomingEvent, has_a_line_that_ends) {
   EXPECT_THAT(taken.error().message, HasSubstr("no end"));
 }
 
+TEST(WyomingEvent, does_not_nest_deep) {
+  auto nested = [](int depth) {
+    return "{\"type\": \"info\", \"data\": {\"a\": " +
+           std::string(static_cast<std::size_t>(depth), '[') +
+           std::string(static_cast<std::size_t>(depth), ']') + "}}\n";
+  };
+  EXPECT_TRUE(EventReader().take(nested(EventReader::max_depth - 2)));
+  EXPECT_FALSE(EventReader().take(nested(EventReader::max_depth)));
+  EXPECT_FALSE(EventReader().take(nested(400'000)));
+}
+
+TEST(WyomingEvent, has_texts_of_some_length) {
+  const json data = {{"text", std::string(max_text - 1, 'a') + "\u00fc"}};
+  EXPECT_EQ(text_of(data, "text"), std::string(max_text - 1, 'a'));
+}
+
 TEST(WyomingEvent, has_members_of_any_type) {
   const json data = {{"text", "yes"}, {"number", 4}, {"other", json::array()}};
   EXPECT_EQ(text_of(data, "text"), "yes");

@@ -26,6 +26,19 @@ TEST_F(ServerWatchTest, says_that_the_server_is_silent) {
   EXPECT_TRUE(says("does not answer in time"));
 }
 
+TEST_F(ServerWatchTest,
+       waits_for_the_answer_no_longer_if_it_says_other_things) {
+  const test::WyomingServer server("", [](Peer& peer, const Event&) {
+    while (peer.send({"pong"}))
+      continue;
+    return false;
+  });
+  auto options = server.options();
+  options["connect-timeout"] = "300ms";
+  ASSERT_TRUE(start(wyoming_asr_factory(), options));
+  EXPECT_TRUE(says("does not answer in time"));
+}
+
 TEST_F(ServerWatchTest, says_that_it_is_no_wyoming_server) {
   const test::WyomingServer server("", [](Peer& peer, const Event&) {
     peer.write("HTTP/1.1 400 Bad Request\r\n\r\n");

@@ -6,6 +6,7 @@
 #include <thread>
 
 #include <netinet/in.h>
+#include <poll.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
@@ -29,22 +30,29 @@ std::optional<Event> WyomingServer::Peer::read() {
   return event;
 }
 
-void WyomingServer::Peer::write(const std::string& bytes) const {
+bool WyomingServer::Peer::write(const std::string& bytes) const {
   for (std::size_t at = 0; at < bytes.size();) {
     const auto size =
         ::send(socket_, bytes.data() + at, bytes.size() - at, MSG_NOSIGNAL);
     if (size <= 0)
-      return;
+      return false;
     at += static_cast<std::size_t>(size);
   }
+  return true;
 }
 
-void WyomingServer::Peer::send(const Event& event) const {
-  write(encode(event));
+bool WyomingServer::Peer::send(const Event& event) const {
+  return write(encode(event));
 }
 
 void WyomingServer::Peer::wait_for_end() {
   while (read())
+    continue;
+}
+
+void WyomingServer::Peer::stall() const {
+  pollfd waited{socket_, POLLRDHUP, 0};
+  while (poll(&waited, 1, -1) == 0)
     continue;
 }
 
@@ -91,6 +99,9 @@ WyomingServer::WyomingServer(std::string service, Serve serve, int port)
   state_->listener = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
   const int yes = 1;
   setsockopt(state_->listener, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
+  // Little waits in the system for a server that takes nothing.
+  const int little = 64 << 10;
+  setsockopt(state_->listener, SOL_SOCKET, SO_RCVBUF, &little, sizeof little);
   sockaddr_in address{};
   address.sin_family = AF_INET;
   address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);

@@ -21,10 +21,13 @@ public:
     explicit Peer(int socket) : socket_(socket) {}
     // The next event; nothing once the client has gone.
     std::optional<adapters::wyoming::Event> read();
-    void write(const std::string& bytes) const;
-    void send(const adapters::wyoming::Event& event) const;
+    // Whether all of it could be sent.
+    bool write(const std::string& bytes) const;
+    bool send(const adapters::wyoming::Event& event) const;
     // Until the client has gone.
     void wait_for_end();
+    // The same for one that takes nothing of what the client sends.
+    void stall() const;
 
   private:
     int socket_;

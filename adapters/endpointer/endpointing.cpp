@@ -9,6 +9,8 @@ namespace {
 
 // A detector says that speech has started up to this long after it did.
 constexpr Milliseconds detector_delay{500};
+// A word that wakes is found up to this long after it was said.
+constexpr Milliseconds word_delay{3'000};
 
 } // namespace
 
@@ -16,6 +18,7 @@ TurnSteps Endpointing::hear(Value frame, std::int64_t position) {
   now_ = position;
   kept_.push_back({std::move(frame), position});
   TurnSteps steps;
+  rest(steps);
   if (!turn_ && is_turn())
     begin(steps);
   if (turn_ && is_over())
@@ -52,18 +55,59 @@ void Endpointing::recognised(std::optional<bool> ends) {
 
 void Endpointing::robot_speaks(bool speaks) {
   robot_speaks_ = speaks;
+  if (times_.awake)
+    is_asleep_ = false; // who is spoken to may answer
+  active_at_ = now_;
+}
+
+// -- asleep
+// ---------------------------------------------------------------------
+
+void Endpointing::wake(std::optional<std::int64_t> word_end) {
+  const auto position = word_end.value_or(now_);
+  if (!times_.awake)
+    return;
+  active_at_ = now_;
+  if (!std::exchange(is_asleep_, false) || !speech_start_)
+    return;
+  if (speech_end_ && *speech_end_ <= position) {
+    speech_start_.reset();
+    speech_end_.reset();
+  } else if (*speech_start_ < position) {
+    speech_start_ = position;
+    follows_word_ = true;
+  }
+}
+
+// A turn that is being spoken is still heard.
+void Endpointing::sleep() {
+  is_asleep_ = times_.awake.has_value();
+}
+
+void Endpointing::rest(TurnSteps& steps) {
+  if (turn_ || speech_start_ || robot_speaks_)
+    active_at_ = is_asleep_ ? active_at_ : now_;
+  else if (times_.awake && now_ - active_at_ >= times_.awake->count())
+    is_asleep_ = true;
+  if (std::exchange(told_asleep_, is_asleep_) == is_asleep_)
+    return;
+  if (is_asleep_)
+    steps.push_back(FellAsleep{now_});
+  else
+    steps.push_back(Woken{now_});
 }
 
 // -- turns
 // ----------------------------------------------------------------------
 
-// A cough while the robot speaks does not interrupt it, whereas in silence
-// every speech counts at once.
+// A cough while the robot speaks does not interrupt it, nor is the end of the
+// word that woke it a turn, whereas in silence every speech counts at once.
 bool Endpointing::is_turn() const {
-  if (!speech_start_)
+  if (!speech_start_ || is_asleep_)
     return false;
   const auto spoken = speech_end_.value_or(now_) - *speech_start_;
-  return !robot_speaks_ || spoken >= times_.interruption.count();
+  return (!robot_speaks_ && !follows_word_) ||
+         spoken >= times_.interruption.count();
 }
 
 Milliseconds Endpointing::pause() const {
@@ -79,6 +123,7 @@ bool Endpointing::is_over() const {
 
 void Endpointing::begin(TurnSteps& steps) {
   turn_ = Turn{*speech_start_, *speech_start_ - times_.margin.count()};
+  follows_word_ = false;
   steps.push_back(TurnStarted{turn_->start});
 }
 
@@ -105,13 +150,19 @@ void Endpointing::end(TurnSteps& steps) {
 void Endpointing::forget_old_frames() {
   if (turn_)
     return;
-  const auto kept = times_.margin + detector_delay + times_.interruption;
-  while (!kept_.empty() && kept_.front().position < now_ - kept.count())
+  const auto kept = kept_time();
+  while (!kept_.empty() && kept_.front().position < now_ - kept)
     kept_.pop_front();
-  if (speech_end_ && now_ - *speech_end_ > kept.count()) {
+  if (speech_end_ && now_ - *speech_end_ > kept) {
     speech_start_.reset();
     speech_end_.reset();
+    follows_word_ = false;
   }
+}
+
+std::int64_t Endpointing::kept_time() const {
+  const auto kept = times_.margin + detector_delay + times_.interruption;
+  return (is_asleep_ ? kept + word_delay : kept).count();
 }
 
 TurnSteps Endpointing::finish() {
@@ -131,6 +182,7 @@ TurnSteps Endpointing::reset() {
   turn_.reset();
   speech_start_.reset();
   speech_end_.reset();
+  follows_word_ = false;
   kept_.clear();
   return steps;
 }

@@ -37,6 +37,9 @@ struct EndpointTimes {
   Milliseconds margin{300};
   // Longer turns are cut.
   Milliseconds longest{30'000};
+  // It is asleep until it is woken, and falls asleep after so much silence of
+  // everybody. Nothing: always awake.
+  std::optional<Milliseconds> awake = {};
 };
 
 // What follows from what was heard. Positions in milliseconds.
@@ -52,12 +55,20 @@ struct TurnEnded {
 struct TurnDropped {
   std::int64_t position = 0; // of the last frame
 };
-using TurnStep = std::variant<TurnStarted, TurnAudio, TurnEnded, TurnDropped>;
+struct Woken {
+  std::int64_t position = 0; // of the last frame
+};
+struct FellAsleep {
+  std::int64_t position = 0; // of the last frame
+};
+using TurnStep = std::variant<TurnStarted, TurnAudio, TurnEnded, TurnDropped,
+                              Woken, FellAsleep>;
 using TurnSteps = std::vector<TurnStep>;
 
 class Endpointing {
 public:
-  explicit Endpointing(EndpointTimes times) : times_(times) {}
+  explicit Endpointing(EndpointTimes times)
+      : times_(times), is_asleep_(times.awake), told_asleep_(is_asleep_) {}
 
   // The next frame, which begins at this position.
   TurnSteps hear(Value frame, std::int64_t position);
@@ -71,6 +82,11 @@ public:
   // While the robot speaks, a short sound is no turn.
   void robot_speaks(bool speaks);
 
+  // Its name was said, up to this position, or just now: what is said from
+  // there on is a turn. While it is asleep, nothing else is.
+  void wake(std::optional<std::int64_t> position);
+  void sleep();
+
   // No more audio comes: a turn ends as it is.
   TurnSteps finish();
   // Forgets all, and drops the turn that is open.
@@ -78,6 +94,9 @@ public:
 
   bool in_turn() const {
     return turn_.has_value();
+  }
+  bool is_asleep() const {
+    return is_asleep_;
   }
 
 private:
@@ -92,6 +111,10 @@ private:
   };
 
   bool is_turn() const;
+  // Falls asleep if it is time, and tells of a change.
+  void rest(TurnSteps& steps);
+  // How much is kept of what may become a turn.
+  std::int64_t kept_time() const;
   bool is_over() const;
   Milliseconds pause() const;
   void begin(TurnSteps& steps);
@@ -109,6 +132,12 @@ private:
   std::optional<std::int64_t> speech_start_;
   std::optional<std::int64_t> speech_end_;
   std::optional<Turn> turn_;
+  bool is_asleep_ = false;
+  bool told_asleep_ = false;
+  // Where somebody spoke last, while it is awake.
+  std::int64_t active_at_ = 0;
+  // The speech may be no more than the rest of the word that woke it.
+  bool follows_word_ = false;
 };
 
 } // namespace parlour::adapters

@@ -24,7 +24,10 @@ const std::vector<OptionDescription> options = {
      OptionType::duration},
     {"margin", "300ms", "how much audio around the speech belongs to the turn",
      false, OptionType::duration},
-    {"longest", "30s", "longer turns are cut", false, OptionType::duration}};
+    {"longest", "30s", "longer turns are cut", false, OptionType::duration},
+    {"sleeps-after", "",
+     "it sleeps until Wake, and after so much silence; else it is always awake",
+     false, OptionType::duration}};
 
 Milliseconds time_of(const Options& given, const std::string& name) {
   return parse_duration(option_value(given, options, name))
@@ -39,6 +42,8 @@ Expected<void> check(const EndpointTimes& times) {
                 times.interruption, times.margin}) > Milliseconds(10'000))
     return fail(ErrorKind::settings,
                 "a pause may be at most 10s, and \"longest\" 5m");
+  if (times.awake && *times.awake < Milliseconds(1'000))
+    return fail(ErrorKind::settings, "\"sleeps-after\" must be at least 1s");
   return {};
 }
 
@@ -50,6 +55,8 @@ SpeechEndpointer::SpeechEndpointer() {
   on("Partial", &SpeechEndpointer::on_partial);
   on("RobotStarted", &SpeechEndpointer::on_robot_started);
   on("RobotFinished", &SpeechEndpointer::on_robot_finished);
+  on("Wake", &SpeechEndpointer::on_wake);
+  on("Sleep", &SpeechEndpointer::on_sleep);
 }
 
 Expected<void> SpeechEndpointer::on_start(const Options& given) {
@@ -60,6 +67,8 @@ Expected<void> SpeechEndpointer::on_start(const Options& given) {
   times.interruption = time_of(given, "interruption");
   times.margin = time_of(given, "margin");
   times.longest = time_of(given, "longest");
+  if (!option_value(given, options, "sleeps-after").empty())
+    times.awake = time_of(given, "sleeps-after");
   return check(times).map([&] { endpointing_ = Endpointing(times); });
 }
 
@@ -104,11 +113,24 @@ void SpeechEndpointer::on_robot_finished(std::int64_t utterance) {
   endpointing_.robot_speaks(!robot_speaks_.empty());
 }
 
+void SpeechEndpointer::on_wake(std::optional<std::int64_t> position) {
+  endpointing_.wake(position);
+}
+
+void SpeechEndpointer::on_sleep() {
+  endpointing_.sleep();
+}
+
 PluginFactory speech_endpointer_factory() {
-  return {{.name = "SpeechEndpointer",
-           .roles = {"Endpointer"},
-           .sentence = "decides which speech is a turn, and when it ends",
-           .options = options},
+  PluginDescription description;
+  description.name = "SpeechEndpointer";
+  description.roles = {"Endpointer"};
+  description.sentence = "decides which speech is a turn, and when it ends";
+  description.options = options;
+  description.commands = {{"Wake", "position?"}, {"Sleep", ""}};
+  description.events = {{"Woken", "position", Reply::none, true},
+                        {"FellAsleep", "position", Reply::none, true}};
+  return {std::move(description),
           [] { return std::make_unique<SpeechEndpointer>(); }};
 }
 

@@ -14,10 +14,15 @@
 //      While the robot speaks, short sounds begin no turn.
 //  Reset
 //      TurnDropped(position) if a turn was open.
+//  Wake(position?), Sleep
+//      With the option `sleeps-after` nothing is a turn until Wake: what is
+//      said from the position on is one, and it falls asleep again after so
+//      much silence. Who the robot speaks to may answer. Woken(position),
+//      FellAsleep(position).
 //
 // A turn also ends when no audio comes for a second (turn_plugin.hpp).
 // Options: after-sentence, pause, within-sentence, interruption, margin,
-// longest.
+// longest, sleeps-after.
 #pragma once
 
 #include <optional>
@@ -46,6 +51,8 @@ private:
                   std::optional<bool> ends);
   void on_robot_started(std::int64_t utterance);
   void on_robot_finished(std::int64_t utterance);
+  void on_wake(std::optional<std::int64_t> position);
+  void on_sleep();
 
   Endpointing endpointing_{{}};
   // Utterances that the robot speaks now.

@@ -53,6 +53,10 @@ void TurnPlugin::carry_out(TurnStep& step) {
     fire_event("TurnStarted", {start->position});
   else if (const auto* const end = std::get_if<TurnEnded>(&step))
     fire_event("TurnEnded", {end->position});
+  else if (const auto* const woken = std::get_if<Woken>(&step))
+    fire_event("Woken", {woken->position});
+  else if (const auto* const asleep = std::get_if<FellAsleep>(&step))
+    fire_event("FellAsleep", {asleep->position});
   else
     fire_event("TurnDropped", {std::get<TurnDropped>(step).position});
 }

@@ -36,6 +36,10 @@ protected:
       else if (const auto* end = std::get_if<TurnEnded>(&step))
         seen.push_back("end " + std::to_string(end->position) + " at " +
                        std::to_string(now));
+      else if (std::holds_alternative<Woken>(step))
+        seen.push_back("woken at " + std::to_string(now));
+      else if (std::holds_alternative<FellAsleep>(step))
+        seen.push_back("asleep at " + std::to_string(now));
       else
         seen.push_back("dropped");
     }
@@ -46,6 +50,12 @@ protected:
     for (auto position = first; position <= last; position += frame)
       expected.push_back(position);
     EXPECT_EQ(audio_, expected);
+  }
+
+  void may_sleep(Milliseconds after) {
+    EndpointTimes times;
+    times.awake = after;
+    endpointing = Endpointing(times);
   }
 
   Endpointing endpointing{EndpointTimes{}};
@@ -171,6 +181,91 @@ TEST_F(EndpointingTest, AnEndWithoutABeginningIsNothing) {
   endpointing.recognised(true);
   until(3'000);
   EXPECT_THAT(seen, IsEmpty());
+}
+
+// -- asleep until its name is said --------------------------------------------
+
+TEST_F(EndpointingTest, HearsNoTurnsAsleep) {
+  may_sleep(Milliseconds(5'000));
+  speaks(1'000, 2'000);
+  until(60'000);
+  EXPECT_TRUE(endpointing.is_asleep());
+  EXPECT_THAT(seen, IsEmpty());
+  EXPECT_THAT(audio_, IsEmpty());
+}
+
+// "Computer", a pause, and an order.
+TEST_F(EndpointingTest, ATurnMayFollowTheWord) {
+  may_sleep(Milliseconds(5'000));
+  speaks(1'000, 1'500);
+  until(1'800);
+  endpointing.wake(1'600);
+  speaks(3'000, 4'000);
+  until(20'000);
+  EXPECT_THAT(seen, ElementsAre("woken at 1800", "start 3000",
+                                "end 4000 at 4700", "asleep at 9700"));
+  expect_audio(2'700, 4'300);
+}
+
+// "Computer, turn on the light", found 300 ms after the word.
+TEST_F(EndpointingTest, TheWordIsNoPartOfTheTurn) {
+  may_sleep(Milliseconds(5'000));
+  until(1'060);
+  endpointing.speech_started(1'000);
+  until(1'900);
+  endpointing.wake(1'600);
+  until(3'060);
+  endpointing.speech_ended(3'000);
+  until(5'000);
+  EXPECT_THAT(seen,
+              ElementsAre("woken at 1900", "start 1600", "end 3000 at 3700"));
+  expect_audio(1'300, 3'300);
+}
+
+// The detector hears the end of the word a little longer than the spotter.
+TEST_F(EndpointingTest, TheEndOfTheWordIsNoTurn) {
+  may_sleep(Milliseconds(5'000));
+  until(1'060);
+  endpointing.speech_started(1'000);
+  until(1'520);
+  endpointing.wake(1'500);
+  until(1'660);
+  endpointing.speech_ended(1'600);
+  speaks(5'000, 5'200);
+  until(6'500);
+  EXPECT_THAT(seen,
+              ElementsAre("woken at 1520", "start 5000", "end 5200 at 5900"));
+}
+
+TEST_F(EndpointingTest, FallsAsleepWhereNobodySpeaks) {
+  may_sleep(Milliseconds(5'000));
+  until(1'000);
+  endpointing.wake(1'000);
+  until(3'000);
+  endpointing.wake(3'000); // again
+  until(9'000);
+  endpointing.sleep(); // it does
+  until(9'100);
+  EXPECT_THAT(seen, ElementsAre("woken at 1000", "asleep at 7980"));
+}
+
+TEST_F(EndpointingTest, WhoIsSpokenToMayAnswer) {
+  may_sleep(Milliseconds(5'000));
+  until(1'000);
+  endpointing.robot_speaks(true);
+  until(9'000);
+  endpointing.robot_speaks(false);
+  speaks(12'000, 13'000);
+  until(30'000);
+  EXPECT_THAT(seen, ElementsAre("woken at 1000", "start 12000",
+                                "end 13000 at 13700", "asleep at 18700"));
+}
+
+TEST_F(EndpointingTest, IsAlwaysAwakeOtherwise) {
+  endpointing.sleep();
+  speaks(1'000, 2'000);
+  until(60'000);
+  EXPECT_THAT(seen, ElementsAre("start 1000", "end 2000 at 2700"));
 }
 
 } // namespace

@@ -104,6 +104,24 @@ TEST_F(SpeechEndpointerTest, StartsAnewAfterReset) {
   EXPECT_THAT(turns(), ElementsAre("TurnStarted(0)"));
 }
 
+TEST_F(SpeechEndpointerTest, SleepsUntilItIsWoken) {
+  ASSERT_TRUE(start({{"sleeps-after", "2s"}}));
+  send("SpeechStarted", {0});
+  hear(50);
+  EXPECT_THAT(host.take_events(), IsEmpty());
+  send("Wake", {500});
+  hear(1);
+  EXPECT_THAT(turns(), ElementsAre("Woken(1000)", "TurnStarted(500)"));
+  send("SpeechEnded", {1'500});
+  hear(200);
+  EXPECT_THAT(turns(), ElementsAre("TurnEnded(1500)", "FellAsleep(4200)"));
+  send("Wake");
+  hear(1);
+  send("Sleep");
+  hear(1);
+  EXPECT_THAT(turns(), ElementsAre("Woken(5020)", "FellAsleep(5040)"));
+}
+
 TEST_F(SpeechEndpointerTest, RefusesWhatIsNoSpeech) {
   ASSERT_TRUE(start());
   send("Process", {Binary{"opus", {}}});
@@ -114,6 +132,7 @@ TEST_F(SpeechEndpointerTest, RefusesTimesThatKeepTooMuch) {
   EXPECT_FALSE(start({{"longest", "10m"}}));
   EXPECT_FALSE(start({{"longest", "10ms"}}));
   EXPECT_FALSE(start({{"margin", "11s"}}));
+  EXPECT_FALSE(start({{"sleeps-after", "10ms"}}));
   EXPECT_TRUE(start({{"pause", "1s"}, {"longest", "10s"}}));
 }
 

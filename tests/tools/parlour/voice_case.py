@@ -31,14 +31,17 @@ class VoiceCase(ProgramCase):
     def silence(self, seconds):
         return array.array("h", bytes(int(2 * RATE * seconds)))
 
-    def application(self, name, speech, grammar="", topic=""):
+    def application(self, name, speech, grammar="", topic="", plugins=(),
+                    components=""):
         """One that says something when it begins."""
+        more = "".join(f"<Plugin>{plugin}</Plugin>" for plugin in plugins)
         self.write(f"{name}/settings.xml", f"""
             <settings name="{name}" start="Begin">
               <Plugins>
                 <Plugin>GrammarNLU</Plugin><Plugin>PhraseNLG</Plugin>
-                <Plugin>SphinxASR</Plugin><Plugin>FliteTTS</Plugin>
+                <Plugin>SphinxASR</Plugin><Plugin>FliteTTS</Plugin>{more}
               </Plugins>
+              {components}
               <Scripts><Script>{name}.xml</Script></Scripts>
             </settings>""")
         self.write(f"{name}/{name}.xml", f"""
@@ -53,7 +56,7 @@ class VoiceCase(ProgramCase):
             self.write(f"{name}/orders.jsgf", grammar)
         return str(self.folder / name)
 
-    def desk(self):
+    def desk(self, plugins=(), components=""):
         """One that opens windows and doors."""
         return self.application(
             "desk", "Hello.", """#JSGF V1.0;
@@ -66,7 +69,7 @@ class VoiceCase(ProgramCase):
             <topic name="Opening">
               <slot name="Thing" type="Functional" question="What?"/>
               <completed><speak param="I open the {this.Thing}."/></completed>
-            </topic>""")
+            </topic>""", plugins, components)
 
     def talk(self, application, heard, spoken, *options):
         """Returns what was shown, line by line."""

@@ -23,6 +23,9 @@ constexpr std::string_view speaker_role = "Speaker";
 constexpr std::string_view enhancement_role = "Enhancement";
 constexpr std::string_view endpointer_role = "Endpointer";
 constexpr std::string_view key_role = "PushToTalk";
+constexpr std::string_view spotter_role = "KeywordSpotter";
+// How long a seat that is woken by a word stays awake in silence.
+constexpr const char* sleeps_after = "10s";
 
 // One link of the chain: who may fill the role, the best first.
 struct Link {
@@ -38,6 +41,7 @@ const std::vector<Link>& chain() {
       {microphone_role, {"AlsaMicrophone"}},
       {enhancement_role, {"WebRtcEnhancement"}, true, false},
       {"VAD", {"AdaptiveVAD"}},
+      {spotter_role, {"SphinxKeywords"}, false},
       {endpointer_role, {"SpeechEndpointer"}},
       {"ASR", {"MoonshineASR", "SphinxASR"}, false},
       {"TTS", {"EspeakTTS", "FliteTTS"}, false},
@@ -133,15 +137,39 @@ Expected<std::optional<ComponentSettings>> choose(const Link& link,
 struct Changes {
   std::vector<std::string> out;
   std::vector<ComponentSettings> in;
+  // Components of the settings that get other words to wake by.
+  std::vector<std::string> spotters;
+  std::string wake;
 
   void apply(Settings& settings) const {
     std::erase_if(settings.components, [&](const auto& component) {
       return std::ranges::count(out, component.name) != 0;
     });
+    for (auto& component : settings.components)
+      if (std::ranges::count(spotters, component.name) != 0)
+        component.options["keywords"] = wake;
     settings.components.insert(settings.components.begin(), in.begin(),
                                in.end());
   }
 };
+
+// Whether the seat has the link, and what a component for it is told.
+bool is_wanted(const Link& link, bool sleeps) {
+  return sleeps || link.role != spotter_role;
+}
+
+void instruct(ComponentSettings& component, std::string_view role,
+              const VoiceWishes& wishes, bool sleeps) {
+  if (role == spotter_role)
+    component.options["keywords"] = wishes.wake;
+  if (role == endpointer_role && sleeps)
+    component.options["sleeps-after"] = sleeps_after;
+}
+
+std::string library_of(bool sleeps, bool is_enhanced) {
+  return std::string("voice") + (sleeps ? "-wake" : "") +
+         (is_enhanced ? "-enhanced" : "");
+}
 
 } // namespace
 
@@ -151,7 +179,14 @@ Expected<VoiceSources> add_voice(const fs::path& folder,
   auto filled =
       filled_roles(compose(settings_alone(folder, platform), plugins));
   Changes changes;
+  const bool sleeps = wishes.push_to_talk.empty() &&
+                      (!wishes.wake.empty() || filled.contains(spotter_role));
+  if (!wishes.wake.empty())
+    changes.spotters = filled[std::string(spotter_role)];
+  changes.wake = wishes.wake;
   for (const auto& link : chain()) {
+    if (!is_wanted(link, sleeps))
+      continue;
     auto& by = filled[std::string(link.role)];
     if (auto wish = wanted(link.role, wishes)) {
       changes.out.insert(changes.out.end(), by.begin(), by.end());
@@ -161,6 +196,7 @@ Expected<VoiceSources> add_voice(const fs::path& folder,
       if (!chosen)
         return tl::make_unexpected(chosen.error());
       if (*chosen) {
+        instruct(**chosen, link.role, wishes, sleeps);
         by.push_back((*chosen)->name);
         changes.in.push_back(std::move(**chosen));
       }
@@ -169,7 +205,7 @@ Expected<VoiceSources> add_voice(const fs::path& folder,
   const bool is_enhanced = !filled[std::string(enhancement_role)].empty();
   VoiceSources sources{
       [changes](Settings& settings) { changes.apply(settings); },
-      {is_enhanced ? "voice-enhanced" : "voice"}};
+      {library_of(sleeps, is_enhanced)}};
   if (!wishes.push_to_talk.empty())
     sources.libraries.emplace_back("push-to-talk");
   return sources;

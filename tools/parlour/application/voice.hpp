@@ -22,6 +22,8 @@ struct VoiceWishes {
   // Empty: by what the detector hears.
   std::string push_to_talk = {};
   std::string talk_key = {}; // empty: the component's default
+  // The words that wake it, separated by commas.
+  std::string wake = {};
 };
 
 // The value of push_to_talk for a key of the terminal.
@@ -43,7 +45,8 @@ struct VoiceSources {
 // A device of the command line takes the place of all components of its role,
 // and a key also that of the endpointer; every other role that is open gets the
 // first plug-in that this build has. An error names the role for which it has
-// none.
+// none. With words that wake it, or a KeywordSpotter in the settings, the seat
+// sleeps until it is woken; a key needs no word.
 Expected<VoiceSources> add_voice(const std::filesystem::path& folder,
                                  const std::filesystem::path& platform,
                                  Catalogue& plugins, const VoiceWishes& wishes);

@@ -61,6 +61,7 @@ struct RunOptions {
   // Turns by a key: "terminal" or an input device; empty: by what is heard.
   std::string push_to_talk;
   std::string talk_key;  // its name; empty: space
+  std::string wake;      // words that wake it; empty: as the settings say
   bool fresh = false;    // make the SQLite databases anew
   bool simulate = false; // stand-ins in the place of remote agents
   // Where agents connect by lines, and nowhere else; empty: as the settings

@@ -364,7 +364,8 @@ int run_command(const Places& places, const RunOptions& options,
   auto opened = options.voice
                     ? open_application(places, options.app, console,
                                        {options.microphone, options.speaker,
-                                        options.push_to_talk, options.talk_key})
+                                        options.push_to_talk, options.talk_key,
+                                        options.wake})
                     : open_application(places, options.app, console);
   if (const auto* status = std::get_if<int>(&opened))
     return *status;

@@ -16,6 +16,43 @@ inline std::string check_named(const std::string& text) {
   return text.empty() ? "an empty name" : "";
 }
 
+inline void add_voice_flags(CLI::App& command, RunOptions& options) {
+  auto* voice = command.add_flag("--voice", options.voice,
+                                 "Talk by microphone and speaker, too");
+  command
+      .add_option("--microphone", options.microphone,
+                  "With --voice: a device of ALSA, or a file to hear")
+      ->type_name("DEVICE|FILE.wav")
+      ->needs(voice);
+  command
+      .add_option("--speaker", options.speaker,
+                  "With --voice: a device of ALSA, or a file to write")
+      ->type_name("DEVICE|FILE.wav")
+      ->needs(voice);
+  auto* by_key =
+      command
+          .add_flag("--push-to-talk", options.push_to_talk,
+                    "With --voice: a key of the terminal begins and ends a "
+                    "turn; =/dev/input/eventN: a key of this device")
+          ->transform([](const std::string& given) {
+            return given == "true" ? terminal_key : given;
+          })
+          ->needs(voice);
+  command
+      .add_option("--talk-key", options.talk_key,
+                  "Which key: space, f5, k, code-164, any; else space")
+      ->check(check_named)
+      ->needs(by_key);
+  command
+      .add_option("--wake", options.wake,
+                  "With --voice: sleeps until one of these words is said, and "
+                  "again after 10 s of silence")
+      ->check(check_named)
+      ->type_name("WORD,...")
+      ->needs(voice)
+      ->excludes(by_key);
+}
+
 inline void add_run_flags(CLI::App& command, RunOptions& options) {
   command.add_flag("--text", options.text,
                    "A turn a line, bare, also on a terminal");
@@ -43,32 +80,7 @@ inline void add_run_flags(CLI::App& command, RunOptions& options) {
       .add_option("--taps", options.taps,
                   "Where `parlour tap` listens to all messages, on this host")
       ->type_name("HOST:PORT");
-  auto* voice = command.add_flag("--voice", options.voice,
-                                 "Talk by microphone and speaker, too");
-  command
-      .add_option("--microphone", options.microphone,
-                  "With --voice: a device of ALSA, or a file to hear")
-      ->type_name("DEVICE|FILE.wav")
-      ->needs(voice);
-  command
-      .add_option("--speaker", options.speaker,
-                  "With --voice: a device of ALSA, or a file to write")
-      ->type_name("DEVICE|FILE.wav")
-      ->needs(voice);
-  auto* by_key =
-      command
-          .add_flag("--push-to-talk", options.push_to_talk,
-                    "With --voice: a key of the terminal begins and ends a "
-                    "turn; =/dev/input/eventN: a key of this device")
-          ->transform([](const std::string& given) {
-            return given == "true" ? terminal_key : given;
-          })
-          ->needs(voice);
-  command
-      .add_option("--talk-key", options.talk_key,
-                  "Which key: space, f5, k, code-164, any; else space")
-      ->check(check_named)
-      ->needs(by_key);
+  add_voice_flags(command, options);
 }
 
 inline void add_test_flags(CLI::App& command, TestOptions& options) {

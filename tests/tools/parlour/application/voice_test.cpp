@@ -117,6 +117,42 @@ TEST_F(VoiceTest, CleansTheAudioWhereItCan) {
   EXPECT_THAT(libraries, ElementsAre("voice-enhanced"));
 }
 
+TEST_F(VoiceTest, SleepsUntilAWordIsSaid) {
+  built_in.push_back(plugin("SphinxKeywords", "KeywordSpotter", "keywords"));
+  EXPECT_EQ(load()->composition.components.size(), 6u);
+  const auto application = load({"", "", "", "", "hey house"});
+  ASSERT_TRUE(application);
+  EXPECT_THAT(application->findings, IsEmpty());
+  EXPECT_THAT(libraries, ElementsAre("voice-wake"));
+  auto option = [&](const std::string& component, const std::string& name) {
+    return std::ranges::find(application->composition.components, component,
+                             &ChosenComponent::name)
+        ->options.at(name);
+  };
+  EXPECT_EQ(option("SphinxKeywords", "keywords"), "hey house");
+  EXPECT_EQ(option("SpeechEndpointer", "sleeps-after"), "10s");
+}
+
+TEST_F(VoiceTest, SleepsWithASpotterOfTheSettings) {
+  built_in.push_back(plugin("OwnSpotter", "KeywordSpotter", "keywords"));
+  built_in.push_back(plugin("WebRtcEnhancement", "Enhancement"));
+  settings("<Plugins><Plugin>OwnSpotter</Plugin>"
+           "<Plugin>SpeechEndpointer</Plugin></Plugins>"
+           "<component name=\"SpeechEndpointer\" scope=\"seat\">"
+           "<option name=\"sleeps-after\" value=\"1m\"/></component>"
+           "<Scripts><Script>own.xml</Script></Scripts>");
+  const auto application = load();
+  ASSERT_TRUE(application);
+  EXPECT_THAT(application->findings, IsEmpty());
+  EXPECT_THAT(libraries, ElementsAre("voice-wake-enhanced"));
+  const auto other = load({"", "", "", "", "hey house"});
+  ASSERT_TRUE(other);
+  EXPECT_EQ(std::ranges::find(other->composition.components, "OwnSpotter",
+                              &ChosenComponent::name)
+                ->options.at("keywords"),
+            "hey house");
+}
+
 TEST_F(VoiceTest, TakesFilesInThePlaceOfDevices) {
   auto application = load({"heard.wav", "plughw:\"1&2\""});
   ASSERT_TRUE(application);
@@ -181,6 +217,8 @@ TEST_F(VoiceTest, SaysWhichRoleNobodyCanFill) {
   const auto application = load();
   ASSERT_FALSE(application);
   EXPECT_THAT(application.error().message, HasSubstr("role ASR"));
+  EXPECT_THAT(load({"", "", "", "", "hey"}).error().message,
+              HasSubstr("role KeywordSpotter"));
 }
 
 // What the command line says wins over the settings.

@@ -6,6 +6,7 @@
 
 #include "tools/bench/benches.hpp"
 #include "tools/bench/nlu/nlu_command.hpp"
+#include "tools/bench/platform/platform_bench.hpp"
 #include "tools/parlour/cli/number_option.hpp"
 #include "tools/parlour/console/exit_code.hpp"
 
@@ -13,15 +14,18 @@ namespace parlour::tools {
 
 namespace {
 
-// What the command line asks for. The last two concern the table nlu only.
+// What the command line asks for.
 struct BenchOptions {
   // A name of benches(), or "nlu".
   std::string name;
   BenchRows rows;
-  // The folder with the public data sets. Empty: rows that need one say so.
+  // Of the table nlu: the folder with the public data sets. Empty: rows that
+  // need one say so.
   std::string data;
   // Measure with the validation part of the data sets, and not with the test.
   bool validation = false;
+  // Of the table platform: how many conversations are open.
+  std::size_t sessions = 10'000;
 };
 
 using Run = std::function<bool(const BenchOptions&)>;
@@ -41,6 +45,11 @@ Table table_of(const std::string& name, const Places& places,
                   places, {options.rows.only, options.data, options.validation},
                   console);
             }};
+  if (name == "platform")
+    return {platform_bench_rows(), [&](const BenchOptions& options) {
+              return platform_bench(
+                  places, {options.sessions, options.rows.only}, console);
+            }};
   const auto& bench = *std::ranges::find(benches(), name, &Bench::name);
   return {bench.rows, [&](const BenchOptions& options) {
             return bench.run(options.rows, console.out);
@@ -48,7 +57,7 @@ Table table_of(const std::string& name, const Places& places,
 }
 
 std::vector<std::string> names() {
-  std::vector<std::string> names{"nlu"};
+  std::vector<std::string> names{"nlu", "platform"};
   for (const auto& bench : benches())
     names.push_back(bench.name);
   return names;
@@ -68,6 +77,10 @@ void add_options(CLI::App& app, BenchOptions& options) {
   add_number<int>(&app, "--seconds", {1, 86'400},
                   "Of the table agents: how long audio lasts; else 60",
                   [&](auto seconds) { options.rows.seconds = seconds; });
+  add_number<std::size_t>(
+      &app, "--sessions", {10, 1'000'000},
+      "Of the table platform: how many conversations are open; else 10000",
+      [&](auto sessions) { options.sessions = sessions; });
   app.add_option("--data", options.data,
                  "Where the public data sets of nlu are");
   app.add_flag("--validation", options.validation,

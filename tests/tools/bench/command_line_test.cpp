@@ -33,9 +33,16 @@ TEST_F(BenchCommandLine, measures_the_dialogue_engine) {
   EXPECT_THAT(out.str(), HasSubstr("an event, guarded"));
 }
 
+TEST_F(BenchCommandLine, measures_many_conversations) {
+  EXPECT_EQ(call({"platform", "--sessions", "10", "--only", "open"}),
+            exit_code::success)
+      << err.str();
+  EXPECT_THAT(out.str(), HasSubstr("KiB for each of 10"));
+}
+
 TEST_F(BenchCommandLine, knows_its_benches) {
   EXPECT_EQ(call({"floor"}), exit_code::usage);
-  EXPECT_THAT(err.str(), HasSubstr("floor not in {nlu,script,"));
+  EXPECT_THAT(err.str(), HasSubstr("floor not in {nlu,platform,script,"));
   EXPECT_EQ(call({}), exit_code::usage);
 }
 

@@ -96,7 +96,8 @@ int main(int count, char** arguments) {
   auto& out = standard_output();
   const parlour::tools::Console console{
       out, std::cerr, isatty(STDERR_FILENO) != 0 && (!no_colour || !*no_colour),
-      [&out] { return out.trouble(); }};
+      [&out] { return out.trouble(); },
+      isatty(STDOUT_FILENO) != 0 && isatty(STDERR_FILENO) != 0};
   return parlour::tools::run_command_line({arguments + 1, arguments + count},
                                           parlour::tools::process_places(),
                                           console);

@@ -9,6 +9,8 @@
 #include <optional>
 #include <utility>
 
+#include "adapters/audio/resampler.hpp"
+
 namespace parlour::adapters {
 
 namespace {
@@ -16,6 +18,7 @@ namespace {
 constexpr int frequency = 440;
 constexpr double tone_level = 0.1; // of full scale
 constexpr Milliseconds step{100};
+constexpr Milliseconds filled{10};
 
 // Both trials: they run until they are over or the device is lost.
 class Trial : public StreamUser {
@@ -101,14 +104,14 @@ private:
   std::deque<LevelMeter> levels_;
 };
 
-class Tone : public Trial {
+// What is played, in the format of the device, and silence behind its end.
+class Playing : public Trial {
 public:
-  explicit Tone(Milliseconds time) : time_(time) {}
-
   void fill(std::vector<Sample>& samples) override {
-    for (int i = 0; i < format_.rate / 100; ++i, ++frames_)
+    const auto wanted = samples.size() + samples_in(filled);
+    while (samples.size() < wanted)
       samples.insert(samples.end(), static_cast<std::size_t>(format_.channels),
-                     next());
+                     next(frames_++));
   }
   void waiting(std::size_t samples) override {
     const auto heard =
@@ -125,25 +128,63 @@ public:
     return {};
   }
 
+protected:
+  // In frames of the device.
+  virtual std::int64_t length() const = 0;
+  virtual Sample next(std::int64_t frame) const = 0;
+
 private:
-  std::int64_t length() const {
+  std::int64_t frames_ = 0; // that were filled
+};
+
+class Tone : public Playing {
+public:
+  explicit Tone(Milliseconds time) : time_(time) {}
+
+private:
+  std::int64_t length() const override {
     return time_.count() * format_.rate / 1'000;
   }
-  // Silence behind the end.
-  Sample next() const {
-    if (frames_ >= length())
+  Sample next(std::int64_t frame) const override {
+    if (frame >= length())
       return 0;
-    const auto at = static_cast<double>(frames_) / format_.rate;
-    const auto swell =
-        std::sin(std::numbers::pi * static_cast<double>(frames_) /
-                 static_cast<double>(length()));
+    const auto at = static_cast<double>(frame) / format_.rate;
+    const auto swell = std::sin(std::numbers::pi * static_cast<double>(frame) /
+                                static_cast<double>(length()));
     return static_cast<Sample>(
         std::lround(32'767 * tone_level * swell *
                     std::sin(2 * std::numbers::pi * frequency * at)));
   }
 
   const Milliseconds time_;
-  std::int64_t frames_ = 0; // that were filled
+};
+
+class Sound : public Playing {
+public:
+  explicit Sound(std::span<const Sample> samples) : samples_(samples) {}
+
+  // It begins anew where the device is opened again, at another rate perhaps.
+  void begin(const PcmFormat& format) override {
+    Playing::begin(format);
+    converted_.clear();
+    auto resampler = Resampler::create({}, {format.rate, 1});
+    if (!resampler)
+      return lost(resampler.error().message);
+    resampler->process(samples_, converted_);
+    resampler->finish(converted_);
+  }
+
+private:
+  std::int64_t length() const override {
+    return std::ssize(converted_);
+  }
+  Sample next(std::int64_t frame) const override {
+    return frame < length() ? converted_[static_cast<std::size_t>(frame)]
+                            : Sample{0};
+  }
+
+  const std::span<const Sample> samples_;
+  std::vector<Sample> converted_;
 };
 
 // The trial must outlive the stream.
@@ -173,6 +214,16 @@ Expected<void> try_speaker(const std::string& device, Milliseconds time,
   if (!stream)
     return tl::make_unexpected(stream.error());
   return tone.wait();
+}
+
+Expected<void> play_sound(const std::string& device,
+                          std::span<const Sample> samples,
+                          const StreamLimits& limits) {
+  Sound sound(samples);
+  const auto stream = start(device, SoundDirection::playback, limits, sound);
+  if (!stream)
+    return tl::make_unexpected(stream.error());
+  return sound.wait();
 }
 
 } // namespace parlour::adapters

@@ -23,4 +23,9 @@ Expected<LevelMeter> try_microphone(const std::string& device,
 Expected<void> try_speaker(const std::string& device, Milliseconds time,
                            const StreamLimits& limits = {});
 
+// Plays sound of 16,000 samples a second and one channel.
+Expected<void> play_sound(const std::string& device,
+                          std::span<const Sample> samples,
+                          const StreamLimits& limits = {});
+
 } // namespace parlour::adapters

@@ -50,7 +50,7 @@ class DevicesTest(ProgramCase):
         self.assertEqual(told.returncode, 0, told)
         self.assertIn("speaker default: a tone of one second", told.stdout)
         self.assertIn("microphone default: speak for 1 s", told.stdout)
-        self.assertRegex(told.stdout, r"-2\d dB #+")
+        self.assertRegex(told.stdout, r"\[#+ *\]  -2\d dB\n")
         self.assertRegex(told.stdout, r"level -2\d dB, peak -20 dB: that is")
 
     def test_silence_is_told(self):

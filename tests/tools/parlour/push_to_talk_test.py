@@ -2,12 +2,10 @@
 --push-to-talk`, with a named pipe as the input device, and on a terminal."""
 
 import os
-import pty
 import struct
 import subprocess
 import unittest
 
-from program_case import PROGRAM
 from voice_case import WAIT, VoiceCase
 
 SPACE = 57  # as the kernel counts keys
@@ -68,18 +66,13 @@ class PushToTalkTest(VoiceCase):
         self.assertEqual(out, ["Hello."])
 
     def test_a_key_of_the_terminal(self):
-        child, terminal = pty.fork()
-        if child == 0:
-            os.environ["NO_COLOR"] = "1"
-            os.execv(PROGRAM, [PROGRAM, *self.arguments, "--push-to-talk"])
-        with open(terminal, "r+b", buffering=0) as screen:
-            shown = self.held_while_something_is_said(
-                self.lines(screen), lambda _: screen.write(b" "))
-            screen.write(b"\x03")  # Ctrl-C
-            for _ in self.lines(screen):
-                pass
-        _, status = os.waitpid(child, 0)
-        self.assertEqual(os.waitstatus_to_exitcode(status), 130, shown)
+        screen = self.on_terminal(*self.arguments, "--push-to-talk")
+        shown = self.held_while_something_is_said(
+            self.lines(screen), lambda _: screen.write(b" "))
+        screen.write(b"\x03")  # Ctrl-C
+        for _ in self.lines(screen):
+            pass
+        self.assertEqual(self.end_of_child(), 130, shown)
         self.assertIn("a key begins your turn and ends it: space", shown)
         self.assertIn("KeyEndpointer.TurnEnded", shown)
         self.assertIn("I open the window.", shown)

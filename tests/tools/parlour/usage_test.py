@@ -28,11 +28,13 @@ PRINTING = (
     ("exec", "app"), ("format", "-"), ("help", "speak"),
     ("keygen", "robot.key"), ("plugin", "list"),
     ("plugin", "new", "EchoTTS", "--role", "TTS"), ("plugin", "roles"),
-    ("plugin", "test", "LogTaxi"), ("run", "app"), ("schema",),
+    ("plugin", "test", "LogTaxi"), ("run", "app"),
+    ("say", "hello", "-o", "said.wav"), ("schema",),
     ("test", "app"), ("understand", "app", "hello"))
 # A program of its own, one that waits for a platform, one that asks what runs,
-# and one that depends on the machine's sound card (devices_test.py).
-NOT_TRIED = {"agent", "bench", "devices", "status", "tap"}
+# one that depends on the machine's sound card (devices_test.py), and one that
+# hears (speech_commands_test.py).
+NOT_TRIED = {"agent", "bench", "devices", "listen", "status", "tap"}
 
 # Arguments, status, and what is said about it.
 MISTAKES = (
@@ -86,6 +88,13 @@ MISTAKES = (
     (("devices", "--seconds", "0"), 2, "'0' is no whole number from 1 to 600"),
     (("devices", "--test", "--microphone", ""), 2, "an empty name"),
     (("devices", "--speaker", "x"), 2, "--speaker requires --test"),
+    (("say",), 2, "TEXT is required"),
+    (("say", " "), 2, "there is nothing to say"),
+    (("say", "hello", "-o", ""), 2, "--output: an empty name"),
+    (("say", "hello", "--component", "LogTaxi"), 2, "LogTaxi is no voice"),
+    (("say", "hello", "-o", "none/x.wav"), 1, "cannot be written: " + NOWHERE),
+    (("listen", "app"), 2, "FILE is required"),
+    (("listen", "nobody", "x.wav"), 2, "there is no application 'nobody'"),
     (("test", "app", "--jobs", "0"), 2, "'0' is no whole number from 1"),
     (("test", "app", "--jobs", "-1"), 2, "'-1' is no whole number from 1"),
     (("test", "app", "nothing"), 2, "there is no conversation 'nothing'"),
@@ -258,6 +267,7 @@ class Output(UsageCase):
     def remove_what_is_made(self):
         shutil.rmtree(self.folder / "EchoTTS", ignore_errors=True)
         (self.folder / "robot.key").unlink(missing_ok=True)
+        (self.folder / "said.wav").unlink(missing_ok=True)
 
     def shell(self, arguments, line):
         self.remove_what_is_made()

@@ -3,14 +3,10 @@ cannot be opened ends the run at its start, and one that is unplugged later is
 waited for."""
 
 import os
-import pathlib
 import subprocess
 import unittest
 
-from program_case import PROGRAM
-from voice_case import WAIT, VoiceCase
-
-VDEV = pathlib.Path(PROGRAM).parent.parent / "lib/vdev.so"
+from voice_case import VDEV, WAIT, VoiceCase
 
 
 class VoiceStartTest(VoiceCase):

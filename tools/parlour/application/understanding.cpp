@@ -14,4 +14,12 @@ build_engine(const Application& application, const ChosenComponent& component,
                                      columns, application.folder.string());
 }
 
+Map first_context(const script::Program& program, Timestamp now) {
+  Map context{{"now", now}};
+  const auto state = program.state(program.settings.start);
+  if (state != script::no_id && !program.states[state].grammar.empty())
+    context.set("grammar", program.states[state].grammar);
+  return context;
+}
+
 } // namespace parlour::tools

@@ -15,4 +15,8 @@ tl::expected<adapters::nlu::NluEngine, std::vector<Error>>
 build_engine(const Application& application, const ChosenComponent& component,
              const ColumnReader& columns);
 
+// The context of a first turn: the start state's grammar and the time, no
+// slots.
+Map first_context(const script::Program& program, Timestamp now);
+
 } // namespace parlour::tools

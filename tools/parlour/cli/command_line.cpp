@@ -18,6 +18,7 @@
 #include "tools/parlour/cli/number_option.hpp"
 #include "tools/parlour/cli/plugin_commands.hpp"
 #include "tools/parlour/cli/run_flags.hpp"
+#include "tools/parlour/cli/speech_flags.hpp"
 #include "tools/parlour/console/completion.hpp"
 #include "tools/parlour/console/exit_code.hpp"
 #include "tools/parlour/plugin_template/plugin_skeleton.hpp"
@@ -39,7 +40,7 @@ public:
     app_.footer(exit_code::statuses);
     add_run();
     add_status();
-    add_devices();
+    add_speech();
     add_check();
     add_format();
     add_schema();
@@ -149,18 +150,25 @@ private:
   }
 
   void add_status() {
-    auto* command =
-        add("status", "How the actors of running nodes are",
-            [this] { return status_command(places_, status_, console_); });
-    command->add_option("APP", status_.app, "A name or folder; else all");
-    command->add_flag("--json", status_.json, "As a JSON array");
+    add_status_flags(
+        *add("status", "How the actors of running nodes are",
+             [this] { return status_command(places_, status_, console_); }),
+        status_);
   }
 
-  void add_devices() {
+  void add_speech() {
     add_devices_flags(
         *add("devices", "List microphones and speakers, and try them",
              [this] { return devices_command(devices_, console_); }),
         devices_);
+    auto* say = add("say", "Speak a text",
+                    [this] { return say_command(places_, say_, console_); });
+    add_say_flags(*say, say_);
+    auto* listen =
+        add("listen", "Show what an application hears in sound files",
+            [this] { return listen_command(places_, listen_, console_); });
+    add_app(listen, listen_.app, app_sentence);
+    add_listen_flags(*listen, listen_);
   }
 
   // The help of `check` lists all lints, from their table.
@@ -185,16 +193,12 @@ private:
   }
 
   void add_format() {
-    auto* command = add("format", "Lay scripts out", [this] {
-      return format_command(places_, format_, std::cin, console_);
-    });
-    command
-        ->add_option("FILE", format_.files,
-                     "Scripts, laid out where they are; - reads standard "
-                     "input and writes standard output")
-        ->required();
-    command->add_flag("--check", format_.check,
-                      "Change nothing; status 1 where a file is not laid out");
+    add_format_flags(*add("format", "Lay scripts out",
+                          [this] {
+                            return format_command(places_, format_, std::cin,
+                                                  console_);
+                          }),
+                     format_);
   }
 
   void add_schema() {
@@ -366,6 +370,8 @@ private:
   RunOptions run_;
   StatusOptions status_;
   DevicesOptions devices_;
+  SayOptions say_;
+  ListenOptions listen_;
   CheckOptions check_;
   FormatOptions format_;
   SchemaOptions schema_;

@@ -108,6 +108,29 @@ struct DevicesOptions {
 };
 int devices_command(const DevicesOptions& options, const Console& console);
 
+// `parlour say`: speaks a text by a component of the role TTS.
+struct SayOptions {
+  std::string text;
+  std::string component = "EspeakTTS"; // a plug-in's name, or a file NAME.so
+  std::string voice;                   // empty: the component's own
+  std::vector<std::string> options;    // "name=value"
+  std::string file;                    // WAV or FLAC; empty: the speaker
+  std::string speaker = "default";     // a name of ALSA
+};
+int say_command(const Places& places, const SayOptions& options,
+                const Console& console);
+
+// `parlour listen`: what each component of an application that talks by voice
+// makes of sound files, and what is understood.
+struct ListenOptions {
+  std::string app;
+  std::vector<std::string> files;
+  bool why = false; // also words and explanations
+  bool json = false;
+};
+int listen_command(const Places& places, const ListenOptions& options,
+                   const Console& console);
+
 // `parlour status`: tells how the actors of running applications are.
 struct StatusOptions {
   std::string app; // its name or folder; empty: all that run

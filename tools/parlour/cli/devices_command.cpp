@@ -8,6 +8,7 @@
 #include "tools/parlour/application/catalogue.hpp"
 #include "tools/parlour/cli/commands.hpp"
 #include "tools/parlour/console/exit_code.hpp"
+#include "tools/parlour/talk/voice_progress.hpp"
 
 namespace parlour::tools {
 
@@ -71,14 +72,6 @@ int list_all(const Console& console) {
 // -- the test
 // ------------------------------------------------------------------
 
-// "-23 dB ##########", two decibels for each sign.
-std::string bar(const LevelMeter& level) {
-  const auto signs = std::clamp((level.level() + 80) / 2, 0.0, 40.0);
-  return fmt::format("  {:>4.0f} dB {:<40}{}", level.level(),
-                     std::string(static_cast<std::size_t>(signs), '#'),
-                     level.clipped() > 0 ? " too loud" : "");
-}
-
 std::string verdict(const LevelMeter& level) {
   if (level.peak() < no_sound)
     return "nothing was heard: is the microphone muted, or another one meant?";
@@ -103,6 +96,15 @@ int test_speaker(const std::string& device, const Console& console) {
   return played ? exit_code::success : failed(console, played.error());
 }
 
+// On a terminal one line that is drawn again, otherwise a line each time.
+void show(const LevelMeter& level, const Console& console) {
+  const auto bar = "  " + level_bar(level);
+  if (console.redraws)
+    console.out << "\r\033[K" << bar << std::flush;
+  else
+    console.out << bar << std::endl;
+}
+
 int test_microphone(const std::string& device, Milliseconds time,
                     const Console& console) {
   console.out << "microphone " << device << ": speak for "
@@ -111,8 +113,10 @@ int test_microphone(const std::string& device, Milliseconds time,
   const auto heard =
       adapters::try_microphone(device, time, [&](const LevelMeter& level) {
         if (count++ % shown_each == 0)
-          console.out << bar(level) << std::endl;
+          show(level, console);
       });
+  if (console.redraws)
+    console.out << "\r\033[K";
   if (!heard)
     return failed(console, heard.error());
   console.out << fmt::format("level {:.0f} dB, peak {:.0f} dB: ",

@@ -33,6 +33,7 @@
 #include "tools/parlour/talk/terminal_run.hpp"
 #include "tools/parlour/talk/text_run.hpp"
 #include "tools/parlour/talk/trace.hpp"
+#include "tools/parlour/talk/voice_progress.hpp"
 
 namespace parlour::tools {
 
@@ -60,27 +61,6 @@ private:
   const Console& console_;
   Printer& printer_;
   std::filesystem::path log_;
-};
-
-// A driver that waits while too many lines are unread. Otherwise a script that
-// talks without end would fill the memory when the reader is slow.
-class PacedDriver : public NodeDriver {
-public:
-  PacedDriver(actors::Node& node, bool is_virtual, Printer& printer)
-      : NodeDriver(node, is_virtual,
-                   [&printer](const std::string& text) { printer.out(text); }),
-        printer_(printer) {}
-  void enter(const std::vector<std::string>& turns) override {
-    printer_.wait_for_room();
-    NodeDriver::enter(turns);
-  }
-  void let_time_pass() override {
-    printer_.wait_for_room();
-    NodeDriver::let_time_pass();
-  }
-
-private:
-  Printer& printer_;
 };
 
 // --fresh: renames the databases of the SQLite components, so that they are
@@ -130,6 +110,14 @@ bool wants_terminal(const RunOptions& options) {
          isatty(STDOUT_FILENO);
 }
 
+VoiceProgress::Roles roles_of(const Composition& composition) {
+  VoiceProgress::Roles roles;
+  for (const auto& component : composition.components)
+    if (!component.factory.description.roles.empty())
+      roles[component.name] = component.factory.description.roles.front();
+  return roles;
+}
+
 // One run of an application, from the node's start to the exit status. The
 // members that callbacks use (printer_, notes_, screen_) outlive the node.
 class Run {
@@ -140,7 +128,8 @@ public:
       : application_(application), options_(options), console_(console),
         data_(data), sockets_(sockets), signals_(signals),
         printer_(console.out, console.err, [this] { signals_.raise_closed(); }),
-        notes_(console, printer_, data / "log") {}
+        notes_(console, printer_, data / "log"),
+        voice_(roles_of(application.composition)) {}
 
   int run() {
     for (const auto& notice : application_.composition.notices)
@@ -154,6 +143,7 @@ public:
     tap_ = std::move(*tap);
     if (tap_)
       notes_.show("taps connect at " + tap_->address());
+    progress(voice_.line());
     auto node = actors::Node::start(options(std::move(*agents)));
     if (!node)
       return give_up(node.error());
@@ -218,6 +208,8 @@ private:
   void watch(const Inspection& seen) {
     if (seen.kind == InspectionKind::message) {
       hearing_.take(*seen.message);
+      if (const auto line = voice_.take(*seen.message))
+        progress(*line);
       if (tap_)
         tap_->publish(*seen.message);
     }
@@ -229,6 +221,16 @@ private:
       note(trace_line(seen));
     else
       log(trace_line(seen));
+  }
+
+  // Only on a terminal, and not between the lines of a trace.
+  void progress(const std::string& line) {
+    if (!options_.voice || options_.trace || !console_.redraws)
+      return;
+    if (auto* screen = screen_.load())
+      screen->status(line);
+    else
+      printer_.status(line);
   }
 
   // The others come only because of --trace or a tap.
@@ -329,6 +331,7 @@ private:
                     return node.is_private(line);
                   });
     screen_ = &screen;
+    printer_.status("");
     NodeDriver driver(node, options_.clock.has_value(),
                       [&](const std::string& text) { screen.say(text); });
     tools::talk_on_terminal(driver, screen);
@@ -347,6 +350,7 @@ private:
   Printer printer_;
   Notes notes_;
   Hearing hearing_;
+  VoiceProgress voice_;
   std::unique_ptr<adapters::agents::MessageTap> tap_; // null: nobody taps
   std::atomic<Screen*> screen_ = nullptr; // set while a terminal is used
   std::unique_ptr<StatusServer> status_;  // null: it cannot be asked

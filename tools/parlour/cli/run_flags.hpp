@@ -1,5 +1,5 @@
-// The options of `parlour run`, `test` and `devices` that need no reader of
-// their own.
+// The options of `parlour run`, `status`, `test`, `format` and `devices` that
+// need no reader of their own.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -95,6 +95,21 @@ inline void add_test_flags(CLI::App& command, TestOptions& options) {
   command.add_flag("--watch", options.watch, "Again when a file changes")
       ->excludes("--junit");
   command.add_flag("--restore-after-each-input", options.restores)->group("");
+}
+
+inline void add_status_flags(CLI::App& command, StatusOptions& options) {
+  command.add_option("APP", options.app, "A name or folder; else all");
+  command.add_flag("--json", options.json, "As a JSON array");
+}
+
+inline void add_format_flags(CLI::App& command, FormatOptions& options) {
+  command
+      .add_option("FILE", options.files,
+                  "Scripts, laid out where they are; - reads standard input "
+                  "and writes standard output")
+      ->required();
+  command.add_flag("--check", options.check,
+                   "Change nothing; status 1 where a file is not laid out");
 }
 
 inline void add_devices_flags(CLI::App& command, DevicesOptions& options) {

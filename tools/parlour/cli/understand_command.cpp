@@ -37,16 +37,6 @@ std::string well_formed(std::string_view text) {
   return all;
 }
 
-// The context of a first turn: the start state's grammar and the time, no
-// slots.
-Map beginning(const script::Program& program, Timestamp now) {
-  Map context{{"now", now}};
-  const auto state = program.state(program.settings.start);
-  if (state != script::no_id && !program.states[state].grammar.empty())
-    context.set("grammar", program.states[state].grammar);
-  return context;
-}
-
 } // namespace
 
 int understand_command(const Places& places, const UnderstandOptions& options,
@@ -71,8 +61,8 @@ int understand_command(const Places& places, const UnderstandOptions& options,
       say_error(console, to_string(error));
     return exit_code::wrong;
   }
-  const auto context = beginning(*application.program,
-                                 options.clock.value_or(SystemClock().now()));
+  const auto context = first_context(
+      *application.program, options.clock.value_or(SystemClock().now()));
   print(console.out,
         built->understand(well_formed(options.text), context, true));
   return exit_code::success;

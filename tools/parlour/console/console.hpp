@@ -17,6 +17,8 @@ struct Console {
   bool colour = false; // use colours on `err`
   // The errno of the first failed write to `out`; 0 if none, or not known.
   std::function<int()> trouble = [] { return 0; };
+  // Both are a terminal, on which a line may be drawn again and again.
+  bool redraws = false;
 };
 
 // Prints "error: message" as a line on `err`, in red if colours are used.

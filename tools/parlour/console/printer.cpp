@@ -13,6 +13,12 @@
 
 namespace parlour::tools {
 
+namespace {
+
+constexpr const char* erase_line = "\r\033[K";
+
+} // namespace
+
 struct Printer::State {
   // A line and the stream it is for.
   struct Line {
@@ -25,6 +31,7 @@ struct Printer::State {
   // The writing thread.
   void write_all();
   bool write(const Line& line);
+  void write_status(const std::string& text);
   void close_once(std::unique_lock<std::mutex>& lock);
 
   std::ostream* out_stream;
@@ -32,8 +39,11 @@ struct Printer::State {
   std::function<void()> closed;
   std::mutex mutex;
   std::condition_variable changed;
-  std::deque<Line> lines; // the front one is being written
-  std::size_t bytes = 0;  // the sum of their sizes
+  std::deque<Line> lines;    // the front one is being written
+  std::size_t bytes = 0;     // the sum of their sizes
+  std::string status;        // below all lines
+  bool status_waits = false; // to be written, also when it is being written
+  bool status_shown = false; // only for the writing thread
   bool is_closed = false;
   bool given_up = false;
   bool finished = false;
@@ -60,13 +70,26 @@ void Printer::State::add(Line line) {
 void Printer::State::write_all() {
   std::unique_lock lock(mutex);
   for (;;) {
-    changed.wait(lock, [&] { return finished || !lines.empty(); });
-    if (lines.empty())
+    changed.wait(lock,
+                 [&] { return finished || !lines.empty() || status_waits; });
+    if (lines.empty() && !status_waits)
       return;
+    if (lines.empty()) {
+      const auto text = status;
+      lock.unlock();
+      write_status(text);
+      lock.lock();
+      status_waits = status != text;
+      changed.notify_all();
+      continue;
+    }
     const auto& line = lines.front(); // stays where it is
     lock.unlock();
+    if (status_shown)
+      write_status("");
     const bool written = write(line);
     lock.lock();
+    status_waits = !status.empty();
     bytes -= line.text.size();
     lines.pop_front();
     if (!written)
@@ -82,6 +105,12 @@ bool Printer::State::write(const Line& line) {
   if (stream)
     stream << line.text << '\n' << std::flush;
   return stream || !line.is_out;
+}
+
+void Printer::State::write_status(const std::string& text) {
+  status_shown = !text.empty();
+  if (*err_stream)
+    *err_stream << erase_line << text << std::flush;
 }
 
 // Calls `closed` at most once, without the lock: it may add lines.
@@ -114,6 +143,15 @@ void Printer::err(std::string line) {
   state_->add({false, std::move(line)});
 }
 
+void Printer::status(std::string line) {
+  std::lock_guard lock(state_->mutex);
+  if (state_->finished || state_->status == line)
+    return;
+  state_->status = std::move(line);
+  state_->status_waits = true;
+  state_->changed.notify_all();
+}
+
 void Printer::wait_for_room() {
   std::unique_lock lock(state_->mutex);
   state_->changed.wait(lock, [this] {
@@ -124,8 +162,11 @@ void Printer::wait_for_room() {
 // First wait without limit for the queue to be empty or given up, then for the
 // last lines' time.
 bool Printer::finish() {
+  status("");
   std::unique_lock lock(state_->mutex);
-  const auto written = [this] { return state_->lines.empty(); };
+  const auto written = [this] {
+    return state_->lines.empty() && !state_->status_waits;
+  };
   state_->changed.wait(lock, [&] { return written() || state_->given_up; });
   const bool all = state_->changed.wait_for(lock, last_lines_time, written);
   state_->finished = true;

@@ -41,6 +41,11 @@ public:
   void out(std::string line);
   void err(std::string line);
 
+  // Shows a line below all others on a terminal, in the place of the one
+  // before, until finish(); an empty one takes it away. From any thread. Only
+  // for an `err` that is a terminal.
+  void status(std::string line);
+
   // Blocks until fewer than room_to_write bytes wait, or give_up() was called.
   void wait_for_room();
   // Blocks until all lines are written, and returns true. After give_up() it

@@ -24,12 +24,9 @@ namespace parlour::tools {
 namespace {
 
 constexpr int kept_lines = 1000; // of the history
+constexpr int min_columns = 70;  // that leave room beside a status
 
-// The prompt, and the columns that it takes.
-constexpr int prompt_columns = 2;
-const wchar_t* prompt(EditLine*) {
-  return L"> ";
-}
+constexpr const wchar_t* plain_prompt = L"> ";
 
 // The terminal's width; 80 if it is not known.
 int columns_of(std::FILE* terminal) {
@@ -53,7 +50,7 @@ struct Screen::Editor {
     HistEvent event;
     history(past, &event, H_SETSIZE, kept_lines);
     history(past, &event, H_LOAD, file.c_str());
-    el_wset(line, EL_PROMPT, prompt);
+    el_wset(line, EL_PROMPT, &Editor::show_prompt);
     el_wset(line, EL_EDITOR, L"emacs");
     el_set(line, EL_HIST, history, past);
     el_set(line, EL_CLIENTDATA, this);
@@ -68,6 +65,19 @@ struct Screen::Editor {
     history_end(past);
     el_end(line);
     close(news);
+  }
+
+  static const wchar_t* show_prompt(EditLine* line) {
+    Editor* self = nullptr;
+    el_get(line, EL_CLIENTDATA, &self);
+    return self ? self->prompt.c_str() : plain_prompt;
+  }
+
+  // A status of ASCII; where the terminal is too narrow for it there is none.
+  void set_status(const std::string& status) {
+    prompt = plain_prompt;
+    if (!status.empty() && columns_of(terminal.out) > min_columns)
+      prompt = std::wstring(status.begin(), status.end()) + L" " + prompt;
   }
 
   // Goes through the history from the oldest line to the newest and keeps what
@@ -138,7 +148,7 @@ struct Screen::Editor {
   // longer than the terminal is wide.
   int rows_above_cursor() const {
     const auto* written = el_wline(line);
-    auto columns = prompt_columns;
+    auto columns = static_cast<int>(prompt.size());
     for (const auto* at = written->buffer; at != written->cursor; ++at)
       columns += std::max(wcwidth(*at), 0);
     return columns / columns_of(terminal.out);
@@ -150,6 +160,7 @@ struct Screen::Editor {
   // The history file.
   std::string file;
   IsPrivate is_private; // may be empty
+  std::wstring prompt = plain_prompt;
   EditLine* line = nullptr;
   History* past = nullptr;
 };
@@ -170,6 +181,12 @@ void Screen::note(const std::string& text) {
   add(colour_ ? "\033[90m" + text + "\033[0m" : text);
 }
 
+void Screen::status(const std::string& text) {
+  std::lock_guard lock(mutex_);
+  status_ = text;
+  eventfd_write(editor_->news, 1);
+}
+
 void Screen::add(std::string line) {
   std::lock_guard lock(mutex_);
   lines_.push_back(std::move(line));
@@ -183,6 +200,7 @@ void Screen::flush() {
   for (const auto& line : lines_)
     std::fprintf(editor_->terminal.out, "%s\n", line.c_str());
   lines_.clear();
+  editor_->set_status(status_);
   std::fflush(editor_->terminal.out);
 }
 

@@ -23,8 +23,8 @@ struct Terminal {
   int interrupt;
 };
 
-// The screen of a terminal. say() and note() may be called from any thread;
-// everything else from the thread that reads.
+// The screen of a terminal. say(), note() and status() may be called from any
+// thread; everything else from the thread that reads.
 class Screen {
 public:
   // Loads the history from the file `history`, and saves it there when the
@@ -39,6 +39,9 @@ public:
 
   void say(const std::string& text);  // the robot's words, in bold
   void note(const std::string& text); // traces and errors, in grey
+  // Shows a text before the prompt, in the place of the one before; an empty
+  // one takes it away.
+  void status(const std::string& text);
   // Prints the lines that were added since. read_line() does so while it waits;
   // call flush() when nobody reads any more.
   void flush();
@@ -53,8 +56,9 @@ private:
   // Queues a line and wakes the thread that reads.
   void add(std::string line);
 
-  std::mutex mutex_;              // guards lines_
+  std::mutex mutex_;              // guards these two
   std::deque<std::string> lines_; // not printed yet
+  std::string status_;            // before the prompt
   bool colour_;
   std::unique_ptr<Editor> editor_;
 };

@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "actors/node/node.hpp"
+#include "tools/parlour/console/printer.hpp"
 #include "tools/parlour/console/row_reader.hpp"
 
 namespace parlour::tools {
@@ -59,6 +60,28 @@ private:
   bool virtual_;
   std::atomic<std::uint64_t> said_ = 0; // outputs so far
   actors::SeatId seat_;
+};
+
+// A driver that waits while too many lines are unread. Otherwise a script that
+// talks without end would fill the memory when the reader is slow.
+class PacedDriver : public NodeDriver {
+public:
+  PacedDriver(actors::Node& node, bool is_virtual, Printer& printer)
+      : NodeDriver(node, is_virtual,
+                   [&printer](const std::string& text) { printer.out(text); }),
+        printer_(printer) {}
+
+  void enter(const std::vector<std::string>& turns) override {
+    printer_.wait_for_room();
+    NodeDriver::enter(turns);
+  }
+  void let_time_pass() override {
+    printer_.wait_for_room();
+    NodeDriver::let_time_pass();
+  }
+
+private:
+  Printer& printer_;
 };
 
 // Passes the events of `rows` to the driver. True when the input has ended and

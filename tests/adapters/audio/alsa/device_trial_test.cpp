@@ -42,6 +42,21 @@ TEST(DeviceTrialTest, PlaysATone) {
   EXPECT_NEAR(meter.peak(), -20, 0.5);
 }
 
+TEST(DeviceTrialTest, PlaysSoundOfAnotherRate) {
+  const test::VirtualDevice device({48'000, 2});
+  const auto sound = test::tone(440, 0.5, 8'000);
+  ASSERT_TRUE(play_sound("dev", sound, test::VirtualDevice::limits()));
+  auto played = device.played();
+  ASSERT_GE(played.size(), 48'000u); // half a second, of both channels
+  std::vector<Sample> left;
+  for (std::size_t i = 0; i < 48'000; i += 2)
+    left.push_back(played[i]);
+  EXPECT_GT(test::level_of(left, 440, 48'000), 0.4);
+  EXPECT_THAT(
+      play_sound("none", sound, test::VirtualDevice::limits()).error().message,
+      HasSubstr("there is no such sound device"));
+}
+
 TEST(DeviceTrialTest, SaysWhyItCannot) {
   const test::VirtualDevice device({16'000, 1, "S16_LE", 10, "unplug@1600"});
   const auto no_level = [](const LevelMeter&) {};

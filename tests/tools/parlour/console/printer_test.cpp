@@ -58,6 +58,23 @@ TEST(Printer, writes_lines_in_their_order) {
   EXPECT_EQ(both.str(), "one\ntwo\nthree\n");
 }
 
+TEST(Printer, keeps_a_status_below_all_lines) {
+  std::ostringstream both;
+  Printer printer(both, both, {});
+  printer.status("a");
+  printer.out("one");
+  printer.status("b");
+  EXPECT_TRUE(printer.finish());
+  printer.status("too late");
+  // What was shown in between depends on the threads.
+  const auto shown = both.str();
+  EXPECT_TRUE(shown.ends_with("\n") || shown.ends_with("\r\033[K"));
+  EXPECT_NE(shown.find("one\n"), std::string::npos);
+  EXPECT_EQ(shown.find("aone"), std::string::npos);
+  EXPECT_EQ(shown.find("bone"), std::string::npos);
+  EXPECT_EQ(shown.find("too late"), std::string::npos);
+}
+
 TEST(Printer, tells_once_that_nobody_listens) {
   int closed = 0;
   std::stringbuf unwritable(std::ios::in);

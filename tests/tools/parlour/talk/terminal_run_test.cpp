@@ -62,6 +62,34 @@ TEST_F(ScreenTest, reads_edited_lines) {
             "Gr\xC3\xBC\xC3\x9F Gott");
 }
 
+TEST_F(ScreenTest, shows_a_status_before_the_prompt) {
+  const winsize wide{24, 100, 0, 0};
+  ioctl(fileno(out_), TIOCSWINSZ, &wide);
+  auto screen = make();
+  screen.status("listening");
+  std::jthread person([&] {
+    EXPECT_THAT(terminal_.type_at_prompt("hel"), EndsWith("listening > "));
+    terminal_.seen_until("hel");
+    screen.status("speaking");
+    terminal_.seen_until("speaking > hel");
+    screen.status("");
+    EXPECT_THAT(terminal_.seen_until("> hel"), Not(HasSubstr("ing > ")));
+    terminal_.type("lo\n");
+  });
+  EXPECT_EQ(screen.read_line(), "hello");
+}
+
+// There would be no room for what is typed.
+TEST_F(ScreenTest, shows_no_status_where_the_terminal_is_narrow) {
+  auto screen = make();
+  screen.status("listening");
+  std::string seen;
+  std::jthread person([&] { seen = terminal_.type_at_prompt("hello\n"); });
+  EXPECT_EQ(screen.read_line(), "hello");
+  person.join();
+  EXPECT_THAT(seen, Not(HasSubstr("listening")));
+}
+
 TEST_F(ScreenTest, keeps_a_history) {
   {
     auto screen = make();

@@ -1,0 +1,150 @@
+#include <cmath>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "adapters/audio/sound_file.hpp"
+#include "adapters/endpointer/speech_endpointer.hpp"
+#include "adapters/vad/adaptive_vad.hpp"
+#include "runtime/plugin/adaptors.hpp"
+#include "script/program/program.hpp"
+#include "tests/support/temporary_folder.hpp"
+#include "tools/parlour/speech/ears.hpp"
+
+namespace parlour::tools {
+namespace {
+
+using adapters::Sample;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+// Hears how many frames an utterance has.
+class CountingASR : public ASRPlugin {
+protected:
+  Expected<void> on_start(const Options& options) override {
+    mode_ = option_value(options, {{"mode", "", "how it behaves"}}, "mode");
+    if (mode_ == "broken")
+      return fail(ErrorKind::settings, "there is no model");
+    return {};
+  }
+  void on_do_recognition(const Binary&) override {
+    if (++frames_ == 20)
+      fire_partial("so far", 1, true);
+  }
+  void on_finish() override {
+    if (mode_ == "rejects")
+      fire_rejected("a noise");
+    else
+      fire_result(std::to_string(frames_) + " frames", 0.5, {"one", "two"},
+                  {Map{{"word", "frames"}}});
+    frames_ = 0;
+  }
+  void on_cancel() override {
+    frames_ = 0;
+  }
+
+private:
+  int frames_ = 0;
+  std::string mode_;
+};
+
+class EarsTest : public testing::Test {
+protected:
+  EarsTest() {
+    application.program = std::make_shared<script::Program>();
+    application.folder = folder.path();
+    add(adapters::adaptive_vad_factory());
+    add(adapters::speech_endpointer_factory());
+    PluginDescription description{"CountingASR", {"ASR"}, "counts"};
+    description.options = {{"mode", "", "how it behaves"}};
+    add({description, [] { return std::make_unique<CountingASR>(); }});
+  }
+  void add(PluginFactory factory) {
+    auto name = factory.description.name;
+    application.composition.components.push_back(
+        {std::move(name), std::move(factory), {}, {}});
+  }
+  void recogniser(const std::string& mode) {
+    application.composition.components.back().options["mode"] = mode;
+  }
+  // Noise that is as loud and as varied as speech, between silence.
+  std::filesystem::path sound(const std::vector<int>& bursts) {
+    std::vector<Sample> samples(16'000);
+    for (const int time : bursts) {
+      for (int i = 0; i < 16 * time; ++i)
+        samples.push_back(static_cast<Sample>(8'000 * std::sin(0.05 * i) *
+                                              std::sin(0.0011 * i)));
+      samples.insert(samples.end(), 32'000, 0);
+    }
+    auto path = folder.path() / "sound.wav";
+    auto writer = adapters::SoundFileWriter::create(path, {});
+    EXPECT_TRUE(writer && writer->write(samples));
+    return path;
+  }
+
+  test::TemporaryFolder folder;
+  Application application;
+};
+
+TEST_F(EarsTest, TellsWhatEachStageMakesOfAFile) {
+  auto ears = Ears::start(application);
+  ASSERT_TRUE(ears) << ears.error().message;
+  EXPECT_EQ((*ears)->recogniser(), "CountingASR");
+  for (int again = 0; again < 2; ++again) {
+    const auto heard = (*ears)->hear(sound({1'500, 1'000}));
+    ASSERT_TRUE(heard) << heard.error().message;
+    EXPECT_EQ(heard->length, 9'500); // two seconds of silence with it
+    EXPECT_NEAR(heard->level.peak(), -12, 1);
+    ASSERT_THAT(heard->speech, SizeIs(2));
+    ASSERT_THAT(heard->turns, SizeIs(2));
+    const auto& turn = heard->turns[0];
+    EXPECT_NEAR(static_cast<double>(turn.begin), 1'000, 150);
+    EXPECT_NEAR(static_cast<double>(turn.end), 2'500, 150);
+    EXPECT_NEAR(static_cast<double>(heard->turns[1].begin), 4'500, 150);
+    EXPECT_THAT(turn.text, HasSubstr("frames"));
+    EXPECT_EQ(turn.confidence, Value(0.5));
+    EXPECT_THAT(turn.alternatives, SizeIs(2));
+    EXPECT_THAT(turn.words, SizeIs(1));
+    ASSERT_THAT(turn.partials, SizeIs(1));
+    EXPECT_EQ(turn.partials[0].text, "so far");
+    EXPECT_EQ(turn.partials[0].ends, true);
+  }
+}
+
+TEST_F(EarsTest, TellsThatThereIsNoSpeech) {
+  auto ears = Ears::start(application);
+  ASSERT_TRUE(ears);
+  const auto heard = (*ears)->hear(sound({}));
+  ASSERT_TRUE(heard);
+  EXPECT_THAT(heard->speech, IsEmpty());
+  EXPECT_THAT(heard->turns, IsEmpty());
+}
+
+TEST_F(EarsTest, TellsWhyNothingIsRecognised) {
+  recogniser("rejects");
+  auto ears = Ears::start(application);
+  ASSERT_TRUE(ears);
+  const auto heard = (*ears)->hear(sound({1'000}));
+  ASSERT_TRUE(heard);
+  ASSERT_THAT(heard->turns, SizeIs(1));
+  EXPECT_EQ(heard->turns[0].rejected, "a noise");
+}
+
+TEST_F(EarsTest, SaysWhatIsMissing) {
+  recogniser("broken");
+  EXPECT_EQ(Ears::start(application).error().message,
+            "CountingASR: there is no model");
+  application.composition.components.pop_back();
+  EXPECT_THAT(Ears::start(application).error().message,
+              HasSubstr("no component of the role ASR"));
+}
+
+TEST_F(EarsTest, RefusesWhatIsNoSound) {
+  auto ears = Ears::start(application);
+  ASSERT_TRUE(ears);
+  EXPECT_FALSE((*ears)->hear(folder.path() / "none.wav"));
+}
+
+} // namespace
+} // namespace parlour::tools

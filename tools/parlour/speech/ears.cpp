@@ -1,0 +1,283 @@
+#include "tools/parlour/speech/ears.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <thread>
+#include <utility>
+
+#include "tools/parlour/speech/application_host.hpp"
+
+namespace parlour::tools {
+
+namespace {
+
+using adapters::frame_time;
+using adapters::Sample;
+using Messages = std::vector<Message>;
+
+constexpr Milliseconds silence{2'000};
+constexpr Milliseconds answer_time{60'000};
+
+const Value& param(const Message& message, std::size_t position) {
+  static const Value missing;
+  return position < message.params.size() ? message.params[position] : missing;
+}
+
+std::int64_t position_of(const Message& message) {
+  return param(message, 0).integer_or(0);
+}
+
+List list_of(const Value& value) {
+  const auto* const list = value.if_list();
+  return list ? *list : List();
+}
+
+} // namespace
+
+// A component that runs alone.
+class Ears::Stage {
+public:
+  static Expected<std::unique_ptr<Stage>> start(const Application& application,
+                                                std::string_view role) {
+    const auto* const chosen = first_of_role(application.composition, role);
+    if (!chosen)
+      return nullptr;
+    std::unique_ptr<Stage> stage(new Stage(application, *chosen));
+    auto options = chosen->options;
+    const auto started = stage->plugin_->start(stage->host_, options);
+    if (!started)
+      return fail(started.error().kind,
+                  chosen->name + ": " + to_string(started.error()));
+    stage->started_ = true;
+    return stage;
+  }
+  Stage(const Stage&) = delete;
+  Stage& operator=(const Stage&) = delete;
+  ~Stage() {
+    if (started_)
+      plugin_->stop();
+  }
+
+  const std::string& name() const {
+    return name_;
+  }
+  // Whether it answers from a thread of its own.
+  bool works_aside() const {
+    return works_aside_;
+  }
+
+  // What it fires at once, and what it has fired meanwhile.
+  Messages take(std::string command, std::vector<Value> params = {}) {
+    Message message;
+    message.session = "listen";
+    message.command = std::move(command);
+    message.params = std::move(params);
+    plugin_->receive(message);
+    return host_.take_events();
+  }
+  Messages pass(Milliseconds time) {
+    host_.advance(time);
+    return host_.take_events();
+  }
+  // Its events up to one of these; all of them if none comes.
+  Messages wait_for(std::initializer_list<std::string_view> commands) {
+    Messages all;
+    host_.wait(
+        [&] {
+          const auto more = host_.take_events();
+          all.insert(all.end(), more.begin(), more.end());
+          return std::ranges::any_of(all, [&](const Message& event) {
+            return std::ranges::find(commands, event.command) != commands.end();
+          });
+        },
+        answer_time);
+    return all;
+  }
+
+private:
+  Stage(const Application& application, const ChosenComponent& chosen)
+      : host_(application), plugin_(chosen.factory.create()),
+        name_(chosen.name),
+        works_aside_(std::ranges::any_of(
+            chosen.factory.description.options,
+            [](const auto& option) { return option.name == "one-by-one"; })) {}
+
+  ApplicationHost host_; // outlives the plug-in
+  const std::unique_ptr<IPlugin> plugin_;
+  const std::string name_;
+  const bool works_aside_;
+  bool started_ = false;
+};
+
+// The way of one file through the stages.
+class Ears::Hearing {
+public:
+  explicit Hearing(Ears& ears) : ears_(ears) {}
+
+  void frame(const std::vector<Sample>& samples) {
+    heard_.level.add(samples);
+    enhance(adapters::pcm_value(samples));
+    position_ += frame_time;
+    heard_.length = position_;
+    pass(Milliseconds(frame_time));
+  }
+
+  // A turn that is still open ends when no more audio comes.
+  Expected<HeardFile> finish() {
+    for (int second = 0; second < 2; ++second)
+      pass(Milliseconds(1'000));
+    if (trouble_)
+      return tl::make_unexpected(*trouble_);
+    return std::move(heard_);
+  }
+
+private:
+  void pass(Milliseconds time) {
+    detector(ears_.detector_->pass(time));
+    endpointer(ears_.endpointer_->pass(time));
+    recogniser(ears_.recogniser_->pass(time));
+  }
+
+  void enhance(const Value& audio) {
+    if (!ears_.enhancement_)
+      return detect(audio, position_);
+    for (const auto& event :
+         ears_.enhancement_->take("Process", {audio, position_}))
+      if (event.command == "Enhanced")
+        detect(param(event, 0), param(event, 1).integer_or(position_));
+  }
+
+  void detect(const Value& audio, std::int64_t position) {
+    detector(ears_.detector_->take("Process", {audio, position}));
+    endpointer(ears_.endpointer_->take("Process", {audio, position}));
+  }
+
+  void detector(const Messages& events) {
+    for (const auto& event : events) {
+      if (event.command == "SpeechStarted")
+        heard_.speech.push_back({position_of(event), position_of(event)});
+      else if (event.command == "SpeechEnded" && !heard_.speech.empty())
+        heard_.speech.back().end = position_of(event);
+      else
+        continue;
+      endpointer(ears_.endpointer_->take(event.command, event.params));
+    }
+  }
+
+  void endpointer(const Messages& events) {
+    for (const auto& event : events)
+      if (event.command == "TurnStarted")
+        heard_.turns.push_back({position_of(event), position_of(event)});
+      else if (event.command == "Speech")
+        recogniser(ears_.recogniser_->take("DoRecognition", event.params));
+      else if (event.command == "TurnEnded")
+        end(position_of(event));
+      else if (event.command == "TurnDropped")
+        drop();
+  }
+
+  void drop() {
+    recogniser(ears_.recogniser_->take("Cancel"));
+    if (!heard_.turns.empty())
+      heard_.turns.pop_back();
+  }
+
+  void end(std::int64_t position) {
+    if (heard_.turns.empty())
+      return;
+    heard_.turns.back().end = position;
+    recogniser(ears_.recogniser_->take("Finish"));
+    if (is_open())
+      recogniser(ears_.recogniser_->wait_for(
+          {"RecognitionResult", "Rejected", "Failed"}));
+    if (is_open())
+      trouble_ = {
+          ErrorKind::offline, ears_.recogniser() + " has not answered", {}};
+  }
+
+  bool is_open() const {
+    const auto& turn = heard_.turns.back();
+    return turn.text.empty() && turn.rejected.empty();
+  }
+
+  void recogniser(const Messages& events) {
+    for (const auto& event : events)
+      if (!heard_.turns.empty())
+        recognised(event, heard_.turns.back());
+  }
+
+  void recognised(const Message& event, HeardTurn& turn) {
+    if (event.command == "Partial") {
+      const auto* const ends = param(event, 2).if_boolean();
+      turn.partials.push_back({position_, param(event, 0).text(),
+                               ends ? std::optional(*ends) : std::nullopt});
+      endpointer(ears_.endpointer_->take("Partial", event.params));
+    } else if (event.command == "RecognitionResult") {
+      turn.text = param(event, 0).text();
+      turn.confidence = param(event, 1);
+      turn.alternatives = list_of(param(event, 2));
+      turn.words = list_of(param(event, 3));
+    } else if (event.command == "Rejected" || event.command == "Failed") {
+      turn.rejected = param(event, 0).text();
+      if (turn.rejected.empty())
+        turn.rejected = "it does not say why";
+    }
+  }
+
+  Ears& ears_;
+  HeardFile heard_;
+  std::int64_t position_ = 0; // where the next frame begins
+  std::optional<Error> trouble_;
+};
+
+Ears::Ears() = default;
+
+Ears::~Ears() = default;
+
+Expected<std::unique_ptr<Ears>> Ears::start(const Application& application) {
+  std::unique_ptr<Ears> ears(new Ears);
+  const struct {
+    std::string_view role;
+    std::unique_ptr<Stage>& stage;
+    bool required = true;
+  } stages[] = {{"Enhancement", ears->enhancement_, false},
+                {"VAD", ears->detector_},
+                {"Endpointer", ears->endpointer_},
+                {"ASR", ears->recogniser_}};
+  for (const auto& [role, stage, required] : stages) {
+    auto started = Stage::start(application, role);
+    if (!started)
+      return tl::make_unexpected(started.error());
+    stage = std::move(*started);
+    if (required && !stage)
+      return fail(ErrorKind::settings, "there is no component of the role " +
+                                           std::string(role) +
+                                           " (docs/speech.md)");
+  }
+  return ears;
+}
+
+const std::string& Ears::recogniser() const {
+  return recogniser_->name();
+}
+
+Expected<HeardFile> Ears::hear(const std::filesystem::path& file) {
+  auto frames = adapters::SoundFileFrames::open(file, {}, {silence, false});
+  if (!frames)
+    return tl::make_unexpected(frames.error());
+  detector_->take("Reset");
+  endpointer_->take("Reset");
+  recogniser_->take("Cancel");
+  Hearing hearing(*this);
+  std::vector<Sample> frame;
+  auto due = std::chrono::steady_clock::now();
+  while (frames->next(frame)) {
+    hearing.frame(frame);
+    due += Milliseconds(frame_time);
+    if (recogniser_->works_aside())
+      std::this_thread::sleep_until(due);
+  }
+  return hearing.finish();
+}
+
+} // namespace parlour::tools

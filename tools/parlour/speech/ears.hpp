@@ -1,0 +1,73 @@
+// Ears: the components of an application from enhancement to recogniser, which
+// hear sound files without a conversation. parlour:voice connects them in the
+// same way.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "adapters/audio/level_meter.hpp"
+#include "adapters/audio/sound_file_frames.hpp"
+#include "tools/parlour/application/application.hpp"
+
+namespace parlour::tools {
+
+// What was told of a turn. Positions are in ms of the file.
+struct HeardTurn {
+  struct Partial {
+    std::int64_t position = 0; // of the audio when it was told
+    std::string text;
+    std::optional<bool> ends;
+  };
+  std::int64_t begin = 0; // of its speech
+  std::int64_t end = 0;
+  std::vector<Partial> partials = {};
+  std::string text = {}; // empty: nothing was recognised
+  Value confidence = {}; // unknown: the recogniser has none
+  List alternatives = {};
+  List words = {};
+  std::string rejected = {}; // why nothing was recognised
+};
+
+struct HeardFile {
+  struct Segment {
+    std::int64_t begin = 0;
+    std::int64_t end = 0;
+  };
+  std::int64_t length = 0; // ms
+  adapters::LevelMeter level = {};
+  std::vector<Segment> speech = {}; // by the detector
+  std::vector<HeardTurn> turns = {};
+};
+
+// For one thread.
+class Ears {
+public:
+  // Starts the components; the application must outlive them.
+  static Expected<std::unique_ptr<Ears>> start(const Application& application);
+  Ears(const Ears&) = delete;
+  Ears& operator=(const Ears&) = delete;
+  ~Ears();
+
+  // Hears a file and two seconds of silence. A recogniser that works aside gets
+  // it at the pace of speech, others as fast as they hear. Errors are those of
+  // the file, and of kind Offline if the recogniser does not answer.
+  Expected<HeardFile> hear(const std::filesystem::path& file);
+
+  const std::string& recogniser() const;
+
+private:
+  class Stage;
+  class Hearing;
+  Ears();
+
+  std::unique_ptr<Stage> enhancement_; // null: there is none
+  std::unique_ptr<Stage> detector_;
+  std::unique_ptr<Stage> endpointer_;
+  std::unique_ptr<Stage> recogniser_;
+};
+
+} // namespace parlour::tools

@@ -1,0 +1,88 @@
+#include "tools/parlour/speech/synthesis.hpp"
+
+#include <fmt/format.h>
+
+#include "runtime/plugin/test_host.hpp"
+
+namespace parlour::tools {
+
+namespace {
+
+using adapters::Sample;
+
+// What has come of an utterance so far.
+struct Spoken {
+  std::vector<Sample> samples;
+  bool finished = false;
+  std::string trouble; // why it is not spoken; empty: it is
+
+  bool is_over() const {
+    return finished || !trouble.empty();
+  }
+};
+
+void take(const Message& event, Spoken& spoken) {
+  if (event.command == "Finished") {
+    spoken.finished = true;
+  } else if (event.command == "Audio" && !event.params.empty()) {
+    const auto samples = adapters::speech_samples(event.params.front());
+    if (samples)
+      spoken.samples.insert(spoken.samples.end(), samples->begin(),
+                            samples->end());
+    else
+      spoken.trouble = samples.error().message;
+  } else if (event.command == "Failed") {
+    spoken.trouble =
+        event.params.empty() ? "it failed" : event.params.front().text();
+  }
+}
+
+// Waits for the next events; false if none came.
+bool take_next(TestHost& host, Spoken& spoken, Milliseconds patience) {
+  return host.wait(
+      [&] {
+        const auto events = host.take_events();
+        for (const auto& event : events)
+          take(event, spoken);
+        for (const auto& failure : host.take_failures())
+          spoken.trouble = failure;
+        return !events.empty() || spoken.is_over();
+      },
+      patience);
+}
+
+Message order(const std::string& text) {
+  Message message;
+  message.session = "say";
+  message.command = "Speak";
+  message.params = {text, 1};
+  return message;
+}
+
+} // namespace
+
+Expected<std::vector<Sample>> synthesize(const PluginFactory& factory,
+                                         const Options& options,
+                                         const std::string& text,
+                                         Milliseconds patience) {
+  const auto& name = factory.description.name;
+  TestHost host; // outlives the plug-in
+  const auto plugin = factory.create();
+  if (auto started = plugin->start(host, options); !started)
+    return fail(started.error().kind, name + ": " + to_string(started.error()));
+  plugin->receive(order(text));
+  Spoken spoken;
+  while (!spoken.is_over())
+    if (!take_next(host, spoken, patience))
+      spoken.trouble =
+          fmt::format("it has said nothing for {} s", patience.count() / 1'000);
+  plugin->stop();
+  if (!spoken.trouble.empty())
+    return fail(ErrorKind::refused, name + ": " + spoken.trouble);
+  if (spoken.samples.empty())
+    return fail(ErrorKind::refused,
+                name + ": there is nothing to be heard of that");
+  return std::move(spoken.samples);
+}
+
+} // namespace parlour::tools

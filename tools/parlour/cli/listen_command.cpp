@@ -21,7 +21,7 @@ Expected<std::optional<NluEngine>> engine_of(const Application& application) {
   if (!component || component->factory.description.name != "GrammarNLU")
     return std::nullopt;
   auto built = build_engine(application, *component,
-                            column_reader(in_memory(application.composition),
+                            column_reader(rehearsed(application.composition),
                                           application.folder, ""));
   if (!built)
     return tl::make_unexpected(built.error().front());

@@ -4,7 +4,7 @@ namespace parlour::tools {
 
 ApplicationHost::ApplicationHost(const Application& of)
     : application_(of),
-      columns_(column_reader(in_memory(of.composition), of.folder, "")) {
+      columns_(column_reader(rehearsed(of.composition), of.folder, "")) {
   application = of.folder.string();
 }
 

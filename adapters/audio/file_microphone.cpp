@@ -19,8 +19,6 @@ const std::vector<OptionDescription>& option_descriptions() {
   return options;
 }
 
-constexpr Milliseconds most_silence{3'600'000};
-
 } // namespace
 
 FileMicrophone::FileMicrophone(std::filesystem::path file)
@@ -44,10 +42,9 @@ Expected<void> FileMicrophone::on_start(const Options& given) {
   if (!pace)
     return tl::make_unexpected(pace.error());
   pace_ = *pace;
-  const auto silence = parse_duration(option("silence"));
-  if (!silence || *silence > most_silence)
-    return fail(ErrorKind::settings,
-                "the option 'silence' is a time of up to 1h");
+  const auto silence = read_silence(option("silence"));
+  if (!silence)
+    return tl::make_unexpected(silence.error());
   ending_ = {*silence, option("loop") == "true"};
   return open({});
 }

@@ -23,8 +23,6 @@ const std::vector<OptionDescription>& option_descriptions() {
   return options;
 }
 
-constexpr Milliseconds most_silence{3'600'000};
-
 } // namespace
 
 FileSpeaker::FileSpeaker(std::filesystem::path file) : file_(std::move(file)) {}
@@ -43,10 +41,9 @@ Expected<void> FileSpeaker::on_start(const Options& given) {
   if (!pace)
     return tl::make_unexpected(pace.error());
   pace_ = *pace;
-  const auto silence = parse_duration(option("silence"));
-  if (!silence || *silence > most_silence)
-    return fail(ErrorKind::settings,
-                "the option 'silence' is a time of up to 1h");
+  const auto silence = read_silence(option("silence"));
+  if (!silence)
+    return tl::make_unexpected(silence.error());
   silence_ = *silence;
   const auto rate = parse_number(option("rate")).integer_or(0);
   if (rate < 8'000 || rate > 192'000)

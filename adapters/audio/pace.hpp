@@ -1,5 +1,5 @@
 // How fast sound in files is played and heard: the option `pace` and the
-// moments that follow from it.
+// moments that follow from it; and the silence between.
 #pragma once
 
 #include "adapters/audio/pcm.hpp"
@@ -10,6 +10,10 @@ namespace parlour::adapters {
 
 // The option's description: `what` is done faster.
 OptionDescription pace_option(const std::string& what);
+
+// How much silence is added to a file, from the option `silence`: up to an
+// hour. Errors are of kind Settings.
+Expected<Milliseconds> read_silence(const std::string& text);
 
 // The moments of the frames of a stream. For one thread at a time.
 class Pace {

@@ -1,12 +1,7 @@
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "adapters/audio/alsa/alsa_microphone.hpp"
 #include "runtime/plugin/conformance.hpp"
-#include "runtime/plugin/test_host.hpp"
-#include "tests/adapters/audio/alsa/virtual_device.hpp"
+#include "tests/adapters/audio/alsa/alsa_fixture.hpp"
 #include "tests/adapters/audio/tones.hpp"
-#include "tests/support/fake_plugin_host.hpp"
 
 namespace parlour::adapters {
 namespace {
@@ -16,62 +11,27 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-constexpr Milliseconds patience{20'000};
-
-class AlsaMicrophoneTest : public testing::Test {
+class AlsaMicrophoneTest : public test::AlsaTest {
 protected:
-  void use(const test::VirtualDeviceOptions& options) {
-    device.emplace(options);
-  }
   Expected<void> start(const std::string& name = "dev") {
-    if (!device)
-      device.emplace();
-    microphone =
-        alsa_microphone_factory(test::VirtualDevice::limits()).create();
-    return microphone->start(host, {{"device", name}});
+    return AlsaTest::start(
+        alsa_microphone_factory(test::VirtualDevice::limits()), name);
   }
-  void send(std::string command, std::vector<Value> params = {}) {
-    microphone->receive(test::message(std::move(command), std::move(params)));
-  }
-  // Takes what has come: audio to `heard`, other events to `events`.
-  void take() {
-    for (auto& event : host.take_events())
-      if (event.command == "BufferFull") {
-        const auto samples = *speech_samples(event.params[0]);
-        EXPECT_EQ(samples.size(), frame_samples);
-        heard.insert(heard.end(), samples.begin(), samples.end());
-        positions.push_back(event.params[1].integer_or(-1));
-      } else {
-        events.push_back(to_string(event).substr(1));
-      }
+  bool take_audio(const Message& event) override {
+    if (event.command != "BufferFull")
+      return false;
+    const auto samples = frame_of(event.params[0]);
+    heard.insert(heard.end(), samples.begin(), samples.end());
+    positions.push_back(event.params[1].integer_or(-1));
+    return true;
   }
   // Waits until so much was heard, or such an event has come.
   bool hears(std::size_t samples) {
     return host.wait([&] { return take(), heard.size() >= samples; }, patience);
   }
-  bool gets(const std::string& event) {
-    return host.wait(
-        [&] {
-          take();
-          return std::ranges::any_of(events, [&](const std::string& one) {
-            return one.starts_with(event);
-          });
-        },
-        patience);
-  }
 
-  // Until the device blocks, or has been closed after that.
-  void wait_until_gone(bool gone) {
-    while (device->is_gone() != gone)
-      host.wait([] { return false; }, Milliseconds(5));
-  }
-
-  TestHost host;
-  std::optional<test::VirtualDevice> device;
-  std::unique_ptr<IPlugin> microphone;
   std::vector<Sample> heard;
   std::vector<std::int64_t> positions;
-  std::vector<std::string> events;
 };
 
 TEST_F(AlsaMicrophoneTest, ConformsToItsRole) {
@@ -233,13 +193,13 @@ TEST_F(AlsaMicrophoneTest, StopsWhileTheDriverHangs) {
   device->block();
   auto limits = test::VirtualDevice::limits();
   limits.patience = Milliseconds(300);
-  microphone = alsa_microphone_factory(limits).create();
-  ASSERT_TRUE(microphone->start(host, {{"device", "dev"}}));
+  plugin = alsa_microphone_factory(limits).create();
+  ASSERT_TRUE(plugin->start(host, {{"device", "dev"}}));
   send("start_mic");
   wait_until_gone(true);
-  microphone->stop();
+  plugin->stop();
   EXPECT_THAT(host.take_logs(), ElementsAre(HasSubstr("driver hangs")));
-  microphone.reset();
+  plugin.reset();
   device->unblock();
   wait_until_gone(false);
 }
@@ -257,8 +217,8 @@ TEST_F(AlsaMicrophoneTest, ADeviceWithoutPaceIsHeldBack) {
   device.emplace();
   auto limits = test::VirtualDevice::limits();
   limits.fastest = 10;
-  microphone = alsa_microphone_factory(limits).create();
-  ASSERT_TRUE(microphone->start(host, {{"device", "null"}}));
+  plugin = alsa_microphone_factory(limits).create();
+  ASSERT_TRUE(plugin->start(host, {{"device", "null"}}));
   const auto begin = std::chrono::steady_clock::now();
   send("start_mic");
   ASSERT_TRUE(hears(160'000)); // 10 s

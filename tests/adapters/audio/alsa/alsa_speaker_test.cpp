@@ -1,12 +1,7 @@
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "adapters/audio/alsa/alsa_speaker.hpp"
 #include "runtime/plugin/conformance.hpp"
-#include "runtime/plugin/test_host.hpp"
-#include "tests/adapters/audio/alsa/virtual_device.hpp"
+#include "tests/adapters/audio/alsa/alsa_fixture.hpp"
 #include "tests/adapters/audio/tones.hpp"
-#include "tests/support/fake_plugin_host.hpp"
 
 namespace parlour::adapters {
 namespace {
@@ -16,46 +11,22 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-constexpr Milliseconds patience{20'000};
-
-class AlsaSpeakerTest : public testing::Test {
+class AlsaSpeakerTest : public test::AlsaTest {
 protected:
-  void use(const test::VirtualDeviceOptions& options) {
-    device.emplace(options);
-  }
   Expected<void>
   start(const std::string& name = "dev",
         const StreamLimits& limits = test::VirtualDevice::limits()) {
-    if (!device)
-      device.emplace();
-    speaker = alsa_speaker_factory(limits).create();
-    return speaker->start(host, {{"device", name}});
-  }
-  void send(std::string command, std::vector<Value> params = {}) {
-    speaker->receive(test::message(std::move(command), std::move(params)));
+    return AlsaTest::start(alsa_speaker_factory(limits), name);
   }
   void play(int utterance, const std::vector<Sample>& samples) {
     send("Play", {pcm_value(samples), utterance});
   }
-  void take() {
-    for (auto& event : host.take_events())
-      if (event.command == "Playing") {
-        const auto samples = *speech_samples(event.params[0]);
-        EXPECT_EQ(samples.size(), frame_samples);
-        playing.insert(playing.end(), samples.begin(), samples.end());
-      } else {
-        events.push_back(to_string(event).substr(1));
-      }
-  }
-  bool gets(const std::string& event) {
-    return host.wait(
-        [&] {
-          take();
-          return std::ranges::any_of(events, [&](const std::string& one) {
-            return one.starts_with(event);
-          });
-        },
-        patience);
+  bool take_audio(const Message& event) override {
+    if (event.command != "Playing")
+      return false;
+    const auto samples = frame_of(event.params[0]);
+    playing.insert(playing.end(), samples.begin(), samples.end());
+    return true;
   }
   // Without the silence around them.
   static std::vector<Sample> sounding(std::vector<Sample> samples) {
@@ -67,17 +38,7 @@ protected:
     return samples;
   }
 
-  // Until the device blocks, or has been closed after that.
-  void wait_until_gone(bool gone) {
-    while (device->is_gone() != gone)
-      host.wait([] { return false; }, Milliseconds(5));
-  }
-
-  TestHost host;
-  std::optional<test::VirtualDevice> device;
-  std::unique_ptr<IPlugin> speaker;
   std::vector<Sample> playing;
-  std::vector<std::string> events;
 };
 
 TEST_F(AlsaSpeakerTest, ConformsToItsRole) {
@@ -220,9 +181,9 @@ TEST_F(AlsaSpeakerTest, StopsWhileTheDriverHangs) {
   wait_until_gone(true);
   // Commands do not wait for the driver, either.
   play(2, std::vector<Sample>(16'000, 9));
-  speaker->stop();
+  plugin->stop();
   EXPECT_THAT(host.take_logs(), ElementsAre(HasSubstr("driver hangs")));
-  speaker.reset();
+  plugin.reset();
   device->unblock();
   wait_until_gone(false);
 }

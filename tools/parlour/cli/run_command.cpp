@@ -129,7 +129,8 @@ public:
         data_(data), sockets_(sockets), signals_(signals),
         printer_(console.out, console.err, [this] { signals_.raise_closed(); }),
         notes_(console, printer_, data / "log"),
-        voice_(roles_of(application.composition)) {}
+        voice_(roles_of(application.composition),
+               first_of_role(application.composition, "KeywordSpotter")) {}
 
   int run() {
     for (const auto& notice : application_.composition.notices)

@@ -112,7 +112,9 @@ private:
 // The way of one file through the stages.
 class Ears::Hearing {
 public:
-  explicit Hearing(Ears& ears) : ears_(ears) {}
+  explicit Hearing(Ears& ears) : ears_(ears) {
+    heard_.sleeps = ears.spotter_ != nullptr;
+  }
 
   void frame(const std::vector<Sample>& samples) {
     heard_.level.add(samples);
@@ -149,6 +151,8 @@ private:
 
   void detect(const Value& audio, std::int64_t position) {
     detector(ears_.detector_->take("Process", {audio, position}));
+    if (ears_.spotter_)
+      spotter(ears_.spotter_->take("Process", {audio, position}));
     endpointer(ears_.endpointer_->take("Process", {audio, position}));
   }
 
@@ -161,6 +165,16 @@ private:
       else
         continue;
       endpointer(ears_.endpointer_->take(event.command, event.params));
+    }
+  }
+
+  void spotter(const Messages& events) {
+    for (const auto& event : events) {
+      if (event.command != "Keyword")
+        continue;
+      heard_.keywords.push_back({param(event, 2).integer_or(position_),
+                                 param(event, 0).text(), param(event, 1)});
+      endpointer(ears_.endpointer_->take("Wake", {param(event, 2)}));
     }
   }
 
@@ -241,6 +255,7 @@ Expected<std::unique_ptr<Ears>> Ears::start(const Application& application) {
     std::unique_ptr<Stage>& stage;
     bool required = true;
   } stages[] = {{"Enhancement", ears->enhancement_, false},
+                {"KeywordSpotter", ears->spotter_, false},
                 {"VAD", ears->detector_},
                 {"Endpointer", ears->endpointer_},
                 {"ASR", ears->recogniser_}};
@@ -267,6 +282,8 @@ Expected<HeardFile> Ears::hear(const std::filesystem::path& file) {
     return tl::make_unexpected(frames.error());
   detector_->take("Reset");
   endpointer_->take("Reset");
+  if (spotter_)
+    endpointer_->take("Sleep");
   recogniser_->take("Cancel");
   Hearing hearing(*this);
   std::vector<Sample> frame;

@@ -1,6 +1,6 @@
 // Ears: the components of an application from enhancement to recogniser, which
-// hear sound files without a conversation. parlour:voice connects them in the
-// same way.
+// hear sound files without a conversation. parlour:voice and parlour:voice-wake
+// connect them in the same way.
 #pragma once
 
 #include <filesystem>
@@ -37,10 +37,19 @@ struct HeardFile {
     std::int64_t begin = 0;
     std::int64_t end = 0;
   };
+  // A phrase that wakes the seat.
+  struct Keyword {
+    std::int64_t position = 0;
+    std::string text;
+    Value confidence;
+  };
   std::int64_t length = 0; // ms
   adapters::LevelMeter level = {};
   std::vector<Segment> speech = {}; // by the detector
   std::vector<HeardTurn> turns = {};
+  std::vector<Keyword> keywords = {};
+  // Nothing is a turn before a keyword.
+  bool sleeps = false;
 };
 
 // For one thread.
@@ -65,6 +74,7 @@ private:
   Ears();
 
   std::unique_ptr<Stage> enhancement_; // null: there is none
+  std::unique_ptr<Stage> spotter_;     // null: the seat is always awake
   std::unique_ptr<Stage> detector_;
   std::unique_ptr<Stage> endpointer_;
   std::unique_ptr<Stage> recogniser_;

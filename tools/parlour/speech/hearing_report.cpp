@@ -126,6 +126,12 @@ std::string report_text(const HearingReport& report, bool why) {
     all += "  no speech was found\n";
   for (const auto& segment : heard.speech)
     all += "  speech " + range(segment.begin, segment.end) + "\n";
+  for (const auto& keyword : heard.keywords)
+    all += fmt::format("  keyword {:.2f} s \"{}\" ({})\n",
+                       seconds(keyword.position), keyword.text,
+                       keyword.confidence.text());
+  if (heard.sleeps && heard.keywords.empty())
+    all += "  no keyword was said, so it sleeps and hears no turn\n";
   for (std::size_t i = 0; i < heard.turns.size(); ++i) {
     const auto& turn = heard.turns[i];
     all += fmt::format("  turn {} {}, by {}\n", i + 1,
@@ -138,9 +144,13 @@ std::string report_text(const HearingReport& report, bool why) {
 }
 
 Value report_value(const HearingReport& report) {
-  List speech, turns;
+  List speech, keywords, turns;
   for (const auto& segment : report.heard.speech)
     speech.push_back(Map{{"begin_ms", segment.begin}, {"end_ms", segment.end}});
+  for (const auto& keyword : report.heard.keywords)
+    keywords.push_back(Map{{"at_ms", keyword.position},
+                           {"text", keyword.text},
+                           {"confidence", keyword.confidence}});
   for (std::size_t i = 0; i < report.heard.turns.size(); ++i) {
     auto turn = turn_value(report.heard.turns[i]);
     if (i < report.understood.size()) {
@@ -156,6 +166,7 @@ Value report_value(const HearingReport& report) {
              {"clipped", report.heard.level.clipped()},
              {"recogniser", report.recogniser},
              {"speech", std::move(speech)},
+             {"keywords", std::move(keywords)},
              {"turns", std::move(turns)}};
 }
 

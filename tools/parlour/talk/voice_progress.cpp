@@ -35,6 +35,8 @@ std::string VoiceProgress::line_now() const {
     return "loading the recogniser";
   case Doing::deaf:
     return "no microphone; waiting for it";
+  case Doing::asleep:
+    return "asleep       " + level_bar(shown_);
   case Doing::listening:
     return "listening    " + level_bar(shown_);
   case Doing::hearing:
@@ -66,7 +68,7 @@ bool VoiceProgress::heard(const Message& message) {
     return false;
   bool changed = false;
   if (doing_ == Doing::loading || doing_ == Doing::deaf)
-    changed = change(Doing::listening);
+    changed = change(sleeps_ ? Doing::asleep : Doing::listening);
   const auto samples = adapters::speech_samples(message.params.front());
   if (samples)
     now_.add(*samples);
@@ -92,6 +94,10 @@ VoiceProgress::next(std::string_view role, std::string_view command) const {
     return thinking;
   if (role == "Endpointer" && (command == "TurnDropped" || command == "Cancel"))
     return listening;
+  if (role == "Endpointer" && command == "Woken")
+    return listening;
+  if (role == "Endpointer" && command == "FellAsleep")
+    return asleep;
   if (role == "ASR" && command == "Rejected")
     return listening;
   if (role == "Speaker" && (command == "Started" || command == "RobotStarted"))

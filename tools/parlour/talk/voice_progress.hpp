@@ -24,7 +24,9 @@ public:
   // The roles of components by their names.
   using Roles = std::map<std::string, std::string, std::less<>>;
 
-  explicit VoiceProgress(Roles roles) : roles_(std::move(roles)) {}
+  // `sleeps`: until its word is said, and after silence.
+  explicit VoiceProgress(Roles roles, bool sleeps = false)
+      : roles_(std::move(roles)), sleeps_(sleeps) {}
 
   // A message of the run. Returns the line if it is to be drawn again: what is
   // done has changed, or 200 ms of sound were heard.
@@ -35,6 +37,7 @@ public:
 private:
   enum class Doing : std::uint8_t {
     loading,
+    asleep,
     listening,
     hearing,
     thinking,
@@ -50,6 +53,7 @@ private:
                             std::string_view command) const;
 
   const Roles roles_;
+  const bool sleeps_;
   mutable std::mutex mutex_;
   Doing doing_ = Doing::loading;
   adapters::LevelMeter now_;   // that is being measured

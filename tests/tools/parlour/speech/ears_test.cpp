@@ -49,6 +49,24 @@ private:
   std::string mode_;
 };
 
+// Spots its word in everything that is loud, once.
+class LoudKeywords : public RolePlugin {
+public:
+  LoudKeywords() : RolePlugin("KeywordSpotter") {
+    on("Process", &LoudKeywords::on_process);
+  }
+
+private:
+  void on_process(const Binary& audio, std::int64_t position) {
+    adapters::LevelMeter meter;
+    meter.add(*adapters::speech_samples(audio));
+    if (meter.peak() > -20 && !std::exchange(spotted_, true))
+      fire_event("Keyword", {"wake up", 0.9, position});
+  }
+
+  bool spotted_ = false;
+};
+
 class EarsTest : public testing::Test {
 protected:
   EarsTest() {
@@ -129,6 +147,25 @@ TEST_F(EarsTest, TellsWhyNothingIsRecognised) {
   ASSERT_TRUE(heard);
   ASSERT_THAT(heard->turns, SizeIs(1));
   EXPECT_EQ(heard->turns[0].rejected, "a noise");
+}
+
+TEST_F(EarsTest, SleepsUntilItsWordIsSaid) {
+  add({{"LoudKeywords", {"KeywordSpotter"}, "spots what is loud"},
+       [] { return std::make_unique<LoudKeywords>(); }});
+  application.composition.components[1].options["sleeps-after"] = "10s";
+  auto ears = Ears::start(application);
+  ASSERT_TRUE(ears);
+  const auto first = (*ears)->hear(sound({1'000}));
+  ASSERT_TRUE(first);
+  EXPECT_TRUE(first->sleeps);
+  ASSERT_THAT(first->keywords, SizeIs(1));
+  EXPECT_EQ(first->keywords[0].text, "wake up");
+  EXPECT_NEAR(static_cast<double>(first->keywords[0].position), 1'000, 100);
+  EXPECT_THAT(first->turns, SizeIs(1));
+  const auto second = (*ears)->hear(sound({1'000}));
+  ASSERT_TRUE(second);
+  EXPECT_THAT(second->speech, SizeIs(1));
+  EXPECT_THAT(second->turns, IsEmpty());
 }
 
 TEST_F(EarsTest, SaysWhatIsMissing) {

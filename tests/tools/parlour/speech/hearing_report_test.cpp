@@ -69,6 +69,18 @@ TEST(HearingReportTest, TellsWhatWasRejected) {
   EXPECT_THAT(report_text(other, true), HasSubstr("no speech was found\n"));
 }
 
+TEST(HearingReportTest, TellsWhatWakesIt) {
+  auto other = report();
+  other.heard.sleeps = true;
+  EXPECT_THAT(report_text(other, false),
+              HasSubstr("  no keyword was said, so it sleeps"));
+  other.heard.keywords = {{700, "hey parlour", 0.9}};
+  const auto text = report_text(other, false);
+  EXPECT_THAT(text, HasSubstr("  keyword 0.70 s \"hey parlour\" (0.9)\n"));
+  EXPECT_THAT(text, Not(HasSubstr("sleeps")));
+  EXPECT_EQ(report_value(other)["keywords"].at(0)["at_ms"], Value(700));
+}
+
 TEST(HearingReportTest, IsForPrograms) {
   const auto value = report_value(report());
   const auto read = read_json(json_text(value));

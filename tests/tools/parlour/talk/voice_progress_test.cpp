@@ -74,6 +74,24 @@ TEST_F(VoiceProgressTest, HearsWhoInterrupts) {
   EXPECT_EQ(doing(), "hearing you");
 }
 
+TEST_F(VoiceProgressTest, MaySleep) {
+  take("Turns", "FellAsleep", {100});
+  EXPECT_EQ(doing(), "asleep");
+  sound(0);
+  EXPECT_EQ(doing(), "asleep");
+  take("Turns", "Woken", {900});
+  EXPECT_EQ(doing(), "listening");
+}
+
+TEST(SleepingVoiceProgressTest, SleepsAtFirst) {
+  VoiceProgress progress({{"Ear", "Microphone"}}, true);
+  Message sound;
+  sound.source = "Ear";
+  sound.command = "BufferFull";
+  sound.params = {adapters::pcm_value(std::vector<Sample>(320)), 0};
+  EXPECT_THAT(progress.take(sound).value_or(""), StartsWith("asleep"));
+}
+
 TEST_F(VoiceProgressTest, MissesTheMicrophone) {
   sound(0);
   take("Ear", "Failed", {"it is gone"});

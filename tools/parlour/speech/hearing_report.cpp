@@ -127,9 +127,9 @@ std::string report_text(const HearingReport& report, bool why) {
   for (const auto& segment : heard.speech)
     all += "  speech " + range(segment.begin, segment.end) + "\n";
   for (const auto& keyword : heard.keywords)
-    all += fmt::format("  keyword {:.2f} s \"{}\" ({})\n",
+    all += fmt::format("  keyword {:.2f} s \"{}\" ({:.2f})\n",
                        seconds(keyword.position), keyword.text,
-                       keyword.confidence.text());
+                       keyword.confidence.number_or(0));
   if (heard.sleeps && heard.keywords.empty())
     all += "  no keyword was said, so it sleeps and hears no turn\n";
   for (std::size_t i = 0; i < heard.turns.size(); ++i) {

@@ -76,7 +76,7 @@ TEST(HearingReportTest, TellsWhatWakesIt) {
               HasSubstr("  no keyword was said, so it sleeps"));
   other.heard.keywords = {{700, "hey parlour", 0.9}};
   const auto text = report_text(other, false);
-  EXPECT_THAT(text, HasSubstr("  keyword 0.70 s \"hey parlour\" (0.9)\n"));
+  EXPECT_THAT(text, HasSubstr("  keyword 0.70 s \"hey parlour\" (0.90)\n"));
   EXPECT_THAT(text, Not(HasSubstr("sleeps")));
   EXPECT_EQ(report_value(other)["keywords"].at(0)["at_ms"], Value(700));
 }

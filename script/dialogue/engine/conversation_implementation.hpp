@@ -113,7 +113,7 @@ private:
   Inbox::Of heard() const;
   void process(Input&& input);
   void user_begins();
-  bool note_speech(const Message& message, Timestamp now);
+  void note_speech(const Message& message, Timestamp now);
   bool hear_speech(const Message& message);
   bool hear_speaker(const Message& message);
   void act_on(Timer timer);

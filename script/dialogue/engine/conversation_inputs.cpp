@@ -169,26 +169,28 @@ void ConversationImplementation::process(Input&& input) {
   }
 }
 
-// True if the user was heard to speak. Partial results tell nothing of how long
+// Where the user was heard to speak. Partial results tell nothing of how long
 // the turn goes on; its end does.
-bool ConversationImplementation::note_speech(const Message& message,
+void ConversationImplementation::note_speech(const Message& message,
                                              Timestamp now) {
   const auto lasts = words_come_within(context.port, message);
   if (!lasts)
-    return false;
+    return;
   if (message.command == "Partial"sv)
     context.turns.speaks_on(now + lasts->count());
   else
     context.turns.speaks(now + lasts->count());
-  return true;
 }
 
 // Barge-in (engine rule 3).
 bool ConversationImplementation::hear_speech(const Message& message) {
   if (ends_speech(context.port, message))
     context.turns.speech_is_over();
-  if (!note_speech(message, context.now))
+  if (!words_come_within(context.port, message))
     return false;
+  // It was noted when it arrived, and words that have arrived since ended it.
+  if (context.turns.speaking(0))
+    note_speech(message, context.now);
   stop_silence();
   if (output.can_be_interrupted())
     for (const auto* role : {"TTS", "Speaker"})

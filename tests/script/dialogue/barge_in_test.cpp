@@ -147,6 +147,22 @@ TEST_F(BargeIn, ATurnLastsAsLongAsTheEndpointerSays) {
   EXPECT_EQ(world_->said(), Texts{"Good morning, how can I help you?"});
 }
 
+// A quick recogniser has the words before the session has handled the end.
+TEST_F(BargeIn, WordsThatArriveWithTheEndOfATurnEndTheSpeech) {
+  begin();
+  world_->components["Turns"] = {"Endpointer"};
+  world_->event("Turns", "TurnStarted", {1'000});
+  speaker_heard("Good morning, how can I help you?");
+  Message end;
+  end.source = "Turns";
+  end.command = "TurnEnded";
+  end.params = {2'000};
+  end.session = "s1";
+  world_->conversation->receive(std::move(end));
+  world_->say(inform("Taxi", {}));
+  EXPECT_EQ(world_->said(), Texts{"Where?"});
+}
+
 TEST_F(BargeIn, ATurnThatIsDroppedIsANoise) {
   begin();
   world_->components["Turns"] = {"Endpointer"};

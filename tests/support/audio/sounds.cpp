@@ -1,7 +1,6 @@
 #include "tests/support/audio/sounds.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -11,8 +10,6 @@ namespace parlour::test {
 namespace {
 
 using adapters::Sample;
-
-constexpr double full_scale = 32'768;
 
 Sample clipped(double value) {
   return static_cast<Sample>(
@@ -26,20 +23,6 @@ double amplitude(double decibels) {
 // Between 0 and 1; the same on every machine.
 double uniform(std::mt19937_64& random) {
   return static_cast<double>(random() >> 11) * 0x1.0p-53;
-}
-
-Sound scaled(const std::vector<double>& values, double level) {
-  double power = 0;
-  for (const auto value : values)
-    power += value * value;
-  const auto mean =
-      power / static_cast<double>(std::max<std::size_t>(1, values.size()));
-  const auto factor =
-      mean > 0 ? full_scale * amplitude(level) / std::sqrt(mean) : 0;
-  Sound made(values.size());
-  std::ranges::transform(values, made.begin(),
-                         [&](double value) { return clipped(value * factor); });
-  return made;
 }
 
 // One syllable: harmonics below two formants, with a soft beginning and end.
@@ -65,10 +48,6 @@ void add_syllable(std::vector<double>& to, std::size_t at, std::size_t length,
 
 } // namespace
 
-std::size_t samples_in(std::int64_t milliseconds) {
-  return static_cast<std::size_t>(milliseconds) * adapters::speech_rate / 1'000;
-}
-
 Sound silence(std::int64_t milliseconds) {
   return Sound(samples_in(milliseconds));
 }
@@ -78,23 +57,7 @@ Sound tone(double hertz, std::int64_t milliseconds, double level) {
   for (std::size_t i = 0; i < values.size(); ++i)
     values[i] = std::sin(2 * std::numbers::pi * hertz * static_cast<double>(i) /
                          adapters::speech_rate);
-  return scaled(values, level);
-}
-
-// White noise through filters of the first order, one for each two octaves.
-Sound pink_noise(std::uint64_t seed, std::int64_t milliseconds, double level) {
-  std::mt19937_64 random(seed);
-  std::vector<double> values(samples_in(milliseconds));
-  constexpr std::array<double, 6> keeps{0.9975, 0.990, 0.963, 0.86, 0.55, 0};
-  std::array<double, 6> state{};
-  for (auto& value : values)
-    for (std::size_t band = 0; band < keeps.size(); ++band) {
-      const auto gain = std::sqrt(1 - keeps[band]);
-      state[band] =
-          keeps[band] * state[band] + gain * (2 * uniform(random) - 1);
-      value += state[band];
-    }
-  return scaled(values, level);
+  return adapters::sound_of(values, level);
 }
 
 Sound speech_like(std::uint64_t seed, std::int64_t milliseconds, double level) {
@@ -112,7 +75,7 @@ Sound speech_like(std::uint64_t seed, std::int64_t milliseconds, double level) {
     add_syllable(values, at, length, random);
     at += length + pause;
   }
-  return scaled(values, level);
+  return adapters::sound_of(values, level);
 }
 
 Sound speech_like_babble(std::uint64_t seed, std::int64_t milliseconds,
@@ -131,45 +94,6 @@ Sound speech_like_babble(std::uint64_t seed, std::int64_t milliseconds,
   }
   const auto now = level_of(babble);
   return at_level(std::move(babble), now, level);
-}
-
-double level_of(std::span<const Sample> sound) {
-  double power = 0;
-  for (const auto sample : sound)
-    power += static_cast<double>(sample) * sample;
-  const auto mean =
-      power / static_cast<double>(std::max<std::size_t>(1, sound.size()));
-  return mean > 0 ? 10 * std::log10(mean / (full_scale * full_scale)) : -120;
-}
-
-double speech_level_of(std::span<const Sample> sound) {
-  std::vector<double> levels;
-  for (std::size_t at = 0; at + adapters::frame_samples <= sound.size();
-       at += adapters::frame_samples)
-    levels.push_back(level_of(sound.subspan(at, adapters::frame_samples)));
-  if (levels.empty())
-    return level_of(sound);
-  const auto loudest = *std::ranges::max_element(levels);
-  double power = 0;
-  std::size_t count = 0;
-  for (const auto level : levels)
-    if (level > loudest - 25) {
-      power += std::pow(10, level / 10);
-      ++count;
-    }
-  return 10 * std::log10(power / static_cast<double>(count));
-}
-
-Sound at_level(Sound sound, double from, double to) {
-  const auto factor = amplitude(to - from);
-  for (auto& sample : sound)
-    sample = clipped(sample * factor);
-  return sound;
-}
-
-void add(Sound& to, std::span<const Sample> sound, std::size_t at) {
-  for (std::size_t i = 0; i < sound.size() && at + i < to.size(); ++i)
-    to[at + i] = clipped(static_cast<double>(to[at + i]) + sound[i]);
 }
 
 void add_noise(Sound& speech, const Sound& noise, double decibels,

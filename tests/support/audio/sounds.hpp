@@ -7,19 +7,21 @@
 #include <span>
 #include <vector>
 
-#include "adapters/audio/pcm.hpp"
+#include "adapters/audio/mixing.hpp"
 
 namespace parlour::test {
 
-using Sound = std::vector<adapters::Sample>;
-
-std::size_t samples_in(std::int64_t milliseconds);
+using adapters::add;
+using adapters::at_level;
+using adapters::level_of;
+using adapters::pink_noise;
+using adapters::samples_in;
+using adapters::Sound;
+using adapters::speech_level_of;
 
 Sound silence(std::int64_t milliseconds);
 // Levels are of the mean power, in dB of full scale.
 Sound tone(double hertz, std::int64_t milliseconds, double level);
-// Equal power in each octave, as in many rooms.
-Sound pink_noise(std::uint64_t seed, std::int64_t milliseconds, double level);
 // Voiced bursts with pauses, with the rhythm and the spectrum of syllables: for
 // machines without a synthesiser. Begins and ends with sound.
 Sound speech_like(std::uint64_t seed, std::int64_t milliseconds, double level);
@@ -27,15 +29,6 @@ Sound speech_like(std::uint64_t seed, std::int64_t milliseconds, double level);
 Sound speech_like_babble(std::uint64_t seed, std::int64_t milliseconds,
                          double level, int voices = 6);
 
-// The mean power, in dB of full scale.
-double level_of(std::span<const adapters::Sample> sound);
-// That of the parts where something is heard (within 25 dB of the loudest).
-double speech_level_of(std::span<const adapters::Sample> sound);
-
-Sound at_level(Sound sound, double from, double to);
-// Adds `sound` from this sample on; what is longer is cut off.
-void add(Sound& to, std::span<const adapters::Sample> sound,
-         std::size_t at = 0);
 // Adds the noise, so much weaker than the speech; the noise begins anywhere, by
 // the seed, and is repeated.
 void add_noise(Sound& speech, const Sound& noise, double decibels,

@@ -42,6 +42,9 @@ struct TestOptions {
   bool watch = false;             // run again whenever a file changes
   bool restores = false;          // save and restore after each input
   unsigned jobs = 0;              // threads; 0: one for each core
+  bool voice = false;             // hold them by voice (docs/speech.md)
+  std::vector<std::string> voices = {"rms"};
+  std::string noise; // behind the user: "babble@20"; empty: none
 };
 int test_command(const Places& places, const TestOptions& options,
                  const Console& console);

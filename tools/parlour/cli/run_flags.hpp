@@ -95,6 +95,25 @@ inline void add_test_flags(CLI::App& command, TestOptions& options) {
   command.add_flag("--watch", options.watch, "Again when a file changes")
       ->excludes("--junit");
   command.add_flag("--restore-after-each-input", options.restores)->group("");
+  auto* voice = command
+                    .add_flag("--voice", options.voice,
+                              "Hold them by voice, and compare with text")
+                    ->excludes("--junit")
+                    ->excludes("--update")
+                    ->excludes("--watch");
+  command
+      .add_option("--voices", options.voices,
+                  "With --voice: who speaks, voices of flite or espeak-ng; "
+                  "else rms")
+      ->delimiter(',')
+      ->type_name("NAME,...")
+      ->needs(voice);
+  command
+      .add_option("--noise", options.noise,
+                  "With --voice: pink, white or babble, and how many dB the "
+                  "speech is louder, such as babble@20")
+      ->type_name("NOISE@DB")
+      ->needs(voice);
 }
 
 inline void add_status_flags(CLI::App& command, StatusOptions& options) {

@@ -21,6 +21,7 @@
 #include "tools/parlour/conversation_test/report.hpp"
 #include "tools/parlour/conversation_test/test_suite.hpp"
 #include "tools/parlour/conversation_test/witness.hpp"
+#include "tools/parlour/voice_test/voice_report.hpp"
 
 namespace parlour::tools {
 
@@ -146,6 +147,35 @@ int hold_and_report(const Application& application, const TestSuite& suite,
                                                    : exit_code::wrong;
 }
 
+// --voice: holds the suite by voice. The files of microphone and speaker are
+// never opened (voice_test/row_runner).
+int hold_by_voice_and_report(const Application& application,
+                             const TestSuite& suite, const Places& places,
+                             const TestOptions& options,
+                             const Console& console) {
+  const auto noise = read_noise(options.noise);
+  if (!noise) {
+    say_error(console, noise.error().message);
+    return exit_code::usage;
+  }
+  const auto opened =
+      open_application(places, options.app, console, {"user.wav", "robot.wav"});
+  if (const auto* status = std::get_if<int>(&opened))
+    return *status;
+  const VoiceWish wish{options.voices, *noise, options.jobs};
+  const auto results =
+      hold_by_voices(application, std::get<Application>(opened), suite, wish,
+                     application.plugins);
+  if (!results) {
+    say_error(console, results.error().message);
+    return exit_code::usage;
+  }
+  if (!options.quiet)
+    print_rows(console.out, *results, options.trace);
+  print_scores(console.out, *results, wish);
+  return all_as_by_text(*results) ? exit_code::success : exit_code::wrong;
+}
+
 // One test run, from opening the application to the summary.
 int test_once(const Places& places, const TestOptions& options,
               const Console& console) {
@@ -167,7 +197,10 @@ int test_once(const Places& places, const TestOptions& options,
                                      "file that ends in .txt");
     return exit_code::wrong;
   }
-  return hold_and_report(application, *suite, places, options, console);
+  return options.voice
+             ? hold_by_voice_and_report(application, *suite, places, options,
+                                        console)
+             : hold_and_report(application, *suite, places, options, console);
 }
 
 // --watch: tests again after each change, until Ctrl-C. Changes while the

@@ -1,43 +1,10 @@
 // Collects inspections; trace.cpp makes lines of them.
 #include "tools/parlour/talk/failure_context.hpp"
 
-#include "runtime/message/understanding.hpp"
+#include "tools/parlour/talk/act_text.hpp"
 #include "tools/parlour/talk/trace.hpp"
 
 namespace parlour::tools {
-
-namespace {
-
-// "Time = 15:00, Place = hall" behind a colon. A slot is a value, or a map with
-// `value` and, if that is unknown, `candidates`.
-std::string slots_text(const Value& slots) {
-  std::string text;
-  const auto* map = slots.if_map();
-  if (!map)
-    return text;
-  for (const auto& [name, given] : map->entries()) {
-    const auto* parts = given.if_map();
-    const auto value = parts ? given["value"] : given;
-    text += (text.empty() ? ": " : ", ") + name + " = ";
-    text += parts && value.is_unknown() ? to_string(given["candidates"])
-                                        : to_string(value);
-  }
-  return text;
-}
-
-// An act in the form of FrameInfo, such as
-// "inform Taxi (0.95): Time = 15:00"
-std::string act_text(const Value& act) {
-  auto text = act[act_key::act].text();
-  if (const auto topic = act[act_key::topic]; !topic.is_unknown())
-    text += " " + topic.text();
-  if (const auto confidence = act[act_key::confidence];
-      !confidence.is_unknown())
-    text += " (" + to_string(confidence) + ")";
-  return text + slots_text(act[act_key::slots]);
-}
-
-} // namespace
 
 void FailureContext::begin_turn() {
   understood_.clear();

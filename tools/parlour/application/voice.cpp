@@ -20,6 +20,7 @@ namespace {
 
 constexpr std::string_view microphone_role = "Microphone";
 constexpr std::string_view speaker_role = "Speaker";
+constexpr std::string_view recogniser_role = "ASR";
 constexpr std::string_view enhancement_role = "Enhancement";
 constexpr std::string_view endpointer_role = "Endpointer";
 constexpr std::string_view key_role = "PushToTalk";
@@ -43,7 +44,7 @@ const std::vector<Link>& chain() {
       {"VAD", {"AdaptiveVAD"}},
       {spotter_role, {"SphinxKeywords"}, false},
       {endpointer_role, {"SpeechEndpointer"}},
-      {"ASR", {"MoonshineASR", "SphinxASR"}, false},
+      {recogniser_role, {"MoonshineASR", "SphinxASR"}, false},
       {"TTS", {"EspeakTTS", "FliteTTS"}, false},
       {speaker_role, {"AlsaSpeaker"}},
       // Only if the command line says so.
@@ -92,6 +93,8 @@ std::optional<ComponentSettings> wanted(std::string_view role,
     return device(role, wishes.speaker);
   if (role == endpointer_role && by_key)
     return component("KeyEndpointer", true);
+  if (role == recogniser_role && !wishes.recogniser.empty())
+    return component(wishes.recogniser, false);
   if (role == key_role && by_key)
     return key(wishes);
   return std::nullopt;

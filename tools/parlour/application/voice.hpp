@@ -24,6 +24,8 @@ struct VoiceWishes {
   std::string talk_key = {}; // empty: the component's default
   // The words that wake it, separated by commas.
   std::string wake = {};
+  // A plug-in of the role ASR; empty: as the settings say, or the best one.
+  std::string recogniser = {};
 };
 
 // The value of push_to_talk for a key of the terminal.

@@ -44,7 +44,9 @@ struct TestOptions {
   unsigned jobs = 0;              // threads; 0: one for each core
   bool voice = false;             // hold them by voice (docs/speech.md)
   std::vector<std::string> voices = {"rms"};
-  std::string noise; // behind the user: "babble@20"; empty: none
+  std::string noise;      // behind the user: "babble@20"; empty: none
+  std::string recogniser; // a plug-in; empty: the application's, or the best
+  bool told = false;      // the recogniser knows the conversations
 };
 int test_command(const Places& places, const TestOptions& options,
                  const Console& console);

@@ -114,6 +114,16 @@ inline void add_test_flags(CLI::App& command, TestOptions& options) {
                   "speech is louder, such as babble@20")
       ->type_name("NOISE@DB")
       ->needs(voice);
+  command
+      .add_option("--recogniser", options.recogniser,
+                  "With --voice: the plug-in that hears")
+      ->type_name("PLUGIN")
+      ->needs(voice);
+  command
+      .add_flag("--told", options.told,
+                "With --voice: the recogniser knows what is said in the "
+                "conversations, as it does in a run")
+      ->needs(voice);
 }
 
 inline void add_status_flags(CLI::App& command, StatusOptions& options) {

@@ -158,11 +158,12 @@ int hold_by_voice_and_report(const Application& application,
     say_error(console, noise.error().message);
     return exit_code::usage;
   }
-  const auto opened =
-      open_application(places, options.app, console, {"user.wav", "robot.wav"});
+  VoiceWishes seat{"user.wav", "robot.wav"};
+  seat.recogniser = options.recogniser;
+  const auto opened = open_application(places, options.app, console, seat);
   if (const auto* status = std::get_if<int>(&opened))
     return *status;
-  const VoiceWish wish{options.voices, *noise, options.jobs};
+  const VoiceWish wish{options.voices, *noise, options.told, options.jobs};
   const auto results =
       hold_by_voices(application, std::get<Application>(opened), suite, wish,
                      application.plugins);

@@ -33,25 +33,25 @@ bool has_role(const ChosenComponent& component, const std::string& role) {
 }
 
 // The application with the user's microphone, and a speaker whose file goes
-// with the data folder. The recogniser is not told what the tests say.
+// with the data folder.
 Composition for_user(Composition composition,
                      const std::shared_ptr<UserSound>& user,
                      const std::filesystem::path& data,
-                     KeptComponents* recognisers) {
-  composition = in_memory(std::move(composition));
+                     const Speaking& speaking) {
+  composition = rehearsed(std::move(composition));
   for (auto& component : composition.components) {
     const auto plugin = component.factory.description.name;
     for (const auto& option : component.factory.description.options)
-      if (option.name == "conversations")
+      if (option.name == "conversations" && !speaking.told)
         component.options[option.name] = "none";
     if (plugin == "FileMicrophone") {
       component.factory = user_microphone_factory(user);
       component.options.clear();
     } else if (plugin == "FileSpeaker") {
       component.factory = adapters::file_speaker_factory(data / "robot.wav");
-    } else if (recognisers && has_role(component, "ASR")) {
-      component.factory = recognisers->keep(std::move(component.factory),
-                                            forgetting_of_recognisers());
+    } else if (speaking.recognisers && has_role(component, "ASR")) {
+      component.factory = speaking.recognisers->keep(
+          std::move(component.factory), forgetting_of_recognisers());
     }
   }
   return composition;
@@ -84,10 +84,9 @@ private:
     if (!data)
       return give_up(data.error());
     data_.emplace(std::move(*data));
-    const auto composition =
-        user_ ? for_user(application_.composition, user_, data_->path(),
-                         speaking_->recognisers)
-              : in_memory(application_.composition);
+    const auto composition = user_ ? for_user(application_.composition, user_,
+                                              data_->path(), *speaking_)
+                                   : rehearsed(application_.composition);
     auto options = node_options(
         application_, composition,
         {data_->path().string(), conversation_.start, conversation_.seed});

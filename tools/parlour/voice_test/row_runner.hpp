@@ -49,6 +49,9 @@ struct Speaking {
   const SpeechBank* bank = nullptr; // has all lines
   std::string voice;
   adapters::Sound noise; // behind all; may be empty
+  // Whether the recogniser knows what users say in the application's
+  // conversations, as it does in a run.
+  bool told = false;
   // Where recognisers are kept for the next conversation; null: each has one of
   // its own.
   KeptComponents* recognisers = nullptr;

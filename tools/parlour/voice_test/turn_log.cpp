@@ -58,6 +58,7 @@ void TurnLog::note_message(const Message& message, RealTime real) {
   } else if (what == "Rejected") {
     ++recognised_;
     heard_.emplace_back();
+    decided_.reset(); // there is nothing to answer
   } else if (what == "FrameInfo") {
     std::string acts;
     for (const auto& act : message.params)

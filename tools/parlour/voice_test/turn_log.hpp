@@ -97,7 +97,8 @@ private:
   std::vector<std::string> understood_;
   std::vector<Latency> latencies_;
   std::optional<Timestamp> line_end_;
-  // When the last turn was held to be over; nothing once the robot answers.
+  // When the last turn was held to be over; nothing once the robot answers, or
+  // where the turn was rejected.
   std::optional<Timestamp> decided_;
   RealTime decided_real_;
 };

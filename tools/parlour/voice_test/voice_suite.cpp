@@ -87,7 +87,8 @@ hold_by_voices(const Application& typed, const Application& spoken,
     auto noise = make_noise(wish.noise, voice, bank);
     if (!noise)
       return tl::make_unexpected(noise.error());
-    speaking.push_back({&bank, voice, std::move(*noise), &recognisers});
+    speaking.push_back(
+        {&bank, voice, std::move(*noise), wish.told, &recognisers});
   }
   const auto& conversations = suite.conversations;
   std::vector<VoiceResult> results(conversations.size() * speaking.size());

@@ -25,6 +25,7 @@ struct VoiceResult {
 struct VoiceWish {
   std::vector<std::string> voices;
   NoiseWish noise;
+  bool told = false; // the recogniser knows what is said in the conversations
   unsigned jobs = 0; // threads; 0: one for each core
 };
 

@@ -109,6 +109,18 @@ TEST_F(VoiceTest, LeavesWhatTheSettingsChose) {
   EXPECT_THAT(names(*application), Not(Contains("EspeakTTS")));
 }
 
+TEST_F(VoiceTest, TakesTheRecogniserThatIsAskedFor) {
+  built_in.push_back(plugin("OwnASR", "ASR"));
+  settings("<Plugins><Plugin>SphinxASR</Plugin></Plugins>"
+           "<Scripts><Script>own.xml</Script></Scripts>");
+  VoiceWishes wishes;
+  wishes.recogniser = "OwnASR";
+  const auto application = load(wishes);
+  ASSERT_TRUE(application);
+  EXPECT_THAT(names(*application), Contains("OwnASR"));
+  EXPECT_THAT(names(*application), Not(Contains("SphinxASR")));
+}
+
 TEST_F(VoiceTest, CleansTheAudioWhereItCan) {
   built_in.push_back(plugin("WebRtcEnhancement", "Enhancement"));
   const auto application = load();

@@ -21,13 +21,15 @@ protected:
                             std::size_t typed_rows = 0) {
     const auto told = conversation(text);
     const auto expected = hold_by_text(typed, told).rows;
-    const auto held = hold_by_voice(spoken, told, {&bank, "rms", {}, {}},
-                                    expected, typed_rows);
+    const auto held =
+        hold_by_voice(spoken, told, {&bank, "rms", noise, false, nullptr},
+                      expected, typed_rows);
     EXPECT_EQ(held.trouble, "");
     return held.rows;
   }
 
   SpeechBank bank{std::make_shared<test::HummingVoices>()};
+  adapters::Sound noise;
 };
 
 TEST_F(RowRunnerTest, holds_a_conversation_by_text) {

@@ -49,7 +49,7 @@ TEST(VoiceReport, names_what_was_not_held) {
 TEST(VoiceReport, has_a_line_for_each_voice) {
   std::ostringstream out;
   print_scores(out, {result("two", "Two."), result("too", "Too.")},
-               {{"rms"}, {NoiseWish::Kind::babble, 20}, 1});
+               {{"rms"}, {NoiseWish::Kind::babble, 20}, false, 1});
   EXPECT_EQ(
       out.str(),
       "voice      noise      words   wrong  sub  ins  del  turns "

@@ -13,7 +13,7 @@ protected:
   VoiceResult hold(const std::string& text) {
     TestSuite suite;
     suite.conversations.push_back(conversation(text));
-    auto results = hold_by_voices(typed, spoken, suite, {{"rms"}, {}, 1},
+    auto results = hold_by_voices(typed, spoken, suite, {{"rms"}, {}, false, 1},
                                   std::make_shared<test::HummingVoices>());
     EXPECT_TRUE(results);
     return results->at(0);

@@ -1,0 +1,32 @@
+"""The receptionist's conversation of the paper's Table I, held by voice: the
+second remark cuts in while the robot asks its question."""
+
+import os
+import subprocess
+import unittest
+
+from program_case import PROGRAM, ProgramCase
+
+WAIT = 240  # seconds; only a test that fails waits so long
+VOICE = os.environ.get("PARLOUR_TEST_VOICE", "rms")
+
+
+class VoiceTableOneTest(ProgramCase):
+
+    def test_it_is_understood_as_by_text(self):
+        run = subprocess.run(
+            [PROGRAM, "test", "receptionist", "table-1", "--voice", "--told",
+             "--recogniser", "SphinxASR", "--voices", VOICE],
+            capture_output=True, text=True, timeout=WAIT, check=False)
+        self.assertIn(run.returncode, (0, 1), run.stderr)
+        score = run.stdout.splitlines()[-1].split()
+        self.assertEqual(score[0], VOICE)
+        turns, understood = score[8:10]
+        self.assertEqual((turns, understood), ("3", "100.0"), run.stdout)
+        # Besides the question that was cut, the robot says what it should.
+        self.assertNotIn("food court", run.stdout)
+        self.assertNotIn("I will call", run.stdout)
+
+
+if __name__ == "__main__":
+    unittest.main()

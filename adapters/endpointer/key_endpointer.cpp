@@ -29,6 +29,8 @@ KeyEndpointer::KeyEndpointer() {
   on("Pressed", &KeyEndpointer::on_pressed);
   on("Released", &KeyEndpointer::on_released);
   on("Partial", &KeyEndpointer::ignore_partial);
+  on("Wake", &KeyEndpointer::ignore_wake);
+  on("Sleep", &KeyEndpointer::ignore_sleep);
   for (const auto* command :
        {"SpeechStarted", "SpeechEnded", "RobotStarted", "RobotFinished"})
     on(command, &KeyEndpointer::ignore);
@@ -74,6 +76,10 @@ void KeyEndpointer::on_released() {
 }
 
 void KeyEndpointer::ignore(std::int64_t) {}
+
+void KeyEndpointer::ignore_wake(std::optional<std::int64_t>) {}
+
+void KeyEndpointer::ignore_sleep() {}
 
 void KeyEndpointer::ignore_partial(const std::string&, std::int64_t,
                                    std::optional<bool>) {}

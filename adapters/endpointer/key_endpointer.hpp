@@ -11,9 +11,9 @@
 //  Reset
 //      TurnDropped(position) if a turn was open.
 //
-// What the detector, the recogniser and the speaker tell has no effect. A turn
-// also ends when no audio comes for a second (turn_plugin.hpp).
-// Options: before, after, longest.
+// What the detector, the recogniser, the speaker and a word that wakes tell has
+// no effect. A turn also ends when no audio comes for a second
+// (turn_plugin.hpp). Options: before, after, longest.
 #pragma once
 
 #include <optional>
@@ -39,6 +39,8 @@ private:
   void on_pressed();
   void on_released();
   void ignore(std::int64_t position);
+  void ignore_wake(std::optional<std::int64_t> position);
+  void ignore_sleep();
   void ignore_partial(const std::string& text, std::int64_t revision,
                       std::optional<bool> ends);
 

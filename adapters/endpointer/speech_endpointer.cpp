@@ -127,9 +127,6 @@ PluginFactory speech_endpointer_factory() {
   description.roles = {"Endpointer"};
   description.sentence = "decides which speech is a turn, and when it ends";
   description.options = options;
-  description.commands = {{"Wake", "position?"}, {"Sleep", ""}};
-  description.events = {{"Woken", "position", Reply::none, true},
-                        {"FellAsleep", "position", Reply::none, true}};
   return {std::move(description),
           [] { return std::make_unique<SpeechEndpointer>(); }};
 }

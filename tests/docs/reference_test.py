@@ -10,7 +10,8 @@ from page_case import PROGRAM, ROOT
 FOLDER = ROOT / "docs" / "reference"
 # The program's names for the pages.
 PAGES = {"README.md": "index", "elements.md": "elements",
-         "functions.md": "functions", "roles.md": "roles"}
+         "functions.md": "functions", "roles.md": "roles",
+         "components.md": "components"}
 
 
 @unittest.skipUnless(PROGRAM.exists(), "parlour is not built")

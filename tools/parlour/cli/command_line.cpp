@@ -15,6 +15,7 @@
 #include "tools/parlour/cli/agent_flags.hpp"
 #include "tools/parlour/cli/clock_option.hpp"
 #include "tools/parlour/cli/commands.hpp"
+#include "tools/parlour/cli/component_page.hpp"
 #include "tools/parlour/cli/number_option.hpp"
 #include "tools/parlour/cli/plugin_commands.hpp"
 #include "tools/parlour/cli/run_flags.hpp"
@@ -22,7 +23,6 @@
 #include "tools/parlour/console/completion.hpp"
 #include "tools/parlour/console/exit_code.hpp"
 #include "tools/parlour/plugin_template/plugin_skeleton.hpp"
-#include "tools/parlour/reference/pages.hpp"
 #include "tools/parlour/reference/reference.hpp"
 
 namespace parlour::tools {
@@ -342,7 +342,7 @@ private:
                         "Such as speak, format, TTS; an attribute, an event, "
                         "or a word to look for");
     command->add_option("--page", help_.page, "A page of the reference")
-        ->check(CLI::IsMember(reference_pages()))
+        ->check(CLI::IsMember(help_pages()))
         ->group(""); // not shown
   }
   // Help on the program, on a command, or on a word of the language.

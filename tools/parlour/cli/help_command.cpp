@@ -3,6 +3,7 @@
 #include <ostream>
 
 #include "tools/parlour/cli/commands.hpp"
+#include "tools/parlour/cli/component_page.hpp"
 #include "tools/parlour/console/exit_code.hpp"
 #include "tools/parlour/reference/pages.hpp"
 #include "tools/parlour/reference/reference.hpp"
@@ -13,7 +14,9 @@ int help_command(const HelpOptions& options,
                  const std::vector<std::string>& commands,
                  const Console& console) {
   if (!options.page.empty()) {
-    console.out << reference_page(options.page);
+    console.out << (options.page == component_page_name
+                        ? component_page()
+                        : reference_page(options.page));
     return exit_code::success;
   }
   const auto text = reference_text(options.name, commands);

@@ -142,6 +142,24 @@ class VoiceGoesOnTest(VoiceCase):
         self.assertEqual(out[-1], "I open the window.", err)
         self.assertGreater(max(samples_of(spoken)[-3 * RATE:]), 1000)
 
+    # Nothing else in the application knows who hears and who speaks.
+    def test_another_name_in_the_settings_is_another_component(self):
+        heard = self.write_sound(
+            "heard.wav", self.silence(4) +
+            self.speech("please open the window") + self.silence(3))
+        desk = self.desk(components="""
+            <component name="Ears" plugin="SphinxASR"/>""")
+        settings = pathlib.Path(desk) / "settings.xml"
+        text = settings.read_text(encoding="utf-8")
+        settings.write_text(
+            text.replace("<Plugin>SphinxASR</Plugin>", "")
+                .replace("FliteTTS", "EspeakTTS"), encoding="utf-8")
+        out, err = self.talk(desk, heard, self.folder / "a.wav", "--trace")
+        self.assertEqual(out, ["Hello.", "I open the window."], err)
+        self.assertIn("Ears.RecognitionResult", err)
+        self.assertIn("EspeakTTS.Mark", err)
+        self.assertNotIn("FliteTTS", err)
+
 
 if __name__ == "__main__":
     unittest.main()

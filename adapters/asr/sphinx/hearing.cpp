@@ -60,7 +60,8 @@ Expected<Hearing> Hearing::make(std::shared_ptr<const Vocabulary> vocabulary,
   auto grammar = SphinxDecoder::make(model + "/en-us", vocabulary->dictionary);
   if (!grammar)
     return tl::make_unexpected(grammar.error());
-  auto second = SphinxDecoder::make(model + "/en-us", vocabulary->dictionary);
+  auto second = SphinxDecoder::make(model + "/en-us", vocabulary->dictionary,
+                                    SphinxDecoder::Passes::three);
   if (!second)
     return tl::make_unexpected(second.error());
   if (auto added = grammar->add_grammar(everything, vocabulary->grammar);
@@ -78,6 +79,7 @@ Hearing::Hearing(std::shared_ptr<const Vocabulary> vocabulary,
       domain_(std::move(second)), search_(everything) {}
 
 Expected<void> Hearing::begin(const std::vector<std::string>& grammars) {
+  gate_ = {};
   search_ = search_for(grammars);
   if (auto begun = grammar_.begin(search_); !begun)
     return begun;
@@ -112,6 +114,10 @@ const WordGraph& Hearing::graph() const {
 }
 
 void Hearing::hear(std::span<const Sample> audio) {
+  decode(gate_.take(audio));
+}
+
+void Hearing::decode(std::span<const Sample> audio) {
   grammar_.hear(audio);
   domain_.hear(audio);
 }
@@ -127,6 +133,7 @@ std::optional<bool> Hearing::ends(const std::string& partial) const {
 // In noise the domain model hears better; what a narrow grammar expects is more
 // probable than either.
 Heard Hearing::finish() {
+  decode(gate_.finish());
   const auto first = grammar_.finish();
   const auto second = domain_.finish();
   const auto by_grammar = words_of(first);
@@ -145,6 +152,7 @@ Heard Hearing::finish() {
 }
 
 void Hearing::drop() {
+  gate_ = {};
   grammar_.drop();
   domain_.drop();
 }

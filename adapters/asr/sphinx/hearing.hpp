@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "adapters/asr/sphinx/noise_gate.hpp"
 #include "adapters/asr/sphinx/sphinx_decoder.hpp"
 #include "adapters/asr/words/language.hpp"
 #include "adapters/audio/pcm.hpp"
@@ -75,7 +76,10 @@ private:
   std::string search_for(const std::vector<std::string>& names);
   const WordGraph& graph() const;
 
+  void decode(std::span<const Sample> audio);
+
   std::shared_ptr<const Vocabulary> vocabulary_;
+  NoiseGate gate_;
   SphinxDecoder grammar_;
   SphinxDecoder domain_;
   std::vector<Narrow> narrow_; // a few

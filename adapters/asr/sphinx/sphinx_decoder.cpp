@@ -75,18 +75,18 @@ SphinxDecoder::SphinxDecoder(SphinxDecoder&&) noexcept = default;
 SphinxDecoder& SphinxDecoder::operator=(SphinxDecoder&&) noexcept = default;
 SphinxDecoder::~SphinxDecoder() = default;
 
-// A second pass over the utterance would begin only when it has ended, so there
-// is none.
 Expected<SphinxDecoder> SphinxDecoder::make(const std::string& model,
-                                            const std::string& dictionary) {
+                                            const std::string& dictionary,
+                                            Passes passes) {
   err_set_logfp(nullptr);
   const auto file = MemoryFile::make(dictionary);
   if (!file)
     return fail(ErrorKind::limit, "there is no memory for a dictionary");
   auto made = std::make_unique<Implementation>();
+  const auto* const more = passes == Passes::three ? "yes" : "no";
   made->config.reset(cmd_ln_init(nullptr, ps_args(), 1, "-hmm", model.c_str(),
                                  "-dict", file->path().c_str(), "-fwdflat",
-                                 "no", "-bestpath", "no", nullptr));
+                                 more, "-bestpath", more, nullptr));
   if (made->config)
     made->decoder.reset(ps_init(made->config.get()));
   if (!made->decoder)

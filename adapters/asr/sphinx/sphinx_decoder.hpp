@@ -28,13 +28,18 @@ struct SpottedPhrase {
 
 class SphinxDecoder {
 public:
+  // Whether an utterance that has ended is searched again, with all that was
+  // kept: some 2 % of its time, for a third fewer errors of a domain model.
+  enum class Passes { one, three };
+
   // Nothing, or an error that says what to install.
   static Expected<void> is_built_in();
 
   // `model` is the folder of the acoustic model; `dictionary` the text of a
   // dictionary, with every word that will be used.
   static Expected<SphinxDecoder> make(const std::string& model,
-                                      const std::string& dictionary);
+                                      const std::string& dictionary,
+                                      Passes passes = Passes::one);
 
   SphinxDecoder(SphinxDecoder&&) noexcept;
   SphinxDecoder& operator=(SphinxDecoder&&) noexcept;

@@ -20,7 +20,7 @@ SphinxDecoder& SphinxDecoder::operator=(SphinxDecoder&&) noexcept = default;
 SphinxDecoder::~SphinxDecoder() = default;
 
 Expected<SphinxDecoder> SphinxDecoder::make(const std::string&,
-                                            const std::string&) {
+                                            const std::string&, Passes) {
   return tl::make_unexpected(is_built_in().error());
 }
 

@@ -4,6 +4,7 @@
 #include "adapters/asr/words/fsg_text.hpp"
 
 #include <iterator>
+#include <set>
 #include <utility>
 
 #include <fmt/format.h>
@@ -23,6 +24,7 @@ public:
     states_ += graph.states.size();
     end_ = states_++;
     write_sentences(graph, first);
+    leave_shared();
     if (options_.another > 0)
       line(end_, first, options_.another, "");
     FsgText made;
@@ -75,10 +77,33 @@ private:
     const auto set = sets_.find(symbol);
     if (set == sets_.end() || set->second.states[0].arcs.empty())
       return;
+    if (set->second.arc_count() > options_.most_copied)
+      return move_shared(from, to, probability, symbol, set->second);
     const auto [place, is_new] = places_.try_emplace({symbol, to}, states_);
     if (is_new)
       write_set(set->second, to);
     line(from, place->second, probability, "");
+  }
+
+  // Behind the one copy of a large set, all may follow that follows anywhere
+  // behind the set.
+  void move_shared(std::size_t from, std::size_t to, double probability,
+                   Symbol symbol, const WordGraph& set) {
+    const auto [found, is_new] = shared_.try_emplace(symbol);
+    auto& copy = found->second;
+    if (is_new) {
+      copy.end = states_++;
+      copy.begin = states_;
+      write_set(set, copy.end);
+    }
+    line(from, copy.begin, probability, "");
+    copy.behind.insert(to);
+  }
+
+  void leave_shared() {
+    for (const auto& [symbol, copy] : shared_)
+      for (const auto to : copy.behind)
+        line(copy.end, to, 1.0 / static_cast<double>(copy.behind.size()), "");
   }
 
   // A copy of the set's graph that goes on at `to`.
@@ -106,6 +131,12 @@ private:
   bool is_whole_ = true;
   // Where the copy of a set begins that goes on at a state.
   std::map<std::pair<Symbol, std::size_t>, std::size_t> places_;
+  struct Shared {
+    std::size_t begin = 0;
+    std::size_t end = 0;
+    std::set<std::size_t> behind;
+  };
+  std::map<Symbol, Shared> shared_;
 };
 
 } // namespace

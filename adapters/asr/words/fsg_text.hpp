@@ -1,6 +1,6 @@
 // A word graph as text that PocketSphinx reads (fsg_model_read). Value sets are
-// put in, once for each place that goes on differently; sentences may follow
-// each other.
+// put in: small ones once for each place that goes on differently, large ones
+// once. Sentences may follow each other.
 #pragma once
 
 #include <map>
@@ -13,6 +13,9 @@ namespace parlour::adapters::asr {
 struct FsgOptions {
   // The probability that another sentence follows; 0: only one.
   double another = 0.1;
+  // Sets with more arcs are put in once, so that a few more sentences can be
+  // heard than the graph has: behind a name, all that follows any name.
+  std::size_t most_copied = 8;
   // More transitions are not written (is_whole is false then).
   std::size_t most_transitions = 200'000;
 };

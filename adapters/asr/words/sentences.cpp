@@ -1,5 +1,7 @@
 #include "adapters/asr/words/sentences.hpp"
 
+#include <algorithm>
+#include <limits>
 #include <random>
 #include <utility>
 
@@ -21,8 +23,60 @@ public:
 
   // Empty if none was found.
   Sentence draw() {
+    return go_on({}, 0);
+  }
+
+  // One sentence through each arc of the graph.
+  std::vector<Sentence> draw_all() {
+    find_ways();
+    std::vector<Sentence> sentences;
+    for (std::uint32_t state = 0; state < graph_.states.size(); ++state)
+      if (state == 0 || !ways_[state].empty())
+        for (const auto& arc : graph_.states[state].arcs) {
+          auto sentence = way_to(state);
+          sentence.push_back(arc.symbol);
+          sentences.push_back(go_on(std::move(sentence), arc.target));
+        }
+    return sentences;
+  }
+
+private:
+  // An arc that leads to a state, from one nearer to the start.
+  struct Way {
+    std::uint32_t from = 0;
+    Symbol symbol = 0;
+  };
+
+  void find_ways() {
+    constexpr auto unseen = std::numeric_limits<std::size_t>::max();
+    std::vector<std::size_t> depths(graph_.states.size(), unseen);
+    std::vector<std::uint32_t> queue{0};
+    depths[0] = 0;
+    ways_.resize(graph_.states.size());
+    for (std::size_t i = 0; i < queue.size(); ++i)
+      for (const auto& arc : graph_.states[queue[i]].arcs) {
+        if (depths[arc.target] == unseen) {
+          depths[arc.target] = depths[queue[i]] + 1;
+          queue.push_back(arc.target);
+        }
+        if (depths[arc.target] > depths[queue[i]])
+          ways_[arc.target].push_back({queue[i], arc.symbol});
+      }
+  }
+
+  Sentence way_to(std::uint32_t state) {
     Sentence sentence;
-    std::uint32_t at = 0;
+    while (state != 0) {
+      const auto& ways = ways_[state];
+      const auto& way = ways[random_() % ways.size()];
+      sentence.push_back(way.symbol);
+      state = way.from;
+    }
+    std::ranges::reverse(sentence);
+    return sentence;
+  }
+
+  Sentence go_on(Sentence sentence, std::uint32_t at) {
     while (sentence.size() < longest) {
       const auto& state = graph_.states[at];
       const auto chosen = choose(at);
@@ -34,7 +88,6 @@ public:
     return graph_.states[at].is_final ? sentence : Sentence();
   }
 
-private:
   double weight(std::uint32_t state) const {
     return counts_.empty() ? 1 : counts_[state];
   }
@@ -73,6 +126,7 @@ private:
   const WordGraph& graph_;
   std::mt19937_64 random_;
   std::vector<double> counts_;
+  std::vector<std::vector<Way>> ways_;
 };
 
 } // namespace
@@ -83,6 +137,9 @@ std::vector<Sentence> draw_sentences(const WordGraph& graph, std::size_t count,
   Drawing drawing(graph, false, seed);
   for (std::size_t i = 0; i < count; ++i)
     if (auto sentence = drawing.draw(); !sentence.empty())
+      sentences.push_back(std::move(sentence));
+  for (auto& sentence : drawing.draw_all())
+    if (!sentence.empty())
       sentences.push_back(std::move(sentence));
   return sentences;
 }

@@ -12,7 +12,8 @@ namespace parlour::adapters::asr {
 
 using Sentence = std::vector<Symbol>;
 
-// Draws `count` sentences in which value sets stand for themselves. The same
+// Draws `count` sentences in which value sets stand for themselves, and beside
+// them one for each arc of the graph, so that nothing is forgotten. The same
 // seed gives the same sentences. None from an empty graph; sentences end after
 // at most 40 symbols.
 std::vector<Sentence> draw_sentences(const WordGraph& graph, std::size_t count,

@@ -49,6 +49,21 @@ TEST_F(FsgTextTest, LetsSentencesFollowEachOther) {
   EXPECT_THAT(made.text, HasSubstr("TRANSITION 3 0 0.2 \n"));
 }
 
+TEST_F(FsgTextTest, PutsALargeSetInOnce) {
+  const auto please = symbols.word("please");
+  builder.add_sentence({call, name, please});
+  const auto made = fsg_text(builder.finish(), symbols, sets,
+                             {.another = 0, .most_copied = 1});
+  std::size_t copies = 0;
+  for (auto at = made.text.find("nur"); at != std::string::npos;
+       at = made.text.find("nur", at + 1))
+    ++copies;
+  EXPECT_EQ(copies, 1u);
+  // What follows it: the end, and "please".
+  EXPECT_THAT(made.text, HasSubstr(" 0.5 \nTRANSITION"));
+  EXPECT_THAT(made.text, HasSubstr("please"));
+}
+
 TEST_F(FsgTextTest, IsBounded) {
   const auto made =
       fsg_text(builder.finish(), symbols, sets, {.most_transitions = 2});

@@ -25,13 +25,30 @@ TEST(SentencesTest, AreThoseOfTheGraph) {
     all.insert({call, word});
   }
   const auto drawn = draw_sentences(builder.finish(), 500, 1);
-  EXPECT_EQ(drawn.size(), 500u);
+  // One more for each arc.
+  EXPECT_EQ(drawn.size(), 502u);
   const auto filled = fill_sets(drawn, symbols, {{name, names.finish()}}, 1);
   EXPECT_EQ(std::set<Sentence>(filled.begin(), filled.end()), all);
   EXPECT_EQ(draw_sentences(builder.finish(), 500, 1), drawn);
   // What has no values is left out.
   for (const auto& sentence : fill_sets(drawn, symbols, {}, 1))
     EXPECT_EQ(sentence, Sentence{call});
+}
+
+TEST(SentencesTest, ForgetNoArc) {
+  // By chance alone, one of them would hardly ever be drawn.
+  Symbols symbols;
+  GraphBuilder builder;
+  std::set<Symbol> words;
+  for (int i = 0; i < 1'000; ++i) {
+    const auto word = symbols.word(std::to_string(i));
+    words.insert(word);
+    builder.add_sentence({word, word});
+  }
+  std::set<Symbol> drawn;
+  for (const auto& sentence : draw_sentences(builder.finish(), 10, 1))
+    drawn.insert(sentence.begin(), sentence.end());
+  EXPECT_EQ(drawn, words);
 }
 
 TEST(SentencesTest, EndEvenInLoops) {

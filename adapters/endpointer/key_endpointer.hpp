@@ -6,7 +6,8 @@
 //  Process(audio, position?)
 //      Speech(audio) for each frame of a turn.
 //  Pressed, Released
-//      TurnStarted(position), and after the last frame TurnEnded(position), or
+//      TurnStarted(position), and after the last frame
+//      TurnEnded(position, silence), or
 //      TurnDropped(position) if it was no longer than a click.
 //  Reset
 //      TurnDropped(position) if a turn was open.

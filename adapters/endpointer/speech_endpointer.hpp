@@ -5,7 +5,7 @@
 //
 //  Process(audio, position?)
 //      Speech(audio) for each frame of a turn; TurnStarted(position) before the
-//      first, TurnEnded(position) after the last.
+//      first, TurnEnded(position, silence) after the last.
 //  SpeechStarted(position), SpeechEnded(position)
 //      from the detector.
 //  Partial(text, revision, ends?)

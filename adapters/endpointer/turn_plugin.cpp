@@ -1,5 +1,6 @@
 #include "adapters/endpointer/turn_plugin.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "adapters/audio/pcm.hpp"
@@ -52,7 +53,9 @@ void TurnPlugin::carry_out(TurnStep& step) {
   else if (const auto* const start = std::get_if<TurnStarted>(&step))
     fire_event("TurnStarted", {start->position});
   else if (const auto* const end = std::get_if<TurnEnded>(&step))
-    fire_event("TurnEnded", {end->position});
+    fire_event("TurnEnded",
+               {end->position,
+                std::max<std::int64_t>(0, next_position_ - end->position)});
   else if (const auto* const woken = std::get_if<Woken>(&step))
     fire_event("Woken", {woken->position});
   else if (const auto* const asleep = std::get_if<FellAsleep>(&step))

@@ -45,7 +45,7 @@ TEST_F(KeyEndpointerTest, PassesATurnOn) {
   const auto events = host.take_events();
   ASSERT_GT(events.size(), 2u);
   EXPECT_EQ(events.front(), "TurnStarted(980)");
-  EXPECT_EQ(events.back(), "TurnEnded(1980)");
+  EXPECT_EQ(events.back(), "TurnEnded(1980, 80)");
   EXPECT_EQ(events.size() - 2, 59u); // from 880 to 2,040 ms
 }
 

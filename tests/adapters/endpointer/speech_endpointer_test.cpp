@@ -57,7 +57,7 @@ TEST_F(SpeechEndpointerTest, PassesATurnOn) {
   const auto events = host.take_events();
   ASSERT_GT(events.size(), 2u);
   EXPECT_EQ(events.front(), "TurnStarted(1000)");
-  EXPECT_EQ(events.back(), "TurnEnded(2000)");
+  EXPECT_EQ(events.back(), "TurnEnded(2000, 320)");
   // From 700 to 2,300 ms.
   EXPECT_EQ(events.size() - 2, 81u);
   EXPECT_THAT(events[1], StartsWith("Speech("));
@@ -89,7 +89,7 @@ TEST_F(SpeechEndpointerTest, EndsATurnWhenNoAudioComes) {
   host.advance(Milliseconds(1'000)); // heard since
   EXPECT_THAT(turns(), ElementsAre("TurnStarted(0)"));
   host.advance(Milliseconds(1'000));
-  EXPECT_THAT(turns(), ElementsAre("TurnEnded(100)"));
+  EXPECT_THAT(turns(), ElementsAre("TurnEnded(100, 20)"));
   EXPECT_EQ(host.pending(), 0u);
 }
 
@@ -114,7 +114,7 @@ TEST_F(SpeechEndpointerTest, SleepsUntilItIsWoken) {
   EXPECT_THAT(turns(), ElementsAre("Woken(1000)", "TurnStarted(500)"));
   send("SpeechEnded", {1'500});
   hear(200);
-  EXPECT_THAT(turns(), ElementsAre("TurnEnded(1500)", "FellAsleep(4200)"));
+  EXPECT_THAT(turns(), ElementsAre("TurnEnded(1500, 720)", "FellAsleep(4200)"));
   send("Wake");
   hear(1);
   send("Sleep");

@@ -59,7 +59,7 @@ TEST_F(TurnPluginTest, CountsPositions) {
   hear();
   host.advance(Milliseconds(2'000));
   EXPECT_THAT(host.take_events(),
-              ElementsAre("TurnStarted(500)", "TurnEnded(520)"));
+              ElementsAre("TurnStarted(500)", "TurnEnded(520, 20)"));
   EXPECT_EQ(host.pending(), 0u);
 }
 
@@ -70,7 +70,7 @@ TEST_F(TurnPluginTest, WaitsWhileAudioComes) {
   host.advance(Milliseconds(1'000));
   EXPECT_THAT(host.take_events(), ElementsAre("TurnStarted(0)"));
   host.advance(Milliseconds(1'000));
-  EXPECT_THAT(host.take_events(), ElementsAre("TurnEnded(20)"));
+  EXPECT_THAT(host.take_events(), ElementsAre("TurnEnded(20, 20)"));
 }
 
 TEST_F(TurnPluginTest, CountsAnewAfterReset) {

@@ -17,6 +17,7 @@
 #include "adapters/endpointer/speech_endpointer.hpp"
 #include "adapters/enhancement/enhancement.hpp"
 #include "adapters/http/http_service.hpp"
+#include "adapters/metrics/turn_metrics.hpp"
 #include "adapters/mqtt/mqtt_devices.hpp"
 #include "adapters/nlg/phrase_nlg.hpp"
 #include "adapters/nlu/keywords/keyword_nlu.hpp"
@@ -78,6 +79,7 @@ const std::vector<PluginFactory>& built_in_plugins() {
       adapters::log_devices_factory(),
       adapters::keyword_nlu_factory(),
       adapters::speech_endpointer_factory(),
+      adapters::turn_metrics_factory(),
       adapters::key_endpointer_factory(),
       adapters::key_push_to_talk_factory(),
       adapters::text_file_tts_factory(),

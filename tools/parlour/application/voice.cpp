@@ -21,6 +21,7 @@ namespace {
 constexpr std::string_view microphone_role = "Microphone";
 constexpr std::string_view speaker_role = "Speaker";
 constexpr std::string_view recogniser_role = "ASR";
+constexpr std::string_view metrics_role = "Metrics";
 constexpr std::string_view enhancement_role = "Enhancement";
 constexpr std::string_view endpointer_role = "Endpointer";
 constexpr std::string_view key_role = "PushToTalk";
@@ -47,6 +48,7 @@ const std::vector<Link>& chain() {
       {recogniser_role, {"MoonshineASR", "SphinxASR"}, false},
       {"TTS", {"EspeakTTS", "FliteTTS"}, false},
       {speaker_role, {"AlsaSpeaker"}},
+      {metrics_role, {"TurnMetrics"}, false, false},
       // Only if the command line says so.
       {key_role, {}, true, false}};
   return links;
@@ -209,6 +211,8 @@ Expected<VoiceSources> add_voice(const fs::path& folder,
   VoiceSources sources{
       [changes](Settings& settings) { changes.apply(settings); },
       {library_of(sleeps, is_enhanced)}};
+  if (!filled[std::string(metrics_role)].empty())
+    sources.libraries.emplace_back("turn-times");
   if (!wishes.push_to_talk.empty())
     sources.libraries.emplace_back("push-to-talk");
   return sources;

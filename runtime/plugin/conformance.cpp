@@ -14,6 +14,8 @@ namespace parlour {
 
 namespace {
 
+using Steady = std::chrono::steady_clock;
+
 constexpr const char* trial_session = "trial";
 constexpr const char* unknown_command = "NoSuchCommand";
 
@@ -43,6 +45,7 @@ public:
              [&] { started = plugin_->start(host_, options_.options); }) &&
         !started)
       report("it does not start: " + started.error().message);
+    started_ = Steady::now();
     return started.has_value();
   }
 
@@ -115,8 +118,10 @@ private:
           answer = event.command;
       return !answer.empty();
     };
+    const auto patience = answer_time();
     if (is_answered)
-      call(command, [&] { host_.wait(answered, options_.deadline); });
+      call(
+          command, [&] { host_.wait(answered, patience); }, patience);
     else
       answered();
     return answer;
@@ -153,15 +158,27 @@ private:
     return names;
   }
 
+  // How long an answer may take now.
+  Milliseconds answer_time() const {
+    const auto ready = started_ + options_.warm_up - Steady::now();
+    return std::max(options_.deadline,
+                    std::chrono::duration_cast<Milliseconds>(ready));
+  }
+
+  template <class Action>
+  bool call(const std::string& what, Action action) {
+    return call(what, action, options_.deadline);
+  }
+
   // Calls into the plug-in. Returns false if it throws, and reports what took
   // much longer than allowed.
   template <class Action>
-  bool call(const std::string& what, Action action) {
+  bool call(const std::string& what, Action action, Milliseconds allowed) {
     if (options_.on_step)
       options_.on_step(what);
     // Real time is measured here: a call that takes long blocks its caller,
     // whatever the clock says.
-    const auto begin = std::chrono::steady_clock::now();
+    const auto begin = Steady::now();
     try {
       action();
     } catch (const std::exception& error) {
@@ -171,7 +188,7 @@ private:
       report(what + ": it throws something");
       return false;
     }
-    if (std::chrono::steady_clock::now() - begin > 2 * options_.deadline)
+    if (Steady::now() - begin > 2 * allowed)
       report(what + " takes too long");
     return true;
   }
@@ -190,6 +207,7 @@ private:
   TestHost host_;
   std::unique_ptr<IPlugin> plugin_;
   Correlation correlation_ = 0;
+  Steady::time_point started_{};
 };
 
 // Commands of the description itself are tested like those of a role.

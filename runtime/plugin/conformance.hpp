@@ -20,6 +20,9 @@ struct TestOptions {
   // Called before each call into the plug-in, with "start" or the command's
   // name. It tells where a plug-in crashes or hangs.
   std::function<void(const std::string& step)> on_step = {};
+  // Until so long after an instance was started, an answer may take longer than
+  // `deadline`: it may still load what it needs.
+  Milliseconds warm_up{0};
 };
 
 // Runs the test and returns one sentence per fault; empty if the plug-in

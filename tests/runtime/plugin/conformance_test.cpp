@@ -56,7 +56,9 @@ private:
   Ways ways_;
 };
 
-std::vector<std::string> wrong_with(const Ways& ways) {
+std::vector<std::string> wrong_with(const Ways& ways,
+                                    Milliseconds deadline = Milliseconds(2'000),
+                                    Milliseconds warm_up = Milliseconds(0)) {
   PluginFactory factory;
   factory.description.name = "Office";
   factory.description.roles = {"Taxi"};
@@ -64,7 +66,8 @@ std::vector<std::string> wrong_with(const Ways& ways) {
   factory.create = [ways] { return std::make_unique<Office>(ways); };
   TestOptions terms;
   // What is due comes without waiting; only silence is waited for.
-  terms.deadline = Milliseconds(2'000);
+  terms.deadline = deadline;
+  terms.warm_up = warm_up;
   return conformance_errors(factory, terms);
 }
 
@@ -81,6 +84,14 @@ TEST(Conformance, WantsAnswersInTime) {
   EXPECT_THAT(wrong_with({.answers = false}),
               ElementsAre(HasSubstr("is not answered in time by Booked, "
                                     "Refused")));
+}
+
+// Its answer takes 1.9 s.
+TEST(Conformance, LetsItWarmUp) {
+  EXPECT_THAT(wrong_with({}, Milliseconds(1'000), Milliseconds(60'000)),
+              IsEmpty());
+  EXPECT_THAT(wrong_with({}, Milliseconds(1'000)),
+              ElementsAre(HasSubstr("is not answered in time by Booked")));
 }
 
 TEST(Conformance, WantsWhatLacksParametersRefused) {

@@ -12,8 +12,8 @@
 //      as it is.
 //
 // Options: see sphinx_keywords.cpp. Each session has a search of its own; the
-// least recently used is dropped when there are too many. A search takes 30 MB
-// and 3 % of the time it hears. Phrases of seven sounds and more ("hey
+// least recently used is dropped when there are too many. A search takes 3 % of
+// the time it hears. Phrases of seven sounds and more ("hey
 // parlour") are told from other speech well, shorter ones badly.
 #pragma once
 

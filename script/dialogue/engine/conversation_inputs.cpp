@@ -57,9 +57,13 @@ std::optional<Milliseconds> words_come_within(const Port& port,
   return std::nullopt;
 }
 
+bool is_rejected(const Port& port, const Message& message) {
+  return message.command == "Rejected"sv &&
+         port.is_source(recogniser, message.source);
+}
+
 bool ends_speech(const Port& port, const Message& message) {
-  return (message.command == "Rejected"sv &&
-          port.is_source(recogniser, message.source)) ||
+  return is_rejected(port, message) ||
          (message.command == "TurnDropped"sv &&
           port.is_source(endpointer, message.source));
 }
@@ -157,6 +161,9 @@ void ConversationImplementation::process(Input&& input) {
   }
   if (input.begins_turn)
     output.give_up_interrupted();
+  input.is_unclear = is_rejected(context.port, message) &&
+                     context.turns.speaking(context.now) && output.silent() &&
+                     !output.was_interrupted();
   if (is_heard(message) && (hear_speech(message) || hear_speaker(message) ||
                             machine.agent_changed(message) ||
                             output.hear_failure(message, input.turn)))

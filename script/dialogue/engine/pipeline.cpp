@@ -16,7 +16,7 @@ void Pipeline::take(Input&& input) {
     return;
   }
   Item item;
-  item.is_said = input.begins_turn;
+  item.is_said = input.begins_turn || input.is_unclear;
   item.turn = input.turn;
   item.raised = input.raised;
   item.reactions = std::exchange(spare_, {});

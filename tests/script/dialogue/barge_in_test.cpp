@@ -190,6 +190,57 @@ TEST_F(BargeIn, WhoBreaksInIsAnswered) {
   EXPECT_EQ(world_->said(), Texts{});
 }
 
+constexpr const char* asking = R"xml(
+  <topic name="Taxi" initiative="system">
+    <slot name="Place" type="Functional" question="Where?"/></topic>)xml";
+
+// What is said and recognised by nobody is not understood (engine rule 3.2).
+class Unclear : public testing::Test {
+protected:
+  static void rejects(World& world) {
+    world.event("Ears", "SpeechStarted");
+    world.event("Keyboard", "Rejected", {"no words"});
+  }
+  static void listens(World& world) {
+    world.components["Ears"] = {"VAD"};
+    world.said();
+  }
+};
+
+TEST_F(Unclear, SpeechIsAskedForAgain) {
+  World world(asking);
+  listens(world);
+  rejects(world);
+  EXPECT_THAT(world.said(), testing::ElementsAre(testing::HasSubstr("Where?")));
+}
+
+TEST_F(Unclear, SpeechIsApologisedFor) {
+  World world(R"xml(<state name="Start"/>)xml");
+  listens(world);
+  rejects(world);
+  EXPECT_EQ(world.said().size(), 1u);
+}
+
+TEST_F(Unclear, SpeechMayBeHandled) {
+  World world(R"xml(<handler name="H"><messages><component><ASR><Rejected>
+    <speak param="Pardon?"/></Rejected></ASR></component></messages></handler>)xml");
+  listens(world);
+  rejects(world);
+  EXPECT_EQ(world.said(), Texts{"Pardon?"});
+}
+
+TEST_F(Unclear, NothingIsWithoutSpeech) {
+  World world(asking);
+  listens(world);
+  world.event("Keyboard", "Rejected", {"no words"});
+  EXPECT_EQ(world.said(), Texts{});
+  world.event("Ears", "SpeechStarted");
+  world.advance(3s);
+  world.said();
+  world.event("Keyboard", "Rejected", {"no words"});
+  EXPECT_EQ(world.said(), Texts{});
+}
+
 // What a loudspeaker plays is not over when it was shown (engine rule 3.8).
 class VoicedOutput : public testing::Test {
 protected:

@@ -1,5 +1,5 @@
-"""The receptionist's conversation of the paper's Table I, held by voice: the
-second remark cuts in while the robot asks its question."""
+"""The receptionist's conversation of the paper's Table I, held by voice: its
+turns are understood, and what the robot answers to them is said."""
 
 import os
 import subprocess

@@ -53,9 +53,10 @@ actors::NodeOptions node_options(const Application& application,
                       is_virtual](actors::ComponentOrder& order) {
     complete_description(order.factory.description, order.options, folder);
     const auto file = plugins->file_of(order.factory.description.name);
+    order.factory = hosted(std::move(order.factory), order.policy, file);
+    // Last: what stands in runs here, as in the settings' components.
     if (is_rehearsed)
       rehearse(order.factory, order.options);
-    order.factory = hosted(std::move(order.factory), order.policy, file);
     fit_to_time(order, is_virtual);
   };
   options.aliases = role_aliases();

@@ -26,6 +26,7 @@ TEST_F(ApplicationTest, gives_a_node_all_it_needs) {
 std::unique_ptr<IPlugin> loaded(const actors::NodeOptions& options,
                                 const std::string& plugin) {
   actors::ComponentOrder order{plugin, *find_plugin(plugin), {}, {}};
+  order.policy.host = "process";
   options.complete(order);
   return order.factory.create();
 }

@@ -18,8 +18,12 @@ TalkSwitch::Change TalkSwitch::released() {
 }
 
 TalkSwitch::Change TalkSwitch::typed(Moment now) {
-  const bool repeats = typed_ && now - *typed_ < repetition;
+  // Between a press and its first repetition more time passes than between the
+  // others.
+  const bool repeats =
+      typed_ && now - *typed_ < (repeats_ ? repetition : first_repetition);
   typed_ = now;
+  repeats_ = repeats;
   if (by_ == TalkBy::twice)
     return repeats ? std::nullopt : talk(!talks_);
   due_ = now + (talks_ ? repetition : first_repetition);
@@ -36,6 +40,7 @@ TalkSwitch::Change TalkSwitch::passed(Moment now) {
 TalkSwitch::Change TalkSwitch::reset() {
   due_.reset();
   typed_.reset();
+  repeats_ = false;
   return talk(false);
 }
 

@@ -5,7 +5,8 @@
 //          but repeats a key that is held: the key counts as released when no
 //          repetition has come for a while.
 //  twice   the first press begins, the second one ends; what a terminal repeats
-//          while a key is held is no press.
+//          while a key is held is no press. It cannot be told from a second
+//          press that follows as soon as a repetition would.
 //
 // For one thread at a time.
 #pragma once
@@ -50,6 +51,7 @@ private:
   const TalkBy by_;
   bool talks_ = false;
   std::optional<Moment> typed_; // when, last
+  bool repeats_ = false;        // whether that was a repetition
   std::optional<Moment> due_;
 };
 

@@ -53,6 +53,19 @@ TEST(TalkSwitchTest, WhatATerminalRepeatsIsNoSecondPress) {
   EXPECT_EQ(key.typed(at(1'500)), Change(true));
 }
 
+TEST(TalkSwitchTest, AKeyThatIsHeldIsPressedOnce) {
+  TalkSwitch key(TalkBy::twice);
+  EXPECT_EQ(key.typed(at(0)), Change(true));
+  for (int time = 600; time < 3'000; time += 40) // as a terminal repeats it
+    EXPECT_EQ(key.typed(at(time)), Change()) << time;
+  EXPECT_EQ(key.typed(at(5'000)), Change(false));
+  EXPECT_EQ(key.typed(at(5'660)), Change());
+  EXPECT_EQ(key.typed(at(6'000)), Change(true));
+  EXPECT_EQ(key.reset(), Change(false));
+  EXPECT_EQ(key.typed(at(6'100)), Change(true));
+  EXPECT_EQ(key.typed(at(6'700)), Change());
+}
+
 TEST(TalkSwitchTest, ForgetsTheKey) {
   TalkSwitch key(TalkBy::hold);
   EXPECT_EQ(key.reset(), Change());

@@ -55,7 +55,7 @@ void Endpointing::recognised(std::optional<bool> ends) {
 
 void Endpointing::robot_speaks(bool speaks) {
   robot_speaks_ = speaks;
-  if (times_.awake)
+  if (speaks && times_.awake)
     is_asleep_ = false; // who is spoken to may answer
   active_at_ = now_;
 }
@@ -184,6 +184,8 @@ TurnSteps Endpointing::reset() {
   speech_end_.reset();
   follows_word_ = false;
   kept_.clear();
+  now_ = 0;
+  active_at_ = 0;
   return steps;
 }
 

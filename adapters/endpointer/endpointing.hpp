@@ -89,7 +89,8 @@ public:
 
   // No more audio comes: a turn ends as it is.
   TurnSteps finish();
-  // Forgets all, and drops the turn that is open.
+  // Forgets what was heard, and drops the turn that is open: positions begin
+  // anew. Who is awake stays so for as long as if woken now.
   TurnSteps reset();
 
   bool in_turn() const {

@@ -75,6 +75,7 @@ TurnSteps KeyEndpointing::reset() {
   start_.reset();
   release_.reset();
   kept_.clear();
+  now_ = 0;
   return steps;
 }
 

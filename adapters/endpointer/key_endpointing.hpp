@@ -33,7 +33,7 @@ public:
   TurnSteps released();
   // No more audio comes: a turn ends as it is.
   TurnSteps finish();
-  // Forgets all, and drops the turn that is open.
+  // Forgets all, and drops the turn that is open: positions begin anew.
   TurnSteps reset();
 
   bool in_turn() const {

@@ -25,13 +25,14 @@ void TurnPlugin::on_process(const Binary& audio,
   if (!samples)
     return refuse(samples.error().message);
   const auto begin = position.value_or(next_position_);
-  next_position_ = begin + duration(audio.bytes.size() / sizeof(Sample));
-  last_ = current();
-  last_.params.clear();
+  const auto length = duration(audio.bytes.size() / sizeof(Sample));
+  // A microphone that was stopped, or replaced, counts from 0 again.
+  if (begin + length < next_position_)
+    carry_out(reset());
+  next_position_ = begin + length;
+  remember_call();
   heard_ = true;
   carry_out(hear(frame, begin));
-  if (in_turn() && !watches_)
-    watch();
 }
 
 void TurnPlugin::on_reset() {
@@ -45,6 +46,11 @@ void TurnPlugin::on_reset() {
 void TurnPlugin::carry_out(TurnSteps steps) {
   for (auto& step : steps)
     carry_out(step);
+  if (!in_turn() || watches_)
+    return;
+  // A turn may begin without audio, by a key.
+  remember_call();
+  watch();
 }
 
 void TurnPlugin::carry_out(TurnStep& step) {
@@ -62,6 +68,11 @@ void TurnPlugin::carry_out(TurnStep& step) {
     fire_event("FellAsleep", {asleep->position});
   else
     fire_event("TurnDropped", {std::get<TurnDropped>(step).position});
+}
+
+void TurnPlugin::remember_call() {
+  last_ = current();
+  last_.params.clear();
 }
 
 void TurnPlugin::watch() {

@@ -261,6 +261,31 @@ TEST_F(EndpointingTest, WhoIsSpokenToMayAnswer) {
                                 "end 13000 at 13700", "asleep at 18700"));
 }
 
+// "Good night", and what the robot answers ends later.
+TEST_F(EndpointingTest, FallsAsleepWhileTheRobotSpeaks) {
+  may_sleep(Milliseconds(5'000));
+  until(1'000);
+  endpointing.robot_speaks(true);
+  until(2'000);
+  endpointing.sleep();
+  until(3'000);
+  endpointing.robot_speaks(false);
+  speaks(4'000, 5'000);
+  until(9'000);
+  EXPECT_THAT(seen, ElementsAre("woken at 1000", "asleep at 2000"));
+}
+
+TEST_F(EndpointingTest, FallsAsleepAfterReset) {
+  may_sleep(Milliseconds(5'000));
+  until(60'000);
+  endpointing.wake({});
+  until(61'000);
+  note(endpointing.reset());
+  now = 0;
+  until(9'000);
+  EXPECT_THAT(seen, ElementsAre("woken at 60000", "asleep at 5000"));
+}
+
 TEST_F(EndpointingTest, IsAlwaysAwakeOtherwise) {
   endpointing.sleep();
   speaks(1'000, 2'000);

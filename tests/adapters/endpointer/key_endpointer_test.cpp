@@ -26,6 +26,12 @@ protected:
     for (int i = 0; i < frames; ++i)
       send("Process", {pcm_value(samples)});
   }
+  // From this position on.
+  void hear(int frames, std::int64_t position) {
+    const std::vector<Sample> samples(frame_samples);
+    for (int i = 0; i < frames; ++i)
+      send("Process", {pcm_value(samples), position + 20 * i});
+  }
 
   test::FakePluginHost host;
   std::unique_ptr<IPlugin> plugin;
@@ -47,6 +53,30 @@ TEST_F(KeyEndpointerTest, PassesATurnOn) {
   EXPECT_EQ(events.front(), "TurnStarted(980)");
   EXPECT_EQ(events.back(), "TurnEnded(1980, 80)");
   EXPECT_EQ(events.size() - 2, 59u); // from 880 to 2,040 ms
+}
+
+// A microphone that was started again counts from 0.
+TEST_F(KeyEndpointerTest, ForgetsAStreamThatHasEnded) {
+  ASSERT_TRUE(start());
+  hear(500, 0);
+  hear(500, 0);
+  send("Pressed");
+  const auto events = host.take_events();
+  ASSERT_FALSE(events.empty());
+  EXPECT_EQ(events.front(), "TurnStarted(9980)");
+  EXPECT_EQ(events.size() - 1, 16u); // of the last 300 ms
+  hear(10, 0);
+  EXPECT_THAT(host.take_events(), ElementsAre("TurnDropped(9980)"));
+}
+
+TEST_F(KeyEndpointerTest, EndsATurnInWhichNoAudioComes) {
+  ASSERT_TRUE(start());
+  send("Pressed");
+  host.advance(Milliseconds(900));
+  EXPECT_THAT(host.take_events(), ElementsAre("TurnStarted(0)"));
+  host.advance(Milliseconds(1'100));
+  EXPECT_THAT(host.take_events(), ElementsAre("TurnDropped(0)"));
+  EXPECT_EQ(host.pending(), 0u);
 }
 
 TEST_F(KeyEndpointerTest, TakesNobodyElsesWord) {

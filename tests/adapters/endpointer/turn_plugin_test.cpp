@@ -82,6 +82,15 @@ TEST_F(TurnPluginTest, CountsAnewAfterReset) {
       ElementsAre("TurnStarted(500)", "TurnDropped(500)", "TurnStarted(0)"));
 }
 
+TEST_F(TurnPluginTest, CountsAnewWithAnotherStream) {
+  hear({500});
+  hear({500}); // a frame again is no other stream
+  hear({0});
+  EXPECT_THAT(
+      host.take_events(),
+      ElementsAre("TurnStarted(500)", "TurnDropped(500)", "TurnStarted(0)"));
+}
+
 TEST_F(TurnPluginTest, RefusesWhatIsNoSpeech) {
   plugin.receive(test::message("Process", {Binary{"opus", {}}}));
   EXPECT_THAT(host.take_events(), ElementsAre(HasSubstr("Failed")));

@@ -88,7 +88,10 @@ protected:
           return serve(peer, event);
         });
     auto options = server->options();
-    options["connect-timeout"] = "300ms";
+    // Only silence is told by the time; all else may take as long as it takes.
+    if (GetParam().name == "silent")
+      options["connect-timeout"] = "300ms";
+    options["answer-timeout"] = GetParam().name == "silent" ? "1s" : "10s";
     connect(factory, options);
   }
   void expect_complaint(const std::string& command) {
@@ -174,9 +177,10 @@ INSTANTIATE_TEST_SUITE_P(Wyoming, WyomingWakeFaultTest,
 class SlowWyomingTest : public test::WyomingTest {
 protected:
   void use(const PluginFactory& factory, const std::string& service,
-           test::WyomingServer::Serve serve) {
+           test::WyomingServer::Serve serve, Options more = {}) {
     server = std::make_unique<test::WyomingServer>(service, std::move(serve));
-    connect(factory, server->options());
+    more.merge(server->options());
+    connect(factory, more);
   }
   // Several times what the client and the system keep.
   void speak(const std::string& command, int seconds = 150) {
@@ -228,7 +232,7 @@ TEST_F(SlowWyomingTest, does_not_recognise_forever) {
 
 TEST_F(SlowWyomingTest, answers_turns_in_its_own_order) {
   std::atomic<int> finished = 0;
-  use(wyoming_asr_factory(), "asr", [&](Peer& peer, const Event& event) {
+  auto serve = [&](Peer& peer, const Event& event) {
     // Before it is asked, too.
     if (event.type == "audio-chunk") {
       peer.send({"transcript", {{"text", "early"}}});
@@ -240,7 +244,8 @@ TEST_F(SlowWyomingTest, answers_turns_in_its_own_order) {
       peer.send({"transcript", {{"text", "late"}}});
     }
     return true;
-  });
+  };
+  use(wyoming_asr_factory(), "asr", serve, {{"answer-timeout", "10s"}});
   for (const auto* session : {"s1", "s2"}) {
     send("DoRecognition", {frame()}, session);
     answer("Partial");

@@ -14,6 +14,9 @@ from program_case import PROGRAM, ProgramCase
 VDEV = pathlib.Path(PROGRAM).parent.parent / "lib/vdev.so"
 RATE = 16000
 WAIT = 240  # seconds; only a test that fails waits so long
+# Seconds of silence in which the robot says a few words to their end, also where
+# it is slow, as with sanitizers.
+AMPLE = 12
 
 
 def samples_of(path):

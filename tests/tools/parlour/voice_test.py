@@ -6,7 +6,7 @@ import socket
 import threading
 import unittest
 
-from voice_case import RATE, VoiceCase, samples_of
+from voice_case import AMPLE, RATE, VoiceCase, samples_of
 
 
 class Spotter(threading.Thread):
@@ -62,7 +62,7 @@ class VoiceTest(VoiceCase):
 
     def test_it_sleeps_until_a_word_is_said(self):
         question = self.speech("please open the window")
-        first = self.silence(5) + question + self.silence(2)
+        first = self.silence(AMPLE) + question + self.silence(2)
         spotter = Spotter(len(first) * 1000 // RATE)
         self.addCleanup(spotter.listener.close)
         spotter.start()
@@ -75,7 +75,7 @@ class VoiceTest(VoiceCase):
             </component>""")
         heard = self.write_sound(
             "heard.wav", first + self.silence(0.5) + question +
-            self.silence(5) + question + self.silence(2))
+            self.silence(AMPLE) + question + self.silence(2))
         out, err = self.talk(desk, heard, self.folder / "answer.wav", "--trace")
         # It may answer whoever it speaks to, and is asleep then, woken once,
         # and awake while it answers; the third question is said too late.

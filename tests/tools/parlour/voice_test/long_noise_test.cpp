@@ -52,14 +52,16 @@ protected:
     EXPECT_TRUE(bank.speak("one", "rms"));
     EXPECT_TRUE(bank.speak("two", "rms"));
   }
-  // What was heard of a word, then the time, then another word.
-  std::vector<Row> wait(const std::string& time) {
+  // What was heard of a word, then the time, then another word. The first
+  // `typed_rows` words are typed.
+  std::vector<Row> wait(const std::string& time, std::size_t typed_rows = 0) {
     const auto told =
         conversation("U: one\nR~ .*\nwait " + time + "\nU: two\nR~ .*\n");
     const auto expected = hold_by_text(typed, told).rows;
     hears->assign({"one", "two"});
     return hold_by_voice(spoken, told,
-                         {&bank, "rms", traffic(), false, nullptr}, expected, 0)
+                         {&bank, "rms", traffic(), false, nullptr}, expected,
+                         typed_rows)
         .rows;
   }
 
@@ -70,17 +72,19 @@ protected:
 TEST_F(LongNoise, IsNoSpeechAndCostsNoMemory) {
   (void)wait("5m");
   const auto before = resident();
-  const auto rows = wait("1h");
+  auto rows = wait("1h");
   const auto after = resident();
   ASSERT_FALSE(rows.empty());
+  EXPECT_GE(rows[0].heard.size(), 1u);
   EXPECT_LE(rows[0].heard.size(), 1u + 6u);
-  if (rows[0].heard.size() == 1) {
-    ASSERT_EQ(rows.size(), 2u);
-    EXPECT_EQ(rows[1].heard.size(), 1u);
-  }
   if (counts_memory) {
     EXPECT_LE(after - before, 4'096);
   }
+  // A turn of the noise ends the run before the second word.
+  if (rows.size() == 1)
+    rows = wait("1h", 1);
+  ASSERT_EQ(rows.size(), 2u);
+  EXPECT_EQ(rows[1].heard.size(), 1u);
 }
 
 } // namespace

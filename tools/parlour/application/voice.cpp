@@ -105,6 +105,21 @@ std::optional<ComponentSettings> wanted(std::string_view role,
 // The components that fill each role, by their names.
 using Filled = std::map<std::string, std::vector<std::string>, std::less<>>;
 
+// The endpointers that can sleep.
+std::vector<std::string> sleepers_of(const Composition& composition) {
+  std::vector<std::string> names;
+  for (const auto& component : composition.components) {
+    const auto& description = component.factory.description;
+    const bool can_sleep =
+        std::ranges::any_of(description.options, [](const auto& option) {
+          return option.name == "sleeps-after";
+        });
+    if (can_sleep && std::ranges::count(description.roles, endpointer_role) > 0)
+      names.push_back(component.name);
+  }
+  return names;
+}
+
 Filled filled_roles(const Composition& composition) {
   Filled filled;
   for (const auto& component : composition.components)
@@ -142,17 +157,22 @@ Expected<std::optional<ComponentSettings>> choose(const Link& link,
 struct Changes {
   std::vector<std::string> out;
   std::vector<ComponentSettings> in;
-  // Components of the settings that get other words to wake by.
+  // Components of the settings that get other words to wake by, and those that
+  // are to fall asleep if the settings do not say when.
   std::vector<std::string> spotters;
+  std::vector<std::string> sleepers;
   std::string wake;
 
   void apply(Settings& settings) const {
     std::erase_if(settings.components, [&](const auto& component) {
       return std::ranges::count(out, component.name) != 0;
     });
-    for (auto& component : settings.components)
+    for (auto& component : settings.components) {
       if (std::ranges::count(spotters, component.name) != 0)
         component.options["keywords"] = wake;
+      if (std::ranges::count(sleepers, component.name) != 0)
+        component.options.try_emplace("sleeps-after", sleeps_after);
+    }
     settings.components.insert(settings.components.begin(), in.begin(),
                                in.end());
   }
@@ -181,13 +201,15 @@ std::string library_of(bool sleeps, bool is_enhanced) {
 Expected<VoiceSources> add_voice(const fs::path& folder,
                                  const fs::path& platform, Catalogue& plugins,
                                  const VoiceWishes& wishes) {
-  auto filled =
-      filled_roles(compose(settings_alone(folder, platform), plugins));
+  const auto composition = compose(settings_alone(folder, platform), plugins);
+  auto filled = filled_roles(composition);
   Changes changes;
   const bool sleeps = wishes.push_to_talk.empty() &&
                       (!wishes.wake.empty() || filled.contains(spotter_role));
-  if (!wishes.wake.empty())
+  if (!wishes.wake.empty()) {
     changes.spotters = filled[std::string(spotter_role)];
+    changes.sleepers = sleepers_of(composition);
+  }
   changes.wake = wishes.wake;
   for (const auto& link : chain()) {
     if (!is_wanted(link, sleeps))

@@ -165,6 +165,24 @@ TEST_F(VoiceTest, SleepsWithASpotterOfTheSettings) {
             "hey house");
 }
 
+TEST_F(VoiceTest, HasAnEndpointerOfTheSettingsSleep) {
+  built_in.push_back(plugin("SphinxKeywords", "KeywordSpotter", "keywords"));
+  auto sleeps_after = [&](const std::string& option) {
+    settings("<Plugins><Plugin>SpeechEndpointer</Plugin></Plugins>"
+             "<component name=\"SpeechEndpointer\" scope=\"seat\">" +
+             option +
+             "</component>"
+             "<Scripts><Script>own.xml</Script></Scripts>");
+    const auto application = load({"", "", "", "", "hey house"});
+    EXPECT_TRUE(application);
+    return std::ranges::find(application->composition.components,
+                             "SpeechEndpointer", &ChosenComponent::name)
+        ->options.at("sleeps-after");
+  };
+  EXPECT_EQ(sleeps_after(""), "10s");
+  EXPECT_EQ(sleeps_after("<option name=\"sleeps-after\" value=\"1m\"/>"), "1m");
+}
+
 TEST_F(VoiceTest, TakesFilesInThePlaceOfDevices) {
   auto application = load({"heard.wav", "plughw:\"1&2\""});
   ASSERT_TRUE(application);

@@ -218,4 +218,13 @@ const ChosenComponent* first_of_role(const Composition& composition,
   return nullptr;
 }
 
+std::set<std::string, std::less<>> names_of_role(const Composition& composition,
+                                                 std::string_view role) {
+  std::set<std::string, std::less<>> names;
+  for (const auto& component : composition.components)
+    if (std::ranges::count(component.factory.description.roles, role) > 0)
+      names.insert(component.name);
+  return names;
+}
+
 } // namespace parlour::tools

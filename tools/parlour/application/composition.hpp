@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -59,5 +60,9 @@ Composition compose(const Settings& settings, Catalogue& plugins,
 // none. A component with 0 instances waits for <load> and does not count.
 const ChosenComponent* first_of_role(const Composition& composition,
                                      std::string_view role);
+
+// The names of all components with that role.
+std::set<std::string, std::less<>> names_of_role(const Composition& composition,
+                                                 std::string_view role);
 
 } // namespace parlour::tools

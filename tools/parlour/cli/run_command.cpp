@@ -129,6 +129,7 @@ public:
         data_(data), sockets_(sockets), signals_(signals),
         printer_(console.out, console.err, [this] { signals_.raise_closed(); }),
         notes_(console, printer_, data / "log"),
+        hearing_(names_of_role(application.composition, "Microphone")),
         voice_(roles_of(application.composition),
                first_of_role(application.composition, "KeywordSpotter")) {}
 

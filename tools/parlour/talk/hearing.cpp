@@ -5,7 +5,7 @@ namespace parlour::tools {
 void Hearing::take(const Message& message, Moment now) {
   std::lock_guard lock(mutex_);
   last_ = now;
-  if (message.source == "FileMicrophone" && message.command == "FileEnded")
+  if (message.command == "FileEnded" && microphones_.contains(message.source))
     file_ended_ = true;
   changed_.notify_all();
 }

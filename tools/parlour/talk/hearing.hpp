@@ -6,6 +6,9 @@
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
+#include <set>
+#include <string>
+#include <utility>
 
 #include "runtime/message/message.hpp"
 
@@ -14,10 +17,14 @@ namespace parlour::tools {
 // Safe to use from any thread.
 class Hearing {
 public:
+  // The names of components.
+  using Names = std::set<std::string, std::less<>>;
+
   // `quiet` is longer than the pause after which a robot takes a topic up
   // again.
-  explicit Hearing(std::chrono::milliseconds quiet = std::chrono::seconds(4))
-      : quiet_(quiet) {}
+  explicit Hearing(Names microphones,
+                   std::chrono::milliseconds quiet = std::chrono::seconds(4))
+      : microphones_(std::move(microphones)), quiet_(quiet) {}
 
   using Moment = std::chrono::steady_clock::time_point;
 
@@ -33,6 +40,7 @@ public:
 private:
   bool is_over_now(Moment now) const; // while mutex_ is held
 
+  const Names microphones_;
   const std::chrono::milliseconds quiet_;
   mutable std::mutex mutex_;
   std::condition_variable changed_;

@@ -52,6 +52,8 @@ TEST(Composition, keeps_instances_of_one_plugin_apart) {
       {{"Front", "LogTaxi", {}, {}}, {"Back", "LogTaxi", {}, {}}}));
   ASSERT_EQ(made.components.size(), 2u);
   EXPECT_EQ(made.components[1].name, "Back");
+  EXPECT_THAT(names_of_role(made, "Taxi"), ElementsAre("Back", "Front"));
+  EXPECT_THAT(names_of_role(made, "ASR"), IsEmpty());
 }
 
 TEST(Composition, names_the_nearest_plugin) {

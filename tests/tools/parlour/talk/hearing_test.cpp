@@ -19,7 +19,7 @@ protected:
   }
 
   const Hearing::Moment start{1h};
-  Hearing hearing{4s};
+  Hearing hearing{{"FileMicrophone", "Ear"}, 4s};
 };
 
 TEST_F(HearingTest, AMicrophoneIsHeardForEver) {
@@ -33,6 +33,12 @@ TEST_F(HearingTest, AFileIsOverOnceAllIsQuiet) {
   hears("FileSpeaker", "Finished", start + 3s); // the robot still spoke
   EXPECT_FALSE(hearing.is_over(start + 6999ms));
   EXPECT_TRUE(hearing.is_over(start + 7s));
+}
+
+// Settings may call it as they like.
+TEST_F(HearingTest, AMicrophoneMayHaveAnotherName) {
+  hears("Ear", "FileEnded", start);
+  EXPECT_TRUE(hearing.is_over(start + 4s));
 }
 
 TEST_F(HearingTest, OnlyTheMicrophonesEndCounts) {

@@ -119,10 +119,11 @@ public:
 // The component of one node, which works by a kept instance.
 class GuestComponent : public IPlugin {
 public:
-  GuestComponent(KeptComponents& kept,
+  GuestComponent(KeptComponents& kept, std::string component,
                  std::function<std::unique_ptr<IPlugin>()> create,
                  std::vector<Message> forget)
-      : kept_(kept), create_(std::move(create)), forget_(std::move(forget)) {}
+      : kept_(kept), component_(std::move(component)),
+        create_(std::move(create)), forget_(std::move(forget)) {}
   ~GuestComponent() override {
     give_back();
   }
@@ -153,12 +154,13 @@ protected:
 private:
   void take() {
     std::lock_guard lock(kept_.mutex_);
-    if (kept_.free_.empty()) {
+    auto& free = kept_.free_[component_];
+    if (free.empty()) {
       instance_ = std::make_unique<KeptComponents::Instance>(create_());
       return;
     }
-    instance_ = std::move(kept_.free_.back());
-    kept_.free_.pop_back();
+    instance_ = std::move(free.back());
+    free.pop_back();
   }
 
   void give_back() {
@@ -174,10 +176,11 @@ private:
     if (instance->host.has_failed())
       return;
     std::lock_guard lock(kept_.mutex_);
-    kept_.free_.push_back(std::move(instance));
+    kept_.free_[component_].push_back(std::move(instance));
   }
 
   KeptComponents& kept_;
+  const std::string component_;
   std::function<std::unique_ptr<IPlugin>()> create_;
   std::vector<Message> forget_;
   std::unique_ptr<KeptComponents::Instance> instance_;
@@ -187,11 +190,12 @@ private:
 KeptComponents::KeptComponents() = default;
 KeptComponents::~KeptComponents() = default;
 
-PluginFactory KeptComponents::keep(PluginFactory factory,
+PluginFactory KeptComponents::keep(const std::string& component,
+                                   PluginFactory factory,
                                    std::vector<Message> forget) {
-  factory.create = [this, create = std::move(factory.create),
+  factory.create = [this, component, create = std::move(factory.create),
                     forget = std::move(forget)] {
-    return std::make_unique<GuestComponent>(*this, create, forget);
+    return std::make_unique<GuestComponent>(*this, component, create, forget);
   };
   return factory;
 }

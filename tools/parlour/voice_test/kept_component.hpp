@@ -3,16 +3,18 @@
 // test has many nodes.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <mutex>
+#include <string>
 #include <vector>
 
 #include "runtime/plugin/plugin.hpp"
 
 namespace parlour::tools {
 
-// Thread-safe. It outlives the nodes. All instances have the same options: keep
-// those of one component of one application.
+// Thread-safe. It outlives the nodes. All instances of one component have the
+// same options: keep those of one application.
 class KeptComponents {
 public:
   KeptComponents();
@@ -20,16 +22,18 @@ public:
   KeptComponents& operator=(const KeptComponents&) = delete;
   ~KeptComponents();
 
-  // Makes components that work by an instance that is free, or by a new one.
-  // When its node stops, the instance forgets the sessions: `forget` is sent to
-  // it for each. One that has failed is not kept.
-  PluginFactory keep(PluginFactory factory, std::vector<Message> forget);
+  // Makes components of this name that work by an instance that is free, or by
+  // a new one. When its node stops, the instance forgets the sessions: `forget`
+  // is sent to it for each. One that has failed is not kept.
+  PluginFactory keep(const std::string& component, PluginFactory factory,
+                     std::vector<Message> forget);
 
   class Instance; // internal
 
 private:
   std::mutex mutex_;
-  std::vector<std::unique_ptr<Instance>> free_;
+  // By the names of their components.
+  std::map<std::string, std::vector<std::unique_ptr<Instance>>> free_;
 
   friend class GuestComponent;
 };

@@ -51,7 +51,8 @@ Composition for_user(Composition composition,
       component.factory = adapters::file_speaker_factory(data / "robot.wav");
     } else if (speaking.recognisers && has_role(component, "ASR")) {
       component.factory = speaking.recognisers->keep(
-          std::move(component.factory), forgetting_of_recognisers());
+          component.name, std::move(component.factory),
+          forgetting_of_recognisers());
     }
   }
   return composition;

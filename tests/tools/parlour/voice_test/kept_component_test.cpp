@@ -39,8 +39,9 @@ private:
 
 class KeptComponentTest : public testing::Test {
 protected:
-  PluginFactory factory() {
-    return kept.keep({{}, [this] { return std::make_unique<Counter>(log); }},
+  PluginFactory factory(const std::string& component = "Counter") {
+    return kept.keep(component,
+                     {{}, [this] { return std::make_unique<Counter>(log); }},
                      {message("Forget", "")});
   }
   static Message message(const std::string& command,
@@ -51,9 +52,10 @@ protected:
     return made;
   }
   // A node: one instance, which gets one message. What it counted.
-  std::string run(const std::string& command) {
+  std::string run(const std::string& command,
+                  const std::string& of = "Counter") {
     test::FakePluginHost host;
-    const auto component = factory().create();
+    const auto component = factory(of).create();
     EXPECT_TRUE(component->start(host, {}));
     component->receive(message(command, "s1"));
     component->stop();
@@ -69,6 +71,12 @@ TEST_F(KeptComponentTest, goes_on_in_the_next_node) {
   EXPECT_EQ(run("Two"), "3"); // it was told to forget in between
   EXPECT_THAT(
       log, ElementsAre("start", "One s1", "Forget s1", "Two s1", "Forget s1"));
+}
+
+TEST_F(KeptComponentTest, serves_only_the_component_that_it_was_made_for) {
+  EXPECT_EQ(run("One"), "1");
+  EXPECT_EQ(run("One", "Other"), "1");
+  EXPECT_EQ(run("Two"), "3");
 }
 
 TEST_F(KeptComponentTest, is_not_kept_once_it_has_failed) {

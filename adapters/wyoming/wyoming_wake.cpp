@@ -74,6 +74,7 @@ public:
     client_->post([this, keywords = std::move(keywords)] {
       keywords_ = keywords;
       streams_.clear();
+      is_full_ = false;
     });
   }
 
@@ -99,7 +100,6 @@ private:
                        {"no words are found: too many sessions listen"});
       return;
     }
-    is_full_ = false;
     auto& stream = streams_[message.session];
     stream.order = message;
     stream.heard_at = Steady::now();
@@ -115,9 +115,11 @@ private:
 
   void forget_idle() {
     const auto latest = Steady::now() - idle_time;
-    std::erase_if(streams_, [&](const auto& one) {
+    const auto gone = std::erase_if(streams_, [&](const auto& one) {
       return !one.second.connection || one.second.heard_at < latest;
     });
+    if (gone > 0)
+      is_full_ = false;
   }
 
   void open(Stream& stream, const SessionId& session) {

@@ -15,6 +15,9 @@ namespace parlour::adapters {
 namespace {
 
 constexpr std::size_t max_phrases = 50;
+// A session that says nothing for so long may have ended: its search may serve
+// another one. A search that changed hands with each frame would find nothing.
+constexpr Milliseconds idle_time{5'000};
 
 const std::vector<OptionDescription> options = {
     {"keywords", "", "the phrases, separated by commas"},
@@ -71,7 +74,7 @@ private:
   struct Stream {
     std::unique_ptr<asr::KeywordSearch> search;
     std::int64_t position = 0; // ms, where its audio ends
-    std::uint64_t used = 0;
+    Timestamp used = 0;
   };
 
   Expected<void> look_for(const std::vector<std::string>& phrases) {
@@ -80,6 +83,7 @@ private:
       return tl::make_unexpected(made.error());
     keywords_ = std::make_shared<asr::Keywords>(std::move(*made));
     streams_.clear();
+    is_full_ = false;
     spare_.reset();
     return prepare();
   }
@@ -113,6 +117,8 @@ private:
       return refuse(samples.error().message);
     if (keywords_->phrases.empty())
       return;
+    if (!has_place(current().session))
+      return tell_full();
     auto& stream = stream_of(current().session);
     if (!stream.search)
       return refuse("there is no memory for another search");
@@ -126,24 +132,40 @@ private:
       fire_event("Keyword", {found.phrase, found.confidence, stream.position});
   }
 
+  bool has_place(const SessionId& session) {
+    return streams_.contains(session) || streams_.size() < max_streams_ ||
+           drop_idle();
+  }
+
+  // Not for each frame.
+  void tell_full() {
+    if (!std::exchange(is_full_, true))
+      refuse("no words are found: more sessions listen than the option "
+             "'streams' allows (" +
+             std::to_string(max_streams_) + ")");
+  }
+
   Stream& stream_of(const SessionId& session) {
-    if (!streams_.contains(session) && streams_.size() >= max_streams_)
-      drop_least_used();
     auto& stream = streams_[session];
-    stream.used = ++uses_;
+    stream.used = host().clock().now();
     if (!stream.search && prepare())
       stream.search = std::move(spare_);
     return stream;
   }
 
-  // Its search serves another session.
-  void drop_least_used() {
+  // The search of the session that was heard longest ago serves another one.
+  // False: all are heard.
+  bool drop_idle() {
     const auto found = std::ranges::min_element(
         streams_, {}, [](const auto& each) { return each.second.used; });
+    if (host().clock().now() - found->second.used < idle_time.count())
+      return false;
     spare_ = std::move(found->second.search);
     if (spare_)
       spare_->begin();
     streams_.erase(found);
+    is_full_ = false;
+    return true;
   }
 
   std::string model_;
@@ -152,7 +174,7 @@ private:
   std::shared_ptr<const asr::Keywords> keywords_;
   std::unique_ptr<asr::KeywordSearch> spare_;
   std::map<SessionId, Stream> streams_;
-  std::uint64_t uses_ = 0;
+  bool is_full_ = false; // that has been told
 };
 
 } // namespace

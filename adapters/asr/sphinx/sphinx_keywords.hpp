@@ -6,14 +6,15 @@
 //      The next audio of the session. Keyword(text, confidence, position) if a
 //      phrase is found in it: `position`, in ms, is where this audio ends; the
 //      phrase ended up to 200 ms before. `confidence` is 0.5 to 1.
+//      Failed(reason), once, if too many sessions listen.
 //  SetKeywords(list)
 //      Looks only for these phrases from now on, in all sessions.
 //      Failed(reason) if it is unknown how one of them sounds; then all stays
 //      as it is.
 //
-// Options: see sphinx_keywords.cpp. Each session has a search of its own; the
-// least recently used is dropped when there are too many. A search takes 3 % of
-// the time it hears. Phrases of seven sounds and more ("hey
+// Options: see sphinx_keywords.cpp. Each session has a search of its own; one
+// that has said nothing for five seconds may lose it to another. A search takes
+// 3 % of the time it hears. Phrases of seven sounds and more ("hey
 // parlour") are told from other speech well, shorter ones badly.
 #pragma once
 

@@ -56,6 +56,21 @@ TEST_F(WyomingWakeTest, counts_by_itself_and_looks_for_others) {
   EXPECT_EQ(found.at(2), Value(40));
 }
 
+TEST_F(WyomingWakeTest, tells_once_that_too_many_sessions_listen) {
+  use(finding());
+  for (int i = 0; i < 65; ++i)
+    send("Process", {frame()}, "s" + std::to_string(i));
+  for (int i = 1; i < 10; ++i) {
+    send("Process", {frame()}, "s" + std::to_string(i));
+    send("Process", {frame()}, "s64");
+  }
+  send("Process", {frame()}, "s0");
+  send("Process", {frame()}, "s0");
+  const auto failed = only(events_until("Keyword"), "Failed");
+  ASSERT_EQ(failed.size(), 1u);
+  EXPECT_EQ(failed[0].session, "s64");
+}
+
 TEST_F(WyomingWakeTest, refuses_what_is_no_audio) {
   use(finding());
   send("Process", {Binary{"mp3", {}}});

@@ -12,6 +12,7 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::UnorderedElementsAre;
 
 class SphinxKeywordsTest : public testing::Test {
 protected:
@@ -72,7 +73,29 @@ TEST_F(SphinxKeywordsTest, EachSessionHasAStreamOfItsOwn) {
   for (const auto* const session : {"a", "b", "c", "a"}) {
     say("computer", session);
     EXPECT_THAT(found(), ElementsAre(std::string(session) + ": computer"));
+    host.advance(Milliseconds(3'000));
   }
+}
+
+// Frame by frame, in turn.
+TEST_F(SphinxKeywordsTest, TooManySessionsDoNotDeafenTheOthers) {
+  ASSERT_TRUE(start({{"keywords", "computer"}, {"streams", "2"}}));
+  const auto sound = asr::said("computer");
+  for (std::size_t at = 0; at < sound.size(); at += frame_samples) {
+    const auto frame = pcm_value(std::span(sound).subspan(
+        at, std::min(frame_samples, sound.size() - at)));
+    for (const auto* const session : {"a", "b", "c"})
+      send("Process", {frame}, session);
+    host.advance(Milliseconds(frame_time));
+  }
+  std::vector<std::string> told;
+  for (const auto& event : std::exchange(host.events, {}))
+    told.push_back(event.session + ": " + event.command);
+  EXPECT_THAT(told,
+              UnorderedElementsAre("a: Keyword", "b: Keyword", "c: Failed"));
+  host.advance(Milliseconds(5'000));
+  say("computer", "c");
+  EXPECT_THAT(found(), ElementsAre("c: computer"));
 }
 
 TEST_F(SphinxKeywordsTest, TakesOtherPhrases) {

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "runtime/plugin/test_host.hpp"
+#include "tools/parlour/application/plugin_calls.hpp"
 
 namespace parlour::tools {
 
@@ -33,12 +34,13 @@ std::vector<Error> seat_errors(const Composition& composition,
     TestHost host; // outlives the plug-in
     host.application = application.string();
     host.data = data.string();
-    const auto plugin = component.factory.create();
-    if (const auto started = plugin->start(host, component.options))
-      plugin->stop();
+    const auto plugin =
+        start_plugin(component.factory, host, component.options);
+    if (plugin)
+      stop_plugin(**plugin);
     else
-      errors.push_back({started.error().kind,
-                        component.name + ": " + to_string(started.error()),
+      errors.push_back({plugin.error().kind,
+                        component.name + ": " + to_string(plugin.error()),
                         {}});
   }
   return errors;

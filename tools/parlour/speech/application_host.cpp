@@ -18,4 +18,10 @@ ApplicationHost::column(const std::string& name) const {
   return columns_(name);
 }
 
+// Who waits is told last.
+void ApplicationHost::available(bool is_available) {
+  told_ = is_available ? Told::available : Told::unavailable;
+  TestHost::available(is_available);
+}
+
 } // namespace parlour::tools

@@ -2,6 +2,7 @@
 // application as in a node.
 #pragma once
 
+#include <atomic>
 #include <memory>
 
 #include "runtime/plugin/test_host.hpp"
@@ -18,10 +19,22 @@ public:
   std::shared_ptr<const UnderstandingModel> understanding() const override;
   Expected<std::vector<std::string>>
   column(const std::string& name) const override;
+  void available(bool is_available) override;
+
+  // Whether the component has said that it can take messages.
+  bool is_surely_available() const {
+    return told_ == Told::available;
+  }
+  bool is_surely_unavailable() const {
+    return told_ == Told::unavailable;
+  }
 
 private:
+  enum class Told : std::uint8_t { nothing, available, unavailable };
+
   const Application& application_;
   const ColumnReader columns_;
+  std::atomic<Told> told_ = Told::nothing;
 };
 
 } // namespace parlour::tools

@@ -5,6 +5,7 @@
 #include <thread>
 #include <utility>
 
+#include "tools/parlour/application/plugin_calls.hpp"
 #include "tools/parlour/speech/application_host.hpp"
 
 namespace parlour::tools {
@@ -17,6 +18,9 @@ using Messages = std::vector<Message>;
 
 constexpr Milliseconds silence{2'000};
 constexpr Milliseconds answer_time{60'000};
+// A component that works aside and says nothing for so long is taken for
+// available.
+constexpr Milliseconds opening_time{3'000};
 
 const Value& param(const Message& message, std::size_t position) {
   static const Value missing;
@@ -43,19 +47,18 @@ public:
     if (!chosen)
       return nullptr;
     std::unique_ptr<Stage> stage(new Stage(application, *chosen));
-    auto options = chosen->options;
-    const auto started = stage->plugin_->start(stage->host_, options);
+    auto started = start_plugin(chosen->factory, stage->host_, chosen->options);
     if (!started)
       return fail(started.error().kind,
                   chosen->name + ": " + to_string(started.error()));
-    stage->started_ = true;
+    stage->plugin_ = std::move(*started);
     return stage;
   }
   Stage(const Stage&) = delete;
   Stage& operator=(const Stage&) = delete;
   ~Stage() {
-    if (started_)
-      plugin_->stop();
+    if (plugin_)
+      stop_plugin(*plugin_);
   }
 
   const std::string& name() const {
@@ -65,6 +68,22 @@ public:
   bool works_aside() const {
     return works_aside_;
   }
+  // Waits for one that works aside, at the first time for what it says.
+  bool becomes_available() {
+    if (works_aside_ &&
+        (!std::exchange(awaited_, true) || host_.is_surely_unavailable()))
+      call([&] {
+        host_.wait([&] { return host_.is_surely_available(); }, opening_time);
+      });
+    return !host_.is_surely_unavailable();
+  }
+  // What it has thrown since it was asked last.
+  const std::optional<Error>& trouble() const {
+    return trouble_;
+  }
+  std::optional<Error> take_trouble() {
+    return std::exchange(trouble_, std::nullopt);
+  }
 
   // What it fires at once, and what it has fired meanwhile.
   Messages take(std::string command, std::vector<Value> params = {}) {
@@ -72,41 +91,47 @@ public:
     message.session = "listen";
     message.command = std::move(command);
     message.params = std::move(params);
-    plugin_->receive(message);
+    call([&] { plugin_->receive(message); });
     return host_.take_events();
   }
   Messages pass(Milliseconds time) {
-    host_.advance(time);
+    call([&] { host_.advance(time); });
     return host_.take_events();
   }
   // Its events up to one of these; all of them if none comes.
   Messages wait_for(std::initializer_list<std::string_view> commands) {
     Messages all;
-    host_.wait(
-        [&] {
-          const auto more = host_.take_events();
-          all.insert(all.end(), more.begin(), more.end());
-          return std::ranges::any_of(all, [&](const Message& event) {
-            return std::ranges::find(commands, event.command) != commands.end();
-          });
-        },
-        answer_time);
+    auto has_come = [&] {
+      const auto more = host_.take_events();
+      all.insert(all.end(), more.begin(), more.end());
+      return std::ranges::any_of(all, [&](const Message& event) {
+        return std::ranges::find(commands, event.command) != commands.end();
+      });
+    };
+    call([&] { host_.wait(has_come, answer_time); });
     return all;
   }
 
 private:
   Stage(const Application& application, const ChosenComponent& chosen)
-      : host_(application), plugin_(chosen.factory.create()),
-        name_(chosen.name),
+      : host_(application), name_(chosen.name),
         works_aside_(std::ranges::any_of(
             chosen.factory.description.options,
             [](const auto& option) { return option.name == "one-by-one"; })) {}
 
+  void call(const std::function<void()>& action) {
+    const auto called = call_plugin(action);
+    if (!called && !trouble_)
+      trouble_ = {
+          called.error().kind, name_ + ": " + called.error().message, {}};
+  }
+
   ApplicationHost host_; // outlives the plug-in
-  const std::unique_ptr<IPlugin> plugin_;
+  std::unique_ptr<IPlugin> plugin_;
   const std::string name_;
   const bool works_aside_;
-  bool started_ = false;
+  bool awaited_ = false;
+  std::optional<Error> trouble_;
 };
 
 // The way of one file through the stages.
@@ -123,6 +148,9 @@ public:
     heard_.length = position_;
     pass(Milliseconds(frame_time));
   }
+  bool has_trouble() const {
+    return trouble_.has_value();
+  }
 
   // A turn that is still open ends when no more audio comes.
   Expected<HeardFile> finish() {
@@ -135,16 +163,26 @@ public:
 
 private:
   void pass(Milliseconds time) {
+    if (ears_.enhancement_)
+      enhanced(ears_.enhancement_->pass(time));
     detector(ears_.detector_->pass(time));
+    if (ears_.spotter_)
+      spotter(ears_.spotter_->pass(time));
     endpointer(ears_.endpointer_->pass(time));
     recogniser(ears_.recogniser_->pass(time));
+    for (auto* const stage : ears_.stages())
+      if (auto trouble = stage->take_trouble())
+        trouble_ = std::move(trouble);
   }
 
   void enhance(const Value& audio) {
     if (!ears_.enhancement_)
       return detect(audio, position_);
-    for (const auto& event :
-         ears_.enhancement_->take("Process", {audio, position_}))
+    enhanced(ears_.enhancement_->take("Process", {audio, position_}));
+  }
+
+  void enhanced(const Messages& events) {
+    for (const auto& event : events)
       if (event.command == "Enhanced")
         detect(param(event, 0), param(event, 1).integer_or(position_));
   }
@@ -201,7 +239,7 @@ private:
       return;
     heard_.turns.back().end = position;
     recogniser(ears_.recogniser_->take("Finish"));
-    if (is_open())
+    if (is_open() && !ears_.recogniser_->trouble())
       recogniser(ears_.recogniser_->wait_for(
           {"RecognitionResult", "Rejected", "Failed"}));
     if (is_open())
@@ -272,6 +310,15 @@ Expected<std::unique_ptr<Ears>> Ears::start(const Application& application) {
   return ears;
 }
 
+std::vector<Ears::Stage*> Ears::stages() const {
+  std::vector<Stage*> all;
+  for (const auto* stage :
+       {&enhancement_, &spotter_, &detector_, &endpointer_, &recogniser_})
+    if (*stage)
+      all.push_back(stage->get());
+  return all;
+}
+
 const std::string& Ears::recogniser() const {
   return recogniser_->name();
 }
@@ -280,6 +327,10 @@ Expected<HeardFile> Ears::hear(const std::filesystem::path& file) {
   auto frames = adapters::SoundFileFrames::open(file, {}, {silence, false});
   if (!frames)
     return tl::make_unexpected(frames.error());
+  const auto all = stages();
+  for (auto* const stage : all)
+    if (!stage->becomes_available())
+      return fail(ErrorKind::offline, stage->name() + " is not available");
   detector_->take("Reset");
   endpointer_->take("Reset");
   if (spotter_)
@@ -287,11 +338,13 @@ Expected<HeardFile> Ears::hear(const std::filesystem::path& file) {
   recogniser_->take("Cancel");
   Hearing hearing(*this);
   std::vector<Sample> frame;
+  const bool is_paced = std::ranges::any_of(
+      all, [](const auto* stage) { return stage->works_aside(); });
   auto due = std::chrono::steady_clock::now();
-  while (frames->next(frame)) {
+  while (!hearing.has_trouble() && frames->next(frame)) {
     hearing.frame(frame);
     due += Milliseconds(frame_time);
-    if (recogniser_->works_aside())
+    if (is_paced)
       std::this_thread::sleep_until(due);
   }
   return hearing.finish();

@@ -61,9 +61,10 @@ public:
   Ears& operator=(const Ears&) = delete;
   ~Ears();
 
-  // Hears a file and two seconds of silence. A recogniser that works aside gets
-  // it at the pace of speech, others as fast as they hear. Errors are those of
-  // the file, and of kind Offline if the recogniser does not answer.
+  // Hears a file and two seconds of silence: at the pace of speech if one of
+  // the components works aside, else as fast as they hear. Errors are those of
+  // the file, of kind Offline if a component is not available or the recogniser
+  // does not answer, and what a component throws.
   Expected<HeardFile> hear(const std::filesystem::path& file);
 
   const std::string& recogniser() const;
@@ -72,6 +73,7 @@ private:
   class Stage;
   class Hearing;
   Ears();
+  std::vector<Stage*> stages() const;
 
   std::unique_ptr<Stage> enhancement_; // null: there is none
   std::unique_ptr<Stage> spotter_;     // null: the seat is always awake

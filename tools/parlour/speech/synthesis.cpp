@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "runtime/plugin/test_host.hpp"
+#include "tools/parlour/application/plugin_calls.hpp"
 
 namespace parlour::tools {
 
@@ -37,18 +38,33 @@ void take(const Message& event, Spoken& spoken) {
   }
 }
 
-// Waits for the next events; false if none came.
-bool take_next(TestHost& host, Spoken& spoken, Milliseconds patience) {
-  return host.wait(
+// What is thrown is trouble.
+void call(const std::function<void()>& action, Spoken& spoken) {
+  if (const auto called = call_plugin(action); !called)
+    spoken.trouble = called.error().message;
+}
+
+bool take_events(TestHost& host, Spoken& spoken) {
+  const auto events = host.take_events();
+  for (const auto& event : events)
+    take(event, spoken);
+  for (const auto& failure : host.take_failures())
+    spoken.trouble = failure;
+  return !events.empty() || spoken.is_over();
+}
+
+// Waits for the next events. The plug-in's delays run meanwhile.
+void take_next(TestHost& host, Spoken& spoken, Milliseconds patience) {
+  bool is_something = false;
+  call(
       [&] {
-        const auto events = host.take_events();
-        for (const auto& event : events)
-          take(event, spoken);
-        for (const auto& failure : host.take_failures())
-          spoken.trouble = failure;
-        return !events.empty() || spoken.is_over();
+        is_something =
+            host.wait([&] { return take_events(host, spoken); }, patience);
       },
-      patience);
+      spoken);
+  if (!is_something && !spoken.is_over())
+    spoken.trouble =
+        fmt::format("it has said nothing for {} s", patience.count() / 1'000);
 }
 
 Message order(const std::string& text) {
@@ -67,16 +83,14 @@ Expected<std::vector<Sample>> synthesize(const PluginFactory& factory,
                                          Milliseconds patience) {
   const auto& name = factory.description.name;
   TestHost host; // outlives the plug-in
-  const auto plugin = factory.create();
-  if (auto started = plugin->start(host, options); !started)
-    return fail(started.error().kind, name + ": " + to_string(started.error()));
-  plugin->receive(order(text));
+  const auto plugin = start_plugin(factory, host, options);
+  if (!plugin)
+    return fail(plugin.error().kind, name + ": " + to_string(plugin.error()));
   Spoken spoken;
+  call([&] { (*plugin)->receive(order(text)); }, spoken);
   while (!spoken.is_over())
-    if (!take_next(host, spoken, patience))
-      spoken.trouble =
-          fmt::format("it has said nothing for {} s", patience.count() / 1'000);
-  plugin->stop();
+    take_next(host, spoken, patience);
+  stop_plugin(**plugin);
   if (!spoken.trouble.empty())
     return fail(ErrorKind::refused, name + ": " + spoken.trouble);
   if (spoken.samples.empty())

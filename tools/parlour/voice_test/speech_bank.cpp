@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <span>
 
+#include "tools/parlour/application/plugin_calls.hpp"
+
 namespace parlour::tools {
 
 namespace {
@@ -42,7 +44,7 @@ SpeechBank::SpeechBank(std::shared_ptr<PluginCatalogue> plugins)
 
 SpeechBank::~SpeechBank() {
   for (auto& [name, voice] : voices_)
-    voice->plugin->stop();
+    stop_plugin(*voice->plugin);
 }
 
 std::unique_ptr<SpeechBank::Voice> SpeechBank::make(const std::string& plugin,
@@ -51,11 +53,12 @@ std::unique_ptr<SpeechBank::Voice> SpeechBank::make(const std::string& plugin,
   if (!factory)
     return nullptr;
   auto made = std::make_unique<Voice>();
-  made->plugin = factory->create();
   const Options options{
       {"voice", name}, {"ahead", "60s"}, {"one-by-one", "true"}};
-  if (!made->plugin->start(made->host, options))
+  auto started = start_plugin(*factory, made->host, options);
+  if (!started)
     return nullptr;
+  made->plugin = std::move(*started);
   return made;
 }
 
@@ -83,9 +86,14 @@ Expected<const Sound*> SpeechBank::speak(const std::string& text,
   auto& host = (*by)->host;
   Sound sound;
   std::string trouble;
-  (*by)->plugin->receive(order("Speak", {text, ++(*by)->utterances, false}));
-  const bool is_over = host.wait(
-      [&] { return take(host.take_events(), sound, trouble); }, patience);
+  bool is_over = false;
+  const auto called = call_plugin([&] {
+    (*by)->plugin->receive(order("Speak", {text, ++(*by)->utterances, false}));
+    is_over = host.wait(
+        [&] { return take(host.take_events(), sound, trouble); }, patience);
+  });
+  if (!called)
+    trouble = called.error().message;
   if (!is_over || !trouble.empty() || sound.empty())
     return fail(ErrorKind::settings,
                 "the voice '" + name + "' cannot say \"" + text + "\"" +

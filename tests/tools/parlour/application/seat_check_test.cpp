@@ -1,3 +1,5 @@
+#include <stdexcept>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -25,6 +27,8 @@ protected:
                    host().data_folder());
     if (trouble_.empty())
       return {};
+    if (trouble_ == "throw")
+      throw std::runtime_error("no driver");
     return fail(ErrorKind::offline, trouble_);
   }
   void on_message(const Message&) override {}
@@ -70,6 +74,11 @@ TEST_F(SeatCheckTest, TellsOfEachThatCannotStart) {
   add("Speaker", "another program uses it");
   EXPECT_THAT(errors(), ElementsAre("MyMicrophone: there is no such device",
                                     "MySpeaker: another program uses it"));
+}
+
+TEST_F(SeatCheckTest, TellsOfOneThatThrows) {
+  add("Microphone", "throw");
+  EXPECT_THAT(errors(), ElementsAre("MyMicrophone: it throws 'no driver'"));
 }
 
 // The node starts these itself, and says what is wrong with them.

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <stdexcept>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -29,6 +30,8 @@ protected:
     return {};
   }
   void on_do_recognition(const Binary&) override {
+    if (mode_ == "throws")
+      throw std::runtime_error("no memory");
     if (++frames_ == 20)
       fire_partial("so far", 1, true);
   }
@@ -67,6 +70,45 @@ private:
   bool spotted_ = false;
 };
 
+// The same by a server: it is there after a while, and each answer takes its
+// time.
+class FarKeywords : public RolePlugin {
+public:
+  FarKeywords() : RolePlugin("KeywordSpotter") {
+    on("Process", &FarKeywords::on_process);
+  }
+  static PluginFactory factory() {
+    PluginDescription description{
+        "FarKeywords", {"KeywordSpotter"}, "spots what is loud, elsewhere"};
+    description.options = {{"one-by-one", "", "as components that work aside"}};
+    return {description, [] { return std::make_unique<FarKeywords>(); }};
+  }
+
+protected:
+  Expected<void> on_start(const Options& options) override {
+    host().available(false);
+    if (!options.contains("one-by-one"))
+      host().after(Milliseconds(100), [this] {
+        is_there_ = true;
+        host().available(true);
+      });
+    return {};
+  }
+
+private:
+  void on_process(const Binary& audio, std::int64_t position) {
+    adapters::LevelMeter meter;
+    meter.add(*adapters::speech_samples(audio));
+    if (is_there_ && meter.peak() > -20 && !std::exchange(spotted_, true))
+      host().after(Milliseconds(40), [this, position] {
+        fire_event("Keyword", {"wake up", 0.9, position});
+      });
+  }
+
+  bool is_there_ = false;
+  bool spotted_ = false;
+};
+
 class EarsTest : public testing::Test {
 protected:
   EarsTest() {
@@ -87,13 +129,14 @@ protected:
     application.composition.components.back().options["mode"] = mode;
   }
   // Noise that is as loud and as varied as speech, between silence.
-  std::filesystem::path sound(const std::vector<int>& bursts) {
+  std::filesystem::path sound(const std::vector<int>& bursts,
+                              std::size_t silence = 32'000) {
     std::vector<Sample> samples(16'000);
     for (const int time : bursts) {
       for (int i = 0; i < 16 * time; ++i)
         samples.push_back(static_cast<Sample>(8'000 * std::sin(0.05 * i) *
                                               std::sin(0.0011 * i)));
-      samples.insert(samples.end(), 32'000, 0);
+      samples.insert(samples.end(), silence, 0);
     }
     auto path = folder.path() / "sound.wav";
     auto writer = adapters::SoundFileWriter::create(path, {});
@@ -166,6 +209,37 @@ TEST_F(EarsTest, SleepsUntilItsWordIsSaid) {
   ASSERT_TRUE(second);
   EXPECT_THAT(second->speech, SizeIs(1));
   EXPECT_THAT(second->turns, IsEmpty());
+}
+
+TEST_F(EarsTest, WaitsForWhoWorksElsewhere) {
+  add(FarKeywords::factory());
+  auto ears = Ears::start(application);
+  ASSERT_TRUE(ears);
+  const auto begin = std::chrono::steady_clock::now();
+  const auto heard = (*ears)->hear(sound({500}, 3'200));
+  const auto took = std::chrono::steady_clock::now() - begin;
+  ASSERT_TRUE(heard);
+  ASSERT_THAT(heard->keywords, SizeIs(1));
+  EXPECT_NEAR(static_cast<double>(heard->keywords[0].position), 1'000, 100);
+  EXPECT_THAT(heard->turns, SizeIs(1));
+  EXPECT_GE(took, Milliseconds(heard->length - adapters::frame_time));
+}
+
+TEST_F(EarsTest, SaysWhoIsNotAvailable) {
+  add(FarKeywords::factory());
+  application.composition.components.back().options["one-by-one"] = "";
+  auto ears = Ears::start(application);
+  ASSERT_TRUE(ears);
+  EXPECT_EQ((*ears)->hear(sound({})).error().message,
+            "FarKeywords is not available");
+}
+
+TEST_F(EarsTest, SaysWhoThrows) {
+  recogniser("throws");
+  auto ears = Ears::start(application);
+  ASSERT_TRUE(ears);
+  EXPECT_EQ((*ears)->hear(sound({1'000})).error().message,
+            "CountingASR: it throws 'no memory'");
 }
 
 TEST_F(EarsTest, SaysWhatIsMissing) {

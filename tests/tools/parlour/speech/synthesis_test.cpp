@@ -1,3 +1,5 @@
+#include <stdexcept>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -15,6 +17,8 @@ using testing::HasSubstr;
 class LetterTTS : public TTSPlugin {
 protected:
   Expected<void> on_start(const Options& options) override {
+    if (options.contains("throws"))
+      throw std::runtime_error("no voice");
     if (options.contains("broken"))
       return fail(ErrorKind::settings, "it is broken");
     return {};
@@ -27,6 +31,12 @@ protected:
       return host().failed("the engine has died");
     if (text == "hang")
       return;
+    if (text == "throw")
+      throw std::runtime_error("no memory");
+    if (text == "throw later") {
+      host().after(Milliseconds(100), [] { throw std::runtime_error("late"); });
+      return;
+    }
     if (text == "other rate")
       return fire_audio({"pcm_s16le;rate=8000;channels=1", {}}, utterance);
     next_ = text;
@@ -71,6 +81,10 @@ TEST(SynthesisTest, SaysWhyThereIsNothing) {
   EXPECT_EQ(say("fail").error().message, "LetterTTS: the engine has died");
   EXPECT_EQ(say("hang").error().message,
             "LetterTTS: it has said nothing for 1 s");
+  EXPECT_EQ(say("x", {{"throws", "1"}}).error().message,
+            "LetterTTS: it throws 'no voice'");
+  EXPECT_EQ(say("throw").error().message, "LetterTTS: it throws 'no memory'");
+  EXPECT_EQ(say("throw later").error().message, "LetterTTS: it throws 'late'");
   EXPECT_THAT(say("other rate").error().message, HasSubstr("16,000 samples"));
   EXPECT_THAT(say("").error().message, HasSubstr("nothing to be heard"));
 }

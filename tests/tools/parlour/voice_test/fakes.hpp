@@ -6,6 +6,7 @@
 #include <deque>
 #include <memory>
 #include <numbers>
+#include <stdexcept>
 #include <string>
 
 #include "adapters/audio/mixing.hpp"
@@ -28,7 +29,8 @@ inline adapters::Sound humming(const std::string& text) {
   return sound;
 }
 
-// Has the voices "rms" and "slt"; cannot say "unspeakable".
+// Has the voices "rms" and "slt"; cannot say "unspeakable", and throws at
+// "unbearable".
 class HummingTTS : public TTSPlugin {
 protected:
   Expected<void> on_start(const Options& options) override {
@@ -42,6 +44,8 @@ protected:
                 std::optional<bool>) override {
     if (text == "unspeakable")
       return refuse("too hard");
+    if (text == "unbearable")
+      throw std::runtime_error("too much");
     const auto sound = humming(text);
     const std::span<const adapters::Sample> samples(sound);
     for (std::size_t at = 0; at < samples.size();

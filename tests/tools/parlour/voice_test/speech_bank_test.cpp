@@ -38,6 +38,8 @@ TEST_F(SpeechBankTest, says_what_cannot_be_spoken) {
   EXPECT_THAT(trouble("hello", "nobody"), HasSubstr("a voice 'nobody'"));
   EXPECT_EQ(trouble("unspeakable", "rms"),
             "the voice 'rms' cannot say \"unspeakable\": too hard");
+  EXPECT_EQ(trouble("unbearable", "rms"),
+            "the voice 'rms' cannot say \"unbearable\": it throws 'too much'");
 }
 
 } // namespace

@@ -36,6 +36,16 @@ struct WantedKey {
   }
 };
 
+std::string option(const Options& given, const char* name) {
+  return option_value(given, option_descriptions(), name);
+}
+
+Expected<WantedKey> read_key(const Options& given) {
+  return find_key(option(given, "key")).map([&](const KeyName& key) {
+    return WantedKey{option(given, "device"), key};
+  });
+}
+
 Expected<TalkBy> read_press(const std::string& press, bool is_terminal) {
   if (press.empty())
     return is_terminal ? TalkBy::twice : TalkBy::hold;
@@ -46,6 +56,27 @@ Expected<TalkBy> read_press(const std::string& press, bool is_terminal) {
   return fail(ErrorKind::settings,
               "the option 'press' is \"hold\" or \"twice\"");
 }
+
+// Refuses the same options, and does nothing.
+class UnpressedKey : public RolePlugin {
+public:
+  UnpressedKey() : RolePlugin("PushToTalk") {
+    on("Enable", &UnpressedKey::ignore);
+    on("Disable", &UnpressedKey::ignore);
+  }
+
+protected:
+  Expected<void> on_start(const Options& given) override {
+    const auto key = read_key(given);
+    if (!key)
+      return tl::make_unexpected(key.error());
+    return read_press(option(given, "press"), key->device.empty())
+        .map([](TalkBy) {});
+  }
+
+private:
+  void ignore() {}
+};
 
 } // namespace
 
@@ -154,25 +185,21 @@ KeyPushToTalk::KeyPushToTalk(Milliseconds retry)
 KeyPushToTalk::~KeyPushToTalk() = default;
 
 Expected<void> KeyPushToTalk::on_start(const Options& given) {
-  auto option = [&](const char* name) {
-    return option_value(given, option_descriptions(), name);
-  };
-  const auto key = find_key(option("key"));
-  if (!key)
-    return tl::make_unexpected(key.error());
-  const WantedKey wanted{option("device"), *key};
-  const auto by = read_press(option("press"), wanted.device.empty());
+  const auto wanted = read_key(given);
+  if (!wanted)
+    return tl::make_unexpected(wanted.error());
+  const auto by = read_press(option(given, "press"), wanted->device.empty());
   if (!by)
     return tl::make_unexpected(by.error());
-  auto source = wanted.open();
+  auto source = wanted->open();
   if (!source)
     return tl::make_unexpected(source.error());
   auto loop =
       Loop::start([this](const std::string& what) { host().failed(what); });
   if (!loop)
     return tl::make_unexpected(loop.error());
-  keyboard_ = std::make_unique<Keyboard>(*this, wanted, *by, std::move(*source),
-                                         std::move(*loop));
+  keyboard_ = std::make_unique<Keyboard>(*this, *wanted, *by,
+                                         std::move(*source), std::move(*loop));
   return {};
 }
 
@@ -211,6 +238,11 @@ PluginFactory key_push_to_talk_factory(Milliseconds retry) {
            .sentence = "a key of the terminal or of an input device",
            .options = option_descriptions()},
           [retry] { return std::make_unique<KeyPushToTalk>(retry); }};
+}
+
+PluginFactory unpressed_key_factory() {
+  return {key_push_to_talk_factory().description,
+          [] { return std::make_unique<UnpressedKey>(); }};
 }
 
 } // namespace parlour::adapters

@@ -50,4 +50,7 @@ private:
 PluginFactory
 key_push_to_talk_factory(Milliseconds retry = Milliseconds(1'000));
 
+// The same where no device may be touched: a key that nobody presses.
+PluginFactory unpressed_key_factory();
+
 } // namespace parlour::adapters

@@ -102,6 +102,16 @@ TEST_F(KeyPushToTalkTest, ComesBackWithItsDevice) {
   EXPECT_EQ(events(1), "Pressed ");
 }
 
+TEST_F(KeyPushToTalkTest, MayBeAKeyThatNobodyPresses) {
+  EXPECT_THAT(conformance_errors(unpressed_key_factory(), {}), IsEmpty());
+  const auto starts = [&](const Options& options) {
+    return unpressed_key_factory().create()->start(host, options).has_value();
+  };
+  EXPECT_TRUE(starts({{"device", "/nowhere"}}));
+  EXPECT_FALSE(starts({{"key", "spacebar"}}));
+  EXPECT_FALSE(starts({{"press", "often"}}));
+}
+
 TEST_F(KeyPushToTalkTest, RefusesToStart) {
   EXPECT_THAT(start({{"key", "spacebar"}}).error().message,
               HasSubstr("is no key"));

@@ -2,8 +2,10 @@
 --push-to-talk`, with a named pipe as the input device, and on a terminal."""
 
 import os
+import signal
 import struct
 import subprocess
+import termios
 import unittest
 
 from voice_case import WAIT, VoiceCase
@@ -87,6 +89,46 @@ class PushToTalkTest(VoiceCase):
         self.assertIn("a key begins your turn and ends it: space", shown)
         self.assertIn("KeyEndpointer.TurnEnded", shown)
         self.assertIn("I open the window.", shown)
+
+    # No line is edited while a key takes the terminal.
+    def test_a_key_that_the_settings_name(self):
+        screen = self.on_terminal("run", self.keyed(), "--data",
+                                  str(self.folder / "data"))
+        shown = self.greeted(screen)
+        screen.write(b"\x03")
+        for line in self.lines(screen):
+            shown += line
+        self.assertEqual(self.end_of_child(), 130, shown)
+        self.assertIn("a key begins your turn and ends it: k", shown)
+
+    # The second signal ends the program, whatever it does just then.
+    def test_the_terminal_is_left_as_it_was(self):
+        screen = self.on_terminal("run", self.keyed(), "--data",
+                                  str(self.folder / "data"))
+        self.greeted(screen)
+        while self.shows_what_is_typed(screen):
+            os.sched_yield()
+        for number in (signal.SIGINT, signal.SIGTERM):
+            os.kill(self.child, number)
+        for _ in self.lines(screen):
+            pass
+        self.assertIn(self.end_of_child(), (130, -signal.SIGTERM))
+        self.assertTrue(self.shows_what_is_typed(screen))
+
+    def shows_what_is_typed(self, screen):
+        return bool(termios.tcgetattr(screen)[3] & termios.ECHO)
+
+    def keyed(self):
+        return self.desk(components='<component name="Key" plugin="KeyPushToTalk">'
+                         '<option name="key" value="k"/></component>')
+
+    def greeted(self, screen):
+        shown = ""
+        for line in self.lines(screen):
+            shown += line
+            if "Hello." in line:
+                break
+        return shown
 
     def lines(self, screen):
         """Until the program has ended."""

@@ -6,6 +6,7 @@
 
 #include "runtime/plugin/test_host.hpp"
 #include "tools/parlour/application/plugin_calls.hpp"
+#include "tools/parlour/application/shipped_plugin.hpp"
 
 namespace parlour::tools {
 
@@ -44,6 +45,17 @@ std::vector<Error> seat_errors(const Composition& composition,
                         {}});
   }
   return errors;
+}
+
+const ChosenComponent* key_of_terminal(const Composition& composition) {
+  for (const auto& component : composition.components) {
+    const auto takes =
+        shipped_plugin(component.factory.description.name).takes_terminal;
+    if (takes && component.policy.scope.instances > 0 &&
+        takes(component.options))
+      return &component;
+  }
+  return nullptr;
 }
 
 } // namespace parlour::tools

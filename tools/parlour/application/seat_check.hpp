@@ -18,4 +18,8 @@ std::vector<Error> seat_errors(const Composition& composition,
                                const std::filesystem::path& application,
                                const std::filesystem::path& data);
 
+// The component by which a key of the terminal begins and ends turns: it leaves
+// nothing to type there. Null: there is none.
+const ChosenComponent* key_of_terminal(const Composition& composition);
+
 } // namespace parlour::tools

@@ -12,6 +12,7 @@
 #include "adapters/mqtt/mqtt_options.hpp"
 #include "adapters/nlu/keywords/keyword_nlu.hpp"
 #include "adapters/nlu/understand/grammar_nlu.hpp"
+#include "adapters/push_to_talk/key_push_to_talk.hpp"
 #include "adapters/standins/log_devices.hpp"
 #include "runtime/base/file_bytes.hpp"
 
@@ -127,6 +128,16 @@ Mistakes check_devices(const Options& options, const fs::path& application) {
   return mistakes;
 }
 
+// A terminal may be somebody's, and conversations are tried side by side.
+void press_no_key(PluginFactory& factory, Options&) {
+  factory = adapters::unpressed_key_factory();
+}
+
+bool is_key_of_terminal(const Options& options) {
+  const auto device = options.find("device");
+  return device == options.end() || device->second.empty();
+}
+
 // -- understanding ------------------------------------------------------------
 
 std::vector<Error> check_grammars(const Options& options,
@@ -167,6 +178,9 @@ const std::vector<ShippedPlugin>& all() {
        .file_options = {"devices"},
        .rehearse = stand_in_for_devices,
        .check_files = check_devices},
+      {.name = "KeyPushToTalk",
+       .rehearse = press_no_key,
+       .takes_terminal = is_key_of_terminal},
       {.name = "LogDevices", .file_options = {"devices"}},
       {.name = "LogWeather", .file_options = {"reports"}},
       {.name = "LogTraffic", .file_options = {"reports"}},

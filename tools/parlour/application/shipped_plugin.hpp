@@ -55,6 +55,8 @@ struct ShippedPlugin {
   std::filesystem::path (*kept_file)(const Options& options,
                                      const std::filesystem::path& application,
                                      const std::string& data_folder) = nullptr;
+  // It reads the terminal, so that nothing can be typed there.
+  bool (*takes_terminal)(const Options& options) = nullptr;
   // It speaks SQLite's dialect, so that every mistake in its SQL can be told.
   bool speaks_sqlite = false;
 };

@@ -6,7 +6,6 @@
 // log(). docs/running.md says how a run ends.
 #include <atomic>
 #include <cstdio>
-#include <cstdlib>
 #include <fstream>
 #include <mutex>
 #include <ostream>
@@ -26,6 +25,7 @@
 #include "tools/parlour/console/exit_code.hpp"
 #include "tools/parlour/console/printer.hpp"
 #include "tools/parlour/console/signal_watch.hpp"
+#include "tools/parlour/console/terminal_mode.hpp"
 #include "tools/parlour/status/runtime_folder.hpp"
 #include "tools/parlour/status/status_report.hpp"
 #include "tools/parlour/status/status_server.hpp"
@@ -99,17 +99,6 @@ bool can_talk(const Application& application, const RunOptions& options,
   return errors.empty();
 }
 
-// A key of the terminal leaves nothing to type.
-bool is_keyed(const RunOptions& options) {
-  return options.push_to_talk == terminal_key && isatty(STDIN_FILENO);
-}
-
-// Editing and history need a terminal on both sides.
-bool wants_terminal(const RunOptions& options) {
-  return !options.text && !is_keyed(options) && isatty(STDIN_FILENO) &&
-         isatty(STDOUT_FILENO);
-}
-
 VoiceProgress::Roles roles_of(const Composition& composition) {
   VoiceProgress::Roles roles;
   for (const auto& component : composition.components)
@@ -131,7 +120,9 @@ public:
         notes_(console, printer_, data / "log"),
         hearing_(names_of_role(application.composition, "Microphone")),
         voice_(roles_of(application.composition),
-               first_of_role(application.composition, "KeywordSpotter")) {}
+               first_of_role(application.composition, "KeywordSpotter")),
+        key_(isatty(STDIN_FILENO) ? key_of_terminal(application.composition)
+                                  : nullptr) {}
 
   int run() {
     for (const auto& notice : application_.composition.notices)
@@ -159,7 +150,7 @@ public:
     // Where time is virtual, actors run only while somebody talks.
     if (!options_.clock)
       serve_status(**node);
-    if (wants_terminal(options_))
+    if (wants_terminal())
       talk_on_terminal(**node);
     else
       talk_by_lines(**node);
@@ -173,6 +164,12 @@ private:
     printer_.finish(); // prints what was noted before
     say_error(console_, to_string(error));
     return exit_code::wrong;
+  }
+
+  // Editing and history need a terminal on both sides.
+  bool wants_terminal() const {
+    return !options_.text && !key_ && isatty(STDIN_FILENO) &&
+           isatty(STDOUT_FILENO);
   }
 
   // Null: no remote agent can connect, and stand-ins take their places. Agents
@@ -297,7 +294,7 @@ private:
     const bool all_read = printer_.finish();
     signals_.on_interrupt(nullptr);
     if (!all_read || !has_stopped_)
-      std::_Exit(status_of_cutting_short());
+      end_now(status_of_cutting_short());
   }
 
   // A cut is a failure unless a signal asked for the end.
@@ -311,11 +308,12 @@ private:
   // Piped input: rows of turns (row_reader.hpp), output by the printer.
   void talk_by_lines(actors::Node& node) {
     PacedDriver driver(node, options_.clock.has_value(), printer_);
-    if (is_keyed(options_))
+    if (key_)
       note("a key begins your turn and ends it: " +
-           (options_.talk_key.empty() ? "space" : options_.talk_key) +
+           option_value(key_->options, key_->factory.description.options,
+                        "key") +
            "; Ctrl-C ends the conversation");
-    if (is_keyed(options_) || (talk_by_rows(driver) && options_.voice))
+    if (key_ || (talk_by_rows(driver) && options_.voice))
       hearing_.wait();
     end(node);
   }
@@ -353,6 +351,7 @@ private:
   Notes notes_;
   Hearing hearing_;
   VoiceProgress voice_;
+  const ChosenComponent* key_; // of the terminal; null: there is none
   std::unique_ptr<adapters::agents::MessageTap> tap_; // null: nobody taps
   std::atomic<Screen*> screen_ = nullptr; // set while a terminal is used
   std::unique_ptr<StatusServer> status_;  // null: it cannot be asked
@@ -366,7 +365,7 @@ int run_command(const Places& places, const RunOptions& options,
                 const Console& console) {
   SignalWatch signals;
   // Before the conversation starts, a signal may end the process at once.
-  signals.on_interrupt([&] { std::_Exit(signals.status()); });
+  signals.on_interrupt([&] { end_now(signals.status()); });
   auto opened = options.voice
                     ? open_application(places, options.app, console,
                                        {options.microphone, options.speaker,
@@ -376,6 +375,8 @@ int run_command(const Places& places, const RunOptions& options,
   if (const auto* status = std::get_if<int>(&opened))
     return *status;
   const auto& application = std::get<Application>(opened);
+  if (key_of_terminal(application.composition))
+    keep_terminal_mode(STDIN_FILENO);
   const Expected<std::filesystem::path> folder =
       options.data.empty() ? default_data_folder(places, application.folder)
                            : places.working / options.data;

@@ -95,8 +95,8 @@ void SignalWatch::watch() {
 }
 
 // Unblocks SIGINT and SIGTERM after the first signal, on this thread only: the
-// kernel delivers the second one here, with its default action. SIGHUP stays
-// blocked, because both the terminal and its shell send one.
+// kernel delivers the second one here, with the action that it had before.
+// SIGHUP stays blocked, because both the terminal and its shell send one.
 void SignalWatch::take_signal() {
   signalfd_siginfo signal;
   if (read(signals_, &signal, sizeof signal) != sizeof signal)

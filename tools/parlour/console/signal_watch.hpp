@@ -3,9 +3,9 @@
 //
 // SIGINT, SIGTERM and SIGHUP, unless ignored (nohup), are blocked in the thread
 // that makes the watch and in all threads it starts later, and read through a
-// signalfd. After the first signal, SIGINT and SIGTERM get their default action
-// again: a second Ctrl-C ends the process, whatever hangs. SIGPIPE is ignored,
-// so that a closed output shows as a failed write.
+// signalfd. After the first signal, SIGINT and SIGTERM are left to
+// what they did before: a second Ctrl-C ends the process, whatever hangs.
+// SIGPIPE is ignored, so that a closed output shows as a failed write.
 #pragma once
 
 #include <atomic>

@@ -89,5 +89,16 @@ TEST_F(SeatCheckTest, LeavesTheOthersToTheNode) {
   EXPECT_THAT(log, IsEmpty());
 }
 
+TEST_F(SeatCheckTest, KnowsTheKeyOfTheTerminal) {
+  auto& key = add("PushToTalk");
+  EXPECT_FALSE(key_of_terminal(composition)); // it is another plug-in
+  key.factory.description.name = "KeyPushToTalk";
+  EXPECT_FALSE(key_of_terminal(composition)); // it has a device
+  key.options.clear();
+  EXPECT_EQ(key_of_terminal(composition), &key);
+  key.policy.scope.instances = 0; // until it is loaded
+  EXPECT_FALSE(key_of_terminal(composition));
+}
+
 } // namespace
 } // namespace parlour::tools

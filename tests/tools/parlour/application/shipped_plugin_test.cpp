@@ -1,3 +1,4 @@
+#include "runtime/plugin/test_host.hpp"
 #include "tests/tools/parlour/application_fixture.hpp"
 #include "tools/parlour/application/shipped_plugin.hpp"
 
@@ -54,10 +55,30 @@ TEST_F(ShippedPluginTest, IsEmptyIfNothingIsKnown) {
 TEST_F(ShippedPluginTest, GoesByTheNameOfAPlugin) {
   for (const auto* name :
        {"SQLiteDatabase", "MySQLDatabase", "HTTPService", "MQTTDevices",
-        "LogDevices", "LogWeather", "LogTraffic", "GrammarNLU", "KeywordNLU"}) {
+        "LogDevices", "LogWeather", "LogTraffic", "GrammarNLU", "KeywordNLU",
+        "KeyPushToTalk"}) {
     EXPECT_EQ(shipped_plugin(name).name, name);
     EXPECT_TRUE(find_plugin(name)) << name;
   }
+}
+
+TEST_F(ShippedPluginTest, MayTakeTheTerminal) {
+  EXPECT_FALSE(shipped_plugin("EchoTTS").takes_terminal);
+  const auto takes = shipped_plugin("KeyPushToTalk").takes_terminal;
+  EXPECT_TRUE(takes({{"key", "f5"}}));
+  EXPECT_TRUE(takes({{"device", ""}}));
+  EXPECT_FALSE(takes({{"device", "/dev/input/event3"}}));
+}
+
+// The device is not there.
+TEST_F(ShippedPluginTest, OpensNoDeviceWhereItIsRehearsed) {
+  auto key = *find_plugin("KeyPushToTalk");
+  Options options = {{"device", (folder_.path() / "none").string()}};
+  TestHost host;
+  EXPECT_FALSE(key.create()->start(host, options));
+  rehearse(key, options);
+  EXPECT_EQ(key.description.name, "KeyPushToTalk");
+  EXPECT_TRUE(key.create()->start(host, options));
 }
 
 TEST_F(ShippedPluginTest, KeepsItsDataInItsFile) {

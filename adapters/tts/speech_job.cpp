@@ -121,9 +121,12 @@ void SpeechJob::changed() {
 
 // -- the plug-in's side -------------------------------------------------------
 
+// Ready is only what is followed by more or is known to be the end: in virtual
+// time a text that ends there must be over at once, however busy the machine
+// is.
 bool SpeechJob::is_ready(std::int64_t until) const {
   return is_complete_ || cancelled_ || frames_.size() >= max_ready_ ||
-         taken_ + static_cast<std::int64_t>(frames_.size()) * frame_time >=
+         taken_ + static_cast<std::int64_t>(frames_.size()) * frame_time >
              until;
 }
 

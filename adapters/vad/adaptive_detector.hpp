@@ -79,8 +79,8 @@ private:
   void end_at_gap();
 
   Settings settings_;
-  LevelMeter meter_;
-  LevelMeter echo_meter_;
+  SpeechBandMeter meter_;
+  SpeechBandMeter echo_meter_;
   Frames stream_;
   // Of the last frames, the latest last; bounded by four seconds.
   std::deque<Frame> frames_;

@@ -13,7 +13,7 @@ constexpr double full_scale = 32'768;
 
 } // namespace
 
-double LevelMeter::level(std::span<const Sample> audio) {
+double SpeechBandMeter::level(std::span<const Sample> audio) {
   if (audio.empty())
     return lowest_level;
   double power = 0;

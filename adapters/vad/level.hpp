@@ -12,7 +12,7 @@ namespace parlour::adapters {
 inline constexpr double lowest_level = -96;
 
 // Keeps the state of its filter from one piece to the next. Not thread-safe.
-class LevelMeter {
+class SpeechBandMeter {
 public:
   // lowest_level for an empty piece.
   double level(std::span<const Sample> audio);

@@ -112,8 +112,8 @@ private:
   WebRtcDetectorSettings settings_;
   std::unique_ptr<webrtc::AudioProcessing> processing_;
   Frames stream_;
-  LevelMeter meter_;
-  LevelMeter echo_meter_;
+  SpeechBandMeter meter_;
+  SpeechBandMeter echo_meter_;
   double echo_ = lowest_level;
   int echo_frames_ = 0;
   // The latest frame is bit 0.

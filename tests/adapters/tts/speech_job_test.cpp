@@ -44,9 +44,19 @@ TEST_F(SpeechJobTest, wakes_once_who_has_found_too_little) {
   EXPECT_TRUE(whole.take(200).will_wake);
   whole.speak_next(*synthesizer);
   EXPECT_EQ(woken, 2);
-  EXPECT_FALSE(whole.take(200).will_wake);
+  EXPECT_FALSE(whole.take(190).will_wake);
   whole.speak_next(*synthesizer);
   EXPECT_EQ(woken, 2);
+}
+
+// What is ready might be all there is.
+TEST_F(SpeechJobTest, is_ready_only_when_it_is_known_what_follows) {
+  auto whole = job("first. second.");
+  whole.speak_next(*synthesizer);
+  EXPECT_TRUE(whole.take(100).will_wake);
+  whole.speak_next(*synthesizer);
+  EXPECT_EQ(woken, 1);
+  EXPECT_TRUE(whole.take(200).is_over);
 }
 
 TEST_F(SpeechJobTest, stores_only_so_much) {

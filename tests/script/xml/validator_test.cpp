@@ -24,12 +24,12 @@ std::vector<std::string> judge(const std::string& text) {
 
 } // namespace
 
-struct Mistake {
+struct Told {
   const char* text; // inside of <dialogue>, from column 11 on
   const char* finding;
 };
 
-class Mistakes : public testing::TestWithParam<Mistake> {};
+class Mistakes : public testing::TestWithParam<Told> {};
 
 TEST_P(Mistakes, are_told_exactly) {
   const auto lines =
@@ -40,105 +40,95 @@ TEST_P(Mistakes, are_told_exactly) {
 INSTANTIATE_TEST_SUITE_P(
     elements, Mistakes,
     testing::Values(
-        Mistake{"<hander name='h'/>", "11: error: unknown element <hander> in "
-                                      "<dialogue>, did you mean 'handler'?"},
-        Mistake{"<xyzzy/>",
-                "11: error: unknown element <xyzzy> in <dialogue>; expected "
-                "include, var, const, functions, function, handler, routes, "
-                "state, topic, facts, grammar, phrases or repair"},
-        Mistake{"<slot name='s'/>", "11: error: <slot> may not stand in "
-                                    "<dialogue>; it belongs in <topic>"},
-        Mistake{"<post module='A' command='b'/>",
-                "11: error: <post> may not stand in <dialogue>; it is a "
-                "statement: put it into a <function>, a state's <Entrance>, an "
-                "event or the like"},
-        Mistake{"<filled/>",
-                "11: error: <filled> may not stand in <dialogue>; it "
-                "belongs in <slot> or <topic>"},
-        Mistake{"<state name='s'><Enter/></state>",
-                "27: error: unknown element <Enter> in <state>; here it is "
-                "called <Entrance>"},
-        Mistake{"<state name='s'><Before/></state>",
-                "27: error: unknown element <Before> in <state>; expected "
-                "functions, messages, Entrance, Exit, Online or Offline"},
-        Mistake{"<include href='x'><a/></include>",
-                "29: error: unknown element <a> in <include>; it holds no "
-                "elements"},
-        Mistake{"hello <var name='x'/>",
-                "11: error: text 'hello' may not stand in "
-                "<dialogue>; expected elements only"},
-        Mistake{"<function name='f'><reload/></function>",
-                "30: error: <reload> is not available yet"},
-        Mistake{"<function name='f'><reload sessions='keep'><x/></reload>"
-                "</function>",
-                "30: error: <reload> is not available yet"}));
+        Told{"<hander name='h'/>", "11: error: unknown element <hander> in "
+                                   "<dialogue>, did you mean 'handler'?"},
+        Told{"<xyzzy/>",
+             "11: error: unknown element <xyzzy> in <dialogue>; expected "
+             "include, var, const, functions, function, handler, routes, "
+             "state, topic, facts, grammar, phrases or repair"},
+        Told{"<slot name='s'/>", "11: error: <slot> may not stand in "
+                                 "<dialogue>; it belongs in <topic>"},
+        Told{"<post module='A' command='b'/>",
+             "11: error: <post> may not stand in <dialogue>; it is a "
+             "statement: put it into a <function>, a state's <Entrance>, an "
+             "event or the like"},
+        Told{"<filled/>", "11: error: <filled> may not stand in <dialogue>; it "
+                          "belongs in <slot> or <topic>"},
+        Told{"<state name='s'><Enter/></state>",
+             "27: error: unknown element <Enter> in <state>; here it is "
+             "called <Entrance>"},
+        Told{"<state name='s'><Before/></state>",
+             "27: error: unknown element <Before> in <state>; expected "
+             "functions, messages, Entrance, Exit, Online or Offline"},
+        Told{"<include href='x'><a/></include>",
+             "29: error: unknown element <a> in <include>; it holds no "
+             "elements"},
+        Told{"hello <var name='x'/>",
+             "11: error: text 'hello' may not stand in "
+             "<dialogue>; expected elements only"},
+        Told{"<function name='f'><reload/></function>",
+             "30: error: <reload> is not available yet"},
+        Told{"<function name='f'><reload sessions='keep'><x/></reload>"
+             "</function>",
+             "30: error: <reload> is not available yet"}));
 
 INSTANTIATE_TEST_SUITE_P(
     attributes, Mistakes,
     testing::Values(
-        Mistake{"<state/>",
-                "11: error: <state> needs the attribute 'name': its name"},
-        Mistake{
-            "<var nmae='x' name='y'/>",
-            "16: error: <var> has no attribute 'nmae', did you mean 'name'?"},
-        Mistake{
-            "<var name='x' colour='red'/>",
-            "25: error: <var> has no attribute 'colour'; it has name, expr or "
-            "private"},
-        Mistake{
-            "<var name='2x'/>",
-            "22: error: name=\"2x\" of <var>: expected a name: a letter or _, "
-            "then letters, digits or _"},
-        Mistake{
-            "<var name=''/>",
-            "22: error: name=\"\" of <var>: expected a name: a letter or _, "
-            "then letters, digits or _"},
-        Mistake{"<var name='x' private='yes'/>",
-                "34: error: private=\"yes\" of <var>: expected true or false"},
-        Mistake{
-            "<topic name='t' kind='tsak'/>",
-            "33: error: kind=\"tsak\" of <topic>: expected task or enquiry, "
-            "did you mean 'task'?"},
-        Mistake{
-            "<topic name='t'><slot name='s' type='functional'/></topic>",
-            "48: error: type=\"functional\" of <slot>: expected Functional or "
-            "Informational, did you mean 'Functional'?"},
-        Mistake{
+        Told{"<state/>",
+             "11: error: <state> needs the attribute 'name': its name"},
+        Told{"<var nmae='x' name='y'/>",
+             "16: error: <var> has no attribute 'nmae', did you mean 'name'?"},
+        Told{"<var name='x' colour='red'/>",
+             "25: error: <var> has no attribute 'colour'; it has name, expr or "
+             "private"},
+        Told{"<var name='2x'/>",
+             "22: error: name=\"2x\" of <var>: expected a name: a letter or _, "
+             "then letters, digits or _"},
+        Told{"<var name=''/>",
+             "22: error: name=\"\" of <var>: expected a name: a letter or _, "
+             "then letters, digits or _"},
+        Told{"<var name='x' private='yes'/>",
+             "34: error: private=\"yes\" of <var>: expected true or false"},
+        Told{"<topic name='t' kind='tsak'/>",
+             "33: error: kind=\"tsak\" of <topic>: expected task or enquiry, "
+             "did you mean 'task'?"},
+        Told{"<topic name='t'><slot name='s' type='functional'/></topic>",
+             "48: error: type=\"functional\" of <slot>: expected Functional or "
+             "Informational, did you mean 'Functional'?"},
+        Told{
             "<topic name='t'><slot name='s'><noinput count='two'/></slot>"
             "</topic>",
             "58: error: count=\"two\" of <noinput>: expected a whole number, 0 "
             "or more"},
-        Mistake{
-            "<function name='f'><wait for='2 days'/></function>",
-            "41: error: for=\"2 days\" of <wait>: expected a duration such as "
-            "200ms, 1.5s or 2m"},
-        Mistake{"<function name='f'><post command='c'/></function>",
-                "30: error: <post> needs the attribute 'module': a role or a "
-                "component"},
-        Mistake{"<function name='f'><if><break/></if></function>",
-                "30: error: <if> needs the attribute 'cond': the condition"},
-        Mistake{
-            "<include/>",
-            "11: error: <include> needs the attribute 'href': a file of the "
-            "application, or parlour:name"}));
+        Told{"<function name='f'><wait for='2 days'/></function>",
+             "41: error: for=\"2 days\" of <wait>: expected a duration such as "
+             "200ms, 1.5s or 2m"},
+        Told{"<function name='f'><post command='c'/></function>",
+             "30: error: <post> needs the attribute 'module': a role or a "
+             "component"},
+        Told{"<function name='f'><if><break/></if></function>",
+             "30: error: <if> needs the attribute 'cond': the condition"},
+        Told{"<include/>",
+             "11: error: <include> needs the attribute 'href': a file of the "
+             "application, or parlour:name"}));
 
 INSTANTIATE_TEST_SUITE_P(
     forms, Mistakes,
     testing::Values(
-        Mistake{"<function name='f'><for name='i' in='[1]'/></function>",
-                "44: error: <for> has both 'name' and 'in'; write either name, "
-                "from, to, step, or each, in, index"},
-        Mistake{
-            "<function name='f'><object name='a' class='array'/>"
-            "</function>",
-            "30: error: <object> needs the attribute 'size': elements of an "
-            "array"},
-        Mistake{"<function name='f'><fire/></function>",
-                "30: error: <fire> needs the attribute 'param' or 'event'"},
-        Mistake{"<topic name='t'><slot name='s'><cardinality type='number' "
-                "from='1'/></slot></topic>",
-                "69: error: <cardinality type=\"number\"> has no 'from'; that "
-                "belongs to type=\"range\""}));
+        Told{"<function name='f'><for name='i' in='[1]'/></function>",
+             "44: error: <for> has both 'name' and 'in'; write either name, "
+             "from, to, step, or each, in, index"},
+        Told{"<function name='f'><object name='a' class='array'/>"
+             "</function>",
+             "30: error: <object> needs the attribute 'size': elements of an "
+             "array"},
+        Told{"<function name='f'><fire/></function>",
+             "30: error: <fire> needs the attribute 'param' or 'event'"},
+        Told{"<topic name='t'><slot name='s'><cardinality type='number' "
+             "from='1'/></slot></topic>",
+             "69: error: <cardinality type=\"number\"> has no 'from'; that "
+             "belongs to type=\"range\""}));
 
 TEST(Validator,
      accepts_the_paper_s_spellings_and_either_case_of_first_letters) {

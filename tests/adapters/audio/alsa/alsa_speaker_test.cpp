@@ -108,7 +108,7 @@ TEST_F(AlsaSpeakerTest, IsSilentWithin60MsOfBeingStopped) {
   ASSERT_TRUE(gets("Finished(7, "));
   EXPECT_THAT(events.back(), HasSubstr("true, )"));
   const auto heard = sounding(device->played());
-  EXPECT_GT(heard.size(), 3'200u);
+  EXPECT_GE(heard.size(), 3'200u);
   EXPECT_LE(heard.size(), 3'200u + 60 * 16);
   EXPECT_LT(heard.back(), 500);
 }

@@ -27,10 +27,8 @@ function(parlour_unite target)
       UNITY_GROUP "${target}_${CMAKE_MATCH_1}")
   endforeach()
   # g++ warns of what stands on types of an unnamed namespace, but not in the file
-  # that it was told to compile, where it is welcome. A local variable may be
-  # called like what only the header of another source declares; the preset debug
-  # warns of all others.
-  target_compile_options(${target} PRIVATE -Wno-shadow
+  # that it was told to compile, where it is welcome.
+  target_compile_options(${target} PRIVATE
     $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
   set_target_properties(${target} PROPERTIES
     UNITY_BUILD ON UNITY_BUILD_MODE GROUP)

@@ -12,7 +12,7 @@
 namespace parlour::adapters::wyoming {
 
 // In bytes; a second.
-inline constexpr std::size_t longest_audio = 2 * speech_rate;
+inline constexpr std::size_t longest_audio = std::size_t{2} * speech_rate;
 
 // Times are in ms since the audio began.
 Event audio_start();

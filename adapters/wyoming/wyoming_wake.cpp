@@ -6,6 +6,7 @@
 
 #include "adapters/wyoming/audio_events.hpp"
 #include "adapters/wyoming/client.hpp"
+#include "runtime/base/comma_list.hpp"
 #include "runtime/plugin/open_messages.hpp"
 
 namespace parlour::adapters {
@@ -28,17 +29,6 @@ const std::vector<OptionDescription>& descriptions() {
     return options;
   }();
   return all;
-}
-
-Keywords split_at_commas(const std::string& text) {
-  Keywords words;
-  for (std::size_t at = 0; at <= text.size();) {
-    const auto end = std::min(text.find(',', at), text.size());
-    if (auto word = wyoming::trimmed(text.substr(at, end - at)); !word.empty())
-      words.push_back(std::move(word));
-    at = end + 1;
-  }
-  return words;
 }
 
 } // namespace

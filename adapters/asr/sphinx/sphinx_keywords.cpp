@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "adapters/asr/sphinx/keyword_search.hpp"
+#include "runtime/base/comma_list.hpp"
 #include "runtime/plugin/role_plugin.hpp"
 
 namespace parlour::adapters {
@@ -27,20 +28,6 @@ const std::vector<OptionDescription> options = {
      false, OptionType::integer},
     {"model", "/usr/share/pocketsphinx/model/en-us",
      "folder of the acoustic model and its dictionary"}};
-
-std::vector<std::string> split_at_commas(const std::string& text) {
-  std::vector<std::string> phrases;
-  for (std::size_t at = 0; at <= text.size();) {
-    const auto end = std::min(text.find(',', at), text.size());
-    const auto first = text.find_first_not_of(' ', at);
-    if (first < end) {
-      const auto last = text.find_last_not_of(' ', end - 1);
-      phrases.push_back(text.substr(first, last + 1 - first));
-    }
-    at = end + 1;
-  }
-  return phrases;
-}
 
 class SphinxKeywords : public RolePlugin {
 public:

@@ -1,5 +1,6 @@
 // MessageTap and TapListener (adapters/agents/PROTOCOL.md 6).
-#include <atomic>
+#include <chrono>
+#include <semaphore>
 #include <thread>
 
 #include <gmock/gmock.h>
@@ -23,17 +24,20 @@ Message event(const std::string& source, const std::string& command,
 }
 
 // Publishes a greeting again and again until the listener hears it: what is
-// published before it has connected is lost.
+// published before it has connected is lost. Each wait is twice as long as the
+// one before, so that the greetings are few, however late this thread comes to
+// hear one: a full queue would lose what the test publishes next.
 void connect(MessageTap& tap, TapListener& listener, const Message& greeting) {
-  std::atomic<bool> is_heard = false;
+  std::binary_semaphore is_heard{0};
   std::jthread greets([&] {
-    while (!is_heard) {
+    auto wait = std::chrono::milliseconds(1);
+    do {
       tap.publish(greeting);
-      std::this_thread::yield();
-    }
+      wait *= 2;
+    } while (!is_heard.try_acquire_for(wait));
   });
   listener.next();
-  is_heard = true;
+  is_heard.release();
 }
 
 // The next message that is no greeting.

@@ -7,6 +7,7 @@
 #include "tools/bench/benches.hpp"
 #include "tools/bench/nlu/nlu_command.hpp"
 #include "tools/bench/platform/platform_bench.hpp"
+#include "tools/bench/speech/speech_bench.hpp"
 #include "tools/parlour/cli/number_option.hpp"
 #include "tools/parlour/console/exit_code.hpp"
 
@@ -26,6 +27,7 @@ struct BenchOptions {
   bool validation = false;
   // Of the table platform: how many conversations are open.
   std::size_t sessions = 10'000;
+  SpeechBenchOptions speech;
 };
 
 using Run = std::function<bool(const BenchOptions&)>;
@@ -50,6 +52,13 @@ Table table_of(const std::string& name, const Places& places,
               return platform_bench(
                   places, {options.sessions, options.rows.only}, console);
             }};
+  if (name == "speech")
+    return {speech_bench_rows(), [&](const BenchOptions& options) {
+              auto speech = options.speech;
+              speech.only = options.rows.only;
+              speech.data = options.data;
+              return speech_bench(places, speech, console);
+            }};
   const auto& bench = *std::ranges::find(benches(), name, &Bench::name);
   return {bench.rows, [&](const BenchOptions& options) {
             return bench.run(options.rows, console.out);
@@ -57,10 +66,27 @@ Table table_of(const std::string& name, const Places& places,
 }
 
 std::vector<std::string> names() {
-  std::vector<std::string> names{"nlu", "platform"};
+  std::vector<std::string> names{"nlu", "platform", "speech"};
   for (const auto& bench : benches())
     names.push_back(bench.name);
   return names;
+}
+
+void add_speech_options(CLI::App& app, SpeechBenchOptions& options) {
+  app.add_option("--recogniser", options.recogniser,
+                 "Of the table speech: a plug-in of the role ASR; else the one "
+                 "that a run takes");
+  app.add_option("--voices", options.voices, "Who speaks; else rms,slt")
+      ->delimiter(',');
+  app.add_option("--speakers", options.speakers,
+                 "Whose recordings are heard; else jackson,nicolas")
+      ->delimiter(',');
+  app.add_flag("--told", options.told,
+               "The recogniser knows what is said in dialogues/");
+  add_number<std::size_t>(&app, "--one-in", {1, 1000},
+                          "Of names and conversations one in so many; else 1",
+                          [&](auto step) { options.one_in = step; });
+  app.add_flag("--trace", options.trace, "Prints what was heard");
 }
 
 void add_options(CLI::App& app, BenchOptions& options) {
@@ -82,9 +108,11 @@ void add_options(CLI::App& app, BenchOptions& options) {
       "Of the table platform: how many conversations are open; else 10000",
       [&](auto sessions) { options.sessions = sessions; });
   app.add_option("--data", options.data,
-                 "Where the public data sets of nlu are");
+                 "Where the public data sets of nlu are, or the recordings of "
+                 "speech");
   app.add_flag("--validation", options.validation,
                "Of them what is held out of training, not the test");
+  add_speech_options(app, options.speech);
 }
 
 // An unknown row is a mistake of usage, which lists the rows that there are.

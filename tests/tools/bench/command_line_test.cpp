@@ -42,7 +42,7 @@ TEST_F(BenchCommandLine, measures_many_conversations) {
 
 TEST_F(BenchCommandLine, knows_its_benches) {
   EXPECT_EQ(call({"floor"}), exit_code::usage);
-  EXPECT_THAT(err.str(), HasSubstr("floor not in {nlu,platform,script,"));
+  EXPECT_THAT(err.str(), HasSubstr("floor not in {nlu,platform,speech,"));
   EXPECT_EQ(call({}), exit_code::usage);
 }
 

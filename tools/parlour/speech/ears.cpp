@@ -116,8 +116,12 @@ private:
   Stage(const Application& application, const ChosenComponent& chosen)
       : host_(application), name_(chosen.name),
         works_aside_(std::ranges::any_of(
-            chosen.factory.description.options,
-            [](const auto& option) { return option.name == "one-by-one"; })) {}
+            chosen.factory.description.options, [&](const auto& option) {
+              return option.name == "one-by-one" &&
+                     option_value(chosen.options,
+                                  chosen.factory.description.options,
+                                  option.name) != "true";
+            })) {}
 
   void call(const std::function<void()>& action) {
     const auto called = call_plugin(action);
@@ -323,12 +327,8 @@ const std::string& Ears::recogniser() const {
   return recogniser_->name();
 }
 
-Expected<HeardFile> Ears::hear(const std::filesystem::path& file) {
-  auto frames = adapters::SoundFileFrames::open(file, {}, {silence, false});
-  if (!frames)
-    return tl::make_unexpected(frames.error());
-  const auto all = stages();
-  for (auto* const stage : all)
+Expected<void> Ears::begin() {
+  for (auto* const stage : stages())
     if (!stage->becomes_available())
       return fail(ErrorKind::offline, stage->name() + " is not available");
   detector_->take("Reset");
@@ -336,16 +336,41 @@ Expected<HeardFile> Ears::hear(const std::filesystem::path& file) {
   if (spotter_)
     endpointer_->take("Sleep");
   recogniser_->take("Cancel");
+  return {};
+}
+
+Expected<HeardFile> Ears::hear(const std::filesystem::path& file) {
+  auto frames = adapters::SoundFileFrames::open(file, {}, {silence, false});
+  if (!frames)
+    return tl::make_unexpected(frames.error());
+  if (auto begun = begin(); !begun)
+    return tl::make_unexpected(begun.error());
   Hearing hearing(*this);
   std::vector<Sample> frame;
   const bool is_paced = std::ranges::any_of(
-      all, [](const auto* stage) { return stage->works_aside(); });
+      stages(), [](const auto* stage) { return stage->works_aside(); });
   auto due = std::chrono::steady_clock::now();
   while (!hearing.has_trouble() && frames->next(frame)) {
     hearing.frame(frame);
     due += Milliseconds(frame_time);
     if (is_paced)
       std::this_thread::sleep_until(due);
+  }
+  return hearing.finish();
+}
+
+Expected<HeardFile> Ears::hear(std::span<const Sample> sound) {
+  if (auto begun = begin(); !begun)
+    return tl::make_unexpected(begun.error());
+  Hearing hearing(*this);
+  constexpr auto size = adapters::frame_samples;
+  for (std::size_t at = 0; at < sound.size() && !hearing.has_trouble();
+       at += size) {
+    const auto part =
+        sound.subspan(at, std::min<std::size_t>(size, sound.size() - at));
+    std::vector<Sample> frame(part.begin(), part.end());
+    frame.resize(size);
+    hearing.frame(frame);
   }
   return hearing.finish();
 }

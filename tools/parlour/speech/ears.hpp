@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -66,6 +67,9 @@ public:
   // the file, of kind Offline if a component is not available or the recogniser
   // does not answer, and what a component throws.
   Expected<HeardFile> hear(const std::filesystem::path& file);
+  // The same for samples, as fast as they are heard, without silence behind
+  // them.
+  Expected<HeardFile> hear(std::span<const adapters::Sample> sound);
 
   const std::string& recogniser() const;
 
@@ -74,6 +78,8 @@ private:
   class Hearing;
   Ears();
   std::vector<Stage*> stages() const;
+  // Nothing was heard before. An error names who is not available.
+  Expected<void> begin();
 
   std::unique_ptr<Stage> enhancement_; // null: there is none
   std::unique_ptr<Stage> spotter_;     // null: the seat is always awake

@@ -332,8 +332,9 @@ MariaDBConnection::Outcome MariaDBConnection::collect(Prepared& prepared) {
       break;
     ++rows;
     bytes += row.size();
-    if (rows <= options_->rows && bytes <= options_->bytes)
-      row.append_to(answer.rows.cells, prepared.statement);
+    if (rows <= options_->rows && bytes <= options_->bytes &&
+        !row.append_to(answer.rows.cells, prepared.statement))
+      co_return failure(prepared);
   }
   if (row.is_large())
     prepared.row.reset();

@@ -359,7 +359,7 @@ std::size_t MariaDBRow::size() const {
   return bytes;
 }
 
-void MariaDBRow::append_to(List& cells, MYSQL_STMT* statement) {
+bool MariaDBRow::append_to(List& cells, MYSQL_STMT* statement) {
   RowTexts texts(cells_.size());
   bool has_grown = false;
   for (std::size_t i = 0; i < cells_.size(); ++i) {
@@ -371,15 +371,15 @@ void MariaDBRow::append_to(List& cells, MYSQL_STMT* statement) {
       // The rest of the cell is fetched separately, at its full length.
       cell.bytes.resize(cell.length);
       cell.point(binds_[i]);
-      mysql_stmt_fetch_column(statement, &binds_[i], static_cast<unsigned>(i),
-                              0);
+      if (mysql_stmt_fetch_column(statement, &binds_[i],
+                                  static_cast<unsigned>(i), 0) != 0)
+        return false;
       has_grown = true;
     }
     cells.push_back(cell.is_null ? Value() : cell.value(texts));
   }
   // The statement still has the addresses of the old buffers.
-  if (has_grown)
-    bind(statement);
+  return !has_grown || bind(statement);
 }
 
 } // namespace parlour::adapters

@@ -73,8 +73,8 @@ public:
   // limit can be checked before they are fetched.
   std::size_t size() const;
   // Appends the cells as values. Fetches those that were too long for their
-  // buffer, which grows.
-  void append_to(List& cells, st_mysql_stmt* statement);
+  // buffer, which grows. False if the library refuses.
+  bool append_to(List& cells, st_mysql_stmt* statement);
 
 private:
   struct Cell;

@@ -58,8 +58,9 @@ Texts read_column(const MariaDBOptions& options, const std::string& reference) {
   auto values = ask(connection, options, *place);
   // The server answers, but the database or the table does not exist: it will
   // be created when the component starts.
-  const bool is_not_made = connection.code() == mariadb_unknown_database ||
-                           connection.code() == mariadb_no_such_table;
+  const auto code = connection.state().code();
+  const bool is_not_made =
+      code == mariadb_unknown_database || code == mariadb_no_such_table;
   if (!values && is_not_made && !options.schema.empty())
     return of_schema_and_seed(options, reference);
   if (!values)

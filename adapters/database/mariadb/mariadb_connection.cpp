@@ -1,24 +1,19 @@
 #include "adapters/database/mariadb/mariadb_connection.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <memory>
 #include <utility>
 
-#include <errmsg.h>
 #include <mysql.h>
-#include <sys/socket.h>
+#include <poll.h>
 
 #include "adapters/database/mariadb/mariadb_errors.hpp"
 #include "adapters/database/sql_scan.hpp"
+#include "adapters/loop/wait_until_ready.hpp"
 
 namespace parlour::adapters {
 
 namespace {
-
-// A cell that exceeds the limit of a result by up to this much still arrives,
-// so that the statement fails with kind Limit instead of losing the connection.
-constexpr std::size_t packet_beyond_limit = 16 << 20;
 
 // Provides buffers for the rows of an executed statement; reuses those of the
 // last execution if the columns are the same. False if there is no description.
@@ -39,94 +34,13 @@ const char* or_null(const std::string& text) {
 
 } // namespace
 
-// An awaitable call of the C library's non-blocking interface. Each blocking
-// function f is there a pair: f_start begins it and f_cont continues it. Both
-// return 0 when it is done, else the events to wait for. The constructor starts
-// the call, so one that finishes at once never suspends the task.
-template <class Result, class Continue, class Handle>
-class MariaDBConnection::Call final : Pending {
-public:
-  template <class Start, class... Arguments>
-  Call(MariaDBConnection& connection, Start start, Continue next,
-       Handle* handle, Arguments... arguments)
-      : connection_(connection), proceed_(next), handle_(handle),
-        wanted_(start(&result_, handle, arguments...)) {}
-  Call(const Call&) = delete;
-  Call& operator=(const Call&) = delete;
-
-  bool await_ready() const noexcept {
-    return wanted_ == 0;
-  }
-  void await_suspend(std::coroutine_handle<> waiting) {
-    connection_.pending_ = this;
-    connection_.waiting_ = waiting;
-    connection_.wanted_ = wanted_;
-  }
-  Result await_resume() const {
-    return result_;
-  }
-
-private:
-  int proceed(int ready) override {
-    return proceed_(&result_, handle_, ready);
-  }
-
-  MariaDBConnection& connection_;
-  Continue proceed_;
-  Handle* handle_;
-  Result result_{};
-  int wanted_;
-};
-
-template <class Result, class Start, class Continue, class Handle,
-          class... Arguments>
-MariaDBConnection::Call<Result, Continue, Handle>
-MariaDBConnection::finish(Start start, Continue proceed, Handle* handle,
-                          Arguments... arguments) {
-  return {*this, start, proceed, handle, arguments...};
-}
-
 MariaDBConnection::MariaDBConnection(
     std::shared_ptr<const MariaDBOptions> options)
-    : options_(std::move(options)), handle_(mysql_init(nullptr)) {
-  set_options();
-}
+    : options_(std::move(options)), handle_(*options_) {}
 
-// The socket is shut down first, so that closing does not wait for a server
-// that owes an answer. mysql_close detaches the statements, and closing them
-// afterwards only frees memory.
-MariaDBConnection::~MariaDBConnection() {
-  if (const auto socket = mysql_get_socket(handle_); socket >= 0)
-    shutdown(socket, SHUT_RDWR);
-  mysql_close(handle_);
-  for (auto& prepared : cache_)
-    mysql_stmt_close(prepared.statement);
-}
-
-void MariaDBConnection::set_options() {
-  const auto& options = *options_;
-  mysql_options(handle_, MYSQL_OPT_NONBLOCK, nullptr);
-  mysql_options(handle_, MYSQL_SET_CHARSET_NAME, "utf8mb4");
-  for (const auto& command : dialect_commands(options))
-    mysql_options(handle_, MYSQL_INIT_COMMAND, command.c_str());
-  const unsigned off = 0;
-  mysql_options(handle_, MYSQL_OPT_LOCAL_INFILE, &off);
-  // Without a port, "localhost" means the Unix socket.
-  if (options.port != 0) {
-    const auto protocol = MYSQL_PROTOCOL_TCP;
-    mysql_options(handle_, MYSQL_OPT_PROTOCOL, &protocol);
-  }
-  const unsigned long packet = options.bytes + packet_beyond_limit;
-  mysql_options(handle_, MYSQL_OPT_MAX_ALLOWED_PACKET, &packet);
-  if (options.tls == MariaDBOptions::Tls::off)
-    return;
-  const my_bool yes = 1;
-  const my_bool verify = options.tls == MariaDBOptions::Tls::verify;
-  mysql_options(handle_, MYSQL_OPT_SSL_ENFORCE, &yes);
-  mysql_options(handle_, MYSQL_OPT_SSL_VERIFY_SERVER_CERT, &verify);
-  mysql_ssl_set(handle_, or_null(options.tls_key.string()),
-                or_null(options.tls_certificate.string()),
-                or_null(options.tls_ca.string()), nullptr, nullptr);
+short MariaDBConnection::interest() const {
+  // Only the end of the connection can be received without a task.
+  return calls_.is_waiting() ? calls_.interest() : POLLIN;
 }
 
 MariaDBConnection::Outcome MariaDBConnection::open(To to) {
@@ -134,14 +48,14 @@ MariaDBConnection::Outcome MariaDBConnection::open(To to) {
   const auto& options = *options_;
   const auto* database =
       to == To::database ? options.database.c_str() : nullptr;
-  if (!co_await finish<MYSQL*>(mysql_real_connect_start,
-                               mysql_real_connect_cont, handle_,
-                               or_null(options.host), or_null(options.user),
-                               options.password.c_str(), database, options.port,
-                               or_null(options.socket),
-                               static_cast<unsigned long>(CLIENT_FOUND_ROWS))) {
-    lost_ = true;
-    co_return failure("", mysql_errno(handle_), mysql_error(handle_));
+  if (!co_await calls_.make<MYSQL*>(
+          mysql_real_connect_start, mysql_real_connect_cont, handle_.get(),
+          or_null(options.host), or_null(options.user),
+          options.password.c_str(), database, options.port,
+          or_null(options.socket),
+          static_cast<unsigned long>(CLIENT_FOUND_ROWS))) {
+    state_.lose();
+    co_return failure("");
   }
   co_return StatementAnswer{};
 }
@@ -152,12 +66,12 @@ MariaDBConnection::Outcome MariaDBConnection::open(To to) {
 // is prepared once more and repeated.
 MariaDBConnection::Outcome MariaDBConnection::run(Value sql, Value values,
                                                   Access access) {
-  in_doubt_ = false;
+  state_.answered();
   if (access != access_ && !in_transaction_)
     if (auto allowed = co_await allow(access); !allowed)
       co_return tl::make_unexpected(allowed.error());
   for (bool again = false;; again = true) {
-    auto* statement = prepared(*sql.if_string());
+    auto* statement = cache_.find(*sql.if_string());
     if (!statement) {
       auto made = co_await prepare(*sql.if_string());
       if (!made)
@@ -170,29 +84,29 @@ MariaDBConnection::Outcome MariaDBConnection::run(Value sql, Value values,
       co_return fail(fits.error().kind,
                      first_words(statement->sql) + ": " + fits.error().message);
     auto outcome = co_await execute(*statement);
-    if (outcome || lost_)
+    if (outcome || state_.lost())
       co_return outcome;
     // A failed statement may be outdated, or may hold a result that was read in
     // part.
-    const bool is_old = code_ == mariadb_changed_columns;
-    auto forgotten = co_await forget_front();
+    const bool is_old = state_.code() == mariadb_changed_columns;
+    auto forgotten = co_await forget(*statement);
     if (!forgotten || !is_old || again)
       co_return outcome;
   }
 }
 
-// in_doubt_ is true from the moment at which the statement may have been sent
-// until the server has answered.
+// In doubt from the moment at which the statement may have been sent until the
+// server has answered.
 MariaDBConnection::Outcome MariaDBConnection::control(std::string sql) {
-  in_doubt_ = true;
+  state_.sent();
   const auto failed =
-      co_await finish<int>(mysql_real_query_start, mysql_real_query_cont,
-                           handle_, sql.c_str(), sql.size());
+      co_await calls_.make<int>(mysql_real_query_start, mysql_real_query_cont,
+                                handle_.get(), sql.c_str(), sql.size());
   if (failed)
     co_return failure(sql);
-  in_doubt_ = false;
+  state_.answered();
   co_return StatementAnswer{
-      {}, static_cast<std::int64_t>(mysql_affected_rows(handle_))};
+      {}, static_cast<std::int64_t>(mysql_affected_rows(handle_.get()))};
 }
 
 MariaDBConnection::Outcome MariaDBConnection::begin() {
@@ -207,7 +121,7 @@ MariaDBConnection::Outcome MariaDBConnection::end(End how) {
   co_return ended;
 }
 
-Expected<void> MariaDBConnection::check_kind(const Prepared& prepared,
+Expected<void> MariaDBConnection::check_kind(const PreparedStatement& prepared,
                                              Access access) const {
   if (access == Access::read && prepared.kind != StatementKind::reads)
     return only_reads(prepared.sql);
@@ -226,97 +140,78 @@ Task<Expected<void>> MariaDBConnection::allow(Access access) {
   auto told = co_await control(access == Access::read
                                    ? "set session transaction read only"
                                    : "set session transaction read write");
-  in_doubt_ = false;
+  state_.answered();
   if (!told)
     co_return tl::make_unexpected(told.error());
   access_ = access;
   co_return Expected<void>();
 }
 
-// The cached statement, which becomes the most recently used one; null if none.
-MariaDBConnection::Prepared*
-MariaDBConnection::prepared(const std::string& sql) {
-  const auto place = places_.find(sql);
-  if (place == places_.end())
-    return nullptr;
-  cache_.splice(cache_.begin(), cache_, place->second);
-  return &cache_.front();
-}
-
-Task<Expected<MariaDBConnection::Prepared*>>
-MariaDBConnection::prepare(std::string sql) {
+Task<Expected<PreparedStatement*>> MariaDBConnection::prepare(std::string sql) {
   auto scanned = scan_sql(sql);
   auto kind = statement_kind(sql, scanned);
   if (!kind)
     co_return tl::make_unexpected(kind.error());
   while (cache_.size() >= std::max<std::size_t>(options_->statements, 1))
-    if (auto forgotten = co_await forget_oldest(); !forgotten)
+    if (auto forgotten = co_await forget(cache_.oldest()); !forgotten)
       co_return tl::make_unexpected(forgotten.error());
-  cache_.push_front({std::move(sql),
-                     std::move(scanned.names),
-                     *kind,
-                     mysql_stmt_init(handle_),
-                     {},
-                     {}});
-  auto& front = cache_.front();
-  places_.emplace(front.sql, cache_.begin());
-  const auto failed = co_await finish<int>(
-      mysql_stmt_prepare_start, mysql_stmt_prepare_cont, front.statement,
+  auto& made = cache_.add(
+      {std::move(sql), std::move(scanned.names), *kind,
+       decltype(PreparedStatement::statement)(mysql_stmt_init(handle_.get()))});
+  const auto failed = co_await calls_.make<int>(
+      mysql_stmt_prepare_start, mysql_stmt_prepare_cont, made.statement.get(),
       scanned.text.data(), scanned.text.size());
   // Values are bound by position, so our scanner and the server must count the
   // same placeholders. What stands behind "/*!" and the number of a later
   // version, for example, is a comment for the server.
   const bool agrees =
-      mysql_stmt_param_count(front.statement) == front.names.size();
+      mysql_stmt_param_count(made.statement.get()) == made.names.size();
   if (!failed && agrees)
-    co_return &front;
-  auto error = failed ? failure(front)
+    co_return &made;
+  auto error = failed ? failure(made)
                       : fail(ErrorKind::refused,
-                             first_words(front.sql) +
+                             first_words(made.sql) +
                                  ": MariaDB finds other placeholders in it; "
                                  "write none between '/*!' and '*/'.");
-  if (!lost_)
-    co_await forget_front();
+  if (!state_.lost())
+    co_await forget(made);
   co_return error;
 }
 
-Task<Expected<void>> MariaDBConnection::forget_front() {
-  places_.erase(cache_.front().sql);
-  const auto failed = co_await finish<my_bool>(
-      mysql_stmt_close_start, mysql_stmt_close_cont, cache_.front().statement);
-  cache_.pop_front();
+Task<Expected<void>> MariaDBConnection::forget(PreparedStatement& prepared) {
+  const auto failed = co_await calls_.make<my_bool>(
+      mysql_stmt_close_start, mysql_stmt_close_cont, prepared.statement.get());
+  cache_.forget(prepared);
   if (failed)
     co_return failure("");
   co_return Expected<void>();
 }
 
-Task<Expected<void>> MariaDBConnection::forget_oldest() {
-  cache_.splice(cache_.begin(), cache_, std::prev(cache_.end()));
-  co_return co_await forget_front();
-}
-
-MariaDBConnection::Outcome MariaDBConnection::execute(Prepared& prepared) {
-  if (!prepared.parameters.bind(prepared.statement))
+MariaDBConnection::Outcome
+MariaDBConnection::execute(PreparedStatement& prepared) {
+  if (!prepared.parameters.bind(prepared.statement.get()))
     co_return failure(prepared);
-  in_doubt_ = true;
-  const auto failed = co_await finish<int>(
-      mysql_stmt_execute_start, mysql_stmt_execute_cont, prepared.statement);
+  state_.sent();
+  const auto failed = co_await calls_.make<int>(mysql_stmt_execute_start,
+                                                mysql_stmt_execute_cont,
+                                                prepared.statement.get());
   if (prepared.parameters.are_large())
     prepared.parameters = {};
   if (failed)
     co_return failure(prepared);
-  in_doubt_ = false;
-  if (mysql_stmt_field_count(prepared.statement) > 0)
+  state_.answered();
+  if (mysql_stmt_field_count(prepared.statement.get()) > 0)
     co_return co_await collect(prepared);
-  co_return StatementAnswer{
-      {},
-      static_cast<std::int64_t>(mysql_stmt_affected_rows(prepared.statement))};
+  co_return StatementAnswer{{},
+                            static_cast<std::int64_t>(mysql_stmt_affected_rows(
+                                prepared.statement.get()))};
 }
 
 // Fetches row by row, so that no more than the limit is ever in memory. The
 // rest of the result is read and discarded by mysql_stmt_free_result.
-MariaDBConnection::Outcome MariaDBConnection::collect(Prepared& prepared) {
-  if (!prepare_row(prepared.statement, prepared.row))
+MariaDBConnection::Outcome
+MariaDBConnection::collect(PreparedStatement& prepared) {
+  if (!prepare_row(prepared.statement.get(), prepared.row))
     co_return failure(prepared);
   auto& row = *prepared.row;
   StatementAnswer answer;
@@ -326,22 +221,24 @@ MariaDBConnection::Outcome MariaDBConnection::collect(Prepared& prepared) {
   std::size_t bytes = 0;
   int fetched = 0;
   while (rows <= options_->rows && bytes <= options_->bytes) {
-    fetched = co_await finish<int>(mysql_stmt_fetch_start,
-                                   mysql_stmt_fetch_cont, prepared.statement);
+    fetched =
+        co_await calls_.make<int>(mysql_stmt_fetch_start, mysql_stmt_fetch_cont,
+                                  prepared.statement.get());
     if (fetched != 0 && fetched != MYSQL_DATA_TRUNCATED)
       break;
     ++rows;
     bytes += row.size();
     if (rows <= options_->rows && bytes <= options_->bytes &&
-        !row.append_to(answer.rows.cells, prepared.statement))
+        !row.append_to(answer.rows.cells, prepared.statement.get()))
       co_return failure(prepared);
   }
   if (row.is_large())
     prepared.row.reset();
   if (fetched == 1)
     co_return failure(prepared);
-  if (co_await finish<my_bool>(mysql_stmt_free_result_start,
-                               mysql_stmt_free_result_cont, prepared.statement))
+  if (co_await calls_.make<my_bool>(mysql_stmt_free_result_start,
+                                    mysql_stmt_free_result_cont,
+                                    prepared.statement.get()))
     co_return failure(prepared);
   if (rows > options_->rows || bytes > options_->bytes)
     co_return too_much(prepared.sql, options_->rows, options_->bytes);
@@ -351,35 +248,30 @@ MariaDBConnection::Outcome MariaDBConnection::collect(Prepared& prepared) {
   co_return answer;
 }
 
-tl::unexpected<Error> MariaDBConnection::failure(std::string_view sql,
-                                                 unsigned code,
-                                                 const char* reason) {
-  constexpr unsigned only_reading = 1792;
-  code_ = code;
-  in_doubt_ = in_doubt_ && says_nothing_of_statement(code);
-  ended_transaction_ = ends_transaction(code);
-  lost_ = lost_ || ends_connection(code);
-  if (code == only_reading)
-    return only_reads(sql);
-  // A call that was ended at its deadline reports a lost connection; to the
-  // script that is a timeout.
-  const bool late = lost_ && std::chrono::steady_clock::now() >= deadline_;
-  return fail(late ? ErrorKind::timeout : mariadb_error_kind(code),
-              (sql.empty() ? "" : first_words(sql) + " failed: ") + reason +
-                  (late ? " (no answer in time)." : "."));
-}
-
 tl::unexpected<Error> MariaDBConnection::failure(std::string_view sql) {
-  return failure(sql, mysql_errno(handle_), mysql_error(handle_));
+  return state_.failed(sql, mysql_errno(handle_.get()),
+                       mysql_error(handle_.get()), calls_.is_late());
 }
 
 // Errors while rows arrive are recorded at the connection, not at the
 // statement.
-tl::unexpected<Error> MariaDBConnection::failure(const Prepared& prepared) {
-  if (mysql_stmt_errno(prepared.statement) == 0)
+tl::unexpected<Error>
+MariaDBConnection::failure(const PreparedStatement& prepared) {
+  auto* const statement = prepared.statement.get();
+  if (mysql_stmt_errno(statement) == 0)
     return failure(prepared.sql);
-  return failure(prepared.sql, mysql_stmt_errno(prepared.statement),
-                 mysql_stmt_error(prepared.statement));
+  return state_.failed(prepared.sql, mysql_stmt_errno(statement),
+                       mysql_stmt_error(statement), calls_.is_late());
+}
+
+StatementOutcome carry_out(MariaDBConnection& connection,
+                           MariaDBConnection::Outcome task) {
+  for (task.start(); !task.done();) {
+    pollfd awaited[] = {{connection.descriptor(), connection.interest(), 0}};
+    wait_until_ready(awaited, connection.deadline());
+    connection.go_on(awaited[0].revents);
+  }
+  return task.result();
 }
 
 } // namespace parlour::adapters

@@ -241,8 +241,8 @@ void MariaDBPool::conclude(Worker& worker) {
   const auto& connection = *worker.connection;
   if (!std::exchange(worker.is_opening, false)) {
     policy_.ended(worker.place, std::move(outcome),
-                  {connection.lost(), connection.in_doubt(),
-                   connection.ended_transaction(), connection.access()},
+                  {connection.state().lost(), connection.state().in_doubt(),
+                   connection.state().ended_transaction(), connection.access()},
                   now);
     return;
   }

@@ -47,23 +47,6 @@ tl::unexpected<Error> system_trouble(const std::string& what) {
               what + ": " + std::generic_category().message(errno));
 }
 
-Descriptor::Descriptor(Descriptor&& other) noexcept
-    : number_(std::exchange(other.number_, -1)) {}
-
-Descriptor& Descriptor::operator=(Descriptor&& other) noexcept {
-  std::swap(number_, other.number_);
-  return *this;
-}
-
-int Descriptor::release() {
-  return std::exchange(number_, -1);
-}
-
-Descriptor::~Descriptor() {
-  if (number_ >= 0)
-    close(number_);
-}
-
 Expected<Folder> Folder::open(const std::filesystem::path& path,
                               Missing missing) {
   if (missing == Missing::make && mkdir(path.c_str(), folder_mode) != 0 &&

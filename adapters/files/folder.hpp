@@ -13,30 +13,10 @@
 #include <utility>
 #include <vector>
 
+#include "runtime/base/descriptor.hpp"
 #include "runtime/base/error.hpp"
 
 namespace parlour::adapters {
-
-// Owns a file descriptor and closes it.
-class Descriptor {
-public:
-  explicit Descriptor(int number = -1) : number_(number) {}
-  Descriptor(Descriptor&& other) noexcept;
-  Descriptor& operator=(Descriptor&& other) noexcept;
-  ~Descriptor();
-
-  int get() const {
-    return number_;
-  }
-  // Gives the descriptor to the caller, who closes it.
-  int release();
-  explicit operator bool() const {
-    return number_ >= 0;
-  }
-
-private:
-  int number_;
-};
 
 // What to do about a folder that does not exist.
 enum class Missing : bool { refuse, make };

@@ -14,27 +14,11 @@
 #include <termios.h>
 #include <unistd.h>
 
+#include "runtime/base/descriptor.hpp"
+
 namespace parlour::adapters {
 
 namespace {
-
-class Descriptor {
-public:
-  explicit Descriptor(int number) : number_(number) {}
-  Descriptor(Descriptor&& other) noexcept
-      : number_(std::exchange(other.number_, -1)) {}
-  Descriptor& operator=(Descriptor&&) = delete;
-  ~Descriptor() {
-    if (number_ >= 0)
-      ::close(number_);
-  }
-  int number() const {
-    return number_;
-  }
-
-private:
-  int number_;
-};
 
 Descriptor open_to_read(const std::string& path, int more = 0) {
   return Descriptor(
@@ -65,12 +49,12 @@ public:
       : device_(std::move(device)), key_(key) {}
 
   int descriptor() const override {
-    return device_.number();
+    return device_.get();
   }
 
   bool read(std::vector<KeyMove>& moves) override {
     for (;;) {
-      const auto count = read_bytes(device_.number(), bytes_.data() + kept_,
+      const auto count = read_bytes(device_.get(), bytes_.data() + kept_,
                                     bytes_.size() - kept_);
       if (!count || *count == 0)
         return count.has_value();
@@ -121,18 +105,18 @@ public:
   TerminalKeys(const TerminalKeys&) = delete;
   TerminalKeys& operator=(const TerminalKeys&) = delete;
   ~TerminalKeys() override {
-    ::tcsetattr(terminal_.number(), TCSANOW, &before_);
+    ::tcsetattr(terminal_.get(), TCSANOW, &before_);
   }
 
   int descriptor() const override {
-    return terminal_.number();
+    return terminal_.get();
   }
 
   bool read(std::vector<KeyMove>& moves) override {
     std::array<char, 256> bytes;
     for (;;) {
       const auto count =
-          read_bytes(terminal_.number(), bytes.data(), bytes.size());
+          read_bytes(terminal_.get(), bytes.data(), bytes.size());
       if (!count || *count == 0)
         return count.has_value();
       for (std::size_t i = 0; i < *count; ++i)
@@ -152,7 +136,7 @@ private:
 Expected<std::unique_ptr<KeySource>>
 KeySource::open_device(const std::string& path, const KeyName& key) {
   auto device = open_to_read(path);
-  if (device.number() >= 0)
+  if (device)
     return std::make_unique<DeviceKeys>(std::move(device), key);
   const bool is_missing = errno == ENOENT || errno == ENODEV || errno == ENXIO;
   const auto reason = is_missing ? "there is no such device"
@@ -175,7 +159,7 @@ KeySource::open_terminal(const std::string& path, const KeyName& key) {
                 "a letter or a figure, or name an input device");
   auto terminal = open_to_read(path, O_NOCTTY);
   termios mode{};
-  if (terminal.number() < 0 || ::tcgetattr(terminal.number(), &mode) != 0)
+  if (!terminal || ::tcgetattr(terminal.get(), &mode) != 0)
     return fail(ErrorKind::settings,
                 "there is no terminal that could tell of a key; name an input "
                 "device, such as /dev/input/event3");
@@ -184,7 +168,7 @@ KeySource::open_terminal(const std::string& path, const KeyName& key) {
   mode.c_iflag &= ~static_cast<tcflag_t>(ICRNL);
   mode.c_cc[VMIN] = 1;
   mode.c_cc[VTIME] = 0;
-  ::tcsetattr(terminal.number(), TCSANOW, &mode);
+  ::tcsetattr(terminal.get(), TCSANOW, &mode);
   return std::make_unique<TerminalKeys>(std::move(terminal), before, key);
 }
 

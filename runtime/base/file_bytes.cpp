@@ -9,6 +9,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "runtime/base/descriptor.hpp"
+
 namespace parlour {
 
 namespace {
@@ -45,26 +47,11 @@ Expected<void> check_kind(const fs::path& path, const struct stat& status) {
                             name_of_kind(status.st_mode) + ", not a file");
 }
 
-// Owns a file descriptor.
-class Descriptor {
-public:
-  // O_NONBLOCK: the file may have been replaced by a pipe since it was checked,
-  // and opening a pipe without a writer would block.
-  explicit Descriptor(const fs::path& path)
-      : number_(open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {}
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  ~Descriptor() {
-    if (number_ >= 0)
-      close(number_);
-  }
-  int number() const {
-    return number_;
-  }
-
-private:
-  int number_;
-};
+// O_NONBLOCK: the file may have been replaced by a pipe since it was checked,
+// and opening a pipe without a writer would block.
+Descriptor open_to_read(const fs::path& path) {
+  return Descriptor(open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+}
 
 // Appends the next part to `bytes`, up to `most` bytes in all. Returns its
 // size; 0 at the end; -1 and errno for an error.
@@ -98,9 +85,9 @@ Expected<std::string> read_file(const fs::path& path, std::size_t most) {
     return tl::make_unexpected(file.error());
   // The file is checked again after it was opened: only what the descriptor
   // refers to is certain not to change.
-  const Descriptor descriptor(path);
+  const auto descriptor = open_to_read(path);
   struct stat status {};
-  if (descriptor.number() < 0 || fstat(descriptor.number(), &status) != 0)
+  if (!descriptor || fstat(descriptor.get(), &status) != 0)
     return unreadable(path);
   if (auto file = check_kind(path, status); !file)
     return tl::make_unexpected(file.error());
@@ -108,7 +95,7 @@ Expected<std::string> read_file(const fs::path& path, std::size_t most) {
   // may grow meanwhile. One byte more than allowed shows that it is too large.
   std::string bytes;
   while (bytes.size() <= most) {
-    const auto size = read_part(descriptor.number(), bytes, most + 1);
+    const auto size = read_part(descriptor.get(), bytes, most + 1);
     if (size < 0)
       return unreadable(path);
     if (size == 0)

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "adapters/wyoming/audio_events.hpp"
+
 namespace parlour::adapters::wyoming {
 
 std::vector<OptionDescription> client_options(const std::string& port) {
@@ -79,6 +81,21 @@ WatchCalls Client::watch_calls(PluginHost& host) {
 
 Client::~Client() {
   end([] {});
+}
+
+std::unique_ptr<Connection> Client::connect(const SessionId& session,
+                                            const SessionCalls& calls,
+                                            const Event& request) const {
+  auto made = std::make_unique<Connection>(
+      route_, ConnectionCalls{[&calls, session](const Event& event) {
+                                calls.received(session, event);
+                              },
+                              [&calls, session](const std::string& reason) {
+                                calls.closed(session, reason);
+                              }});
+  made->send(request);
+  made->send(audio_start());
+  return made;
 }
 
 void Client::post(Loop::Action action) {

@@ -17,6 +17,14 @@ namespace parlour::adapters::wyoming {
 // `port` is that of the service's usual server.
 std::vector<OptionDescription> client_options(const std::string& port);
 
+// What the connection of a session tells, on the loop's thread.
+struct SessionCalls {
+  std::function<void(const SessionId& session, const Event& event)> received;
+  // As that of ConnectionCalls: the last call.
+  std::function<void(const SessionId& session, const std::string& reason)>
+      closed;
+};
+
 // Thread-safe, except where a function says otherwise.
 class Client {
 public:
@@ -49,6 +57,11 @@ public:
   bool is_up() const {
     return watch_->is_up();
   }
+  // Begins to connect, and to send audio for what `request` asks. `calls`
+  // outlives the connection.
+  std::unique_ptr<Connection> connect(const SessionId& session,
+                                      const SessionCalls& calls,
+                                      const Event& request) const;
 
   Milliseconds answer_timeout() const {
     return answer_timeout_;

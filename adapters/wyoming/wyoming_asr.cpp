@@ -146,21 +146,12 @@ private:
   }
 
   void open(Turn& turn, const SessionId& session) {
-    turn.connection = std::make_unique<wyoming::Connection>(
-        client_->route(),
-        wyoming::ConnectionCalls{[this, session](const wyoming::Event& event) {
-                                   received(session, event);
-                                 },
-                                 [this, session](const std::string& reason) {
-                                   closed(session, reason);
-                                 }});
     wyoming::Event transcribe{"transcribe"};
     if (!model_.empty())
       transcribe.data["name"] = model_;
     if (!language_.empty())
       transcribe.data["language"] = language_;
-    turn.connection->send(transcribe);
-    turn.connection->send(wyoming::audio_start());
+    turn.connection = client_->connect(session, calls_, transcribe);
   }
 
   void finished(const Message& message) {
@@ -236,6 +227,13 @@ private:
   }
 
   WyomingASR& plugin_;
+  const wyoming::SessionCalls calls_{
+      [this](const SessionId& session, const wyoming::Event& event) {
+        received(session, event);
+      },
+      [this](const SessionId& session, const std::string& reason) {
+        closed(session, reason);
+      }};
   const std::unique_ptr<wyoming::Client> client_;
   const std::string model_;
   const std::string language_;

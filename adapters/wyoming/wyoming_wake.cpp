@@ -114,19 +114,10 @@ private:
 
   void open(Stream& stream, const SessionId& session) {
     stream.next_attempt = Steady::now() + client_->pause();
-    stream.connection = std::make_unique<wyoming::Connection>(
-        client_->route(),
-        wyoming::ConnectionCalls{[this, session](const wyoming::Event& event) {
-                                   received(session, event);
-                                 },
-                                 [this, session](const std::string& reason) {
-                                   closed(session, reason);
-                                 }});
     wyoming::Event detect{"detect"};
     if (!keywords_.empty())
       detect.data["names"] = keywords_;
-    stream.connection->send(detect);
-    stream.connection->send(wyoming::audio_start());
+    stream.connection = client_->connect(session, calls_, detect);
   }
 
   // Tells that no word is found now, once a minute at most: it is tried again.
@@ -158,6 +149,13 @@ private:
   }
 
   WyomingWake& plugin_;
+  const wyoming::SessionCalls calls_{
+      [this](const SessionId& session, const wyoming::Event& event) {
+        received(session, event);
+      },
+      [this](const SessionId& session, const std::string& reason) {
+        closed(session, reason);
+      }};
   const std::unique_ptr<wyoming::Client> client_;
   Keywords keywords_;
   std::map<SessionId, Stream> streams_;

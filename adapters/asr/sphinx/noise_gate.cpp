@@ -1,8 +1,9 @@
 #include "adapters/asr/sphinx/noise_gate.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
+
+#include "adapters/audio/mixing.hpp"
 
 namespace parlour::adapters::asr {
 
@@ -20,14 +21,6 @@ constexpr std::size_t around_speech = 6;
 constexpr double closed = 0.01;
 // How fast it opens and closes, for each sample.
 constexpr double speed = 0.02;
-
-double level_of(const std::vector<Sample>& samples) {
-  double power = 1;
-  for (const double sample : samples)
-    power += sample * sample;
-  return 10 * std::log10(power / static_cast<double>(samples.size()) /
-                         (32'768.0 * 32'768.0));
-}
 
 } // namespace
 

@@ -1,14 +1,13 @@
 #include "adapters/agents/client/agent_connection.hpp"
 
-#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <optional>
 #include <thread>
 #include <utility>
 
-#include <fmt/format.h>
-
+#include "adapters/agents/client/platform_talk.hpp"
+#include "adapters/agents/client/reconnection.hpp"
 #include "adapters/agents/client/shared_link.hpp"
 #include "adapters/agents/delivery/steady_time.hpp"
 #include "adapters/loop/alarm.hpp"
@@ -19,27 +18,25 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr std::chrono::milliseconds first_pause = 200ms;
-constexpr std::chrono::milliseconds longest_pause = 5s;
 constexpr std::chrono::milliseconds tick_every = 50ms;
 constexpr std::chrono::milliseconds leave_within = 1s;
-
-bool ends_for_good(WireErrorKind kind) {
-  using enum WireErrorKind;
-  return kind == identity || kind == version || kind == replaced;
-}
 
 } // namespace
 
 // Everything belongs to the loop's thread but the link.
-class AgentConnection::Implementation : private PeerConnection::Owner {
+class AgentConnection::Implementation : private PeerConnection::Owner,
+                                        private PlatformTalk::Owner {
 public:
   Implementation(const PlatformAddress& address, Hello hello,
-                 Listener& listener, std::unique_ptr<Loop> loop)
+                 Listener& listener, std::unique_ptr<Loop> loop,
+                 std::unique_ptr<PlatformDialler> dialler)
       : address_(address.host + ":" + address.port),
-        is_zeromq_(address.is_zeromq), hello_(std::move(hello)),
-        listener_(listener), loop_(std::move(loop)), link_(new_incarnation()),
-        pause_alarm_(std::in_place, *loop_, [this] { connect(); }),
+        is_zeromq_(address.is_zeromq), listener_(listener),
+        loop_(std::move(loop)), link_(new_incarnation()),
+        talk_(std::move(hello), link_, *this),
+        reconnection_(
+            *loop_, std::move(dialler), address_, [this] { connect(); },
+            [this](const std::string& text) { listener_.note(text); }),
         tick_alarm_(std::in_place, *loop_, [this] { tick(); }) {}
   // What was said last is still sent and acknowledged, if that is possible
   // soon.
@@ -49,14 +46,6 @@ public:
       leave_if_done();
     });
     loop_->stop(2 * leave_within);
-  }
-
-  Expected<void> prepare(PlatformAddress address) {
-    auto dialler = PlatformDialler::make(*loop_, std::move(address));
-    if (!dialler)
-      return tl::make_unexpected(std::move(dialler.error()));
-    dialler_ = std::move(*dialler);
-    return {};
   }
 
   void run() {
@@ -108,49 +97,28 @@ public:
 private:
   // -- the connection ---------------------------------------------------------
 
+  bool may_connect() const {
+    return is_present_ && !leaves_at_;
+  }
+
   void connect() {
-    if (!may_connect() || connection_ || std::exchange(is_connecting_, true))
+    if (!may_connect() || connection_)
       return;
-    pause_alarm_->set(Alarm::never);
-    dialler_->dial(++last_id_, *this, [this](auto connection) {
-      is_connecting_ = false;
+    reconnection_.dial(*this, [this](auto connection) {
       if (!connection)
         return try_later(connection.error().message);
       if (!may_connect())
         return;
       connection_ = std::move(*connection);
-      say_hello();
+      connection_->start();
+      talk_.say_hello(*connection_, is_zeromq_);
+      heard_ = steady_now();
     });
   }
 
-  void say_hello() {
-    connection_->start();
-    hello_.introduction = link_.introduction();
-    hello_.introduction.packed = is_zeromq_;
-    connection_->write(hello_message(hello_));
-    heard_ = steady_now();
-  }
-
-  // One line for each loss, not for each attempt.
   void try_later(const std::string& reason) {
-    is_connecting_ = false;
-    if (!may_connect())
-      return;
-    if (!std::exchange(loss_is_noted_, true))
-      listener_.note(fmt::format("not connected to {}: {}", address_, reason));
-    pause_alarm_->set(std::chrono::steady_clock::now() + pause_);
-    pause_ = std::min(2 * pause_, longest_pause);
-  }
-
-  bool may_connect() const {
-    return is_present_ && !leaves_at_;
-  }
-
-  void lose(const std::string& reason) {
-    link_.disconnect();
-    if (auto connection = std::exchange(connection_, nullptr))
-      connection->close();
-    try_later(reason);
+    if (may_connect())
+      reconnection_.try_later(reason);
   }
 
   void say_bye() {
@@ -172,98 +140,44 @@ private:
     lose("the platform has closed the connection");
   }
 
-  // -- what arrives -----------------------------------------------------------
-
   void arrived(ConnectionId, Read<AgentMessage>&& message) override {
+    // Kept, because the message may end it.
+    const auto connection = connection_;
+    if (!connection)
+      return;
     arrival_thread_.store(std::this_thread::get_id(),
                           std::memory_order_relaxed);
-    message ? take(std::move(*message)) : tell(message.error());
+    talk_.take(*connection, std::move(message), heard_);
     arrival_thread_.store({}, std::memory_order_relaxed);
     flush(heard_);
   }
 
-  void take(AgentMessage&& message) {
-    if (message.kind == MessageKind::welcome)
-      take_welcome(message);
-    else if (message.kind == MessageKind::error)
-      take_error(message);
-    else if (message.kind == MessageKind::bye)
-      lose("the platform has said goodbye");
-    else if (link_.is_connected())
-      hand_on(std::move(message));
-  }
+  // -- what the platform's messages mean --------------------------------------
 
-  // A mistake of the platform (adapters/agents/PROTOCOL.md 5). Nobody is told
-  // before the welcome.
-  void tell(const WireError& error) {
-    const auto now = steady_now();
-    if (now - std::exchange(noted_, now) >= 1000)
-      listener_.note(fmt::format("the platform's message is {}: {}",
-                                 name_of(error.kind), error.sentence));
-    if (link_.is_connected())
-      write_error(error);
-    if (++mistakes_ >= AgentExchange::max_malformed || closes_connection(error))
-      lose("the platform makes mistakes");
-  }
-
-  void write_error(const WireError& error) {
-    auto message = error_message(error);
-    message.component = hello_.name;
-    connection_->write(message);
-  }
-
-  void take_welcome(const AgentMessage& message) {
-    const auto welcome = welcome_of(message);
-    if (!welcome)
-      return lose("the platform's welcome: " + welcome.error().sentence);
-    if (auto checked = check_version(*welcome, hello_); !checked) {
-      write_error(checked.error());
-      return end(
-          {ErrorKind::refused, "version: " + checked.error().sentence, {}});
-    }
-    if (link_.is_behind(welcome->introduction)) {
-      link_.renew(new_incarnation());
-      return lose("the platform knows of messages that were never sent");
-    }
-    link_.connect(welcome->introduction, steady_now());
-    mistakes_ = 0;
-    if (welcome->introduction.packed)
-      connection_->pack();
-    pause_ = first_pause;
-    loss_is_noted_ = false;
+  void welcomed() override {
+    reconnection_.succeeded();
     listener_.note("connected to " + address_);
   }
 
-  void take_error(const AgentMessage& message) {
-    // It ends a request of the agent, or is about an answer of the agent's.
-    if (message.correlation)
-      return listener_.received(message);
-    const auto sentence =
-        message.parameters.empty() ? "" : message.parameters.front();
-    const auto kind = error_kind_of(message.command);
-    if (kind && ends_for_good(*kind))
-      return end({ErrorKind::refused, message.command + ": " + sentence, {}});
-    listener_.note("the platform says " + message.command + ": " + sentence);
-    // The platform does not know this connection, or closes it.
-    if (kind == WireErrorKind::unknown ||
-        (kind && closes_connection({*kind, {}})))
-      lose("the platform refuses what the agent says");
+  void received(AgentMessage&& message) override {
+    listener_.received(std::move(message));
   }
 
-  void end(const Error& reason) {
+  void note(const std::string& text) override {
+    listener_.note(text);
+  }
+
+  void lose(const std::string& reason) override {
+    link_.disconnect();
+    if (auto connection = std::exchange(connection_, nullptr))
+      connection->close();
+    try_later(reason);
+  }
+
+  void end(const Error& reason) override {
     is_present_ = false;
     say_bye();
     listener_.rejected(reason);
-  }
-
-  void hand_on(AgentMessage&& message) {
-    auto arrival = link_.receive(message, heard_);
-    if (arrival.error)
-      return tell(*arrival.error);
-    mistakes_ = 0;
-    if (!arrival.deliver)
-      return;
-    listener_.received(std::move(message));
   }
 
   // -- what leaves ------------------------------------------------------------
@@ -317,34 +231,23 @@ private:
     if (!leaves_at_ || (waits && steady_now() < *leaves_at_))
       return;
     say_bye();
-    if (dialler_)
-      dialler_->cancel();
-    pause_alarm_.reset();
+    reconnection_.stop();
     tick_alarm_.reset();
   }
 
   const std::string address_;
   const bool is_zeromq_;
-  Hello hello_;
   Listener& listener_;
   const std::unique_ptr<Loop> loop_;
   SharedLink link_;
-  std::unique_ptr<PlatformDialler> dialler_;
-  // Nothing once it has left.
-  std::optional<Alarm> pause_alarm_;
-  std::optional<Alarm> tick_alarm_;
+  PlatformTalk talk_;
+  Reconnection reconnection_;
+  std::optional<Alarm> tick_alarm_;            // nothing once it has left
   std::shared_ptr<PeerConnection> connection_; // null: there is none
-  ConnectionId last_id_ = 0;
-  std::chrono::milliseconds pause_ = first_pause;
-  bool is_connecting_ = false;
-  bool loss_is_noted_ = false;
   bool is_present_ = true;
   Timestamp heard_ = 0;
   // When it was last connected, or began.
   Timestamp connected_at_ = steady_now();
-  // The platform's, in a row, and when there last was one.
-  int mistakes_ = 0;
-  Timestamp noted_ = 0;
   // When it leaves at the latest; nothing: it stays.
   std::optional<Timestamp> leaves_at_;
 
@@ -361,11 +264,12 @@ AgentConnection::open(const PlatformAddress& address, const Hello& hello,
       Loop::start([owner](const std::string& what) { (*owner)->threw(what); });
   if (!loop)
     return tl::make_unexpected(std::move(loop.error()));
+  auto dialler = PlatformDialler::make(**loop, address);
+  if (!dialler)
+    return tl::make_unexpected(std::move(dialler.error()));
   auto implementation = std::make_unique<Implementation>(
-      address, hello, listener, std::move(*loop));
+      address, hello, listener, std::move(*loop), std::move(*dialler));
   *owner = implementation.get();
-  if (auto prepared = implementation->prepare(address); !prepared)
-    return tl::make_unexpected(std::move(prepared.error()));
   implementation->run();
   return std::unique_ptr<AgentConnection>(
       new AgentConnection(std::move(implementation)));

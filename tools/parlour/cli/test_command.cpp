@@ -1,12 +1,9 @@
 // `parlour test`: checks the application, runs its conversations
 // (conversation_test/) and prints failures, coverage and a summary.
-#include <algorithm>
-#include <atomic>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
 #include <ostream>
-#include <thread>
 
 #include "script/xml/source_reader.hpp"
 #include "tools/parlour/application/fix.hpp"
@@ -17,6 +14,7 @@
 #include "tools/parlour/console/folder_watch.hpp"
 #include "tools/parlour/console/signal_watch.hpp"
 #include "tools/parlour/conversation_test/conversation_runner.hpp"
+#include "tools/parlour/conversation_test/in_parallel.hpp"
 #include "tools/parlour/conversation_test/junit.hpp"
 #include "tools/parlour/conversation_test/report.hpp"
 #include "tools/parlour/conversation_test/test_suite.hpp"
@@ -29,10 +27,9 @@ namespace {
 
 using Results = std::vector<ConversationResult>;
 
-// Runs all conversations. Threads take the next one from a shared counter; each
-// conversation has its own node and its own coverage, so they share nothing
-// that changes. The results are in the order of the suite, whatever the threads
-// do.
+// Runs all conversations. Each has its own node and its own coverage, so they
+// share nothing that changes. The results are in the order of the suite,
+// whatever the threads do.
 Results hold_all(const Application& application, const TestSuite& suite,
                  const TestOptions& options, Coverage& coverage) {
   Results results(suite.conversations.size());
@@ -40,24 +37,11 @@ Results hold_all(const Application& application, const TestSuite& suite,
   const HoldOptions hold{options.update ? Words::any : Words::as_written,
                          options.restores};
   Witness witness;
-  // The index of the next conversation that no thread has taken.
-  std::atomic<std::size_t> next = 0;
-  const auto work = [&] {
-    for (std::size_t i = next++; i < results.size(); i = next++) {
-      const auto& conversation = suite.conversations[i];
-      const Witness::Held held(witness, conversation.file);
-      results[i] = hold_conversation(application, conversation, seen[i], hold);
-    }
-  };
-  const auto jobs = options.jobs
-                        ? options.jobs
-                        : std::max(1u, std::thread::hardware_concurrency());
-  std::vector<std::jthread> threads;
-  for (unsigned i = 1; i < std::min<std::size_t>(jobs, results.size()); ++i)
-    threads.emplace_back(work);
-  // This thread works, too; clearing `threads` joins the others.
-  work();
-  threads.clear();
+  in_parallel(results.size(), options.jobs, [&](std::size_t i) {
+    const auto& conversation = suite.conversations[i];
+    const Witness::Held held(witness, conversation.file);
+    results[i] = hold_conversation(application, conversation, seen[i], hold);
+  });
   for (const auto& part : seen)
     coverage.add(part);
   return results;

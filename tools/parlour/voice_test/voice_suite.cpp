@@ -1,9 +1,9 @@
 #include "tools/parlour/voice_test/voice_suite.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <numeric>
-#include <thread>
+
+#include "tools/parlour/conversation_test/in_parallel.hpp"
 
 namespace parlour::tools {
 
@@ -54,22 +54,6 @@ VoiceResult hold(const Application& typed, const Application& spoken,
   if (result.trouble.empty())
     hold(spoken, conversation, speaking, result);
   return result;
-}
-
-// Threads take the next one from a shared counter.
-void in_parallel(std::size_t count, unsigned jobs,
-                 const std::function<void(std::size_t)>& work) {
-  std::atomic<std::size_t> next = 0;
-  const auto take = [&] {
-    for (auto i = next++; i < count; i = next++)
-      work(i);
-  };
-  const auto threads =
-      jobs ? jobs : std::max(1u, std::thread::hardware_concurrency());
-  std::vector<std::jthread> others;
-  for (unsigned i = 1; i < std::min<std::size_t>(threads, count); ++i)
-    others.emplace_back(take);
-  take();
 }
 
 } // namespace

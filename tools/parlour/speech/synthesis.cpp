@@ -4,39 +4,11 @@
 
 #include "runtime/plugin/test_host.hpp"
 #include "tools/parlour/application/plugin_calls.hpp"
+#include "tools/parlour/speech/spoken.hpp"
 
 namespace parlour::tools {
 
 namespace {
-
-using adapters::Sample;
-
-// What has come of an utterance so far.
-struct Spoken {
-  std::vector<Sample> samples;
-  bool finished = false;
-  std::string trouble; // why it is not spoken; empty: it is
-
-  bool is_over() const {
-    return finished || !trouble.empty();
-  }
-};
-
-void take(const Message& event, Spoken& spoken) {
-  if (event.command == "Finished") {
-    spoken.finished = true;
-  } else if (event.command == "Audio" && !event.params.empty()) {
-    const auto samples = adapters::speech_samples(event.params.front());
-    if (samples)
-      spoken.samples.insert(spoken.samples.end(), samples->begin(),
-                            samples->end());
-    else
-      spoken.trouble = samples.error().message;
-  } else if (event.command == "Failed") {
-    spoken.trouble =
-        event.params.empty() ? "it failed" : event.params.front().text();
-  }
-}
 
 // What is thrown is trouble.
 void call(const std::function<void()>& action, Spoken& spoken) {
@@ -47,7 +19,7 @@ void call(const std::function<void()>& action, Spoken& spoken) {
 bool take_events(TestHost& host, Spoken& spoken) {
   const auto events = host.take_events();
   for (const auto& event : events)
-    take(event, spoken);
+    spoken.take(event);
   for (const auto& failure : host.take_failures())
     spoken.trouble = failure;
   return !events.empty() || spoken.is_over();
@@ -77,10 +49,10 @@ Message order(const std::string& text) {
 
 } // namespace
 
-Expected<std::vector<Sample>> synthesize(const PluginFactory& factory,
-                                         const Options& options,
-                                         const std::string& text,
-                                         Milliseconds patience) {
+Expected<std::vector<adapters::Sample>> synthesize(const PluginFactory& factory,
+                                                   const Options& options,
+                                                   const std::string& text,
+                                                   Milliseconds patience) {
   const auto& name = factory.description.name;
   TestHost host; // outlives the plug-in
   const auto plugin = start_plugin(factory, host, options);

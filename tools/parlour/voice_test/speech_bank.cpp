@@ -4,6 +4,7 @@
 #include <span>
 
 #include "tools/parlour/application/plugin_calls.hpp"
+#include "tools/parlour/speech/spoken.hpp"
 
 namespace parlour::tools {
 
@@ -21,20 +22,11 @@ Message order(std::string command, std::vector<Value> params) {
   return message;
 }
 
-// Adds the audio of the events; true once the utterance is over.
-bool take(const std::vector<Message>& events, Sound& to, std::string& trouble) {
-  bool is_over = false;
-  for (const auto& event : events) {
-    if (event.command == "Audio") {
-      const auto samples = adapters::speech_samples(event.params.at(0));
-      if (samples)
-        to.insert(to.end(), samples->begin(), samples->end());
-    } else if (event.command == "Failed") {
-      trouble = event.params.empty() ? "it failed" : event.params[0].text();
-    }
-    is_over |= event.command == "Finished" || event.command == "Failed";
-  }
-  return is_over;
+// Whether the utterance is over.
+bool take(const std::vector<Message>& events, Spoken& spoken) {
+  for (const auto& event : events)
+    spoken.take(event);
+  return spoken.is_over();
 }
 
 } // namespace
@@ -84,21 +76,18 @@ Expected<const Sound*> SpeechBank::speak(const std::string& text,
   if (!by)
     return tl::make_unexpected(by.error());
   auto& host = (*by)->host;
-  Sound sound;
-  std::string trouble;
-  bool is_over = false;
+  Spoken spoken;
   const auto called = call_plugin([&] {
     (*by)->plugin->receive(order("Speak", {text, ++(*by)->utterances, false}));
-    is_over = host.wait(
-        [&] { return take(host.take_events(), sound, trouble); }, patience);
+    host.wait([&] { return take(host.take_events(), spoken); }, patience);
   });
   if (!called)
-    trouble = called.error().message;
-  if (!is_over || !trouble.empty() || sound.empty())
+    spoken.trouble = called.error().message;
+  if (!spoken.finished || !spoken.trouble.empty() || spoken.samples.empty())
     return fail(ErrorKind::settings,
                 "the voice '" + name + "' cannot say \"" + text + "\"" +
-                    (trouble.empty() ? "" : ": " + trouble));
-  sound = adapters::without_silence(sound);
+                    (spoken.trouble.empty() ? "" : ": " + spoken.trouble));
+  auto sound = adapters::without_silence(spoken.samples);
   const auto loud = adapters::speech_level_of(sound);
   auto& kept = lines_[{name, text}];
   kept = adapters::at_level(std::move(sound), loud, level);

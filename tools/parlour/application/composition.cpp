@@ -2,7 +2,6 @@
 #include "tools/parlour/application/composition.hpp"
 
 #include <algorithm>
-#include <map>
 #include <utility>
 
 #include "runtime/base/call_deadline.hpp"
@@ -17,21 +16,6 @@ namespace parlour::tools {
 namespace {
 
 using script::Severity;
-
-// Plug-ins for voice that need a library which not every build has, and what
-// happens instead. An application that asks for them still runs by text.
-const std::map<std::string, std::string>& voice_plugins() {
-  static const std::map<std::string, std::string> table = {
-      {"AlsaMicrophone", "turns are typed instead of spoken"},
-      {"AlsaSpeaker", "text is shown instead of played"},
-      {"EspeakTTS", "text is shown instead of spoken"},
-      {"FliteTTS", "text is shown instead of spoken"},
-      {"MoonshineASR", "turns are typed instead of spoken"},
-      {"SphinxASR", "turns are typed instead of spoken"},
-      {"WebRtcEnhancement", "audio is heard as it is"},
-  };
-  return table;
-}
 
 // How a finding names a component: by its plug-in, and by its own name if that
 // differs.
@@ -103,19 +87,19 @@ public:
     for (const auto& agent : settings_.agents.agents)
       add_agent(agent);
     for (const auto& component : settings_.components)
-      if (!is_missing_voice(component.plugin))
+      if (!is_missing(component.plugin))
         add(component);
     return std::move(composition_);
   }
 
 private:
-  // A voice plug-in that is missing is no mistake of the application.
-  bool is_missing_voice(const std::string& name) {
-    const auto voice = voice_plugins().find(name);
-    if (voice == voice_plugins().end() || plugins_.has(name))
+  // That this build lacks it is no mistake of the application.
+  bool is_missing(const std::string& name) {
+    const auto without = shipped_plugin(name).without;
+    if (without.empty() || plugins_.has(name))
       return false;
     composition_.notices.push_back(
-        name + " is not available in this build: " + voice->second);
+        name + " is not available in this build: " + std::string(without));
     return true;
   }
 

@@ -1,7 +1,11 @@
 #include "tools/parlour/application/shipped_plugin.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 
+#include "adapters/asr/moonshine_place.hpp"
+#include "adapters/audio/file_microphone.hpp"
+#include "adapters/audio/file_speaker.hpp"
 #include "adapters/database/mariadb/mariadb_columns.hpp"
 #include "adapters/database/mariadb/mariadb_options.hpp"
 #include "adapters/database/sqlite/sqlite_columns.hpp"
@@ -15,6 +19,7 @@
 #include "adapters/push_to_talk/key_push_to_talk.hpp"
 #include "adapters/standins/log_devices.hpp"
 #include "runtime/base/file_bytes.hpp"
+#include "tools/parlour/application/catalogue.hpp"
 
 namespace parlour::tools {
 
@@ -138,6 +143,15 @@ bool is_key_of_terminal(const Options& options) {
   return device == options.end() || device->second.empty();
 }
 
+// -- voice --------------------------------------------------------------------
+
+bool is_moonshine_installed() {
+  const auto* const path = std::getenv("PATH");
+  return adapters::moonshine::find_place(
+             {{}, moonshine_programs(), "node", path ? path : ""})
+      .has_value();
+}
+
 // -- understanding ------------------------------------------------------------
 
 std::vector<Error> check_grammars(const Options& options,
@@ -157,6 +171,9 @@ std::vector<Error> check_keywords(const Options& options,
 }
 
 // -- the table ----------------------------------------------------------------
+
+constexpr std::string_view typed = "turns are typed instead of spoken";
+constexpr std::string_view shown = "text is shown instead of spoken";
 
 const std::vector<ShippedPlugin>& all() {
   static const std::vector<ShippedPlugin> table = {
@@ -184,6 +201,17 @@ const std::vector<ShippedPlugin>& all() {
       {.name = "LogDevices", .file_options = {"devices"}},
       {.name = "LogWeather", .file_options = {"reports"}},
       {.name = "LogTraffic", .file_options = {"reports"}},
+      {.name = "FileMicrophone", .for_file = adapters::file_microphone_factory},
+      {.name = "FileSpeaker", .for_file = adapters::file_speaker_factory},
+      {.name = "AlsaMicrophone", .without = typed},
+      {.name = "AlsaSpeaker", .without = "text is shown instead of played"},
+      {.name = "EspeakTTS", .without = shown},
+      {.name = "FliteTTS", .without = shown},
+      {.name = "MoonshineASR",
+       .without = typed,
+       .is_installed = is_moonshine_installed},
+      {.name = "SphinxASR", .without = typed},
+      {.name = "WebRtcEnhancement", .without = "audio is heard as it is"},
       {.name = "GrammarNLU", .check_understanding = check_grammars},
       {.name = "KeywordNLU", .check_understanding = check_keywords},
   };
@@ -196,6 +224,11 @@ const ShippedPlugin& shipped_plugin(std::string_view name) {
   static const ShippedPlugin unknown;
   const auto found = std::ranges::find(all(), name, &ShippedPlugin::name);
   return found == all().end() ? unknown : *found;
+}
+
+bool is_installed(std::string_view name) {
+  const auto asks = shipped_plugin(name).is_installed;
+  return !asks || asks();
 }
 
 void complete_description(PluginDescription& plugin, const Options& options,

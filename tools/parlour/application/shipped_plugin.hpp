@@ -55,6 +55,15 @@ struct ShippedPlugin {
   std::filesystem::path (*kept_file)(const Options& options,
                                      const std::filesystem::path& application,
                                      const std::string& data_folder) = nullptr;
+  // It needs a library that not every build has; without it an application
+  // still runs, and this is what happens instead. Empty: an application that
+  // names it needs it.
+  std::string_view without = {};
+  // Whether what it needs besides this program is there; null: it needs
+  // nothing.
+  bool (*is_installed)() = nullptr;
+  // Hears or writes this file, wherever it is.
+  PluginFactory (*for_file)(const std::filesystem::path& file) = nullptr;
   // It reads the terminal, so that nothing can be typed there.
   bool (*takes_terminal)(const Options& options) = nullptr;
   // It speaks SQLite's dialect, so that every mistake in its SQL can be told.
@@ -65,7 +74,8 @@ struct ShippedPlugin {
 // empty.
 const ShippedPlugin& shipped_plugin(std::string_view name);
 
-// Calls its `describe` and its `rehearse`, where it has them.
+// Calls its `is_installed`, `describe` and `rehearse`, where it has them.
+bool is_installed(std::string_view name);
 void complete_description(PluginDescription& plugin, const Options& options,
                           const std::filesystem::path& application);
 void rehearse(PluginFactory& factory, Options& options);

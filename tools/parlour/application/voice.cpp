@@ -1,16 +1,13 @@
 #include "tools/parlour/application/voice.hpp"
 
 #include <algorithm>
-#include <cstdlib>
 #include <map>
 #include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "adapters/asr/moonshine_place.hpp"
-#include "adapters/audio/file_microphone.hpp"
-#include "adapters/audio/file_speaker.hpp"
+#include "tools/parlour/application/shipped_plugin.hpp"
 
 namespace parlour::tools {
 
@@ -128,16 +125,6 @@ Filled filled_roles(const Composition& composition) {
   return filled;
 }
 
-// Whether what the plug-in needs besides this program is installed, too.
-bool is_installed(const std::string& plugin) {
-  if (plugin != "MoonshineASR")
-    return true;
-  const auto* const path = std::getenv("PATH");
-  return adapters::moonshine::find_place(
-             {{}, moonshine_programs(), "node", path ? path : ""})
-      .has_value();
-}
-
 Expected<std::optional<ComponentSettings>> choose(const Link& link,
                                                   const Catalogue& plugins) {
   for (const auto& plugin : link.plugins)
@@ -189,6 +176,17 @@ void instruct(ComponentSettings& component, std::string_view role,
     component.options["keywords"] = wishes.wake;
   if (role == endpointer_role && sleeps)
     component.options["sleeps-after"] = sleeps_after;
+}
+
+// The sound file of the command line that the plug-in hears or writes; empty:
+// there is none.
+fs::path file_for(const PluginDescription& plugin, const VoiceWishes& wishes) {
+  const std::pair<std::string_view, std::string> wished[] = {
+      {microphone_role, wishes.microphone}, {speaker_role, wishes.speaker}};
+  for (const auto& [role, name] : wished)
+    if (is_file_of_sound(name) && std::ranges::count(plugin.roles, role) > 0)
+      return name;
+  return {};
 }
 
 std::string library_of(bool sleeps, bool is_enhanced) {
@@ -245,13 +243,11 @@ Expected<VoiceSources> add_voice(const fs::path& folder,
 void use_files(Composition& composition, const VoiceWishes& wishes,
                const fs::path& folder) {
   for (auto& component : composition.components) {
-    const auto& plugin = component.factory.description.name;
-    if (plugin == "FileMicrophone" && is_file_of_sound(wishes.microphone))
-      component.factory =
-          adapters::file_microphone_factory(folder / wishes.microphone);
-    else if (plugin == "FileSpeaker" && is_file_of_sound(wishes.speaker))
-      component.factory =
-          adapters::file_speaker_factory(folder / wishes.speaker);
+    const auto& plugin = component.factory.description;
+    const auto file = file_for(plugin, wishes);
+    const auto open = shipped_plugin(plugin.name).for_file;
+    if (open && !file.empty())
+      component.factory = open(folder / file);
   }
 }
 

@@ -62,6 +62,23 @@ TEST_F(ShippedPluginTest, GoesByTheNameOfAPlugin) {
   }
 }
 
+TEST_F(ShippedPluginTest, MayBeMissing) {
+  EXPECT_EQ(shipped_plugin("SphinxASR").without,
+            "turns are typed instead of spoken");
+  EXPECT_EQ(shipped_plugin("LogTaxi").without, "");
+  EXPECT_TRUE(is_installed("LogTaxi"));
+}
+
+TEST_F(ShippedPluginTest, HearsOrWritesAnyFile) {
+  for (const auto* name : {"FileMicrophone", "FileSpeaker"}) {
+    const auto open = shipped_plugin(name).for_file;
+    ASSERT_TRUE(open) << name;
+    const auto made = open(folder_.path() / "sound.wav");
+    EXPECT_EQ(made.description.name, name);
+    EXPECT_TRUE(find_plugin(name)) << name;
+  }
+}
+
 TEST_F(ShippedPluginTest, MayTakeTheTerminal) {
   EXPECT_FALSE(shipped_plugin("EchoTTS").takes_terminal);
   const auto takes = shipped_plugin("KeyPushToTalk").takes_terminal;

@@ -26,18 +26,15 @@ with_database_options(std::vector<OptionDescription> own) {
   return own;
 }
 
-Expected<void> read_database_options(const OptionValues& values,
-                                     const std::string& application_folder,
-                                     DatabaseOptions& made) {
-  made.busy_timeout = values.duration("busy-timeout");
-  made.transaction_timeout = values.duration("transaction-timeout");
-  for (auto&& read : {values.read("schema", application_folder, made.schema),
-                      values.read("seed", application_folder, made.seed),
-                      values.read("max-rows", made.rows),
-                      values.read("max-bytes", made.bytes)})
-    if (!read)
-      return read;
-  return {};
+void read_database_options(OptionReader& read,
+                           const std::string& application_folder,
+                           DatabaseOptions& made) {
+  made.busy_timeout = read.duration("busy-timeout");
+  made.transaction_timeout = read.duration("transaction-timeout");
+  made.schema = read.file("schema", application_folder);
+  made.seed = read.file("seed", application_folder);
+  made.rows = read.count("max-rows", 1);
+  made.bytes = read.count("max-bytes", 1);
 }
 
 } // namespace parlour::adapters

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "adapters/database/option_values.hpp"
+#include "runtime/plugin/option_reader.hpp"
 #include "runtime/plugin/plugin.hpp"
 
 namespace parlour::adapters {
@@ -31,8 +31,8 @@ with_database_options(std::vector<OptionDescription> own);
 
 // Reads the common options into `made`. `schema` and `seed` are files of the
 // application's folder and may not lie outside of it (docs/databases.md).
-Expected<void> read_database_options(const OptionValues& values,
-                                     const std::string& application_folder,
-                                     DatabaseOptions& made);
+void read_database_options(OptionReader& read,
+                           const std::string& application_folder,
+                           DatabaseOptions& made);
 
 } // namespace parlour::adapters

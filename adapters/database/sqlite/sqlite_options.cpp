@@ -1,7 +1,5 @@
 #include "adapters/database/sqlite/sqlite_options.hpp"
 
-#include <utility>
-
 namespace parlour::adapters {
 
 const std::vector<OptionDescription>& sqlite_option_descriptions() {
@@ -19,18 +17,14 @@ read_sqlite_options(const Options& options, const std::string& data_folder,
   // the data in memory and lose it at the end.
   if (const auto file = options.find("file");
       file != options.end() && file->second.empty())
-    return fail(ErrorKind::settings, "option 'file' is empty");
-  const auto values = OptionValues::of(options, sqlite_option_descriptions());
-  if (!values)
-    return tl::make_unexpected(values.error());
+    return fail(ErrorKind::settings, "the option 'file' is empty");
+  OptionReader read(options, sqlite_option_descriptions());
   SQLiteOptions made;
-  const auto of_file = values->text("file") == ":memory:"
-                           ? Expected<void>()
-                           : values->read("file", data_folder, made.file);
-  for (auto&& read :
-       {of_file, read_database_options(*values, application_folder, made)})
-    if (!read)
-      return tl::make_unexpected(read.error());
+  if (read.text("file") != ":memory:")
+    made.file = read.file("file", data_folder);
+  read_database_options(read, application_folder, made);
+  if (const auto outcome = read.outcome(); !outcome)
+    return tl::make_unexpected(outcome.error());
   return made;
 }
 

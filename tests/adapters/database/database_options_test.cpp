@@ -11,11 +11,9 @@ using testing::HasSubstr;
 Expected<DatabaseOptions> read(const Options& options) {
   const auto described = with_database_options({{"own", "", "an own one"}});
   DatabaseOptions made;
-  return OptionValues::of(options, described)
-      .and_then([&](const OptionValues& values) {
-        return read_database_options(values, "/app", made);
-      })
-      .map([&] { return made; });
+  OptionReader reader(options, described);
+  read_database_options(reader, "/app", made);
+  return reader.outcome().map([&] { return made; });
 }
 
 TEST(DatabaseOptions, HoldWithoutSettings) {

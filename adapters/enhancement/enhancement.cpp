@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "adapters/enhancement/echo_canceller.hpp"
-#include "runtime/base/clock.hpp"
+#include "runtime/plugin/option_reader.hpp"
 #include "runtime/plugin/role_plugin.hpp"
 
 namespace parlour::adapters {
@@ -40,15 +40,13 @@ public:
 
 protected:
   Expected<void> on_start(const Options& options) override {
-    auto value = [&](const char* name) {
-      return option_value(options, option_descriptions(), name);
-    };
-    const auto delay = parse_duration(value("delay"));
-    if (!delay || delay->count() < 0 || delay->count() > 500)
-      return fail(ErrorKind::settings, "the option 'delay' is 0ms to 500ms");
-    settings_ = {value("noise-suppression") == "true",
-                 value("gain-control") == "true",
-                 static_cast<int>(delay->count())};
+    OptionReader read(options, option_descriptions());
+    const auto delay =
+        read.duration("delay", Milliseconds(0), Milliseconds(500));
+    settings_ = {read.truth("noise-suppression"), read.truth("gain-control"),
+                 static_cast<int>(delay.count())};
+    if (auto outcome = read.outcome(); !outcome)
+      return outcome;
     return EchoCanceller::make(settings_).map([](const auto&) {});
   }
 

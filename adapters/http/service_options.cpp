@@ -4,6 +4,7 @@
 
 #include "runtime/base/file_bytes.hpp"
 #include "runtime/plugin/folder.hpp"
+#include "runtime/plugin/option_reader.hpp"
 
 namespace parlour::adapters::http {
 
@@ -11,48 +12,7 @@ namespace {
 
 constexpr std::size_t max_rules_file = 1 << 20;
 
-// Reads options one after the other; the first mistake counts.
-class Reader {
-public:
-  explicit Reader(const Options& given) : given_(given) {}
-
-  std::string text(const std::string& name) const {
-    return option_value(given_, all_, name);
-  }
-  bool yes(const std::string& name) const {
-    return text(name) == "true";
-  }
-  Milliseconds time(const std::string& name) {
-    const auto read = parse_duration(text(name));
-    if (!read || *read <= Milliseconds::zero()) {
-      wrong(name, "is a time such as 500ms or 5s, and more than nothing");
-      return Milliseconds(1);
-    }
-    return *read;
-  }
-  template <class Number>
-  Number number(const std::string& name, std::int64_t least,
-                std::int64_t most) {
-    const auto value = parse_number(text(name)).integer_or(-1);
-    if (value < least || value > most)
-      wrong(name, "is a number from " + std::to_string(least) + " to " +
-                      std::to_string(most));
-    return static_cast<Number>(value);
-  }
-  void wrong(const std::string& name, const std::string& what) {
-    if (!error_)
-      error_ =
-          Error{ErrorKind::settings, "the option '" + name + "' " + what, {}};
-  }
-  const std::optional<Error>& error() const {
-    return error_;
-  }
-
-private:
-  const Options& given_;
-  const std::vector<OptionDescription> all_ = service_option_descriptions();
-  std::optional<Error> error_;
-};
+constexpr Milliseconds shortest{1};
 
 } // namespace
 
@@ -92,35 +52,35 @@ std::vector<OptionDescription> service_option_descriptions() {
 Expected<ServiceOptions>
 read_service_options(const Options& options,
                      const std::string& application_folder) {
-  Reader read(options);
+  const auto descriptions = service_option_descriptions();
+  OptionReader read(options, descriptions);
   ServiceOptions result;
   auto& client = result.client;
-  client.timeout = read.time("timeout");
-  client.transfer.connect_timeout = read.time("connect-timeout");
-  client.transfer.max_answer =
-      read.number<std::size_t>("max-bytes", 1, 64 << 20);
-  client.connections = read.number<std::size_t>("connections", 1, 100);
-  client.queue = read.number<std::size_t>("queue", 0, 10'000);
-  client.exchange.retry.retries = read.number<unsigned>("retries", 0, 10);
-  client.exchange.redirects = read.number<unsigned>("redirects", 0, 10);
-  client.breaker.failures = read.number<unsigned>("failures", 0, 1'000);
-  client.breaker.pause = read.time("pause");
+  client.timeout = read.duration("timeout", shortest);
+  client.transfer.connect_timeout = read.duration("connect-timeout", shortest);
+  client.transfer.max_answer = read.count("max-bytes", 1, 64 << 20);
+  client.connections = read.count("connections", 1, 100);
+  client.queue = read.count("queue", 0, 10'000);
+  client.exchange.retry.retries =
+      static_cast<unsigned>(read.integer("retries", 0, 10));
+  client.exchange.redirects =
+      static_cast<unsigned>(read.integer("redirects", 0, 10));
+  client.breaker.failures =
+      static_cast<unsigned>(read.integer("failures", 0, 1'000));
+  client.breaker.pause = read.duration("pause", shortest);
   client.transfer.proxy = read.text("proxy");
   result.listener.listen = read.text("listen");
   result.listener.token = read.text("token");
   result.listener.max_body = client.transfer.max_answer;
-  result.samples = read.yes("samples");
-  result.one_by_one = read.yes("one-by-one");
-  if (const auto ca = read.text("ca"); !ca.empty()) {
-    const auto path = inside(application_folder, ca, "ca");
-    if (!path)
-      return tl::make_unexpected(path.error());
-    if (const auto is = check_is_file(*path); !is)
-      return tl::make_unexpected(is.error());
-    client.transfer.authority = *path;
+  result.samples = read.truth("samples");
+  result.one_by_one = read.truth("one-by-one");
+  if (const auto ca = read.file("ca", application_folder); !ca.empty()) {
+    if (const auto is = check_is_file(ca); !is)
+      read.wrong(is.error());
+    client.transfer.authority = ca;
   }
-  if (read.error())
-    return tl::make_unexpected(*read.error());
+  if (const auto outcome = read.outcome(); !outcome)
+    return tl::make_unexpected(outcome.error());
   return result;
 }
 
@@ -140,15 +100,18 @@ load_service_rules(const Options& options,
                    const std::string& application_folder,
                    const Environment& environment) {
   using Errors = std::vector<Error>;
-  const Reader read(options);
-  const auto path = inside(application_folder, read.text("rules"), "rules");
+  const auto descriptions = service_option_descriptions();
+  const auto text_of = [&](const char* name) {
+    return option_value(options, descriptions, name);
+  };
+  const auto path = inside(application_folder, text_of("rules"), "rules");
   if (!path)
     return tl::make_unexpected(Errors{path.error()});
   const auto text = read_file(*path, max_rules_file);
   if (!text)
     return tl::make_unexpected(Errors{text.error()});
   return read_service_rules(*text, path->string(), environment,
-                            read.text("address"));
+                            text_of("address"));
 }
 
 } // namespace parlour::adapters::http

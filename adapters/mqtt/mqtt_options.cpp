@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "runtime/base/file_bytes.hpp"
-#include "runtime/plugin/folder.hpp"
+#include "runtime/plugin/option_reader.hpp"
 
 namespace parlour::adapters::mqtt {
 
@@ -18,127 +18,104 @@ constexpr int tls_port = 8'883;
 constexpr Milliseconds shortest_keep_alive{5'000};
 constexpr Milliseconds longest_keep_alive{65'535'000};
 
-tl::unexpected<Error> wrong(const std::string& option,
-                            const std::string& what) {
-  return fail(ErrorKind::settings, "option '" + option + "' " + what);
-}
-
+// Settings of the server and of what is expected of devices, one group after
+// the other.
 class Reader {
 public:
   Reader(const Options& options, fs::path folder)
-      : options_(options), folder_(std::move(folder)) {}
-
-  std::string text(const char* name) const {
-    return option_value(options_, mqtt_option_descriptions(), name);
-  }
-  // check() has seen that it is one.
-  Milliseconds duration(const char* name) const {
-    return parse_duration(text(name)).value_or(Milliseconds(0));
+      : read_(options, mqtt_option_descriptions()), folder_(std::move(folder)) {
   }
 
-  Expected<void> check() const {
-    for (const auto& option : mqtt_option_descriptions())
-      if (auto fits = check_option(option, text(option.name.c_str())); !fits)
-        return fits;
-    return {};
+  Expected<MQTTOptions> read() {
+    MQTTOptions made;
+    made.server.host = read_.text("host");
+    made.server.client_id = read_.text("client-id");
+    made.one_by_one = read_.truth("one-by-one");
+    read_tls(made.server);
+    read_port(made.server);
+    read_login(made.server);
+    read_times(made);
+    read_devices(made);
+    return read_.outcome().map([&] { return made; });
   }
 
+private:
   // A certificate without its key, or the other way round, is a mistake.
-  Expected<void> read_tls(ServerOptions& made) const {
-    const auto said = text("tls");
+  void read_tls(ServerOptions& made) {
+    const auto said = read_.text("tls");
     made.tls_ca = file("tls-ca");
     made.tls_certificate = file("tls-certificate");
     made.tls_key = file("tls-key");
-    const bool meant = text("port") == std::to_string(tls_port) ||
+    const bool meant = read_.text("port") == std::to_string(tls_port) ||
                        !made.tls_ca.empty() || !made.tls_certificate.empty();
     made.tls = said == "encrypt"                             ? Tls::encrypt
                : said == "verify" || (said.empty() && meant) ? Tls::verify
                                                              : Tls::off;
     if (made.tls_certificate.empty() != made.tls_key.empty())
-      return wrong("tls-certificate", "and 'tls-key' go together");
+      read_.wrong("tls-certificate", "and 'tls-key' go together");
     // So the library wants it.
     if (!made.tls_certificate.empty() && made.tls_ca.empty())
-      return wrong("tls-certificate", "needs 'tls-ca' as well");
-    for (const auto* each :
-         {&made.tls_ca, &made.tls_certificate, &made.tls_key})
-      if (!each->empty())
-        if (const auto bytes = read_file(*each); !bytes)
-          return wrong("tls-ca, tls-certificate or tls-key",
-                       "names '" + each->string() +
-                           "': " + bytes.error().message);
-    return {};
+      read_.wrong("tls-certificate", "needs 'tls-ca' as well");
+    for (const auto* name : {"tls-ca", "tls-certificate", "tls-key"})
+      if (const auto path = file(name); !path.empty())
+        if (const auto bytes = read_file(path); !bytes)
+          read_.wrong(name, "names '" + path.string() +
+                                "': " + bytes.error().message);
   }
 
-  Expected<void> read_port(ServerOptions& made) const {
-    const auto said = parse_number(text("port"));
+  void read_port(ServerOptions& made) {
     const auto usual = made.tls == Tls::off ? plain_port : tls_port;
-    const auto port = said.integer_or(usual);
-    if (port < 1 || port > 65'535)
-      return wrong("port", "is a number from 1 to 65535");
+    const auto port =
+        read_.has("port") ? read_.integer("port", 1, 65'535) : usual;
     made.port = static_cast<std::uint16_t>(port);
-    return {};
   }
 
   // A password file is read up to its first line break, which editors add.
-  Expected<void> read_login(ServerOptions& made) const {
-    made.user = text("user");
-    made.password = text("password");
+  void read_login(ServerOptions& made) {
+    made.user = read_.text("user");
+    made.password = read_.text("password");
     if (const auto name = file("password-file"); !name.empty()) {
       if (!made.password.empty())
-        return wrong("password-file", "and 'password' are both there; one is "
-                                      "enough");
+        return read_.wrong("password-file",
+                           "and 'password' are both there; one is enough");
       const auto bytes = read_file(name);
       if (!bytes)
-        return wrong("password-file",
-                     "names '" + name.string() + "': " + bytes.error().message);
+        return read_.wrong("password-file", "names '" + name.string() +
+                                                "': " + bytes.error().message);
       made.password = bytes->substr(0, bytes->find_first_of("\r\n"));
     }
     if (!made.password.empty() && made.user.empty())
-      return wrong("password", "needs a 'user'");
-    return {};
+      read_.wrong("password", "needs a 'user'");
   }
 
-  Expected<void> read_times(MQTTOptions& made) const {
+  void read_times(MQTTOptions& made) {
+    constexpr Milliseconds shortest{1};
     auto& server = made.server;
-    server.keep_alive = duration("keep-alive");
-    server.connect_timeout = duration("connect-timeout");
-    server.pause = duration("pause");
-    made.policy.patience = duration("answer-timeout");
-    made.policy.settle = duration("settle");
-    if (server.keep_alive < shortest_keep_alive ||
-        server.keep_alive > longest_keep_alive)
-      return wrong("keep-alive", "is 5s to 65535s");
-    if (server.connect_timeout <= Milliseconds(0))
-      return wrong("connect-timeout", "is longer than nothing");
-    if (server.pause <= Milliseconds(0))
-      return wrong("pause", "is longer than nothing");
-    return {};
+    server.keep_alive =
+        read_.duration("keep-alive", shortest_keep_alive, longest_keep_alive);
+    server.connect_timeout = read_.duration("connect-timeout", shortest);
+    server.pause = read_.duration("pause", shortest);
+    made.policy.patience = read_.duration("answer-timeout");
+    made.policy.settle = read_.duration("settle");
   }
 
-  Expected<void> read_devices(MQTTOptions& made) const {
-    made.policy.prefix = text("discovery");
+  void read_devices(MQTTOptions& made) {
+    made.policy.prefix = read_.text("discovery");
     if (made.policy.prefix.find_first_of("#+") != std::string::npos ||
         made.policy.prefix.ends_with('/'))
-      return wrong("discovery", "is the beginning of topics, such as "
-                                "homeassistant, without '#', '+' and a '/' at "
-                                "the end");
-    const auto name = text("devices");
-    if (name.empty())
-      return {};
-    auto path = inside(folder_, name, "devices");
-    if (!path)
-      return tl::make_unexpected(path.error());
-    made.devices = std::move(*path);
-    return {};
+      read_.wrong("discovery", "is the beginning of topics, such as "
+                               "homeassistant, without '#', '+' and a '/' at "
+                               "the end");
+    made.devices = read_.file("devices", folder_);
   }
 
-private:
+  // It may lie outside of the folder.
   fs::path file(const char* name) const {
-    const auto said = text(name);
+    const auto said = read_.text(name);
     return said.empty() ? fs::path() : folder_ / said;
   }
 
-  const Options& options_;
+  OptionReader read_;
   const fs::path folder_;
 };
 
@@ -189,23 +166,9 @@ const std::vector<OptionDescription>& mqtt_option_descriptions() {
   return descriptions;
 }
 
-// The first error counts.
 Expected<MQTTOptions> read_mqtt_options(const Options& options,
                                         const std::string& application_folder) {
-  const Reader reader(options, application_folder);
-  if (auto fits = reader.check(); !fits)
-    return tl::make_unexpected(fits.error());
-  MQTTOptions made;
-  made.server.host = reader.text("host");
-  made.server.client_id = reader.text("client-id");
-  made.one_by_one = reader.text("one-by-one") == "true";
-  for (auto&& read :
-       {reader.read_tls(made.server), reader.read_port(made.server),
-        reader.read_login(made.server), reader.read_times(made),
-        reader.read_devices(made)})
-    if (!read)
-      return tl::make_unexpected(read.error());
-  return made;
+  return Reader(options, application_folder).read();
 }
 
 } // namespace parlour::adapters::mqtt

@@ -6,17 +6,13 @@
 #include <fmt/format.h>
 
 #include "runtime/plugin/open_messages.hpp"
+#include "runtime/plugin/option_reader.hpp"
 
 namespace parlour::adapters::tts {
 
 namespace {
 
 constexpr std::size_t max_voices = 256;
-
-tl::unexpected<Error> wrong(const std::string& option,
-                            const std::string& what) {
-  return fail(ErrorKind::settings, "option '" + option + "' is " + what);
-}
 
 } // namespace
 
@@ -59,30 +55,19 @@ SpeechCalls EngineTTS::calls() {
 // -- options ------------------------------------------------------------------
 
 Expected<void> EngineTTS::read(const Options& options) {
-  auto text = [&](const char* name) {
-    return option_value(options, descriptions_, name);
-  };
+  OptionReader read(options, descriptions_);
   // An option that the plug-in does not have keeps its default.
-  auto number = [&](const char* name, int otherwise) {
-    return text(name).empty()
-               ? otherwise
-               : static_cast<int>(std::clamp<std::int64_t>(
-                     parse_number(text(name)).integer_or(-1), -1, 1'000'000));
+  auto number = [&](const char* name, int least, int most, int otherwise) {
+    return read.has(name) ? static_cast<int>(read.integer(name, least, most))
+                          : otherwise;
   };
   const VoiceSettings usual;
-  settings_ = {text("voice"), number("rate", usual.rate),
-               number("pitch", usual.pitch), number("volume", usual.volume)};
-  pace_ = {parse_duration(text("ahead")).value_or(Milliseconds(0)),
-           text("one-by-one") == "true"};
-  if (settings_.rate < 80 || settings_.rate > 450)
-    return wrong("rate", "a number of words a minute, 80 to 450");
-  if (settings_.pitch < 0 || settings_.pitch > 99)
-    return wrong("pitch", "a number, 0 to 99");
-  if (settings_.volume < 0 || settings_.volume > 200)
-    return wrong("volume", "a number in percent, 0 to 200");
-  if (pace_.ahead < Milliseconds(100) || pace_.ahead > Milliseconds(60'000))
-    return wrong("ahead", "a time, 100ms to 60s");
-  return {};
+  settings_ = {read.text("voice"), number("rate", 80, 450, usual.rate),
+               number("pitch", 0, 99, usual.pitch),
+               number("volume", 0, 200, usual.volume)};
+  pace_ = {read.duration("ahead", Milliseconds(100), Milliseconds(60'000)),
+           read.truth("one-by-one")};
+  return read.outcome();
 }
 
 Expected<void> EngineTTS::on_start(const Options& options) {

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "runtime/base/file_bytes.hpp"
-#include "runtime/plugin/folder.hpp"
+#include "runtime/plugin/option_reader.hpp"
 #include "runtime/text/words.hpp"
 
 namespace parlour::adapters {
@@ -18,10 +18,12 @@ namespace {
 // Bounds the queue.
 constexpr std::size_t max_waiting = 100;
 
-std::string option_or(const Options& options, const std::string& name,
-                      const std::string& fallback) {
-  const auto found = options.find(name);
-  return found == options.end() ? fallback : found->second;
+const std::vector<OptionDescription>& option_descriptions() {
+  static const std::vector<OptionDescription> options = {
+      {"file", "speech.txt", "the file, in the data folder"},
+      {"rate", "180", "words a minute; 0 takes no time", false,
+       OptionType::number}};
+  return options;
 }
 
 Value param(const Message& message, std::size_t index) {
@@ -44,24 +46,20 @@ std::string in_one_line(const std::string& text) {
 } // namespace
 
 Expected<void> TextFileTTS::on_start(const Options& options) {
-  const auto rate = parse_number(option_or(options, "rate", "180"));
-  if (rate.number_or(-1) < 0 || rate.number_or(-1) > 10'000)
-    return fail(ErrorKind::settings,
-                "option 'rate' is a number of words a minute, 0 to 10000");
-  const auto a_minute = rate.number_or(0);
+  OptionReader read(options, option_descriptions());
+  const auto a_minute = read.number("rate", 0, 10'000);
   word_time_ = Milliseconds(
       a_minute > 0 ? static_cast<std::int64_t>(60'000 / a_minute) : 0);
-  const auto path = inside(host().data_folder(),
-                           option_or(options, "file", "speech.txt"), "file");
-  if (!path)
-    return tl::make_unexpected(path.error());
-  if (auto file = check_may_be_file(*path); !file)
+  const auto path = read.file("file", host().data_folder());
+  if (auto outcome = read.outcome(); !outcome)
+    return outcome;
+  if (auto file = check_may_be_file(path); !file)
     return file;
   std::error_code ignored;
-  std::filesystem::create_directories(path->parent_path(), ignored);
-  file_.open(*path, std::ios::app);
+  std::filesystem::create_directories(path.parent_path(), ignored);
+  file_.open(path, std::ios::app);
   if (!file_)
-    return fail(ErrorKind::file, "cannot be written", {path->string(), 0, 0});
+    return fail(ErrorKind::file, "cannot be written", {path.string(), 0, 0});
   return {};
 }
 
@@ -169,10 +167,7 @@ PluginFactory text_file_tts_factory() {
   description.roles = {"TTS"};
   description.sentence = "writes to a file what a voice would speak, in its "
                          "time";
-  description.options = {
-      {"file", "speech.txt", "the file, in the data folder", false},
-      {"rate", "180", "words a minute; 0 takes no time", false,
-       OptionType::number}};
+  description.options = option_descriptions();
   return {std::move(description),
           [] { return std::make_unique<TextFileTTS>(); }};
 }

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "adapters/wyoming/audio_events.hpp"
+#include "runtime/plugin/option_reader.hpp"
 
 namespace parlour::adapters::wyoming {
 
@@ -27,34 +28,29 @@ Expected<std::unique_ptr<Client>>
 Client::start(PluginHost& host, const Options& options,
               const std::vector<OptionDescription>& descriptions,
               const std::string& service) {
-  auto text = [&](const char* name) {
-    return option_value(options, descriptions, name);
-  };
-  auto address = parse_address(text("address"));
+  constexpr Milliseconds shortest{1};
+  OptionReader read(options, descriptions);
+  auto address = parse_address(read.text("address"));
   if (!address)
-    return fail(ErrorKind::settings, "option 'address' is a server such as "
-                                     "192.168.1.7:10300, not '" +
-                                         text("address") + "'");
-  Milliseconds times[3];
-  const char* names[] = {"connect-timeout", "answer-timeout", "pause"};
-  for (int i = 0; i < 3; ++i) {
-    times[i] = parse_duration(text(names[i])).value_or(Milliseconds(0));
-    if (times[i] <= Milliseconds(0))
-      return fail(ErrorKind::settings, "option '" + std::string(names[i]) +
-                                           "' is a time longer than nothing");
-  }
+    read.wrong("address", "is a server such as 192.168.1.7:10300, not '" +
+                              read.text("address") + "'");
+  const auto connect_timeout = read.duration("connect-timeout", shortest);
+  const auto answer_timeout = read.duration("answer-timeout", shortest);
+  const auto pause = read.duration("pause", shortest);
+  if (const auto outcome = read.outcome(); !outcome)
+    return tl::make_unexpected(outcome.error());
   auto loop =
       Loop::start([&host](const std::string& what) { host.failed(what); });
   if (!loop)
     return tl::make_unexpected(loop.error());
   std::unique_ptr<Client> made(
       new Client(std::move(*loop), std::move(*address)));
-  made->route_.connect_timeout = times[0];
-  made->answer_timeout_ = times[1];
-  made->pause_ = times[2];
-  made->one_by_one_ = text("one-by-one") == "true";
+  made->route_.connect_timeout = connect_timeout;
+  made->answer_timeout_ = answer_timeout;
+  made->pause_ = pause;
+  made->one_by_one_ = read.truth("one-by-one");
   made->watch_ = std::make_unique<ServerWatch>(
-      made->route_, WatchOptions{service, times[1], times[2]},
+      made->route_, WatchOptions{service, answer_timeout, pause},
       made->watch_calls(host));
   made->post([client = made.get()] { client->watch_->start(); });
   return made;

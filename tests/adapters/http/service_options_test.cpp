@@ -50,7 +50,7 @@ TEST_F(ServiceOptionsTest, HaveBounds) {
   EXPECT_THAT(error("connections", "0"), HasSubstr("from 1 to 100"));
   EXPECT_THAT(error("retries", "11"), HasSubstr("from 0 to 10"));
   EXPECT_THAT(error("max-bytes", "-1"), HasSubstr("from 1 to"));
-  EXPECT_THAT(error("timeout", "0s"), HasSubstr("more than nothing"));
+  EXPECT_THAT(error("timeout", "0s"), HasSubstr("a time from 1ms, not '0s'"));
   EXPECT_THAT(error("ca", "../x"), HasSubstr("ca"));
   EXPECT_NE(error("ca", "none.pem"), "");
 }

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "runtime/plugin/folder.hpp"
+#include "adapters/audio/file_options.hpp"
 
 namespace parlour::adapters {
 
@@ -25,27 +25,15 @@ FileMicrophone::FileMicrophone(std::filesystem::path file)
     : file_(std::move(file)) {}
 
 Expected<void> FileMicrophone::on_start(const Options& given) {
-  auto option = [&](const char* name) {
-    return option_value(given, option_descriptions(), name);
-  };
-  if (file_.empty()) {
-    if (option("file").empty())
-      return fail(ErrorKind::settings,
-                  "the option 'file' says which file is heard, such as "
-                  "visitor.wav");
-    auto path = inside(host().application_folder(), option("file"), "file");
-    if (!path)
-      return tl::make_unexpected(path.error());
-    file_ = std::move(*path);
-  }
-  const auto pace = Pace::read(option("pace"));
-  if (!pace)
-    return tl::make_unexpected(pace.error());
-  pace_ = *pace;
-  const auto silence = read_silence(option("silence"));
-  if (!silence)
-    return tl::make_unexpected(silence.error());
-  ending_ = {*silence, option("loop") == "true"};
+  OptionReader read(given, option_descriptions());
+  auto options = read_file_options(read, file_, host().application_folder());
+  if (options.file.empty())
+    read.wrong("file", "says which file is heard, such as visitor.wav");
+  if (auto outcome = read.outcome(); !outcome)
+    return outcome;
+  file_ = std::move(options.file);
+  pace_ = options.pace;
+  ending_ = {options.silence, read.truth("loop")};
   return open({});
 }
 

@@ -4,7 +4,7 @@
 #include <system_error>
 #include <utility>
 
-#include "runtime/plugin/folder.hpp"
+#include "adapters/audio/file_options.hpp"
 
 namespace parlour::adapters {
 
@@ -28,26 +28,14 @@ const std::vector<OptionDescription>& option_descriptions() {
 FileSpeaker::FileSpeaker(std::filesystem::path file) : file_(std::move(file)) {}
 
 Expected<void> FileSpeaker::on_start(const Options& given) {
-  auto option = [&](const char* name) {
-    return option_value(given, option_descriptions(), name);
-  };
-  if (file_.empty()) {
-    auto path = inside(host().data_folder(), option("file"), "file");
-    if (!path)
-      return tl::make_unexpected(path.error());
-    file_ = std::move(*path);
-  }
-  const auto pace = Pace::read(option("pace"));
-  if (!pace)
-    return tl::make_unexpected(pace.error());
-  pace_ = *pace;
-  const auto silence = read_silence(option("silence"));
-  if (!silence)
-    return tl::make_unexpected(silence.error());
-  silence_ = *silence;
-  const auto rate = parse_number(option("rate")).integer_or(0);
-  if (rate < 8'000 || rate > 192'000)
-    return fail(ErrorKind::settings, "the option 'rate' is 8000 to 192000");
+  OptionReader read(given, option_descriptions());
+  auto options = read_file_options(read, file_, host().data_folder());
+  const auto rate = read.integer("rate", 8'000, 192'000);
+  if (auto outcome = read.outcome(); !outcome)
+    return outcome;
+  file_ = std::move(options.file);
+  pace_ = options.pace;
+  silence_ = options.silence;
   return open(static_cast<int>(rate));
 }
 

@@ -20,15 +20,6 @@ OptionDescription pace_option(const std::string& what) {
           false, OptionType::number};
 }
 
-Expected<Milliseconds> read_silence(const std::string& text) {
-  constexpr Milliseconds most{3'600'000};
-  const auto silence = parse_duration(text);
-  if (!silence || *silence > most)
-    return fail(ErrorKind::settings,
-                "the option 'silence' is a time of up to 1h");
-  return *silence;
-}
-
 Expected<Pace> Pace::read(const std::string& text) {
   const auto factor = parse_number(text).number_or(-1);
   if (factor == 0)

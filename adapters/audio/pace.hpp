@@ -1,5 +1,5 @@
 // How fast sound in files is played and heard: the option `pace` and the
-// moments that follow from it; and the silence between.
+// moments that follow from it.
 #pragma once
 
 #include "adapters/audio/pcm.hpp"
@@ -11,10 +11,6 @@ namespace parlour::adapters {
 // The option's description: `what` is done faster.
 OptionDescription pace_option(const std::string& what);
 
-// How much silence is added to a file, from the option `silence`: up to an
-// hour. Errors are of kind Settings.
-Expected<Milliseconds> read_silence(const std::string& text);
-
 // The moments of the frames of a stream. For one thread at a time.
 class Pace {
 public:
@@ -25,6 +21,9 @@ public:
   // faster, 0 as fast as components may fire events. Errors are of kind
   // Settings.
   static Expected<Pace> read(const std::string& text);
+  static Pace of_clock() {
+    return Pace(1);
+  }
 
   // The stream begins now. Its first frame is complete, or due, after its time.
   void begin(Timestamp now);

@@ -14,13 +14,6 @@ TEST(PaceTest, ReadsItsOption) {
     EXPECT_FALSE(Pace::read(text)) << text;
 }
 
-TEST(PaceTest, SilenceLastsAnHourAtMost) {
-  EXPECT_EQ(read_silence("1h"), Milliseconds(3'600'000));
-  EXPECT_EQ(read_silence("0s"), Milliseconds(0));
-  for (const auto* text : {"61m", "", "long"})
-    EXPECT_FALSE(read_silence(text)) << text;
-}
-
 TEST(PaceTest, FramesAreDueWhenTheyAreComplete) {
   auto pace = *Pace::read("1");
   pace.begin(1'000);

@@ -54,17 +54,17 @@ void Discretion::conceal(const SessionId& session,
   if (!hides())
     return;
   const std::lock_guard lock(mutex_);
-  auto& known = sessions_[session];
+  auto& of = known(session);
   for (const auto& text : texts)
-    known.hides_turn |= known.secrets.add(text) && known.is_open;
+    of.hides_turn |= of.secrets.add(text) && of.is_open;
 }
 
 void Discretion::conceal_turn(const SessionId& session) {
   if (!hides())
     return;
   const std::lock_guard lock(mutex_);
-  auto& known = sessions_[session];
-  known.hides_turn = known.is_open;
+  auto& of = known(session);
+  of.hides_turn = of.is_open;
 }
 
 void Discretion::settled(const SessionId& session, std::uint64_t received) {
@@ -95,6 +95,10 @@ void Discretion::ended(const SessionId& session) {
   show_masked(std::move(ready));
 }
 
+Discretion::Session& Discretion::known(const SessionId& session) {
+  return sessions_.try_emplace(session, all_).first->second;
+}
+
 void Discretion::drop_oldest() {
   for (; ended_.size() > max_ended; ended_.pop_front())
     sessions_.erase(ended_.front());
@@ -107,7 +111,7 @@ void Discretion::pass(const Message& message, const std::string& way) {
       !is_heard_(message))
     return;
   const std::lock_guard lock(mutex_);
-  auto& session = sessions_[message.session];
+  auto& session = known(message.session);
   session.is_open = true;
   session.opened = message.number;
   if (session.heard.size() < max_heard)
@@ -175,11 +179,7 @@ std::string Discretion::masked(const std::string& text) const {
   if (!hides())
     return text;
   const std::lock_guard lock(mutex_);
-  auto shown = text;
-  for (const auto& [id, session] : sessions_)
-    if (const auto& secrets = session.secrets.secrets(); !secrets.empty())
-      shown = secrets.masked(shown);
-  return shown;
+  return all_.masked(text);
 }
 
 std::string Discretion::masked_afterwards(const std::string& text) const {

@@ -61,6 +61,8 @@ public:
 
 private:
   struct Session {
+    explicit Session(SharedSecrets& shared) : secrets(shared) {}
+
     RecentSecrets secrets;
     bool is_open = false;           // somebody was heard, and is not understood
     std::uint64_t opened = 0;       // the number of the last that was heard
@@ -74,6 +76,7 @@ private:
     std::vector<Inspection> seen;
   };
 
+  Session& known(const SessionId& session);
   Ready taken(Inspection seen);
   Ready end_turn(Session& session);
   Secrets note_private_turn(Session& session);
@@ -84,6 +87,7 @@ private:
   const IsHeard is_heard_;
   std::mutex showing_;       // taken before the other, and kept while showing
   mutable std::mutex mutex_; // of what follows
+  SharedSecrets all_;        // those of all sessions
   std::map<SessionId, Session> sessions_;
   std::deque<SessionId> ended_; // of which the secrets are still known
   RecentSecrets words_;         // of private turns

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "actors/support/shared_secrets.hpp"
 #include "runtime/message/masking.hpp"
 
 namespace parlour::actors {
@@ -18,8 +19,11 @@ public:
   static constexpr std::size_t most = 1'000;
 
   RecentSecrets() = default;
+  // What is known here is known in `shared`, too, which must outlive it.
+  explicit RecentSecrets(SharedSecrets& shared) : shared_(&shared) {}
   RecentSecrets(const RecentSecrets&) = delete;
   RecentSecrets& operator=(const RecentSecrets&) = delete;
+  ~RecentSecrets();
 
   // A text that is known counts as new again. False if it was known, or
   // consists of blanks.
@@ -34,10 +38,12 @@ public:
 
 private:
   void forget_oldest();
+  void forget_first();
 
   std::list<std::string> texts_; // the newest is the last
   std::map<std::string_view, std::list<std::string>::iterator> places_;
   Secrets secrets_; // the same, as they are masked
+  SharedSecrets* const shared_ = nullptr;
 };
 
 } // namespace parlour::actors

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "adapters/nlu/text/similarity.hpp"
+#include "adapters/nlu/text/sounds.hpp"
 
 namespace parlour::adapters::nlu {
 
@@ -16,6 +17,9 @@ constexpr std::size_t max_hits = 8;
 constexpr std::size_t shortest_misspelt = 3;
 constexpr std::size_t max_extra = 3;
 constexpr std::size_t longest_short = 5;
+// How similar words are at least that sound alike: less than what is accepted
+// without a word about it.
+constexpr double similar_by_sound = 0.8;
 
 // Three bytes as one number.
 std::uint32_t trigram(const std::string& padded, std::size_t position) {
@@ -41,15 +45,25 @@ void add_keys_of_short(std::string word, std::vector<std::uint32_t>& keys) {
   keys.push_back(0x0200'0000U | (letters & 0x00FF'FFFFU));
 }
 
+std::uint32_t key_of_sound(const std::string& sound) {
+  std::uint32_t key = 0;
+  for (const char one : sound)
+    key = key * 31 + static_cast<unsigned char>(one);
+  return 0x0300'0000U | (key & 0x00FF'FFFFU);
+}
+
 // The keys of a word, sorted and without duplicates: its trigrams, with its
-// ends marked by ^ and $.
-std::vector<std::uint32_t> keys_of(const std::string& word) {
+// ends marked by ^ and $, and its sound.
+std::vector<std::uint32_t> keys_of(const std::string& word,
+                                   const std::string& sound) {
   const auto padded = '^' + word + '$';
   std::vector<std::uint32_t> keys;
   for (std::size_t position = 0; position + 3 <= padded.size(); ++position)
     keys.push_back(trigram(padded, position));
   if (!word.empty() && word.size() <= longest_short)
     add_keys_of_short(word, keys);
+  if (sound.size() > 1)
+    keys.push_back(key_of_sound(sound));
   std::ranges::sort(keys);
   keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
   return keys;
@@ -74,9 +88,11 @@ WordIndex::WordId WordIndex::add(std::string_view word) {
   const auto number = static_cast<WordId>(words_.size());
   const auto [place, is_new] = numbers_.try_emplace(key, number);
   if (is_new) {
-    for (const auto gram : keys_of(key))
+    auto sound = sound_of(key);
+    for (const auto gram : keys_of(key, sound))
       near_[gram].push_back(number);
     words_.push_back(std::move(key));
+    sounds_.push_back(std::move(sound));
   }
   return place->second;
 }
@@ -99,7 +115,8 @@ std::vector<WordIndex::Hit> WordIndex::find(std::string_view word,
 void WordIndex::add_misspelt(const std::string& word,
                              std::vector<Hit>& hits) const {
   std::vector<WordId> near;
-  for (const auto gram : keys_of(word))
+  const auto sound = sound_of(word);
+  for (const auto gram : keys_of(word, sound))
     if (const auto found = near_.find(gram); found != near_.end())
       near.insert(near.end(), found->second.begin(), found->second.end());
   std::ranges::sort(near);
@@ -109,12 +126,16 @@ void WordIndex::add_misspelt(const std::string& word,
     while (at < near.size() && near[at] == near[first])
       ++at;
     const auto& other = words_[near[first]];
-    if (at - first < shared || other == word || other.size() < 2)
+    if (other == word || other.size() < 2)
+      continue;
+    const bool by_sound = sound.size() > 1 && sound == sounds_[near[first]];
+    if (at - first < shared && !by_sound)
       continue;
     const auto length = std::min(word.size(), other.size());
     if (std::max(word.size(), other.size()) > length + max_extra)
       continue;
-    const auto alike = similarity(word, other);
+    const auto alike =
+        std::max(similarity(word, other), by_sound ? similar_by_sound : 0.0);
     if (alike >= similarity_needed(length))
       hits.push_back({near[first], alike});
   }

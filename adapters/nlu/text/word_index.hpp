@@ -42,8 +42,8 @@ public:
   // there. Numbers count from 0.
   WordId add(std::string_view word);
 
-  // The word itself, if it is there, then misspellings of it if `misspelt`; the
-  // most similar first, at most eight.
+  // The word itself, if it is there, then misspellings of it and words of the
+  // same sound if `misspelt`; the most similar first, at most eight.
   std::vector<Hit> find(std::string_view word, bool misspelt) const;
   std::size_t size() const {
     return words_.size();
@@ -53,6 +53,7 @@ private:
   void add_misspelt(const std::string& word, std::vector<Hit>& hits) const;
 
   std::vector<std::string> words_;
+  std::vector<std::string> sounds_; // of each word (sounds.hpp)
   TextMap<WordId> numbers_;
   // Words by the keys that similar words share (keys_of in the source).
   std::unordered_map<std::uint32_t, std::vector<WordId>>

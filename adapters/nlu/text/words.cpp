@@ -24,9 +24,10 @@ const Words& determiners() {
   return words;
 }
 
-// "s/o" and "d/o" (son of, daughter of) are two words to the tokenizer.
+// "s/o" and "d/o" are two words to the tokenizer, and said as "son of".
 const Words& connectors() {
-  static const Words words{"bin", "binte", "binti", "bte", "s", "d", "o", "al"};
+  static const Words words{"bin", "binte", "binti", "bte",      "s",
+                           "d",   "o",     "son",   "daughter", "al"};
   return words;
 }
 

@@ -16,7 +16,7 @@ using adapters::Sample;
 using adapters::Sound;
 
 constexpr std::size_t length = 8;
-constexpr std::int64_t pause = 60; // ms
+constexpr std::int64_t pause = 100; // ms
 constexpr std::uint64_t seed = 2026;
 constexpr double level = -26;
 
@@ -43,7 +43,7 @@ Expected<Sound> read(const fs::path& file) {
   Sound sound;
   for (std::vector<Sample> frame; frames->next(frame);)
     sound.insert(sound.end(), frame.begin(), frame.end());
-  return adapters::without_silence(sound);
+  return sound;
 }
 
 } // namespace

@@ -28,7 +28,7 @@ digit_strings(const std::vector<std::filesystem::path>& recordings,
 std::vector<std::filesystem::path>
 digit_recordings(const std::filesystem::path& folder);
 
-// As it sounds: one digit after the other, with 60 ms between them.
+// As it sounds: the recordings as they are, with 100 ms between them.
 Expected<adapters::Sound> sound_of(const DigitString& string);
 
 } // namespace parlour::tools

@@ -5,6 +5,7 @@
 
 #include "tools/parlour/application/plugin_calls.hpp"
 #include "tools/parlour/speech/spoken.hpp"
+#include "tools/parlour/voice_test/read_aloud.hpp"
 
 namespace parlour::tools {
 
@@ -78,7 +79,8 @@ Expected<const Sound*> SpeechBank::speak(const std::string& text,
   auto& host = (*by)->host;
   Spoken spoken;
   const auto called = call_plugin([&] {
-    (*by)->plugin->receive(order("Speak", {text, ++(*by)->utterances, false}));
+    (*by)->plugin->receive(
+        order("Speak", {read_aloud(text), ++(*by)->utterances, false}));
     host.wait([&] { return take(host.take_events(), spoken); }, patience);
   });
   if (!called)

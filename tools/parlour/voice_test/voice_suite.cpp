@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "tools/parlour/conversation_test/in_parallel.hpp"
+#include "tools/parlour/voice_test/read_aloud.hpp"
 
 namespace parlour::tools {
 
@@ -92,7 +93,8 @@ VoiceScore score_of(const std::vector<VoiceResult>& results,
     for (std::size_t i = 0; i < result.found.size(); ++i) {
       const auto& row = result.found[i];
       ++score.rows;
-      score.words += count_word_errors(joined(row.said), joined(row.heard));
+      score.words +=
+          count_word_errors(read_aloud(joined(row.said)), joined(row.heard));
       score.right += row.understood == result.expected[i].understood;
       score.answered += row.is_as(result.expected[i]);
       score.latencies.insert(score.latencies.end(), row.latencies.begin(),

@@ -17,6 +17,20 @@ TEST(WordIndex, FindsWordsAndMisspellings) {
   EXPECT_LT(hits[0].similarity, 1);
 }
 
+TEST(WordIndex, FindsWordsOfTheSameSound) {
+  WordIndex index;
+  const auto jeffery = index.add("jeffery");
+  const auto loh = index.add("loh");
+  index.add("margaret");
+  const auto hits = index.find("geoffrey", true);
+  ASSERT_EQ(hits.size(), 1U);
+  EXPECT_EQ(hits[0].word, jeffery);
+  EXPECT_LT(hits[0].similarity, 0.9);
+  ASSERT_EQ(index.find("low", true).size(), 1U);
+  EXPECT_EQ(index.find("low", true)[0].word, loh);
+  EXPECT_TRUE(index.find("geoffrey", false).empty());
+}
+
 TEST(WordIndex, TakesOneForMany) {
   EXPECT_EQ(singular("shops"), "shop");
   EXPECT_EQ(singular("pharmacies"), "pharmacy");

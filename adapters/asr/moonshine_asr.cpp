@@ -144,7 +144,7 @@ void MoonshineASR::on_finish() {
     if (!turn)
       return fire_rejected("Nothing was heard.");
     open_.open();
-    program_->finish(*turn);
+    program_->ask(*turn, finish_frame(*turn));
   }
   if (one_by_one_)
     open_.wait_for_all();

@@ -15,11 +15,12 @@ constexpr std::size_t longest_payload = 1 << 20;
 // Of alternatives and of words.
 constexpr std::size_t most_entries = 256;
 
-constexpr std::array<std::pair<std::string_view, AnswerKind>, 5> kinds = {{
+constexpr std::array<std::pair<std::string_view, AnswerKind>, 6> kinds = {{
     {"ready", AnswerKind::ready},
     {"partial", AnswerKind::partial},
     {"result", AnswerKind::result},
     {"rejected", AnswerKind::rejected},
+    {"speech", AnswerKind::speech},
     {"failed", AnswerKind::failed},
 }};
 
@@ -35,6 +36,12 @@ std::string frame(Map head, std::string_view payload = {}) {
 std::string turn_frame(const char* type, TurnNumber turn,
                        std::string_view payload = {}) {
   return frame({{"type", type}, {"turn", turn}}, payload);
+}
+
+std::string_view payload_of(std::span<const Sample> samples) {
+  const auto bytes = std::as_bytes(samples);
+  return {reinterpret_cast<const char*>(bytes.data()),
+          std::min(bytes.size(), longest_payload)};
 }
 
 // Reads one answer of which nothing is known.
@@ -57,6 +64,14 @@ public:
         if (entries.size() < most_entries && one.if_map())
           entries.push_back(entry(AnswerFields(one)));
     return entries;
+  }
+  std::vector<double> parts(std::string_view name) const {
+    std::vector<double> parts;
+    if (const auto* const list = fields_[name].if_list())
+      for (const auto& one : *list)
+        if (parts.size() < most_entries)
+          parts.push_back(std::clamp(one.number_or(0), 0.0, 1.0));
+    return parts;
   }
 
 private:
@@ -89,16 +104,18 @@ Expected<Answer> read_answer(std::string_view line) {
                                 : "text"),
                 fields.confidence(),
                 fields.entries("alternatives"),
-                fields.entries("words")};
+                fields.entries("words"),
+                fields.parts("likely")};
 }
 
 } // namespace
 
 std::string audio_frame(TurnNumber turn, std::span<const Sample> samples) {
-  const auto bytes = std::as_bytes(samples);
-  return turn_frame("audio", turn,
-                    {reinterpret_cast<const char*>(bytes.data()),
-                     std::min(bytes.size(), longest_payload)});
+  return turn_frame("audio", turn, payload_of(samples));
+}
+
+std::string detect_frame(TurnNumber stream, std::span<const Sample> samples) {
+  return turn_frame("detect", stream, payload_of(samples));
 }
 
 std::string finish_frame(TurnNumber turn) {

@@ -1,4 +1,4 @@
-// What is said between MoonshineASR and its program, as bytes
+// What is said between MoonshineASR or SileroVAD and their program, as bytes
 // (tools/agents/moonshine/README.md). The program is not trusted: whatever it
 // says is checked.
 #pragma once
@@ -28,6 +28,8 @@ struct Words {
 
 // For the program.
 std::string audio_frame(TurnNumber turn, std::span<const Sample> samples);
+// Of a stream in which speech is to be found.
+std::string detect_frame(TurnNumber stream, std::span<const Sample> samples);
 std::string finish_frame(TurnNumber turn);
 std::string cancel_frame(TurnNumber turn);
 // The words of the application; those that do not fit into a frame are left
@@ -40,6 +42,7 @@ enum class AnswerKind : std::uint8_t {
   partial,  // what was said so far
   result,   // what was said
   rejected, // nothing was said
+  speech,   // how likely a stream is speech
   failed    // the program cannot go on
 };
 
@@ -52,6 +55,8 @@ struct Answer {
   // Maps with `text` and `confidence`.
   List alternatives;
   List words;
+  // Of `speech`: of each piece, 0 to 1.
+  std::vector<double> likely;
 };
 
 // Splits the bytes of the program into its answers. It holds at most one

@@ -1,7 +1,6 @@
 #include "adapters/asr/moonshine_place.hpp"
 
 #include <algorithm>
-#include <array>
 #include <sstream>
 #include <system_error>
 
@@ -13,10 +12,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The packages that the program loads, beside it.
-constexpr std::array packages = {
-    "onnxruntime-node", "@moonshine-ai/moonshine-js", "llama-tokenizer-js"};
-
 bool is_there(const fs::path& path) {
   std::error_code code;
   return fs::exists(path, code);
@@ -27,10 +22,12 @@ fs::path full_path(const fs::path& path) {
   return fs::absolute(path, code).lexically_normal();
 }
 
-tl::unexpected<Error> missing(const std::string& what) {
+tl::unexpected<Error> missing(const PlaceOrder& order,
+                              const std::string& what) {
   return fail(ErrorKind::settings,
-              what + ": `tools/dependencies ears` installs what MoonshineASR "
-                     "needs; SphinxASR needs none of it");
+              what + ": `tools/dependencies ears` installs what " +
+                  order.plugin + " needs; " + order.otherwise +
+                  " needs none of it");
 }
 
 fs::path find_node(const PlaceOrder& order) {
@@ -56,17 +53,19 @@ fs::path find_program(const PlaceOrder& order) {
 Expected<Place> find_place(const PlaceOrder& order) {
   const Place place{find_node(order), find_program(order)};
   if (place.program.empty())
-    return missing(order.program.empty()
+    return missing(order,
+                   order.program.empty()
                        ? "the program moonshine.mjs is missing"
                        : "there is no program " + order.program.string());
   if (place.node.empty())
-    return missing("there is no program '" + order.node +
-                   "' (Node.js 18 or later)");
+    return missing(order, "there is no program '" + order.node +
+                              "' (Node.js 18 or later)");
   const auto folder = place.program.parent_path();
-  for (const auto* const package : packages)
+  for (const auto& package : order.packages)
     if (!is_there(folder / "node_modules" / package))
-      return missing(std::string("the package ") + package + " is missing in " +
-                     (folder / "node_modules").string());
+      return missing(order, std::string("the package ") + package +
+                                " is missing in " +
+                                (folder / "node_modules").string());
   return place;
 }
 

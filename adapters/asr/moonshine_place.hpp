@@ -22,6 +22,12 @@ struct PlaceOrder {
   // A path, or a name that is looked for in the folders of `path`.
   std::string node;
   std::string path; // "/usr/local/bin:/usr/bin"
+  // Who needs it, and who does the same without it.
+  std::string plugin = "MoonshineASR";
+  std::string otherwise = "SphinxASR";
+  // What the program loads, beside it.
+  std::vector<std::string> packages = {
+      "onnxruntime-node", "@moonshine-ai/moonshine-js", "llama-tokenizer-js"};
 };
 
 // The error, of kind Settings, names what is missing and how to get it.

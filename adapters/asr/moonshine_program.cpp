@@ -153,12 +153,12 @@ void MoonshineProgram::send(std::string frame) {
   });
 }
 
-void MoonshineProgram::finish(TurnNumber turn) {
+void MoonshineProgram::ask(TurnNumber turn, std::string frame) {
   loop_->post([this, turn] {
     awaited_.emplace(turn, Steady::now());
     look_at_clock();
   });
-  send(finish_frame(turn));
+  send(std::move(frame));
 }
 
 // -- on the loop's thread -----------------------------------------------------

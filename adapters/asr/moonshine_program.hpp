@@ -51,9 +51,9 @@ public:
 
   // Thread-safe; never blocks. The program is ended if it does not read.
   void send(std::string frame);
-  // The same for the end of a turn, which must be answered in time once the
-  // program is ready.
-  void finish(TurnNumber turn);
+  // The same for what must be answered in time once the program is ready: the
+  // end of a turn, or a piece of a stream.
+  void ask(TurnNumber turn, std::string frame);
 
 private:
   class Connection;

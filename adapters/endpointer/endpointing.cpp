@@ -7,8 +7,10 @@ namespace parlour::adapters {
 
 namespace {
 
-// A detector says that speech has started up to this long after it did.
+// A detector says that speech has started up to this long after it did, and
+// where the robot's own voice hid it, so much later.
 constexpr Milliseconds detector_delay{500};
+constexpr Milliseconds hidden{1'000};
 // A word that wakes is found up to this long after it was said.
 constexpr Milliseconds word_delay{3'000};
 
@@ -151,7 +153,8 @@ void Endpointing::forget_old_frames() {
   if (turn_)
     return;
   const auto kept = kept_time();
-  while (!kept_.empty() && kept_.front().position < now_ - kept)
+  while (!kept_.empty() &&
+         kept_.front().position < now_ - kept - hidden.count())
     kept_.pop_front();
   if (speech_end_ && now_ - *speech_end_ > kept) {
     speech_start_.reset();

@@ -5,6 +5,8 @@
 #include <webrtc/modules/interface/module_common_types.h>
 
 #include "adapters/enhancement/echo_canceller.hpp"
+#include "adapters/vad/echo_gauge.hpp"
+#include "adapters/vad/level.hpp"
 
 namespace parlour::adapters {
 
@@ -31,6 +33,11 @@ struct EchoCanceller::Implementation {
   bool always = false;
   int echo_pieces = 0;
   std::vector<Sample> playing; // less than a piece
+  // Where no echo is heard, as in a headset, taking it out would only take
+  // something of the user's voice.
+  EchoGauge echo{0};
+  SpeechBandMeter heard_meter;
+  SpeechBandMeter played_meter;
 
   void process(std::span<Sample> samples) {
     if (echo_pieces == 0 && !always)
@@ -39,7 +46,9 @@ struct EchoCanceller::Implementation {
     webrtc::AudioFrame frame;
     fill(frame, samples);
     processing->set_stream_delay_ms(delay);
-    if (processing->ProcessStream(&frame) == webrtc::AudioProcessing::kNoError)
+    const auto done = processing->ProcessStream(&frame);
+    if (done == webrtc::AudioProcessing::kNoError &&
+        (always || !echo.is_silent()))
       std::ranges::copy(std::span(frame.data_, samples.size()),
                         samples.begin());
   }
@@ -72,6 +81,7 @@ EchoCanceller& EchoCanceller::operator=(EchoCanceller&&) noexcept = default;
 EchoCanceller::~EchoCanceller() = default;
 
 void EchoCanceller::played(std::span<const Sample> audio) {
+  implementation_->echo.plays(implementation_->played_meter.level(audio));
   auto& playing = implementation_->playing;
   playing.insert(playing.end(), audio.begin(), audio.end());
   std::size_t at = 0;
@@ -86,6 +96,7 @@ void EchoCanceller::played(std::span<const Sample> audio) {
 }
 
 std::vector<Sample> EchoCanceller::heard(std::span<const Sample> audio) {
+  implementation_->echo.hears(implementation_->heard_meter.level(audio));
   std::vector<Sample> enhanced(audio.begin(), audio.end());
   for (std::size_t at = 0; at + piece <= enhanced.size(); at += piece)
     implementation_->process(std::span(enhanced).subspan(at, piece));

@@ -27,13 +27,16 @@ constexpr int strong_frames = 2;
 constexpr double edge_margin = 3;
 constexpr double edge_below_peak = 28;
 constexpr std::size_t edge_frames = 10;
-// The echo of what plays arrives later, and fades in the room.
-constexpr int echo_lasts = 400 / frame_time;
+// Who talks over the robot may have begun so long before being noticed, with
+// such gaps; what is so much above the usual echo is no echo.
+constexpr std::size_t hidden_frames = 1'000 / frame_time;
+constexpr std::size_t hidden_gap = 120 / frame_time;
+constexpr double above_echo = 3;
 
 } // namespace
 
 AdaptiveDetector::AdaptiveDetector(const Settings& settings)
-    : settings_(settings) {
+    : settings_(settings), echo_(settings.echo_loss) {
   reset();
 }
 
@@ -44,8 +47,7 @@ void AdaptiveDetector::reset() {
   frames_.clear();
   sorted_.clear();
   peak_ = lowest_level;
-  echo_ = lowest_level;
-  echo_frames_ = 0;
+  echo_ = EchoGauge(settings_.echo_loss);
   in_speech_ = false;
   silent_frames_ = 0;
 }
@@ -69,17 +71,14 @@ void AdaptiveDetector::end_at_gap() {
 }
 
 void AdaptiveDetector::hear_echo(std::span<const Sample> audio) {
-  echo_ = std::max(echo_meter_.level(audio),
-                   echo_frames_ > 0 ? echo_ - 1 : lowest_level);
-  echo_frames_ = echo_lasts;
+  echo_.plays(echo_meter_.level(audio));
 }
 
 void AdaptiveDetector::take_frame(std::span<const Sample> frame) {
   const auto level = meter_.level(frame);
+  echo_.hears(level);
   follow(level);
   frames_.back().voiced = level > threshold();
-  if (echo_frames_ > 0)
-    --echo_frames_;
   if (in_speech_)
     end_if_silent();
   else
@@ -92,7 +91,7 @@ void AdaptiveDetector::follow(double level) {
     sorted_.erase(std::ranges::lower_bound(sorted_, frames_.front().level));
     frames_.pop_front();
   }
-  frames_.push_back({level, false});
+  frames_.push_back({level, echo_.played(), false});
   sorted_.insert(std::ranges::lower_bound(sorted_, level), level);
   peak_ -= peak_decay;
   if (frames_.size() < peak_frames)
@@ -124,16 +123,21 @@ double AdaptiveDetector::weakest_of_speech() const {
   return std::max(noise() + edge_margin, peak_ - edge_below_peak);
 }
 
-double AdaptiveDetector::threshold() const {
+double AdaptiveDetector::threshold_without_echo() const {
   if (sorted_.empty())
     return settings_.least_level;
   const auto floor = noise();
   const auto margin = std::clamp(settings_.between * (peak_ - floor),
                                  least_margin(), settings_.most_margin);
-  auto level = std::max(floor + margin, settings_.least_level);
-  if (echo_frames_ > 0)
-    level = std::max(level, echo_ - settings_.echo_loss);
-  return level;
+  return std::max(floor + margin, settings_.least_level);
+}
+
+// An echo must not begin speech; within speech it can only make it longer, and
+// once the speaker has faded out, it is not waited for.
+double AdaptiveDetector::threshold() const {
+  return std::max(threshold_without_echo(),
+                  in_speech_ ? echo_.echo_of(echo_.playing()) + above_echo
+                             : echo_.most_of(echo_.played()));
 }
 
 void AdaptiveDetector::begin_if_voiced() {
@@ -164,11 +168,25 @@ std::size_t AdaptiveDetector::first_of_speech() const {
   auto at = frames_.size() - onset_size();
   while (!frames_[at].voiced)
     ++at;
+  if (frames_[at].played > lowest_level)
+    at = first_beside_echo(at);
   const auto weak = weakest_of_speech();
   const auto earliest = at - std::min(at, edge_frames);
   while (at > earliest && frames_[at - 1].level > weak)
     --at;
   return at;
+}
+
+std::size_t AdaptiveDetector::first_beside_echo(std::size_t at) const {
+  const auto least = threshold_without_echo();
+  const auto earliest = at - std::min(at, hidden_frames);
+  auto first = at;
+  for (; at > earliest && first - at <= hidden_gap; --at) {
+    const auto& frame = frames_[at - 1];
+    if (frame.level > std::max(least, echo_.echo_of(frame.played) + above_echo))
+      first = at - 1;
+  }
+  return first;
 }
 
 void AdaptiveDetector::end_if_silent() {

@@ -6,7 +6,9 @@
 // A frame of 20 ms is voiced if it is above the threshold. Speech begins when
 // most frames of a short while are voiced, and ends when none was for the
 // hangover. The positions are those at which speech really began and ended:
-// its weak first and last sounds are looked up in the levels kept.
+// its weak first and last sounds are looked up in the levels kept. Where the
+// robot's own voice hid the first words of somebody who interrupts it, they are
+// looked up in the last second.
 #pragma once
 
 #include <cstdint>
@@ -16,6 +18,7 @@
 #include <vector>
 
 #include "adapters/audio/pcm.hpp"
+#include "adapters/vad/echo_gauge.hpp"
 #include "adapters/vad/frames.hpp"
 #include "adapters/vad/level.hpp"
 #include "adapters/vad/speech_detector.hpp"
@@ -43,7 +46,8 @@ public:
     double between = 0.4;
     // Nothing below is speech, in dB of full scale.
     double least_level = -55;
-    // What the microphone hears of what plays is weaker by so much, in dB.
+    // What the microphone hears of what plays is weaker by so much, in dB,
+    // until it is learned how much it really hears.
     double echo_loss = 10;
   };
 
@@ -53,7 +57,8 @@ public:
   std::vector<SpeechEdge>
   take(std::span<const Sample> audio,
        std::optional<std::int64_t> position = {}) override;
-  // What plays raises the threshold for a moment.
+  // What plays raises the threshold for a moment, by as much as the microphone
+  // hears of it.
   void hear_echo(std::span<const Sample> audio) override;
   void reset() override;
 
@@ -63,6 +68,7 @@ public:
 private:
   struct Frame {
     double level = 0;
+    double played = lowest_level; // what may sound in it of the loudspeaker
     bool voiced = false;
   };
 
@@ -72,10 +78,12 @@ private:
   double noise() const;
   double least_margin() const;
   double weakest_of_speech() const;
+  double threshold_without_echo() const;
   void begin_if_voiced();
   void end_if_silent();
   std::size_t onset_size() const;
   std::size_t first_of_speech() const;
+  std::size_t first_beside_echo(std::size_t at) const;
   void end_at_gap();
 
   Settings settings_;
@@ -87,8 +95,7 @@ private:
   // The same levels, sorted.
   std::vector<double> sorted_;
   double peak_ = 0;
-  double echo_ = 0;
-  int echo_frames_ = 0; // for how long the echo counts
+  EchoGauge echo_;
   bool in_speech_ = false;
   std::size_t silent_frames_ = 0;
   std::vector<SpeechEdge> found_;

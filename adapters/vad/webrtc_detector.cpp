@@ -7,6 +7,7 @@
 #include <webrtc/modules/audio_processing/include/audio_processing.h>
 #include <webrtc/modules/interface/module_common_types.h>
 
+#include "adapters/vad/echo_gauge.hpp"
 #include "adapters/vad/frames.hpp"
 #include "adapters/vad/level.hpp"
 
@@ -18,12 +19,11 @@ constexpr std::size_t half_frame = frame_samples / 2; // 10 ms
 // Of the last frames so many must be voiced when speech begins.
 constexpr std::size_t onset_frames = 8;
 constexpr std::size_t onset_voiced = 5;
-constexpr int echo_lasts = 400 / frame_time;
 
 class WebRtcDetector : public SpeechDetector {
 public:
   explicit WebRtcDetector(const WebRtcDetectorSettings& settings)
-      : settings_(settings) {
+      : settings_(settings), echo_(settings.echo_loss) {
     WebRtcDetector::reset();
   }
 
@@ -36,8 +36,7 @@ public:
   }
 
   void hear_echo(std::span<const Sample> audio) override {
-    echo_ = echo_meter_.level(audio) - settings_.echo_loss;
-    echo_frames_ = echo_lasts;
+    echo_.plays(echo_meter_.level(audio));
   }
 
   void reset() override {
@@ -54,7 +53,7 @@ public:
     voiced_.reset();
     in_speech_ = false;
     silent_frames_ = 0;
-    echo_frames_ = 0;
+    echo_ = EchoGauge(settings_.echo_loss);
   }
 
 private:
@@ -76,8 +75,8 @@ private:
 
   void take_frame(std::span<const Sample> frame) {
     const auto level = meter_.level(frame);
-    const bool drowned = echo_frames_ > 0 && level < echo_;
-    echo_frames_ = std::max(0, echo_frames_ - 1);
+    echo_.hears(level);
+    const bool drowned = level < echo_.most_of(echo_.played());
     const bool voiced = is_voiced(frame) && !drowned;
     voiced_ = voiced_ << 1;
     voiced_[0] = voiced;
@@ -114,8 +113,7 @@ private:
   Frames stream_;
   SpeechBandMeter meter_;
   SpeechBandMeter echo_meter_;
-  double echo_ = lowest_level;
-  int echo_frames_ = 0;
+  EchoGauge echo_;
   // The latest frame is bit 0.
   std::bitset<onset_frames> voiced_;
   bool in_speech_ = false;

@@ -19,7 +19,7 @@ public:
         source_path("tests/adapters/asr/fake_moonshine.py"), program());
     for (const auto* const package :
          {"onnxruntime-node", "@moonshine-ai/moonshine-js",
-          "llama-tokenizer-js"})
+          "llama-tokenizer-js", "@ricky0123/vad-web"})
       std::filesystem::create_directories(folder_.path() / "node_modules" /
                                           package);
   }

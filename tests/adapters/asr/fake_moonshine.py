@@ -59,6 +59,18 @@ def answer(turn, samples):
         alternatives=[{"text": "p.m.", "confidence": 0.5}])
 
 
+def detect(turn, streams, payload):
+    """What is loud is speech."""
+    misbehave(turn)
+    if MODE == "hangs":
+        return
+    held = streams.get(turn, b"") + payload
+    pieces = [held[at:at + 1024] for at in range(0, len(held) - 1023, 1024)]
+    streams[turn] = held[1024 * len(pieces):]
+    say(type="speech", turn=turn,
+        likely=[float(any(piece)) for piece in pieces])
+
+
 def main():
     misbehave_at_once()
     turns = {}
@@ -74,6 +86,8 @@ def main():
             say(type="partial", turn=turn, text=f"{turns[turn]} so far")
         elif head["type"] == "finish":
             answer(turn, turns.pop(turn, 0))
+        elif head["type"] == "detect":
+            detect(turn, turns, payload)
         elif head["type"] == "cancel":
             print("cancelled", file=sys.stderr, flush=True)
 

@@ -47,7 +47,7 @@ protected:
   std::string over_after_finish(const std::string& mode) {
     if (!start(mode))
       return "it does not start";
-    program->finish(1);
+    program->ask(1, finish_frame(1));
     return over();
   }
 
@@ -74,7 +74,7 @@ protected:
 TEST_F(MoonshineProgramTest, AnswersATurn) {
   ASSERT_TRUE(start("behaves"));
   program->send(words_frame({{"Jeffery Ho", "gym"}, 2}));
-  program->finish(7);
+  program->ask(7, finish_frame(7));
   const auto rejected = answer();
   EXPECT_EQ(rejected.kind, AnswerKind::rejected);
   EXPECT_EQ(rejected.turn, 7);

@@ -14,6 +14,8 @@ from program_case import PROGRAM, ProgramCase
 VDEV = pathlib.Path(PROGRAM).parent.parent / "lib/vdev.so"
 RATE = 16000
 WAIT = 240  # seconds; only a test that fails waits so long
+# How much faster than the clock sound devices of our own are.
+SPEED = 10
 # Seconds of silence in which the robot says a few words to their end, also where
 # it is slow, as with sanitizers.
 AMPLE = 12
@@ -90,13 +92,63 @@ class VoiceCase(ProgramCase):
         self.assertEqual(run.returncode, 0, err)
         return out.splitlines(), err
 
-    def speech(self, text):
+    def speech(self, text, *options):
         """A text, spoken by a voice that recognisers like."""
         path = self.folder / "spoken.wav"
         subprocess.run([PROGRAM, "say", text, "--component", "FliteTTS",
-                        "-o", str(path)], stdout=subprocess.DEVNULL,
+                        "-o", str(path), *options], stdout=subprocess.DEVNULL,
                        timeout=WAIT, check=True)
         return samples_of(path)
+
+    # -- sound devices of our own
+
+    def devices(self, speed=SPEED, **faults):
+        """Devices of these names, with these faults, that are faster than the
+        clock. They capture what say() says, and silence."""
+        if not VDEV.exists():
+            self.skipTest("the tests were built without ALSA")
+        entries = "".join(f"""
+            pcm.{name} {{
+              type vdev file "{self.folder}/{name}.raw" lines "yes"
+              gone "{self.folder}/{name}.gone"
+              pulled "{self.folder}/{name}.pulled"
+              taken "{self.folder}/taken" blocked "{self.folder}/blocked"
+              rate "{RATE}" channels "1" format "S16_LE" speed "{speed}"
+              faults "{fault}" }}""" for name, fault in faults.items())
+        return {**os.environ, "ALSA_CONFIG_PATH": str(self.write(
+            "asound.conf", f'pcm_type.vdev {{ lib "{VDEV}" }}{entries}'))}
+
+    def say(self, samples, name="ear"):
+        """The device hears this from now on, once it has heard the last."""
+        file = self.folder / f"{name}.raw"
+        while file.exists():
+            os.sched_yield()
+        beside = file.with_suffix(".next")
+        beside.write_bytes(samples.tobytes())
+        beside.rename(file)
+
+    def begin_talk(self, application, environment, *options):
+        """Starts a conversation by the devices `ear` and `mouth`, with a trace."""
+        return self.begin(
+            "run", application, "--voice", "--trace", "--microphone", "ear",
+            "--speaker", "mouth", "--data", str(self.folder / "data"), *options,
+            stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE, text=True, cwd=self.folder, env=environment)
+
+    def seen_until(self, run, *words):
+        """Reads what is traced up to a line with all these words."""
+        seen = []
+        for line in run.stderr:
+            seen.append(line)
+            if all(word in line for word in words):
+                return line
+        self.fail(f"not seen: {words}\n" + "".join(seen))
+
+    def all_seen(self, run, words):
+        """Reads what is traced until each of these has been seen."""
+        while words:
+            line = self.seen_until(run)
+            words = {word for word in words if word not in line}
 
     def on_terminal(self, *arguments):
         """Starts the program on a terminal, which it returns; it is killed if it

@@ -2,27 +2,27 @@
 // input and output until the input ends.
 //
 //     node moonshine.mjs               for MoonshineASR, which starts it
+//     node moonshine.mjs --detect      for SileroVAD: where speech is
 //     node moonshine.mjs FILE.wav …    prints what is said in these files
 //                                      (16,000 samples a second, one channel)
 import fs from "node:fs";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
 
+import { Detector } from "./detector.mjs";
 import { FrameReader, samples } from "./protocol.mjs";
 import { Recogniser } from "./recogniser.mjs";
 import { Turns } from "./turns.mjs";
 
 const say = (head) => process.stdout.write(`${JSON.stringify(head)}\n`);
 
-async function load() {
-  const began = performance.now();
-  const here = path.dirname(fileURLToPath(import.meta.url));
-  const recogniser = await Recogniser.load(here);
-  return { recogniser, milliseconds: Math.round(performance.now() - began) };
-}
+const here = path.dirname(fileURLToPath(import.meta.url));
 
-// The commands of the protocol.
-function commands(recogniser, turns) {
+// The commands of the protocol, once the network is loaded.
+async function recognising() {
+  const recogniser = await Recogniser.load(here);
+  const turns = new Turns(
+    (heard, how) => recogniser.recognise(heard, how), say);
   return {
     words: ({ names }, payload) => recogniser.steer(
       payload.toString("utf8").split("\n").filter(Boolean), names ?? 0),
@@ -32,17 +32,29 @@ function commands(recogniser, turns) {
   };
 }
 
+// One piece after the other.
+async function detecting() {
+  const detector = await Detector.load(here);
+  let before = Promise.resolve();
+  const then = (work) => { before = before.then(work); };
+  return {
+    detect: ({ turn }, payload) => then(async () => {
+      const likely = await detector.add(turn, samples(payload));
+      say({ type: "speech", turn, likely });
+    }),
+    cancel: ({ turn }) => then(() => detector.forget(turn)),
+  };
+}
+
 function end(reason) {
   say({ type: "failed", reason });
   process.exitCode = 1;
   process.stdin.destroy();
 }
 
-async function serve() {
-  const { recogniser, milliseconds } = await load();
-  const turns = new Turns(
-    (heard, how) => recogniser.recognise(heard, how), say);
-  const known = commands(recogniser, turns);
+async function serve(load) {
+  const began = performance.now();
+  const known = await load();
   const reader = new FrameReader();
   process.stdin.on("data", (bytes) => {
     try {
@@ -53,11 +65,11 @@ async function serve() {
     }
   });
   process.stdin.on("end", () => process.exit());
-  say({ type: "ready", milliseconds });
+  say({ type: "ready", milliseconds: Math.round(performance.now() - began) });
 }
 
 async function transcribe(files) {
-  const { recogniser } = await load();
+  const recogniser = await Recogniser.load(here);
   for (const file of files) {
     // The header of a plain WAV file has 44 bytes.
     const heard = samples(fs.readFileSync(file).subarray(44));
@@ -72,4 +84,5 @@ process.on("unhandledRejection", (error) => {
   process.exit(1);
 });
 const files = process.argv.slice(2);
-await (files.length ? transcribe(files) : serve());
+await (files[0] === "--detect" ? serve(detecting) :
+  files.length ? transcribe(files) : serve(recognising));

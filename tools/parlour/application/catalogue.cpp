@@ -33,6 +33,7 @@
 #include "adapters/tts/flite_tts.hpp"
 #include "adapters/tts/text_file_tts.hpp"
 #include "adapters/vad/adaptive_vad.hpp"
+#include "adapters/vad/silero_vad.hpp"
 #include "adapters/vad/webrtc_vad.hpp"
 #include "adapters/wyoming/wyoming_asr.hpp"
 #include "adapters/wyoming/wyoming_tts.hpp"
@@ -96,6 +97,7 @@ const std::vector<PluginFactory>& built_in_plugins() {
       adapters::sphinx_keywords_factory(),
       adapters::adaptive_vad_factory(),
       adapters::webrtc_vad_factory(),
+      adapters::silero_vad_factory(moonshine_programs()),
       adapters::webrtc_enhancement_factory(),
       adapters::moonshine_asr_factory(moonshine_programs()),
       adapters::http::http_service_factory(),

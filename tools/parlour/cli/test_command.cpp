@@ -3,6 +3,7 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
+#include <optional>
 #include <ostream>
 
 #include "script/xml/source_reader.hpp"
@@ -19,6 +20,7 @@
 #include "tools/parlour/conversation_test/report.hpp"
 #include "tools/parlour/conversation_test/test_suite.hpp"
 #include "tools/parlour/conversation_test/witness.hpp"
+#include "tools/parlour/voice_test/spoken_lines.hpp"
 #include "tools/parlour/voice_test/voice_report.hpp"
 
 namespace parlour::tools {
@@ -31,11 +33,12 @@ using Results = std::vector<ConversationResult>;
 // share nothing that changes. The results are in the order of the suite,
 // whatever the threads do.
 Results hold_all(const Application& application, const TestSuite& suite,
-                 const TestOptions& options, Coverage& coverage) {
+                 const TestOptions& options, SpokenSeats* seats,
+                 Coverage& coverage) {
   Results results(suite.conversations.size());
   std::vector<Coverage> seen(results.size(), coverage);
   const HoldOptions hold{options.update ? Words::any : Words::as_written,
-                         options.restores};
+                         options.restores, seats};
   Witness witness;
   in_parallel(results.size(), options.jobs, [&](std::size_t i) {
     const auto& conversation = suite.conversations[i];
@@ -116,8 +119,20 @@ findings_for_test(std::vector<script::Finding> findings) {
 int hold_and_report(const Application& application, const TestSuite& suite,
                     const Places& places, const TestOptions& options,
                     const Console& console) {
+  std::optional<SpokenLines> lines;
+  if (is_spoken(suite)) {
+    auto spoken = open_application(places, options.app, console,
+                                   VoiceWishes{"user.wav", "robot.wav"});
+    if (const auto* status = std::get_if<int>(&spoken))
+      return *status;
+    lines.emplace(std::get<Application>(std::move(spoken)), suite,
+                  application.plugins);
+    if (refused(lines->findings(), places, console))
+      return exit_code::wrong;
+  }
   Coverage coverage(*application.program);
-  const auto results = hold_all(application, suite, options, coverage);
+  const auto results = hold_all(application, suite, options,
+                                lines ? &*lines : nullptr, coverage);
   // Write the file before anything is printed: the reader of our output may go
   // away, and the file is to be complete then.
   const auto written = write_junit(options, application.program->settings.name,

@@ -21,7 +21,9 @@ using script::Severity;
 
 const std::vector<std::string> directives = {
     "U:", "R:", "R~", "wait", "event", "expect", "clock", "seed", "P:", "B:"};
-const std::vector<std::string> expectations = {"post", "slot", "state", "sql"};
+const std::vector<std::string> expectations = {"post", "slot", "state", "sql",
+                                               "first-sound"};
+constexpr const char* usual_voice = "rms";
 
 std::string in_quotes(std::string_view text) {
   return "'" + std::string(text) + "'";
@@ -62,6 +64,9 @@ private:
     if (text.empty() || text.front() == '#')
       return;
     written_ = text;
+    if (text.size() > 1 && text[1] == '(' &&
+        std::string_view("UPB").find(text[0]) != std::string_view::npos)
+      return spoken(text);
     for (const auto& [word, handler] : handlers())
       if (text.substr(0, word.size()) == word && ends(text, word))
         return (this->*handler)(trimmed(text.substr(word.size())));
@@ -90,6 +95,41 @@ private:
         {"clock", &Parser::clock}, {"seed", &Parser::seed},
         {"P:", &Parser::partial},  {"B:", &Parser::barge_in}};
     return table;
+  }
+
+  // "U(voice=rms, noise=babble@20): words", and so P and B.
+  void spoken(std::string_view text) {
+    const auto close = text.find("):");
+    if (close == std::string_view::npos)
+      return error("expected " + std::string(text.substr(0, 1)) +
+                   "(voice=NAME, noise=KIND@DB): words");
+    const auto count = result_.conversation.steps.size();
+    const auto colon = std::string(text.substr(0, 1)) + ":";
+    (this->*handlers().at(colon))(trimmed(text.substr(close + 2)));
+    if (result_.conversation.steps.size() == count)
+      return; // an error
+    auto& made = result_.conversation.steps.back();
+    made.voice = usual_voice;
+    auto rest = text.substr(2, close - 2);
+    while (!rest.empty()) {
+      const auto end = rest.find(',');
+      how(made, trimmed(rest.substr(0, end)));
+      rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
+    }
+  }
+
+  void how(Step& made, std::string_view text) {
+    const auto equals = std::min(text.find('='), text.size());
+    const auto name = trimmed(text.substr(0, equals));
+    const std::string value(
+        trimmed(text.substr(std::min(equals + 1, text.size()))));
+    if (name == "voice" && !value.empty())
+      made.voice = value;
+    else if (name == "noise" && !value.empty())
+      made.noise = value;
+    else
+      error("a line is spoken with voice=NAME and noise=KIND@DB, not " +
+            in_quotes(text));
   }
 
   void user(std::string_view rest) {
@@ -157,8 +197,10 @@ private:
                    "expected: expect state NAME");
     if (what == "sql")
       return expect_sql(reader.rest());
-    error("expect what? post, slot, state or sql, not " + in_quotes(what) +
-          script::did_you_mean(what, expectations));
+    if (what == "first-sound")
+      return expect_first_sound(reader.rest());
+    error("expect what? post, slot, state, sql or first-sound, not " +
+          in_quotes(what) + script::did_you_mean(what, expectations));
   }
 
   // "Topic.Slot = value". A slot's name has no " = ", so the first one counts.
@@ -182,6 +224,15 @@ private:
     auto& made = step(StepKind::expect_sql);
     made.text = sides->left;
     made.value = parse_literal(sides->right);
+  }
+
+  void expect_first_sound(std::string_view rest) {
+    const auto is_bound = rest.starts_with('<');
+    const auto most =
+        parse_duration(is_bound ? trimmed(rest.substr(1)) : std::string_view());
+    if (!most || *most <= Milliseconds(0))
+      return error("expected: expect first-sound < 1s");
+    step(StepKind::expect_first_sound).duration = *most;
   }
 
   // Before the first step it sets the start of the conversation; later, time
@@ -249,6 +300,12 @@ private:
 
 Timestamp default_start() {
   return parse_timestamp("2026-11-21 09:00").value();
+}
+
+bool is_spoken(const Conversation& conversation) {
+  return std::ranges::any_of(conversation.steps, [](const Step& step) {
+    return !step.voice.empty() || step.kind == StepKind::expect_first_sound;
+  });
 }
 
 ParsedConversation parse_conversation(std::string_view text, std::string file) {

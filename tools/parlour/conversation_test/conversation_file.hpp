@@ -8,11 +8,13 @@
 //   expect slot Topic.Slot = value            expect state NAME
 //   expect sql QUERY = value
 //   P: what the user is just saying      B: [words heard] what the user says
+//   U(voice=rms, noise=babble@20): …     expect first-sound < 1s
 //
 // `P:` is a partial result of the recogniser. `B:` is a barge-in: the user
 // interrupts the robot's last output, of which only the words in brackets were
 // heard (none without brackets). Without words of the user it is a noise, to
-// which nothing is recognised.
+// which nothing is recognised. What the user says is typed, unless the line
+// names a voice: then it is spoken, before a noise if there is one.
 //
 // Parameters and values are numbers, true, false, unknown, or text, which is
 // quoted if it contains blanks. `*` as a parameter matches anything. `expect
@@ -45,6 +47,7 @@ enum class StepKind : std::uint8_t {
   expect_slot,
   expect_state,
   expect_sql,
+  expect_first_sound,
   clock,
 };
 
@@ -58,8 +61,10 @@ struct Step {
   std::string command;       // of an event or a post
   std::vector<Value> params; // of an event or a post
   Value value;               // the expected value
-  Milliseconds duration{};   // of wait
+  Milliseconds duration{};   // of wait, and the most of first-sound
   Timestamp time = 0;        // of clock
+  std::string voice;         // that speaks the user's line; empty: it is typed
+  std::string noise;         // behind it
 };
 
 // A whole file: when it begins, its random seed and its steps.
@@ -70,6 +75,9 @@ struct Conversation {
   std::uint64_t seed = 1;
   std::vector<Step> steps;
 };
+
+// Whether a voice speaks one of its lines.
+bool is_spoken(const Conversation& conversation);
 
 // What the parser has made of a file. If there are errors, the conversation is
 // incomplete and must not run.

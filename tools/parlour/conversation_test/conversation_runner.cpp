@@ -2,13 +2,14 @@
 
 #include <chrono>
 #include <deque>
-
-#include <re2/re2.h>
+#include <utility>
 
 #include "tools/parlour/application/data_folder.hpp"
 #include "tools/parlour/application/module_names.hpp"
 #include "tools/parlour/application/node_options.hpp"
 #include "tools/parlour/conversation_test/directive_reader.hpp"
+#include "tools/parlour/conversation_test/expectation.hpp"
+#include "tools/parlour/conversation_test/report.hpp"
 #include "tools/parlour/talk/failure_context.hpp"
 #include "tools/parlour/talk/trace.hpp"
 
@@ -35,7 +36,9 @@ public:
     const auto begin = std::chrono::steady_clock::now();
     if (start())
       hold();
-    hide_what_is_private();
+    if (node_)
+      hide_in(result_,
+              [this](const auto& text) { return node_->masked(text); });
     node_ = nullptr;
     const auto end = std::chrono::steady_clock::now();
     result_.seconds = std::chrono::duration<double>(end - begin).count();
@@ -46,14 +49,23 @@ private:
   // -- the node ---------------------------------------------------------------
 
   bool start() {
+    if (is_spoken(conversation_)) {
+      if (!options_.seats)
+        return fail_at(0, "a voice", "no line can be spoken here");
+      voice_ = options_.seats->make();
+    }
+    const auto& application =
+        voice_ ? options_.seats->application() : application_;
     auto data = DataFolder::temporary();
     if (!data)
       return fail_at(0, "a folder for data", data.error().message);
     data_.emplace(std::move(*data));
     RunWishes wishes{data_->path().string(), conversation_.start,
                      conversation_.seed, options_.restores_after_each_input};
-    auto options =
-        node_options(application_, rehearsed(application_.composition), wishes);
+    auto composition = rehearsed(application.composition);
+    if (voice_)
+      composition = voice_->seated(std::move(composition), data_->path());
+    auto options = node_options(application, composition, wishes);
     options.on_inspection = [this](const Inspection& seen) { watch(seen); };
     options.exact_inspections = true;
     options.log = [this](const std::string& text) {
@@ -67,28 +79,18 @@ private:
         {[this](const SessionId&, const dialogue::Output& output) {
            outputs_.emplace_back(trimmed(as_one_line(output.text)));
            last_output_ = output.id;
+           if (voice_)
+             voice_->released(output.id, output.text);
          },
          {}});
     session_ = node_->open(seat_);
     return true;
   }
 
-  // Masks private values. What the file itself says may be shown.
-  void hide_what_is_private() {
-    if (!node_)
-      return;
-    for (auto* lines : {&result_.context, &result_.trace})
-      for (auto& line : *lines)
-        line = node_->masked(line);
-    for (auto& line : result_.said)
-      if (line.starts_with("R: "))
-        line = node_->masked(line);
-    if (result_.failure)
-      result_.failure->found = node_->masked(result_.failure->found);
-  }
-
   void watch(const Inspection& seen) {
     coverage_.note(seen);
+    if (voice_)
+      voice_->note(seen);
     if (seen.kind == InspectionKind::message && seen.message) {
       if (seen.message->session == asking) {
         if (seen.message->sinks.empty())
@@ -118,9 +120,12 @@ private:
   }
 
   bool take(const Step& step) {
+    if (!step.voice.empty())
+      return speak(step);
     if (step.kind == StepKind::user)
       return user(step);
     enter_row();
+    is_speaking_ = false;
     switch (step.kind) {
     case StepKind::robot:
     case StepKind::robot_pattern:
@@ -130,7 +135,7 @@ private:
     case StepKind::clock:
       return clock(step);
     case StepKind::event:
-      return event(step);
+      return inject(step, step.target, step.command, step.params);
     case StepKind::partial:
       return partial(step);
     case StepKind::barge_in:
@@ -143,9 +148,28 @@ private:
       return expect_state(step);
     case StepKind::expect_sql:
       return expect_sql(step);
+    case StepKind::expect_first_sound:
+      return expect_first_sound(step);
     case StepKind::user:
       break;
     }
+    return true;
+  }
+
+  // Spoken lines that follow each other cut into what the robot says.
+  bool speak(const Step& step) {
+    enter_row();
+    if (!std::exchange(is_speaking_, true)) {
+      settle();
+      if (step.kind != StepKind::barge_in)
+        voice_->settle(*node_);
+      if (!nothing_left(step.line, step.written))
+        return false;
+      begin_turn();
+    }
+    result_.said.push_back(step.written);
+    voice_->speak(*node_, step);
+    remember_session();
     return true;
   }
 
@@ -190,15 +214,21 @@ private:
   bool user(const Step& step) {
     if (row_.empty()) {
       settle();
+      if (voice_)
+        voice_->settle(*node_);
       if (!nothing_left(step.line, step.written))
         return false;
-      posts_.clear();
-      context_.begin_turn();
-      has_error_ = false;
+      begin_turn();
     }
     row_.push_back(step.text);
     result_.said.push_back("U: " + step.text);
     return true;
+  }
+
+  void begin_turn() {
+    posts_.clear();
+    context_.begin_turn();
+    has_error_ = false;
   }
 
   void enter_row() {
@@ -228,10 +258,7 @@ private:
                      "nothing was said within " +
                          std::to_string(longest_silence.count() / 1000) + " s");
     result_.said.push_back("R: " + *said);
-    const auto right = step.kind == StepKind::robot
-                           ? *said == step.text
-                           : RE2::FullMatch(*said, RE2(step.text));
-    return right || accept(step, *said) ||
+    return is_as_expected(step, *said) || accept(step, *said) ||
            fail_at(step.line, step.written, "R: " + *said);
   }
 
@@ -278,17 +305,13 @@ private:
     return pass(Milliseconds(step.time - node_->now()));
   }
 
-  bool event(const Step& step) {
-    return inject(step, step.target, step.command, step.params);
-  }
-
   // -- expectations -----------------------------------------------------------
 
   bool expect_post(const Step& step) {
     settle();
     std::string found;
     for (const auto& post : posts_) {
-      if (matches(step, *post))
+      if (is_as_expected(step, *post, names_))
         return true;
       found += (found.empty() ? "" : "; ") + to_string(*post);
     }
@@ -297,29 +320,10 @@ private:
                                  : "posted since the last U: " + found);
   }
 
-  bool matches(const Step& step, const Message& post) const {
-    if (post.command != step.command || post.params.size() < step.params.size())
-      return false;
-    for (std::size_t i = 0; i < step.params.size(); ++i)
-      if (!is_wildcard(step.params[i]) &&
-          !is_same(step.params[i], post.params[i]))
-        return false;
-    for (const auto& sink : post.sinks)
-      if (names_.same(sink, step.target))
-        return true;
-    return false;
-  }
-
-  static bool is_same(const Value& expected, const Value& found) {
-    if (expected.is_unknown() || found.is_unknown())
-      return expected.is_unknown() && found.is_unknown();
-    return expected == found || to_string(expected) == to_string(found);
-  }
-
   bool expect_slot(const Step& step) {
     settle();
     const auto value = node_->slot_value(session_, step.text, step.target);
-    return is_same(step.value, value) ||
+    return is_as_expected(step.value, value) ||
            fail_at(step.line, step.written,
                    step.text + "." + step.target + " = " + to_string(value));
   }
@@ -335,12 +339,7 @@ private:
   bool expect_sql(const Step& step) {
     settle();
     answer_ = nullptr;
-    Message question;
-    question.source = "Session";
-    question.command = "Query";
-    question.params = {step.text, List{}};
-    question.sinks = {"Database"};
-    node_->inject(asking, std::move(question));
+    node_->inject(asking, sql_question(step.text));
     node_->run_until_quiet();
     if (!answer_)
       return fail_at(step.line, step.written, "no database answered");
@@ -348,19 +347,18 @@ private:
     const auto* rows = first.if_result();
     if (!rows)
       return fail_at(step.line, step.written, to_string(*answer_));
-    return compare_rows(step, *rows);
+    const auto found = cells_of(*rows);
+    return is_as_expected(step.value, found) ||
+           fail_at(step.line, step.written,
+                   rows->cells.empty() ? "no row" : to_string(found));
   }
 
-  // One cell is compared as a value, several as a list.
-  bool compare_rows(const Step& step, const ResultSet& rows) {
-    Value found;
-    if (rows.cells.size() == 1)
-      found = rows.cells[0];
-    else if (!rows.cells.empty())
-      found = rows.cells;
-    return is_same(step.value, found) ||
+  bool expect_first_sound(const Step& step) {
+    const auto took = voice_->first_sound(*node_);
+    return (took && *took < step.duration) ||
            fail_at(step.line, step.written,
-                   rows.cells.empty() ? "no row" : to_string(found));
+                   took ? std::to_string(took->count()) + " ms"
+                        : "the robot made no sound");
   }
 
   bool fail_at(std::uint32_t line, std::string expected, std::string found) {
@@ -384,7 +382,9 @@ private:
   dialogue::OutputId last_output_ = 0;
   actors::SeatId seat_;
   SessionId session_;
-  std::optional<DataFolder> data_; // must outlive the node
+  std::unique_ptr<SpokenSeat> voice_; // null: all lines are typed
+  bool is_speaking_ = false;          // the line before was spoken, too
+  std::optional<DataFolder> data_;    // must outlive the node
   std::unique_ptr<actors::Node> node_;
 };
 

@@ -11,35 +11,14 @@
 
 #include "tools/parlour/application/application.hpp"
 #include "tools/parlour/conversation_test/conversation_file.hpp"
+#include "tools/parlour/conversation_test/conversation_result.hpp"
 #include "tools/parlour/conversation_test/coverage.hpp"
-#include "tools/parlour/conversation_test/rewording.hpp"
+#include "tools/parlour/conversation_test/spoken_seat.hpp"
 
 namespace parlour::tools {
 
 // Virtual time that may pass at an `R:` until the robot says something.
 inline constexpr Milliseconds longest_silence{60'000};
-
-// The first line that differs; a conversation ends there.
-struct Failure {
-  std::uint32_t line = 0;
-  std::string expected; // the line, or what should have happened
-  // What happened instead.
-  std::string found;
-};
-
-// The outcome of one conversation.
-struct ConversationResult {
-  std::string name;
-  std::string file;
-  std::optional<Failure> failure; // empty: it passed
-  std::vector<std::string> said;  // what was said so far: "U: …", "R: …"
-  std::vector<std::string> trace; // lines as of `parlour run --trace`
-  double seconds = 0;             // real time that the run took
-  // If it failed: what the engine had understood, and its state, topics and
-  // slots (talk/failure_context.hpp).
-  std::vector<std::string> context = {};
-  std::vector<Rewording> rewordings = {}; // if Words::any
-};
 
 // What to do if the robot uses other words than an `R:` expects: fail
 // (as_written), or note them in `rewordings` and go on (any; for --update).
@@ -49,6 +28,8 @@ enum class Words { as_written, any };
 struct HoldOptions {
   Words words = Words::as_written;
   bool restores_after_each_input = false; // actors/node/node_options.hpp
+  // For conversations with spoken lines; null: they fail.
+  SpokenSeats* seats = nullptr;
 };
 
 // Notes in `coverage` what the conversation reached. Blocks until it has ended.

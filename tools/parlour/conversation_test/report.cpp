@@ -53,4 +53,16 @@ void print_summary(std::ostream& out,
   out << passed << " of " << results.size() << " conversations passed\n";
 }
 
+void hide_in(ConversationResult& result,
+             const std::function<std::string(const std::string&)>& masked) {
+  for (auto* lines : {&result.context, &result.trace})
+    for (auto& line : *lines)
+      line = masked(line);
+  for (auto& line : result.said)
+    if (line.starts_with("R: "))
+      line = masked(line);
+  if (result.failure)
+    result.failure->found = masked(result.failure->found);
+}
+
 } // namespace parlour::tools

@@ -1,11 +1,12 @@
 // Prints the results of conversations for people.
 #pragma once
 
+#include <functional>
 #include <iosfwd>
 #include <string>
 #include <vector>
 
-#include "tools/parlour/conversation_test/conversation_runner.hpp"
+#include "tools/parlour/conversation_test/conversation_result.hpp"
 
 namespace parlour::tools {
 
@@ -23,5 +24,9 @@ void print_rewordings(std::ostream& out, const ConversationResult& result);
 // Prints "2 of 3 conversations passed".
 void print_summary(std::ostream& out,
                    const std::vector<ConversationResult>& results);
+
+// Masks private values. What the file itself says may be shown.
+void hide_in(ConversationResult& result,
+             const std::function<std::string(const std::string&)>& masked);
 
 } // namespace parlour::tools

@@ -1,62 +1,18 @@
-// In virtual time the microphone moves the clock, 20 ms at a time.
 #include "tools/parlour/voice_test/row_runner.hpp"
 
 #include <algorithm>
-#include <functional>
+#include <utility>
 
-#include "adapters/audio/file_speaker.hpp"
 #include "tools/parlour/application/data_folder.hpp"
 #include "tools/parlour/application/node_options.hpp"
 #include "tools/parlour/conversation_test/conversation_runner.hpp"
 #include "tools/parlour/conversation_test/directive_reader.hpp"
 #include "tools/parlour/talk/trace.hpp"
-#include "tools/parlour/voice_test/user_microphone.hpp"
+#include "tools/parlour/voice_test/voice_user.hpp"
 
 namespace parlour::tools {
 
 namespace {
-
-// All in virtual time.
-constexpr Milliseconds longest_turn{60'000};
-constexpr Milliseconds robot_talks_at_most{120'000};
-// After the robot has spoken the user takes so long to answer.
-constexpr Milliseconds before_answer{300};
-// Speech in which no turn was found is over after so long.
-constexpr Milliseconds unheard{2'500};
-// The next line of a row cuts in so long after the robot's first sound, or
-// after this if the robot is silent.
-constexpr Milliseconds before_cut{600};
-constexpr Milliseconds before_next_line{1'500};
-
-bool has_role(const ChosenComponent& component, const std::string& role) {
-  return std::ranges::count(component.factory.description.roles, role) > 0;
-}
-
-// The application with the user's microphone, and a speaker whose file goes
-// with the data folder.
-Composition for_user(Composition composition,
-                     const std::shared_ptr<UserSound>& user,
-                     const std::filesystem::path& data,
-                     const Speaking& speaking) {
-  composition = rehearsed(std::move(composition));
-  for (auto& component : composition.components) {
-    const auto plugin = component.factory.description.name;
-    for (const auto& option : component.factory.description.options)
-      if (option.name == "conversations" && !speaking.told)
-        component.options[option.name] = "none";
-    if (plugin == "FileMicrophone") {
-      component.factory = user_microphone_factory(user);
-      component.options.clear();
-    } else if (plugin == "FileSpeaker") {
-      component.factory = adapters::file_speaker_factory(data / "robot.wav");
-    } else if (speaking.recognisers && has_role(component, "ASR")) {
-      component.factory = speaking.recognisers->keep(
-          component.name, std::move(component.factory),
-          forgetting_of_recognisers());
-    }
-  }
-  return composition;
-}
 
 class RowRunner {
 public:
@@ -68,7 +24,7 @@ public:
     speaking_ = &speaking;
     expected_ = &expected;
     typed_ = typed;
-    user_ = std::make_shared<UserSound>(speaking.noise);
+    user_.emplace(speaking.noise, speaking.told, speaking.recognisers);
     return *this;
   }
 
@@ -85,13 +41,15 @@ private:
     if (!data)
       return give_up(data.error());
     data_.emplace(std::move(*data));
-    const auto composition = user_ ? for_user(application_.composition, user_,
-                                              data_->path(), *speaking_)
-                                   : rehearsed(application_.composition);
+    auto composition = rehearsed(application_.composition);
+    if (user_)
+      composition = user_->seated(std::move(composition), data_->path());
     auto options = node_options(
         application_, composition,
         {data_->path().string(), conversation_.start, conversation_.seed});
-    options.on_inspection = [this](const Inspection& seen) { log_.note(seen); };
+    options.on_inspection = [this](const Inspection& seen) {
+      log().note(seen);
+    };
     options.exact_inspections = true;
     auto node = actors::Node::start(std::move(options));
     if (!node)
@@ -99,8 +57,8 @@ private:
     node_ = std::move(*node);
     seat_ = node_->open_seat(
         {[this](const SessionId&, const dialogue::Output& output) {
-           log_.released(output.id,
-                         std::string(trimmed(as_one_line(output.text))));
+           log().released(output.id,
+                          std::string(trimmed(as_one_line(output.text))));
          },
          {}});
     node_->open(seat_);
@@ -133,8 +91,9 @@ private:
     case StepKind::robot:
     case StepKind::robot_pattern:
       ++awaited_;
-      return until([this] { return log_.answers().size() >= awaited_; },
-                   longest_silence);
+      return VoiceUser::until(
+          *node_, [this] { return log().answers().size() >= awaited_; },
+          longest_silence);
     case StepKind::wait:
       settle();
       return node_->advance(step.duration);
@@ -168,7 +127,7 @@ private:
     for (const auto* line : lines_)
       row.said.push_back(line->text);
     lines_.clear();
-    log_.begin_row();
+    log().begin_row();
     awaited_ = 0;
     if (is_spoken())
       speak(row);
@@ -187,10 +146,10 @@ private:
     if (held_.rows.empty())
       return true;
     auto& row = held_.rows.back();
-    row.heard = log_.heard();
-    row.understood = log_.understood();
-    row.answers = log_.answers();
-    row.latencies = log_.latencies();
+    row.heard = log().heard();
+    row.understood = log().understood();
+    row.answers = log().answers();
+    row.latencies = log().latencies();
     return !is_spoken() || (held_.rows.size() <= expected_->size() &&
                             row.is_as((*expected_)[held_.rows.size() - 1]));
   }
@@ -198,55 +157,23 @@ private:
   // -- speaking ---------------------------------------------------------------
 
   void speak(const Row& row) {
-    pass(before_answer);
+    user_->think(*node_);
     for (std::size_t i = 0; i < row.said.size(); ++i) {
       if (i > 0)
-        cut_in();
-      say(row.said[i]);
+        user_->wait_to_cut_in(*node_);
+      user_->say(*node_, *speaking_->bank->find(row.said[i], speaking_->voice));
     }
-  }
-
-  void say(const std::string& text) {
-    const auto turns = log_.recognised();
-    user_->say(*speaking_->bank->find(text, speaking_->voice));
-    until([this] { return user_->is_silent(); }, longest_turn);
-    log_.line_ended(node_->now());
-    const auto end = node_->now() + unheard.count();
-    until(
-        [&] {
-          return !log_.in_turn() &&
-                 (log_.recognised() > turns || node_->now() >= end);
-        },
-        longest_turn);
-  }
-
-  // In the middle of what the robot says, if it says something.
-  void cut_in() {
-    until([this] { return log_.robot_sounds(); }, before_next_line);
-    pass(before_cut);
-  }
-
-  // -- time -------------------------------------------------------------------
-
-  // Lets time pass until it holds, or nothing is due for so long.
-  void until(const std::function<bool()>& holds, Milliseconds at_most) {
-    const auto end = node_->now() + at_most.count();
-    node_->run_until_quiet();
-    while (!holds() && node_->now() < end &&
-           node_->step_to_next_due(Milliseconds(end - node_->now()))) {
-    }
-  }
-
-  void pass(Milliseconds time) {
-    node_->advance(time);
-    node_->run_until_quiet();
   }
 
   // By voice, the robot speaks to the end of what it says now.
   void settle() {
     node_->run_until_quiet();
     if (user_)
-      until([this] { return !log_.robot_speaks(); }, robot_talks_at_most);
+      user_->settle(*node_);
+  }
+
+  TurnLog& log() {
+    return user_ ? user_->log() : log_;
   }
 
   const Application& application_;
@@ -254,8 +181,8 @@ private:
   const Speaking* speaking_ = nullptr;
   const std::vector<Row>* expected_ = nullptr;
   std::size_t typed_ = 0;
-  std::shared_ptr<UserSound> user_; // null: by text
-  TurnLog log_;
+  std::optional<VoiceUser> user_; // nothing: by text
+  TurnLog log_;                   // by text
   RowsHeld held_;
   std::vector<const Step*> lines_; // of the row that is read
   std::size_t awaited_ = 0;        // answers, by `R:`

@@ -1,5 +1,6 @@
 #include "tools/parlour/voice_test/turn_log.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "tools/parlour/talk/act_text.hpp"
@@ -7,6 +8,8 @@
 namespace parlour::tools {
 
 namespace {
+
+constexpr std::int64_t usual_word = 300; // ms
 
 std::uint64_t utterance_of(const Message& message) {
   return message.params.empty()
@@ -74,15 +77,33 @@ void TurnLog::note_message(const Message& message, RealTime real) {
 // Speaker.Finished has four parameters, that of the voice one.
 void TurnLog::note_speaker(const Message& message, RealTime real) {
   const auto id = utterance_of(message);
-  if (message.command == "Started" && speaking_.contains(id)) {
+  if (message.command == "Mark" && message.params.size() >= 3) {
+    marks_[id].push_back(message.params[2].integer_or(0));
+  } else if (message.command == "Started" && speaking_.contains(id)) {
     sounding_.insert(id);
+    playing_ = id;
+    started_ = message.time;
     first_sound(message.time, real);
   } else if (message.command == "Finished" && message.params.size() >= 3) {
     speaking_.erase(id);
     sounding_.erase(id);
+    marks_.erase(id);
     if (message.params[2])
       interrupted_.insert(id);
   }
+}
+
+std::size_t TurnLog::words_said(Timestamp now) const {
+  if (sounding_.empty())
+    return 0;
+  const auto marks = marks_.find(playing_);
+  // The voice does not say where words begin.
+  if (marks == marks_.end())
+    return static_cast<std::size_t>((now - started_) / usual_word);
+  const auto begun = std::ranges::count_if(
+      marks->second, [&](auto mark) { return mark <= now - started_; });
+  // The last of them still sounds.
+  return static_cast<std::size_t>(std::max<std::ptrdiff_t>(begun, 1)) - 1;
 }
 
 void TurnLog::first_sound(Timestamp now, RealTime real) {

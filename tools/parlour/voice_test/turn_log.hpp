@@ -62,6 +62,8 @@ public:
   bool robot_sounds() const {
     return !sounding_.empty();
   }
+  // How many words of the output that sounds now have been said.
+  std::size_t words_said(Timestamp now) const;
 
   // The results of the recogniser; "" where it rejected a turn.
   const std::vector<std::string>& heard() const {
@@ -92,6 +94,11 @@ private:
   std::set<std::uint64_t> speaking_; // released, not finished
   std::set<std::uint64_t> sounding_; // started, not finished
   std::set<std::uint64_t> interrupted_;
+  // Where the words of each utterance begin, in ms, and since when the one
+  // plays that began last.
+  std::map<std::uint64_t, std::vector<std::int64_t>> marks_;
+  std::uint64_t playing_ = 0;
+  Timestamp started_ = 0;
   std::vector<Answer> answers_;
   std::vector<std::string> heard_;
   std::vector<std::string> understood_;

@@ -55,6 +55,12 @@ void UserSound::say(const Sound& line) {
   line_.insert(line_.end(), line.begin(), line.end());
 }
 
+void UserSound::surround(Sound noise) {
+  std::lock_guard lock(mutex_);
+  noise_ = std::move(noise);
+  at_ = 0;
+}
+
 bool UserSound::is_silent() const {
   std::lock_guard lock(mutex_);
   return line_.empty();

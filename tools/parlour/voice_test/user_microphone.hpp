@@ -18,6 +18,8 @@ public:
   explicit UserSound(adapters::Sound noise = {});
 
   void say(const adapters::Sound& line);
+  // Another noise from now on.
+  void surround(adapters::Sound noise);
   // All lines have been heard.
   bool is_silent() const;
   // The next 20 ms.

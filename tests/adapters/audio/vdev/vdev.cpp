@@ -11,17 +11,26 @@
 //  there;
 //                     `gone` is there from then on until the device is closed
 //
+// A test that makes the file `pulled` unplugs it at that moment, as unplug@N.
+//
 // While the file `taken` is there, another program has the device; the
 // configuration need not name one.
+//
+// A microphone with `lines` removes its file when it has captured all of it,
+// and begins with the next one of that name. With `echo`, the file of a
+// speaker, it also hears what that plays, weaker by `loss` dB and later by
+// `delay` ms; both are mono and of 16 bit.
 //
 // Each fault comes once; frames are counted on when the device is opened anew.
 // Whoever is late causes no xrun: the device waits. So tests come out alike on
 // a busy machine.
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <map>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -46,11 +55,18 @@ struct Past {
   Frames frames = 0; // that have passed
   long bytes = 0;    // of the captured file
   std::size_t faults = 0;
+  // What a speaker played, and since when it played from which frame on.
+  std::vector<short> played;
+  std::vector<std::pair<Steady::time_point, Frames>> starts;
 };
+
+// Devices have threads of their own.
+std::mutex mutex;
+std::map<std::string, Past> pasts;
 
 struct Device {
   snd_pcm_ioplug_t plug{};
-  std::string file, gone, blocked;
+  std::string file, gone, blocked, pulled;
   std::vector<Fault> faults;
   double speed = 1;
   Past* past = nullptr;
@@ -60,6 +76,10 @@ struct Device {
   Steady::time_point started{};
   bool hangs = false;
   bool blocks = false;
+  bool lines = false;
+  std::string echo;
+  double loss = 0;
+  double delay = 0; // seconds of the clock
 };
 
 Device& device_of(snd_pcm_ioplug_t* plug) {
@@ -101,9 +121,20 @@ bool meet(Device& device, const Fault& fault) {
   return fault.name != "xrun";
 }
 
+// Whether a test unplugs it now.
+bool is_pulled(Device& device) {
+  if (device.pulled.empty() || std::remove(device.pulled.c_str()) != 0)
+    return false;
+  device.plug.state = SND_PCM_STATE_DISCONNECTED;
+  touch(device.gone);
+  return true;
+}
+
 int start(snd_pcm_ioplug_t* plug) {
   auto& device = device_of(plug);
   device.started = Steady::now();
+  std::lock_guard lock(mutex);
+  device.past->starts.emplace_back(device.started, device.base);
   set_timer(device, true);
   return 0;
 }
@@ -123,7 +154,7 @@ int prepare(snd_pcm_ioplug_t* plug) {
 // The frames that have passed, up to the next fault; below zero for an xrun.
 snd_pcm_sframes_t pointer(snd_pcm_ioplug_t* plug) {
   auto& device = device_of(plug);
-  if (plug->state != SND_PCM_STATE_RUNNING || device.hangs)
+  if (plug->state != SND_PCM_STATE_RUNNING || device.hangs || is_pulled(device))
     return static_cast<snd_pcm_sframes_t>(device.passed);
   const std::chrono::duration<double> time = Steady::now() - device.started;
   const auto most =
@@ -143,16 +174,64 @@ snd_pcm_sframes_t pointer(snd_pcm_ioplug_t* plug) {
   return static_cast<snd_pcm_sframes_t>(device.passed);
 }
 
+std::chrono::duration<double> time_of(const Device& device, Frames frames) {
+  return std::chrono::duration<double>(static_cast<double>(frames) /
+                                       device.plug.rate / device.speed);
+}
+
+bool is_plain(const Device& device) {
+  return device.plug.format == SND_PCM_FORMAT_S16_LE &&
+         device.plug.channels == 1;
+}
+
+void add_echo(const Device& device, short* samples, Frames count) {
+  std::lock_guard lock(mutex);
+  const auto& other = pasts[device.echo];
+  const auto factor = std::pow(10, -device.loss / 20);
+  for (Frames i = 0; i < count; ++i) {
+    const auto now = device.started + time_of(device, device.transferred + i) -
+                     std::chrono::duration<double>(device.delay);
+    const auto after =
+        std::find_if(other.starts.begin(), other.starts.end(),
+                     [&](const auto& start) { return start.first > now; });
+    if (after == other.starts.begin())
+      continue;
+    const std::chrono::duration<double> since = now - std::prev(after)->first;
+    const auto at =
+        std::prev(after)->second +
+        static_cast<Frames>(since.count() * device.speed * device.plug.rate);
+    const auto end =
+        after == other.starts.end() ? other.played.size() : after->second;
+    if (at < std::min<std::size_t>(end, other.played.size()))
+      samples[i] = static_cast<short>(std::clamp(
+          samples[i] + factor * other.played[at], -32768.0, 32767.0));
+  }
+}
+
+void keep_played(const Device& device, const char* bytes, Frames count) {
+  std::lock_guard lock(mutex);
+  auto& played = device.past->played;
+  played.resize(device.base + device.transferred);
+  const auto* const samples = reinterpret_cast<const short*>(bytes);
+  played.insert(played.end(), samples, samples + count);
+}
+
 // Behind the end of the file there is silence.
 void move_bytes(Device& device, char* bytes, std::size_t size) {
   if (captures(device)) {
     std::memset(bytes, 0, size);
     if (auto* file = std::fopen(device.file.c_str(), "rbe")) {
       std::fseek(file, device.past->bytes, SEEK_SET);
-      (void)!std::fread(bytes, 1, size, file);
+      const auto read = std::fread(bytes, 1, size, file);
       std::fclose(file);
+      device.past->bytes += static_cast<long>(size);
+      if (device.lines && read < size) {
+        std::remove(device.file.c_str());
+        device.past->bytes = 0;
+      }
+    } else if (!device.lines) {
+      device.past->bytes += static_cast<long>(size);
     }
-    device.past->bytes += static_cast<long>(size);
   } else if (auto* file = std::fopen(device.file.c_str(), "abe")) {
     std::fwrite(bytes, 1, size, file);
     std::fclose(file);
@@ -170,6 +249,10 @@ snd_pcm_sframes_t transfer(snd_pcm_ioplug_t* plug,
   auto* bytes = static_cast<char*>(areas->addr) +
                 (areas->first + areas->step * offset) / 8;
   move_bytes(device, bytes, size * areas->step / 8);
+  if (!captures(device) && is_plain(device))
+    keep_played(device, bytes, size);
+  else if (captures(device) && !device.echo.empty())
+    add_echo(device, reinterpret_cast<short*>(bytes), size);
   device.transferred += size;
   return static_cast<snd_pcm_sframes_t>(size);
 }
@@ -246,7 +329,6 @@ extern "C" {
 
 SND_PCM_PLUGIN_DEFINE_FUNC(vdev) {
   (void)root;
-  static std::map<std::string, Past> pasts;
   const auto gone = text(conf, "gone");
   if (access(gone.c_str(), F_OK) == 0)
     return -ENODEV;
@@ -256,8 +338,16 @@ SND_PCM_PLUGIN_DEFINE_FUNC(vdev) {
   device->file = text(conf, "file");
   device->gone = gone;
   device->blocked = text(conf, "blocked");
+  device->pulled = text(conf, "pulled");
   device->faults = faults_of(text(conf, "faults"));
   device->speed = std::stod(text(conf, "speed"));
+  device->lines = !text(conf, "lines").empty();
+  device->echo = text(conf, "echo");
+  if (!device->echo.empty()) {
+    device->loss = std::stod(text(conf, "loss"));
+    device->delay = std::stod(text(conf, "delay")) / 1'000 / device->speed;
+  }
+  std::lock_guard lock(mutex);
   device->past = &pasts[device->file];
   auto& plug = device->plug;
   plug.version = SND_PCM_IOPLUG_VERSION;

@@ -45,6 +45,33 @@ TEST(ConversationFile, reads_turns_with_their_lines) {
   EXPECT_EQ(conversation.steps[2].text, "^Hi");
 }
 
+TEST(ConversationFile, reads_how_a_line_is_spoken) {
+  const auto spoken = only("U(voice=slt, noise=babble20): Hello: there.");
+  EXPECT_EQ(spoken.kind, StepKind::user);
+  EXPECT_EQ(spoken.text, "Hello: there.");
+  EXPECT_EQ(spoken.voice, "slt");
+  EXPECT_EQ(spoken.noise, "babble20");
+  EXPECT_EQ(only("P(): by the").voice, "rms");
+  const auto cut = only("B(voice=awb): [No, however] pardon?");
+  EXPECT_EQ(cut.kind, StepKind::barge_in);
+  EXPECT_EQ(cut.target, "No, however");
+  EXPECT_EQ(cut.text, "pardon?");
+  EXPECT_EQ(cut.voice, "awb");
+  EXPECT_EQ(only("U: (really) so").voice, "");
+  EXPECT_TRUE(is_spoken(good("U: one\nU(): two\n")));
+  EXPECT_FALSE(is_spoken(good("U: one\n")));
+}
+
+TEST(ConversationFile, reads_how_long_a_turn_may_take) {
+  const auto bound = only("expect first-sound < 1s");
+  EXPECT_EQ(bound.kind, StepKind::expect_first_sound);
+  EXPECT_EQ(bound.duration, Milliseconds(1'000));
+  for (const auto* wrong : {"expect first-sound 1s", "expect first-sound < x",
+                            "expect first-sound <", "U(voice=rms: hi",
+                            "U(voice=): hi", "U(loud): hi", "U(): "})
+    EXPECT_THAT(errors_of(wrong), testing::SizeIs(1)) << wrong;
+}
+
 TEST(ConversationFile, begins_at_nine_with_seed_one) {
   const auto conversation = good("");
   EXPECT_EQ(conversation.start, parse_timestamp("2026-11-21 09:00").value());

@@ -142,6 +142,8 @@ class VoiceCase(ProgramCase):
             seen.append(line)
             if all(word in line for word in words):
                 return line
+            if "Session.Ended()" in line:
+                break
         self.fail(f"not seen: {words}\n" + "".join(seen))
 
     def all_seen(self, run, words):

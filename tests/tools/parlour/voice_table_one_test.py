@@ -89,8 +89,11 @@ class VoiceTableOneTest(VoiceCase):
         self.say(lines[0])
         self.seen_until(run, "output", "released: What's the time")
         self.seen_until(run, "Speaker.Started(")
-        self.say(self.silence(BEFORE_CUT) + lines[1])
-        self.seen_until(run, "output", "broken off: What's the time")
+        # Ten times faster the question is over after a sixth of a second, and a
+        # busy machine may be late.
+        self.say(self.silence(BEFORE_CUT if speed == 1 else 0) + lines[1])
+        if speed == 1:
+            self.seen_until(run, "output", "broken off: What's the time")
         self.seen_until(run, "output", "released: No, however, there are two "
                         "coffee shops on the first floor, namely, Starbucks "
                         "Coffee and Ya Kun Toastwich.")

@@ -3,6 +3,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
+import { Detector } from "../../../tools/agents/moonshine/detector.mjs";
 import { END } from "../../../tools/agents/moonshine/model.mjs";
 import { Levels } from "../../../tools/agents/moonshine/levels.mjs";
 import {
@@ -274,4 +275,26 @@ test("turns are bounded in length and number", async () => {
   for (let turn = 1; turn < 500; ++turn)
     turns.audio({ turn }, second);
   assert.equal(turns.turns.size, 128);
+});
+
+// -- detector
+
+test("a stream is judged in pieces, each with the end of the one before", async () => {
+  class Tensor {
+    constructor(type, data, dims) { Object.assign(this, { type, data, dims }); }
+  }
+  const heard = [];
+  const detector = new Detector({ Tensor }, ({ input }) => {
+    heard.push(input.data);
+    return { output: { data: [0.5] }, stateN: "next" };
+  });
+  const ramp = Float32Array.from({ length: 1100 }, (_, i) => i);
+  assert.deepEqual(await detector.add(1, ramp.subarray(0, 500)), []);
+  assert.deepEqual(await detector.add(2, ramp.subarray(0, 500)), []);
+  assert.deepEqual(await detector.add(1, ramp.subarray(500)), [0.5, 0.5]);
+  assert.equal(heard[1].length, 576);
+  assert.equal(heard[1][0], 448);
+  assert.equal(heard[1][64], 512);
+  detector.forget(1);
+  assert.deepEqual(await detector.add(1, ramp.subarray(0, 500)), []);
 });

@@ -146,6 +146,17 @@ class VoiceCase(ProgramCase):
                 break
         self.fail(f"not seen: {words}\n" + "".join(seen))
 
+    def ask(self, run, samples, word):
+        """Says this, again if it is misheard, until the word is recognised."""
+        for _ in range(3):
+            self.say(samples)
+            line = self.seen_until(run, ".Re", "[session]")
+            while not ("RecognitionResult(" in line or "Rejected(" in line):
+                line = self.seen_until(run, ".Re", "[session]")
+            if word in line:
+                return
+        self.fail(f"not heard: {word}")
+
     def all_seen(self, run, words):
         """Reads what is traced until each of these has been seen."""
         while words:

@@ -63,7 +63,7 @@ void SharedSecrets::remove(std::string_view text) {
 void SharedSecrets::collect(std::string_view beginning, Secrets& to) const {
   if (lengths_[beginning.size()] == 0)
     return;
-  const auto alike = by_beginning_.find(std::string(beginning));
+  const auto alike = by_beginning_.find(beginning);
   if (alike != by_beginning_.end())
     for (const auto& secret : alike->second)
       to.add(secret.first);

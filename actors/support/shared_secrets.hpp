@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <string>
 #include <string_view>
@@ -27,12 +28,19 @@ public:
 private:
   // Secrets by their beginnings: those that begin alike, and how often each was
   // added. A secret can only occur where a text has its beginning.
-  static constexpr std::size_t max_beginning = 8;
+  // Most secrets are shorter, so that few begin alike.
+  static constexpr std::size_t max_beginning = 32;
   using Alike = std::map<std::string, std::size_t, std::less<>>;
+  struct Hash {
+    using is_transparent = void;
+    std::size_t operator()(std::string_view text) const {
+      return std::hash<std::string_view>()(text);
+    }
+  };
 
   void collect(std::string_view beginning, Secrets& to) const;
 
-  std::unordered_map<std::string, Alike> by_beginning_;
+  std::unordered_map<std::string, Alike, Hash, std::equal_to<>> by_beginning_;
   // How many beginnings there are of each length.
   std::array<std::size_t, max_beginning + 1> lengths_{};
 };

@@ -24,4 +24,13 @@ InstanceList::find(const SessionId& session) const {
   return found->second;
 }
 
+std::vector<SessionId> InstanceList::sessions() const {
+  std::vector<SessionId> sessions;
+  const std::shared_lock lock(mutex_);
+  for (const auto& [session, entry] : entries_)
+    if (*entry.up)
+      sessions.push_back(session);
+  return sessions;
+}
+
 } // namespace parlour::actors

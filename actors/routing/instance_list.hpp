@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <shared_mutex>
+#include <vector>
 
 #include "actors/routing/component_mailbox.hpp"
 
@@ -25,6 +26,8 @@ public:
   void remove(const SessionId& session);
   // Nothing where the session has none, or the message has no session.
   std::optional<Entry> find(const SessionId& session) const;
+  // Of those that are up.
+  std::vector<SessionId> sessions() const;
 
 private:
   mutable std::shared_mutex mutex_;

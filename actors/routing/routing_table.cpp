@@ -163,6 +163,7 @@ Routed RoutingTable::route(Message&& message, Timestamp now) const {
   if (goes_in_a_ring(message) || apply_routes(message, routed))
     return routed;
   if (message.sinks.empty()) {
+    pass_on_values(message, routed);
     tap(message, message.session.empty() ? "every session" : "session");
     routed.for_session = std::move(message);
     return routed;
@@ -245,6 +246,37 @@ Value RoutingTable::evaluate(script::CodeId code,
   if (parts_.complain)
     parts_.complain(message, value.error());
   return {};
+}
+
+// Whoever understands or hears the values of a column is told of new ones
+// (engine rule 1.9): all components of these roles, in all seats.
+void RoutingTable::pass_on_values(const Message& message,
+                                  Routed& routed) const {
+  if (message.command != "ValuesChanged" ||
+      !is_source("Database", message.source))
+    return;
+  auto copy = message;
+  copy.command = "SetValues";
+  ++copy.rounds;
+  const auto give = [&](const Target& target, SessionId session) {
+    copy.number = ++parts_.counters->numbers;
+    ++parts_.counters->copies;
+    copy.session = std::move(session);
+    copy.sinks = {target.name};
+    tap(copy, "relay -> " + target.name);
+    routed.deliveries.push_back(
+        {&target, std::make_shared<const Message>(copy)});
+  };
+  for (const auto& target : parts_.targets) {
+    if (!std::ranges::count(target.roles, "NLU") &&
+        !std::ranges::count(target.roles, "ASR"))
+      continue;
+    if (target.by_session)
+      for (auto& session : target.by_session->sessions())
+        give(target, std::move(session));
+    else if (target.is_up({}))
+      give(target, {});
+  }
 }
 
 // A copy is routed no further: relays lead straight to components.

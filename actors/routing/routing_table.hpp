@@ -162,6 +162,7 @@ private:
   void deliver(const SharedMessage& message, const std::string& to,
                Routed& routed) const;
   bool apply_routes(const Message& message, Routed& routed) const;
+  void pass_on_values(const Message& message, Routed& routed) const;
   void tap(const Message& message, const std::string& way) const;
 
   Parts parts_;

@@ -1,15 +1,20 @@
 #include "adapters/asr/moonshine_asr.hpp"
 
 #include <cstdlib>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <utility>
 
+#include "adapters/asr/moonshine_grammars.hpp"
 #include "adapters/asr/moonshine_place.hpp"
 #include "adapters/asr/moonshine_program.hpp"
 #include "adapters/asr/moonshine_text.hpp"
 #include "adapters/asr/moonshine_turns.hpp"
 #include "adapters/asr/moonshine_words.hpp"
+#include "adapters/asr/sphinx/language_sources.hpp"
+#include "adapters/loop/loop.hpp"
+#include "adapters/nlu/values/known_columns.hpp"
 #include "runtime/plugin/adaptors.hpp"
 #include "runtime/plugin/open_messages.hpp"
 
@@ -18,6 +23,8 @@ namespace parlour::adapters {
 namespace {
 
 using namespace moonshine;
+
+constexpr std::size_t most_sessions = 1'000;
 
 using Folders = std::vector<std::filesystem::path>;
 
@@ -28,6 +35,10 @@ const std::vector<OptionDescription> options = {
     {"node", "node", "Node.js, a name or a path"},
     {"timeout", "10s", "how long a result may take, else it is started again",
      false, OptionType::duration},
+    {"conversations", "dialogues",
+     "folder of the application with conversations; what users say there is "
+     "expected"},
+    {"platform", "", "folder of what the platform ships"},
     {"one-by-one", "false",
      "answers each message before the next; virtual time sets it", false,
      OptionType::boolean},
@@ -42,7 +53,7 @@ List typed(List entries) {
 }
 
 // Threads: commands come on the plug-in's own thread; answers of the program
-// come on its loop's thread.
+// come on its loop's thread; grammars are prepared on a thread of their own.
 class MoonshineASR : public ASRPlugin {
 public:
   explicit MoonshineASR(Folders programs) : programs_(std::move(programs)) {}
@@ -53,9 +64,17 @@ private:
   void on_do_recognition(const Binary& audio) override;
   void on_finish() override;
   void on_cancel() override;
+  void on_set_grammar(const List& names) override;
+  void on_set_values(const std::string& column, const List& values) override;
 
   Expected<ProgramOrder> program_order(const Options& given) const;
   ProgramCalls calls();
+  ColumnReader columns();
+  void tell_words();
+  void prepare_grammars();
+  void make_grammars();
+  const std::vector<std::string>& wanted_in(const SessionId& session) const;
+  void narrow(TurnNumber turn, const SessionId& session);
   void take(const Answer& answer);
   void tell_partial(const Answer& answer);
   void tell_result(const Message& order, const Answer& answer);
@@ -66,12 +85,18 @@ private:
   const Folders programs_;
   bool one_by_one_ = false;
   OpenMessages open_;
-  std::mutex mutex_;
+  std::mutex columns_mutex_;
+  nlu::KnownColumns columns_;
+  asr::LanguageSources sources_;
+  std::mutex mutex_; // of what follows
   MoonshineTurns turns_;
+  std::optional<MoonshineGrammars> grammars_; // once they are prepared
+  std::map<SessionId, std::vector<std::string>> wanted_;
   // Why the program has ended; empty while it runs.
   std::string ended_;
-  // Destroyed first: it calls.
+  // Destroyed first: they call.
   std::unique_ptr<MoonshineProgram> program_;
+  std::unique_ptr<Loop> loop_;
 };
 
 Expected<ProgramOrder> MoonshineASR::program_order(const Options& given) const {
@@ -90,6 +115,11 @@ Expected<ProgramOrder> MoonshineASR::program_order(const Options& given) const {
 
 Expected<void> MoonshineASR::on_start(const Options& given) {
   one_by_one_ = option_value(given, options, "one-by-one") == "true";
+  auto sources = asr::language_sources(host(), given);
+  if (!sources)
+    return tl::make_unexpected(sources.error());
+  sources_ = std::move(*sources);
+  sources_.columns = columns();
   const auto order = program_order(given);
   if (!order)
     return tl::make_unexpected(order.error());
@@ -99,8 +129,42 @@ Expected<void> MoonshineASR::on_start(const Options& given) {
                 "the recogniser's program " + order->arguments.front() +
                     " does not start: " + program.error().message);
   program_ = std::move(*program);
-  program_->send(words_frame(application_words(host())));
+  tell_words();
+  prepare_grammars();
   return {};
+}
+
+ColumnReader MoonshineASR::columns() {
+  return [this](const std::string& name) {
+    const std::lock_guard lock(columns_mutex_);
+    return columns_.read(name, [this](const std::string& column) {
+      return host().column(column);
+    });
+  };
+}
+
+void MoonshineASR::tell_words() {
+  program_->send(words_frame(application_words(host(), sources_.columns)));
+}
+
+// Takes a second or less; meanwhile nothing is narrowed, or by old values.
+void MoonshineASR::prepare_grammars() {
+  if (one_by_one_)
+    return make_grammars();
+  if (!loop_) {
+    auto loop =
+        Loop::start([this](const std::string& what) { host().log(what); });
+    if (!loop)
+      return host().log("Grammars cannot be prepared: " + loop.error().message);
+    loop_ = std::move(*loop);
+  }
+  loop_->post([this] { make_grammars(); });
+}
+
+void MoonshineASR::make_grammars() {
+  MoonshineGrammars made{asr::Language(sources_)};
+  const std::lock_guard lock(mutex_);
+  grammars_ = std::move(made);
 }
 
 ProgramCalls MoonshineASR::calls() {
@@ -114,6 +178,7 @@ ProgramCalls MoonshineASR::calls() {
 }
 
 void MoonshineASR::stop() {
+  loop_.reset(); // it may be preparing grammars
   program_.reset();
   end("The component is stopped.");
 }
@@ -129,6 +194,8 @@ void MoonshineASR::on_do_recognition(const Binary&) {
   const auto place = turns_.add(message, samples->size());
   if (place.dropped)
     program_->send(cancel_frame(*place.dropped));
+  if (place.is_new)
+    narrow(place.turn, message.session);
   if (place.samples > 0)
     program_->send(audio_frame(place.turn, samples->first(place.samples)));
 }
@@ -163,6 +230,51 @@ void MoonshineASR::on_cancel() {
     reject(order, "The turn is cancelled.");
 }
 
+// From the session's next turn on.
+void MoonshineASR::on_set_grammar(const List& names) {
+  const std::lock_guard lock(mutex_);
+  if (wanted_.size() >= most_sessions)
+    wanted_.clear();
+  auto& wanted = wanted_[current().session];
+  wanted.clear();
+  for (const auto& name : names)
+    wanted.push_back(name.text());
+  if (wanted.empty())
+    wanted_.erase(current().session);
+}
+
+// All grammars: none is wanted.
+const std::vector<std::string>&
+MoonshineASR::wanted_in(const SessionId& session) const {
+  static const std::vector<std::string> none;
+  const auto found = wanted_.find(session);
+  return found == wanted_.end() ? none : found->second;
+}
+
+void MoonshineASR::narrow(TurnNumber turn, const SessionId& session) {
+  const auto& wanted = wanted_in(session);
+  if (wanted.empty() || !grammars_)
+    return;
+  if (const auto* words = grammars_->words(wanted))
+    program_->send(narrow_frame(turn, *words));
+}
+
+// A turn that is being recognised keeps the words with which that began.
+void MoonshineASR::on_set_values(const std::string& column,
+                                 const List& values) {
+  {
+    const std::lock_guard lock(columns_mutex_);
+    if (!columns_.set(column, values))
+      return;
+  }
+  {
+    const std::lock_guard lock(mutex_);
+    if (ended_.empty())
+      tell_words();
+  }
+  prepare_grammars();
+}
+
 // -- on the thread of the program's loop --------------------------------------
 
 void MoonshineASR::take(const Answer& answer) {
@@ -182,13 +294,19 @@ void MoonshineASR::take(const Answer& answer) {
 
 void MoonshineASR::tell_partial(const Answer& one) {
   std::optional<MoonshineTurns::Partial> partial;
+  std::optional<bool> ends;
   {
     const std::lock_guard lock(mutex_);
     partial = turns_.partial(one.turn);
+    if (partial && grammars_)
+      ends = grammars_->ends(wanted_in(partial->order.session), one.text);
   }
-  if (partial)
-    answer(partial->order, "Partial",
-           {typed_text(one.text), partial->revision});
+  if (!partial)
+    return;
+  std::vector<Value> params{typed_text(one.text), partial->revision};
+  if (ends)
+    params.emplace_back(*ends);
+  answer(partial->order, "Partial", std::move(params));
 }
 
 void MoonshineASR::tell_result(const Message& order, const Answer& one) {

@@ -4,14 +4,21 @@
 // starts, watches and ends.
 //
 //  DoRecognition(audio)
-//      The next piece of the session's turn. Partial(text, revision) now and
-//      then.
+//      The next piece of the session's turn. Partial(text, revision, ends?) now
+//      and then; `ends` is whether a sentence of the grammars may end there.
 //  Finish()
 //      RecognitionResult(text, confidence, alternatives, words) or
 //      Rejected(reason). The confidence is that of the least certain word;
 //      alternatives and words are maps with `text` and `confidence`.
 //  Cancel()
 //      Drops the session's turn; a Finish that waits is answered by Rejected.
+//
+//  SetGrammar(names)
+//      Prefers only the words of these grammars, rules, slots or forms in the
+//      session's turns from the next one on, beside what is said in any
+//      conversation; an empty list: those of the whole application.
+//  SetValues(column, values)
+//      Prefers the column's values from the next turn on.
 //
 // It starts at once; what is said while the network is being loaded waits. The
 // first 30 s of a turn are heard. If the program ends, does not read or

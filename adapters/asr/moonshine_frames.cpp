@@ -44,6 +44,18 @@ std::string_view payload_of(std::span<const Sample> samples) {
           std::min(bytes.size(), longest_payload)};
 }
 
+// Those that fit.
+std::string lines_of(const Words& words) {
+  std::string lines;
+  for (const auto& phrase : words.phrases) {
+    if (lines.size() + phrase.size() >= longest_payload)
+      break;
+    lines += phrase;
+    lines += '\n';
+  }
+  return lines;
+}
+
 // Reads one answer of which nothing is known.
 class AnswerFields {
 public:
@@ -127,16 +139,16 @@ std::string cancel_frame(TurnNumber turn) {
 }
 
 std::string words_frame(const Words& words) {
-  std::string lines;
-  for (const auto& phrase : words.phrases) {
-    if (lines.size() + phrase.size() >= longest_payload)
-      break;
-    lines += phrase;
-    lines += '\n';
-  }
   return frame(
       {{"type", "words"}, {"names", static_cast<std::int64_t>(words.names)}},
-      lines);
+      lines_of(words));
+}
+
+std::string narrow_frame(TurnNumber turn, const Words& words) {
+  return frame({{"type", "narrow"},
+                {"turn", turn},
+                {"names", static_cast<std::int64_t>(words.names)}},
+               lines_of(words));
 }
 
 void AnswerReader::add(std::string_view bytes) {

@@ -30,6 +30,8 @@ struct Words {
 std::string audio_frame(TurnNumber turn, std::span<const Sample> samples);
 // Of a stream in which speech is to be found.
 std::string detect_frame(TurnNumber stream, std::span<const Sample> samples);
+// Before its audio: the only words that the turn is to prefer.
+std::string narrow_frame(TurnNumber turn, const Words& words);
 std::string finish_frame(TurnNumber turn);
 std::string cancel_frame(TurnNumber turn);
 // The words of the application; those that do not fit into a frame are left

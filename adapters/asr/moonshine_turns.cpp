@@ -22,6 +22,7 @@ MoonshineTurns::Place MoonshineTurns::add(const Message& audio,
                                           std::size_t samples) {
   Place place;
   if (!spoken_.contains(audio.session)) {
+    place.is_new = true;
     place.dropped = drop_one();
     spoken_[audio.session] = ++last_;
     turns_[last_].order = order_of(audio);

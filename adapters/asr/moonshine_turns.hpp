@@ -30,6 +30,7 @@ public:
   // Where a piece of audio belongs.
   struct Place {
     TurnNumber turn = 0;
+    bool is_new = false;
     std::size_t samples = 0; // how many of them are still heard
     // A turn that gives way to this one, as too many are being spoken.
     std::optional<TurnNumber> dropped;

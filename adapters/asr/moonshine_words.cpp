@@ -52,11 +52,12 @@ void add_values(Phrases& phrases, const std::vector<std::string>& values) {
         phrases.add(std::move(word));
 }
 
-void add_slot(Phrases& phrases, const SlotModel& slot, const PluginHost& host) {
+void add_slot(Phrases& phrases, const SlotModel& slot,
+              const ColumnReader& columns) {
   add_values(phrases, slot.values);
   if (slot.source.empty())
     return;
-  if (const auto values = host.column(slot.source))
+  if (const auto values = columns(slot.source))
     add_values(phrases, *values);
 }
 
@@ -156,7 +157,7 @@ std::vector<std::string> example_words(const std::string& example) {
   return phrases.take();
 }
 
-Words application_words(const PluginHost& host) {
+Words application_words(const PluginHost& host, const ColumnReader& columns) {
   Words words;
   Phrases phrases;
   const auto model = host.understanding();
@@ -164,7 +165,7 @@ Words application_words(const PluginHost& host) {
     return {};
   for (const auto& topic : model->topics)
     for (const auto& slot : topic.slots)
-      add_slot(phrases, slot, host);
+      add_slot(phrases, slot, columns);
   words.names = phrases.size();
   for (const auto& grammar : model->grammars)
     add_sentences(phrases, grammar_words(grammar.text));

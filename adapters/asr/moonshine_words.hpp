@@ -9,10 +9,11 @@
 
 namespace parlour::adapters::moonshine {
 
-// The values of sets and of database columns and the names in them; then what
-// the grammars and the examples say. Each once, as it is written. Columns that
-// cannot be read are left out. May block.
-Words application_words(const PluginHost& host);
+// What `host` knows of the application; `columns` reads its columns, which may
+// block. The values of sets and of database columns and the names in them; then
+// what the grammars and the examples say. Each once, as it is written. Columns
+// that cannot be read are left out.
+Words application_words(const PluginHost& host, const ColumnReader& columns);
 
 // The runs of words in a JSGF grammar that are spoken as they stand: no rules,
 // tags, weights or comments.

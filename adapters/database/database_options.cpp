@@ -2,6 +2,8 @@
 
 #include <iterator>
 
+#include "runtime/base/comma_list.hpp"
+
 namespace parlour::adapters {
 
 std::vector<OptionDescription>
@@ -21,6 +23,14 @@ with_database_options(std::vector<OptionDescription> own) {
        OptionType::integer},
       {"max-bytes", "4194304", "the most bytes that a query returns", false,
        OptionType::integer},
+      {"columns", "",
+       "columns whose new values are told; otherwise those of slots and "
+       "grammars",
+       false},
+      {"watch", "300ms",
+       "how often to look whether other programs have changed these columns; "
+       "0s: never",
+       false, OptionType::duration},
   };
   own.insert(own.end(), std::begin(common), std::end(common));
   return own;
@@ -31,6 +41,8 @@ void read_database_options(OptionReader& read,
                            DatabaseOptions& made) {
   made.busy_timeout = read.duration("busy-timeout");
   made.transaction_timeout = read.duration("transaction-timeout");
+  made.columns = split_at_commas(read.text("columns"));
+  made.watch = read.duration("watch");
   made.schema = read.file("schema", application_folder);
   made.seed = read.file("seed", application_folder);
   made.rows = read.count("max-rows", 1);

@@ -23,6 +23,10 @@ struct DatabaseOptions {
   // The largest result of one query, in rows and in bytes of its cells.
   std::size_t rows = 10'000;
   std::size_t bytes = 4 << 20;
+  // Columns of which others are told when their values change, and how often to
+  // look whether another program has changed them; zero: never.
+  std::vector<std::string> columns;
+  Milliseconds watch{300};
 };
 
 // Returns a product's own option descriptions followed by the common ones.

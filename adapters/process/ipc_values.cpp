@@ -83,6 +83,14 @@ GrammarModel grammar_from(const Value& value) {
   return {value.at(0).text(), value.at(1).text(), place_from(value.at(2))};
 }
 
+Value pronunciation_value(const PronunciationModel& sound) {
+  return List{sound.word, sound.phones};
+}
+
+PronunciationModel pronunciation_from(const Value& value) {
+  return {value.at(0).text(), value.at(1).text()};
+}
+
 } // namespace
 
 Value to_value(const Message& message) {
@@ -172,7 +180,8 @@ Value to_value(const std::shared_ptr<const UnderstandingModel>& model) {
   if (!model)
     return {};
   return List{all(model->topics, topic_value),
-              all(model->grammars, grammar_value)};
+              all(model->grammars, grammar_value),
+              all(model->pronunciations, pronunciation_value)};
 }
 
 Expected<std::shared_ptr<const UnderstandingModel>>
@@ -182,7 +191,8 @@ understanding_from(const Value& value) {
   if (!value.if_list())
     return none("understanding");
   return std::make_shared<const UnderstandingModel>(UnderstandingModel{
-      all_from(value.at(0), topic_from), all_from(value.at(1), grammar_from)});
+      all_from(value.at(0), topic_from), all_from(value.at(1), grammar_from),
+      all_from(value.at(2), pronunciation_from)});
 }
 
 } // namespace parlour::adapters

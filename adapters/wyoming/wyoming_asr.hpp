@@ -11,7 +11,7 @@
 //  Cancel()
 //      Drops the turn.
 //  SetGrammar(names)
-//      Failed(reason): the protocol has no grammars.
+//      Ignored: the protocol has no grammars.
 //
 // Options: those of client.hpp; model, language.
 #pragma once

@@ -38,14 +38,21 @@ struct GrammarModel {
   SourceLocation place; // of the text's first line, for its findings
 };
 
+// How a word sounds, in the phones of a recogniser: "HH OW".
+struct PronunciationModel {
+  std::string word;
+  std::string phones;
+};
+
 struct UnderstandingModel {
   std::vector<TopicModel> topics;
   std::vector<GrammarModel> grammars;
+  std::vector<PronunciationModel> pronunciations = {};
 };
 
 // Reads the values of a database column ("db:rr_staff.staff_name") for a set of
-// values. May block; called while the application loads and when the data is
-// said to have changed.
+// values. May block; called while the application loads. What changes later is
+// told by the database (Database.ValuesChanged).
 using ColumnReader =
     std::function<Expected<std::vector<std::string>>(const std::string&)>;
 

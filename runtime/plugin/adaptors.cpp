@@ -61,11 +61,12 @@ ASRPlugin::ASRPlugin() : RolePlugin("ASR") {
   on("Finish", &ASRPlugin::on_finish);
   on("Cancel", &ASRPlugin::on_cancel);
   on("SetGrammar", &ASRPlugin::on_set_grammar);
+  on("SetValues", &ASRPlugin::on_set_values);
 }
 
-void ASRPlugin::on_set_grammar(const List&) {
-  refuse("it has no grammars");
-}
+void ASRPlugin::on_set_grammar(const List&) {}
+
+void ASRPlugin::on_set_values(const std::string&, const List&) {}
 
 void ASRPlugin::fire_partial(std::string text, std::int64_t revision,
                              std::optional<bool> ends) {
@@ -116,6 +117,13 @@ void TTSPlugin::fire_finished(Utterance utterance) {
 // without the state that dispatching needs.
 std::vector<Answer> NLUPlugin::answers(const Message& message) const {
   std::string text;
+  if (message.command == "SetValues") {
+    List values;
+    if (message.params.size() > 1 && read(message.params[0], text) &&
+        read(message.params[1], values))
+      set_values(text, values);
+    return {};
+  }
   if (message.command != "DoNLU")
     return {{"Failed",
              {"NLU does not know the command '" + message.command + "'"}}};
@@ -129,6 +137,8 @@ std::vector<Answer> NLUPlugin::answers(const Message& message) const {
     return {{"NoResult", {std::move(text)}}};
   return {{"FrameInfo", std::move(acts)}};
 }
+
+void NLUPlugin::set_values(const std::string&, const List&) const {}
 
 // -- nlg ---------------------------------------------------------------------
 

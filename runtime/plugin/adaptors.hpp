@@ -69,8 +69,11 @@ protected:
   virtual void on_finish() = 0;
   // The result is no longer needed.
   virtual void on_cancel() = 0;
-  // Uses only these grammars from now on. Refuses unless overridden.
+  // Expects only these grammars from now on. Ignored unless overridden.
   virtual void on_set_grammar(const List& names);
+  // The column ("db:staff.name") has these values from now on. Ignored unless
+  // overridden.
+  virtual void on_set_values(const std::string& column, const List& values);
 
   // The text recognised so far; revisions count from 1. `ends` tells whether a
   // sentence may end there, if the recogniser knows.
@@ -106,7 +109,7 @@ protected:
 
 // Language understanding: turns text into dialogue acts. It is called in the
 // session's own turn and by several threads at once if its description says
-// is_inline; what it reads must not change.
+// is_inline; what it reads must not change but as a whole.
 class NLUPlugin : public InlinePlugin {
 public:
   std::vector<Answer> answers(const Message& message) const final;
@@ -117,6 +120,10 @@ protected:
   // `context`, which is what the dialogue expects.
   virtual std::vector<Value> understand(const std::string& text,
                                         const Map& context) const = 0;
+  // The column ("db:staff.name") has these values from now on. Ignored unless
+  // overridden. Called on the plug-in's own thread, while others may call
+  // understand().
+  virtual void set_values(const std::string& column, const List& values) const;
 };
 
 // Language generation: turns acts into words. Called like an NLUPlugin.

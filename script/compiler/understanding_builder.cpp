@@ -7,6 +7,8 @@
 #include <algorithm>
 
 #include "runtime/base/utf8.hpp"
+#include "runtime/text/phones.hpp"
+#include "runtime/text/words.hpp"
 #include "script/source/text_positions.hpp"
 #include "script/xml/source_reader.hpp"
 
@@ -30,6 +32,7 @@ private:
   SlotModel slot_model(const Slot& slot, const Element* element) const;
   void add_grammar(const Element& element);
   void read_grammar(GrammarModel& grammar, const Attribute& file);
+  void add_pronunciation(const Element& element);
 
   const Program& program_;
   const ApplicationLoader& loader_;
@@ -136,12 +139,27 @@ void UnderstandingBuilder::add_grammar(const Element& element) {
   model_.grammars.push_back(std::move(grammar));
 }
 
+// A word may have several.
+void UnderstandingBuilder::add_pronunciation(const Element& element) {
+  const auto words = split_words(element.value("word"));
+  const auto* phones = element.attribute("as");
+  if (words.size() != 1)
+    return findings_.error(element.position,
+                           "<pronounce> is about one word; for a name of "
+                           "several write one for each word");
+  if (const auto wrong = mistake_in_phones(phones->value))
+    return findings_.error(phones->value_position, *wrong);
+  model_.pronunciations.push_back({words[0], tidy_phones(phones->value)});
+}
+
 void UnderstandingBuilder::add(const Element& root) {
   for (const auto& child : root.children) {
     if (child.is("topic"))
       add_topic(child);
     else if (child.is("grammar"))
       add_grammar(child);
+    else if (child.is("pronounce") && child.attribute("as"))
+      add_pronunciation(child);
   }
 }
 

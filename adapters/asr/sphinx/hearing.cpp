@@ -44,7 +44,8 @@ std::string text_of(const std::vector<std::string>& words) {
 Expected<Vocabulary> make_vocabulary(const LanguageSources& sources,
                                      const std::string& model) {
   auto language = std::make_shared<Language>(sources);
-  const auto sounds = model_sounds(model, language->words());
+  const auto sounds = model_sounds(model, language->words(),
+                                   given_sounds(sources.model.pronunciations));
   if (!sounds)
     return tl::make_unexpected(sounds.error());
   Vocabulary made;

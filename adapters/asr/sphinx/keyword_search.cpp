@@ -36,8 +36,9 @@ std::size_t least_sounds(const std::vector<std::string>& ways) {
 }
 
 Expected<Pronunciations> sounds_of(const std::set<std::string>& words,
-                                   const std::string& model) {
-  auto sounds = model_sounds(model, words);
+                                   const std::string& model,
+                                   const Pronunciations& given) {
+  auto sounds = model_sounds(model, words, given);
   if (!sounds)
     return sounds;
   for (const auto& word : words)
@@ -50,7 +51,8 @@ Expected<Pronunciations> sounds_of(const std::set<std::string>& words,
 } // namespace
 
 Expected<Keywords> make_keywords(const std::vector<std::string>& phrases,
-                                 const std::string& model, double sensitivity) {
+                                 const std::string& model, double sensitivity,
+                                 const Pronunciations& given) {
   Keywords made;
   made.least_score =
       least_sensitive + sensitivity * (most_sensitive - least_sensitive);
@@ -62,7 +64,7 @@ Expected<Keywords> make_keywords(const std::vector<std::string>& phrases,
     words.insert(spoken.begin(), spoken.end());
     made.phrases.push_back({written, text_of(spoken), 0});
   }
-  const auto sounds = sounds_of(words, model);
+  const auto sounds = sounds_of(words, model, given);
   if (!sounds)
     return tl::make_unexpected(sounds.error());
   for (auto& phrase : made.phrases)

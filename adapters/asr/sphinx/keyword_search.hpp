@@ -28,10 +28,11 @@ struct Keywords {
 };
 
 // `sensitivity` is 0 (nothing but clear speech) to 1. An error of kind Settings
-// if a phrase has no words, or if it is unknown how one of them sounds. Blocks
-// for up to some seconds.
+// if a phrase has no words, or if it is unknown how one of them sounds. What
+// the application says of that is `given`. Blocks for up to some seconds.
 Expected<Keywords> make_keywords(const std::vector<std::string>& phrases,
-                                 const std::string& model, double sensitivity);
+                                 const std::string& model, double sensitivity,
+                                 const Pronunciations& given = {});
 
 struct FoundKeyword {
   std::string phrase;    // as it was written

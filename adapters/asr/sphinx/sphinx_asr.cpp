@@ -13,6 +13,7 @@
 
 #include "adapters/asr/sphinx/hearing.hpp"
 #include "adapters/asr/sphinx/language_sources.hpp"
+#include "adapters/asr/sphinx/recogniser_pool.hpp"
 #include "runtime/plugin/adaptors.hpp"
 
 namespace parlour::adapters {
@@ -34,6 +35,10 @@ const std::vector<OptionDescription>& option_descriptions() {
     all.push_back({"recognisers", "2",
                    "how many may speak at the same time, 1 to 16", false,
                    OptionType::integer});
+    all.push_back({"one-by-one", "false",
+                   "uses new values before the next message; virtual time "
+                   "sets it",
+                   false, OptionType::boolean});
     return all;
   }();
   return descriptions;
@@ -57,32 +62,24 @@ protected:
         parse_number(option(options, "recognisers")).integer_or(0);
     if (count < 1 || count > 16)
       return fail(ErrorKind::settings, "the option 'recognisers' is 1 to 16");
-    most_recognisers_ = static_cast<std::size_t>(count);
-    model_ = option(options, "model");
-    const auto sources = asr::language_sources(host(), options);
+    one_by_one_ = option(options, "one-by-one") == "true";
+    auto sources = asr::language_sources(host(), options);
     if (!sources)
       return tl::make_unexpected(sources.error());
-    auto vocabulary = asr::make_vocabulary(*sources, model_);
-    if (!vocabulary)
-      return tl::make_unexpected(vocabulary.error());
-    vocabulary_ = std::make_shared<asr::Vocabulary>(std::move(*vocabulary));
-    if (vocabulary_->language->sentences().arc_count() == 0) {
-      host().log("The application has no grammars, values or examples, so "
-                 "nothing can be heard.");
-      most_recognisers_ = 0;
-      return {};
-    }
-    auto first = asr::Hearing::make(vocabulary_, model_);
-    if (!first)
-      return tl::make_unexpected(first.error());
-    free_.push_back(std::move(*first));
-    made_ = 1;
+    auto pool =
+        asr::RecogniserPool::make(std::move(*sources), option(options, "model"),
+                                  static_cast<std::size_t>(count));
+    if (!pool)
+      return tl::make_unexpected(pool.error());
+    pool_ = std::move(*pool);
+    tell_deaf();
     return {};
   }
 
   void stop() override {
+    loop_.reset(); // it may be making a vocabulary
     utterances_.clear();
-    free_.clear();
+    pool_.reset();
   }
 
   void on_do_recognition(const Binary& audio) override {
@@ -110,7 +107,7 @@ protected:
   // one.
   void on_finish() override {
     const auto found = utterances_.find(current().session);
-    if (found == utterances_.end() || most_recognisers_ == 0) {
+    if (found == utterances_.end() || pool_->is_deaf()) {
       utterances_.erase(current().session);
       return fire_rejected("nothing was said that can be heard");
     }
@@ -121,7 +118,8 @@ protected:
       host().after(left_alone, [this] { take_back(); });
       return;
     }
-    tell(found->second.hearing->finish());
+    auto& hearing = *found->second.hearing;
+    tell(hearing.finish(), *hearing.vocabulary()->language);
     end(current().session);
   }
 
@@ -141,6 +139,12 @@ protected:
       grammars_.erase(current().session);
   }
 
+  // Several columns of a table are told one after the other.
+  void on_set_values(const std::string& column, const List& values) override {
+    if (pool_->set_values(column, values) && !std::exchange(is_stale_, true))
+      host().after(Milliseconds::zero(), [this] { renew(); });
+  }
+
 private:
   struct Utterance {
     std::optional<asr::Hearing> hearing;
@@ -154,24 +158,25 @@ private:
 
   // Leaves the utterance without one if all are busy.
   void give_recogniser(const SessionId& session, Utterance& utterance) {
-    if (free_.empty() && made_ < most_recognisers_)
-      if (auto made = asr::Hearing::make(vocabulary_, model_)) {
-        free_.push_back(std::move(*made));
-        ++made_;
-      }
-    if (free_.empty())
+    if (!give_free(session, utterance)) {
       take_back();
-    if (free_.empty() || utterance.hearing)
-      return;
-    auto hearing = std::move(free_.back());
-    free_.pop_back();
+      if (!utterance.hearing) // it may have got the one that was taken back
+        give_free(session, utterance);
+    }
+  }
+
+  bool give_free(const SessionId& session, Utterance& utterance) {
+    auto hearing = pool_->take();
+    if (!hearing)
+      return false;
     const auto wanted = grammars_.find(session);
-    if (auto begun =
-            hearing.begin(wanted == grammars_.end() ? std::vector<std::string>()
-                                                    : wanted->second);
+    if (auto begun = hearing->begin(wanted == grammars_.end()
+                                        ? std::vector<std::string>()
+                                        : wanted->second);
         !begun)
       host().failed(begun.error().message);
-    utterance.hearing.emplace(std::move(hearing));
+    utterance.hearing = std::move(hearing);
+    return true;
   }
 
   // Ends an utterance that nobody goes on with: its session may be gone.
@@ -193,12 +198,13 @@ private:
     auto text = utterance.hearing->partial();
     if (text.empty() || text == utterance.partial)
       return;
-    fire_partial(written(asr::split_text(text)), ++utterance.revision,
+    const auto& language = *utterance.hearing->vocabulary()->language;
+    fire_partial(written(asr::split_text(text), language), ++utterance.revision,
                  utterance.hearing->ends(text));
     utterance.partial = std::move(text);
   }
 
-  void tell(const asr::Heard& heard) {
+  void tell(const asr::Heard& heard, const asr::Language& language) {
     if (heard.words.empty())
       return fire_rejected("nothing was understood");
     if (heard.agreement < least_agreement_)
@@ -210,7 +216,7 @@ private:
       const auto& each = heard.words[i];
       text.push_back(each.word);
       Map word;
-      word.set("word", vocabulary_->language->written(each.word));
+      word.set("word", language.written(each.word));
       word.set("begin", each.begin);
       word.set("end", each.end);
       word.set("agreed", static_cast<bool>(heard.agreed[i]));
@@ -218,15 +224,16 @@ private:
     }
     List alternatives;
     for (const auto* other : {&heard.by_grammar, &heard.by_domain})
-      alternatives.push_back(written(asr::split_text(*other)));
-    fire_result(written(text), heard.agreement, std::move(alternatives),
-                std::move(words));
+      alternatives.push_back(written(asr::split_text(*other), language));
+    fire_result(written(text, language), heard.agreement,
+                std::move(alternatives), std::move(words));
   }
 
-  std::string written(const std::vector<std::string>& words) const {
+  static std::string written(const std::vector<std::string>& words,
+                             const asr::Language& language) {
     std::vector<std::string> spelt;
     for (const auto& word : words)
-      spelt.push_back(vocabulary_->language->written(word));
+      spelt.push_back(language.written(word));
     return asr::text_of(spelt);
   }
 
@@ -237,31 +244,70 @@ private:
       return;
     if (found->second.hearing) {
       found->second.hearing->drop();
-      free_.push_back(std::move(*found->second.hearing));
+      pool_->give_back(std::move(*found->second.hearing));
     }
     utterances_.erase(found);
-    const auto next = std::ranges::find_if(
-        utterances_, [](const auto& each) { return !each.second.hearing; });
-    if (next != utterances_.end() && !free_.empty())
-      catch_up(next->first, next->second);
+    serve_waiting();
   }
 
-  void catch_up(const SessionId& session, Utterance& utterance) {
-    give_recogniser(session, utterance);
-    if (!utterance.hearing)
-      return;
+  // Those that wait for a recogniser get one, as long as there is one.
+  void serve_waiting() {
+    for (;;) {
+      const auto next = std::ranges::find_if(
+          utterances_, [](const auto& each) { return !each.second.hearing; });
+      if (next == utterances_.end() || !give_free(next->first, next->second))
+        return;
+      catch_up(next->second);
+    }
+  }
+
+  void catch_up(Utterance& utterance) {
     utterance.hearing->hear(std::exchange(utterance.waiting, {}));
     const auto finish = std::move(utterance.finish);
     if (finish)
       as_answer_to(*finish, [this] { on_finish(); });
   }
 
-  std::shared_ptr<const asr::Vocabulary> vocabulary_;
-  std::string model_;
+  // -- new values -------------------------------------------------------------
+
+  // Nobody who speaks waits for it.
+  void renew() {
+    is_stale_ = false;
+    if (one_by_one_)
+      return use(pool_->renew());
+    if (!loop_) {
+      auto loop =
+          Loop::start([this](const std::string& what) { host().log(what); });
+      if (!loop)
+        return host().log("The new values are not heard: " +
+                          loop.error().message);
+      loop_ = std::move(*loop);
+    }
+    pool_->renew(*loop_, [this](const asr::RecogniserPool::Outcome& outcome) {
+      host().after(Milliseconds::zero(), [this, outcome] { use(outcome); });
+    });
+  }
+
+  void use(const asr::RecogniserPool::Outcome& outcome) {
+    if (!*outcome)
+      return host().log("The new values are not heard: " +
+                        outcome->error().message);
+    pool_->use(std::move(**outcome));
+    tell_deaf();
+    serve_waiting(); // what is new is free
+  }
+
+  void tell_deaf() {
+    if (pool_->is_deaf())
+      host().log("The application has no grammars, values or examples, so "
+                 "nothing can be heard.");
+  }
+
   double least_agreement_ = 0;
-  std::size_t most_recognisers_ = 0;
-  std::size_t made_ = 0;
-  std::vector<asr::Hearing> free_;
+  bool one_by_one_ = false;
+  std::unique_ptr<asr::RecogniserPool> pool_;
+  bool is_stale_ = false; // values have changed, and nothing is made of it yet
+  std::unique_ptr<Loop> loop_;
   std::map<SessionId, Utterance> utterances_;
   std::map<SessionId, std::vector<std::string>> grammars_;
 };

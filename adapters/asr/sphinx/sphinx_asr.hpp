@@ -17,6 +17,10 @@
 //      utterances from the next one on, beside what is said in any
 //      conversation; an empty list: all.
 //
+//  SetValues(column, values)
+//      The column's values from the next utterance on, once they are prepared,
+//      which takes about a second and disturbs nobody.
+//
 // Options: see sphinx_asr.cpp. Each of the recognisers (option "recognisers")
 // hears one utterance at a time; they are made when they are needed, and an
 // utterance waits for one: up to 30 s of audio are kept for it.

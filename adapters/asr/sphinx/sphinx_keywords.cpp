@@ -65,7 +65,11 @@ private:
   };
 
   Expected<void> look_for(const std::vector<std::string>& phrases) {
-    auto made = asr::make_keywords(phrases, model_, sensitivity_);
+    const auto application = host().understanding();
+    auto made = asr::make_keywords(
+        phrases, model_, sensitivity_,
+        application ? asr::given_sounds(application->pronunciations)
+                    : asr::Pronunciations());
     if (!made)
       return tl::make_unexpected(made.error());
     keywords_ = std::make_shared<asr::Keywords>(std::move(*made));

@@ -1,6 +1,8 @@
-// States are numbered as they come. A state that is final and goes on exists
-// twice for its incoming arcs: as itself and as the end. So no empty transition
-// is needed there, of which the decoder would form all combinations.
+// States are numbered as they come. A state of a value set that is final and
+// goes on exists twice for its incoming arcs: as itself and as the end. So no
+// empty transition is needed there, of which the decoder would form all
+// combinations. Those of sentences are few, and have one: each word that leads
+// to the end costs the decoder three kilobytes, as any sentence may follow.
 #include "adapters/asr/words/fsg_text.hpp"
 
 #include <iterator>
@@ -57,17 +59,17 @@ private:
   }
 
   void write_sentences(const WordGraph& graph, std::size_t first) {
-    for (std::size_t i = 0; i < graph.states.size(); ++i)
-      for (const auto& arc : graph.states[i].arcs) {
-        const auto& target = graph.states[arc.target];
-        const auto probability = share(graph.states[i]);
-        const bool goes_on = !target.arcs.empty();
-        if (goes_on)
-          move(first + i, first + arc.target, probability, arc.symbol);
-        if (target.is_final)
-          move(first + i, end_,
-               goes_on ? probability * share(target) : probability, arc.symbol);
+    for (std::size_t i = 0; i < graph.states.size(); ++i) {
+      const auto& state = graph.states[i];
+      for (const auto& arc : state.arcs) {
+        const bool goes_on = !graph.states[arc.target].arcs.empty();
+        if (goes_on || graph.states[arc.target].is_final)
+          move(first + i, goes_on ? first + arc.target : end_, share(state),
+               arc.symbol);
       }
+      if (i > 0 && state.is_final && !state.arcs.empty())
+        line(first + i, end_, share(state), "");
+    }
   }
 
   void move(std::size_t from, std::size_t to, double probability,

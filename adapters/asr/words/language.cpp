@@ -203,6 +203,39 @@ std::string Language::arpa(const WordGraph& graph, std::size_t count) const {
   return trigrams.arpa(symbols_);
 }
 
+// A value set is that of a slot or a column: its name has a point. It has no
+// ring, as each value is added by itself.
+Language::Phrases Language::phrases(const WordGraph& graph,
+                                    std::size_t most_values) const {
+  Phrases made;
+  std::set<Symbol> seen;
+  for (const auto& state : graph.states)
+    for (const auto& arc : state.arcs) {
+      if (!seen.insert(arc.symbol).second)
+        continue;
+      const auto& text = symbols_.text(arc.symbol);
+      const auto set = sets_.find(arc.symbol);
+      if (!symbols_.is_set(arc.symbol))
+        made.words.push_back(written(text));
+      else if (set != sets_.end() && text.find('.') != std::string::npos)
+        add_values(set->second, 0, "", most_values, made.values);
+    }
+  return made;
+}
+
+void Language::add_values(const WordGraph& set, std::uint32_t state,
+                          const std::string& before, std::size_t most,
+                          std::vector<std::string>& values) const {
+  if (set.states[state].is_final && values.size() < most)
+    values.push_back(before);
+  for (const auto& arc : set.states[state].arcs)
+    if (values.size() < most && !symbols_.is_set(arc.symbol))
+      add_values(set, arc.target,
+                 before + (before.empty() ? "" : " ") +
+                     written(symbols_.text(arc.symbol)),
+                 most, values);
+}
+
 std::set<std::string> Language::words() const {
   std::set<std::string> words;
   for (Symbol symbol = 0; symbol < symbols_.size(); ++symbol)

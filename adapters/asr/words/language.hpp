@@ -47,6 +47,13 @@ public:
   // The domain model, counted from `count` sentences drawn from the graph, and
   // from the conversations.
   std::string arpa(const WordGraph& graph, std::size_t count) const;
+  // What the graph's sentences are made of, as it is written: the values in
+  // them, at most so many, and single words. Forms such as times are left out.
+  struct Phrases {
+    std::vector<std::string> values;
+    std::vector<std::string> words;
+  };
+  Phrases phrases(const WordGraph& graph, std::size_t most_values) const;
   // All words that may be heard.
   std::set<std::string> words() const;
   // "Jeffery" for "jeffery".
@@ -60,6 +67,9 @@ public:
                            const std::vector<std::string>& words) const;
 
 private:
+  void add_values(const WordGraph& set, std::uint32_t state,
+                  const std::string& before, std::size_t most,
+                  std::vector<std::string>& values) const;
   void add_example_values(const TopicModel& topic, ValueSets& sets);
   void add_conversations(const LanguageSources& sources, ValueSets& sets);
   void add_grammar(const GrammarModel& model, GrammarReader& reader);

@@ -1,9 +1,10 @@
 #include "adapters/asr/words/phones.hpp"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 #include <vector>
+
+#include "runtime/text/phones.hpp"
 
 namespace parlour::adapters::asr {
 
@@ -122,12 +123,6 @@ constexpr Entry table[] = {
     {"*", "T"},
     {";", ""}};
 
-constexpr std::array<std::string_view, 39> phones{
-    "AA", "AE", "AH", "AO", "AW", "AY", "B",  "CH", "D",  "DH",
-    "EH", "ER", "EY", "F",  "G",  "HH", "IH", "IY", "JH", "K",
-    "L",  "M",  "N",  "NG", "OW", "OY", "P",  "R",  "S",  "SH",
-    "T",  "TH", "UH", "UW", "V",  "W",  "Y",  "Z",  "ZH"};
-
 // The parts of a text between blanks and '_'.
 std::vector<std::string_view> parts_of(std::string_view text) {
   std::vector<std::string_view> parts;
@@ -169,9 +164,8 @@ std::optional<std::string> phones_of(std::string_view phonemes) {
 
 bool are_phones(std::string_view text) {
   const auto parts = parts_of(text);
-  return !parts.empty() && std::ranges::all_of(parts, [](auto part) {
-    return std::ranges::find(phones, part) != phones.end();
-  });
+  return !parts.empty() &&
+         std::ranges::all_of(parts, [](auto part) { return is_phone(part); });
 }
 
 } // namespace parlour::adapters::asr

@@ -6,6 +6,7 @@
 
 #include "adapters/asr/words/phones.hpp"
 #include "adapters/asr/words/program_output.hpp"
+#include "adapters/asr/words/spoken_words.hpp"
 
 namespace parlour::adapters::asr {
 
@@ -77,13 +78,25 @@ Pronunciations espeak_sounds(const std::set<std::string>& words) {
   return word == words.end() ? found : Pronunciations();
 }
 
+Pronunciations given_sounds(const std::vector<PronunciationModel>& given) {
+  Pronunciations sounds;
+  for (const auto& each : given)
+    if (const auto words = spoken_words(each.word); words.size() == 1)
+      sounds[words[0]].push_back(each.phones);
+  return sounds;
+}
+
 Expected<Pronunciations> model_sounds(const std::filesystem::path& model,
-                                      const std::set<std::string>& words) {
+                                      const std::set<std::string>& words,
+                                      const Pronunciations& given) {
   auto sounds = dictionary_sounds(model / "cmudict-en-us.dict", words);
   if (!sounds)
     return fail(ErrorKind::settings,
                 "no dictionary of PocketSphinx is in " + model.string() +
                     "; install pocketsphinx-en-us, or set the option 'model'");
+  for (const auto& [word, ways] : given)
+    if (words.contains(word))
+      (*sounds)[word] = ways;
   std::set<std::string> lacking;
   for (const auto& word : words)
     if (!sounds->contains(word))

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "runtime/base/error.hpp"
+#include "runtime/message/understanding.hpp"
 
 namespace parlour::adapters::asr {
 
@@ -26,11 +27,16 @@ Expected<Pronunciations> dictionary_sounds(const std::filesystem::path& file,
 // which a voice may be using.
 Pronunciations espeak_sounds(const std::set<std::string>& words);
 
-// The sounds of these words: by the dictionary in the folder of a model of
-// PocketSphinx, else by espeak_sounds(). Words without any are left out. An
-// error of kind Settings if there is no dictionary.
+// What an application says of its words (<pronounce>), by the words as they are
+// said: "Ho" is "ho".
+Pronunciations given_sounds(const std::vector<PronunciationModel>& given);
+
+// The sounds of these words: those that are given, else by the dictionary in
+// the folder of a model of PocketSphinx, else by espeak_sounds(). Words without
+// any are left out. An error of kind Settings if there is no dictionary.
 Expected<Pronunciations> model_sounds(const std::filesystem::path& model,
-                                      const std::set<std::string>& words);
+                                      const std::set<std::string>& words,
+                                      const Pronunciations& given = {});
 
 // As PocketSphinx reads it.
 std::string dictionary_text(const Pronunciations& sounds);

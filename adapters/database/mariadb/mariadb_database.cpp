@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "adapters/database/mariadb/mariadb_pool.hpp"
+#include "adapters/database/mariadb/mariadb_watch.hpp"
 
 namespace parlour::adapters {
 
@@ -43,19 +44,44 @@ Expected<void> MySQLDatabase::on_start(const Options& options) {
       },
       [this](const std::string& text) { host().log(text); });
   auto first = pool_->first_connection();
-  if (first)
+  if (first) {
+    watch_values();
     return {};
+  }
   // A copy is made for a test, which must not begin without its database.
   if (!options_.copy && (first.error().kind == ErrorKind::offline ||
                          first.error().kind == ErrorKind::timeout)) {
     host().log("The server cannot be reached yet: " + first.error().message);
+    watch_values();
     return {};
   }
   pool_.reset();
   return first;
 }
 
+// In virtual time it looks when something was written, and only then.
+void MySQLDatabase::watch_values() {
+  if (options_.columns.empty() ||
+      (options_.watch == Milliseconds::zero() && !options_.one_by_one))
+    return;
+  auto watch =
+      MariaDBWatch::start(options_, [this](const ValueWatch::News& news) {
+        for (const auto& error : news.errors)
+          host().log("A column cannot be read, so its values stay as they "
+                     "are: " +
+                     error.message);
+        for (const auto& [column, values] : news.changed)
+          host().fire_event(values_changed(column, values));
+      });
+  if (!watch)
+    return host().log("New values of columns are not noticed: " +
+                      watch.error().message);
+  watch_ = std::move(*watch);
+  watch_->look_now();
+}
+
 void MySQLDatabase::stop() {
+  watch_.reset();
   pool_.reset();
 }
 
@@ -74,8 +100,11 @@ void MySQLDatabase::on_message(const Message& message) {
                           "'; for another the settings need a component of "
                           "its own.",
                       {}});
-  submit({*command, without_its_way(message),
-          *command == DatabaseCommand::query && is_write(message)});
+  const bool writes = *command == DatabaseCommand::query && is_write(message);
+  submit({*command, without_its_way(message), writes});
+  if (watch_ && options_.one_by_one &&
+      (writes || *command == DatabaseCommand::commit))
+    watch_->look_now();
 }
 
 void MySQLDatabase::submit(DatabaseOrder order) {

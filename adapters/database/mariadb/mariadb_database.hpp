@@ -5,6 +5,9 @@
 //  Query(sql, values, write?)  Result(rows) or Result(rows, changes)
 //  Begin, Commit, Rollback     Result(): each session has its own
 //
+// Unasked: ValuesChanged(column, values) if a column of the option `columns`
+// has other values than before, whoever wrote them.
+//
 // A failure is answered with Error(kind, message). A read whose connection is
 // lost is repeated on another one; a write whose connection is lost before the
 // server answered fails with kind InDoubt, and the script decides.
@@ -12,6 +15,7 @@
 // Threads: a MariaDBPool talks to the server on a thread of its own and answers
 // from there. The thread that calls the plug-in waits only when it starts and
 // stops, or with the option `one-by-one`, which virtual time needs.
+// MariaDBWatch has a thread of its own, too.
 #pragma once
 
 #include <memory>
@@ -26,6 +30,7 @@ namespace parlour::adapters {
 
 struct DatabaseOrder;
 class MariaDBPool;
+class MariaDBWatch;
 
 class MySQLDatabase : public IPlugin {
 public:
@@ -41,6 +46,7 @@ protected:
   void on_message(const Message& message) override;
 
 private:
+  void watch_values();
   void submit(DatabaseOrder order);
   bool is_this_database(const Value& wanted) const;
   void tell(const Message& message, StatementOutcome outcome);
@@ -48,8 +54,9 @@ private:
 
   MariaDBOptions options_;
   OpenMessages open_;
-  // The last member: it still answers messages while it is destroyed.
+  // It still answers messages while it is destroyed.
   std::unique_ptr<MariaDBPool> pool_;
+  std::unique_ptr<MariaDBWatch> watch_;
 };
 
 PluginFactory mysql_database_factory();

@@ -75,31 +75,33 @@ Expected<ColumnReference> parse_column(const std::string& reference) {
   return ColumnReference{std::string(table), std::string(column)};
 }
 
+// Both names are plain, so quoting them is safe.
+Expected<std::vector<std::string>> read_column(SQLiteConnection& connection,
+                                               const std::string& reference) {
+  return parse_column(reference).and_then([&](const ColumnReference& place) {
+    const auto column = "\"" + place.column + "\"";
+    return connection.texts("select distinct " + column + " from \"" +
+                                place.table + "\" where " + column +
+                                " is not null order by 1",
+                            column_limits);
+  });
+}
+
 Expected<std::vector<std::string>> read_column(const SQLiteOptions& options,
                                                const std::string& reference) {
-  const auto place = parse_column(reference);
-  if (!place)
+  if (const auto place = parse_column(reference); !place)
     return tl::make_unexpected(place.error());
   auto handle = open_to_read(options);
   if (!handle)
     return tl::make_unexpected(handle.error());
   SQLiteConnection connection(std::move(*handle), column_limits,
                               options.busy_timeout);
-  // Both names are plain, so quoting them is safe.
-  const auto column = "\"" + place->column + "\"";
-  auto answer =
-      connection.run("select distinct " + column + " from \"" + place->table +
-                         "\" where " + column + " is not null order by 1",
-                     {}, Access::read);
-  if (!answer)
-    return fail(answer.error().kind, "The column '" + reference +
-                                         "' cannot be read" + source(options) +
-                                         ": " + answer.error().message +
-                                         way_out(options));
-  std::vector<std::string> values;
-  for (const auto& cell : answer->rows.cells)
-    values.push_back(cell.text());
-  return values;
+  return read_column(connection, reference).map_error([&](const Error& error) {
+    return Error{error.kind,
+                 "The column '" + reference + "' cannot be read" +
+                     source(options) + ": " + error.message + way_out(options),
+                 {}};
+  });
 }
 
 ColumnReader sqlite_column_reader(const Options& options,

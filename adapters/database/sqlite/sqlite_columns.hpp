@@ -21,6 +21,10 @@ struct ColumnReference {
 // else may reach it. The error has the kind Settings.
 Expected<ColumnReference> parse_column(const std::string& reference);
 
+// The same over a connection that is open.
+Expected<std::vector<std::string>> read_column(SQLiteConnection& connection,
+                                               const std::string& reference);
+
 // The distinct values in ascending order, without NULL. Reads the database file
 // if it exists, else the database that schema and seed would create; creates no
 // file. Thread-safe; blocks for some milliseconds.

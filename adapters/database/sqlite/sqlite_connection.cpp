@@ -129,6 +129,24 @@ Expected<StatementAnswer> SQLiteConnection::run(const std::string& sql,
   return collect(**known);
 }
 
+Expected<std::vector<std::string>>
+SQLiteConnection::texts(const std::string& sql, const SQLiteLimits& limits) {
+  const auto usual = std::exchange(limits_, limits);
+  limits_.statements = usual.statements;
+  auto answer = run(sql, {}, Access::read);
+  limits_ = usual;
+  if (!answer)
+    return tl::make_unexpected(answer.error());
+  std::vector<std::string> texts;
+  for (const auto& cell : answer->rows.cells)
+    texts.push_back(cell.text());
+  return texts;
+}
+
+std::set<std::string> SQLiteConnection::take_written() {
+  return std::exchange(written_, {});
+}
+
 Expected<void> SQLiteConnection::begin() {
   return control("begin immediate");
 }
@@ -169,6 +187,7 @@ SQLiteConnection::prepared(const std::string& sql) {
   if (!statement)
     return tl::make_unexpected(statement.error());
   cache_.push_front({sql, std::move(*statement), {}});
+  cache_.front().writes = std::exchange(writes_, {});
   places_.emplace(cache_.front().sql, cache_.begin());
   if (cache_.size() > std::max<std::size_t>(limits_.statements, 1)) {
     places_.erase(cache_.back().sql);
@@ -181,6 +200,7 @@ Expected<SQLiteStatement> SQLiteConnection::prepare(const std::string& sql) {
   sqlite3_stmt* statement = nullptr;
   const char* rest = nullptr;
   refused_.clear();
+  writes_.clear();
   const auto code = sqlite3_prepare_v3(
       handle_.get(), sql.data(), static_cast<int>(sql.size()),
       SQLITE_PREPARE_PERSISTENT, &statement, &rest);
@@ -243,6 +263,8 @@ Expected<StatementAnswer> SQLiteConnection::collect(Prepared& prepared) {
   if (code != SQLITE_DONE)
     return failure(prepared.sql, code);
   answer.changes = sqlite3_total_changes64(handle_.get()) - before;
+  if (answer.changes > 0)
+    written_.insert(prepared.writes.begin(), prepared.writes.end());
   return answer;
 }
 
@@ -258,9 +280,13 @@ tl::unexpected<Error> SQLiteConnection::failure(const std::string& sql,
   return fail(kind_of(code), first_words(sql) + " failed: " + reason + ".");
 }
 
-int SQLiteConnection::authorize(void* self, int action, const char*,
+// Those of triggers and of foreign keys are among them.
+int SQLiteConnection::authorize(void* self, int action, const char* first,
                                 const char* second, const char*, const char*) {
   auto& connection = *static_cast<SQLiteConnection*>(self);
+  if (first && (action == SQLITE_INSERT || action == SQLITE_UPDATE ||
+                action == SQLITE_DELETE))
+    connection.writes_.emplace_back(first);
   const auto* reason = refusal(action, connection.controlling_, second);
   if (!reason)
     return SQLITE_OK;

@@ -11,9 +11,11 @@
 #include <cstdint>
 #include <list>
 #include <memory>
+#include <set>
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <vector>
 
 #include "adapters/database/statement.hpp"
 #include "runtime/base/clock.hpp"
@@ -64,6 +66,14 @@ public:
   Expected<StatementAnswer> run(const std::string& sql, const Value& values,
                                 Access access);
 
+  // The texts of the only column of a query of the platform, within limits of
+  // its own.
+  Expected<std::vector<std::string>> texts(const std::string& sql,
+                                           const SQLiteLimits& limits);
+
+  // The tables that statements have changed rows of since the last call.
+  std::set<std::string> take_written();
+
   // Transactions. `begin` takes the write lock at once, so that a later write
   // of the same transaction cannot fail because another connection wrote first.
   Expected<void> begin();
@@ -81,6 +91,7 @@ private:
     // SQLite prepares a statement again when the tables have changed.
     Columns columns;
     int preparations = -1;
+    std::vector<std::string> writes = {}; // tables, some of them twice
   };
 
   // Least recently used last. `places_` finds an entry by its SQL; its keys
@@ -106,6 +117,9 @@ private:
   std::unordered_map<std::string_view, Cache::iterator> places_;
   // The reason of the authorizer's last refusal, for the error message.
   std::string refused_;
+  // The tables that the statement which is being prepared writes to.
+  std::vector<std::string> writes_;
+  std::set<std::string> written_;
   // Counts down while a statement runs.
   std::uint64_t steps_left_ = 0;
   // True while begin, commit or rollback run, which scripts may not execute.

@@ -5,6 +5,7 @@
 
 #include <utility>
 
+#include "adapters/database/sqlite/sqlite_columns.hpp"
 #include "adapters/database/sqlite/sqlite_image.hpp"
 #include "adapters/database/sqlite/sqlite_open.hpp"
 #include "adapters/database/sqlite/sqlite_origin.hpp"
@@ -17,7 +18,10 @@ Expected<void> SQLiteDatabase::on_start(const Options& options) {
   if (!read)
     return tl::make_unexpected(read.error());
   options_ = std::move(*read);
-  return options_.in_memory() ? open_memory_copy() : open();
+  auto opened = options_.in_memory() ? open_memory_copy() : open();
+  if (opened)
+    watch_values();
+  return opened;
 }
 
 Expected<void> SQLiteDatabase::open_memory_copy() {
@@ -85,6 +89,7 @@ Expected<std::unique_ptr<SQLiteConnection>> SQLiteDatabase::connect() const {
 
 // Answers every waiting message, so that no session waits for its time limit.
 void SQLiteDatabase::stop() {
+  watch_.reset();
   if (transactions_.held() && writer_)
     (void)writer_->rollback();
   for (const auto& [ticket, delay] : std::exchange(delays_, {}))
@@ -95,6 +100,51 @@ void SQLiteDatabase::stop() {
   reader_.reset();
   writer_.reset();
 }
+
+// -- the values of columns ----------------------------------------------------
+
+void SQLiteDatabase::watch_values() {
+  values_ = ValueWatch(options_.columns);
+  look_at_values();
+  if (values_.is_idle() || options_.in_memory() ||
+      options_.watch == Milliseconds::zero())
+    return;
+  auto watch = SQLiteWatch::start(options_.file, options_.watch, [this] {
+    host().after(Milliseconds::zero(), [this] { look_at_values(); });
+  });
+  if (watch)
+    watch_ = std::move(*watch);
+  else
+    host().log("What other programs write is not noticed: " +
+               watch.error().message);
+}
+
+// What is not committed is not there yet.
+void SQLiteDatabase::note_written() {
+  if (values_.is_idle())
+    return;
+  written_.merge(writer_->take_written());
+  if (transactions_.held())
+    return;
+  if (values_.concerns(std::exchange(written_, {})))
+    look_at_values();
+}
+
+void SQLiteDatabase::look_at_values() {
+  if (!writer_ || (!reader_ && transactions_.held()))
+    return;
+  auto& connection = reader_ ? *reader_ : *writer_;
+  const auto news = values_.look([&](const std::string& column) {
+    return read_column(connection, within_database(column));
+  });
+  for (const auto& error : news.errors)
+    host().log("A column cannot be read, so its values stay as they are: " +
+               error.message);
+  for (const auto& [column, values] : news.changed)
+    host().fire_event(values_changed(column, values));
+}
+
+// -- messages -----------------------------------------------------------------
 
 void SQLiteDatabase::on_message(const Message& message) {
   const auto command = command_of(message);
@@ -203,9 +253,10 @@ void SQLiteDatabase::query(const Message& message) {
                          : *writer_;
   auto result =
       connection.run(*param(message, 0).if_string(), param(message, 1), access);
-  if (result)
-    return answer(message, "Result",
-                  result_params(message, std::move(*result)));
+  if (result) {
+    answer(message, "Result", result_params(message, std::move(*result)));
+    return note_written();
+  }
   fail_with(message, result.error());
   notice_lost_transaction(message.session);
 }
@@ -251,6 +302,7 @@ void SQLiteDatabase::end(DatabaseCommand how, const Message& message) {
     answer(message, "Result", {ResultSet{}});
   else
     fail_with(message, ended.error());
+  note_written();
   let_others_on();
 }
 

@@ -6,6 +6,9 @@
 //  Query(sql, values, write?)  Result(rows) or Result(rows, changes)
 //  Begin, Commit, Rollback     Result(): one session at a time
 //
+// Unasked: ValuesChanged(column, values) if a column of the option `columns`
+// has other values than before, whoever wrote them.
+//
 // A failure is answered with Error(kind, message). SQLite has one writer: while
 // a session holds a transaction, messages of other sessions that write wait, at
 // most `busy-timeout`. A file has a second connection for reading (WAL), so
@@ -14,6 +17,7 @@
 // well.
 //
 // Threads: statements run on the thread that calls the plug-in, and block it.
+// SQLiteWatch has one of its own.
 #pragma once
 
 #include <map>
@@ -23,6 +27,8 @@
 #include "adapters/database/sqlite/sqlite_connection.hpp"
 #include "adapters/database/sqlite/sqlite_options.hpp"
 #include "adapters/database/sqlite/sqlite_transactions.hpp"
+#include "adapters/database/sqlite/sqlite_watch.hpp"
+#include "adapters/database/value_watch.hpp"
 #include "runtime/plugin/plugin.hpp"
 
 namespace parlour::adapters {
@@ -53,6 +59,11 @@ private:
   // transaction.
   void let_others_on();
 
+  // The values of columns.
+  void watch_values();
+  void note_written();
+  void look_at_values();
+
   void check_connection(const Message& message);
   void query(const Message& message);
   void begin(const Message& message);
@@ -74,6 +85,9 @@ private:
   std::unique_ptr<SQLiteConnection> reader_;
   SQLiteTransactions transactions_;
   std::map<Ticket, PluginHost::DelayId> delays_;
+  ValueWatch values_;
+  std::set<std::string> written_; // tables, in the transaction that is open
+  std::unique_ptr<SQLiteWatch> watch_; // destroyed first: it calls
 };
 
 PluginFactory sqlite_database_factory();

@@ -1,9 +1,11 @@
 #include "adapters/nlu/keywords/keyword_nlu.hpp"
 
 #include <memory>
+#include <mutex>
 #include <utility>
 
 #include "adapters/nlu/keywords/keyword_matcher.hpp"
+#include "adapters/nlu/values/known_columns.hpp"
 #include "runtime/base/file_bytes.hpp"
 #include "runtime/plugin/folder.hpp"
 
@@ -19,18 +21,22 @@ Error joined(const std::vector<Error>& errors) {
   return all;
 }
 
-// The plug-in. It has no state after its start, so any number of threads may
-// ask it.
+// The plug-in. Any number of threads may ask it: a matcher does not change, but
+// another one takes its place where a column has new values.
 class KeywordNLU : public InlinePlugin {
 public:
   std::vector<Answer> answers(const Message& message) const override {
+    if (message.command == "SetValues") {
+      set_values(message);
+      return {};
+    }
     if (message.command != "DoNLU")
       return {{"Failed",
                {"KeywordNLU does not know the command '" + message.command +
                 "'."}}};
     const auto text =
         message.params.empty() ? std::string() : message.params[0].text();
-    auto acts = matcher_->understand(text, context_of(message));
+    auto acts = matcher()->understand(text, context_of(message));
     if (acts.empty())
       return {{"NoResult", {text}}};
     return {{"FrameInfo", std::move(acts)}};
@@ -38,18 +44,48 @@ public:
 
 protected:
   Expected<void> on_start(const Options& options) override {
-    const auto model = host().understanding();
-    auto rules = load_keyword_rules(
-        options, host().application_folder(),
-        model ? *model : UnderstandingModel(),
-        [this](const std::string& name) { return host().column(name); });
-    if (!rules)
-      return tl::make_unexpected(joined(rules.error()));
-    matcher_ = std::make_unique<nlu::KeywordMatcher>(std::move(*rules));
+    options_ = options;
+    auto made = make();
+    if (!made)
+      return tl::make_unexpected(made.error());
+    matcher_ = std::move(*made);
     return {};
   }
 
 private:
+  using Matcher = std::shared_ptr<const nlu::KeywordMatcher>;
+
+  Expected<Matcher> make() const {
+    const auto model = host().understanding();
+    auto rules = load_keyword_rules(
+        options_, host().application_folder(),
+        model ? *model : UnderstandingModel(), [this](const std::string& name) {
+          return columns_.read(name, [this](const std::string& column) {
+            return host().column(column);
+          });
+        });
+    if (!rules)
+      return tl::make_unexpected(joined(rules.error()));
+    return std::make_shared<const nlu::KeywordMatcher>(std::move(*rules));
+  }
+
+  void set_values(const Message& message) const {
+    const auto* values =
+        message.params.size() > 1 ? message.params[1].if_list() : nullptr;
+    if (!values || !columns_.set(message.params[0].text(), *values))
+      return;
+    auto made = make();
+    if (!made)
+      return host().log("New values are not used: " + made.error().message);
+    const std::lock_guard lock(mutex_);
+    matcher_ = std::move(*made);
+  }
+
+  Matcher matcher() const {
+    const std::lock_guard lock(mutex_);
+    return matcher_;
+  }
+
   // If the context does not give the present time, the platform's clock does.
   Value context_of(const Message& message) const {
     Map context;
@@ -60,7 +96,11 @@ private:
     return context;
   }
 
-  std::unique_ptr<nlu::KeywordMatcher> matcher_;
+  Options options_;
+  // Used on the plug-in's own thread.
+  mutable nlu::KnownColumns columns_;
+  mutable std::mutex mutex_;
+  mutable Matcher matcher_;
 };
 
 } // namespace

@@ -1,12 +1,16 @@
 // The plug-in around NluEngine: it reads the options, builds the engine at its
-// start, and passes each text on. After its start it has no state that changes,
-// so it is an inline component (engine rule 1.2).
+// start, and passes each text on. It is an inline component (engine rule 1.2):
+// no engine changes. Where a column has new values, another engine takes its
+// place, and whoever asks meanwhile is answered by the one before.
 #include "adapters/nlu/understand/grammar_nlu.hpp"
 
 #include <algorithm>
+#include <memory>
+#include <mutex>
 #include <utility>
 
 #include "adapters/nlu/grammar/example_file.hpp"
+#include "adapters/nlu/values/known_columns.hpp"
 #include "runtime/base/file_bytes.hpp"
 #include "runtime/plugin/adaptors.hpp"
 #include "runtime/plugin/folder.hpp"
@@ -65,7 +69,19 @@ protected:
     auto context = given;
     if (!context.find("now"))
       context.set("now", host().clock().now());
-    return engine_->understand(text, std::move(context)).acts;
+    return engine()->understand(text, std::move(context)).acts;
+  }
+
+  void set_values(const std::string& column,
+                  const List& values) const override {
+    if (!columns_.set(column, values))
+      return;
+    auto built = build();
+    if (!built)
+      return host().log("The new values of " + column +
+                        " are not used: " + built.error().message);
+    const std::lock_guard lock(mutex_);
+    engine_ = std::move(*built);
   }
 
   Expected<void> on_start(const Options& options) override {
@@ -73,19 +89,42 @@ protected:
       if (auto fits = check_option(described, option(options, described.name));
           !fits)
         return fits;
-    const auto model = host().understanding();
-    auto built = nlu::build_engine(
-        options, model ? *model : UnderstandingModel(),
-        [this](const std::string& name) { return host().column(name); },
-        host().application_folder());
+    options_ = options;
+    auto built = build();
     if (!built)
-      return tl::make_unexpected(joined(built.error()));
-    engine_ = std::make_unique<nlu::NluEngine>(std::move(*built));
+      return tl::make_unexpected(built.error());
+    engine_ = std::move(*built);
     return {};
   }
 
 private:
-  std::unique_ptr<nlu::NluEngine> engine_;
+  using Engine = std::shared_ptr<const nlu::NluEngine>;
+
+  Expected<Engine> build() const {
+    const auto model = host().understanding();
+    auto built = nlu::build_engine(
+        options_, model ? *model : UnderstandingModel(),
+        [this](const std::string& name) {
+          return columns_.read(name, [this](const std::string& column) {
+            return host().column(column);
+          });
+        },
+        host().application_folder());
+    if (!built)
+      return tl::make_unexpected(joined(built.error()));
+    return std::make_shared<const nlu::NluEngine>(std::move(*built));
+  }
+
+  Engine engine() const {
+    const std::lock_guard lock(mutex_);
+    return engine_;
+  }
+
+  Options options_;
+  // Used on the plug-in's own thread.
+  mutable nlu::KnownColumns columns_;
+  mutable std::mutex mutex_;
+  mutable Engine engine_;
 };
 
 } // namespace

@@ -9,8 +9,8 @@
 //  generic          a grammar of the application that replaces the platform's
 //                   generic-acts.jsgf
 //
-// Names and values are read from the database once, at the start. What is
-// written to it later is understood after the next start.
+// Names and values are read from the database at the start; SetValues(column,
+// values) tells of new ones (engine rule 1.9).
 #pragma once
 
 #include "adapters/nlu/understand/nlu_engine.hpp"

@@ -29,6 +29,7 @@ ConversationImplementation::ConversationImplementation(
              machine),
       machine(context, timers, runner, waits, topics),
       entry(context, topics, machine),
+      heard_grammar(context, messenger, topics),
       answers(context, messenger, inbox, topics, entry),
       sockets(context, waits), message_end(context, output, sockets),
       pipeline(context, messenger, inbox, runner, reactions, entry, answers,

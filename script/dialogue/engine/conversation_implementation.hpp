@@ -18,6 +18,7 @@
 #include "script/dialogue/context/waits.hpp"
 #include "script/dialogue/engine/answers.hpp"
 #include "script/dialogue/engine/effect_handler.hpp"
+#include "script/dialogue/engine/heard_grammar.hpp"
 #include "script/dialogue/engine/lane_entry.hpp"
 #include "script/dialogue/engine/pipeline.hpp"
 #include "script/dialogue/engine/sockets.hpp"
@@ -70,6 +71,7 @@ public:
   TopicEngine topics;
   StateMachine machine;
   LaneEntry entry;
+  HeardGrammar heard_grammar;
   Answers answers;
   ScriptSockets sockets;
   MessageEnd message_end;
@@ -88,8 +90,8 @@ public:
     archive.without(messenger, waits, entry, message_end, topic_effects,
                     reaction_effects, time_effects);
     archive(timers, context, inbox, frames, reactions, runner, output, topics,
-            machine, answers, sockets, pipeline, requests, outside, effects,
-            watch_, lost_);
+            machine, heard_grammar, answers, sockets, pipeline, requests,
+            outside, effects, watch_, lost_);
   }
 
 private:

@@ -292,6 +292,7 @@ void ConversationImplementation::go_on() {
   run_lane();
   if (topics.nothing_followed())
     run_lane();
+  heard_grammar.tell();
   if (!context.turns.any_open(context.now) &&
       !inbox.has_message(Inbox::Of::all))
     context.privacy.settle(inbox.received());

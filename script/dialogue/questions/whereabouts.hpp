@@ -27,6 +27,10 @@ public:
   TopicId topic_of(const Act& act) const;
   // The context of DoNLU (runtime/message/understanding.hpp).
   Value understanding_context() const;
+  // The only grammar that is tried now; empty: all.
+  const std::string& narrowing_grammar() const {
+    return narrowing_grammar(classifier_context());
+  }
   void note_what_was_said(const steps::Fill& step, const FrameResult& result);
   // The current topic first, then those that were suspended.
   std::vector<TopicId> unfinished() const;

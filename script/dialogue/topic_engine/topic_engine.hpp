@@ -60,6 +60,10 @@ public:
   Value understanding_context() const {
     return whereabouts_.understanding_context();
   }
+  // The only grammar that is tried now; empty: all.
+  const std::string& narrowing_grammar() const {
+    return whereabouts_.narrowing_grammar();
+  }
   // Whether what the user says now is private in any case.
   bool asks_in_private() const {
     return question_.asks_in_private();

@@ -20,5 +20,14 @@ TEST(InstanceList, KnowsEachSessionsOwn) {
   EXPECT_FALSE(instances.find("a"));
 }
 
+TEST(InstanceList, NamesTheSessionsOfThoseThatAreUp) {
+  InstanceList instances;
+  const auto mailbox = std::make_shared<ComponentMailbox>();
+  const auto down = std::make_shared<std::atomic<bool>>(false);
+  instances.put("a", {mailbox, std::make_shared<std::atomic<bool>>(true)});
+  instances.put("b", {mailbox, down});
+  EXPECT_EQ(instances.sessions(), std::vector<SessionId>{"a"});
+}
+
 } // namespace
 } // namespace parlour::actors

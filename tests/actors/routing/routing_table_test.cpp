@@ -265,5 +265,23 @@ TEST_F(RoutingTableTest, KnowsWhatEndsARequest) {
   EXPECT_EQ(table->reply_to_request(event("agent", "Noise")), Reply::answer);
 }
 
+// Engine rule 1.9.
+TEST_F(RoutingTableTest, PassesOnNewValuesToAllWhoKnowThem) {
+  make("");
+  auto changed = event("Database", "ValuesChanged", {"db:a.b", List{"x"}});
+  changed.session.clear();
+  EXPECT_THAT(delivered(table->route(changed)),
+              ElementsAre(HasSubstr("Fast: Database.SetValues(db:a.b, [x])"),
+                          HasSubstr("Good: Database.SetValues(db:a.b, [x])")));
+  EXPECT_THAT(taps,
+              ElementsAre("SetValues relay -> Fast", "SetValues relay -> Good",
+                          "ValuesChanged every session"));
+  EXPECT_EQ(table->counters().messages(), 1u);
+  *up[1] = false;
+  EXPECT_EQ(table->route(changed).deliveries.size(), 1u);
+  changed.source = "Mic";
+  EXPECT_TRUE(table->route(changed).deliveries.empty());
+}
+
 } // namespace
 } // namespace parlour::actors

@@ -81,6 +81,9 @@ def main():
         if head["type"] == "words":
             print("words:", payload.decode().replace("\n", ";"),
                   file=sys.stderr, flush=True)
+        elif head["type"] == "narrow":
+            print("narrow:", payload.decode().replace("\n", ";"),
+                  file=sys.stderr, flush=True)
         elif head["type"] == "audio":
             turns[turn] = turns.get(turn, 0) + len(payload) // 2
             say(type="partial", turn=turn, text=f"{turns[turn]} so far")

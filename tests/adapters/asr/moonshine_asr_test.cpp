@@ -17,6 +17,19 @@ using testing::StartsWith;
 
 constexpr Milliseconds patience{60'000};
 
+class HostWithModel : public TestHost {
+public:
+  std::shared_ptr<const UnderstandingModel> understanding() const override {
+    return model;
+  }
+  Expected<std::vector<std::string>> column(const std::string&) const override {
+    return std::vector<std::string>{"Jeffery"};
+  }
+
+  const std::shared_ptr<UnderstandingModel> model =
+      std::make_shared<UnderstandingModel>();
+};
+
 class MoonshineASRTest : public testing::Test {
 protected:
   ~MoonshineASRTest() override {
@@ -77,11 +90,69 @@ protected:
     return failures.size() == 1 ? failures.front() : "none, or too many";
   }
 
-  TestHost host;
+  // A line of the program that has the text.
+  std::string log_with(const std::string& text) {
+    std::string found;
+    host.wait(
+        [&] {
+          for (const auto& line : host.take_logs())
+            if (line.find(text) != std::string::npos)
+              found = line;
+          return !found.empty();
+        },
+        patience);
+    return found;
+  }
+
+  HostWithModel host;
   std::optional<test::FakeMoonshine> fake;
   std::unique_ptr<IPlugin> plugin;
   std::vector<Message> events;
 };
+
+// -- what is expected ---------------------------------------------------------
+
+TEST_F(MoonshineASRTest, NarrowsTheTurnsOfOneSession) {
+  host.model->grammars = {{"size", "public <size> = small | large;", {}}};
+  ASSERT_TRUE(start("behaves", {{"one-by-one", "true"}}));
+  send("one", "SetGrammar", {List{"size"}});
+  speak("two", 1);
+  speak("one", 1);
+  EXPECT_THAT(log_with("narrow:"), HasSubstr("large;Large;"));
+  send("one", "Finish");
+  send("one", "SetGrammar", {List{}});
+  speak("one", 1);
+  send("one", "Finish");
+  EXPECT_TRUE(host.take_logs().empty());
+}
+
+TEST_F(MoonshineASRTest, TellsWhetherASentenceMayEnd) {
+  host.model->grammars = {
+      {"far", "public <far> = three hundred twenty so far [and on];", {}},
+      {"further", "public <further> = six hundred forty so far away;", {}}};
+  ASSERT_TRUE(start("behaves", {{"one-by-one", "true"}}));
+  speak("one", 3);
+  EXPECT_EQ(next({"Partial"}), R"(one: Partial["320 so far",1,true])");
+  EXPECT_EQ(next({"Partial"}), R"(one: Partial["640 so far",2,false])");
+  EXPECT_EQ(next({"Partial"}), R"(one: Partial["960 so far",3])");
+}
+
+// Engine rule 1.9.
+TEST_F(MoonshineASRTest, PrefersTheNewValuesOfAColumn) {
+  host.model->topics = {
+      {"Visit", false, {{"Host", "query", {}, "db:staff.name"}}, {}}};
+  ASSERT_TRUE(start("behaves", {{"one-by-one", "true"}}));
+  EXPECT_THAT(log_with("words:"), HasSubstr("Jeffery;"));
+  send("", "SetValues", {"db:staff.name", List{"Jeffery"}});
+  send("", "SetValues", {"db:other.name", List{"Nobody"}});
+  send("", "SetValues", {"db:staff.name", List{"Deborah"}});
+  EXPECT_THAT(log_with("words:"), HasSubstr("Deborah;"));
+}
+
+TEST_F(MoonshineASRTest, StopsWhileItPreparesGrammars) {
+  ASSERT_TRUE(start("behaves"));
+  plugin->stop();
+}
 
 TEST_F(MoonshineASRTest, RecognisesATurn) {
   ASSERT_TRUE(start("behaves"));

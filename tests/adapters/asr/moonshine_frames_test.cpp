@@ -17,6 +17,8 @@ TEST(MoonshineFrames, AFrameIsALineAndItsPayload) {
   EXPECT_EQ(cancel_frame(8), "{\"type\":\"cancel\",\"turn\":8}\n");
   EXPECT_EQ(words_frame({{"Ho", "food court"}, 1}),
             "{\"type\":\"words\",\"names\":1,\"bytes\":14}\nHo\nfood court\n");
+  EXPECT_EQ(narrow_frame(7, {{"yes"}, 0}),
+            "{\"type\":\"narrow\",\"turn\":7,\"names\":0,\"bytes\":4}\nyes\n");
   EXPECT_EQ(words_frame({}), "{\"type\":\"words\",\"names\":0}\n");
 }
 

@@ -37,9 +37,20 @@ public:
     auto model = std::make_shared<UnderstandingModel>();
     TopicModel topic;
     topic.slots.emplace_back();
+    topic.slots.back().name = "Host";
     topic.slots.back().values = {"Jeffery Ho", "Catherine Neo"};
+    topic.name = "Visit";
+    topic.slots.push_back({"Guest", "query", {}, "db:guests.name"});
     model->topics.push_back(std::move(topic));
+    model->grammars = {
+        {"visit",
+         "public <visit> = i have an appointment with @Visit.Host;",
+         {}},
+        {"size", "public <size> = a chai | a mocha;", {}}};
     return model;
+  }
+  Expected<std::vector<std::string>> column(const std::string&) const override {
+    return std::vector<std::string>{"Siti Aminah"};
   }
 };
 
@@ -53,7 +64,8 @@ protected:
       GTEST_SKIP() << "not tried: flite, whose voice it would hear, is not "
                       "installed";
     plugin = moonshine_asr_factory({program()}).create();
-    const auto started = plugin->start(host, {{"timeout", "5m"}});
+    const auto started =
+        plugin->start(host, {{"timeout", "5m"}, {"one-by-one", "true"}});
     ASSERT_TRUE(started) << to_string(started.error());
   }
   void TearDown() override {
@@ -112,6 +124,36 @@ TEST_F(MoonshineHears, SentencesWithTheWordsOfTheApplication) {
   EXPECT_GT(result.params.at(1).number_or(0), 0);
   EXPECT_FALSE(result.params.at(2).if_list()->empty());
   EXPECT_EQ(result.params.at(3).if_list()->size(), 7U);
+}
+
+// Engine rule 1.9.
+TEST_F(MoonshineHears, ANewNameInTheNextTurn) {
+  send("SetValues", {"db:guests.name", List{"Siti Aminah", "Deborah Quoos"}});
+  speak("My name is Deborah Quoos.");
+  send("Finish");
+  EXPECT_THAT(answer().params.at(0).text(), HasSubstr("Deborah Quoos"));
+}
+
+TEST_F(MoonshineHears, TheWordsOfAGrammarWhereItIsNarrowed) {
+  send("SetGrammar", {List{"size"}});
+  speak("A chai.");
+  send("Finish");
+  EXPECT_THAT(answer().params.at(0).text(), HasSubstr("chai"));
+}
+
+TEST_F(MoonshineHears, WhereASentenceMayEnd) {
+  speak("I have an appointment with Catherine Neo.");
+  send("DoRecognition", {pcm_value(std::vector<Sample>(16'000))});
+  Message partial;
+  ASSERT_TRUE(host.wait(
+      [&] {
+        for (auto& event : host.take_events())
+          if (event.command == "Partial")
+            partial = std::move(event);
+        return partial.params.size() > 2 && bool(partial.params[2]);
+      },
+      patience));
+  EXPECT_THAT(partial.params[0].text(), HasSubstr("Catherine Neo"));
 }
 
 TEST_F(MoonshineHears, NumbersAsFigures) {

@@ -19,10 +19,13 @@ Message order(const SessionId& session, const std::string& command = "Finish") {
 TEST(MoonshineTurns, EachTurnHasANumberOfItsOwn) {
   MoonshineTurns turns;
   const auto first = turns.add(order("one"), 10).turn;
+  EXPECT_FALSE(turns.add(order("one"), 10).is_new);
   EXPECT_EQ(turns.add(order("one"), 10).turn, first);
   EXPECT_NE(turns.add(order("two"), 10).turn, first);
   EXPECT_EQ(turns.finish(order("one")), first);
-  EXPECT_NE(turns.add(order("one"), 10).turn, first);
+  const auto next = turns.add(order("one"), 10);
+  EXPECT_TRUE(next.is_new);
+  EXPECT_NE(next.turn, first);
   EXPECT_EQ(turns.finish(order("three")), std::nullopt);
 }
 

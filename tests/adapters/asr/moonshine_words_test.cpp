@@ -63,7 +63,7 @@ TEST(MoonshineWords, OfAnApplicationComeOnceAndValuesFirst) {
       return std::vector<std::string>{"Jeffery Ho", "gym"};
     return fail(ErrorKind::database, "there is no " + name);
   };
-  const auto words = application_words(host);
+  const auto words = application_words(host, host.columns);
   EXPECT_EQ(words.names, 4U);
   EXPECT_THAT(words.phrases,
               ElementsAre("gym", "bank", "Jeffery Ho", "Jeffery", "coffee shop",
@@ -71,7 +71,7 @@ TEST(MoonshineWords, OfAnApplicationComeOnceAndValuesFirst) {
 }
 
 TEST(MoonshineWords, WithoutAnApplicationThereAreNone) {
-  EXPECT_THAT(application_words(test::FakePluginHost()).phrases, IsEmpty());
+  EXPECT_THAT(application_words(test::FakePluginHost(), {}).phrases, IsEmpty());
 }
 
 } // namespace

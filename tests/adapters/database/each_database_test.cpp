@@ -74,6 +74,22 @@ TYPED_TEST(EachDatabaseTest, AnswersWithSessionAndCorrelation) {
   EXPECT_TRUE(events[0].params[0].if_result());
 }
 
+// Engine rule 1.9.
+TYPED_TEST(EachDatabaseTest, TellsNewValuesOfItsColumns) {
+  ASSERT_TRUE(
+      this->start(this->with(this->options(), "columns", "db:staff.name")));
+  this->send("s1", "Query",
+             {"insert into staff (name) values ('Ada Wong')", List{}, true});
+  EXPECT_THAT(this->host.wait_for_events(2),
+              ElementsAre("Result([], 1)",
+                          "ValuesChanged(db:staff.name, [Ada Wong, Dr. "
+                          "Jeffery Ho, Lim, Tan Ah Kow])"));
+  this->send("s1", "Query", {"update staff set level = 3", List{}, true});
+  this->send("s1", "Query", {everybody});
+  EXPECT_THAT(this->host.wait_for_events(2),
+              ElementsAre(StartsWith("Result([], "), "Result([4])"));
+}
+
 TYPED_TEST(EachDatabaseTest, WritesWhenToldTo) {
   ASSERT_TRUE(this->start(this->options()));
   EXPECT_EQ(this->write("insert into staff (name) values (?)", List{"Ong"}),

@@ -48,7 +48,8 @@ TEST(IpcValues, AreTheUnderstandingOfAnApplication) {
                            {{"Visitor", "set", {"David"}, "db:a.b", true, true},
                             {"Time", "time", {}, "", false, false}},
                            {"I am [David](Visitor)"}}},
-                         {{"greet", "public <a> = hi;", {"a.jsgf", 1, 2}}}});
+                         {{"greet", "public <a> = hi;", {"a.jsgf", 1, 2}}},
+                         {{"Ho", "HH OW"}}});
   const auto read = understanding_from(to_value(model)).value();
   ASSERT_EQ(read->topics.size(), 1u);
   const auto& topic = read->topics[0];
@@ -64,6 +65,9 @@ TEST(IpcValues, AreTheUnderstandingOfAnApplication) {
   ASSERT_EQ(read->grammars.size(), 1u);
   EXPECT_EQ(read->grammars[0].text, "public <a> = hi;");
   EXPECT_EQ(read->grammars[0].place, (SourceLocation{"a.jsgf", 1, 2}));
+  ASSERT_EQ(read->pronunciations.size(), 1u);
+  EXPECT_EQ(read->pronunciations[0].word, "Ho");
+  EXPECT_EQ(read->pronunciations[0].phones, "HH OW");
   EXPECT_EQ(understanding_from({}).value(), nullptr);
   EXPECT_FALSE(understanding_from(7));
 }

@@ -45,4 +45,26 @@ TEST(UnderstandingBuilder, takes_grammars_from_text_and_files) {
   EXPECT_EQ(grammars[1].text, "#JSGF V1.0; grammar b;");
 }
 
+TEST(UnderstandingBuilder, takes_how_words_sound) {
+  const auto outcome =
+      test::compile_declarations("<pronounce word='Ho' as=' HH  OW '/>");
+  ASSERT_TRUE(outcome.program) << outcome.lines.at(0);
+  const auto& sounds = outcome.program->understanding->pronunciations;
+  ASSERT_EQ(sounds.size(), 1u);
+  EXPECT_EQ(sounds[0].word, "Ho");
+  EXPECT_EQ(sounds[0].phones, "HH OW");
+}
+
+TEST(UnderstandingBuilder, names_the_phone_that_does_not_exist) {
+  for (const auto& [wrong, text] :
+       {std::pair("<pronounce word='Ho' as='HH OQ'/>", "no phone 'OQ'"),
+        std::pair("<pronounce word='Ho' as=''/>", "no phones are given"),
+        std::pair("<pronounce word='Jeffery Ho' as='HH OW'/>", "one word")}) {
+    const auto outcome = test::compile_declarations(wrong);
+    EXPECT_FALSE(outcome.program);
+    ASSERT_FALSE(outcome.lines.empty());
+    EXPECT_THAT(outcome.lines[0], testing::HasSubstr(text));
+  }
+}
+
 } // namespace parlour::script

@@ -45,7 +45,8 @@ INSTANTIATE_TEST_SUITE_P(
         Told{"<xyzzy/>",
              "11: error: unknown element <xyzzy> in <dialogue>; expected "
              "include, var, const, functions, function, handler, routes, "
-             "state, topic, facts, grammar, phrases or repair"},
+             "state, topic, facts, grammar, pronounce, phrases or "
+             "repair"},
         Told{"<slot name='s'/>", "11: error: <slot> may not stand in "
                                  "<dialogue>; it belongs in <topic>"},
         Told{"<post module='A' command='b'/>",

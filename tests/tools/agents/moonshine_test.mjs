@@ -209,6 +209,18 @@ test("a turn has partial results and a result", async () => {
   assert.equal(turns.turns.size, 0);
 });
 
+test("a turn may be narrowed", async () => {
+  const { turns, waiting, next } = desk();
+  turns.narrow({ turn: 1 }, "narrow");
+  turns.audio({ turn: 1 }, second);
+  turns.audio({ turn: 2 }, second);
+  assert.equal(waiting[0].how.steering, "narrow");
+  await next();
+  turns.finish({ turn: 2 });
+  assert.equal(waiting[0].how.steering, undefined);
+  await next();
+});
+
 test("a result is computed in advance when a pause comes", async () => {
   const { turns, said, waiting, next } = desk();
   turns.audio({ turn: 1 }, second);

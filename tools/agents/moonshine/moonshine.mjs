@@ -18,14 +18,19 @@ const say = (head) => process.stdout.write(`${JSON.stringify(head)}\n`);
 
 const here = path.dirname(fileURLToPath(import.meta.url));
 
+const phrases = (payload) =>
+  payload.toString("utf8").split("\n").filter(Boolean);
+
 // The commands of the protocol, once the network is loaded.
 async function recognising() {
   const recogniser = await Recogniser.load(here);
   const turns = new Turns(
     (heard, how) => recogniser.recognise(heard, how), say);
   return {
-    words: ({ names }, payload) => recogniser.steer(
-      payload.toString("utf8").split("\n").filter(Boolean), names ?? 0),
+    words: ({ names }, payload) =>
+      recogniser.steer(phrases(payload), names ?? 0),
+    narrow: (head, payload) => turns.narrow(
+      head, recogniser.narrowed(phrases(payload), head.names ?? 0)),
     audio: (head, payload) => turns.audio(head, samples(payload)),
     finish: (head) => turns.finish(head),
     cancel: (head) => turns.cancel(head),

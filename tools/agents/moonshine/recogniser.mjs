@@ -16,12 +16,19 @@ const PARTIAL_WIDTH = 1;
 // probability; chosen by measuring.
 const NAME_BONUS = 2.5;
 const PHRASE_BONUS = 1.0;
+// The same where nothing else is expected.
+const NARROW_NAME_BONUS = 3.5;
+const NARROW_WORD_BONUS = 2.0;
+// The last words that turns were narrowed to.
+const MOST_NARROW = 8;
 // Less than this is no speech, in seconds.
 const SHORTEST = 0.1;
 const RATE = 16_000;
 const WORD = "\u2581"; // stands for the space before a word
 
 export class Recogniser {
+  narrow = new Map();
+
   static async load(folder) {
     const { require, find } = packages(folder);
     const weights = find(WEIGHTS).find((place) => fs.existsSync(place));
@@ -38,11 +45,38 @@ export class Recogniser {
   // The words towards which it is steered, as they are written: first so many
   // names and other values, then what else is said.
   steer(phrases, names) {
+    const before = this.encoded;
+    this.encoded = new Map();
     const weighted = phrases.map((phrase, i) => ({
-      tokens: this.tokenizer.encode(phrase, false, true),
+      tokens: this.encode(phrase, before),
       bonus: i < names ? NAME_BONUS : PHRASE_BONUS,
     }));
     this.steering = new Steering(weighted, (token) => this.startsWord(token));
+  }
+
+  // The steering of a turn in which only these are expected.
+  narrowed(phrases, names) {
+    const key = `${names}\n${phrases.join("\n")}`;
+    const known = this.narrow.get(key);
+    if (known)
+      return known;
+    if (this.narrow.size >= MOST_NARROW)
+      this.narrow.delete(this.narrow.keys().next().value);
+    const weighted = phrases.map((phrase, i) => ({
+      tokens: this.tokenizer.encode(phrase, false, true),
+      bonus: i < names ? NARROW_NAME_BONUS : NARROW_WORD_BONUS,
+    }));
+    const made = new Steering(weighted, (token) => this.startsWord(token));
+    this.narrow.set(key, made);
+    return made;
+  }
+
+  // Most phrases are the same as before, and to encode them takes time.
+  encode(phrase, before) {
+    const tokens =
+      before?.get(phrase) ?? this.tokenizer.encode(phrase, false, true);
+    this.encoded.set(phrase, tokens);
+    return tokens;
   }
 
   startsWord(token) {
@@ -51,14 +85,15 @@ export class Recogniser {
   }
 
   // {text, confidence, alternatives, words}, or null once isOver() says so.
-  async recognise(samples, { careful, isOver }) {
+  // `steering` is that of a narrowed turn.
+  async recognise(samples, { careful, isOver, steering = this.steering }) {
     if (samples.length < SHORTEST * RATE)
       return { text: "" };
     const heard = await this.model.encode(samples);
     if (isOver())
       return null;
     const texts = await search(this.model, heard, {
-      steering: this.steering, width: careful ? WIDTH : PARTIAL_WIDTH,
+      steering, width: careful ? WIDTH : PARTIAL_WIDTH,
       most: mostTokens(samples.length / RATE), isOver,
     });
     return texts && this.result(texts);

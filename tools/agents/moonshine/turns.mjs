@@ -20,7 +20,7 @@ const PAUSE = 0.16;
 const SAME = 1600;
 
 export class Turns {
-  // `recognise(samples, {careful, isOver})` gives a result, or null once
+  // `recognise(samples, {careful, isOver, steering?})` gives a result, or null once
   // isOver(); `say(head)` sends it.
   constructor(recognise, say) {
     this.recognise = recognise;
@@ -40,6 +40,11 @@ export class Turns {
       one.length += heard.length;
     }
     this.work();
+  }
+
+  // What is expected in the turn alone.
+  narrow({ turn }, steering) {
+    (this.turns.get(turn) ?? this.open(turn)).steering = steering;
   }
 
   open(turn) {
@@ -119,7 +124,8 @@ export class Turns {
       [...this.turns.values()].some(
         (other) => other.isFinished && !(careful && other === one));
     const result = await this.recognise(
-      joined(one).subarray(spoken.from, spoken.to), { careful, isOver });
+      joined(one).subarray(spoken.from, spoken.to),
+      { careful, isOver, steering: one.steering });
     const took = performance.now() - began;
     one.free = performance.now() + took * (1 / PARTIAL_SHARE - 1);
     if (careful && result)

@@ -13,6 +13,10 @@ namespace {
 using Texts = Expected<std::vector<std::string>>;
 
 constexpr std::string_view prefix = "db:";
+// In a grammar.
+constexpr std::string_view column_mark = "@db:";
+constexpr std::string_view name_characters =
+    "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_.:";
 
 // "db:Archive.robot.name" without the name of the database.
 struct Column {
@@ -106,6 +110,42 @@ ColumnReader column_reader(const Composition& composition,
                            const std::string& data_folder) {
   return [readers = Readers(composition, application, data_folder)](
              const std::string& name) { return readers.read(name); };
+}
+
+std::vector<std::string> column_names(const UnderstandingModel& model) {
+  std::vector<std::string> names;
+  const auto add = [&](const std::string& name) {
+    if (!name.empty() && !std::ranges::count(names, name))
+      names.push_back(name);
+  };
+  for (const auto& topic : model.topics)
+    for (const auto& slot : topic.slots)
+      add(slot.source);
+  for (const auto& grammar : model.grammars)
+    for (auto at = grammar.text.find(column_mark); at != std::string::npos;
+         at = grammar.text.find(column_mark, at + 1)) {
+      const auto end =
+          std::min(grammar.text.find_first_not_of(name_characters, at + 1),
+                   grammar.text.size());
+      add(grammar.text.substr(at + 1, end - at - 1));
+    }
+  return names;
+}
+
+std::function<std::string(const std::string& component)>
+column_owners(const Composition& composition,
+              std::vector<std::string> columns) {
+  const auto* first = first_of_role(composition, "Database");
+  return [first = first ? first->name : std::string(),
+          columns = std::move(columns)](const std::string& component) {
+    std::string text;
+    for (const auto& name : columns) {
+      const auto database = split(name).database;
+      if ((database.empty() ? first : database) == component)
+        text.append(text.empty() ? "" : ", ").append(name);
+    }
+    return text;
+  };
 }
 
 } // namespace parlour::tools

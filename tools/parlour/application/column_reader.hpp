@@ -4,7 +4,9 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
+#include <vector>
 
 #include "runtime/message/understanding.hpp"
 #include "tools/parlour/application/composition.hpp"
@@ -19,5 +21,14 @@ namespace parlour::tools {
 ColumnReader column_reader(const Composition& composition,
                            const std::filesystem::path& application,
                            const std::string& data_folder);
+
+// The names of the columns that slots and grammars take values from, each once.
+std::vector<std::string> column_names(const UnderstandingModel& model);
+
+// Tells of each component of the composition which of these columns are its
+// own, as an option's text: "db:robot.name, db:robot.skill". Keeps no reference
+// to its arguments.
+std::function<std::string(const std::string& component)>
+column_owners(const Composition& composition, std::vector<std::string> columns);
 
 } // namespace parlour::tools

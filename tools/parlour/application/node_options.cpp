@@ -2,6 +2,10 @@
 // sockets.
 #include "tools/parlour/application/node_options.hpp"
 
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
 #include "adapters/files/data_files.hpp"
 #include "adapters/network/tcp_sockets.hpp"
 #include "script/run/phrase_evaluator.hpp"
@@ -13,16 +17,41 @@ namespace parlour::tools {
 
 namespace {
 
+using Owners = std::function<std::string(const std::string& component)>;
+
+bool has_option(const actors::ComponentOrder& order, std::string_view name) {
+  return std::ranges::count(order.factory.description.options, name,
+                            &OptionDescription::name) > 0;
+}
+
 // In virtual time a plug-in must answer before the next message is handled. One
-// that talks to a server in real time has the option "one-by-one" for that.
+// that talks to a server in real time has the option "one-by-one" for that; a
+// database looks at no clock to see what others have written.
 void fit_to_time(actors::ComponentOrder& order, bool is_virtual) {
-  for (const auto& option : order.factory.description.options)
-    if (is_virtual && option.name == "one-by-one")
-      order.options[option.name] = "true";
+  if (is_virtual && has_option(order, "one-by-one"))
+    order.options["one-by-one"] = "true";
+  if (is_virtual && has_option(order, "watch"))
+    order.options["watch"] = "0s";
+}
+
+// A database tells of new values in the columns that slots and grammars use
+// (engine rule 1.9).
+void name_columns(actors::ComponentOrder& order, const Owners& owners) {
+  if (!has_option(order, "columns") || order.options.contains("columns"))
+    return;
+  if (auto columns = owners(order.name); !columns.empty())
+    order.options["columns"] = std::move(columns);
+}
+
+Owners owners_of(const Application& application,
+                 const Composition& composition) {
+  const auto& model = application.program->understanding;
+  return column_owners(composition, model ? column_names(*model)
+                                          : std::vector<std::string>());
 }
 
 actors::ComponentOrder order_of(const ChosenComponent& component,
-                                const RunWishes& wishes) {
+                                const RunWishes& wishes, const Owners& owners) {
   actors::ComponentOrder order{component.name, component.factory,
                                component.options, component.policy};
   if (component.agent && wishes.agents) {
@@ -30,6 +59,7 @@ actors::ComponentOrder order_of(const ChosenComponent& component,
         adapters::agents::remote_agent(*component.agent, wishes.agents);
     order.options.clear();
   }
+  name_columns(order, owners);
   fit_to_time(order, wishes.virtual_start.has_value());
   return order;
 }
@@ -41,22 +71,24 @@ actors::NodeOptions node_options(const Application& application,
                                  const RunWishes& wishes) {
   actors::NodeOptions options;
   options.program = application.program;
+  const auto owners = owners_of(application, composition);
   const bool is_virtual = wishes.virtual_start.has_value();
   for (const auto& component : composition.components)
-    options.components.push_back(order_of(component, wishes));
+    options.components.push_back(order_of(component, wishes, owners));
   options.plugins = application.plugins;
   // Components that scripts <load> get the same treatment as those of the
   // settings.
   options.complete = [plugins = application.plugins,
                       folder = application.folder,
-                      is_rehearsed = composition.is_rehearsed,
-                      is_virtual](actors::ComponentOrder& order) {
+                      is_rehearsed = composition.is_rehearsed, is_virtual,
+                      owners](actors::ComponentOrder& order) {
     complete_description(order.factory.description, order.options, folder);
     const auto file = plugins->file_of(order.factory.description.name);
     order.factory = hosted(std::move(order.factory), order.policy, file);
     // Last: what stands in runs here, as in the settings' components.
     if (is_rehearsed)
       rehearse(order.factory, order.options);
+    name_columns(order, owners);
     fit_to_time(order, is_virtual);
   };
   options.aliases = role_aliases();

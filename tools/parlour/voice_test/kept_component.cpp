@@ -148,6 +148,7 @@ protected:
   }
   void on_message(const Message& message) override {
     sessions_.insert(message.session);
+    has_other_values_ |= message.command == "SetValues";
     instance_->plugin->receive(message);
   }
 
@@ -173,7 +174,7 @@ private:
         instance_->plugin->receive(message);
       }
     auto instance = std::move(instance_);
-    if (instance->host.has_failed())
+    if (instance->host.has_failed() || has_other_values_)
       return;
     std::lock_guard lock(kept_.mutex_);
     kept_.free_[component_].push_back(std::move(instance));
@@ -185,6 +186,8 @@ private:
   std::vector<Message> forget_;
   std::unique_ptr<KeptComponents::Instance> instance_;
   std::set<SessionId> sessions_;
+  // The next node begins with the values of the seed again.
+  bool has_other_values_ = false;
 };
 
 KeptComponents::KeptComponents() = default;

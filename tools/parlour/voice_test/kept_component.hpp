@@ -24,7 +24,8 @@ public:
 
   // Makes components of this name that work by an instance that is free, or by
   // a new one. When its node stops, the instance forgets the sessions: `forget`
-  // is sent to it for each. One that has failed is not kept.
+  // is sent to it for each. One that has failed, or got new values of a column,
+  // is not kept.
   PluginFactory keep(const std::string& component, PluginFactory factory,
                      std::vector<Message> forget);
 

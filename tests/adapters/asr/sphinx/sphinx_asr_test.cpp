@@ -1,3 +1,9 @@
+#include <condition_variable>
+#include <mutex>
+#include <regex>
+#include <set>
+#include <thread>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -14,6 +20,33 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
+
+// Another thread may have something done here.
+class LaterHost : public test::FakePluginHost {
+public:
+  DelayId after(Milliseconds delay, std::function<void()> action) override {
+    if (std::this_thread::get_id() == home_)
+      return FakePluginHost::after(delay, std::move(action));
+    const std::lock_guard lock(mutex_);
+    posted_.push_back(std::move(action));
+    changed_.notify_all();
+    return 0;
+  }
+  // Does what is due, and then the first thing that a thread wants.
+  void advance_and_wait() {
+    advance(Milliseconds(0));
+    std::unique_lock lock(mutex_);
+    ASSERT_TRUE(changed_.wait_for(lock, std::chrono::minutes(1),
+                                  [&] { return !posted_.empty(); }));
+    posted_.front()();
+  }
+
+private:
+  const std::thread::id home_ = std::this_thread::get_id();
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::vector<std::function<void()>> posted_;
+};
 
 class SphinxAsrTest : public testing::Test {
 protected:
@@ -46,8 +79,8 @@ protected:
     return host.events.back();
   }
 
-  test::FakePluginHost host;
-  std::unique_ptr<IPlugin> plugin;
+  LaterHost host;
+  std::unique_ptr<IPlugin> plugin; // goes first
 };
 
 TEST_F(SphinxAsrTest, Conforms) {
@@ -115,6 +148,75 @@ TEST_F(SphinxAsrTest, TakesRecognisersBackFromSessionsThatAreGone) {
   ASSERT_EQ(host.events.size(), 1u);
   EXPECT_EQ(host.events[0].session, "two");
   EXPECT_EQ(host.events[0].params[0].text(), "I want coffee");
+}
+
+// The staff of the receptionist, from its seed: (1, 'Dr.', 'Jeffery Ho', …).
+std::vector<std::string> staff_names() {
+  const auto seed =
+      read_file(test::source_path("config/apps/receptionist/sql/seed.sql"));
+  std::set<std::string> names;
+  const std::regex row(R"re(\(\d+, '\w+\.', '([^']+)', )re");
+  for (std::sregex_iterator at(seed->begin(), seed->end(), row), end; at != end;
+       ++at)
+    names.insert((*at)[1]);
+  return {names.begin(), names.end()};
+}
+
+TEST_F(SphinxAsrTest, HearsHalfOfASampleOfSixHundredNames) {
+  const auto names = staff_names();
+  ASSERT_GT(names.size(), 600u);
+  host.columns = [&](const std::string&) {
+    return Expected<std::vector<std::string>>(names);
+  };
+  ASSERT_TRUE(start({{"least-agreement", "0"}}));
+  std::vector<std::string> heard;
+  for (const auto* name :
+       {"Adrian Low Boon Keng", "Bernard Lim", "Cheryl Loh Jia Hui",
+        "Edwin Seah Kai Xiang", "Farhana binti Rahman", "Gopal Gupta",
+        "Janice Harrison", "Kenneth Lee Swee Kiat", "Marcus Koh Yi Xuan",
+        "Revathi Venkataraman"}) {
+    ASSERT_THAT(names, Contains(name));
+    say("Call " + std::string(name) + ".");
+    send("Finish");
+    if (last().params[0].text().ends_with(name))
+      heard.emplace_back(name);
+  }
+  EXPECT_GE(heard.size(), 5u) << testing::PrintToString(heard);
+}
+
+// Engine rule 1.9.
+TEST_F(SphinxAsrTest, HearsANewNameInTheNextUtterance) {
+  ASSERT_TRUE(start({{"one-by-one", "true"}}));
+  say("Call Deborah", "before");
+  send("SetValues",
+       {"db:guests.name", List{"Jeffery Ho", "Siti Aminah", "Deborah Winter"}});
+  host.advance(Milliseconds(0));
+  say("Call Deborah Winter.");
+  send("Finish");
+  EXPECT_EQ(last().params[0].text(), "call Deborah Winter");
+  // Who was speaking is heard to the end.
+  host.take_events();
+  send("Finish", {}, "before");
+  ASSERT_EQ(host.events.size(), 1u);
+  EXPECT_EQ(host.events[0].session, "before");
+  EXPECT_THAT(host.logs, IsEmpty());
+}
+
+TEST_F(SphinxAsrTest, PreparesNewValuesBesideWhatItHears) {
+  ASSERT_TRUE(start());
+  send("SetValues", {"db:guests.name", List{"Deborah Winter"}});
+  send("SetValues", {"db:other.name", List{"Nobody"}});
+  host.advance_and_wait();
+  say("Call Deborah Winter.");
+  send("Finish");
+  EXPECT_EQ(last().params[0].text(), "call Deborah Winter");
+}
+
+TEST_F(SphinxAsrTest, StopsWhileItPreparesNewValues) {
+  ASSERT_TRUE(start());
+  send("SetValues", {"db:guests.name", List{"Deborah Winter"}});
+  host.advance(Milliseconds(0));
+  plugin->stop();
 }
 
 TEST_F(SphinxAsrTest, NarrowsForOneSession) {

@@ -44,6 +44,19 @@ TEST_F(FsgTextTest, PutsASetInOnceForEachPlaceItGoesOnAt) {
   EXPECT_TRUE(made.is_whole);
 }
 
+TEST_F(FsgTextTest, LetsASentenceEndWhereItMayGoOn) {
+  GraphBuilder calls;
+  calls.add_sentence({call});
+  calls.add_sentence({call, siti});
+  const auto made = fsg_text(calls.finish(), symbols, sets, {.another = 0});
+  EXPECT_EQ(made.text,
+            "FSG_BEGIN parlour\nNUM_STATES 4\nSTART_STATE 0\nFINAL_STATE 3\n"
+            "TRANSITION 0 1 1 call\n"
+            "TRANSITION 1 3 0.5 siti\n"
+            "TRANSITION 1 3 0.5 \n"
+            "FSG_END\n");
+}
+
 TEST_F(FsgTextTest, LetsSentencesFollowEachOther) {
   const auto made = fsg_text(builder.finish(), symbols, sets, {.another = 0.2});
   EXPECT_THAT(made.text, HasSubstr("TRANSITION 3 0 0.2 \n"));

@@ -88,6 +88,19 @@ TEST_F(LanguageTest, NarrowsToGrammarsRulesAndSlots) {
   EXPECT_FALSE(language.sentences({"no such"}));
 }
 
+TEST_F(LanguageTest, TellsValuesAndWordsOfSentences) {
+  const Language language(sources);
+  const auto order = language.phrases(*language.sentences({"order"}), 100);
+  EXPECT_THAT(order.values, Contains("iced Lemon tea"));
+  EXPECT_THAT(order.values, Contains("Ya Kun"));
+  EXPECT_THAT(order.words, Contains("bring"));
+  EXPECT_THAT(order.words, Contains("yes"));
+  EXPECT_EQ(language.phrases(*language.sentences({"order"}), 1).values.size(),
+            1u);
+  const auto time = language.phrases(*language.sentences({"time"}), 100);
+  EXPECT_TRUE(time.values.empty());
+}
+
 TEST_F(LanguageTest, IsWrittenForTheRecogniser) {
   const Language language(sources);
   const auto fsg = language.fsg(language.sentences());

@@ -35,5 +35,18 @@ TEST(PronunciationsTest, ComeFromEspeakForOtherWords) {
                           Pair("jeffery", ElementsAre("JH EH F ER R IY"))));
 }
 
+TEST(PronunciationsTest, AreThoseThatAnApplicationGives) {
+  const test::TemporaryFolder folder;
+  std::ofstream(folder.path() / "cmudict-en-us.dict") << "ho HH OW\na AH\n";
+  const auto given = given_sounds(
+      {{"Ho", "HH UW"}, {"Ho", "HH AA"}, {"Other", "AH"}, {"two words", "AH"}});
+  EXPECT_THAT(given, ElementsAre(Pair("ho", ElementsAre("HH UW", "HH AA")),
+                                 Pair("other", ElementsAre("AH"))));
+  const auto sounds = model_sounds(folder.path(), {"a", "ho"}, given);
+  ASSERT_TRUE(sounds);
+  EXPECT_THAT(*sounds, ElementsAre(Pair("a", ElementsAre("AH")),
+                                   Pair("ho", ElementsAre("HH UW", "HH AA"))));
+}
+
 } // namespace
 } // namespace parlour::adapters::asr

@@ -162,5 +162,49 @@ TEST_F(SQLiteDatabaseTest, DescribesItself) {
   EXPECT_FALSE(description.is_inline);
 }
 
+// -- the values of columns ----------------------------------------------------
+
+TEST_F(SQLiteDatabaseTest, TellsNewValuesOfAColumnBehindTheAnswer) {
+  ASSERT_TRUE(start(with(options(), "columns", "db:staff.name")));
+  send("s1", "Query",
+       {"insert into staff (name) values ('Ada Wong')", List{}, true});
+  EXPECT_THAT(host.take_events(),
+              ElementsAre("Result([], 1)",
+                          "ValuesChanged(db:staff.name, [Ada Wong, Dr. "
+                          "Jeffery Ho, Lim, Tan Ah Kow])"));
+  write("delete from staff where name <> 'Lim'");
+  send("s1", "Query", {"update staff set level = 1", List{}, true});
+  EXPECT_THAT(host.take_events(), ElementsAre("Result([], 1)"));
+}
+
+TEST_F(SQLiteDatabaseTest, TellsTheValuesOfATriggerAndOfATransactionAtItsEnd) {
+  folder.write("schema.sql",
+               "create table staff (id integer primary key, name text, level "
+               "integer); create table log (name text); create trigger t after "
+               "insert on staff begin insert into log values (new.name); end;");
+  ASSERT_TRUE(start(with(options(), "columns", "db:Main.log.name")));
+  tell("Begin");
+  send("s1", "Query",
+       {"insert into staff (name) values ('Ada')", List{}, true});
+  EXPECT_THAT(host.take_events(), ElementsAre("Result([], 2)"));
+  send("s1", "Commit");
+  EXPECT_THAT(
+      host.take_events(),
+      ElementsAre("Result([])",
+                  "ValuesChanged(db:Main.log.name, [Ada, Dr. Jeffery Ho, Lim, "
+                  "Tan Ah Kow])"));
+  tell("Begin");
+  write("delete from log");
+  send("s1", "Rollback");
+  EXPECT_THAT(host.take_events(), ElementsAre("Result([])"));
+}
+
+TEST_F(SQLiteDatabaseTest, KeepsTheValuesOfAColumnThatCannotBeRead) {
+  ASSERT_TRUE(start(with(options(), "columns", "db:staff.nickname")));
+  EXPECT_THAT(host.logs, ElementsAre(HasSubstr("nickname")));
+  EXPECT_EQ(write("delete from staff"), "Result([], 3)");
+  EXPECT_EQ(host.logs.size(), 1u);
+}
+
 } // namespace
 } // namespace parlour::adapters

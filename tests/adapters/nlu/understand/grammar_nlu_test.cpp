@@ -53,6 +53,39 @@ TEST_F(GrammarNLU, TakesTheTimeOfThePlatform) {
   EXPECT_EQ(act["slots"]["Time"]["value"].text(), "09:10");
 }
 
+// Engine rule 1.9.
+TEST_F(GrammarNLU, UnderstandsTheNewValuesOfAColumn) {
+  host_.model = std::make_shared<UnderstandingModel>(UnderstandingModel{
+      {{"Visit", false, {{"Host", "query", {}, "db:staff.name", true}}, {}}},
+      {}});
+  host_.columns = [](const std::string&) {
+    return Expected<std::vector<std::string>>({"Jeffery Ho"});
+  };
+  const auto host_of = [this](const std::string& text) {
+    host_.events.clear();
+    plugin_->receive(parlour::test::message("DoNLU", {text}));
+    return host_.events[0].params[0]["slots"]["Host"]["value"].text();
+  };
+  ASSERT_TRUE(start({{"platform", platform_}}));
+  EXPECT_EQ(host_of("Zelda Quill"), "unknown");
+  plugin_->receive(parlour::test::message(
+      "SetValues", {"db:staff.name", List{"Jeffery Ho", "Zelda Quill"}}));
+  EXPECT_EQ(host_of("Zelda Quill"), "Zelda Quill");
+  EXPECT_EQ(host_of("Jeffery Ho"), "Jeffery Ho");
+  plugin_->receive(parlour::test::message(
+      "SetValues", {"db:staff.name", List{"Zelda Quill"}}));
+  EXPECT_EQ(host_of("Jeffery Ho"), "unknown");
+  EXPECT_TRUE(host_.logs.empty());
+}
+
+TEST_F(GrammarNLU, IgnoresTheValuesOfOtherColumns) {
+  ASSERT_TRUE(start({{"platform", platform_}}));
+  plugin_->receive(parlour::test::message("SetValues", {"db:a.b", List{"x"}}));
+  plugin_->receive(parlour::test::message("SetValues"));
+  EXPECT_TRUE(host_.events.empty());
+  EXPECT_TRUE(host_.logs.empty());
+}
+
 TEST_F(GrammarNLU, DoesNotStartWithWrongSettings) {
   EXPECT_EQ(start({}).error().kind, ErrorKind::settings);
   EXPECT_EQ(start({{"platform", "/nowhere"}}).error().kind, ErrorKind::file);

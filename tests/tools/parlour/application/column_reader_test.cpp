@@ -45,5 +45,31 @@ TEST_F(ColumnReaderTest, reads_the_database_that_is_named) {
                              HasSubstr("did you mean 'Archive'")));
 }
 
+TEST_F(ColumnReaderTest, names_the_columns_of_slots_and_grammars) {
+  UnderstandingModel model;
+  model.topics = {{"Visit",
+                   false,
+                   {{"Host", "query", {}, "db:staff.name"},
+                    {"Guest", "query", {}, "db:staff.name"}},
+                   {}}};
+  model.grammars = {{"g",
+                     "public <a> = @db:Archive.guest.name | <@db:staff.room> "
+                     "| @db:staff.name;",
+                     {}}};
+  EXPECT_THAT(column_names(model),
+              testing::ElementsAre("db:staff.name", "db:Archive.guest.name",
+                                   "db:staff.room"));
+}
+
+TEST_F(ColumnReaderTest, knows_whose_columns_they_are) {
+  const auto greeter = load("greeter");
+  const auto owners =
+      column_owners(greeter.composition,
+                    {"db:a.b", "db:Archive.c.d", "db:SQLiteDatabase.e.f"});
+  EXPECT_EQ(owners("SQLiteDatabase"), "db:a.b, db:SQLiteDatabase.e.f");
+  EXPECT_EQ(owners("Archive"), "db:Archive.c.d");
+  EXPECT_EQ(owners("Other"), "");
+}
+
 } // namespace
 } // namespace parlour::tools

@@ -13,6 +13,7 @@ TEST_F(ApplicationTest, gives_a_node_all_it_needs) {
   ASSERT_EQ(options.components.size(), 2u);
   EXPECT_EQ(options.components[0].name, "LogTelephone");
   EXPECT_EQ(options.components[1].options.count("file"), 0u);
+  EXPECT_EQ(options.components[1].options.at("watch"), "0s");
   EXPECT_EQ(options.aliases.at("Record"), "Microphone");
   EXPECT_TRUE(options.phrases);
   EXPECT_EQ(options.columns("db:guest.name").value().size(), 1u);

@@ -1,0 +1,45 @@
+// What MoonshineASR knows of an application's grammars: which words a turn that
+// is narrowed to some of them prefers, and whether a sentence may end where
+// somebody pauses.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "adapters/asr/moonshine_frames.hpp"
+#include "adapters/asr/words/language.hpp"
+
+namespace parlour::adapters::moonshine {
+
+// For one thread.
+class MoonshineGrammars {
+public:
+  explicit MoonshineGrammars(asr::Language language)
+      : language_(std::move(language)) {}
+
+  // The phrases of these grammars, rules, slots, columns or forms, and of what
+  // is said in any conversation; null if no name is known.
+  const Words* words(const std::vector<std::string>& names);
+
+  // Whether a sentence of the grammars may end with this text, as the
+  // recogniser writes it; of all of them if no name is known. Nothing if none
+  // begins so.
+  std::optional<bool> ends(const std::vector<std::string>& names,
+                           const std::string& text);
+
+private:
+  struct Narrow {
+    std::vector<std::string> names;
+    std::optional<asr::WordGraph> graph; // nothing: no name is known
+    Words words;
+  };
+  const Narrow& narrow(const std::vector<std::string>& names);
+
+  asr::Language language_;
+  std::vector<Narrow> known_; // a few
+};
+
+} // namespace parlour::adapters::moonshine

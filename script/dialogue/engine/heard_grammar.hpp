@@ -1,0 +1,39 @@
+// HeardGrammar: tells the recogniser which grammar is expected next, as a state
+// or the slot that is asked for says (language rule 12.18), before anybody
+// speaks.
+#pragma once
+
+#include <string>
+
+#include "script/dialogue/context/dialogue_context.hpp"
+#include "script/dialogue/context/messenger.hpp"
+#include "script/dialogue/topic_engine/topic_engine.hpp"
+
+namespace parlour::dialogue {
+
+class HeardGrammar {
+public:
+  // All must outlive it.
+  HeardGrammar(DialogueContext& context, Messenger& messenger,
+               const TopicEngine& topics);
+
+  // Posts SetGrammar to the role ASR if another grammar is expected than was
+  // told last; does nothing as long as there is no recogniser.
+  void tell();
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive.without(context_, messenger_, topics_);
+    archive.without(is_used_); // as the program says
+    archive(told_);
+  }
+
+private:
+  DialogueContext& context_;
+  Messenger& messenger_;
+  const TopicEngine& topics_;
+  bool is_used_;
+  std::string told_; // empty: all
+};
+
+} // namespace parlour::dialogue

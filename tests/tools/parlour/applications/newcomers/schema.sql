@@ -1,0 +1,1 @@
+create table staff (name varchar(80) primary key);

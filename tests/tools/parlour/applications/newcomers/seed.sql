@@ -1,0 +1,1 @@
+insert into staff values ('Jeffery Ho'), ('Siti Aminah');

@@ -12,6 +12,7 @@
 #include "actors/protocol/component_order.hpp"
 #include "runtime/base/clock.hpp"
 #include "runtime/base/files.hpp"
+#include "runtime/base/journal.hpp"
 #include "runtime/base/sockets.hpp"
 #include "runtime/message/inspection.hpp"
 #include "runtime/message/phrases.hpp"
@@ -52,6 +53,9 @@ struct NodeOptions {
   // what wants them.
   FileAccess files = {};
   std::shared_ptr<Sockets> sockets = {};
+  // Keeps what enters the sessions, so that they can be repeated; null: nobody
+  // does.
+  std::shared_ptr<Journal> journal = {};
   // One call at a time, from any thread; may be empty. What on_inspection
   // throws is logged; log may not throw.
   std::function<void(const Inspection&)> on_inspection;

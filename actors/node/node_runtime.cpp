@@ -109,6 +109,7 @@ SessionParts NodeRuntime::session_parts() {
                      options_.program,
                      options_.phrases,
                      options_.sockets,
+                     options_.journal,
                      {},
                      supervisor_,
                      file_keeper_};

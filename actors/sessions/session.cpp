@@ -13,14 +13,19 @@ namespace parlour::actors {
 
 namespace {
 
+namespace input = dialogue::input;
 using Self = session_actor::stateful_pointer<session_state>;
 
 Timestamp now(Self self) {
   return self->state.time->now();
 }
 
-dialogue::Conversation& conversation_of(Self self) {
+const dialogue::Conversation& conversation_of(Self self) {
   return self->state.dialogue->conversation();
+}
+
+void take(Self self, dialogue::SessionInput input) {
+  self->state.dialogue->take(std::move(input), now(self));
 }
 
 SessionPort& port_of(Self self) {
@@ -103,11 +108,11 @@ void go_on(Self self) {
   auto& state = self->state;
   if (!finish_input(self))
     return;
-  auto& conversation = conversation_of(self);
+  const auto& conversation = conversation_of(self);
   if (conversation.ended()) {
     tell_waiting(state, false);
     port_of(self).close(state.asked_to_end ? std::vector<Message>()
-                                           : conversation.take_unread());
+                                           : state.dialogue->take_unread());
     self->become(over(self));
     return;
   }
@@ -121,7 +126,7 @@ void go_on(Self self) {
 
 // Session.Started is handled, up to the opening prompt.
 void begin(Self self) {
-  conversation_of(self).open(now(self));
+  take(self, input::Begun());
   go_on(self);
 }
 
@@ -141,7 +146,7 @@ void take_one_step(Self self) {
   assert(state.stepping && "only a session asks itself for a step");
   state.stepping = false;
   if (!conversation_of(self).awaiting_frame())
-    conversation_of(self).step(now(self));
+    take(self, input::Stepped());
   go_on(self);
 }
 
@@ -149,7 +154,7 @@ void take_one_step(Self self) {
 // next step which one is its turn (engine rule 3).
 void queue(Self self, const deliver& what) {
   for (const auto& message : what.messages)
-    conversation_of(self).receive(message);
+    take(self, dialogue::received(message));
   go_on(self);
 }
 
@@ -162,19 +167,19 @@ void expect_input(Self self) {
 void hear_timer(Self self, const timer_due& what) {
   expect_input(self);
   port_of(self).timer_is_over(what.id);
-  conversation_of(self).timer_fired(what.id, now(self));
+  take(self, input::TimerFired{what.id});
   go_on(self);
 }
 
 void hear_query(Self self, const query_outcome& what) {
   expect_input(self);
   port_of(self).query_is_over(what.id);
-  conversation_of(self).query_answered(what.id, what.outcome, now(self));
+  take(self, input::QueryAnswered{what.id, what.outcome});
   go_on(self);
 }
 
 void hear_file(Self self, const file_outcome& what) {
-  conversation_of(self).file_answered(what.id, what.outcome, now(self));
+  take(self, input::FileAnswered{what.id, what.outcome});
   go_on(self);
 }
 
@@ -183,32 +188,31 @@ void hear_component(Self self, dialogue::QueryId id, Expected<void> outcome) {
   const auto work = self->state.time->work.begin();
   if (conversation_of(self).ended())
     return;
-  conversation_of(self).component_answered(id, std::move(outcome), now(self));
+  take(self, input::ComponentAnswered{id, std::move(outcome)});
   go_on(self);
 }
 
 // Its messages go the way of all others: by the routes, then queued.
 void hear_socket(Self self, const socket_told& what) {
   using enum SocketEvent::Kind;
-  auto& conversation = conversation_of(self);
   if (what.event.kind == opened)
-    conversation.socket_opened(what.id, {}, now(self));
+    take(self, input::SocketOpened{what.id, {}});
   else if (what.event.kind == failed)
-    conversation.socket_opened(
-        what.id, fail(ErrorKind::network, what.event.text), now(self));
+    take(self, input::SocketOpened{what.id,
+                                   fail(ErrorKind::network, what.event.text)});
   else
     for (auto& message : port_of(self).hear_socket(what.id, what.event))
-      conversation.receive(std::move(message));
+      take(self, dialogue::received(std::move(message)));
   if (what.event.kind == closed || what.event.kind == failed)
     port_of(self).socket_is_over(what.id);
   if (what.event.kind == closed)
-    conversation.socket_closed(what.id);
+    take(self, input::SocketClosed{what.id});
   go_on(self);
 }
 
 void hear_seat(Self self, const output_done& what) {
   expect_input(self);
-  conversation_of(self).output_finished(what.id, what.played, now(self));
+  take(self, input::OutputFinished{what.id, what.played});
   go_on(self);
 }
 
@@ -221,7 +225,7 @@ void ask_frame(Self self, const topic_frame_actor& frame,
           apply_changes{std::move(request), self->state.time->work.begin()})
       .await(
           [=](const frame_changed& what) {
-            conversation_of(self).frame_applied(*what.result, now(self));
+            take(self, input::FrameApplied{*what.result});
             go_on(self);
           },
           [=](const caf::error& error) {
@@ -250,7 +254,7 @@ void set_up(Self self, std::shared_ptr<const SessionParts> parts,
       state.parts->program,
       dialogue::ConversationOptions{std::move(order.id), order.seed,
                                     state.parts->phrases},
-      std::move(make_port));
+      std::move(make_port), state.parts->journal);
 }
 
 } // namespace
@@ -280,7 +284,7 @@ session(session_actor::stateful_pointer<session_state> self,
       [=](const get_state&) { return tell_state(self); },
       [=](const end_session&) {
         self->state.asked_to_end = true;
-        conversation_of(self).close(now(self));
+        take(self, input::Closed());
         go_on(self);
       },
       [](const leave&) {},

@@ -8,6 +8,7 @@
 #include "actors/routing/message_bus.hpp"
 #include "actors/support/node_time.hpp"
 #include "actors/support/observer.hpp"
+#include "runtime/base/journal.hpp"
 #include "runtime/base/sockets.hpp"
 #include "runtime/message/phrases.hpp"
 
@@ -23,6 +24,8 @@ struct SessionParts {
   std::shared_ptr<const PhraseEvaluator> phrases = nullptr;
   // The network; null: scripts are refused it.
   std::shared_ptr<Sockets> sockets = nullptr;
+  // Keeps what enters the sessions; null: nobody does.
+  std::shared_ptr<Journal> journal = nullptr;
   // Whom sessions write to.
   session_manager_actor manager = {};
   supervisor_actor supervisor = {};

@@ -5,6 +5,7 @@
 
 #include <bit>
 
+#include "runtime/base/word_hash.hpp"
 #include "script/expression/builtins.hpp"
 #include "script/program/host.hpp"
 #include "script/program/instruction.hpp"
@@ -28,41 +29,15 @@ constexpr const char* vocabulary[] = {
 #undef X
 };
 
-// A fast hash of words of eight bytes. It does not protect against somebody who
-// constructs two programs with the same hash.
-class Hash {
-public:
-  void add(std::uint64_t value) {
-    state_ = (std::rotl(state_, 23) ^ value) * 0x9e3779b97f4a7c15;
-    state_ ^= state_ >> 29;
-  }
-  void add(std::string_view text) {
-    add(text.size());
-    for (; text.size() > 8; text.remove_prefix(8))
-      add(word(text.substr(0, 8)));
-    add(word(text));
-  }
-  template <class T>
-  void add_names(const std::vector<T>& all) {
-    add(all.size());
-    for (const auto& one : all)
-      add(one.name);
-  }
-  std::uint64_t value() const {
-    return state_;
-  }
+// A type of this namespace, so that the functions below find each other.
+struct Hash : WordHash {};
 
-private:
-  // Lowest byte first on every machine.
-  static std::uint64_t word(std::string_view text) {
-    std::uint64_t value = 0;
-    for (std::size_t i = 0; i < text.size(); ++i)
-      value |= std::uint64_t{static_cast<unsigned char>(text[i])} << (8 * i);
-    return value;
-  }
-
-  std::uint64_t state_ = 0x243f6a8885a308d3;
-};
+template <class T>
+void add_names_of(Hash& hash, const std::vector<T>& all) {
+  hash.add(std::uint64_t{all.size()});
+  for (const auto& one : all)
+    hash.add(one.name);
+}
 
 // An instruction has eight bytes, which are hashed as one number.
 void add(Hash& hash, const Instruction& instruction) {
@@ -139,12 +114,12 @@ void add(Hash& hash, const Code& code) {
 
 // Names are referred to by their indices, so their order matters.
 void add_names(Hash& hash, const Program& program) {
-  hash.add_names(program.variables);
-  hash.add_names(program.handlers);
-  hash.add_names(program.states);
-  hash.add_names(program.topics);
+  add_names_of(hash, program.variables);
+  add_names_of(hash, program.handlers);
+  add_names_of(hash, program.states);
+  add_names_of(hash, program.topics);
   for (const auto& topic : program.topics)
-    hash.add_names(topic.slots);
+    add_names_of(hash, topic.slots);
   for (const auto& [name, code] : program.functions) {
     hash.add(name);
     hash.add(code);

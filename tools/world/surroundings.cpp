@@ -7,6 +7,8 @@
 
 namespace parlour::tools {
 
+namespace input = dialogue::input;
+
 namespace {
 
 // More steps or timers than this without rest count as an endless loop.
@@ -14,7 +16,7 @@ constexpr std::size_t endless = 20'000;
 
 // Removes and returns the first entry of a queue.
 template <class Queue>
-auto take(Queue& queue) {
+auto pop(Queue& queue) {
   auto first = std::move(queue.front());
   queue.pop_front();
   return first;
@@ -33,6 +35,10 @@ Surroundings::~Surroundings() {
 
 // -- running ------------------------------------------------------------------
 
+void Surroundings::take(dialogue::SessionInput input) {
+  dialogue::take(*conversation, std::move(input), now);
+}
+
 bool Surroundings::run() {
   for (std::size_t moves = 0; move(); ++moves, ++steps)
     if (moves > endless)
@@ -48,11 +54,11 @@ bool Surroundings::move() {
   if (conversation->ended())
     return false;
   if (applied_)
-    conversation->frame_applied(*std::exchange(applied_, {}), now);
+    take(input::FrameApplied{*std::exchange(applied_, {})});
   else if (!hold_outputs && !playing.empty())
-    conversation->output_finished(take(playing), true, now);
+    take(input::OutputFinished{pop(playing), true});
   else if (conversation->has_work())
-    conversation->step(now);
+    take(input::Stepped());
   else
     return answer_request();
   return true;
@@ -60,17 +66,17 @@ bool Surroundings::move() {
 
 bool Surroundings::answer_request() {
   if (!hold_queries && !queries.empty()) {
-    const auto request = take(queries);
-    conversation->query_answered(request.id, database(request), now);
+    const auto request = pop(queries);
+    take(input::QueryAnswered{request.id, database(request)});
   } else if (files && !wanted_files.empty()) {
-    const auto [id, request] = take(wanted_files);
-    conversation->file_answered(id, files(request), now);
+    const auto [id, request] = pop(wanted_files);
+    take(input::FileAnswered{id, files(request)});
   } else if (changer && !changes.empty()) {
-    const auto request = take(changes);
-    conversation->component_answered(request.id, changer(request), now);
+    const auto request = pop(changes);
+    take(input::ComponentAnswered{request.id, changer(request)});
   } else if (network && !opening.empty()) {
-    const auto request = take(opening);
-    conversation->socket_opened(request.id, network(request), now);
+    const auto request = pop(opening);
+    take(input::SocketOpened{request.id, network(request)});
   } else {
     return false;
   }
@@ -92,7 +98,7 @@ bool Surroundings::advance(Milliseconds time) {
     // A timer that was due earlier does not move the clock back.
     now = std::max(now, next->second);
     timers_.erase(next);
-    conversation->timer_fired(id, now);
+    take(input::TimerFired{id});
     if (!run())
       return false;
   }

@@ -23,6 +23,7 @@
 #include <vector>
 
 #include "script/dialogue/engine/conversation.hpp"
+#include "script/dialogue/inputs/session_input.hpp"
 
 namespace parlour::tools {
 
@@ -37,6 +38,9 @@ public:
   // Moves the clock, fires the timers that are due on the way, and runs after
   // each. False as for run().
   [[nodiscard]] bool advance(Milliseconds time);
+  // Gives the conversation an input, now. What the world does itself goes this
+  // way, too.
+  virtual void take(dialogue::SessionInput input);
   // Forgets what the conversation has asked for: it goes on in a fresh world,
   // as in another process, when it resumes.
   void forget();

@@ -22,6 +22,11 @@ public:
   const TopicFrame& operator[](TopicId topic) const {
     return frames_.get(topic, context_.now);
   }
+  // Whether the session has touched it. To look at one that it has not makes
+  // the frame.
+  bool has(TopicId topic) const {
+    return frames_.find(topic) != nullptr;
+  }
   // The first slot that is to be asked for, and the first that is in doubt; or
   // no_id.
   SlotId missing(TopicId topic) const;

@@ -161,11 +161,12 @@ bool Conversation::waits_for_answer() const {
          parts.outside.waits_for_answer() || parts.output.waits_for_words();
 }
 
+// To look at a topic that the session has not touched would give it its frame.
 Value Conversation::slot_value(std::string_view topic,
                                std::string_view slot) const {
   const auto& parts = *implementation_;
   const auto id = parts.context.program->topic(topic);
-  return id == script::no_id
+  return id == script::no_id || !parts.frames.has(id)
              ? Value()
              : parts.topic_effects.slot(id, parts.context.topic(id).slot(slot));
 }

@@ -311,6 +311,14 @@ private:
     else
       one(field.error());
   }
+  void one(Expected<void>& field) {
+    bool good = field.has_value();
+    one(good);
+    if constexpr (Self::reads)
+      field = good ? Expected<void>() : tl::make_unexpected(Error());
+    if (!good)
+      one(field.error());
+  }
   template <class T, class Allocator>
   void one(std::vector<T, Allocator>& list) {
     each(list, [&](T& element) { one(element); });

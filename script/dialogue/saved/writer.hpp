@@ -29,6 +29,10 @@ public:
     activations_.push_back(one.get());
   }
   void reaction(const script::Reaction*& field);
+  // What was written, without an interpreter's state: of single parts.
+  std::string take() {
+    return bytes_.take();
+  }
   // Behind the interpreter's state and its activations.
   std::string finish(const script::Interpreter& interpreter);
 

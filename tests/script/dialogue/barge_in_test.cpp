@@ -158,7 +158,7 @@ TEST_F(BargeIn, WordsThatArriveWithTheEndOfATurnEndTheSpeech) {
   end.command = "TurnEnded";
   end.params = {2'000};
   end.session = "s1";
-  world_->conversation->receive(std::move(end));
+  world_->take(received(std::move(end)));
   world_->say(inform("Taxi", {}));
   EXPECT_EQ(world_->said(), Texts{"Where?"});
 }

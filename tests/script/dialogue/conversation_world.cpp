@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "script/compiler/compiler.hpp"
+#include "script/dialogue/inputs/replay.hpp"
 #include "tests/support/paths.hpp"
 
 namespace parlour::dialogue {
@@ -96,13 +97,42 @@ World::World(const test::TemporaryFolder& folder, const std::string& script,
   options_.session = "s1";
   options_.seed = options.seed;
   options_.phrases = std::make_shared<Phrases>(*this);
-  conversation = std::make_unique<Conversation>(program, options_, *this);
+  conversation = std::make_unique<Conversation>(program, options_, port_);
   if (options.open)
     open();
 }
 
+// Everything that a test does with its conversation can be repeated from what
+// was noted (engine rule 7.2).
+World::~World() {
+  if (has_frame_actors && repeats)
+    repeat();
+}
+
+void World::repeat() const {
+  Replay replay(program, options_);
+  for (std::size_t i = 0; i < notes_.size(); ++i) {
+    auto input = read_input(program, notes_[i].first);
+    ASSERT_TRUE(input) << input.error().message;
+    const std::string kind(name_of(input->what));
+    const auto same = replay.take(
+        *std::move(input), read_answers(program, notes_[i].second).value());
+    ASSERT_TRUE(same) << "repeated, input " << i + 1 << " (" << kind
+                      << "): " << same.error().message;
+  }
+  EXPECT_TRUE(replay.conversation().save() == conversation->save())
+      << "repeated, it knows something else in the end";
+}
+
+void World::take(SessionInput input) {
+  auto noted = to_bytes(*program, TimedInput{now, input});
+  Surroundings::take(std::move(input));
+  notes_.emplace_back(std::move(noted),
+                      to_bytes(*program, port_.take_answers()));
+}
+
 void World::open() {
-  conversation->open(now);
+  take(input::Begun());
   run();
 }
 
@@ -121,7 +151,7 @@ void World::queue(Value acts) {
   message.command = "RecognitionResult";
   message.params = {std::move(acts), 1};
   message.session = "s1";
-  conversation->receive(std::move(message));
+  take(received(std::move(message)));
 }
 
 void World::event(std::string source, std::string command,
@@ -132,7 +162,7 @@ void World::event(std::string source, std::string command,
   message.params = std::move(params);
   message.session = "s1";
   message.correlation = correlation;
-  conversation->receive(std::move(message));
+  take(received(std::move(message)));
   run();
 }
 
@@ -157,12 +187,12 @@ void World::interrupt() {
   forget();
   sockets.clear();
   restore();
-  conversation->resume(now);
+  take(input::Resumed());
 }
 
 void World::restore() {
   const auto bytes = conversation->save();
-  auto restored = Conversation::restore(program, options_, *this, bytes);
+  auto restored = Conversation::restore(program, options_, port_, bytes);
   if (!restored)
     throw std::runtime_error(restored.error().message);
   conversation = std::move(*restored);
@@ -220,12 +250,12 @@ void World::answer_socket(const std::string& failure) {
     sockets[request.name] = request.id;
   else
     outcome = fail(ErrorKind::network, failure);
-  conversation->socket_opened(request.id, outcome, now);
+  take(input::SocketOpened{request.id, outcome});
   run();
 }
 
 void World::end_socket(const std::string& name, const std::string& why) {
-  conversation->socket_closed(sockets.at(name));
+  take(input::SocketClosed{sockets.at(name)});
   event(name, "Closed", {why});
 }
 

@@ -6,10 +6,12 @@
 
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "script/dialogue/inputs/recording_port.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tools/world/surroundings.hpp"
 
@@ -41,6 +43,7 @@ public:
   // `script` holds the children of <dialogue>. If options.pipeline, a handler
   // is added that fires what ASR recognises.
   explicit World(const std::string& script, const WorldOptions& options = {});
+  ~World() override; // repeats it all from what was noted
 
   // Enters a user turn, then runs until nothing moves by itself.
   void say(Value acts);
@@ -74,12 +77,16 @@ public:
     return conversation->slot_value(topic, name);
   }
 
+  // False: this test does something with its conversation that is no input.
+  bool repeats = true;
   // The act whose best phrase fails to be computed; another one is used then.
   std::string fails_to_word;
   // Sockets that are open, and what was sent to them.
   std::map<std::string, SocketId> sockets;
   Texts sent;
   std::vector<Message> messages; // all that were posted
+
+  void take(SessionInput input) override;
 
   // Port
   std::vector<Message> post(Message message) override;
@@ -91,11 +98,14 @@ private:
   World(const test::TemporaryFolder& folder, const std::string& script,
         const WorldOptions& options);
   void before_move() override;
+  void repeat() const;
   void restore();
   std::string socket(SocketId id) const; // its name
 
   Conversation::Options options_;
   bool restores_;
+  RecordingPort port_{*this};
+  std::vector<std::pair<std::string, std::string>> notes_; // input, answers
   Texts said_;
   std::size_t posted_ = 0;
   std::vector<Inspection> seen_;

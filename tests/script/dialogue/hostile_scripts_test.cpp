@@ -269,7 +269,7 @@ TEST_P(HostileScript, LetsTheSessionEnd) {
   world.components["Ghost"] = {};
   world.event("Bell", "Rings");
   world.hear("hm");
-  world.conversation->close(world.now);
+  world.take(input::Closed());
   world.run();
   world.advance(11s);
   EXPECT_TRUE(world.has_ended);

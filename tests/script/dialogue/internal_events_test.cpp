@@ -46,7 +46,7 @@ TEST(InternalEvents, ATimerThatIsLostIsTold) {
              "<timer name='advice' after='5m' keeps-open='false'/>");
   world.ring();
   world.advance(1min);
-  world.conversation->close(world.now);
+  world.take(input::Closed());
   EXPECT_TRUE(world.has_ended);
   EXPECT_EQ(world.seen(InspectionKind::log),
             (Texts{"warning: the timer 'tea' is lost with its session; it was "

@@ -50,10 +50,10 @@ public:
     message.command = "RecognitionResult";
     message.params = {words, 1};
     message.session = "s1";
-    conversation->receive(std::move(message));
+    take(received(std::move(message)));
   }
   void answer_late() {
-    conversation->receive(understood(messages.back()));
+    take(received(understood(messages.back())));
     run();
   }
 

@@ -132,7 +132,7 @@ TEST(Transactions, RollBackWhenTheSessionEnds) {
   Bank world("<transaction>" + pay + "<wait for='1s'/></transaction>");
   world.ring();
   world.hold_queries = true; // nobody answers any more
-  world.conversation->close(world.now);
+  world.take(input::Closed());
   ASSERT_EQ(world.queries.size(), 1u);
   EXPECT_EQ(world.queries[0].kind, QueryRequest::Kind::rollback);
 }

@@ -32,9 +32,9 @@ PRINTING = (
     ("say", "hello", "-o", "said.wav"), ("schema",),
     ("test", "app"), ("understand", "app", "hello"))
 # A program of its own, one that waits for a platform, one that asks what runs,
-# one that depends on the machine's sound card (devices_test.py), and one that
-# hears (speech_commands_test.py).
-NOT_TRIED = {"agent", "bench", "devices", "listen", "status", "tap"}
+# one that depends on the machine's sound card (devices_test.py), one that hears
+# (speech_commands_test.py), and one that needs a journal (replay_test.py).
+NOT_TRIED = {"agent", "bench", "devices", "listen", "replay", "status", "tap"}
 
 # Arguments, status, and what is said about it.
 MISTAKES = (
@@ -71,6 +71,12 @@ MISTAKES = (
     (("run", "app", "--push-to-talk"), 2, "--push-to-talk requires --voice"),
     (("run", "app", "--voice", "--talk-key", "f5"), 2,
      "--talk-key requires --push-to-talk"),
+    (("run", "app", "--journal", ""), 2, "--journal: an empty name"),
+    (("run", "app", "--journal", "file"), 1, "this is no journal"),
+    (("run", "app", "--journal", "pipe"), 1, "a journal is a file"),
+    (("replay", "app"), 2, "JOURNAL is required"),
+    (("replay", "app", "nothing"), 2, "nothing: this file cannot be read"),
+    (("replay", "app", "file"), 1, "this is no journal"),
     (("check", "file"), 1, "file:1:1: error: there is no element"),
     (("check", "pipe"), 1, "pipe: error: " + PIPE),
     (("check", "loop"), 1, "loop: error: this file cannot be read: " + LOOP),

@@ -39,6 +39,7 @@ public:
     app_.set_version_flag("--version", "parlour " PARLOUR_VERSION);
     app_.footer(exit_code::statuses);
     add_run();
+    add_replay();
     add_status();
     add_speech();
     add_check();
@@ -142,11 +143,6 @@ private:
     add_run_flags(*command, run_);
     add_clock(*command, run_.clock,
               "Virtual time from here; an empty line steps to the next timer");
-    command->add_option("--data", run_.data, "Folder of its database and files")
-        ->check(check_named);
-    add_number<std::uint64_t>(
-        command, "--seed", {0, std::numeric_limits<std::uint64_t>::max()},
-        "Of all that is random", [this](auto seed) { run_.seed = seed; });
   }
 
   void add_status() {
@@ -177,11 +173,7 @@ private:
         add("check", "Say everything that is wrong with an application",
             [this] { return check_command(places_, check_, console_); });
     add_app(command, check_.app, "A folder, a name, or one script file");
-    command->add_flag("--json", check_.json,
-                      "Findings as a JSON array of {file, line, column, end, "
-                      "kind, name, message, fix}");
-    command->add_flag("--fix", check_.fix,
-                      "Correct in the files what can safely be corrected");
+    add_check_flags(*command, check_);
     std::string lints = "Warned of, besides errors (a comment <!-- check: "
                         "allow NAME --> takes one out):\n";
     for (const auto& lint : script::lint::lints())
@@ -204,8 +196,7 @@ private:
   void add_schema() {
     auto* command = add("schema", "Print a schema of scripts, for editors",
                         [this] { return schema_command(schema_, console_); });
-    command->add_flag("--xsd", schema_.xsd,
-                      "An XML Schema; otherwise it is RELAX NG");
+    command->add_flag("--xsd", schema_.xsd, "An XML Schema; else RELAX NG");
   }
 
   void add_test() {
@@ -259,6 +250,14 @@ private:
     });
     add_agent_flags(*command, agent_);
     add_plugins(command);
+  }
+
+  void add_replay() {
+    auto* command = add("replay", "Repeat conversations of a journal", [this] {
+      return replay_command(places_, replay_, console_);
+    });
+    add_app(command, replay_.app, app_sentence);
+    add_replay_flags(*command, replay_);
   }
 
   void add_tap() {
@@ -379,6 +378,7 @@ private:
   UnderstandOptions understand_;
   AgentOptions agent_;
   TapOptions tap_;
+  ReplayOptions replay_;
   std::string plugin_app_;
   std::string plugin_role_;
   NewPluginOptions new_plugin_;

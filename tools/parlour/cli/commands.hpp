@@ -77,10 +77,23 @@ struct RunOptions {
   std::optional<Timestamp> clock; // virtual time starts here
   // Seed for everything random; without one, each run differs.
   std::optional<std::uint64_t> seed;
-  std::string data; // data folder; empty: the default
+  std::string data;    // data folder; empty: the default
+  std::string journal; // where what enters the sessions is kept; empty: nowhere
 };
 int run_command(const Places& places, const RunOptions& options,
                 const Console& console);
+
+// `parlour replay`: repeats the sessions of a journal, word by word, and tells
+// at which input one differs (docs/running.md).
+struct ReplayOptions {
+  std::string app;
+  std::string journal;              // a file of `parlour run --journal`
+  std::string session;              // empty: all
+  std::optional<std::size_t> until; // so many inputs; nothing: all
+  bool trace = false;
+};
+int replay_command(const Places& places, const ReplayOptions& options,
+                   const Console& console);
 
 // `parlour agent`: runs a plug-in as a remote agent of a platform elsewhere,
 // until a signal comes, the plug-in fails, or the platform does not want it.

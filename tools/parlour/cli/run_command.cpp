@@ -137,7 +137,8 @@ public:
     if (tap_)
       notes_.show("taps connect at " + tap_->address());
     progress(voice_.line());
-    auto node = actors::Node::start(options(std::move(*agents)));
+    auto node = with_journal(options(std::move(*agents)), options_.journal)
+                    .and_then(actors::Node::start);
     if (!node)
       return give_up(node.error());
     // Ctrl-C ends every wait of the node, and nobody waits for the reader any
@@ -155,8 +156,7 @@ public:
     else
       talk_by_lines(**node);
     finish();
-    // Zero, or the status of the signal that ended the run.
-    return ended_;
+    return ended_; // zero, or a signal's status
   }
 
 private:

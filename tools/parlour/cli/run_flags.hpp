@@ -1,6 +1,8 @@
-// The options of `parlour run`, `status`, `test`, `format` and `devices` that
-// need no reader of their own.
+// The options of `parlour run`, `replay`, `status`, `test`, `format` and
+// `devices` that need no reader of their own.
 #pragma once
+
+#include <limits>
 
 #include <CLI/CLI.hpp>
 
@@ -80,7 +82,41 @@ inline void add_run_flags(CLI::App& command, RunOptions& options) {
       .add_option("--taps", options.taps,
                   "Where `parlour tap` listens to all messages, on this host")
       ->type_name("HOST:PORT");
+  command
+      .add_option("--journal", options.journal,
+                  "Keep all that enters the conversations, for `parlour "
+                  "replay`; also what is private")
+      ->check(check_named)
+      ->type_name("FILE");
+  command
+      .add_option("--data", options.data, "Folder of its database and files")
+      ->check(check_named);
+  add_number<std::uint64_t>(
+      &command, "--seed", {0, std::numeric_limits<std::uint64_t>::max()},
+      "Of all that is random", [&](auto seed) { options.seed = seed; });
   add_voice_flags(command, options);
+}
+
+inline void add_check_flags(CLI::App& command, CheckOptions& options) {
+  command.add_flag("--json", options.json,
+                   "Findings as a JSON array of {file, line, column, end, "
+                   "kind, name, message, fix}");
+  command.add_flag("--fix", options.fix,
+                   "Correct in the files what can safely be corrected");
+}
+
+inline void add_replay_flags(CLI::App& command, ReplayOptions& options) {
+  command
+      .add_option("JOURNAL", options.journal,
+                  "A file that `parlour run --journal` has written")
+      ->required();
+  command.add_option("SESSION", options.session, "Its id; else all");
+  add_number<std::size_t>(&command, "--until",
+                          {0, std::numeric_limits<std::size_t>::max()},
+                          "So many inputs of each session; else all",
+                          [&](std::size_t inputs) { options.until = inputs; });
+  command.add_flag("--trace", options.trace,
+                   "Also every transition, topic and slot");
 }
 
 inline void add_test_flags(CLI::App& command, TestOptions& options) {

@@ -74,7 +74,7 @@ TEST(ConversationResumed, AnAnswerThatHasComeCounts) {
   answer.source = "Telephone";
   answer.command = "Connected";
   answer.correlation = world.messages.back().correlation;
-  world.conversation->receive(answer);
+  world.take(received(answer));
   world.interrupt();
   world.run();
   EXPECT_THAT(world.said(), ElementsAre("They are there."));
@@ -132,9 +132,10 @@ TEST(ConversationResumed, ATopicsFrameIsAskedForAgain) {
               "question='Where to?'/><slot name='When' type='Functional' "
               "question='When?'/></topic>");
   world.queue(inform("Taxi", {{"Where", "Sentosa"}}));
-  while (!world.conversation->awaiting_frame())
-    ASSERT_TRUE(world.conversation->step(world.now) ||
-                world.conversation->awaiting_frame());
+  while (!world.conversation->awaiting_frame()) {
+    ASSERT_TRUE(world.conversation->has_work());
+    world.take(input::Stepped());
+  }
   world.interrupt();
   EXPECT_TRUE(world.conversation->awaiting_frame());
   world.run();
@@ -226,7 +227,7 @@ TEST(ConversationResumed, MayBeInterruptedAgainAtOnce) {
 TEST(ConversationResumed, OneThatHasEndedWantsNothing) {
   World world(when_it_rings("<wait for='2s'/>"));
   world.event("Bell", "Rings");
-  world.conversation->close(world.now);
+  world.take(input::Closed());
   world.run();
   world.interrupt();
   EXPECT_EQ(world.timers(), 0u);

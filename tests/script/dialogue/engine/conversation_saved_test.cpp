@@ -111,12 +111,13 @@ bool goes_on(World& world, const std::string& bytes) {
   if (!restored)
     return false;
   world.conversation = std::move(*restored);
+  world.repeats = false;
   try {
     world.say(inform("Taxi", {{"Where", "Jurong"}, {"When", "3pm"}}));
     world.say("confirm");
     world.say("cancel");
     world.advance(20s);
-    world.conversation->close(world.now);
+    world.take(input::Closed());
     world.run();
   } catch (const std::runtime_error&) {
     // A world that does not come to rest is not what is asked here.

@@ -134,7 +134,8 @@ TEST(Conversation, NothingHappensWhereNothingCan) {
   Reception world;
   EXPECT_FALSE(world.conversation->has_work());
   const auto steps = world.steps;
-  EXPECT_FALSE(world.conversation->step(world.now));
+  world.take(input::Stepped());
+  EXPECT_FALSE(world.conversation->has_work());
   world.run();
   EXPECT_EQ(world.steps, steps);
 }
@@ -176,6 +177,7 @@ TEST(Conversation, WhatCameAfterGoodbyeIsHandedBack) {
   world.queue(introduction);
   world.run();
   EXPECT_TRUE(world.has_ended);
+  world.repeats = false;
   auto unread = world.conversation->take_unread();
   ASSERT_EQ(unread.size(), 1u);
   EXPECT_EQ(unread[0].params[0], introduction);
@@ -187,12 +189,12 @@ TEST(Conversation, CloseInTheMiddleOfEverything) {
   world.hold_queries = true;
   world.say(introduction);
   world.say(enquiry({{"Category", "bank"}}));
-  world.conversation->close(world.now);
+  world.take(input::Closed());
   EXPECT_TRUE(world.has_ended);
   EXPECT_EQ(world.timers(), 0u);
   world.hold_queries = false;
   world.run();
-  world.conversation->close(world.now); // once is enough
+  world.take(input::Closed()); // once is enough
 }
 
 TEST(Conversation, LooksInside) {

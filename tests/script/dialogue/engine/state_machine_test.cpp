@@ -118,7 +118,7 @@ TEST(StateMachine, ATransitInASubtaskChangesThatLevel) {
 TEST(StateMachine, TheSessionsEndRunsEveryExit) {
   Rooms world;
   world.ring("Sub");
-  world.conversation->close(world.now);
+  world.take(input::Closed());
   EXPECT_EQ(world.said(), (Texts{"Out of Sub.", "Out of A."}));
   EXPECT_TRUE(world.has_ended);
 }
@@ -135,7 +135,7 @@ struct Leaving : World {
               starting_in("A")) {
     components["Store"] = {"Database"};
     database = [](const QueryRequest&) { return ResultSet(); };
-    conversation->close(now);
+    take(input::Closed());
     run();
   }
 };
@@ -158,7 +158,7 @@ TEST(StateMachine, AnExitThatWaitsForeverIsEnded) {
     <state name="A"><Exit><wait for="1h"/><speak param="Late."/></Exit></state>
     )xml",
               starting_in("A"));
-  world.conversation->close(world.now);
+  world.take(input::Closed());
   world.run();
   EXPECT_FALSE(world.has_ended);
   world.advance(10s); // sessions request-timeout

@@ -41,7 +41,7 @@ struct Worded : World {
   }
   void word() {
     auto reply = speak(messages.back());
-    conversation->receive(std::move(reply));
+    take(received(std::move(reply)));
     run();
   }
 };

@@ -1,0 +1,175 @@
+// SessionInput: everything that may enter a conversation, as data (engine rule
+// 7.2). Whoever keeps the inputs of a session, each with its time, can repeat
+// the session: equal inputs lead to equal states and words.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string_view>
+#include <utility>
+#include <variant>
+
+#include "script/dialogue/engine/conversation.hpp"
+
+namespace parlour::dialogue {
+
+namespace input {
+
+// The session begins.
+struct Begun {
+  template <class Archive>
+  void serialize(Archive&) {}
+};
+
+// A message of the message centre; never null.
+struct Received {
+  std::shared_ptr<const Message> message;
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(message);
+    archive.needs(message);
+  }
+};
+
+// What is queued is taken one further.
+struct Stepped {
+  template <class Archive>
+  void serialize(Archive&) {}
+};
+
+// The result follows from what was asked: a replay computes it again.
+struct FrameApplied {
+  FrameResult result;
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive.without(result);
+  }
+};
+
+struct QueryAnswered {
+  QueryId id = 0;
+  Expected<Value> outcome;
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(id, outcome);
+  }
+};
+
+struct FileAnswered {
+  QueryId id = 0;
+  Expected<Value> outcome;
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(id, outcome);
+  }
+};
+
+struct ComponentAnswered {
+  QueryId id = 0;
+  Expected<void> outcome;
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(id, outcome);
+  }
+};
+
+struct SocketOpened {
+  SocketId id = 0;
+  Expected<void> outcome;
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(id, outcome);
+  }
+};
+
+struct SocketClosed {
+  SocketId id = 0;
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(id);
+  }
+};
+
+struct TimerFired {
+  TimerId id = 0;
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(id);
+  }
+};
+
+struct OutputFinished {
+  OutputId id = 0;
+  bool played = true;
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(id, played);
+  }
+};
+
+// The session is to end.
+struct Closed {
+  template <class Archive>
+  void serialize(Archive&) {}
+};
+
+// It goes on with another port (engine rule 7.9).
+struct Resumed {
+  template <class Archive>
+  void serialize(Archive&) {}
+};
+
+} // namespace input
+
+using SessionInput =
+    std::variant<input::Begun, input::Received, input::Stepped,
+                 input::FrameApplied, input::QueryAnswered, input::FileAnswered,
+                 input::ComponentAnswered, input::SocketOpened,
+                 input::SocketClosed, input::TimerFired, input::OutputFinished,
+                 input::Closed, input::Resumed>;
+
+inline SessionInput received(Message message) {
+  return input::Received{std::make_shared<const Message>(std::move(message))};
+}
+
+// "message", "step", "timer" …: as pages and tools name them.
+std::string_view name_of(const SessionInput& input);
+
+// Hands the input to the conversation.
+void take(Conversation& conversation, SessionInput input, Timestamp now);
+
+// An input and when it came, as it is kept.
+struct TimedInput {
+  Timestamp now = 0;
+  SessionInput what;
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(now);
+    std::uint64_t kind = what.index();
+    archive.place(kind, std::variant_size_v<SessionInput>);
+    if constexpr (Archive::reads)
+      what = empty(
+          kind, std::make_index_sequence<std::variant_size_v<SessionInput>>());
+    std::visit([&](auto& input) { archive(input); }, what);
+  }
+
+private:
+  template <std::size_t... Kinds>
+  static SessionInput empty(std::uint64_t kind, std::index_sequence<Kinds...>) {
+    SessionInput one;
+    ((Kinds == kind ? void(one.template emplace<Kinds>()) : void()), ...);
+    return one;
+  }
+};
+
+} // namespace parlour::dialogue

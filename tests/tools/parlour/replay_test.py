@@ -1,0 +1,121 @@
+#!/usr/bin/env python3
+"""Tests `parlour run --journal` and `parlour replay`: what was said is said
+again, word by word, also after the run was killed; what is private is not
+shown."""
+
+import re
+import signal
+import subprocess
+import unittest
+
+from program_case import PROGRAM, ProgramCase
+
+SCRIPT = """<dialogue>
+  <state name="Hall"><Entrance><speak param="Good morning."/></Entrance></state>
+  <handler name="Pipeline"><messages><component>
+    <ASR><RecognitionResult>
+      <post module="NLU" command="DoNLU" param="_LPARAM1"/>
+    </RecognitionResult></ASR>
+    <NLU><FrameInfo><fire param="_LPARAMS"/></FrameInfo></NLU>
+  </component></messages></handler>
+  <topic name="Tea">
+    <examples><value>make some tea</value><value>tea</value></examples>
+    <completed><speak param="Tea number {random(1, 1000000)}."/></completed>
+  </topic>
+  <topic name="Safe">
+    <examples><value>open the safe</value><value>unlock the safe</value>
+    </examples>
+    <slot name="Code" type="Functional" private="true" question="Which code?">
+      <cardinality type="number"/></slot>
+    <completed><speak param="I try {this.Code}."/></completed>
+  </topic>
+</dialogue>"""
+
+SETTINGS = """<settings start="Hall">
+  <Plugins><Plugin>GrammarNLU</Plugin></Plugins>
+  <Scripts><Script>kitchen.xml</Script></Scripts>
+</settings>"""
+
+
+class Replay(ProgramCase):
+
+    def setUp(self):
+        super().setUp()
+        self.write("app/settings.xml", SETTINGS)
+        self.write("app/kitchen.xml", SCRIPT)
+
+    def run_of(self, *turns):
+        return subprocess.run(
+            [PROGRAM, "run", "app", "--text", "--data", "data", "--journal",
+             "kept"], cwd=self.folder, input="".join(f"{turn}\n" for turn in
+                                                     turns),
+            capture_output=True, text=True, timeout=120, check=False)
+
+    def replay(self, *arguments):
+        return subprocess.run([PROGRAM, "replay", "app", "kept", *arguments],
+                              cwd=self.folder, capture_output=True, text=True,
+                              timeout=120, check=False)
+
+    def test_says_again_what_was_said(self):
+        said = self.run_of("tea", "tea")
+        self.assertEqual(said.returncode, 0, said.stderr)
+        again = self.replay()
+        self.assertEqual(again.returncode, 0, again.stderr)
+        robot = [line[3:] for line in again.stdout.splitlines()
+                 if line.startswith("P: ")]
+        self.assertEqual(robot, said.stdout.splitlines())
+        self.assertEqual(len(set(robot)), 3, robot)
+        self.assertIn("1 of 1 sessions are the same", again.stdout)
+
+    def test_two_runs_share_a_journal(self):
+        self.run_of("tea")
+        self.run_of("tea", "tea")
+        again = self.replay()
+        self.assertIn("2 of 2 sessions are the same", again.stdout)
+        session = re.findall(r"session (\w+)", again.stdout)[1]
+        self.assertIn("1 of 1 sessions", self.replay(session).stdout)
+
+    def test_what_was_said_before_a_kill_is_kept(self):
+        running = self.begin(
+            "run", "app", "--text", "--data", "data", "--journal", "kept",
+            cwd=self.folder, stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+            stderr=subprocess.DEVNULL, text=True)
+        self.assertEqual(running.stdout.readline(), "Good morning.\n")
+        running.stdin.write("tea\n")
+        running.stdin.flush()
+        first = running.stdout.readline().strip()
+        running.stdin.write("tea\n")
+        running.stdin.flush()
+        running.stdout.readline()  # long after the first was written
+        running.send_signal(signal.SIGKILL)
+        running.wait()
+        again = self.replay()
+        self.assertEqual(again.returncode, 0, again.stderr)
+        self.assertIn(f"P: {first}", again.stdout)
+        self.assertEqual(self.run_of("tea").returncode, 0)
+
+    def test_shows_nothing_that_is_private(self):
+        said = self.run_of("open the safe", "", "4711")
+        self.assertIn("4711", said.stdout)
+        for again in (self.replay(), self.replay("--trace")):
+            self.assertIn("U: ***", again.stdout)
+            self.assertNotIn("4711", again.stdout)
+
+    def test_says_that_the_scripts_have_changed(self):
+        self.run_of("tea")
+        self.write("app/kitchen.xml", SCRIPT.replace("Good", "Nice"))
+        again = self.replay()
+        self.assertEqual(again.returncode, 1)
+        self.assertIn("its scripts have changed", again.stderr)
+
+    def test_says_what_is_no_journal(self):
+        self.write("kept", "a letter")
+        self.assertEqual(self.replay().returncode, 1)
+        self.assertIn("no journal", self.replay().stderr)
+        run = self.run_of("tea")
+        self.assertEqual(run.returncode, 1)
+        self.assertIn("no journal", run.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,42 @@
+// Repeats the sessions of a journal, one after the other, and tells what was
+// said, line by line (docs/running.md).
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "runtime/base/error.hpp"
+#include "runtime/message/phrases.hpp"
+#include "script/program/program.hpp"
+
+namespace parlour::tools {
+
+struct ReplayWishes {
+  std::string session;              // empty: all
+  std::optional<std::size_t> until; // inputs of each; nothing: all
+  bool trace = false;               // also messages, topics and slots
+};
+
+struct ReplayOutcome {
+  std::size_t sessions = 0; // that were repeated
+  std::size_t inputs = 0;   // of all of them
+  std::size_t differ = 0;   // sessions that were not the same
+  std::size_t others = 0;   // sessions of another program, left out
+  std::size_t torn = 0;     // bytes of a last record that was not finished
+};
+
+// `bytes` are a journal's; `print` gets each line. What is private is shown as
+// *** (engine rule 7.6). An error, of kind File, tells of a damaged journal;
+// what stands before the damage has been printed.
+Expected<ReplayOutcome>
+replay_sessions(std::string_view bytes,
+                const std::shared_ptr<const script::Program>& program,
+                const std::shared_ptr<const PhraseEvaluator>& phrases,
+                const ReplayWishes& wishes,
+                const std::function<void(const std::string&)>& print);
+
+} // namespace parlour::tools

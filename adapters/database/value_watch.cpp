@@ -51,12 +51,13 @@ ValueWatch::News ValueWatch::look(const Read& read) {
 void ValueWatch::look(Column& column, const Read& read, News& news) {
   auto values = read(column.name);
   if (!values) {
-    if (!std::exchange(column.failed, true))
+    // Who reads it for the first time tells of that.
+    if (!std::exchange(column.failed, true) && column.was_read)
       news.errors.push_back(values.error());
     return;
   }
-  column.failed = false;
-  if (std::exchange(column.was_read, true) && column.values != *values)
+  const bool failed = std::exchange(column.failed, false);
+  if (std::exchange(column.was_read, true) ? column.values != *values : failed)
     news.changed.emplace_back(column.name, *values);
   column.values = std::move(*values);
 }

@@ -35,11 +35,12 @@ public:
   struct News {
     // Columns and their values now.
     std::vector<std::pair<std::string, Values>> changed;
-    // Why a column cannot be read, once until it can be read again. It keeps
-    // its old values.
+    // Why a column that was read before cannot be read, once until it can be
+    // read again. It keeps its old values.
     std::vector<Error> errors;
   };
-  // Reads all columns. The first values of a column are no news.
+  // Reads all columns. The first values of a column are no news,
+  // unless it could not be read before.
   News look(const Read& read);
 
 private:

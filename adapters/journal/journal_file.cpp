@@ -3,6 +3,7 @@
 #include <cerrno>
 #include <chrono>
 #include <cstring>
+#include <limits>
 #include <utility>
 
 #include <fcntl.h>
@@ -37,7 +38,7 @@ tl::unexpected<Error> refused_by_system(const std::filesystem::path& path,
 
 // How much of the file is whole records; an error where it is damaged.
 Expected<std::size_t> whole_bytes(const std::filesystem::path& path) {
-  const auto bytes = read_file(path);
+  const auto bytes = read_file(path, std::numeric_limits<std::size_t>::max());
   if (!bytes)
     return tl::make_unexpected(bytes.error());
   auto reader = JournalReader::over(*bytes);
@@ -65,6 +66,9 @@ JournalFile::open(const std::filesystem::path& path, Log log) {
     return refused_by_system(path, "the journal cannot be looked at");
   if (!S_ISREG(status.st_mode))
     return failed(path, "a journal is a file, and this is none");
+  // It has what is private, also where somebody else has made the file.
+  if (fchmod(file, S_IRUSR | S_IWUSR) != 0)
+    return refused_by_system(path, "only you may read a journal");
   std::size_t whole = 0;
   if (status.st_size == 0) {
     if (!journal->write(journal_magic))
@@ -159,10 +163,16 @@ void JournalFile::run() {
     changed_.notify_all();
     if (!written) {
       if (ends_)
-        return;
+        return lose(waiting_.size(), why);
       changed_.wait_for(lock, retry_time, [&] { return ends_; });
     }
   }
+}
+
+void JournalFile::lose(std::size_t bytes, const std::string& why) {
+  log_(path_.string() + ": the last " + std::to_string(bytes) +
+       " bytes are not in the journal: " + why +
+       (lost_ > 0 ? "; records lost before: " + std::to_string(lost_) : ""));
 }
 
 // All or nothing: what was written of a batch that failed is cut off again.

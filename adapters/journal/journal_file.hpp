@@ -46,6 +46,8 @@ private:
   JournalFile(Descriptor file, std::filesystem::path path, Log log);
 
   void run();
+  // At the end nothing more can be tried.
+  void lose(std::size_t bytes, const std::string& why);
   // False: nothing more can be written now.
   bool write(std::string_view bytes);
 

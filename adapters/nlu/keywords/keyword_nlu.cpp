@@ -72,6 +72,7 @@ private:
   void set_values(const Message& message) const {
     const auto* values =
         message.params.size() > 1 ? message.params[1].if_list() : nullptr;
+    const std::lock_guard one_after_the_other(changing_);
     if (!values || !columns_.set(message.params[0].text(), *values))
       return;
     auto made = make();
@@ -97,7 +98,8 @@ private:
   }
 
   Options options_;
-  // Used on the plug-in's own thread.
+  // New values may come in the turns of several sessions.
+  mutable std::mutex changing_; // guards the columns
   mutable nlu::KnownColumns columns_;
   mutable std::mutex mutex_;
   mutable Matcher matcher_;

@@ -74,6 +74,7 @@ protected:
 
   void set_values(const std::string& column,
                   const List& values) const override {
+    const std::lock_guard one_after_the_other(changing_);
     if (!columns_.set(column, values))
       return;
     auto built = build();
@@ -121,7 +122,8 @@ private:
   }
 
   Options options_;
-  // Used on the plug-in's own thread.
+  // New values may come in the turns of several sessions.
+  mutable std::mutex changing_; // guards the columns
   mutable nlu::KnownColumns columns_;
   mutable std::mutex mutex_;
   mutable Engine engine_;

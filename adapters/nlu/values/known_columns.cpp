@@ -6,11 +6,12 @@ namespace parlour::adapters::nlu {
 
 Expected<std::vector<std::string>>
 KnownColumns::read(const std::string& name, const ColumnReader& read) {
-  if (const auto found = columns_.find(name); found != columns_.end())
-    return found->second;
+  auto& known = columns_[name];
+  if (known)
+    return *known;
   auto values = read(name);
   if (values)
-    columns_.emplace(name, *values);
+    known = *values;
   return values;
 }
 

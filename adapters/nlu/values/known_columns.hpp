@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,11 +18,12 @@ public:
   // Reads a column once, by `read`; a failure is told and not kept.
   Expected<std::vector<std::string>> read(const std::string& name,
                                           const ColumnReader& read);
-  // False if the column was never read, or has these values already.
+  // False if nobody has asked for the column, or it has these values already.
   bool set(const std::string& name, const List& values);
 
 private:
-  std::map<std::string, std::vector<std::string>> columns_;
+  // Nothing: it could not be read.
+  std::map<std::string, std::optional<std::vector<std::string>>> columns_;
 };
 
 } // namespace parlour::adapters::nlu

@@ -50,6 +50,17 @@ TEST(ValueWatch, KeepsOldValuesWhereReadingFailsAndSaysSoOnce) {
   EXPECT_EQ(watch.look(read).errors.size(), 1u);
 }
 
+// Who needs the column at the start says that it cannot be read.
+TEST(ValueWatch, TellsOfAColumnThatCanBeReadAtLast) {
+  Expected<ValueWatch::Values> found = fail(ErrorKind::database, "gone");
+  const auto read = [&](const std::string&) { return found; };
+  ValueWatch watch({"db:a.b"});
+  EXPECT_THAT(watch.look(read).errors, IsEmpty());
+  found = ValueWatch::Values{"x"};
+  EXPECT_EQ(watch.look(read).changed.size(), 1u);
+  EXPECT_THAT(watch.look(read).changed, IsEmpty());
+}
+
 TEST(ValueWatch, KnowsItsTables) {
   const ValueWatch watch({"db:Archive.Robot.name"});
   EXPECT_TRUE(watch.concerns({"visit", "ROBOT"}));

@@ -1,3 +1,4 @@
+#include <chrono>
 #include <csignal>
 #include <thread>
 
@@ -15,6 +16,7 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using namespace std::chrono_literals;
 
 class JournalFileTest : public testing::Test {
 protected:
@@ -75,7 +77,10 @@ TEST_F(JournalFileTest, TakesRecordsFromManyThreads) {
 
 TEST_F(JournalFileTest, CutsOffWhatACrashLeftUnfinished) {
   open().value()->append("one");
-  { std::ofstream(path, std::ios::app | std::ios::binary) << "\5\0\0\0half"; }
+  {
+    std::ofstream(path, std::ios::app | std::ios::binary)
+        << framed("unfinished").substr(0, 12);
+  }
   open().value()->append("two");
   EXPECT_THAT(told, ElementsAre(HasSubstr("not finished")));
   EXPECT_THAT(records(), ElementsAre("one", "two"));
@@ -98,6 +103,14 @@ TEST_F(JournalFileTest, RefusesWhatIsNoJournal) {
   EXPECT_EQ(folder.read("x.journal"), "a letter");
   EXPECT_FALSE(JournalFile::open(folder.path(), {}));
   EXPECT_FALSE(JournalFile::open(folder.path() / "no" / "x", {}));
+}
+
+TEST_F(JournalFileTest, IsReadByItsOwnerOnly) {
+  folder.write("x.journal", "");
+  std::filesystem::permissions(path, std::filesystem::perms(0644));
+  const auto journal = open().value();
+  EXPECT_EQ(std::filesystem::status(path).permissions(),
+            std::filesystem::perms(0600));
 }
 
 TEST_F(JournalFileTest, IsOneRunsAlone) {
@@ -124,8 +137,9 @@ TEST_F(JournalFileTest, SaysThatTheDiskIsFullAndGoesOnLater) {
   EXPECT_THAT(records(), ElementsAre("one"));
   setrlimit(RLIMIT_FSIZE, &limit);
   journal->append("three");
-  while (records().size() < 3) // it tries again each second
-    std::this_thread::yield();
+  const auto deadline = std::chrono::steady_clock::now() + 60s;
+  while (records().size() < 3 && std::chrono::steady_clock::now() < deadline)
+    std::this_thread::yield(); // it tries again each second
   EXPECT_THAT(records(), ElementsAre("one", "two", "three"));
   EXPECT_EQ(journal->lost(), 0u);
 }

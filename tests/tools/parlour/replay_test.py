@@ -86,7 +86,11 @@ class Replay(ProgramCase):
         first = running.stdout.readline().strip()
         running.stdin.write("tea\n")
         running.stdin.flush()
-        running.stdout.readline()  # long after the first was written
+        running.stdout.readline()
+        # It is written some milliseconds after it was said.
+        again = self.replay()
+        while f"P: {first}" not in again.stdout and running.poll() is None:
+            again = self.replay()
         running.send_signal(signal.SIGKILL)
         running.wait()
         again = self.replay()
@@ -100,6 +104,10 @@ class Replay(ProgramCase):
         for again in (self.replay(), self.replay("--trace")):
             self.assertIn("U: ***", again.stdout)
             self.assertNotIn("4711", again.stdout)
+        inputs = int(re.search(r"(\d+) inputs", self.replay().stdout)[1])
+        for until in range(inputs):
+            self.assertNotIn("4711",
+                             self.replay("--until", str(until)).stdout, until)
 
     def test_says_that_the_scripts_have_changed(self):
         self.run_of("tea")

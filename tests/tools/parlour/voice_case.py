@@ -7,6 +7,7 @@ import pathlib
 import pty
 import signal
 import subprocess
+import time
 import wave
 
 from program_case import PROGRAM, ProgramCase
@@ -121,7 +122,9 @@ class VoiceCase(ProgramCase):
     def say(self, samples, name="ear"):
         """The device hears this from now on, once it has heard the last."""
         file = self.folder / f"{name}.raw"
+        deadline = time.monotonic() + WAIT
         while file.exists():
+            self.assertLess(time.monotonic(), deadline, "nobody listens")
             os.sched_yield()
         beside = file.with_suffix(".next")
         beside.write_bytes(samples.tobytes())

@@ -67,7 +67,7 @@ class VoiceTableOneTest(VoiceCase):
         copy = self.receptionist((TABLE_ONE, *OTHERS))
         run = subprocess.run(
             [PROGRAM, "test", str(copy), "--voice", "--told"],
-            capture_output=True, text=True, check=False)
+            capture_output=True, text=True, check=False, timeout=280)
         # A question that was cut is asked in other words the next time, so not
         # all answers are those of the conversation by text.
         self.assertIn(run.returncode, (0, 1), run.stderr)
@@ -81,6 +81,16 @@ class VoiceTableOneTest(VoiceCase):
         self.hold(speed=10)
 
     def hold(self, speed):
+        """Recorded speech is misheard at times, as the device's pace varies:
+        the conversation is held again then, once."""
+        try:
+            self.hold_once(speed)
+        except AssertionError:
+            self.folder = self.folder / "again"
+            self.folder.mkdir()
+            self.hold_once(speed)
+
+    def hold_once(self, speed):
         devices = self.devices(speed, ear="", mouth="")
         lines = [self.speech(line, "--voice", "rms") for line in TABLE_ONE]
         run = self.begin_talk(

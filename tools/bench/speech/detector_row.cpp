@@ -65,8 +65,8 @@ std::string text_of(const SegmentScore& score) {
 
 } // namespace
 
-Line in_a_row(const std::vector<const Sound*>& lines, const Sound& noise) {
-  Line made;
+SpokenRow in_a_row(const std::vector<const Sound*>& lines, const Sound& noise) {
+  SpokenRow made;
   auto& sound = made.sound;
   sound.resize(adapters::samples_in(2 * pause));
   for (const auto* line : lines) {
@@ -90,7 +90,7 @@ bool detector_row(const Application& spoken, SpeechBank& bank,
   for (const auto& line : lines)
     if (const auto sound = bank.speak(line, voice))
       sounds.push_back(*sound);
-  const auto row = noise ? in_a_row(sounds, *noise) : Line();
+  const auto row = noise ? in_a_row(sounds, *noise) : SpokenRow();
   const auto found =
       noise.and_then([&](const Sound&) { return detected(spoken, row.sound); });
   if (!found) {

@@ -12,13 +12,13 @@
 namespace parlour::tools {
 
 // Lines with pauses between them, and where they are.
-struct Line {
+struct SpokenRow {
   adapters::Sound sound;
   std::vector<Segment> said;
 };
 // The lines in this noise, with pauses of 1.2 s.
-Line in_a_row(const std::vector<const adapters::Sound*>& lines,
-              const adapters::Sound& noise);
+SpokenRow in_a_row(const std::vector<const adapters::Sound*>& lines,
+                   const adapters::Sound& noise);
 
 // 60 lines in babble at 10 dB, by the application's detector.
 bool detector_row(const Application& spoken, SpeechBank& bank,

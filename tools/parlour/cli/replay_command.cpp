@@ -1,4 +1,5 @@
 // `parlour replay`: repeats the sessions of a journal (docs/running.md).
+#include <limits>
 #include <ostream>
 
 #include <fmt/format.h>
@@ -49,7 +50,8 @@ int replay_command(const Places& places, const ReplayOptions& options,
   if (const auto* status = std::get_if<int>(&opened))
     return *status;
   const auto& application = std::get<Application>(opened);
-  const auto bytes = read_file(places.working / options.journal);
+  const auto bytes = read_file(places.working / options.journal,
+                               std::numeric_limits<std::size_t>::max());
   if (!bytes) {
     say_error(console, to_string(bytes.error()));
     return exit_code::usage;

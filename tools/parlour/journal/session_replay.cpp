@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "adapters/journal/journal_format.hpp"
+#include "runtime/message/masking.hpp"
 #include "script/dialogue/inputs/replay.hpp"
 #include "script/dialogue/inputs/session_record.hpp"
 #include "script/vm/program_identity.hpp"
@@ -61,36 +61,6 @@ Journaled read_sessions(adapters::JournalReader reader) {
   return all;
 }
 
-// What is private stays so.
-class Secrets {
-public:
-  void conceal(const std::vector<std::string>& texts) {
-    texts_.insert(texts.begin(), texts.end());
-    hides_turn_ |= texts.empty();
-  }
-  // Whether what the user said is; the next turn may not be.
-  bool take_turn() {
-    return std::exchange(hides_turn_, false);
-  }
-  std::string masked(std::string line) const {
-    // Longer ones first: one may stand in another.
-    for (auto text = texts_.rbegin(); text != texts_.rend(); ++text)
-      for (std::size_t at = 0;
-           !text->empty() && (at = line.find(*text, at)) != std::string::npos;)
-        line.replace(at, text->size(), "***");
-    return line;
-  }
-
-private:
-  struct Shorter {
-    bool operator()(const std::string& one, const std::string& other) const {
-      return std::pair(one.size(), one) < std::pair(other.size(), other);
-    }
-  };
-  std::set<std::string, Shorter> texts_;
-  bool hides_turn_ = false;
-};
-
 class SessionReplay {
 public:
   SessionReplay(const Kept& kept,
@@ -104,7 +74,11 @@ public:
     port.on_output = [this](const dialogue::Output& output) {
       lines_.push_back("P: " + as_one_line(output.text));
     };
-    port.on_secret = [this](const auto& texts) { secrets_.conceal(texts); };
+    port.on_secret = [this](const auto& texts) {
+      for (const auto& text : texts)
+        secrets_.add(text);
+      hides_turn_ |= texts.empty();
+    };
     if (wishes.trace)
       port.on_inspection = [this](const Inspection& seen) {
         lines_.push_back("    " + trace_line(seen));
@@ -131,6 +105,11 @@ public:
   }
 
 private:
+  struct Turn {
+    std::size_t line;
+    std::string words;
+  };
+
   Expected<void> take(const InputTaken& taken) {
     auto input = dialogue::read_input(program_, taken.input);
     if (!input)
@@ -141,8 +120,7 @@ private:
     note_turn(input->what);
     auto same = replay_.take(*std::move(input), *std::move(answers));
     // Only then is known what of it is private.
-    if (const auto& conversation = replay_.conversation();
-        !conversation.has_work() && !conversation.waits_for_answer())
+    if (is_settled())
       show();
     return same;
   }
@@ -152,18 +130,27 @@ private:
     if (!got || got->message->command != "RecognitionResult" ||
         got->message->params.empty())
       return;
-    show();
-    lines_.push_back("U: " +
-                     as_one_line(to_string(got->message->params.front())));
-    turn_ = lines_.size();
+    turns_.push_back({lines_.size(), to_string(got->message->params.front())});
+    lines_.push_back("U: " + as_one_line(turns_.back().words));
   }
 
+  // Where the session has not dealt with a turn yet, nobody knows whether it is
+  // private.
   void show() {
-    if (turn_ > 0 && secrets_.take_turn())
-      lines_[turn_ - 1] = "U: ***";
-    turn_ = 0;
+    const bool hides = std::exchange(hides_turn_, false) || !is_settled();
+    for (const auto& turn : turns_)
+      if (hides) {
+        secrets_.add(turn.words);
+        lines_[turn.line] = "U: ***";
+      }
+    turns_.clear();
     for (const auto& line : std::exchange(lines_, {}))
       print_(secrets_.masked(line));
+  }
+
+  bool is_settled() const {
+    const auto& conversation = replay_.conversation();
+    return !conversation.has_work() && !conversation.waits_for_answer();
   }
 
   const Kept& kept_;
@@ -172,8 +159,9 @@ private:
   const std::function<void(const std::string&)>& print_;
   dialogue::Replay replay_;
   Secrets secrets_;
+  bool hides_turn_ = false;        // what the user has just said
   std::vector<std::string> lines_; // not shown yet
-  std::size_t turn_ = 0; // which of them is the user's, from 1; 0: none
+  std::vector<Turn> turns_;        // of the user, among them
   std::size_t inputs_ = 0;
 };
 

@@ -40,6 +40,9 @@ struct Notes : World {
   }
 
 private:
+  // It is not put aside: what is noted here is of one port.
+  void before_move() override {}
+
   RecordingPort port{*this};
 };
 

@@ -3,7 +3,6 @@
 #include <cerrno>
 #include <chrono>
 #include <cstring>
-#include <limits>
 #include <utility>
 
 #include <fcntl.h>
@@ -38,7 +37,7 @@ tl::unexpected<Error> refused_by_system(const std::filesystem::path& path,
 
 // How much of the file is whole records; an error where it is damaged.
 Expected<std::size_t> whole_bytes(const std::filesystem::path& path) {
-  const auto bytes = read_file(path, std::numeric_limits<std::size_t>::max());
+  const auto bytes = read_file(path, max_journal_bytes);
   if (!bytes)
     return tl::make_unexpected(bytes.error());
   auto reader = JournalReader::over(*bytes);

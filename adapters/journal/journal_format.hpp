@@ -23,6 +23,9 @@ inline constexpr std::string_view journal_magic = "parlour journal 1\n";
 // More cannot be one record of a session.
 inline constexpr std::size_t max_record_bytes = std::size_t{64} << 20;
 
+// Larger files are not read.
+inline constexpr std::size_t max_journal_bytes = std::size_t{1} << 40;
+
 // A record as it stands in the file.
 std::string framed(std::string_view record);
 

@@ -6,6 +6,7 @@ shown."""
 import re
 import signal
 import subprocess
+import time
 import unittest
 
 from program_case import PROGRAM, ProgramCase
@@ -88,9 +89,10 @@ class Replay(ProgramCase):
         running.stdin.flush()
         running.stdout.readline()
         # It is written some milliseconds after it was said.
-        again = self.replay()
-        while f"P: {first}" not in again.stdout and running.poll() is None:
-            again = self.replay()
+        deadline = time.monotonic() + 60
+        while (f"P: {first}" not in self.replay().stdout and
+               time.monotonic() < deadline):
+            pass
         running.send_signal(signal.SIGKILL)
         running.wait()
         again = self.replay()

@@ -1,9 +1,9 @@
 // `parlour replay`: repeats the sessions of a journal (docs/running.md).
-#include <limits>
 #include <ostream>
 
 #include <fmt/format.h>
 
+#include "adapters/journal/journal_format.hpp"
 #include "runtime/base/file_bytes.hpp"
 #include "script/run/phrase_evaluator.hpp"
 #include "tools/parlour/application/opening.hpp"
@@ -50,8 +50,8 @@ int replay_command(const Places& places, const ReplayOptions& options,
   if (const auto* status = std::get_if<int>(&opened))
     return *status;
   const auto& application = std::get<Application>(opened);
-  const auto bytes = read_file(places.working / options.journal,
-                               std::numeric_limits<std::size_t>::max());
+  const auto bytes =
+      read_file(places.working / options.journal, adapters::max_journal_bytes);
   if (!bytes) {
     say_error(console, to_string(bytes.error()));
     return exit_code::usage;

@@ -62,7 +62,8 @@ TEST_F(MariaDBWatchTest, NoticesByItselfWhatOthersWrite) {
 }
 
 TEST_F(MariaDBWatchTest, SaysThatAColumnCannotBeRead) {
-  watch("db:staff.nickname", "0s");
+  watch("db:staff.name", "5ms");
+  write("drop table staff");
   EXPECT_EQ(next().errors.size(), 1u);
 }
 

@@ -18,7 +18,7 @@ protected:
   void connect(const PluginFactory& factory, Options options) {
     ASSERT_TRUE(start(factory, options));
     EXPECT_TRUE(host.wait([&] { return said("connected"); }, patience));
-    EXPECT_TRUE(host.is_available());
+    EXPECT_TRUE(host.wait([&] { return host.is_available(); }, patience));
   }
   bool said(const std::string& text) {
     for (const auto& log : host.take_logs())

@@ -99,9 +99,9 @@ TEST_F(AlsaSpeakerTest, IsSilentWithin60MsOfBeingStopped) {
   use({16'000, 1, "S16_LE", 10, "block@3200"});
   device->block();
   ASSERT_TRUE(start());
+  play(7, std::vector<Sample>(320'000, 10'000)); // a mark alone is silence
   send("Mark", {7, "one", 0});
   send("Mark", {7, "two", 60'000});
-  play(7, std::vector<Sample>(320'000, 10'000));
   wait_until_gone(true);
   send("Stop", {7});
   device->unblock();

@@ -72,6 +72,33 @@ class Checks(unittest.TestCase):
         self.assertEqual("a ring of units: script/vm/a, script/vm/b\n",
                          self.said("layers"))
 
+    def listeners(self, folder, count):
+        """A ring of `count` units, one of which calls another back."""
+        def unit(i):
+            return f"{folder}/u{i}.hpp"
+        self.write(unit(0), "class A {\npublic:\n  class Listener {\n"
+                   "    virtual void heard() = 0;\n  };\n"
+                   "private:\n  Listener& listener_;\n};\n")
+        for i in range(1, count):
+            self.includes(unit(i), f'"{unit(i - 1)}"')
+        self.write(unit(count), f'#include "{unit(count - 1)}"\n'
+                   "class B final : public Other, private A::Listener {};\n")
+
+    def test_a_ring_by_callbacks_is_found(self):
+        self.listeners("script/vm", 2)
+        self.assertEqual("", self.said("layers"))
+        self.listeners("script/vm", 3)
+        said = self.said("layers")
+        self.assertIn("script/vm: a ring of 4 units by callbacks, at most 3: "
+                      "script/vm/u0, script/vm/u1, script/vm/u2, script/vm/u3",
+                      said)
+
+    def test_who_only_derives_is_no_ring(self):
+        self.listeners("script/vm", 3)
+        self.write("script/vm/u0.hpp",
+                   "class A { virtual void heard() = 0; };\n")
+        self.assertEqual("", self.said("layers"))
+
     def test_code_in_no_room_is_found(self):
         self.includes("script/s.hpp", "<string>")
         self.includes("elsewhere/s.hpp", "<string>")

@@ -12,18 +12,31 @@
 namespace parlour::dialogue {
 
 using script::StateId;
+using script::TopicId;
 using VisitId = std::uint64_t; // 0: none
+using WaitId = std::uint64_t;  // 0: none
 
 class StateStack {
 public:
+  struct Push { // an activation that pushed
+    WaitId wait = 0;
+    TopicId topic = script::no_id; // that it is of
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive(wait);
+      archive.topic(topic);
+    }
+  };
   struct Level {
     StateId state = script::no_id;
     VisitId visit = 0;
+    Push by{}; // nothing for the bottom level
 
     template <class Archive>
     void serialize(Archive& archive) {
       archive.state(state);
-      archive(visit);
+      archive(visit, by);
     }
   };
 
@@ -40,20 +53,32 @@ public:
     });
   }
   void enter(StateId state) { // on the same level
-    levels_.back() = begin(state);
+    levels_.back().state = state;
+    levels_.back().visit = state == script::no_id ? 0 : ++visits_;
   }
-  void push(StateId state) {
-    levels_.push_back(begin(state));
+  // A level without a state as yet.
+  void push(Push by) {
+    levels_.push_back({.by = by});
   }
-  // False where nothing was pushed.
-  bool pop() {
-    if (!pushed())
-      return false;
+  Push pop() { // something was pushed
+    const auto by = levels_.back().by;
     levels_.pop_back();
-    return true;
+    return by;
   }
   bool pushed() const {
     return levels_.size() > 1;
+  }
+  // Whether a script of that topic waits for a pushed state, or that wait is
+  // for one.
+  bool was_pushed_by(TopicId topic) const {
+    return std::any_of(
+        levels_.begin() + 1, levels_.end(),
+        [&](const Level& level) { return level.by.topic == topic; });
+  }
+  bool was_pushed_for(WaitId wait) const {
+    return std::any_of(
+        levels_.begin() + 1, levels_.end(),
+        [&](const Level& level) { return level.by.wait == wait; });
   }
   const std::vector<Level>& levels() const { // innermost last
     return levels_;
@@ -66,10 +91,6 @@ public:
   }
 
 private:
-  Level begin(StateId state) {
-    return {state, state == script::no_id ? 0 : ++visits_};
-  }
-
   VisitId visits_ = 0; // so far
   std::vector<Level> levels_{Level{}};
 };

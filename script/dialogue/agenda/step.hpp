@@ -23,7 +23,6 @@
 namespace parlour::dialogue {
 
 using script::StateId;
-using WaitId = std::uint64_t; // 0: none
 using OfferId =
     std::uint64_t; // of what reactions may keep; 0: nobody was asked
 using ResultPointer = std::shared_ptr<const FrameResult>;

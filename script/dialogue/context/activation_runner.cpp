@@ -18,22 +18,24 @@ void keep_last_transit(StepList& steps) {
 
 } // namespace
 
-WaitId ActivationRunner::start(CodeId code, const std::vector<Value>& arguments,
-                               script::ActivationContext context,
-                               Origin origin) {
+ActivationRunner::Ran
+ActivationRunner::start(CodeId code, const std::vector<Value>& arguments,
+                        script::ActivationContext context, Origin origin) {
   code_ = code;
   origin_ = origin;
   redirected_.erase(code);
   acted_.erase(code);
   auto stopped =
       interpreter_.run_body(code, arguments, std::move(context), host_);
-  return stopped ? dispose(std::move(stopped->activation), stopped->result) : 0;
+  return stopped ? dispose(std::move(stopped->activation), stopped->result)
+                 : Ran();
 }
 
-WaitId ActivationRunner::resume(WaitId wait, Expected<Value> outcome) {
+ActivationRunner::Ran ActivationRunner::resume(WaitId wait,
+                                               Expected<Value> outcome) {
   auto found = waiting_.find(wait);
   if (found == waiting_.end())
-    return 0;
+    return {};
   auto waiting = std::move(found->second);
   waiting_.erase(found);
   later_ = std::move(waiting.later);
@@ -45,7 +47,6 @@ WaitId ActivationRunner::resume(WaitId wait, Expected<Value> outcome) {
       waiting.yielded && outcome
           ? interpreter_.run(*waiting.activation, host_)
           : interpreter_.resume(*waiting.activation, std::move(outcome), host_);
-  listener_.wait_is_over(wait);
   return dispose(std::move(waiting.activation), result);
 }
 
@@ -120,28 +121,29 @@ WaitId ActivationRunner::begin_wait(WaitFor what) {
   return expected_.id;
 }
 
-WaitId ActivationRunner::dispose(std::unique_ptr<script::Activation> activation,
-                                 const script::RunResult& result) {
+ActivationRunner::Ran
+ActivationRunner::dispose(std::unique_ptr<script::Activation> activation,
+                          const script::RunResult& result) {
   using enum script::RunStatus;
-  WaitId id = 0;
-  if (result.status == failed)
-    report(activation->context(), result);
+  Ran ran;
+  if (result.status == failed && report(activation->context(), result))
+    ran.failed = activation->context().topic;
   if (result.status == waiting) {
-    id = expected_.id;
+    ran.wait = expected_.id;
     if (leaves_its_state())
       origin_.visit = 0;
-    waiting_[id] = {
+    waiting_[ran.wait] = {
         std::move(activation), code_, expected_.what, origin_, false, {}};
   }
   if (result.status == yielded) {
-    id = context_.next_id();
-    waiting_[id] = {
+    ran.wait = context_.next_id();
+    waiting_[ran.wait] = {
         std::move(activation),    code_, WaitFor::answer, origin_, true,
         std::exchange(later_, {})};
-    slices_.push_back(id);
+    slices_.push_back(ran.wait);
   }
   expected_ = {};
-  return id;
+  return ran;
 }
 
 bool ActivationRunner::waits_for_others() const {
@@ -157,7 +159,7 @@ bool ActivationRunner::leaves_its_state() const {
   });
 }
 
-void ActivationRunner::report(const script::ActivationContext& context,
+bool ActivationRunner::report(const script::ActivationContext& context,
                               const script::RunResult& result) {
   auto detail = to_string(result.error);
   for (const auto& line : result.stack)
@@ -167,10 +169,9 @@ void ActivationRunner::report(const script::ActivationContext& context,
   context_.inspect(cancelled ? InspectionKind::cancelled
                              : InspectionKind::error,
                    std::string(name_of(result.error.kind)), detail);
-  if (!cancelled)
-    listener_.body_failed(context.topic, code_);
   if (!cancelled && !context.handles_error)
     messenger_.raise_error(result.error, context.turn);
+  return !cancelled;
 }
 
 StepList ActivationRunner::hand_over() {

@@ -44,23 +44,10 @@ private:
 
 class ActivationRunner {
 public:
-  // What became of a script, for whoever waits for that.
-  class Listener {
-  public:
-    // It goes on, or was ended: whatever it waited for so is over.
-    virtual void wait_is_over(WaitId wait) = 0;
-    // It ended with an error that no <catch> took.
-    virtual void body_failed(TopicId topic, CodeId body) = 0;
-
-  protected:
-    ~Listener() = default;
-  };
-
   ActivationRunner(DialogueContext& context, script::Interpreter& interpreter,
-                   Messenger& messenger, Timers& timers, script::Host& host,
-                   Listener& listener)
+                   Messenger& messenger, Timers& timers, script::Host& host)
       : context_(context), interpreter_(interpreter), messenger_(messenger),
-        timers_(timers), host_(host), listener_(listener) {}
+        timers_(timers), host_(host) {}
 
   // What the effect that suspends the running activation waits for.
   enum class WaitFor : std::uint8_t {
@@ -81,11 +68,16 @@ public:
   // That it waits from now on, for what comes with that id.
   WaitId begin_wait(WaitFor what);
 
-  // Runs until it ends or waits; returns the wait's id, 0 where it ended. The
-  // steps that it asked for are then taken with hand_over().
-  WaitId start(CodeId code, const std::vector<Value>& arguments,
-               script::ActivationContext context, Origin origin = {});
-  WaitId resume(WaitId wait, Expected<Value> outcome);
+  // What became of an activation that ran until it ended or waits.
+  struct Ran {
+    WaitId wait = 0; // for which it waits; 0: it has ended,
+    // and of which topic it was, where no <catch> took its error.
+    TopicId failed = script::no_id;
+  };
+  // The steps that it asked for are then taken with hand_over().
+  Ran start(CodeId code, const std::vector<Value>& arguments,
+            script::ActivationContext context, Origin origin = {});
+  Ran resume(WaitId wait, Expected<Value> outcome);
 
   // A step that the running activation's statements asked for; taken when it
   // ends or waits.
@@ -162,8 +154,7 @@ public:
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive.without(context_, interpreter_, messenger_, timers_, host_,
-                    listener_);
+    archive.without(context_, interpreter_, messenger_, timers_, host_);
     archive(expected_, origin_, later_, redirected_, acted_, deeds_, waiting_,
             slices_);
     archive.code(code_);
@@ -187,12 +178,12 @@ private:
     }
   };
 
-  WaitId dispose(std::unique_ptr<script::Activation> activation,
-                 const script::RunResult& result);
-  bool leaves_its_state() const;
-  void report(const script::ActivationContext& context,
+  Ran dispose(std::unique_ptr<script::Activation> activation,
               const script::RunResult& result);
-
+  bool leaves_its_state() const;
+  // Whether it is a fault of the script.
+  bool report(const script::ActivationContext& context,
+              const script::RunResult& result);
   void drop(const Step& step);
 
   DialogueContext& context_;
@@ -200,7 +191,6 @@ private:
   Messenger& messenger_;
   Timers& timers_;
   script::Host& host_;
-  Listener& listener_;
   Wait expected_;
   CodeId code_ = script::no_code; // that runs
   Origin origin_;

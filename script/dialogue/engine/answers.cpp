@@ -14,34 +14,35 @@ const std::string understanding = "NLU";
 
 } // namespace
 
-bool Answers::take(Input& input) {
+std::optional<StepList> Answers::take(Input& input) {
   if (is_meaning(*input.message))
     return answer(input);
   if (!input.begins_turn || input.is_no_answer ||
       input.message->params.empty() || !context_.port.reachable(understanding))
-    return false;
+    return std::nullopt;
   const auto correlation = messenger_.post(
       understanding, "DoNLU",
       {input.message->params[0], topics_.understanding_context()}, input.turn);
   context_.turns.let_go(input.turn); // the question keeps it open, for its time
   words_.emplace(correlation, std::move(input));
-  return true;
+  return StepList();
 }
 
-bool Answers::take_meaning(Input& input) {
+std::optional<StepList> Answers::take_meaning(Input& input) {
   const auto found = words_.find(input.message->correlation);
   if (found == words_.end() ||
       context_.port.reply_to_request(*input.message) == Reply::none)
-    return false;
+    return std::nullopt;
   auto words = std::move(found->second);
   words_.erase(found);
-  if (is_meaning(*input.message) && answer(input))
-    return true;
+  if (is_meaning(*input.message))
+    if (auto acts = answer(input))
+      return acts;
   context_.turns.hold(words.turn);
   context_.turns.let_go(input.turn);
   words.is_no_answer = true;
   inbox_.put_back(std::move(words));
-  return true;
+  return StepList();
 }
 
 void Answers::forget(TurnId turn) {
@@ -54,21 +55,20 @@ bool Answers::is_meaning(const Message& message) const {
          context_.port.is_source(understanding, message.source);
 }
 
-bool Answers::answer(const Input& input) {
+std::optional<StepList> Answers::answer(const Input& input) {
   auto parsed = parse_acts(Value(List(input.message->params)));
   if (parsed.acts.empty() ||
       !std::all_of(parsed.acts.begin(), parsed.acts.end(),
                    [&](const Act& act) { return topics_.is_waited_for(act); }))
-    return false;
+    return std::nullopt;
   StepList acts;
   for (auto& act : parsed.acts) {
     context_.turns.hold(input.turn);
     acts.add(steps::TakeAct{std::make_shared<const Act>(std::move(act)),
                             input.turn});
   }
-  entry_.take(std::move(acts), input.turn);
   context_.turns.let_go(input.turn);
-  return true;
+  return acts;
 }
 
 } // namespace parlour::dialogue

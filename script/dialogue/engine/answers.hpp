@@ -6,11 +6,12 @@
 #pragma once
 
 #include <map>
+#include <optional>
 
+#include "script/dialogue/agenda/step_list.hpp"
 #include "script/dialogue/context/inbox.hpp"
 #include "script/dialogue/context/input.hpp"
 #include "script/dialogue/context/messenger.hpp"
-#include "script/dialogue/engine/lane_entry.hpp"
 #include "script/dialogue/topic_engine/topic_engine.hpp"
 
 namespace parlour::dialogue {
@@ -18,16 +19,17 @@ namespace parlour::dialogue {
 class Answers {
 public:
   Answers(DialogueContext& context, Messenger& messenger, Inbox& inbox,
-          const TopicEngine& topics, LaneEntry& entry)
+          const TopicEngine& topics)
       : context_(context), messenger_(messenger), inbox_(inbox),
-        topics_(topics), entry_(entry) {}
+        topics_(topics) {}
 
-  // Whether the message is taken: it was an answer, or is to be understood
-  // first. Else it goes on as it is.
-  bool take(Input& input);
+  // The acts of an answer, for the dialogue lane; none where the words are to
+  // be understood first. Nothing: the message is not taken and goes on as it
+  // is.
+  std::optional<StepList> take(Input& input);
   // The same for what the understanding makes of such words; if it is no
   // answer, the words go on.
-  bool take_meaning(Input& input);
+  std::optional<StepList> take_meaning(Input& input);
 
   // The understanding of this turn's words never came.
   void forget(TurnId turn);
@@ -37,19 +39,18 @@ public:
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive.without(context_, messenger_, inbox_, topics_, entry_);
+    archive.without(context_, messenger_, inbox_, topics_);
     archive(words_);
   }
 
 private:
   bool is_meaning(const Message& message) const;
-  bool answer(const Input& input);
+  std::optional<StepList> answer(const Input& input);
 
   DialogueContext& context_;
   Messenger& messenger_;
   Inbox& inbox_;
   const TopicEngine& topics_;
-  LaneEntry& entry_;
   std::map<Correlation, Input> words_; // that are being understood
 };
 

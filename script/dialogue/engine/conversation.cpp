@@ -13,8 +13,8 @@ Conversation::Conversation(std::shared_ptr<const script::Program> program,
 
 Conversation::~Conversation() = default;
 
-// A part may be given one that is made after it: nothing is said to it before
-// the first input.
+// Scripts are run before what carries out their effects is made: none runs
+// before the first input.
 ConversationImplementation::ConversationImplementation(
     std::shared_ptr<const script::Program> program, ConversationOptions options,
     Port& port)
@@ -22,23 +22,22 @@ ConversationImplementation::ConversationImplementation(
       context(interpreter, std::move(program), std::move(options), port),
       timers(port), inbox(context.turns), messenger(context, inbox),
       frames(context, interpreter), reactions(context),
-      runner(context, interpreter, messenger, timers, effects, topics),
-      waits(context, runner, *this),
-      output(context, reactions, messenger, timers, topics),
-      topics(context, messenger, frames, runner, waits, reactions, output,
-             machine),
+      runner(context, interpreter, messenger, timers, effects),
+      question(context, frames),
+      output(context, reactions, messenger, timers, question),
+      topics(context, messenger, frames, runner, reactions, question, output),
+      sockets(context), requests(context, messenger, timers, runner, topics),
+      outside(context, timers, runner, sockets),
+      waits(context, runner, requests, outside, topics),
       machine(context, timers, runner, waits, topics),
-      entry(context, topics, machine),
       heard_grammar(context, messenger, topics),
-      answers(context, messenger, inbox, topics, entry),
-      sockets(context, waits), message_end(context, output, sockets),
-      pipeline(context, messenger, inbox, runner, reactions, entry, answers,
-               message_end),
+      answers(context, messenger, inbox, topics),
+      message_end(context, output, sockets),
+      pipeline(context, messenger, inbox, runner, reactions, topics, waits,
+               machine, answers, message_end),
       topic_effects(context, frames, runner, output, topics),
       reaction_effects(context, messenger, reactions, runner, topics, pipeline),
-      requests(context, messenger, timers, runner, waits, topics),
       time_effects(context, timers, runner),
-      outside(context, timers, runner, waits, sockets),
       effects(context, runner, topic_effects, reaction_effects, requests,
               time_effects, outside) {}
 
@@ -93,9 +92,10 @@ void Conversation::query_answered(QueryId id, Expected<Value> outcome,
   auto& parts = *implementation_;
   parts.context.now = now;
   parts.begin_event();
-  if (parts.topics.query_answered(id, outcome) ||
-      parts.outside.answered(id, std::move(outcome)))
+  if (parts.topics.query_answered(id, outcome))
     parts.go_on();
+  else
+    parts.answered(id, std::move(outcome));
 }
 
 void Conversation::file_answered(QueryId id, Expected<Value> outcome,
@@ -104,8 +104,7 @@ void Conversation::file_answered(QueryId id, Expected<Value> outcome,
     return;
   implementation_->context.now = now;
   implementation_->begin_event();
-  if (implementation_->outside.answered(id, std::move(outcome)))
-    implementation_->go_on();
+  implementation_->answered(id, std::move(outcome));
 }
 
 void Conversation::component_answered(QueryId id, Expected<void> outcome,
@@ -119,7 +118,8 @@ void Conversation::socket_opened(SocketId id, Expected<void> outcome,
     return;
   implementation_->context.now = now;
   implementation_->begin_event();
-  implementation_->sockets.opened(id, std::move(outcome));
+  if (auto over = implementation_->sockets.opened(id, std::move(outcome)))
+    implementation_->end_wait(std::move(*over));
   implementation_->go_on();
 }
 

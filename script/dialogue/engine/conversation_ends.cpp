@@ -43,7 +43,7 @@ void ConversationImplementation::close() {
   topics.forget_frame();
   answers.clear();
   context.lane.clear();
-  auto steps = topics.cancel_waits();
+  auto steps = waits.cancel(pipeline.waits());
   for (auto wait : pipeline.waits())
     pipeline.resume(wait, fail(ErrorKind::cancelled, "the session ended"));
   steps.append(machine.exits());

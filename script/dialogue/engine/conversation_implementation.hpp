@@ -9,26 +9,27 @@
 #include <vector>
 
 #include "script/dialogue/agenda/timers.hpp"
+#include "script/dialogue/agenda/wait_outcome.hpp"
 #include "script/dialogue/context/activation_runner.hpp"
 #include "script/dialogue/context/dialogue_context.hpp"
 #include "script/dialogue/context/inbox.hpp"
 #include "script/dialogue/context/messenger.hpp"
+#include "script/dialogue/context/open_question.hpp"
 #include "script/dialogue/context/reactions.hpp"
 #include "script/dialogue/context/topic_frames.hpp"
-#include "script/dialogue/context/waits.hpp"
 #include "script/dialogue/engine/answers.hpp"
 #include "script/dialogue/engine/effect_handler.hpp"
 #include "script/dialogue/engine/heard_grammar.hpp"
-#include "script/dialogue/engine/lane_entry.hpp"
 #include "script/dialogue/engine/pipeline.hpp"
 #include "script/dialogue/engine/sockets.hpp"
 #include "script/dialogue/engine/state_machine.hpp"
+#include "script/dialogue/engine/waits.hpp"
 #include "script/dialogue/output/output_manager.hpp"
 #include "script/dialogue/topic_engine/topic_engine.hpp"
 
 namespace parlour::dialogue {
 
-class ConversationImplementation final : private Waits::Others {
+class ConversationImplementation {
 public:
   ConversationImplementation(std::shared_ptr<const script::Program> program,
                              ConversationOptions options, Port& port);
@@ -43,6 +44,10 @@ public:
   // After each input: the lane runs as far as it can; what silence leads to.
   void go_on();
   void timer_fired(TimerId id);
+  // The outcome of what a script wanted from outside.
+  void answered(QueryId id, Expected<Value> outcome);
+  // A script's wait is over: it goes on, in the lane in which it waits.
+  void end_wait(WaitOutcome over);
   // With another port.
   void resume();
   void close();
@@ -54,6 +59,7 @@ public:
   void take(steps::RunTimer&& step);
   void take(steps::React&& step);
   void take(steps::ResumeWait&& step);
+  void take(const steps::Cancel& step);
   void take(const steps::Restart& step);
   void take(const steps::End& step);
 
@@ -66,32 +72,32 @@ public:
   TopicFrames frames;
   Reactions reactions;
   ActivationRunner runner;
-  Waits waits;
+  OpenQuestion question;
   OutputManager output;
   TopicEngine topics;
+  ScriptSockets sockets;
+  RequestEffects requests;
+  OutsideEffects outside;
+  Waits waits;
   StateMachine machine;
-  LaneEntry entry;
   HeardGrammar heard_grammar;
   Answers answers;
-  ScriptSockets sockets;
   MessageEnd message_end;
   Pipeline pipeline;
   TopicEffects topic_effects;
   ReactionEffects reaction_effects;
-  RequestEffects requests;
   TimeEffects time_effects;
-  OutsideEffects outside;
   EffectHandler effects;
 
   template <class Archive>
   void serialize(Archive& archive) {
     archive.without(interpreter); // it is saved beside them
     // They keep nothing.
-    archive.without(messenger, waits, entry, message_end, topic_effects,
+    archive.without(messenger, waits, message_end, topic_effects,
                     reaction_effects, time_effects);
-    archive(timers, context, inbox, frames, reactions, runner, output, topics,
-            machine, heard_grammar, answers, sockets, pipeline, requests,
-            outside, effects, watch_, lost_);
+    archive(timers, context, inbox, frames, reactions, runner, question, output,
+            topics, machine, heard_grammar, answers, sockets, pipeline,
+            requests, outside, effects, watch_, lost_);
   }
 
 private:
@@ -107,10 +113,6 @@ private:
     }
   };
 
-  void resume_in_pipeline(WaitId wait, Expected<Value> outcome) override;
-  std::vector<WaitId> waits_in_pipeline() const override;
-  void forget_request(WaitId wait) override;
-
   StepList beginning() const;
   Inbox::Of heard() const;
   void process(Input&& input);
@@ -125,7 +127,7 @@ private:
   void carry_out(Step&& step);
   template <class Kind>
   void run_body(Kind&& step);
-  void started(WaitId wait);
+  void ran(ActivationRunner::Ran what);
   void start_over();
 
   void leave();
@@ -140,10 +142,10 @@ private:
   void watch_for(Milliseconds length, Timer::Purpose purpose);
   void stop_silence();
 
-  void lose(LostWait lost);
+  void lose(WaitOutcome over);
 
   std::optional<Watch> watch_;
-  Fifo<LostWait> lost_; // to be told to who waits
+  Fifo<WaitOutcome> lost_; // to be told to who waits
 };
 
 } // namespace parlour::dialogue

@@ -135,11 +135,10 @@ void ConversationImplementation::take_input() {
     if (output.release())
       stop_silence();
   } else if (!lost_.empty()) {
-    auto [wait, outcome] = lost_.take();
     begin_event();
-    waits.resume(wait, std::move(outcome));
+    end_wait(lost_.take());
   } else if (auto slice = runner.take_slice(); slice != 0) {
-    waits.resume(slice, Value());
+    end_wait({slice, Value()});
   } else if (inbox.has_internal()) {
     auto input = inbox.take_internal();
     if (messenger.one_more_internal_event())
@@ -156,7 +155,7 @@ void ConversationImplementation::take_input() {
 void ConversationImplementation::process(Input&& input) {
   const auto& message = *input.message;
   if (context.port.is_source(recogniser, message.source)) {
-    context.privacy.hear(topics.asks_in_private());
+    context.privacy.hear(question.asks_in_private());
     user_begins();
   }
   if (input.begins_turn)
@@ -167,8 +166,9 @@ void ConversationImplementation::process(Input&& input) {
   if (is_heard(message) && (hear_speech(message) || hear_speaker(message) ||
                             machine.agent_changed(message) ||
                             output.hear_failure(message, input.turn)))
-    input.raised = true;         // somebody took it
-  if (requests.reply(message)) { // a script's loop may have many
+    input.raised = true;                     // somebody took it
+  if (auto over = requests.reply(message)) { // a script's loop may have many
+    end_wait(std::move(*over));
     context.turns.let_go(input.turn);
   } else {
     inbox.handles(message);
@@ -244,10 +244,9 @@ void ConversationImplementation::act_on(Timer timer) {
     break;
   case Timer::Purpose::wait:
     if (timer.correlation == 0)
-      waits.resume(timer.wait, Value());
+      end_wait({timer.wait, Value()});
     else
-      waits.resume(timer.wait,
-                   fail(ErrorKind::timeout, "no reply came in time"));
+      end_wait({timer.wait, fail(ErrorKind::timeout, "no reply came in time")});
     break;
   case Timer::Purpose::wording:
     output.give_up_wording(timer.correlation);
@@ -265,6 +264,22 @@ void ConversationImplementation::act_on(Timer timer) {
     finish();
     break;
   }
+}
+
+void ConversationImplementation::answered(QueryId id, Expected<Value> outcome) {
+  if (auto over = outside.answered(id, std::move(outcome))) {
+    end_wait(std::move(*over));
+    go_on();
+  }
+}
+
+void ConversationImplementation::end_wait(WaitOutcome over) {
+  waits.forget_request(over.wait);
+  if (context.lane.waits(over.wait))
+    context.lane.wake(over.wait,
+                      outcome_step(over.wait, std::move(over.outcome)));
+  else
+    pipeline.resume(over.wait, std::move(over.outcome));
 }
 
 void ConversationImplementation::ring(Timer timer) {

@@ -24,20 +24,6 @@ void ConversationImplementation::drop_what_was_too_much() {
     output.handled(*input.message, false);
 }
 
-void ConversationImplementation::resume_in_pipeline(WaitId wait,
-                                                    Expected<Value> outcome) {
-  pipeline.resume(wait, std::move(outcome));
-}
-
-std::vector<WaitId> ConversationImplementation::waits_in_pipeline() const {
-  return pipeline.waits();
-}
-
-void ConversationImplementation::forget_request(WaitId wait) {
-  requests.forget(wait);
-  outside.forget(wait);
-}
-
 void ConversationImplementation::carry_out(Step&& step) {
   std::visit([&](auto& kind) { give(std::move(kind), *this, machine, topics); },
              step);
@@ -66,12 +52,24 @@ void ConversationImplementation::take(const steps::End&) {
   output.withdraw_questions();
 }
 
+// What waits is ended first, so that a <catch> still sees its topic.
+void ConversationImplementation::take(const steps::Cancel& step) {
+  const auto ended = topics.meant_by(step);
+  topics.withdraw_question();
+  auto steps =
+      waits.cancel(pipeline.waits(), step.all ? std::vector<WaitId>()
+                                              : topics.confirms_but_of(ended));
+  machine.clear_pushed();
+  steps.append(topics.cancel(ended, step.turn));
+  context.lane.now(std::move(steps));
+}
+
 void ConversationImplementation::take(const steps::Restart&) {
   start_over();
 }
 
 void ConversationImplementation::start_over() {
-  context.lane.now(topics.cancel_waits());
+  context.lane.now(waits.cancel(pipeline.waits()));
   machine.clear();
   topics.restart();
   context.lane.queue(beginning());
@@ -93,8 +91,8 @@ void ConversationImplementation::run_body(Kind&& step) {
   activation.slot = body.slot;
   activation.turn = body.turn;
   activation.leaves_state = std::same_as<Kind, steps::RunLeaving>;
-  started(runner.start(body.code, input.arguments, std::move(activation),
-                       body.origin));
+  ran(runner.start(body.code, input.arguments, std::move(activation),
+                   body.origin));
 }
 
 // An activation goes on in the lane where it was started.
@@ -104,21 +102,26 @@ void ConversationImplementation::take(steps::ResumeWait&& step) {
     pipeline.resume(wait, std::move(*step.outcome));
   else if (context.lane.waits(wait))
     context.lane.wake(wait, std::move(step));
-  else if (runner.waiting(wait))
-    started(runner.resume(wait, std::move(*step.outcome)));
+  else if (runner.waiting(wait)) {
+    const auto what = runner.resume(wait, std::move(*step.outcome));
+    topics.wait_is_over(wait);
+    ran(what);
+  }
 }
 
 // What it asked for so far does not wait, and neither does the question that
 // this leads to where the script waits for time. Who asks again has dropped
 // what he asked before.
-void ConversationImplementation::started(WaitId wait) {
+void ConversationImplementation::ran(ActivationRunner::Ran what) {
   using enum ActivationRunner::WaitFor;
+  if (what.failed != script::no_id)
+    topics.body_failed(what.failed, runner.body());
   auto wanted = runner.hand_over();
-  if (wait != 0) {
-    const auto what = runner.waits_for(wait);
-    context.lane.wait(wait, what == answer ? Lane::Others::are_held
-                                           : Lane::Others::go_on);
-    if (!wanted.empty() && what == time)
+  if (const auto wait = what.wait; wait != 0) {
+    const auto what_for = runner.waits_for(wait);
+    context.lane.wait(wait, what_for == answer ? Lane::Others::are_held
+                                               : Lane::Others::go_on);
+    if (!wanted.empty() && what_for == time)
       wanted.add(steps::Conclude{runner.turn_of(wait)});
     wanted.prepend(machine.dropped_by(wait));
   }

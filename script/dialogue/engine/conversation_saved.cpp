@@ -60,10 +60,10 @@ void ConversationImplementation::resume() {
   output.resume();
 }
 
-void ConversationImplementation::lose(LostWait lost) {
-  forget_request(lost.wait);
-  timers.cancel_wait(lost.wait);
-  lost_.push_back(std::move(lost));
+void ConversationImplementation::lose(WaitOutcome over) {
+  waits.forget_request(over.wait);
+  timers.cancel_wait(over.wait);
+  lost_.push_back(std::move(over));
 }
 
 } // namespace parlour::dialogue

@@ -54,16 +54,16 @@ script::Performed OutsideEffects::perform(script::Activation& activation,
   }
 }
 
-bool OutsideEffects::answered(QueryId id, Expected<Value> outcome) {
+std::optional<WaitOutcome> OutsideEffects::answered(QueryId id,
+                                                    Expected<Value> outcome) {
   const auto found = queries_.find(id);
   if (found == queries_.end())
-    return false;
+    return std::nullopt;
   const auto query = found->second;
   queries_.erase(found);
   if (query.rollback)
     outcome = Value();
-  waits_.resume(query.wait, std::move(outcome));
-  return true;
+  return WaitOutcome{query.wait, std::move(outcome)};
 }
 
 // -- databases ----------------------------------------------------------------
@@ -165,11 +165,11 @@ script::Performed OutsideEffects::open_socket(Call effect) {
   return script::Waits{};
 }
 
-std::vector<LostWait> OutsideEffects::resume() {
+std::vector<WaitOutcome> OutsideEffects::resume() {
   subscriptions_.resume();
-  std::vector<LostWait> lost;
+  std::vector<WaitOutcome> lost;
   for (const auto& [id, query] : queries_)
-    lost.push_back(query.rollback ? LostWait{query.wait, Value()}
+    lost.push_back(query.rollback ? WaitOutcome{query.wait, Value()}
                                   : in_doubt(query.wait));
   return lost;
 }

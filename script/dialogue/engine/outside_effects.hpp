@@ -4,15 +4,15 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "script/dialogue/agenda/lost_wait.hpp"
 #include "script/dialogue/agenda/port.hpp"
 #include "script/dialogue/agenda/timers.hpp"
+#include "script/dialogue/agenda/wait_outcome.hpp"
 #include "script/dialogue/context/activation_runner.hpp"
 #include "script/dialogue/context/dialogue_context.hpp"
-#include "script/dialogue/context/waits.hpp"
 #include "script/dialogue/engine/sockets.hpp"
 #include "script/dialogue/engine/subscriptions.hpp"
 #include "script/program/host.hpp"
@@ -22,17 +22,17 @@ namespace parlour::dialogue {
 class OutsideEffects {
 public:
   OutsideEffects(DialogueContext& context, Timers& timers,
-                 ActivationRunner& runner, Waits& waits, ScriptSockets& sockets)
-      : context_(context), timers_(timers), runner_(runner), waits_(waits),
-        sockets_(sockets), subscriptions_(context.port) {}
+                 ActivationRunner& runner, ScriptSockets& sockets)
+      : context_(context), timers_(timers), runner_(runner), sockets_(sockets),
+        subscriptions_(context.port) {}
 
   // An error where the effect is none of these.
   script::Performed perform(script::Activation& activation,
                             const script::Effect& effect);
 
   // The outcome of a <querydb>, of a transaction's ends, a <readfile>, <load>
-  // …; false where it is none of these.
-  bool answered(QueryId id, Expected<Value> outcome);
+  // …; nothing where it is none of these.
+  std::optional<WaitOutcome> answered(QueryId id, Expected<Value> outcome);
   bool waits_for_answer() const {
     return !queries_.empty() || sockets_.waits_for_answer();
   }
@@ -40,11 +40,11 @@ public:
   void forget(WaitId wait);
   // Another port is told of the subscriptions. The waits for which nobody works
   // any more.
-  std::vector<LostWait> resume();
+  std::vector<WaitOutcome> resume();
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive.without(context_, timers_, runner_, waits_, sockets_);
+    archive.without(context_, timers_, runner_, sockets_);
     archive(subscriptions_, queries_, connections_, current_);
   }
 
@@ -83,7 +83,6 @@ private:
   DialogueContext& context_;
   Timers& timers_;
   ActivationRunner& runner_;
-  Waits& waits_;
   ScriptSockets& sockets_;
   Subscriptions subscriptions_;
   std::map<QueryId, Query> queries_;

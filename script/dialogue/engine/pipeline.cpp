@@ -8,9 +8,21 @@ namespace parlour::dialogue {
 
 using namespace std::string_view_literals;
 
+namespace {
+
+bool is_in_front(const Step& step) {
+  const auto* taken = std::get_if<steps::TakeAct>(&step);
+  return taken && passes_waits(*taken->act);
+}
+
+} // namespace
+
 void Pipeline::take(Input&& input) {
-  if (answers_.take_meaning(input))
+  const auto turn = input.turn;
+  if (auto acts = answers_.take_meaning(input)) {
+    hand_over(std::move(*acts), turn);
     return;
+  }
   if (auto* before = waits_before(input)) {
     hold(*before, std::move(input));
     return;
@@ -22,8 +34,11 @@ void Pipeline::take(Input&& input) {
   item.reactions = std::exchange(spare_, {});
   reactions_.find(input.message->source, input.message->command,
                   item.reactions);
-  if (asks_again(item) && answers_.take(input))
-    return;
+  if (asks_again(item))
+    if (auto acts = answers_.take(input)) {
+      hand_over(std::move(*acts), turn);
+      return;
+    }
   item.message = std::move(input.message);
   go_on(item);
 }
@@ -85,9 +100,9 @@ void Pipeline::go_on(Item& item) {
     item.consumed = match.captures;
     context_.reached(match.reaction->position);
     running_ = &item;
-    const auto wait = runner_.start(match.reaction->body, {},
-                                    std::move(context), {.visit = match.visit});
-    started(item, wait);
+    const auto ran = runner_.start(match.reaction->body, {}, std::move(context),
+                                   {.visit = match.visit});
+    started(item, ran.wait);
     if (item.waiting != 0) {
       keep(std::move(item));
       return;
@@ -96,12 +111,29 @@ void Pipeline::go_on(Item& item) {
   finish(item);
 }
 
-// It ended, or waits.
+// It ended, or waits; what it asked before is given up then.
 void Pipeline::started(Item& item, WaitId wait) {
   running_ = nullptr;
   item.waiting = wait;
   item.what = runner_.waits_for(wait);
-  entry_.take(runner_.hand_over(), item.turn, wait);
+  auto wanted = runner_.hand_over();
+  if (wait != 0)
+    wanted.prepend(machine_.dropped_by(wait));
+  hand_over(std::move(wanted), item.turn);
+}
+
+// Who wants out, or to start over, does not wait for what waits there (engine
+// rule 2.5).
+void Pipeline::hand_over(StepList steps, TurnId turn) {
+  if (steps.empty())
+    return;
+  if (std::any_of(steps.begin(), steps.end(), is_in_front) &&
+      context_.lane.held()) {
+    context_.lane.now(waits_.cancel(waits(), topics_.confirms_but_of({})));
+    machine_.clear_pushed();
+  }
+  steps.add(steps::Conclude{turn});
+  context_.lane.queue(std::move(steps));
 }
 
 // Only what a component works for holds back the questions to the user.
@@ -138,7 +170,9 @@ bool Pipeline::resume(WaitId wait, Expected<Value> outcome) {
   if (!outcome && outcome.error().kind == ErrorKind::cancelled)
     item.consumed = true;
   running_ = &item;
-  started(item, runner_.resume(wait, std::move(outcome)));
+  const auto ran = runner_.resume(wait, std::move(outcome));
+  topics_.wait_is_over(wait);
+  started(item, ran.wait);
   if (item.waiting != 0)
     keep(std::move(item));
   else

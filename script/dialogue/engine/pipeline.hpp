@@ -8,7 +8,7 @@
 #include <memory>
 #include <vector>
 
-#include "script/dialogue/agenda/step.hpp"
+#include "script/dialogue/agenda/step_list.hpp"
 #include "script/dialogue/context/activation_runner.hpp"
 #include "script/dialogue/context/dialogue_context.hpp"
 #include "script/dialogue/context/inbox.hpp"
@@ -16,8 +16,10 @@
 #include "script/dialogue/context/messenger.hpp"
 #include "script/dialogue/context/reactions.hpp"
 #include "script/dialogue/engine/answers.hpp"
-#include "script/dialogue/engine/lane_entry.hpp"
 #include "script/dialogue/engine/message_end.hpp"
+#include "script/dialogue/engine/state_machine.hpp"
+#include "script/dialogue/engine/waits.hpp"
+#include "script/dialogue/topic_engine/topic_engine.hpp"
 
 namespace parlour::dialogue {
 
@@ -28,10 +30,11 @@ class Pipeline {
 public:
   Pipeline(DialogueContext& context, Messenger& messenger, Inbox& inbox,
            ActivationRunner& runner, const Reactions& reactions,
-           LaneEntry& entry, Answers& answers, MessageEnd& message_end)
+           TopicEngine& topics, Waits& waits, StateMachine& machine,
+           Answers& answers, MessageEnd& message_end)
       : context_(context), messenger_(messenger), inbox_(inbox),
-        runner_(runner), reactions_(reactions), entry_(entry),
-        answers_(answers), message_end_(message_end) {}
+        runner_(runner), reactions_(reactions), topics_(topics), waits_(waits),
+        machine_(machine), answers_(answers), message_end_(message_end) {}
 
   // Behind an activation that waits at most max_held wait; a further one
   // is an error and is dropped. What is an answer to one that waits for the
@@ -47,8 +50,8 @@ public:
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive.without(context_, messenger_, inbox_, runner_, reactions_, entry_,
-                    answers_, message_end_, running_, spare_);
+    archive.without(context_, messenger_, inbox_, runner_, reactions_, topics_,
+                    waits_, machine_, answers_, message_end_, running_, spare_);
     archive(waiting_);
   }
 
@@ -90,6 +93,9 @@ private:
   bool asks_again(const Item& item) const;
   void go_on(Item& item);
   void started(Item& item, WaitId wait);
+  // What is handed over becomes an item of the dialogue lane, which ends with
+  // the question that is then due.
+  void hand_over(StepList steps, TurnId turn);
   void finish(Item& item);
   void keep(Item&& item); // until what it waits for comes
   void let_go_of_held(Item& item);
@@ -100,7 +106,9 @@ private:
   Inbox& inbox_;
   ActivationRunner& runner_;
   const Reactions& reactions_;
-  LaneEntry& entry_;
+  TopicEngine& topics_;
+  Waits& waits_;
+  StateMachine& machine_;
   Answers& answers_;
   MessageEnd& message_end_;
   std::vector<std::unique_ptr<Item>> waiting_;

@@ -80,28 +80,27 @@ script::Performed RequestEffects::request(TurnId turn,
   return script::Waits{};
 }
 
-bool RequestEffects::reply(const Message& message) {
+std::optional<WaitOutcome> RequestEffects::reply(const Message& message) {
   auto found = requests_.find(message.correlation);
   if (found == requests_.end())
-    return false;
+    return std::nullopt;
   const auto reply = context_.port.reply_to_request(message);
   if (reply == Reply::none)
-    return false;
+    return std::nullopt;
   auto wait = found->second;
   requests_.erase(found);
   if (reply == Reply::refusal) {
     const bool is_database =
         context_.port.is_source("Database", message.source);
-    waits_.resume(wait, tl::make_unexpected(refusal_of(message, is_database)));
-  } else {
-    waits_.resume(wait, Value(Map{{"command", message.command},
-                                  {"params", List(message.params)}}));
+    return WaitOutcome{wait,
+                       tl::make_unexpected(refusal_of(message, is_database))};
   }
-  return true;
+  return WaitOutcome{wait, Value(Map{{"command", message.command},
+                                     {"params", List(message.params)}})};
 }
 
-std::vector<LostWait> RequestEffects::lost() const {
-  std::vector<LostWait> lost;
+std::vector<WaitOutcome> RequestEffects::lost() const {
+  std::vector<WaitOutcome> lost;
   for (const auto& [correlation, wait] : requests_)
     if (!messenger_.has_reply(correlation))
       lost.push_back(in_doubt(wait));

@@ -3,14 +3,14 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <vector>
 
-#include "script/dialogue/agenda/lost_wait.hpp"
 #include "script/dialogue/agenda/timers.hpp"
+#include "script/dialogue/agenda/wait_outcome.hpp"
 #include "script/dialogue/context/activation_runner.hpp"
 #include "script/dialogue/context/dialogue_context.hpp"
 #include "script/dialogue/context/messenger.hpp"
-#include "script/dialogue/context/waits.hpp"
 #include "script/dialogue/topic_engine/topic_engine.hpp"
 #include "script/program/host.hpp"
 
@@ -19,18 +19,17 @@ namespace parlour::dialogue {
 class RequestEffects {
 public:
   RequestEffects(DialogueContext& context, Messenger& messenger, Timers& timers,
-                 ActivationRunner& runner, Waits& waits,
-                 const TopicEngine& topics)
+                 ActivationRunner& runner, const TopicEngine& topics)
       : context_(context), messenger_(messenger), timers_(timers),
-        runner_(runner), waits_(waits), topics_(topics) {}
+        runner_(runner), topics_(topics) {}
 
   // All on behalf of that turn.
   script::Performed post(TurnId turn, const script::Effect& effect);
   script::Performed send(TurnId turn, const script::Effect& effect);
   script::Performed request(TurnId turn, const script::Effect& effect);
 
-  // A reply to a <request>; false where none waits for it.
-  bool reply(const Message& message);
+  // A reply to a <request>; nothing where none waits for it.
+  std::optional<WaitOutcome> reply(const Message& message);
   bool waits_for_answer() const {
     return !requests_.empty();
   }
@@ -38,11 +37,11 @@ public:
   void forget(WaitId wait);
   // With another port: the waits for which nobody works any more; those whose
   // answer has come are none of them.
-  std::vector<LostWait> lost() const;
+  std::vector<WaitOutcome> lost() const;
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive.without(context_, messenger_, timers_, runner_, waits_, topics_);
+    archive.without(context_, messenger_, timers_, runner_, topics_);
     archive(requests_);
   }
 
@@ -53,7 +52,6 @@ private:
   Messenger& messenger_;
   Timers& timers_;
   ActivationRunner& runner_;
-  Waits& waits_;
   const TopicEngine& topics_;
   std::map<Correlation, WaitId> requests_;
 };

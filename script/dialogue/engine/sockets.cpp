@@ -75,14 +75,15 @@ ScriptSockets::Entries::iterator ScriptSockets::find(SocketId id) {
                       [&](const auto& entry) { return entry.second.id == id; });
 }
 
-void ScriptSockets::opened(SocketId id, Expected<void> outcome) {
+std::optional<WaitOutcome> ScriptSockets::opened(SocketId id,
+                                                 Expected<void> outcome) {
   const auto found = find(id);
   if (found == sockets_.end())
-    return;
+    return std::nullopt;
   const auto wait = std::exchange(found->second.opening, 0);
   if (!outcome)
     sockets_.erase(found);
-  waits_.resume(wait, std::move(outcome).map([] { return Value(true); }));
+  return WaitOutcome{wait, std::move(outcome).map([] { return Value(true); })};
 }
 
 void ScriptSockets::closed(SocketId id) {
@@ -105,10 +106,10 @@ void ScriptSockets::forget(WaitId wait) {
   });
 }
 
-std::vector<LostWait> ScriptSockets::lose_all(Inbox& inbox) {
+std::vector<WaitOutcome> ScriptSockets::lose_all(Inbox& inbox) {
   const std::string why = "the connection was lost when the session was "
                           "interrupted";
-  std::vector<LostWait> lost;
+  std::vector<WaitOutcome> lost;
   for (const auto& [name, socket] : std::exchange(sockets_, {}))
     if (socket.opening != 0)
       lost.push_back({socket.opening, tl::make_unexpected(network(why))});

@@ -4,31 +4,31 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "script/dialogue/agenda/lost_wait.hpp"
 #include "script/dialogue/agenda/port.hpp"
 #include "script/dialogue/agenda/step.hpp"
+#include "script/dialogue/agenda/wait_outcome.hpp"
 #include "script/dialogue/context/dialogue_context.hpp"
 #include "script/dialogue/context/inbox.hpp"
-#include "script/dialogue/context/waits.hpp"
 #include "script/program/host.hpp"
 
 namespace parlour::dialogue {
 
 class ScriptSockets {
 public:
-  ScriptSockets(DialogueContext& context, Waits& waits)
-      : context_(context), waits_(waits) {}
+  explicit ScriptSockets(DialogueContext& context) : context_(context) {}
 
   Expected<void> may_open(const std::string& name) const;
-  // One that may; `wait` is resumed when it is open or failed.
+  // One that may; the wait is over when it is open or has failed.
   void open(const script::Effect& effect, WaitId wait);
   script::Performed send(const script::Effect& effect);
   script::Performed close(const script::Effect& effect);
 
-  void opened(SocketId id, Expected<void> outcome);
+  // Nothing where it is none of these.
+  std::optional<WaitOutcome> opened(SocketId id, Expected<void> outcome);
   void closed(SocketId id);
   // A message has gone through the pipeline: if it is a socket's, the next may
   // come.
@@ -41,7 +41,7 @@ public:
 
   // Their connections are lost. Those of open ones are told by the event
   // Closed; the waits of those that were being opened.
-  std::vector<LostWait> lose_all(Inbox& inbox);
+  std::vector<WaitOutcome> lose_all(Inbox& inbox);
 
   bool waits_for_answer() const;
   bool any() const {
@@ -50,7 +50,7 @@ public:
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive.without(context_, waits_);
+    archive.without(context_);
     archive(sockets_);
   }
 
@@ -71,7 +71,6 @@ private:
   Message closed_event(const std::string& name, const std::string& why) const;
 
   DialogueContext& context_;
-  Waits& waits_;
   Entries sockets_;
 };
 

@@ -92,30 +92,27 @@ void StateMachine::enter(StateId state) {
 void StateMachine::take(steps::Push&& step) {
   if (comes_later(step))
     return;
-  if (pushes_.size() == max_pushed) {
+  if (context_.states.levels().size() > max_pushed) {
     end_wait(step.wait,
              fail(ErrorKind::limit, "more than " + std::to_string(max_pushed) +
                                         " states pushed from one another"));
     return;
   }
-  context_.states.push(script::no_id);
-  pushes_.push_back({step.wait, step.topic});
+  context_.states.push({step.wait, step.topic});
   enter(step.state);
 }
 
 // First its Exit, in which it still is the active one; then back.
 void StateMachine::take(steps::Pop&& step) {
-  if (!comes_later(step) && !pushes_.empty())
+  if (!comes_later(step) && context_.states.pushed())
     begin_way_out(false);
 }
 
 void StateMachine::take(const steps::ComeBack& step) {
   end_passage();
-  if (pushes_.empty())
+  if (!context_.states.pushed())
     return;
-  context_.states.pop();
-  const auto [wait, topic] = pushes_.back();
-  pushes_.pop_back();
+  const auto [wait, topic] = context_.states.pop();
   if (step.given_up) {
     end_wait(wait, was_given_up());
   } else {
@@ -135,14 +132,11 @@ void StateMachine::begin_way_out(bool given_up) {
 void StateMachine::take(steps::GiveUp&& step) {
   if (comes_later(step))
     return;
-  const bool pushed =
-      std::any_of(pushes_.begin(), pushes_.end(),
-                  [&](const Push& push) { return push.wait == step.wait; });
-  if (!pushed) {
+  if (!context_.states.was_pushed_for(step.wait)) {
     end_wait(step.wait, was_given_up());
     return;
   }
-  if (pushes_.back().wait != step.wait)
+  if (context_.states.levels().back().by.wait != step.wait)
     context_.lane.at_once(step);
   begin_way_out(true);
 }
@@ -165,11 +159,6 @@ void StateMachine::forget_what_was_left() {
       [&](VisitId visit) { return !context_.states.lasts(visit); });
   for (const auto wait : runner_.take_those_of_left_states())
     end_wait(wait, fail(ErrorKind::cancelled, "its state was left"));
-}
-
-bool StateMachine::was_pushed_by(TopicId topic) const {
-  return std::any_of(pushes_.begin(), pushes_.end(),
-                     [&](const Push& push) { return push.topic == topic; });
 }
 
 bool StateMachine::agent_changed(const Message& event) {
@@ -221,13 +210,12 @@ void StateMachine::take(const steps::GreetAgents&) {
 // cancelled.
 void StateMachine::clear_pushed() {
   std::erase_if(later_, std::not_fn(is<steps::Transit>));
-  if (passage_ && pushes_.empty())
+  if (passage_ && !context_.states.pushed())
     context_.lane.queue(*passage_);
   else
     end_passage();
-  pushes_.clear();
-  while (context_.states.pop()) {
-  }
+  while (context_.states.pushed())
+    context_.states.pop();
   forget_what_was_left();
 }
 

@@ -11,13 +11,12 @@
 #include "script/dialogue/agenda/timers.hpp"
 #include "script/dialogue/context/activation_runner.hpp"
 #include "script/dialogue/context/dialogue_context.hpp"
-#include "script/dialogue/context/waits.hpp"
-#include "script/dialogue/questions/pushed_states.hpp"
+#include "script/dialogue/engine/waits.hpp"
 #include "script/dialogue/topic_engine/topic_engine.hpp"
 
 namespace parlour::dialogue {
 
-class StateMachine final : public PushedStates {
+class StateMachine {
 public:
   StateMachine(DialogueContext& context, Timers& timers,
                ActivationRunner& runner, Waits& waits, TopicEngine& topics)
@@ -38,20 +37,20 @@ public:
   // The steps by which what was asked before in the same statements is given
   // up.
   StepList dropped_by(WaitId wait) const;
-  bool was_pushed_by(TopicId topic) const override;
   // Online or Offline of the active state, for this agent or for any; false
   // where it has none.
   bool agent_changed(const Message& event);
   // Leaves every level without Exit (start over).
   void clear();
-  void clear_pushed() override;
+  // The pushed levels, whose activations were cancelled.
+  void clear_pushed();
   // The Exit of every level, innermost first.
   StepList exits() const;
 
   template <class Archive>
   void serialize(Archive& archive) {
     archive.without(context_, timers_, runner_, waits_, topics_);
-    archive(pushes_, passage_, later_);
+    archive(passage_, later_);
   }
 
 private:
@@ -73,17 +72,6 @@ private:
   ActivationRunner& runner_;
   Waits& waits_;
   TopicEngine& topics_;
-  struct Push { // an activation that pushed
-    WaitId wait = 0;
-    TopicId topic = script::no_id; // that it is of
-
-    template <class Archive>
-    void serialize(Archive& archive) {
-      archive(wait);
-      archive.topic(topic);
-    }
-  };
-  std::vector<Push> pushes_; // innermost last
   // While a state is being left: what will end that, and what comes then.
   std::optional<Step> passage_;
   std::vector<Step> later_;

@@ -146,7 +146,7 @@ void OutputManager::word(OutputId id, std::string text) {
   queue_.word(id, std::move(text));
   changed_ = true;
   if (dropped)
-    listener_.unspoken(id);
+    question_.unspoken(id);
 }
 
 void OutputManager::handled(const Message& event, bool taken) {
@@ -213,12 +213,12 @@ bool OutputManager::release() {
   });
   for (const auto& output : result.withdrawn) {
     inspect(output, "withdrawn");
-    listener_.withdrawn(output);
+    question_.withdrawn(output);
   }
   for (const auto& output : result.released) {
     inspect(output, "released");
     playing_.push_back({output.id, output.interruptible});
-    listener_.released(output);
+    question_.released(output);
     context_.port.release(output);
     voice(output);
   }
@@ -237,7 +237,7 @@ void OutputManager::voice(const Output& output) {
 void OutputManager::withdraw_questions() {
   for (const auto& output : queue_.withdraw_questions()) {
     inspect(output, "withdrawn");
-    listener_.withdrawn(output);
+    question_.withdrawn(output);
     changed_ = true; // what waited behind it may go now
   }
 }
@@ -275,7 +275,7 @@ void OutputManager::interrupted(OutputId id, const std::string& heard) {
   if (!cut)
     return;
   inspect(*cut, "broken off");
-  listener_.broken_off(*cut, heard);
+  question_.broken_off(*cut, heard);
   if (interrupted_) // what comes after it was not heard either
     return;
   if (cut->act == OutputAct::answer) // a question is asked again as a whole
@@ -293,7 +293,7 @@ void OutputManager::take_up_interrupted() {
   what.as = again->act;
   what.turn = again->turn;
   turn_begins();
-  listener_.said_again(again->id, push(what.as, std::move(again->text), what,
+  question_.said_again(again->id, push(what.as, std::move(again->text), what,
                                        OutputState::pending));
 }
 

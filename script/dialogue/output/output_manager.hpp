@@ -18,6 +18,7 @@
 #include "script/dialogue/context/apologies.hpp"
 #include "script/dialogue/context/dialogue_context.hpp"
 #include "script/dialogue/context/messenger.hpp"
+#include "script/dialogue/context/open_question.hpp"
 #include "script/dialogue/context/reactions.hpp"
 
 namespace parlour::dialogue {
@@ -36,25 +37,10 @@ struct Say {
 
 class OutputManager {
 public:
-  // What became of an output, for whoever asked something with it.
-  class Listener {
-  public:
-    virtual void released(const Output& output) = 0;
-    virtual void withdrawn(const Output& output) = 0;
-    virtual void unspoken(OutputId output) = 0; // no words were found for it
-    // The user broke in on it, and heard these words.
-    virtual void broken_off(const Output& output, const std::string& heard) = 0;
-    // What was broken off is said again, as another output.
-    virtual void said_again(OutputId before, OutputId now) = 0;
-
-  protected:
-    ~Listener() = default;
-  };
-
   OutputManager(DialogueContext& context, const Reactions& reactions,
-                Messenger& messenger, Timers& timers, Listener& listener)
+                Messenger& messenger, Timers& timers, OpenQuestion& question)
       : context_(context), reactions_(reactions), messenger_(messenger),
-        timers_(timers), listener_(listener) {}
+        timers_(timers), question_(question) {}
 
   // Returns the entry's id; 0 where there are no words for it.
   OutputId say(Say&& what);
@@ -145,7 +131,7 @@ public:
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive.without(context_, reactions_, messenger_, timers_, listener_);
+    archive.without(context_, reactions_, messenger_, timers_, question_);
     archive(queue_, wording_, uses_, made_, told_, failed_phrases_, playing_,
             interrupted_, taken_up_, changed_, apologies_);
   }
@@ -179,7 +165,7 @@ private:
   const Reactions& reactions_;
   Messenger& messenger_;
   Timers& timers_;
-  Listener& listener_;
+  OpenQuestion& question_;
   OutputQueue queue_;
   std::map<Correlation, Wording> wording_;
   std::map<std::string, std::int64_t> uses_; // of each phrase, for rotation

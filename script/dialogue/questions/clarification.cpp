@@ -55,8 +55,8 @@ void Clarification::ask_which_again(Asked asked, OutputAct as, TurnId turn) {
   for (auto topic : clarify(*context_.program, *asked.act,
                             whereabouts_.classifier_context()))
     names.emplace_back(context_.topic(topic).name);
-  question_.put(std::move(asked), "clarify", Map{{"topics", std::move(names)}},
-                {}, as, turn);
+  asking_.put(std::move(asked), "clarify", Map{{"topics", std::move(names)}},
+              {}, as, turn);
 }
 
 bool Clarification::asks_which() const {

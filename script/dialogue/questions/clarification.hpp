@@ -3,9 +3,10 @@
 #pragma once
 
 #include "script/dialogue/agenda/step_list.hpp"
+#include "script/dialogue/context/asked.hpp"
 #include "script/dialogue/context/dialogue_context.hpp"
-#include "script/dialogue/questions/asked.hpp"
-#include "script/dialogue/questions/open_question.hpp"
+#include "script/dialogue/context/open_question.hpp"
+#include "script/dialogue/questions/asking.hpp"
 #include "script/dialogue/questions/whereabouts.hpp"
 
 namespace parlour::dialogue {
@@ -13,8 +14,9 @@ namespace parlour::dialogue {
 class Clarification {
 public:
   Clarification(DialogueContext& context, OpenQuestion& question,
-                Whereabouts& whereabouts)
-      : context_(context), question_(question), whereabouts_(whereabouts) {}
+                Asking& asking, Whereabouts& whereabouts)
+      : context_(context), question_(question), asking_(asking),
+        whereabouts_(whereabouts) {}
 
   // Whether the act might be about several topics: they are asked for.
   bool ask_which(const steps::Fill& step);
@@ -30,6 +32,7 @@ private:
 
   DialogueContext& context_;
   OpenQuestion& question_;
+  Asking& asking_;
   Whereabouts& whereabouts_;
 };
 

@@ -42,8 +42,8 @@ void Confirmations::confirm(std::string question, TopicId topic, SlotId slot,
   asked.heard = true; // as soon as it comes to that
   note_question_before(asked, turn);
   confirms_.push_back(asked);
-  question_.put(std::move(asked), "confirm", {}, std::move(question),
-                OutputAct::question, turn);
+  asking_.put(std::move(asked), "confirm", {}, std::move(question),
+              OutputAct::question, turn);
 }
 
 // Who asks about the same words again has not answered that either.
@@ -105,7 +105,7 @@ bool Confirmations::confirms_first(const steps::Settle& step) {
     context_.lane.follow(confirm.wait, std::move(later));
     if (!std::exchange(confirm.anew, true)) {
       forget_question(confirm);
-      waits_.resume(confirm.wait, Value());
+      context_.lane.wake(confirm.wait, outcome_step(confirm.wait, Value()));
     }
   }
   return any;
@@ -114,7 +114,7 @@ bool Confirmations::confirms_first(const steps::Settle& step) {
 void Confirmations::forget_question(const Asked& confirm) {
   if (!question_ || question_->wait != confirm.wait || confirm.wait == 0)
     return;
-  question_.withdraw();
+  asking_.withdraw();
 }
 
 StepList Confirmations::end_confirms(const ConfirmPredicate& wanted) {

@@ -8,21 +8,21 @@
 
 #include "script/dialogue/agenda/step_list.hpp"
 #include "script/dialogue/context/activation_runner.hpp"
+#include "script/dialogue/context/asked.hpp"
 #include "script/dialogue/context/dialogue_context.hpp"
+#include "script/dialogue/context/open_question.hpp"
 #include "script/dialogue/context/topic_frames.hpp"
-#include "script/dialogue/context/waits.hpp"
-#include "script/dialogue/output/output_manager.hpp"
-#include "script/dialogue/questions/asked.hpp"
-#include "script/dialogue/questions/open_question.hpp"
+#include "script/dialogue/questions/asking.hpp"
 
 namespace parlour::dialogue {
 
 class Confirmations {
 public:
   Confirmations(DialogueContext& context, TopicFrames& frames,
-                ActivationRunner& runner, Waits& waits, OpenQuestion& question)
-      : context_(context), frames_(frames), runner_(runner), waits_(waits),
-        question_(question) {}
+                ActivationRunner& runner, OpenQuestion& question,
+                Asking& asking)
+      : context_(context), frames_(frames), runner_(runner),
+        question_(question), asking_(asking) {}
 
   // A <confirm>'s question, for the wait of its activation; about that slot,
   // or no_id.
@@ -72,7 +72,7 @@ public:
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive.without(context_, frames_, runner_, waits_, question_);
+    archive.without(context_, frames_, runner_, question_, asking_);
     archive(confirms_);
   }
 
@@ -87,8 +87,8 @@ private:
   DialogueContext& context_;
   TopicFrames& frames_;
   ActivationRunner& runner_;
-  Waits& waits_;
   OpenQuestion& question_;
+  Asking& asking_;
   std::vector<Asked> confirms_; // innermost last
 };
 

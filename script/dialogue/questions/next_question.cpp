@@ -27,7 +27,7 @@ void NextQuestion::ask_what_misses(OutputAct as, TurnId turn) {
 // unless that is where the user has begun it.
 bool NextQuestion::waits_for_user(TopicId topic) const {
   const bool begun = spoken_of_.topic == topic && spoken_of_.turn == turn_ &&
-                     !pushed_states_.was_pushed_by(topic);
+                     !context_.states.was_pushed_by(topic);
   return (context_.states.pushed() && !begun) ||
          confirmations_.wants_a_yes(topic);
 }

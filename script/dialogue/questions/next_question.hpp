@@ -7,11 +7,10 @@
 
 #include "script/dialogue/agenda/step_list.hpp"
 #include "script/dialogue/context/dialogue_context.hpp"
+#include "script/dialogue/context/open_question.hpp"
 #include "script/dialogue/context/topic_frames.hpp"
 #include "script/dialogue/output/output_manager.hpp"
 #include "script/dialogue/questions/confirmations.hpp"
-#include "script/dialogue/questions/open_question.hpp"
-#include "script/dialogue/questions/pushed_states.hpp"
 #include "script/dialogue/questions/reprompts.hpp"
 #include "script/dialogue/questions/topic_words.hpp"
 
@@ -20,12 +19,11 @@ namespace parlour::dialogue {
 class NextQuestion {
 public:
   NextQuestion(DialogueContext& context, OutputManager& output,
-               PushedStates& pushed_states, TopicFrames& frames,
-               TopicWords& words, OpenQuestion& question,
+               TopicFrames& frames, TopicWords& words, OpenQuestion& question,
                Confirmations& confirmations, Reprompts& reprompts)
-      : context_(context), output_(output), pushed_states_(pushed_states),
-        frames_(frames), words_(words), question_(question),
-        confirmations_(confirmations), reprompts_(reprompts) {}
+      : context_(context), output_(output), frames_(frames), words_(words),
+        question_(question), confirmations_(confirmations),
+        reprompts_(reprompts) {}
 
   void take(const steps::Conclude& step);
   void take(const steps::AskNext& step);
@@ -44,8 +42,8 @@ public:
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive.without(context_, output_, pushed_states_, frames_, words_,
-                    question_, confirmations_, reprompts_);
+    archive.without(context_, output_, frames_, words_, question_,
+                    confirmations_, reprompts_);
     archive(spoken_of_, turn_, said_before_);
   }
 
@@ -57,7 +55,6 @@ private:
 
   DialogueContext& context_;
   OutputManager& output_;
-  PushedStates& pushed_states_;
   TopicFrames& frames_;
   TopicWords& words_;
   OpenQuestion& question_;

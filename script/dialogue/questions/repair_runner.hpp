@@ -8,9 +8,9 @@
 
 #include "script/dialogue/context/activation_runner.hpp"
 #include "script/dialogue/context/dialogue_context.hpp"
+#include "script/dialogue/context/open_question.hpp"
 #include "script/dialogue/context/topic_frames.hpp"
 #include "script/dialogue/questions/confirmations.hpp"
-#include "script/dialogue/questions/open_question.hpp"
 #include "script/dialogue/questions/topic_words.hpp"
 #include "script/dialogue/questions/whereabouts.hpp"
 

@@ -3,7 +3,7 @@
 #include <string_view>
 #include <utility>
 
-#include "script/dialogue/questions/asked.hpp"
+#include "script/dialogue/context/asked.hpp"
 #include "script/dialogue/questions/bodies.hpp"
 #include "script/dialogue/topics/questions.hpp"
 
@@ -72,7 +72,7 @@ void Reprompts::ask_slot(TopicId topic, SlotId slot, OutputAct as,
   const bool doubtful =
       status == SlotStatus::unconfirmed || status == SlotStatus::ambiguous;
   if (doubtful || !climb_after_refusal(topic, slot, turn))
-    question_.ask_slot(topic, slot, as, turn);
+    asking_.ask_slot(topic, slot, as, turn);
 }
 
 void Reprompts::repeat_question(TurnId turn) {
@@ -80,8 +80,8 @@ void Reprompts::repeat_question(TurnId turn) {
   asked.interrupted = false;
   if (asked.purpose == Asked::For::yes_or_no) {
     auto text = asked.question;
-    question_.put(std::move(asked), "confirm", {}, std::move(text),
-                  OutputAct::reprompt, turn);
+    asking_.put(std::move(asked), "confirm", {}, std::move(text),
+                OutputAct::reprompt, turn);
     return;
   }
   if (asked.purpose == Asked::For::which_topic) {
@@ -89,8 +89,7 @@ void Reprompts::repeat_question(TurnId turn) {
     return;
   }
   if (asked.purpose == Asked::For::resume) {
-    question_.put(std::move(asked), "resume", {}, {}, OutputAct::reprompt,
-                  turn);
+    asking_.put(std::move(asked), "resume", {}, {}, OutputAct::reprompt, turn);
     return;
   }
   if (asked.slot != script::no_id && asked.purpose == Asked::For::value) {
@@ -100,8 +99,8 @@ void Reprompts::repeat_question(TurnId turn) {
     auto code =
         question_wording(context_.topic(asked.topic).slots[asked.slot], state);
     const auto topic = asked.topic;
-    question_.put(std::move(asked), "question", {}, words_.text_of(code, topic),
-                  OutputAct::reprompt, turn);
+    asking_.put(std::move(asked), "question", {}, words_.text_of(code, topic),
+                OutputAct::reprompt, turn);
     return;
   }
   ask_slot(asked.topic, asked.slot, OutputAct::reprompt, turn);
@@ -155,12 +154,7 @@ bool Reprompts::climb_after_refusal(TopicId topic, SlotId slot, TurnId turn) {
   if (!refused || times < 2)
     return false;
   refused_.reset();
-  Asked asked;
-  asked.topic = topic;
-  asked.slot = slot;
-  asked.pending = false;
-  asked.heard = true;
-  question_.set(std::move(asked));
+  question_.set(asked_by_others(Asked::For::value, topic, slot));
   climb({.act = not_matched,
          .topic = topic,
          .slot = slot,

@@ -10,11 +10,12 @@
 #include "script/dialogue/agenda/step_list.hpp"
 #include "script/dialogue/context/activation_runner.hpp"
 #include "script/dialogue/context/dialogue_context.hpp"
+#include "script/dialogue/context/open_question.hpp"
 #include "script/dialogue/context/topic_frames.hpp"
+#include "script/dialogue/questions/asking.hpp"
 #include "script/dialogue/questions/clarification.hpp"
 #include "script/dialogue/questions/confirmations.hpp"
 #include "script/dialogue/questions/offers.hpp"
-#include "script/dialogue/questions/open_question.hpp"
 #include "script/dialogue/questions/repair_runner.hpp"
 #include "script/dialogue/questions/topic_words.hpp"
 
@@ -24,10 +25,10 @@ class Reprompts {
 public:
   Reprompts(DialogueContext& context, ActivationRunner& runner, Offers& offers,
             TopicFrames& frames, TopicWords& words, OpenQuestion& question,
-            Clarification& clarification, RepairRunner& repairs)
+            Asking& asking, Clarification& clarification, RepairRunner& repairs)
       : context_(context), runner_(runner), offers_(offers), frames_(frames),
-        words_(words), question_(question), clarification_(clarification),
-        repairs_(repairs) {}
+        words_(words), question_(question), asking_(asking),
+        clarification_(clarification), repairs_(repairs) {}
 
   // Nothing was understood: offered to who listens to Dialogue.no_match; else
   // it counts on the question that was asked, which comes again; without one an
@@ -53,7 +54,7 @@ public:
   template <class Archive>
   void serialize(Archive& archive) {
     archive.without(context_, runner_, offers_, frames_, words_, question_,
-                    clarification_, repairs_);
+                    asking_, clarification_, repairs_);
     archive(refused_);
   }
 
@@ -81,6 +82,7 @@ private:
   TopicFrames& frames_;
   TopicWords& words_;
   OpenQuestion& question_;
+  Asking& asking_;
   Clarification& clarification_;
   RepairRunner& repairs_;
   std::optional<SlotOf> refused_; // by this act, though it had been asked for

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "script/dialogue/questions/asked.hpp"
+#include "script/dialogue/context/asked.hpp"
 
 namespace parlour::dialogue {
 

@@ -4,9 +4,9 @@
 
 #include "script/dialogue/agenda/step_list.hpp"
 #include "script/dialogue/context/dialogue_context.hpp"
+#include "script/dialogue/context/open_question.hpp"
 #include "script/dialogue/context/topic_frames.hpp"
 #include "script/dialogue/questions/confirmations.hpp"
-#include "script/dialogue/questions/open_question.hpp"
 #include "script/dialogue/questions/topic_words.hpp"
 #include "script/dialogue/topic_engine/filling.hpp"
 #include "script/dialogue/topic_engine/topic_changes.hpp"

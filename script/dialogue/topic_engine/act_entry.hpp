@@ -4,11 +4,11 @@
 
 #include "script/dialogue/agenda/step_list.hpp"
 #include "script/dialogue/context/dialogue_context.hpp"
+#include "script/dialogue/context/open_question.hpp"
 #include "script/dialogue/context/reactions.hpp"
 #include "script/dialogue/questions/confirmations.hpp"
 #include "script/dialogue/questions/next_question.hpp"
 #include "script/dialogue/questions/offers.hpp"
-#include "script/dialogue/questions/open_question.hpp"
 #include "script/dialogue/questions/reprompts.hpp"
 #include "script/dialogue/topic_engine/breath.hpp"
 #include "script/dialogue/topic_engine/silence.hpp"

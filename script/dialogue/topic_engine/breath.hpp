@@ -7,10 +7,24 @@
 
 #include "script/dialogue/agenda/step_list.hpp"
 #include "script/dialogue/context/dialogue_context.hpp"
-#include "script/dialogue/questions/asked.hpp"
-#include "script/dialogue/questions/open_question.hpp"
+#include "script/dialogue/context/open_question.hpp"
 
 namespace parlour::dialogue {
+
+// A yes or no that is not acted on yet: more was said in the same breath, and
+// is not understood so far.
+struct Unsettled {
+  ActPointer act;
+  TurnId turn = 0;
+  OutputId question = 0; // that it answers,
+  WaitId wait = 0;       // and the <confirm> of that
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(act, turn, question, wait);
+    archive.needs(act);
+  }
+};
 
 class Breath {
 public:

@@ -1,6 +1,7 @@
 #include "script/dialogue/topic_engine/confirm_answers.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace parlour::dialogue {
 
@@ -12,7 +13,11 @@ void ConfirmAnswers::answer_confirm(const Asked& asked, bool yes) {
   context_.lane.now(topic_changes_.back_to(asked.topic));
   if (yes)
     confirmations_.back_to_question_before(asked);
-  waits_.resume(asked.wait, Value(yes));
+  auto goes_on = outcome_step(asked.wait, Value(yes));
+  if (context_.lane.waits(asked.wait))
+    context_.lane.wake(asked.wait, std::move(goes_on));
+  else // it waits in the pipeline lane
+    context_.lane.now(std::move(goes_on));
 }
 
 // A <confirm slot>: yes accepts the slot's value, no empties the slot, before

@@ -2,11 +2,10 @@
 // rule 12.20).
 #pragma once
 
+#include "script/dialogue/context/asked.hpp"
 #include "script/dialogue/context/dialogue_context.hpp"
 #include "script/dialogue/context/topic_frames.hpp"
-#include "script/dialogue/context/waits.hpp"
 #include "script/dialogue/output/output_manager.hpp"
-#include "script/dialogue/questions/asked.hpp"
 #include "script/dialogue/questions/confirmations.hpp"
 #include "script/dialogue/topic_engine/refusals.hpp"
 #include "script/dialogue/topic_engine/topic_changes.hpp"
@@ -15,12 +14,11 @@ namespace parlour::dialogue {
 
 class ConfirmAnswers {
 public:
-  ConfirmAnswers(DialogueContext& context, Waits& waits, TopicFrames& frames,
+  ConfirmAnswers(DialogueContext& context, TopicFrames& frames,
                  Confirmations& confirmations, Refusals& refusals,
                  TopicChanges& topic_changes)
-      : context_(context), waits_(waits), frames_(frames),
-        confirmations_(confirmations), refusals_(refusals),
-        topic_changes_(topic_changes) {}
+      : context_(context), frames_(frames), confirmations_(confirmations),
+        refusals_(refusals), topic_changes_(topic_changes) {}
 
   // Its script goes on.
   void answer_confirm(const Asked& asked, bool yes);
@@ -31,7 +29,6 @@ private:
   void settle_confirmed(const Asked& asked, bool yes);
 
   DialogueContext& context_;
-  Waits& waits_;
   TopicFrames& frames_;
   Confirmations& confirmations_;
   Refusals& refusals_;

@@ -90,7 +90,8 @@ void FillingOutcome::take(const steps::Report& step) {
   case SlotOutcome::ambiguous:
     if (slot.ambiguous != script::no_code) {
       run_body(slot.ambiguous, step.topic, report.slot, step.turn, steps);
-      question_.ask_choice(step.topic, report.slot, step.turn, false);
+      question_.set(
+          asked_by_others(Asked::For::choice, step.topic, report.slot));
     }
     break;
   case SlotOutcome::unconfirmed: // asked when all else is done

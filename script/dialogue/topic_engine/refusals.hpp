@@ -9,10 +9,28 @@
 #include "script/dialogue/context/dialogue_context.hpp"
 #include "script/dialogue/context/topic_frames.hpp"
 #include "script/dialogue/output/output_manager.hpp"
-#include "script/dialogue/questions/asked.hpp"
 #include "script/dialogue/questions/confirmations.hpp"
 
 namespace parlour::dialogue {
+
+// A no on the way to a topic's completion: to a <confirm> of its own script, or
+// to a value in doubt. The topic does not get there by itself.
+struct Refusal {
+  TopicId topic = script::no_id;
+  CodeId body = script::no_code; // of the script; or no_code
+  SlotId slot =
+      script::no_id;       // whose value, or whose <filled>, it is; or no_id
+  Value value;             // of that slot
+  std::uint64_t told = 0;  // how much had been told before
+  std::uint64_t deeds = 0; // and done, by scripts
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive.slot(topic, slot);
+    archive.code(body);
+    archive(value, told, deeds);
+  }
+};
 
 class Refusals {
 public:

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "script/dialogue/agenda/step_list.hpp"
-#include "script/dialogue/questions/open_question.hpp"
+#include "script/dialogue/context/open_question.hpp"
 #include "script/dialogue/questions/repair_runner.hpp"
 #include "script/dialogue/questions/reprompts.hpp"
 #include "script/dialogue/topic_engine/breath.hpp"

@@ -5,8 +5,8 @@
 #include <functional>
 
 #include "script/dialogue/context/dialogue_context.hpp"
+#include "script/dialogue/context/open_question.hpp"
 #include "script/dialogue/context/topic_frames.hpp"
-#include "script/dialogue/questions/open_question.hpp"
 #include "script/dialogue/questions/whereabouts.hpp"
 
 namespace parlour::dialogue {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "script/dialogue/questions/asked.hpp"
+#include "script/dialogue/context/asked.hpp"
 #include "script/dialogue/questions/bodies.hpp"
 
 namespace parlour::dialogue {
@@ -21,17 +21,6 @@ bool refused_any(const steps::Settle& step) {
     return report.outcome == SlotOutcome::refused ||
            report.outcome == SlotOutcome::rejected;
   });
-}
-
-// What was told of the refusal asks for another value.
-Asked asked_by_refusal(const steps::Ask& step) {
-  Asked asked;
-  asked.topic = step.topic;
-  asked.slot = step.slot;
-  asked.turn = step.turn;
-  asked.pending = false;
-  asked.heard = true;
-  return asked;
 }
 
 // Something was asked for that there is not: to look for the rest would answer
@@ -135,7 +124,8 @@ bool Settling::asks_for_refused(const steps::Settle& step) {
       std::ranges::find_if(step.result->reports, needs_asking)->slot;
   const steps::Ask ask{step.topic, slot, step.turn};
   if (slots[ask.slot].question == script::no_code)
-    question_.set(asked_by_refusal(ask));
+    question_.set(asked_by_others(Asked::For::value, ask.topic, ask.slot,
+                                  ask.turn)); // what was told of it asks
   else
     context_.lane.at_once(ask);
   return true;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "script/dialogue/questions/asked.hpp"
+#include "script/dialogue/context/asked.hpp"
 
 namespace parlour::dialogue {
 
@@ -24,12 +24,13 @@ constexpr int max_reprompts = 5;
 
 Silence::Silence(DialogueContext& context, TopicFrames& frames,
                  ActivationRunner& runner, Offers& offers,
-                 OpenQuestion& question, Confirmations& confirmations,
-                 Reprompts& reprompts, NextQuestion& next_question,
-                 TopicChanges& topic_changes)
+                 OpenQuestion& question, Asking& asking,
+                 Confirmations& confirmations, Reprompts& reprompts,
+                 NextQuestion& next_question, TopicChanges& topic_changes)
     : context_(context), frames_(frames), runner_(runner), offers_(offers),
-      question_(question), confirmations_(confirmations), reprompts_(reprompts),
-      next_question_(next_question), topic_changes_(topic_changes) {
+      question_(question), asking_(asking), confirmations_(confirmations),
+      reprompts_(reprompts), next_question_(next_question),
+      topic_changes_(topic_changes) {
   for (const auto& state : context.program->states)
     listens_to_silence_.push_back(listens_to_silence(state));
 }
@@ -86,7 +87,7 @@ void Silence::take(const steps::ResumeTopic& step) {
     Asked asked;
     asked.purpose = Asked::For::resume;
     asked.topic = step.topic;
-    question_.put(std::move(asked), "resume", {}, {}, OutputAct::resume, 0);
+    asking_.put(std::move(asked), "resume", {}, {}, OutputAct::resume, 0);
     return;
   }
   topic_changes_.take_up(step.topic);

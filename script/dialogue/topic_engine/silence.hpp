@@ -9,12 +9,12 @@
 #include "script/dialogue/agenda/step_list.hpp"
 #include "script/dialogue/context/activation_runner.hpp"
 #include "script/dialogue/context/dialogue_context.hpp"
+#include "script/dialogue/context/open_question.hpp"
 #include "script/dialogue/context/topic_frames.hpp"
-#include "script/dialogue/output/output_manager.hpp"
+#include "script/dialogue/questions/asking.hpp"
 #include "script/dialogue/questions/confirmations.hpp"
 #include "script/dialogue/questions/next_question.hpp"
 #include "script/dialogue/questions/offers.hpp"
-#include "script/dialogue/questions/open_question.hpp"
 #include "script/dialogue/questions/reprompts.hpp"
 #include "script/dialogue/topic_engine/topic_changes.hpp"
 
@@ -24,7 +24,7 @@ class Silence {
 public:
   Silence(DialogueContext& context, TopicFrames& frames,
           ActivationRunner& runner, Offers& offers, OpenQuestion& question,
-          Confirmations& confirmations, Reprompts& reprompts,
+          Asking& asking, Confirmations& confirmations, Reprompts& reprompts,
           NextQuestion& next_question, TopicChanges& topic_changes);
 
   // Silence has lasted: the next question, resume or reprompt.
@@ -39,7 +39,7 @@ public:
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive.without(context_, frames_, runner_, offers_, question_,
+    archive.without(context_, frames_, runner_, offers_, question_, asking_,
                     confirmations_, reprompts_, next_question_, topic_changes_,
                     listens_to_silence_);
     archive(no_input_);
@@ -66,6 +66,7 @@ private:
   ActivationRunner& runner_;
   Offers& offers_;
   OpenQuestion& question_;
+  Asking& asking_;
   Confirmations& confirmations_;
   Reprompts& reprompts_;
   NextQuestion& next_question_;

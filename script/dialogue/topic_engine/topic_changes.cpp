@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "script/dialogue/questions/asked.hpp"
+#include "script/dialogue/context/asked.hpp"
 #include "script/dialogue/questions/bodies.hpp"
 
 namespace parlour::dialogue {
@@ -80,7 +80,7 @@ void TopicChanges::leave_enquiry(TopicId next) {
 }
 
 void TopicChanges::suspend(TopicId topic, StepList& steps) {
-  question_.withdraw_words();
+  asking_.withdraw_words();
   frames_.set_status(topic, TopicStatus::suspended);
   run_body(context_.topic(topic).suspended, topic, script::no_id, 0, steps);
 }

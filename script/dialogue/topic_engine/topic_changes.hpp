@@ -7,19 +7,20 @@
 
 #include "script/dialogue/agenda/step_list.hpp"
 #include "script/dialogue/context/dialogue_context.hpp"
+#include "script/dialogue/context/open_question.hpp"
 #include "script/dialogue/context/topic_frames.hpp"
-#include "script/dialogue/output/output_manager.hpp"
+#include "script/dialogue/questions/asking.hpp"
 #include "script/dialogue/questions/confirmations.hpp"
-#include "script/dialogue/questions/open_question.hpp"
 
 namespace parlour::dialogue {
 
 class TopicChanges {
 public:
   TopicChanges(DialogueContext& context, TopicFrames& frames,
-               OpenQuestion& question, Confirmations& confirmations)
+               OpenQuestion& question, Asking& asking,
+               Confirmations& confirmations)
       : context_(context), frames_(frames), question_(question),
-        confirmations_(confirmations) {}
+        asking_(asking), confirmations_(confirmations) {}
 
   void take(const steps::Activate& step);
   // It becomes the current one; the bodies that this runs are added.
@@ -44,7 +45,7 @@ public:
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive.without(context_, frames_, question_, confirmations_);
+    archive.without(context_, frames_, question_, asking_, confirmations_);
     archive(late_);
   }
 
@@ -56,6 +57,7 @@ private:
   DialogueContext& context_;
   TopicFrames& frames_;
   OpenQuestion& question_;
+  Asking& asking_;
   Confirmations& confirmations_;
   std::optional<Act> late_; // a correction of a completed topic
 };

@@ -15,8 +15,7 @@ bool is_open(TopicStatus status) {
 
 } // namespace
 
-// What waits is ended first, so that a <catch> still sees its topic.
-void TopicEnds::take(const steps::Cancel& step) {
+std::vector<TopicId> TopicEnds::meant_by(const steps::Cancel& step) const {
   auto topics = std::vector{step.topic};
   if (step.all)
     topics = whereabouts_.unfinished();
@@ -25,25 +24,25 @@ void TopicEnds::take(const steps::Cancel& step) {
   std::erase_if(topics, [&](TopicId topic) {
     return topic == script::no_id || !can_be_cancelled(topic);
   });
-  question_.withdraw();
-  auto steps =
-      wait_ends_.cancel(step.all ? std::vector<WaitId>()
-                                 : confirmations_.confirms_but_of(topics));
-  pushed_states_.clear_pushed();
+  return topics;
+}
+
+StepList TopicEnds::cancel(const std::vector<TopicId>& topics, TurnId turn) {
+  StepList steps;
   const bool several = topics.size() > 1; // one word is enough
   for (auto topic : topics)
-    steps.add(steps::CancelTopic{topic, step.turn, several});
+    steps.add(steps::CancelTopic{topic, turn, several});
   if (several)
-    words_.say("cancelled_all", script::no_id, script::no_id, {}, step.turn);
+    words_.say("cancelled_all", script::no_id, script::no_id, {}, turn);
   else if (topics.empty())
-    words_.say("cancelled", script::no_id, script::no_id, {}, step.turn);
-  context_.lane.now(std::move(steps));
+    words_.say("cancelled", script::no_id, script::no_id, {}, turn);
+  return steps;
 }
 
 void TopicEnds::take(const steps::CancelTopic& step) {
   auto steps = confirmations_.end_confirms_of(step.topic);
   if (question_ && question_->topic == step.topic)
-    question_.withdraw();
+    asking_.withdraw();
   frames_.cancel(step.topic);
   if (!step.silent)
     words_.say("cancelled", step.topic, script::no_id, {}, step.turn);

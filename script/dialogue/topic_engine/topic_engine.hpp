@@ -13,13 +13,12 @@
 
 namespace parlour::dialogue {
 
-class TopicEngine final : public OutputManager::Listener,
-                          public ActivationRunner::Listener {
+class TopicEngine {
 public:
   TopicEngine(DialogueContext& context, Messenger& messenger,
-              TopicFrames& frames, ActivationRunner& runner, Waits& waits,
-              const Reactions& reactions, OutputManager& output,
-              PushedStates& pushed_states);
+              TopicFrames& frames, ActivationRunner& runner,
+              const Reactions& reactions, OpenQuestion& question,
+              OutputManager& output);
 
   // A step that belongs to topics; it may put further ones in front.
   template <class Kind>
@@ -64,10 +63,6 @@ public:
   const std::string& narrowing_grammar() const {
     return whereabouts_.narrowing_grammar();
   }
-  // Whether what the user says now is private in any case.
-  bool asks_in_private() const {
-    return question_.asks_in_private();
-  }
 
   // -- what waits --
   // A <confirm>'s question, for the wait of its activation; about that slot,
@@ -89,9 +84,30 @@ public:
   StepList overtaken_by(const Body& body) {
     return confirmations_.overtaken_by(body);
   }
-  // All waits, and all <confirm>s, are ended, but these (Waits::cancel).
-  [[nodiscard]] StepList cancel_waits(const std::vector<WaitId>& but = {}) {
-    return wait_ends_.cancel(but);
+  // A script goes on that waited so, or was ended.
+  void wait_is_over(WaitId wait) {
+    confirmations_.wait_is_over(wait);
+  }
+  // A script of the topic ended with an error that no <catch> took.
+  void body_failed(TopicId topic, CodeId body) {
+    refusals_.body_failed(topic, body);
+  }
+  // All that scripts and topics wait for is over, but these waits.
+  void forget_waits(const std::vector<WaitId>& but) {
+    confirmations_.cancel_confirms(but);
+    refusals_.clear();
+    enquiries_.forget();
+  }
+  // No question waits any more (Asking).
+  void withdraw_question() {
+    asking_.withdraw();
+  }
+  // The topics that the user wants out of, and the steps that end them.
+  std::vector<TopicId> meant_by(const steps::Cancel& step) const {
+    return ends_.meant_by(step);
+  }
+  StepList cancel(const std::vector<TopicId>& topics, TurnId turn) {
+    return ends_.cancel(topics, turn);
   }
   // A topic whose wait for the user is over is the current one: the steps that
   // this takes.
@@ -138,43 +154,21 @@ public:
   void serialize(Archive& archive) {
     archive.without(frames_);
     // They keep nothing.
-    archive.without(words_, clarification_, confirm_answers_, outcome_, beside_,
-                    yes_or_no_outcome_, yes_or_no_, wait_ends_, ends_,
+    archive.without(words_, asking_, clarification_, confirm_answers_, outcome_,
+                    beside_, yes_or_no_outcome_, yes_or_no_, ends_,
                     repair_acts_, late_corrections_, delivery_, acts_, entry_);
-    archive(question_, reprompts_, whereabouts_, next_question_, filling_,
-            enquiries_, confirmations_, breath_, refusals_, changes_, settling_,
-            silence_, repairs_, offers_);
+    archive(reprompts_, whereabouts_, next_question_, filling_, enquiries_,
+            confirmations_, breath_, refusals_, changes_, settling_, silence_,
+            repairs_, offers_);
   }
 
 private:
-  void released(const Output& output) override {
-    question_.released(output);
-  }
-  void withdrawn(const Output& output) override {
-    question_.withdrawn(output);
-  }
-  void unspoken(OutputId output) override {
-    question_.unspoken(output);
-  }
-  void broken_off(const Output& output, const std::string& heard) override {
-    question_.broken_off(output, heard);
-  }
-  void said_again(OutputId before, OutputId now) override {
-    question_.said_again(before, now);
-  }
-  void wait_is_over(WaitId wait) override {
-    confirmations_.wait_is_over(wait);
-  }
-  void body_failed(TopicId topic, CodeId body) override {
-    refusals_.body_failed(topic, body);
-  }
-
   TopicFrames& frames_;
 
   // The parts, each of which knows those before it.
   Offers offers_;
   TopicWords words_;
-  OpenQuestion question_;
+  Asking asking_;
   Confirmations confirmations_;
   Whereabouts whereabouts_;
   Clarification clarification_;
@@ -193,7 +187,6 @@ private:
   YesOrNoOutcome yes_or_no_outcome_;
   YesOrNo yes_or_no_;
   Silence silence_;
-  WaitEnds wait_ends_;
   TopicEnds ends_;
   RepairActs repair_acts_;
   LateCorrections late_corrections_;

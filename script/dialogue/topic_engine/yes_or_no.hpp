@@ -6,8 +6,8 @@
 
 #include "script/dialogue/agenda/step_list.hpp"
 #include "script/dialogue/context/dialogue_context.hpp"
+#include "script/dialogue/context/open_question.hpp"
 #include "script/dialogue/questions/confirmations.hpp"
-#include "script/dialogue/questions/open_question.hpp"
 #include "script/dialogue/questions/reprompts.hpp"
 #include "script/dialogue/topic_engine/breath.hpp"
 #include "script/dialogue/topic_engine/said_beside.hpp"

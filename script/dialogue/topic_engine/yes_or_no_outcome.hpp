@@ -3,8 +3,8 @@
 // 5.8).
 #pragma once
 
+#include "script/dialogue/context/asked.hpp"
 #include "script/dialogue/context/dialogue_context.hpp"
-#include "script/dialogue/questions/asked.hpp"
 #include "script/dialogue/topic_engine/confirm_answers.hpp"
 #include "script/dialogue/topic_engine/filling.hpp"
 #include "script/dialogue/topic_engine/refusals.hpp"

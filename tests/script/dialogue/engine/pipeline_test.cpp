@@ -185,5 +185,32 @@ TEST(Pipeline, ActsAreMessagesOfTheDialogue) {
   EXPECT_EQ(world.said(), Texts{"Heard 2."});
 }
 
+constexpr const char* holds_the_lane = R"xml(
+  <topic name="T">
+    <slot name="S" type="Functional" question="What?"/>
+    <filled><request module="Slow" command="Go"/></filled>
+    <completed><speak param="Done."/></completed>
+  </topic>)xml";
+
+TEST(Pipeline, WhatTheUserSaysWaitsForWhatHoldsTheDialogueLane) {
+  World world(holds_the_lane);
+  world.components["Slow"] = {};
+  world.say(inform("T", Map{{"S", "a"}}));
+  world.said();
+  world.say(inform("T", Map{{"S", "b"}}));
+  EXPECT_EQ(world.said(), Texts{});
+  EXPECT_EQ(world.slot("T", "S"), "a");
+}
+
+TEST(Pipeline, WhoWantsOutDoesNotWaitForIt) {
+  World world(holds_the_lane);
+  world.components["Slow"] = {};
+  world.say(inform("T", Map{{"S", "a"}}));
+  world.said();
+  world.say("cancel");
+  EXPECT_EQ(world.conversation->current_topic(), "");
+  EXPECT_TRUE(world.slot("T", "S").is_unknown());
+}
+
 } // namespace
 } // namespace parlour::dialogue

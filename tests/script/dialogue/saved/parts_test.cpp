@@ -60,9 +60,10 @@ TEST(SavedParts, TurnsThatAreOpen) {
 TEST(SavedParts, StatesThatWerePushed) {
   StateStack states;
   states.enter(0);
-  states.push(0);
+  states.push({.wait = 5});
+  states.enter(0);
   auto again = round_trip(states);
-  EXPECT_TRUE(again.pushed());
+  EXPECT_TRUE(again.was_pushed_for(5));
   EXPECT_EQ(again.visit(), states.visit());
   EXPECT_TRUE(again.lasts(1));
 }
@@ -70,7 +71,8 @@ TEST(SavedParts, StatesThatWerePushed) {
 TEST(SavedParts, AStackOfStatesHasALevel) {
   const auto program = small_program();
   auto bytes = bytes_of(program, StateStack());
-  bytes.erase(bytes.size() - 3); // visits 0, one level: state, visit
+  // Visits 0, one level: state, visit, who pushed it.
+  bytes.erase(bytes.size() - 5);
   StateStack states;
   EXPECT_FALSE(read(program, states, bytes + std::string("\0", 1)));
 }

@@ -24,17 +24,5 @@ TEST(OpenQuestion, AWithdrawnQuestionIsNoAsking) {
   EXPECT_EQ(world.said(), (Texts{"Started.", "[no_match]", "Where?"}));
 }
 
-TEST(OpenQuestion, SeveralCandidatesAreAChoice) {
-  World world(meeting);
-  world.say(inform("Meeting",
-                   {{"Host", Map{{"candidates", List{"Ann Lee", "Bob Lee"}},
-                                 {"text", "Lee"}}}}));
-  EXPECT_EQ(world.said(), Texts{"[ambiguous Meeting.Host {candidates: [Ann "
-                                "Lee, Bob Lee], text: Lee, type: set}]"});
-  world.say(inform({}, {{"Host", "Bob"}}));
-  EXPECT_EQ(world.said(),
-            Texts{"[confirm Meeting.Host {value: Bob Lee, type: set}]"});
-}
-
 } // namespace
 } // namespace parlour::dialogue

@@ -62,38 +62,17 @@ struct Asked {
   }
 };
 
-// A yes or no that is not acted on yet: more was said in the same breath, and
-// is not understood so far.
-struct Unsettled {
-  ActPointer act;
-  TurnId turn = 0;
-  OutputId question = 0; // that it answers,
-  WaitId wait = 0;       // and the <confirm> of that
-
-  template <class Archive>
-  void serialize(Archive& archive) {
-    archive(act, turn, question, wait);
-    archive.needs(act);
-  }
-};
-
-// A no on the way to a topic's completion: to a <confirm> of its own script, or
-// to a value in doubt. The topic does not get there by itself.
-struct Refusal {
-  TopicId topic = script::no_id;
-  CodeId body = script::no_code; // of the script; or no_code
-  SlotId slot =
-      script::no_id;       // whose value, or whose <filled>, it is; or no_id
-  Value value;             // of that slot
-  std::uint64_t told = 0;  // how much had been told before
-  std::uint64_t deeds = 0; // and done, by scripts
-
-  template <class Archive>
-  void serialize(Archive& archive) {
-    archive.slot(topic, slot);
-    archive.code(body);
-    archive(value, told, deeds);
-  }
-};
+// One that words asked which others have said.
+inline Asked asked_by_others(Asked::For purpose, TopicId topic, SlotId slot,
+                             TurnId turn = 0) {
+  Asked asked;
+  asked.purpose = purpose;
+  asked.topic = topic;
+  asked.slot = slot;
+  asked.turn = turn;
+  asked.pending = false;
+  asked.heard = true;
+  return asked;
+}
 
 } // namespace parlour::dialogue

@@ -1,81 +1,10 @@
-#include "script/dialogue/questions/open_question.hpp"
+#include "script/dialogue/context/open_question.hpp"
 
 #include <algorithm>
 
 #include "runtime/text/words.hpp"
-#include "script/dialogue/topics/questions.hpp"
 
 namespace parlour::dialogue {
-
-void OpenQuestion::put(Asked&& asked, const char* act, Value data,
-                       std::string text, OutputAct as, TurnId turn) {
-  Say what;
-  what.as = as;
-  what.act = act;
-  what.topic = asked.topic;
-  what.slot = asked.slot;
-  what.data = words_.with_marks(asked.topic, std::move(data));
-  what.text = std::move(text);
-  what.turn = asked.turn = turn;
-  asked.level = context_.states.levels().size();
-  what.awaited = asked.wait != 0;
-  asked.heard = false;
-  asked.pending = true;
-  asked_ = std::move(asked);
-  asked_->output = output_.say(std::move(what));
-  if (asked_->output == 0)
-    unspoken(0);
-}
-
-void OpenQuestion::ask_slot(TopicId topic, SlotId slot, OutputAct as,
-                            TurnId turn) {
-  const auto& state = frames_[topic].slots[slot];
-  if (state.status == SlotStatus::unconfirmed) {
-    ask_confirmation(topic, slot, turn);
-    return;
-  }
-  if (state.status == SlotStatus::ambiguous) {
-    ask_choice(topic, slot, turn, true);
-    return;
-  }
-  Asked asked;
-  asked.topic = topic;
-  asked.slot = slot;
-  auto code = question_wording(context_.topic(topic).slots[slot], state);
-  put(std::move(asked), "question", {}, words_.text_of(code, topic), as, turn);
-}
-
-void OpenQuestion::ask_confirmation(TopicId topic, SlotId slot, TurnId turn) {
-  Asked asked;
-  asked.purpose = Asked::For::confirmation;
-  asked.topic = topic;
-  asked.slot = slot;
-  const auto& value = frames_[topic].slots[slot].value;
-  put(std::move(asked), "confirm",
-      words_.with_type(Map{{"value", value}}, topic, slot), {},
-      OutputAct::question, turn);
-}
-
-// Several candidates: the slot's <ambiguous> asks, or "Do you mean A or B?".
-void OpenQuestion::ask_choice(TopicId topic, SlotId slot, TurnId turn,
-                              bool aloud) {
-  Asked asked;
-  asked.purpose = Asked::For::choice;
-  asked.topic = topic;
-  asked.slot = slot;
-  const auto& state = frames_[topic].slots[slot];
-  if (aloud) {
-    put(std::move(asked), "ambiguous",
-        words_.with_type(
-            Map{{"candidates", state.candidates}, {"text", state.text}}, topic,
-            slot),
-        {}, OutputAct::question, turn);
-    return;
-  }
-  asked.heard = true; // by the script's own words
-  asked.pending = false;
-  asked_ = std::move(asked);
-}
 
 void OpenQuestion::released(const Output& output) {
   if (output.topic != script::no_id)

@@ -1,5 +1,4 @@
-// LostWait: a script waits for an outcome that will not come any more, as the
-// conversation goes on with another port. What it is given instead. Plain data.
+// WaitOutcome: a script's wait is over: what it is given for it. Plain data.
 #pragma once
 
 #include "runtime/base/error.hpp"
@@ -8,7 +7,7 @@
 
 namespace parlour::dialogue {
 
-struct LostWait {
+struct WaitOutcome {
   WaitId wait = 0;
   Expected<Value> outcome;
 
@@ -18,8 +17,10 @@ struct LostWait {
   }
 };
 
-// Nothing is silently done twice: what was asked for may have been carried out.
-inline LostWait in_doubt(WaitId wait) {
+// The conversation goes on with another port, and the outcome will not come any
+// more. Nothing is silently done twice: what was asked for may have been
+// carried out.
+inline WaitOutcome in_doubt(WaitId wait) {
   return {wait, fail(ErrorKind::in_doubt,
                      "the session was interrupted before the outcome came: "
                      "whether it was done is not known")};

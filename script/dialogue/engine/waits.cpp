@@ -1,0 +1,23 @@
+#include "script/dialogue/engine/waits.hpp"
+
+#include <utility>
+
+namespace parlour::dialogue {
+
+StepList Waits::cancel(const std::vector<WaitId>& in_pipeline,
+                       const std::vector<WaitId>& but) {
+  topics_.forget_waits(but);
+  auto waits = context_.lane.abandon(but);
+  for (auto wait : in_pipeline)
+    if (runner_.waits_for(wait) == ActivationRunner::WaitFor::user)
+      waits.push_back(wait);
+  StepList steps;
+  for (auto wait : waits) {
+    forget_request(wait);
+    steps.add(outcome_step(
+        wait, fail(ErrorKind::cancelled, "the wait was cancelled")));
+  }
+  return steps;
+}
+
+} // namespace parlour::dialogue

@@ -17,6 +17,10 @@ constexpr const char* everything = "everything";
 constexpr const char* domain = "domain";
 constexpr std::size_t drawn_sentences = 20'000;
 constexpr std::size_t most_narrow = 16;
+// The domain model joins words freely: if they are a sentence all the same, by
+// no accident, they count at least so much.
+constexpr double of_sentence = 0.5;
+constexpr std::size_t least_sentence = 3; // words
 
 std::vector<std::string> words_of(const std::vector<HeardWord>& heard) {
   std::vector<std::string> words;
@@ -149,6 +153,9 @@ Heard Hearing::finish() {
   heard.words = take_grammar ? first : second;
   heard.agreement = agreed.value;
   heard.agreed = agreed.agreed;
+  if (!take_grammar && by_domain.size() >= least_sentence &&
+      vocabulary_->language->ends(graph(), by_domain) == true)
+    heard.agreement = std::max(heard.agreement, of_sentence);
   return heard;
 }
 

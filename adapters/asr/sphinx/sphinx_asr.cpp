@@ -29,7 +29,7 @@ constexpr Milliseconds left_alone(10'000);
 const std::vector<OptionDescription>& option_descriptions() {
   static const std::vector<OptionDescription> descriptions = [] {
     auto all = asr::language_options();
-    all.push_back({"least-agreement", "0.4",
+    all.push_back({"least-agreement", "0.5",
                    "what is less certain is rejected, 0 to 1", false,
                    OptionType::number});
     all.push_back({"recognisers", "2",

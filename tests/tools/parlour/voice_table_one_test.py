@@ -1,8 +1,7 @@
 """The receptionist's conversation of the paper's Table I, held by voice: the
 second remark cuts into the robot's question. All turns are understood: over sound
-devices that are ten times faster than the clock, and in virtual time, where four
-more visitors ask for other hosts, floors and hours. At the devices' own pace it
-is held as far as the answer to the second remark."""
+devices at their own pace and ten times faster, and in virtual time, where four
+more visitors ask for other hosts, floors and hours."""
 
 import pathlib
 import shutil
@@ -108,8 +107,6 @@ class VoiceTableOneTest(VoiceCase):
         self.seen_until(run, "output", "released: No, however, there are two "
                         "coffee shops on the first floor, namely, Starbucks "
                         "Coffee and Ya Kun Toastwich.")
-        if speed == 1:
-            return  # the next line is misheard at this pace
         self.seen_until(run, "Speaker.Finished(")
         self.say(lines[2])
         self.seen_until(run, "output", "released: There is one food court named "

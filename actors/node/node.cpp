@@ -25,6 +25,8 @@ public:
     std::lock_guard lock(mutex);
     seats[seat].session = std::move(session);
   }
+  SessionId open(const SeatId& seat,
+                 std::shared_ptr<const dialogue::SavedSession> saved);
   // Unless the next one is there already.
   void session_over(const SeatId& seat, const SessionId& session) {
     std::lock_guard lock(mutex);
@@ -91,11 +93,22 @@ SeatId Node::open_seat(SeatCallbacks callbacks) {
 }
 
 SessionId Node::open(const SeatId& seat) {
-  auto& self = *implementation_;
-  auto session = self.runtime.open_session(self.seats[seat].actor);
+  return implementation_->open(seat, nullptr);
+}
+
+SessionId Node::go_on(const SeatId& seat, dialogue::SavedSession saved) {
+  if (!session_at(seat).empty())
+    return {};
+  return implementation_->open(
+      seat, std::make_shared<const dialogue::SavedSession>(std::move(saved)));
+}
+
+SessionId Node::Implementation::open(
+    const SeatId& seat, std::shared_ptr<const dialogue::SavedSession> saved) {
+  auto session = runtime.open_session(seats[seat].actor, std::move(saved));
   // It may be over already: a program without a beginning.
-  if (self.runtime.sessions().find(session))
-    self.set_session(seat, session);
+  if (runtime.sessions().find(session))
+    set_session(seat, session);
   return session;
 }
 

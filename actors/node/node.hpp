@@ -19,6 +19,7 @@
 #include "runtime/base/clock.hpp"
 #include "runtime/message/message.hpp"
 #include "script/dialogue/agenda/output_queue.hpp"
+#include "script/dialogue/inputs/saved_session.hpp"
 
 namespace parlour::actors {
 
@@ -51,6 +52,10 @@ public:
   // A conversation begins: Session.Started is handled and the opening prompt
   // released when this returns.
   SessionId open(const SeatId& seat);
+  // The same for one that a crash has left (engine rule 7.11): what it asked
+  // last is asked again when this returns. Empty where the seat has a session,
+  // or one of that id is there.
+  SessionId go_on(const SeatId& seat, dialogue::SavedSession saved);
   // The seat's session; empty where it has none.
   SessionId session_at(const SeatId& seat) const;
   // User turns, queued together (engine rule 3). Opens a session if the seat

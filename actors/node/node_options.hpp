@@ -56,6 +56,9 @@ struct NodeOptions {
   // Keeps what enters the sessions, so that they can be repeated; null: nobody
   // does.
   std::shared_ptr<Journal> journal = {};
+  // What a session says and wants leaves it once the journal has what led to
+  // it: nothing that anybody has heard is lost by a crash (engine rule 7.11).
+  bool strict_journal = false;
   // One call at a time, from any thread; may be empty. What on_inspection
   // throws is logged; log may not throw.
   std::function<void(const Inspection&)> on_inspection;

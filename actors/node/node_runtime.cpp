@@ -110,6 +110,7 @@ SessionParts NodeRuntime::session_parts() {
                      options_.phrases,
                      options_.sockets,
                      options_.journal,
+                     options_.journal && options_.strict_journal,
                      {},
                      supervisor_,
                      file_keeper_};
@@ -208,9 +209,12 @@ seat_actor NodeRuntime::open_seat(const std::string& name, SeatCalls calls) {
   return opened;
 }
 
-SessionId NodeRuntime::open_session(const seat_actor& seat) {
+SessionId
+NodeRuntime::open_session(const seat_actor& seat,
+                          std::shared_ptr<const dialogue::SavedSession> saved) {
   const auto opened = ask<session_opened>(
-      manager_, actors::open_session{seat, time_.work.begin()});
+      manager_,
+      actors::open_session{seat, time_.work.begin(), std::move(saved)});
   return opened ? opened->session : SessionId();
 }
 
@@ -292,6 +296,8 @@ bool NodeRuntime::stop() {
     system_->await_all_actors_done();
   };
   if (scheduler_->finish(end_remaining, options_.drain_time)) {
+    if (options_.journal)
+      options_.journal->forget_who_waits();
     system_.reset(); // here: CAF's logger belongs to the thread that made it
     return true;
   }

@@ -36,7 +36,10 @@ public:
   Expected<void> load(const std::string& plugin, const std::string& name);
   Expected<void> unload(const std::string& name);
   seat_actor open_seat(const std::string& name, SeatCalls calls);
-  SessionId open_session(const seat_actor& seat);
+  // With `saved`: one that goes on.
+  SessionId
+  open_session(const seat_actor& seat,
+               std::shared_ptr<const dialogue::SavedSession> saved = nullptr);
   // As Node says.
   Value slot_value(const SessionId& session, const std::string& topic,
                    const std::string& slot);

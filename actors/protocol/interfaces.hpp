@@ -20,6 +20,7 @@
 #include "actors/protocol/component_order.hpp"
 #include "actors/protocol/due_times.hpp"
 #include "actors/protocol/in_flight.hpp"
+#include "actors/protocol/session_questions.hpp"
 #include "runtime/base/clock.hpp"
 #include "runtime/base/error.hpp"
 #include "runtime/base/files.hpp"
@@ -30,7 +31,8 @@
 namespace parlour::dialogue {
 struct FrameRequest; // script/dialogue/frame/topic_frame.hpp
 struct FrameResult;
-struct Output; // script/dialogue/agenda/output_queue.hpp
+struct Output;       // script/dialogue/agenda/output_queue.hpp
+struct SavedSession; // script/dialogue/inputs/saved_session.hpp
 } // namespace parlour::dialogue
 
 namespace parlour::actors {
@@ -79,24 +81,14 @@ struct output_done {
   bool played;
   InFlight work;
 };
-// A tool looks at the conversation from outside: at a slot's value, or at the
-// name of the active state.
-struct get_slot {
-  std::string topic;
-  std::string slot;
-  InFlight work;
-};
-struct slot_told {
-  Value value; // unknown where there is no such slot
-};
-struct get_state {
-  InFlight work;
-};
-struct state_told {
-  std::string state; // empty where none is active
-};
 // End the conversation: its Exit handlers run, and Session.Ended is fired.
 struct end_session {
+  InFlight work;
+};
+// The journal has this record and all before it: what the session wants, and
+// waited for it, is done (engine rule 7.11).
+struct record_written {
+  std::uint64_t record;
   InFlight work;
 };
 // The session has ended, and nothing is on its way to it any more: quit.
@@ -111,7 +103,7 @@ using session_actor = caf::typed_actor<
     caf::reacts_to<socket_told>, caf::reacts_to<output_done>,
     caf::replies_to<get_slot>::with<slot_told>,
     caf::replies_to<get_state>::with<state_told>, caf::reacts_to<end_session>,
-    caf::reacts_to<leave>, tells_status>;
+    caf::reacts_to<record_written>, caf::reacts_to<leave>, tells_status>;
 
 // -- files --------------------------------------------------------------------
 
@@ -359,6 +351,8 @@ using supervisor_actor = caf::typed_actor<
 struct open_session {
   seat_actor seat;
   InFlight work;
+  // One that goes on after a crash, under its id; null: a new one.
+  std::shared_ptr<const dialogue::SavedSession> saved = nullptr;
 };
 struct session_opened {
   SessionId session;

@@ -166,6 +166,8 @@ void MessageBus::deliver(Delivery& delivery, Way& way, int depth,
       carry(std::move(event), way, depth + 1, answers);
     return;
   }
+  if (way.caller && way.caller->keep_back(*target, sent))
+    return;
   if (!way.held)
     way.held = time_.work.begin();
   auto answer = hand_over(*target, {std::move(sent), std::move(way.held)});

@@ -37,6 +37,11 @@ public:
   // The events that it answers with; `target.direct` is not null.
   virtual std::vector<Message> call(const Target& target,
                                     const Message& message) = 0;
+  // True: it gives the job to the component later, by hand_over(). False: the
+  // bus does it now.
+  virtual bool keep_back(const Target&, const SharedMessage&) {
+    return false;
+  }
 };
 
 // Safe to use from any thread once the node has started.

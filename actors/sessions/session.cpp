@@ -3,6 +3,7 @@
 #include <cassert>
 #include <utility>
 
+#include <caf/send.hpp>
 #include <caf/typed_event_based_actor.hpp>
 
 #include "actors/support/actor_trace.hpp"
@@ -80,7 +81,11 @@ session_actor::behavior_type over(Self self) {
       [](const socket_told&) {}, [](const output_done&) {},
       [=](const get_slot& what) { return tell_slot(self, what); },
       [=](const get_state&) { return tell_state(self); },
-      [](const end_session&) {}, [=](const leave&) { self->quit(); },
+      [](const end_session&) {},
+      [=](const record_written& what) {
+        self->state.dialogue->written(what.record);
+      },
+      [=](const leave&) { self->quit(); },
       [=](const get_status& what) { return tell_session_status(self, what); });
 }
 
@@ -92,10 +97,13 @@ void tell_waiting(session_state& state, bool waits) {
 
 // False where that ends the session.
 bool finish_input(Self self) {
-  const auto& finish = self->state.parts->after_input;
-  if (!finish)
-    return true;
-  const auto outcome = finish(*self->state.dialogue, now(self));
+  auto& state = self->state;
+  Expected<void> outcome;
+  if (state.dialogue->is_stuck())
+    outcome = fail(ErrorKind::file, "its journal cannot be written, and what "
+                                    "it says may not leave without");
+  else if (const auto& finish = state.parts->after_input)
+    outcome = finish(*state.dialogue, now(self));
   if (!outcome)
     self->quit(
         caf::make_error(caf::sec::runtime_error, to_string(outcome.error())));
@@ -111,8 +119,8 @@ void go_on(Self self) {
   const auto& conversation = conversation_of(self);
   if (conversation.ended()) {
     tell_waiting(state, false);
-    port_of(self).close(state.asked_to_end ? std::vector<Message>()
-                                           : state.dialogue->take_unread());
+    state.dialogue->close(state.asked_to_end ? std::vector<Message>()
+                                             : state.dialogue->take_unread());
     self->become(over(self));
     return;
   }
@@ -124,9 +132,16 @@ void go_on(Self self) {
   self->send(self, take_step{state.time->work.begin()});
 }
 
-// Session.Started is handled, up to the opening prompt.
+// Session.Started is handled, up to the opening prompt; or it goes on after a
+// crash.
 void begin(Self self) {
-  take(self, input::Begun());
+  const auto saved = std::exchange(self->state.saved, nullptr);
+  if (!saved)
+    take(self, input::Begun());
+  else
+    take(self, input::Resumed{.after_crash = true});
+  if (saved)
+    port_of(self).post_again(saved->posts);
   go_on(self);
 }
 
@@ -250,11 +265,22 @@ void set_up(Self self, std::shared_ptr<const SessionParts> parts,
           hear_component(self, query, std::move(outcome));
         });
   };
+  auto when_written = [self](std::uint64_t record) -> std::function<void()> {
+    return [record, time = self->state.time, session = session_actor(self)] {
+      time->main_thread.post([=, work = time->work.begin()] {
+        caf::anon_send(session, record_written{record, work});
+      });
+    };
+  };
+  state.saved = std::move(order.saved);
   state.dialogue = std::make_unique<SessionDialogue>(
       state.parts->program,
       dialogue::ConversationOptions{std::move(order.id), order.seed,
                                     state.parts->phrases},
-      std::move(make_port), state.parts->journal);
+      std::move(make_port),
+      JournalUse{state.parts->journal, state.parts->strict_journal,
+                 std::move(when_written)},
+      state.saved.get());
 }
 
 } // namespace
@@ -286,6 +312,9 @@ session(session_actor::stateful_pointer<session_state> self,
         self->state.asked_to_end = true;
         take(self, input::Closed());
         go_on(self);
+      },
+      [=](const record_written& what) {
+        self->state.dialogue->written(what.record);
       },
       [](const leave&) {},
       [=](const get_status& what) { return tell_session_status(self, what); });

@@ -14,6 +14,7 @@ struct SessionOrder {
   SessionId id;
   std::uint64_t seed = 1;
   seat_actor seat;
+  std::shared_ptr<const dialogue::SavedSession> saved = nullptr; // null: new
 };
 
 struct session_state {
@@ -21,6 +22,8 @@ struct session_state {
   std::shared_ptr<const SessionParts> parts;
   NodeTime* time = nullptr;
   std::unique_ptr<SessionDialogue> dialogue;
+  // Until it begins; null: it is a new one.
+  std::shared_ptr<const dialogue::SavedSession> saved;
   bool stepping = false;     // a take_step is in the mailbox
   bool waits = false;        // as the work count knows it
   bool asked_to_end = false; // from outside: nothing goes on after it

@@ -3,48 +3,103 @@
 #include <utility>
 
 #include "script/dialogue/inputs/replay.hpp"
-#include "script/dialogue/inputs/session_record.hpp"
 #include "script/vm/program_identity.hpp"
 
 namespace parlour::actors {
 
+namespace {
+
+// A replay and a recovery begin at a state, and so do not take longer than so
+// many inputs.
+constexpr std::uint64_t inputs_between_states = 1'000;
+
+} // namespace
+
 SessionDialogue::SessionDialogue(std::shared_ptr<const script::Program> program,
                                  dialogue::ConversationOptions options,
-                                 MakePort make_port,
-                                 std::shared_ptr<Journal> journal)
+                                 MakePort make_port, JournalUse kept,
+                                 const dialogue::SavedSession* saved)
     : program_(std::move(program)), options_(std::move(options)),
-      make_port_(std::move(make_port)), journal_(std::move(journal)),
-      port_(make_port_()),
-      conversation_(std::make_unique<dialogue::Conversation>(program_, options_,
-                                                             seen(*port_))) {
-  if (journal_)
-    journal_->append(dialogue::to_bytes(
-        {options_.session,
-         dialogue::SessionOpened{script::identity_of(*program_),
-                                 options_.seed}}));
+      make_port_(std::move(make_port)), kept_(std::move(kept)),
+      port_(make_port_()) {
+  if (saved) {
+    conversation_ = dialogue::Conversation::restore(program_, options_,
+                                                    seen(*port_), saved->state)
+                        .value();
+    inputs_ = saved->inputs;
+  } else {
+    conversation_ = std::make_unique<dialogue::Conversation>(program_, options_,
+                                                             seen(*port_));
+  }
+  if (!kept_.journal)
+    return;
+  part_ = kept_.journal->hold();
+  if (saved)
+    keep_state();
+  else
+    keep(opened());
+}
+
+// -- the journal --------------------------------------------------------------
+
+dialogue::SessionOpened SessionDialogue::opened() const {
+  return {script::identity_of(*program_), options_.seed, kept_.strict};
+}
+
+// Held before it is appended: what is held is never newer than where it stands.
+void SessionDialogue::keep_state() {
+  part_ = kept_.journal->hold();
+  has_moved_ = has_gap_ = false;
+  keep(dialogue::StateKept{opened(), inputs_, conversation_->save()});
+}
+
+void SessionDialogue::keep(decltype(dialogue::SessionRecord::what) what) {
+  const auto place = kept_.journal->append(
+      dialogue::to_bytes({options_.session, std::move(what)}));
+  has_moved_ |= place.part != part_->number;
+  has_gap_ |= place.record == 0;
+  if (place.record != 0 && port_->effects().wait_for(place.record, inputs_))
+    kept_.journal->when_written(place.record, kept_.when_written(place.record));
 }
 
 void SessionDialogue::take(dialogue::SessionInput input, Timestamp now) {
-  if (!journal_)
+  if (!kept_.journal)
     return dialogue::take(*conversation_, std::move(input), now);
   // Before it is dealt with: the conversation may take it apart.
   auto noted = dialogue::to_bytes(*program_, {now, input});
   dialogue::take(*conversation_, std::move(input), now);
+  ++inputs_;
   auto answers = dialogue::to_bytes(*program_, recording_->take_answers());
-  journal_->append(dialogue::to_bytes(
-      {options_.session,
-       dialogue::InputTaken{std::move(noted), std::move(answers)}}));
+  // Behind a gap only a state makes sense.
+  if (!has_gap_)
+    keep(dialogue::InputTaken{std::move(noted), std::move(answers)});
+  if (has_gap_ || has_moved_ || inputs_ % inputs_between_states == 0)
+    keep_state();
+}
+
+void SessionDialogue::written(std::uint64_t record) {
+  if (const auto input = port_->effects().written(record))
+    keep(dialogue::EffectsDone{*input});
+}
+
+void SessionDialogue::close(std::vector<Message> unread) {
+  port_->close(std::move(unread));
+  if (kept_.journal)
+    keep(dialogue::SessionClosed());
 }
 
 dialogue::Port& SessionDialogue::seen(SessionPort& port) {
-  if (!journal_)
+  if (!kept_.journal)
     return port;
   recording_ = std::make_unique<dialogue::RecordingPort>(port);
   return *recording_;
 }
 
+// -- another port -------------------------------------------------------------
+
 Expected<void> SessionDialogue::renew(Timestamp now) {
-  const bool keeps_port = conversation_->expects_outcome();
+  const bool keeps_port =
+      conversation_->expects_outcome() || !port_->effects().none();
   auto port = keeps_port ? nullptr : make_port_();
   // The recording port of the conversation before lives as long as that one.
   auto recording = std::move(recording_);

@@ -1,7 +1,7 @@
-// SessionDialogue: the conversation of a session, and the port by which it
-// reaches others. It can be renewed: the conversation is written, and another
-// one goes on from the bytes with a port of its own, as it would in another
-// process. Lives on the session's thread.
+// SessionDialogue: the conversation of a session, the port by which it reaches
+// others, and what of it is kept in a journal. The conversation can be renewed:
+// it is written, and another one goes on from the bytes with a port of its own,
+// as it would in another process. Lives on the session's thread.
 #pragma once
 
 #include <functional>
@@ -11,21 +11,38 @@
 #include "runtime/base/journal.hpp"
 #include "script/dialogue/engine/conversation.hpp"
 #include "script/dialogue/inputs/recording_port.hpp"
+#include "script/dialogue/inputs/saved_session.hpp"
 #include "script/dialogue/inputs/session_input.hpp"
+#include "script/dialogue/inputs/session_record.hpp"
 
 namespace parlour::actors {
+
+// How a session uses the journal.
+struct JournalUse {
+  std::shared_ptr<Journal> journal; // null: nothing is kept
+  bool strict = false;
+  // What to do, on any thread, once this record is written: it leads to
+  // SessionDialogue::written().
+  std::function<std::function<void()>(std::uint64_t record)> when_written = {};
+};
 
 class SessionDialogue {
 public:
   using MakePort = std::function<std::unique_ptr<SessionPort>()>;
 
-  // Everything that enters is kept in the journal; null: nothing is.
+  // A session that begins, or with `saved` one that goes on, whose first input
+  // is Resumed. `saved` can be restored.
   SessionDialogue(std::shared_ptr<const script::Program> program,
                   dialogue::ConversationOptions options, MakePort make_port,
-                  std::shared_ptr<Journal> journal = nullptr);
+                  JournalUse kept = {},
+                  const dialogue::SavedSession* saved = {});
 
   // The only way into the conversation.
   void take(dialogue::SessionInput input, Timestamp now);
+  // The journal has this record: what waited for it is done.
+  void written(std::uint64_t record);
+  // It has ended: the manager is told, and what works for it ends.
+  void close(std::vector<Message> unread);
 
   const dialogue::Conversation& conversation() const {
     return *conversation_;
@@ -35,6 +52,11 @@ public:
   }
   const SessionPort& port() const {
     return *port_;
+  }
+  // What it wants would have to wait for a record that the journal could not
+  // keep.
+  bool is_stuck() const {
+    return kept_.strict && has_gap_;
   }
 
   // While an outcome is to come, which only the present port can hear, that one
@@ -49,12 +71,19 @@ public:
 private:
   // The port, as the conversation sees it.
   dialogue::Port& seen(SessionPort& port);
-  void keep(const dialogue::TimedInput& input);
+  void keep(decltype(dialogue::SessionRecord::what) what);
+  void keep_state();
+  dialogue::SessionOpened opened() const;
 
   const std::shared_ptr<const script::Program> program_;
   const dialogue::ConversationOptions options_;
   const MakePort make_port_;
-  const std::shared_ptr<Journal> journal_; // null: none
+  const JournalUse kept_;
+  std::uint64_t inputs_ = 0; // that it has taken
+  // Where its last state, or its beginning, stands in the journal.
+  std::shared_ptr<const Journal::Part> part_;
+  bool has_moved_ = false; // the journal has gone on to another part
+  bool has_gap_ = false;   // a record was lost
   // Both before the conversation, which they outlive.
   std::unique_ptr<SessionPort> port_;
   std::unique_ptr<dialogue::RecordingPort> recording_; // null: no journal

@@ -35,10 +35,14 @@ SessionId open(Self self, const open_session& what) {
   if (self->state.closing)
     return {};
   auto& state = self->state;
-  auto id = state.names.next_id();
+  const auto& saved = what.saved;
+  if (saved && state.sessions.contains(saved->id))
+    return {};
+  auto id = saved ? saved->id : state.names.next_id();
   auto session = self->spawn<caf::monitored>(
       actors::session, state.parts,
-      SessionOrder{id, state.names.next_seed(), what.seat});
+      SessionOrder{id, saved ? saved->seed : state.names.next_seed(), what.seat,
+                   saved});
   state.directory->add(id, session, what.seat);
   self->send(session, begin_session{what.work});
   state.session_of[session.id()] = id;

@@ -26,6 +26,8 @@ struct SessionParts {
   std::shared_ptr<Sockets> sockets = nullptr;
   // Keeps what enters the sessions; null: nobody does.
   std::shared_ptr<Journal> journal = nullptr;
+  // What sessions want of others waits until the journal has what led to it.
+  bool strict_journal = false;
   // Whom sessions write to.
   session_manager_actor manager = {};
   supervisor_actor supervisor = {};

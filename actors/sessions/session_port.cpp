@@ -21,7 +21,15 @@ SessionPort::SessionPort(session_actor::pointer self,
       bus_(parts_->bus), id_(std::move(id)), seat_(std::move(seat)),
       ask_frame_(std::move(ask_frame)),
       component_done_(std::move(component_done)),
+      effects_(parts_->strict_journal),
       sockets_(time_, parts_->sockets, session_actor(self_), id_) {}
+
+// At once, where nothing has to wait for the journal.
+template <class Effect>
+void SessionPort::perform(Effect effect, HeldEffects::Noted noted) {
+  effects_.perform(std::move(effect),
+                   effects_.holds() ? time_.work.begin() : InFlight(), noted);
+}
 
 // -- messages -----------------------------------------------------------------
 
@@ -32,8 +40,27 @@ std::vector<Message> SessionPort::post(Message message) {
     message.session = id_;
   if (message.session == id_)
     return bus_.route(std::move(message), *this);
-  bus_.publish({std::move(message)});
+  perform([this, message = std::move(message)] { bus_.publish({message}); },
+          HeldEffects::Noted::yes);
   return {};
+}
+
+// Where it is not taken then, its answer comes as that of a component does.
+bool SessionPort::keep_back(const Target& target,
+                            const SharedMessage& message) {
+  if (!effects_.holds())
+    return false;
+  perform(
+      [this, target, message] {
+        if (auto answer = bus_.hand_over(target, {message, time_.work.begin()}))
+          bus_.publish({std::move(*answer)});
+      },
+      HeldEffects::Noted::yes);
+  return true;
+}
+
+void SessionPort::post_again(std::vector<Message> messages) {
+  bus_.publish(std::move(messages));
 }
 
 // A component without state, in the session's own turn.
@@ -80,8 +107,9 @@ Reply SessionPort::reply_to_request(const Message& event) const {
 }
 
 void SessionPort::release(const dialogue::Output& output) {
-  self_->send(seat_, say{id_, std::make_shared<const dialogue::Output>(output),
-                         time_.work.begin()});
+  perform([this, shown = std::make_shared<const dialogue::Output>(output)] {
+    self_->send(seat_, say{id_, shown, time_.work.begin()});
+  });
 }
 
 // -- timers, queries ----------------------------------------------------------
@@ -123,6 +151,12 @@ void SessionPort::timer_is_over(dialogue::TimerId id) {
 }
 
 void SessionPort::query(dialogue::QueryRequest request) {
+  perform([this, request = std::move(request)]() mutable {
+    start_query(std::move(request));
+  });
+}
+
+void SessionPort::start_query(dialogue::QueryRequest request) {
   const auto id = request.id;
   const auto timeout = parts_->program->settings.sessions.request_timeout;
   auto due = time_.due_times.add(due_at(timeout), DueTimes::Of::session);
@@ -140,6 +174,12 @@ void SessionPort::query_is_over(dialogue::QueryId id) {
 
 // No deadline: the supervisor answers when it is done, or has given up.
 void SessionPort::component(dialogue::ComponentRequest request) {
+  perform([this, request = std::move(request)]() mutable {
+    order_component(std::move(request));
+  });
+}
+
+void SessionPort::order_component(dialogue::ComponentRequest request) {
   auto hear = [id = request.id, done = component_done_](auto answer) {
     answer.then(
         [=](const actors::component_done& what) { done(id, what.outcome); },
@@ -160,9 +200,11 @@ void SessionPort::component(dialogue::ComponentRequest request) {
 }
 
 void SessionPort::file(dialogue::QueryId id, FileRequest request) {
-  self_->send(parts_->file_keeper,
-              file_order{id, std::move(request), session_actor(self_),
-                         time_.work.begin()});
+  perform([this, id, request = std::move(request)] {
+    self_->send(
+        parts_->file_keeper,
+        file_order{id, request, session_actor(self_), time_.work.begin()});
+  });
 }
 
 void SessionPort::open_socket(dialogue::SocketRequest request) {
@@ -272,9 +314,10 @@ std::vector<ActorHandle> SessionPort::children() const {
 }
 
 void SessionPort::close(std::vector<Message> unread) {
-  self_->send(parts_->manager,
-              session_gone{id_, time_.work.begin(), std::move(unread)});
-  end_all();
+  perform([this, unread = std::move(unread)] {
+    self_->send(parts_->manager, session_gone{id_, time_.work.begin(), unread});
+    end_all();
+  });
 }
 
 SessionPort::~SessionPort() {

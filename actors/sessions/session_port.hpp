@@ -6,6 +6,7 @@
 #include <functional>
 #include <map>
 
+#include "actors/sessions/held_effects.hpp"
 #include "actors/sessions/session_parts.hpp"
 #include "actors/sessions/session_sockets.hpp"
 #include "actors/support/actor_trace.hpp"
@@ -63,6 +64,12 @@ public:
   // What a socket said as messages for the conversation, after the routes.
   std::vector<Message> hear_socket(dialogue::SocketId id,
                                    const SocketEvent& event);
+  // What waits for the journal.
+  HeldEffects& effects() {
+    return effects_;
+  }
+  // After a crash: what was posted, and may not have left.
+  void post_again(std::vector<Message> messages);
   // -- for who asks how it is
   const SessionId& id() const {
     return id_;
@@ -89,6 +96,12 @@ private:
   // -- InlineCaller
   std::vector<Message> call(const Target& target,
                             const Message& message) override;
+  bool keep_back(const Target& target, const SharedMessage& message) override;
+  template <class Effect>
+  void perform(Effect effect,
+               HeldEffects::Noted noted = HeldEffects::Noted::no);
+  void start_query(dialogue::QueryRequest request);
+  void order_component(dialogue::ComponentRequest request);
   void end_timer(const Timer& timer);
   void end_all();
   const topic_frame_actor& frame_of(script::TopicId topic);
@@ -104,6 +117,7 @@ private:
   const AskFrame ask_frame_;
   const ComponentDone component_done_;
   std::string last_error_;
+  HeldEffects effects_;
   std::map<dialogue::TimerId, Timer> timers_;
   std::map<dialogue::QueryId, Query> queries_;
   SessionSockets sockets_;

@@ -1,14 +1,19 @@
 #include "adapters/journal/journal_format.hpp"
 
-#include <cstdint>
+#include <charconv>
+#include <fstream>
+#include <ranges>
 
+#include "runtime/base/file_bytes.hpp"
 #include "runtime/base/word_hash.hpp"
 
 namespace parlour::adapters {
 
 namespace {
 
-constexpr std::size_t frame_bytes = 8;
+constexpr std::string_view magic = "parlour journal 2\n";
+constexpr std::size_t header_bytes = magic.size() + 8 + 4;
+constexpr std::size_t frame_bytes = 12;
 
 std::uint32_t checksum_of(std::string_view record) {
   WordHash hash;
@@ -16,50 +21,111 @@ std::uint32_t checksum_of(std::string_view record) {
   return static_cast<std::uint32_t>(hash.value());
 }
 
-void add(std::string& bytes, std::uint32_t number) {
-  for (int shift = 0; shift < 32; shift += 8)
-    bytes += static_cast<char>(number >> shift & 0xff);
+std::uint32_t guard_of(std::uint64_t number) {
+  WordHash hash;
+  hash.add(number);
+  return static_cast<std::uint32_t>(hash.value());
 }
 
-std::uint32_t number_at(std::string_view bytes, std::size_t at) {
-  std::uint32_t number = 0;
-  for (std::size_t i = 0; i < 4; ++i)
-    number |= std::uint32_t{static_cast<unsigned char>(bytes[at + i])}
-              << (8 * i);
+template <class Number>
+void add(std::string& bytes, Number number) {
+  for (std::size_t i = 0; i < sizeof(Number); ++i)
+    bytes += static_cast<char>(number >> (8 * i) & 0xff);
+}
+
+template <class Number>
+Number number_at(std::string_view bytes, std::size_t at) {
+  Number number = 0;
+  for (std::size_t i = 0; i < sizeof(Number); ++i)
+    number |= Number{static_cast<unsigned char>(bytes[at + i])} << (8 * i);
   return number;
 }
 
 } // namespace
 
+std::string part_header(std::uint64_t needed) {
+  std::string bytes(magic);
+  add(bytes, needed);
+  add(bytes, guard_of(needed));
+  return bytes;
+}
+
 std::string framed(std::string_view record) {
+  const auto size = static_cast<std::uint32_t>(record.size());
   std::string bytes;
   bytes.reserve(frame_bytes + record.size());
-  add(bytes, static_cast<std::uint32_t>(record.size()));
+  add(bytes, size);
+  add(bytes, guard_of(size));
   add(bytes, checksum_of(record));
   bytes += record;
   return bytes;
 }
 
+std::filesystem::path part_path(const std::filesystem::path& folder,
+                                std::uint64_t number) {
+  const auto digits = std::to_string(number);
+  return folder / (std::string(digits.size() < 6 ? 6 - digits.size() : 0, '0') +
+                   digits + ".journal");
+}
+
+Expected<JournalParts> parts_of(const std::filesystem::path& folder) {
+  const auto files = list_files(folder, ".journal");
+  if (!files)
+    return tl::make_unexpected(files.error());
+  JournalParts parts;
+  for (const auto& file : *files) {
+    const auto name = file.stem().string();
+    std::uint64_t number = 0;
+    const auto* end = name.data() + name.size();
+    const auto read = std::from_chars(name.data(), end, number);
+    if (read.ec == std::errc() && read.ptr == end && number > 0)
+      parts.emplace(number, file);
+  }
+  return parts;
+}
+
+std::uint64_t first_needed(const JournalParts& parts) {
+  for (const auto& [number, path] : std::views::reverse(parts)) {
+    std::string header(header_bytes, '\0');
+    std::ifstream file(path, std::ios::binary);
+    if (!file.read(header.data(), header_bytes))
+      continue;
+    if (const auto reader = JournalReader::over(header))
+      return reader->needed();
+  }
+  return 1;
+}
+
 Expected<JournalReader> JournalReader::over(std::string_view bytes) {
-  if (!bytes.starts_with(journal_magic))
-    return fail(ErrorKind::file,
-                "this is no journal: it does not begin with 'parlour journal "
-                "1'");
-  return JournalReader(bytes);
+  if (!bytes.starts_with(magic.substr(0, bytes.size())))
+    return fail(ErrorKind::file, "this is no part of a journal: it does not "
+                                 "begin with 'parlour journal 2'");
+  if (bytes.size() < header_bytes)
+    return JournalReader(bytes, 0, 0);
+  const auto needed = number_at<std::uint64_t>(bytes, magic.size());
+  if (number_at<std::uint32_t>(bytes, magic.size() + 8) != guard_of(needed))
+    return fail(ErrorKind::file, "the journal's header is damaged");
+  return JournalReader(bytes, header_bytes, needed);
+}
+
+bool JournalReader::rest_is_zero() const {
+  return bytes_.find_first_not_of('\0', at_) == std::string_view::npos;
 }
 
 std::optional<Expected<std::string_view>> JournalReader::next() {
-  if (torn_bytes() < frame_bytes)
+  if (at_ == 0 || torn_bytes() < frame_bytes || rest_is_zero())
     return std::nullopt;
-  const std::size_t size = number_at(bytes_, at_);
+  const auto size = number_at<std::uint32_t>(bytes_, at_);
   const auto place = "byte " + std::to_string(at_) + ": ";
-  if (size > max_record_bytes)
-    return fail(ErrorKind::file, place + "a record of " + std::to_string(size) +
-                                     " bytes: the journal is damaged here");
+  if (number_at<std::uint32_t>(bytes_, at_ + 4) != guard_of(size) ||
+      size > max_record_bytes)
+    return fail(ErrorKind::file,
+                place + "a record's size is wrong: the journal is damaged "
+                        "here");
   if (torn_bytes() - frame_bytes < size)
     return std::nullopt;
   const auto record = bytes_.substr(at_ + frame_bytes, size);
-  if (number_at(bytes_, at_ + 4) != checksum_of(record))
+  if (number_at<std::uint32_t>(bytes_, at_ + 8) != checksum_of(record))
     return fail(ErrorKind::file,
                 place + "a record's checksum is wrong: the journal is damaged "
                         "here");

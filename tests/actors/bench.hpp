@@ -118,6 +118,7 @@ public:
                 note("ends");
                 self->quit();
               },
+              [](const record_written&) {},
               [=](const leave&) { self->quit(); },
               no_status,
           };

@@ -91,9 +91,14 @@ public:
   // (engine rule 7.9). An input like others, the first one here, and the only
   // one that is allowed while awaiting_frame().
   void resume(Timestamp now);
+  // What was asked last is asked again, unless something else is going on.
+  void ask_again();
   // Something is outstanding, beside timers, that resume() would ask for again
   // or give up.
   bool expects_outcome() const;
+
+  // Whether a <request> waits for what answers this message.
+  bool awaits_reply(Correlation correlation) const;
 
   // What was received but not yet taken when the session ended: for another
   // session of the same seat.

@@ -38,9 +38,18 @@ void Conversation::resume(Timestamp now) {
   implementation_->resume();
 }
 
+void Conversation::ask_again() {
+  if (!ended() && !has_work() && !awaiting_frame() && !expects_outcome())
+    implementation_->topics.ask_again();
+}
+
 bool Conversation::expects_outcome() const {
   const auto& parts = *implementation_;
   return waits_for_answer() || parts.sockets.any() || parts.output.plays();
+}
+
+bool Conversation::awaits_reply(Correlation correlation) const {
+  return implementation_->requests.awaits(correlation);
 }
 
 // What is lost is handed out by the next steps: no script runs here, so that a

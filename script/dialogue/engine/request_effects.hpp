@@ -33,6 +33,10 @@ public:
   bool waits_for_answer() const {
     return !requests_.empty();
   }
+  // Whether this one is a request whose answer is to come.
+  bool awaits(Correlation correlation) const {
+    return requests_.contains(correlation);
+  }
   // The wait was ended from outside.
   void forget(WaitId wait);
   // With another port: the waits for which nobody works any more; those whose

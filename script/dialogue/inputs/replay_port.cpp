@@ -55,6 +55,8 @@ std::vector<Message> ReplayPort::post(Message message) {
     return asked_->post(std::move(message));
   if (next("pP") == 'P' && posts_ < noted_.posted.size())
     return noted_.posted[posts_++];
+  if (on_post)
+    on_post(message);
   return {};
 }
 

@@ -32,6 +32,8 @@ public:
 
   // All may be empty; inspections are made only if somebody watches.
   std::function<void(const Output&)> on_output;
+  // What was posted, if nobody answered it at once.
+  std::function<void(const Message&)> on_post;
   std::function<void(const Inspection&)> on_inspection;
   // Of what is private: these texts, and with none what the user just said.
   std::function<void(const std::vector<std::string>&)> on_secret;

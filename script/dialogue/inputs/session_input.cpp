@@ -52,8 +52,10 @@ struct Taker {
   void operator()(input::Closed&) {
     conversation.close(now);
   }
-  void operator()(input::Resumed&) {
+  void operator()(input::Resumed& what) {
     conversation.resume(now);
+    if (what.after_crash)
+      conversation.ask_again();
   }
 };
 

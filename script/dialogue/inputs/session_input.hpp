@@ -124,8 +124,12 @@ struct Closed {
 
 // It goes on with another port (engine rule 7.9).
 struct Resumed {
+  bool after_crash = false; // whoever talks may not know any more where he was
+
   template <class Archive>
-  void serialize(Archive&) {}
+  void serialize(Archive& archive) {
+    archive(after_crash);
+  }
 };
 
 } // namespace input

@@ -1,21 +1,78 @@
 #include "script/dialogue/inputs/session_record.hpp"
 
+#include <type_traits>
+#include <utility>
+
 #include "runtime/base/bytes.hpp"
 
 namespace parlour::dialogue {
+
+namespace {
+
+struct Writing {
+  ByteWriter& bytes;
+
+  void operator()(std::uint64_t number) const {
+    bytes.fixed(number);
+  }
+  void operator()(const std::string& text) const {
+    bytes.text(text);
+  }
+  void operator()(bool flag) const {
+    bytes.byte(flag);
+  }
+};
+
+struct Reading {
+  ByteReader& bytes;
+
+  void operator()(std::uint64_t& number) const {
+    number = bytes.fixed();
+  }
+  void operator()(std::string& text) const {
+    text = bytes.block();
+  }
+  void operator()(bool& flag) const {
+    flag = bytes.byte() != 0;
+  }
+};
+
+// Writes and reads, so that both have one form.
+template <class Visit, class What>
+void each(Visit visit, What& it) {
+  using Kind = std::remove_const_t<What>;
+  if constexpr (std::is_same_v<Kind, SessionOpened>) {
+    visit(it.program);
+    visit(it.seed);
+    visit(it.strict);
+  } else if constexpr (std::is_same_v<Kind, InputTaken>) {
+    visit(it.input);
+    visit(it.answers);
+  } else if constexpr (std::is_same_v<Kind, StateKept>) {
+    each(visit, it.opened);
+    visit(it.inputs);
+    visit(it.state);
+  } else if constexpr (std::is_same_v<Kind, EffectsDone>) {
+    visit(it.inputs);
+  }
+}
+
+using What = decltype(SessionRecord::what);
+
+// The alternative of that number; false where there is none.
+template <std::size_t... Kinds>
+bool choose(What& what, std::size_t kind, std::index_sequence<Kinds...>) {
+  return (... || (Kinds == kind && (what.emplace<Kinds>(), true)));
+}
+
+} // namespace
 
 std::string to_bytes(const SessionRecord& record) {
   ByteWriter bytes;
   bytes.byte(session_record_version);
   bytes.byte(static_cast<std::uint8_t>(record.what.index()));
   bytes.text(record.session);
-  if (const auto* opened = std::get_if<SessionOpened>(&record.what)) {
-    bytes.fixed(opened->program);
-    bytes.fixed(opened->seed);
-  } else if (const auto* taken = std::get_if<InputTaken>(&record.what)) {
-    bytes.text(taken->input);
-    bytes.text(taken->answers);
-  }
+  std::visit([&](const auto& it) { each(Writing{bytes}, it); }, record.what);
   return bytes.take();
 }
 
@@ -29,15 +86,11 @@ Expected<SessionRecord> read_record(std::string_view bytes) {
   const auto kind = reader.byte();
   SessionRecord record;
   record.session = reader.text();
-  if (kind == 0) {
-    const auto program = reader.fixed();
-    record.what = SessionOpened{program, reader.fixed()};
-  } else if (kind == 1) {
-    std::string input(reader.block());
-    record.what = InputTaken{std::move(input), std::string(reader.block())};
-  } else {
+  if (choose(record.what, kind,
+             std::make_index_sequence<std::variant_size_v<What>>()))
+    std::visit([&](auto& it) { each(Reading{reader}, it); }, record.what);
+  else
     reader.fail("a record of an unknown kind");
-  }
   if (reader.ok() && !reader.at_end())
     reader.fail("more bytes follow the record");
   if (!reader.ok())

@@ -2,10 +2,15 @@
 // without its program.
 //
 //   version   a byte, session_record_version
-//   kind      a byte: 0 opened, 1 taken
+//   kind      a byte: the number of the alternative in SessionRecord
 //   session   text, its id
-//   opened    fixed, the program's identity; fixed, the session's seed
+//   opened    fixed, the program's identity; fixed, the session's seed;
+//             a byte, whether its effects waited for the journal
 //   taken     block, the input; block, the port's answers (replay.hpp)
+//   state     as opened; fixed, how many inputs it has taken; block, the bytes
+//             of Conversation::save()
+//   posted    fixed, how many inputs
+//   closed    nothing
 #pragma once
 
 #include <cstdint>
@@ -18,12 +23,13 @@
 
 namespace parlour::dialogue {
 
-inline constexpr std::uint8_t session_record_version = 1;
+inline constexpr std::uint8_t session_record_version = 2;
 
 // The session was made; its inputs follow, between those of others.
 struct SessionOpened {
   std::uint64_t program = 0; // identity_of it
   std::uint64_t seed = 1;
+  bool strict = false; // its effects waited for the journal
 };
 
 // One input, with what was answered at once.
@@ -32,9 +38,26 @@ struct InputTaken {
   std::string answers;
 };
 
+// The session as it is: nothing before is needed to repeat what follows.
+struct StateKept {
+  SessionOpened opened;
+  std::uint64_t inputs = 0; // that were taken before
+  std::string state;
+};
+
+// The messages that the session posted during its first inputs, so many, are
+// with those that they are for.
+struct EffectsDone {
+  std::uint64_t inputs = 0;
+};
+
+// It is over.
+struct SessionClosed {};
+
 struct SessionRecord {
   SessionId session;
-  std::variant<SessionOpened, InputTaken> what;
+  std::variant<SessionOpened, InputTaken, StateKept, EffectsDone, SessionClosed>
+      what;
 };
 
 std::string to_bytes(const SessionRecord& record);

@@ -119,6 +119,11 @@ bool Silence::state_listens() const {
          listens_to_silence_[state];
 }
 
+void Silence::repeat() {
+  if (due() == Due::reprompt)
+    reprompts_.repeat_question(0);
+}
+
 // The question that was withdrawn, unless a script has answered it meanwhile.
 void Silence::ask_again() {
   const auto asked = *question_;

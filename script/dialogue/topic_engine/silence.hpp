@@ -29,6 +29,8 @@ public:
 
   // Silence has lasted: the next question, resume or reprompt.
   void silence();
+  // A question that was heard and is still open is asked again.
+  void repeat();
   // How long silence must last now; nothing where it leads nowhere.
   std::optional<Milliseconds> silence_wanted() const;
   void take(const steps::ResumeTopic& step);

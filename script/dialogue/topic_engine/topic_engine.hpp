@@ -51,6 +51,10 @@ public:
   void silence() {
     silence_.silence();
   }
+  // The question that was heard last, if it is still open.
+  void ask_again() {
+    silence_.repeat();
+  }
   // How long silence must last now; nothing where it leads nowhere.
   std::optional<Milliseconds> silence_wanted() const {
     return silence_.silence_wanted();

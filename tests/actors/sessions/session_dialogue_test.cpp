@@ -1,8 +1,12 @@
 #include "actors/sessions/session_dialogue.hpp"
+#include "script/dialogue/inputs/recovery.hpp"
 #include "tests/actors/node_fixture.hpp"
+#include "tests/support/memory_journal.hpp"
 
 namespace parlour::actors {
 namespace {
+
+using testing::SizeIs;
 
 // After each input another conversation goes on, mostly with another port.
 class SessionDialogueTest : public NodeFixture {
@@ -58,6 +62,129 @@ TEST_F(SessionDialogueTest, EndsAsUsual) {
   start_with("<speak param='Bye.'/><end/>");
   EXPECT_THAT(say({"bye"}), ElementsAre("Bye."));
   EXPECT_TRUE(node->session_at(seat).empty());
+}
+
+// -- the journal --------------------------------------------------------------
+
+class JournaledSessionTest : public NodeFixture {
+protected:
+  const std::shared_ptr<test::MemoryJournal> journal =
+      std::make_shared<test::MemoryJournal>();
+
+  bool strict = true;
+  std::string script;
+
+  void start_with(const std::string& statements) {
+    script = "<handler name='Pipeline'><messages><component>"
+             "<ASR><RecognitionResult>" +
+             statements +
+             "</RecognitionResult></ASR></component></messages></handler>";
+    start_again();
+  }
+  void start_again() {
+    options.journal = journal;
+    options.strict_journal = strict;
+    start(script);
+  }
+  // What the journal has of the last session that was opened.
+  dialogue::SessionHistory history() {
+    dialogue::SessionHistory history;
+    for (const auto& bytes : journal->records) {
+      auto record = dialogue::read_record(bytes).value();
+      if (std::holds_alternative<dialogue::SessionOpened>(record.what))
+        history = {};
+      EXPECT_TRUE(dialogue::take(history, std::move(record),
+                                 dialogue::HistoryFrom::last_state));
+    }
+    return history;
+  }
+  std::unique_ptr<dialogue::SavedSession> recovered() {
+    return dialogue::recover(compile(script), nullptr, history()).value();
+  }
+};
+
+TEST_F(JournaledSessionTest, NothingIsSaidBeforeItIsWritten) {
+  start_with("<speak param='One.'/>");
+  journal->writes_at_once = false;
+  EXPECT_THAT(say({"hello"}), IsEmpty());
+  EXPECT_GT(journal->waiting(), 0u);
+  journal->write();
+  node->run_until_quiet();
+  EXPECT_THAT(said(), ElementsAre("One."));
+}
+
+TEST_F(JournaledSessionTest, NothingIsPostedBeforeItIsWritten) {
+  std::vector<std::string> got;
+  options.components = {component("Door", "Device", [&](auto&, auto& message) {
+    got.push_back(message.command);
+  })};
+  start_with("<post module='Door' command='Open' param=''/>");
+  journal->writes_at_once = false;
+  say({"open"});
+  EXPECT_THAT(got, IsEmpty());
+  EXPECT_THAT(recovered()->posts, SizeIs(1));
+  journal->write();
+  node->run_until_quiet();
+  EXPECT_THAT(got, ElementsAre("Open"));
+  EXPECT_THAT(recovered()->posts, IsEmpty());
+}
+
+TEST_F(JournaledSessionTest, GoesOnWhereItWas) {
+  script = "<var name='tally' expr='0'/>"
+           "<handler name='Pipeline'><messages><component>"
+           "<ASR><RecognitionResult><set name='tally' expr='tally + 1'/>"
+           "<speak param='{tally}.'/></RecognitionResult></ASR>"
+           "</component></messages></handler>";
+  start_again();
+  EXPECT_THAT(say({"a"}), ElementsAre("1."));
+  EXPECT_THAT(say({"b"}), ElementsAre("2."));
+  const auto id = node->session_at(seat);
+  const auto saved = recovered();
+  ASSERT_TRUE(saved);
+  EXPECT_EQ(saved->id, id);
+  EXPECT_THAT(saved->said, ElementsAre("2."));
+  start_again();
+  EXPECT_EQ(node->go_on(seat, *saved), id);
+  EXPECT_EQ(history().before, saved->inputs);
+  EXPECT_THAT(say({"c"}), ElementsAre("3."));
+}
+
+TEST_F(JournaledSessionTest, WhatHasEndedDoesNotGoOn) {
+  start_with("<end/>");
+  say({"bye"});
+  EXPECT_TRUE(history().closed);
+  EXPECT_FALSE(recovered());
+}
+
+TEST_F(JournaledSessionTest, AnotherPartBeginsWithTheState) {
+  start_with("<speak param='One.'/>");
+  say({"hello"});
+  EXPECT_EQ(history().before, 0u);
+  journal->begin_part();
+  say({"hello"});
+  EXPECT_GT(history().before, 0u);
+  EXPECT_TRUE(recovered());
+}
+
+TEST_F(JournaledSessionTest, WhereNothingCanBeKeptAStrictSessionEnds) {
+  start_with("<speak param='One.'/>");
+  say({"hello"});
+  journal->is_full = true;
+  EXPECT_THAT(say({"hello"}), IsEmpty());
+  EXPECT_TRUE(node->session_at(seat).empty());
+}
+
+// The state that follows a gap makes it whole.
+TEST_F(JournaledSessionTest, ARelaxedSessionGoesOnBehindAGap) {
+  strict = false;
+  start_with("<speak param='One.'/>");
+  say({"hello"});
+  journal->is_full = true;
+  EXPECT_THAT(say({"hello"}), ElementsAre("One."));
+  journal->is_full = false;
+  EXPECT_THAT(say({"hello"}), ElementsAre("One."));
+  EXPECT_GT(history().before, 0u);
+  EXPECT_TRUE(recovered());
 }
 
 } // namespace

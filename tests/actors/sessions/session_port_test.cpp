@@ -50,6 +50,7 @@ protected:
               [](const get_slot&) { return slot_told{}; },
               [](const get_state&) { return state_told{}; },
               [self](const end_session&) { self->quit(); },
+              [](const record_written&) {},
               [](const leave&) {},
               no_status,
           };

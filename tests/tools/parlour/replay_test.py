@@ -119,12 +119,54 @@ class Replay(ProgramCase):
         self.assertIn("its scripts have changed", again.stderr)
 
     def test_says_what_is_no_journal(self):
-        self.write("kept", "a letter")
+        self.write("kept/000001.journal", "a letter")
         self.assertEqual(self.replay().returncode, 1)
-        self.assertIn("no journal", self.replay().stderr)
+        self.assertIn("no part of a journal", self.replay().stderr)
+        run = self.run_of("tea")
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertIn("no part of a journal", run.stderr)
+
+    def test_a_folder_that_cannot_be(self):
+        self.write("kept", "a letter")
         run = self.run_of("tea")
         self.assertEqual(run.returncode, 1)
-        self.assertIn("no journal", run.stderr)
+        self.assertIn("cannot be opened", run.stderr)
+
+    def begin_run(self, *options):
+        return self.begin(
+            "run", "app", "--text", "--data", "data", "--journal", "kept",
+            *options, cwd=self.folder, stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+
+    def say(self, running, line):
+        running.stdin.write(line + "\n")
+        running.stdin.flush()
+        return running.stdout.readline().strip()
+
+    def test_goes_on_where_it_was_killed(self):
+        running = self.begin_run("--strict")
+        self.assertEqual(running.stdout.readline(), "Good morning.\n")
+        self.assertEqual(self.say(running, "open the safe"), "Which code?")
+        running.send_signal(signal.SIGKILL)
+        running.wait()
+        again = self.begin_run("--strict")
+        # What was asked last is asked again, and what is said is its answer.
+        self.assertEqual(again.stdout.readline(), "Which code?\n")
+        self.assertEqual(self.say(again, "4711"), "I try 4711.")
+        again.stdin.close()
+        again.wait()
+        self.assertIn("the conversation goes on", again.stderr.read())
+        whole = self.replay()
+        self.assertIn("1 of 1 sessions are the same", whole.stdout)
+        # It ended, so that the next run begins anew.
+        self.assertIn("Good morning.", self.run_of("tea").stdout)
+
+    def test_strict_needs_a_journal(self):
+        run = subprocess.run([PROGRAM, "run", "app", "--strict"],
+                             cwd=self.folder, capture_output=True, text=True,
+                             timeout=120, check=False)
+        self.assertEqual(run.returncode, 2)
+        self.assertIn("--journal", run.stderr)
 
 
 if __name__ == "__main__":

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "adapters/files/data_files.hpp"
-#include "adapters/journal/journal_file.hpp"
 #include "adapters/network/tcp_sockets.hpp"
 #include "script/run/phrase_evaluator.hpp"
 #include "tools/parlour/application/module_names.hpp"
@@ -106,17 +105,6 @@ actors::NodeOptions node_options(const Application& application,
   // Network input arrives in real time, so virtual time has no sockets.
   if (!wishes.virtual_start)
     options.sockets = std::make_shared<adapters::TcpSockets>();
-  return options;
-}
-
-Expected<actors::NodeOptions> with_journal(actors::NodeOptions options,
-                                           const std::string& file) {
-  if (file.empty())
-    return options;
-  auto journal = adapters::JournalFile::open(file, options.log);
-  if (!journal)
-    return tl::make_unexpected(journal.error());
-  options.journal = std::move(*journal);
   return options;
 }
 

@@ -30,10 +30,4 @@ actors::NodeOptions node_options(const Application& application,
                                  const Composition& composition,
                                  const RunWishes& wishes);
 
-// The same with a journal: what enters the sessions is kept in this file; an
-// empty name: nowhere. What goes wrong with it later is told by the options'
-// `log`.
-Expected<actors::NodeOptions> with_journal(actors::NodeOptions options,
-                                           const std::string& file);
-
 } // namespace parlour::tools

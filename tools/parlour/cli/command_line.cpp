@@ -140,9 +140,9 @@ private:
       return run_command(places_, run_, console_);
     });
     add_app(command, run_.app, app_sentence);
-    add_run_flags(*command, run_);
     add_clock(*command, run_.clock,
               "Virtual time from here; an empty line steps to the next timer");
+    add_run_flags(*command, run_);
   }
 
   void add_status() {

@@ -77,8 +77,10 @@ struct RunOptions {
   std::optional<Timestamp> clock; // virtual time starts here
   // Seed for everything random; without one, each run differs.
   std::optional<std::uint64_t> seed;
-  std::string data;    // data folder; empty: the default
-  std::string journal; // where what enters the sessions is kept; empty: nowhere
+  std::string data; // data folder; empty: the default
+  // The folder where what enters the sessions is kept; empty: nowhere.
+  std::string journal;
+  bool strict = false; // nothing leaves a session before its journal has it
 };
 int run_command(const Places& places, const RunOptions& options,
                 const Console& console);
@@ -87,7 +89,7 @@ int run_command(const Places& places, const RunOptions& options,
 // at which input one differs (docs/running.md).
 struct ReplayOptions {
   std::string app;
-  std::string journal;              // a file of `parlour run --journal`
+  std::string journal;              // a folder of `parlour run --journal`
   std::string session;              // empty: all
   std::optional<std::size_t> until; // so many inputs; nothing: all
   bool trace = false;

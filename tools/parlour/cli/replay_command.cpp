@@ -3,26 +3,35 @@
 
 #include <fmt/format.h>
 
-#include "adapters/journal/journal_format.hpp"
-#include "runtime/base/file_bytes.hpp"
 #include "script/run/phrase_evaluator.hpp"
 #include "tools/parlour/application/opening.hpp"
 #include "tools/parlour/cli/commands.hpp"
 #include "tools/parlour/console/exit_code.hpp"
+#include "tools/parlour/journal/journal_sessions.hpp"
 #include "tools/parlour/journal/session_replay.hpp"
 
 namespace parlour::tools {
 
 namespace {
 
-// True: all that was asked for was repeated, and was the same.
-bool tell(const ReplayOutcome& outcome, const ReplayOptions& options,
-          const Console& console) {
-  if (outcome.torn > 0)
+void tell_damage(const JournalSessions& journal, const ReplayOptions& options,
+                 const Console& console) {
+  if (journal.torn > 0)
     say_warning(console,
                 fmt::format("{}: the last record was not finished; its {} "
                             "bytes are left out",
-                            options.journal, outcome.torn));
+                            options.journal, journal.torn));
+  for (const auto& damage : journal.damages)
+    say_error(console, options.journal + "/" + damage);
+  if (!journal.broken.empty())
+    say_error(console, fmt::format("{} sessions cannot be repeated, as some of "
+                                   "their records cannot be read",
+                                   journal.broken.size()));
+}
+
+// True: all that was asked for was repeated, and was the same.
+bool tell(const ReplayOutcome& outcome, const ReplayOptions& options,
+          const Console& console) {
   if (outcome.others > 0)
     say_error(console,
               fmt::format("{} sessions were held with another state of {} and "
@@ -50,23 +59,21 @@ int replay_command(const Places& places, const ReplayOptions& options,
   if (const auto* status = std::get_if<int>(&opened))
     return *status;
   const auto& application = std::get<Application>(opened);
-  const auto bytes =
-      read_file(places.working / options.journal, adapters::max_journal_bytes);
-  if (!bytes) {
-    say_error(console, to_string(bytes.error()));
+  const auto journal = read_sessions(places.working / options.journal,
+                                     dialogue::HistoryFrom::beginning);
+  if (!journal) {
+    say_error(console, to_string(journal.error()));
     return exit_code::usage;
   }
+  tell_damage(*journal, options, console);
   const auto outcome = replay_sessions(
-      *bytes, application.program,
+      journal->sessions, application.program,
       script::make_phrase_evaluator(application.program),
       {options.session, options.until, options.trace},
       [&](const std::string& line) { console.out << line << '\n'; });
-  if (!outcome) {
-    say_error(console, options.journal + ": " + outcome.error().message);
-    return exit_code::wrong;
-  }
-  return tell(*outcome, options, console) ? exit_code::success
-                                          : exit_code::wrong;
+  const bool all_same = tell(outcome, options, console);
+  return all_same && journal->damages.empty() ? exit_code::success
+                                              : exit_code::wrong;
 }
 
 } // namespace parlour::tools

@@ -6,8 +6,6 @@
 // log(). docs/running.md says how a run ends.
 #include <atomic>
 #include <cstdio>
-#include <fstream>
-#include <mutex>
 #include <ostream>
 
 #include <fmt/format.h>
@@ -23,9 +21,11 @@
 #include "tools/parlour/cli/commands.hpp"
 #include "tools/parlour/console/descriptor_source.hpp"
 #include "tools/parlour/console/exit_code.hpp"
+#include "tools/parlour/console/notes.hpp"
 #include "tools/parlour/console/printer.hpp"
 #include "tools/parlour/console/signal_watch.hpp"
 #include "tools/parlour/console/terminal_mode.hpp"
+#include "tools/parlour/journal/journaled_node.hpp"
 #include "tools/parlour/status/runtime_folder.hpp"
 #include "tools/parlour/status/status_report.hpp"
 #include "tools/parlour/status/status_server.hpp"
@@ -38,30 +38,6 @@
 namespace parlour::tools {
 
 namespace {
-
-// Lines about the conversation for standard error or the log file. Safe to call
-// from any thread.
-class Notes {
-public:
-  Notes(const Console& console, Printer& printer, std::filesystem::path log)
-      : console_(console), printer_(printer), log_(std::move(log)) {}
-  // Shows a line on standard error.
-  void show(const std::string& text) {
-    printer_.err(coloured(console_, grey, text));
-  }
-  // Appends a line to the log file, where showing it would disturb a
-  // conversation on a terminal.
-  void keep(const std::string& text) {
-    std::lock_guard lock(mutex_);
-    std::ofstream(log_, std::ios::app) << text << std::endl;
-  }
-
-private:
-  std::mutex mutex_; // guards the log file
-  const Console& console_;
-  Printer& printer_;
-  std::filesystem::path log_;
-};
 
 // --fresh: renames the databases of the SQLite components, so that they are
 // made anew from schema and seed. A server's database is never dropped.
@@ -137,8 +113,14 @@ public:
     if (tap_)
       notes_.show("taps connect at " + tap_->address());
     progress(voice_.line());
-    auto node = with_journal(options(std::move(*agents)), options_.journal)
-                    .and_then(actors::Node::start);
+    auto journaled = with_journal(options(std::move(*agents)),
+                                  {options_.journal, options_.strict});
+    if (!journaled)
+      return give_up(journaled.error());
+    for (const auto& notice : journaled->recovered.notices)
+      note(notice);
+    left_ = std::move(journaled->recovered.sessions);
+    auto node = actors::Node::start(std::move(journaled->options));
     if (!node)
       return give_up(node.error());
     // Ctrl-C ends every wait of the node, and nobody waits for the reader any
@@ -305,9 +287,22 @@ private:
                                                         : asked_for;
   }
 
+  // The conversation that a run before has left, if it was killed: there is one
+  // seat here, so that the last one goes on.
+  std::optional<dialogue::SavedSession> last_left() {
+    if (left_.empty())
+      return std::nullopt;
+    if (left_.size() > 1)
+      note(fmt::format("{} more conversations of the journal do not go on: "
+                       "this run has one seat",
+                       left_.size() - 1));
+    note("the conversation goes on that the run before has left");
+    return std::move(left_.back());
+  }
+
   // Piped input: rows of turns (row_reader.hpp), output by the printer.
   void talk_by_lines(actors::Node& node) {
-    PacedDriver driver(node, options_.clock.has_value(), printer_);
+    PacedDriver driver(node, options_.clock.has_value(), printer_, last_left());
     if (key_)
       note("a key begins your turn and ends it: " +
            option_value(key_->options, key_->factory.description.options,
@@ -332,8 +327,9 @@ private:
                   });
     screen_ = &screen;
     printer_.status("");
-    NodeDriver driver(node, options_.clock.has_value(),
-                      [&](const std::string& text) { screen.say(text); });
+    NodeDriver driver(
+        node, options_.clock.has_value(),
+        [&](const std::string& text) { screen.say(text); }, last_left());
     tools::talk_on_terminal(driver, screen);
     // Stop first, then flush: the farewell of an ending session is shown, too.
     end(node);
@@ -353,10 +349,11 @@ private:
   VoiceProgress voice_;
   const ChosenComponent* key_; // of the terminal; null: there is none
   std::unique_ptr<adapters::agents::MessageTap> tap_; // null: nobody taps
-  std::atomic<Screen*> screen_ = nullptr; // set while a terminal is used
-  std::unique_ptr<StatusServer> status_;  // null: it cannot be asked
-  int ended_ = exit_code::success;        // exit status, from a signal
-  bool has_stopped_ = true;               // whether node.stop() succeeded
+  std::vector<dialogue::SavedSession> left_; // by a run that was killed
+  std::atomic<Screen*> screen_ = nullptr;    // set while a terminal is used
+  std::unique_ptr<StatusServer> status_;     // null: it cannot be asked
+  int ended_ = exit_code::success;           // exit status, from a signal
+  bool has_stopped_ = true;                  // whether node.stop() succeeded
 };
 
 } // namespace

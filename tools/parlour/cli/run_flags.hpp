@@ -82,12 +82,19 @@ inline void add_run_flags(CLI::App& command, RunOptions& options) {
       .add_option("--taps", options.taps,
                   "Where `parlour tap` listens to all messages, on this host")
       ->type_name("HOST:PORT");
+  auto* journal =
+      command
+          .add_option("--journal", options.journal,
+                      "Keep all that enters the conversations, also what is "
+                      "private: a run that is killed goes on, and `parlour "
+                      "replay` repeats them")
+          ->check(check_named)
+          ->type_name("FOLDER");
   command
-      .add_option("--journal", options.journal,
-                  "Keep all that enters the conversations, for `parlour "
-                  "replay`; also what is private")
-      ->check(check_named)
-      ->type_name("FILE");
+      .add_flag("--strict", options.strict,
+                "Say and do nothing before it is in the journal, on the disk")
+      ->needs(journal)
+      ->excludes(command.get_option("--clock"));
   command
       .add_option("--data", options.data, "Folder of its database and files")
       ->check(check_named);
@@ -108,7 +115,7 @@ inline void add_check_flags(CLI::App& command, CheckOptions& options) {
 inline void add_replay_flags(CLI::App& command, ReplayOptions& options) {
   command
       .add_option("JOURNAL", options.journal,
-                  "A file that `parlour run --journal` has written")
+                  "A folder that `parlour run --journal` has written")
       ->required();
   command.add_option("SESSION", options.session, "Its id; else all");
   add_number<std::size_t>(&command, "--until",

@@ -1,16 +1,13 @@
 #include "tools/parlour/journal/session_replay.hpp"
 
 #include <algorithm>
-#include <map>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
-#include "adapters/journal/journal_format.hpp"
 #include "runtime/message/masking.hpp"
 #include "script/dialogue/inputs/replay.hpp"
-#include "script/dialogue/inputs/session_record.hpp"
 #include "script/vm/program_identity.hpp"
 #include "tools/parlour/talk/trace.hpp"
 
@@ -19,57 +16,27 @@ namespace parlour::tools {
 namespace {
 
 using dialogue::InputTaken;
-using dialogue::SessionOpened;
-using dialogue::SessionRecord;
+using dialogue::SessionHistory;
 
-// The records of one session, which views the journal.
-struct Kept {
-  SessionId id;
-  SessionOpened opened;
-  std::vector<InputTaken> taken;
-};
-
-// In the order in which the sessions were opened. An id may come twice, where
-// a run with the same seed went on with the same file.
-struct Journaled {
-  std::vector<Kept> sessions;
-  std::size_t torn = 0;
-  std::optional<Error> damage;
-};
-
-Journaled read_sessions(adapters::JournalReader reader) {
-  Journaled all;
-  std::map<SessionId, std::size_t> place;
-  while (const auto bytes = reader.next()) {
-    auto record =
-        *bytes ? dialogue::read_record(**bytes)
-               : Expected<SessionRecord>(tl::make_unexpected(bytes->error()));
-    if (!record) {
-      all.damage = record.error();
-      return all;
-    }
-    if (const auto* opened = std::get_if<SessionOpened>(&record->what)) {
-      place[record->session] = all.sessions.size();
-      all.sessions.push_back({record->session, *opened, {}});
-    } else if (const auto found = place.find(record->session);
-               found != place.end()) {
-      all.sessions[found->second].taken.push_back(
-          std::get<InputTaken>(std::move(record->what)));
-    }
-  }
-  all.torn = reader.torn_bytes();
-  return all;
+Expected<std::unique_ptr<dialogue::Replay>>
+replay_of(const SessionHistory& history,
+          const std::shared_ptr<const script::Program>& program,
+          const std::shared_ptr<const PhraseEvaluator>& phrases) {
+  dialogue::Conversation::Options options{history.id, history.opened.seed,
+                                          phrases};
+  if (history.state.empty())
+    return std::make_unique<dialogue::Replay>(program, std::move(options));
+  return dialogue::Replay::from(program, std::move(options), history.state);
 }
 
 class SessionReplay {
 public:
-  SessionReplay(const Kept& kept,
+  SessionReplay(const SessionHistory& kept, dialogue::Replay& replay,
                 const std::shared_ptr<const script::Program>& program,
-                const std::shared_ptr<const PhraseEvaluator>& phrases,
                 const ReplayWishes& wishes,
                 const std::function<void(const std::string&)>& print)
-      : kept_(kept), program_(program), wishes_(wishes), print_(print),
-        replay_(program, {kept.id, kept.opened.seed, phrases}) {
+      : kept_(kept), replay_(replay), program_(program), wishes_(wishes),
+        print_(print) {
     auto& port = replay_.port();
     port.on_output = [this](const dialogue::Output& output) {
       lines_.push_back("P: " + as_one_line(output.text));
@@ -88,13 +55,16 @@ public:
   // Whether it was the same.
   bool run() {
     const auto count =
-        std::min(kept_.taken.size(), wishes_.until.value_or(~std::size_t{0}));
-    print_(fmt::format("session {}, {} inputs", kept_.id, kept_.taken.size()));
+        std::min(kept_.inputs.size(), wishes_.until.value_or(~std::size_t{0}));
+    print_(fmt::format("session {}, {} inputs", kept_.id, kept_.inputs.size()));
+    if (kept_.before > 0)
+      print_(fmt::format("    its first {} inputs are not kept any more",
+                         kept_.before));
     for (std::size_t i = 0; i < count; ++i, ++inputs_)
-      if (const auto same = take(kept_.taken[i]); !same) {
+      if (const auto same = take(kept_.inputs[i]); !same) {
         show();
-        print_(fmt::format("input {} differs from what was kept: {}", i + 1,
-                           same.error().message));
+        print_(fmt::format("input {} differs from what was kept: {}",
+                           kept_.before + i + 1, same.error().message));
         return false;
       }
     show();
@@ -153,11 +123,11 @@ private:
     return !conversation.has_work() && !conversation.waits_for_answer();
   }
 
-  const Kept& kept_;
+  const SessionHistory& kept_;
+  dialogue::Replay& replay_;
   const std::shared_ptr<const script::Program>& program_;
   const ReplayWishes& wishes_;
   const std::function<void(const std::string&)>& print_;
-  dialogue::Replay replay_;
   Secrets secrets_;
   bool hides_turn_ = false;        // what the user has just said
   std::vector<std::string> lines_; // not shown yet
@@ -167,32 +137,31 @@ private:
 
 } // namespace
 
-Expected<ReplayOutcome>
-replay_sessions(std::string_view bytes,
+ReplayOutcome
+replay_sessions(const std::vector<dialogue::SessionHistory>& sessions,
                 const std::shared_ptr<const script::Program>& program,
                 const std::shared_ptr<const PhraseEvaluator>& phrases,
                 const ReplayWishes& wishes,
                 const std::function<void(const std::string&)>& print) {
-  auto reader = adapters::JournalReader::over(bytes);
-  if (!reader)
-    return tl::make_unexpected(reader.error());
-  const auto all = read_sessions(*std::move(reader));
   ReplayOutcome outcome;
-  outcome.torn = all.torn;
-  for (const auto& kept : all.sessions) {
+  for (const auto& kept : sessions) {
     if (!wishes.session.empty() && kept.id != wishes.session)
       continue;
     if (kept.opened.program != script::identity_of(*program)) {
       ++outcome.others;
       continue;
     }
-    SessionReplay replay(kept, program, phrases, wishes, print);
-    outcome.differ += !replay.run();
-    outcome.inputs += replay.inputs();
     ++outcome.sessions;
+    const auto replay = replay_of(kept, program, phrases);
+    if (!replay) {
+      print(fmt::format("session {}: {}", kept.id, replay.error().message));
+      ++outcome.differ;
+      continue;
+    }
+    SessionReplay session(kept, **replay, program, wishes, print);
+    outcome.differ += !session.run();
+    outcome.inputs += session.inputs();
   }
-  if (all.damage)
-    return tl::make_unexpected(*all.damage);
   return outcome;
 }
 

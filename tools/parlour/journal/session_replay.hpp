@@ -7,10 +7,10 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <string_view>
+#include <vector>
 
-#include "runtime/base/error.hpp"
 #include "runtime/message/phrases.hpp"
+#include "script/dialogue/inputs/session_history.hpp"
 #include "script/program/program.hpp"
 
 namespace parlour::tools {
@@ -26,14 +26,11 @@ struct ReplayOutcome {
   std::size_t inputs = 0;   // of all of them
   std::size_t differ = 0;   // sessions that were not the same
   std::size_t others = 0;   // sessions of another program, left out
-  std::size_t torn = 0;     // bytes of a last record that was not finished
 };
 
-// `bytes` are a journal's; `print` gets each line. What is private is shown as
-// *** (engine rule 7.6). An error, of kind File, tells of a damaged journal;
-// what stands before the damage has been printed.
-Expected<ReplayOutcome>
-replay_sessions(std::string_view bytes,
+// `print` gets each line. What is private is shown as *** (engine rule 7.6).
+ReplayOutcome
+replay_sessions(const std::vector<dialogue::SessionHistory>& sessions,
                 const std::shared_ptr<const script::Program>& program,
                 const std::shared_ptr<const PhraseEvaluator>& phrases,
                 const ReplayWishes& wishes,

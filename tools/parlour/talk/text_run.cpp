@@ -8,7 +8,8 @@
 namespace parlour::tools {
 
 NodeDriver::NodeDriver(actors::Node& node, bool is_virtual,
-                       std::function<void(const std::string&)> say)
+                       std::function<void(const std::string&)> say,
+                       std::optional<dialogue::SavedSession> left)
     : node_(node), virtual_(is_virtual) {
   seat_ =
       node.open_seat({[this, say = std::move(say)](
@@ -17,7 +18,8 @@ NodeDriver::NodeDriver(actors::Node& node, bool is_virtual,
                         say(as_one_line(output.text));
                       },
                       {}});
-  node.open(seat_);
+  if (!left || node.go_on(seat_, *std::move(left)).empty())
+    node.open(seat_);
 }
 
 // Steps from one due time to the next, until the robot has said something or

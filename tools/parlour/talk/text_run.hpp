@@ -4,6 +4,8 @@
 
 #include <atomic>
 #include <functional>
+#include <optional>
+#include <utility>
 
 #include "actors/node/node.hpp"
 #include "tools/parlour/console/printer.hpp"
@@ -40,9 +42,11 @@ class NodeDriver : public ConversationDriver {
 public:
   // `say` gets each output as one line. It is called like
   // SeatCallbacks::on_output (from threads of the node in real time), until the
-  // node has stopped. The node must outlive the driver.
+  // node has stopped. The node must outlive the driver. With `left` that
+  // conversation goes on.
   NodeDriver(actors::Node& node, bool is_virtual,
-             std::function<void(const std::string&)> say);
+             std::function<void(const std::string&)> say,
+             std::optional<dialogue::SavedSession> left = {});
 
   void enter(const std::vector<std::string>& turns) override {
     node_.enter(seat_, turns);
@@ -66,9 +70,12 @@ private:
 // talks without end would fill the memory when the reader is slow.
 class PacedDriver : public NodeDriver {
 public:
-  PacedDriver(actors::Node& node, bool is_virtual, Printer& printer)
-      : NodeDriver(node, is_virtual,
-                   [&printer](const std::string& text) { printer.out(text); }),
+  PacedDriver(actors::Node& node, bool is_virtual, Printer& printer,
+              std::optional<dialogue::SavedSession> left = {})
+      : NodeDriver(
+            node, is_virtual,
+            [&printer](const std::string& text) { printer.out(text); },
+            std::move(left)),
         printer_(printer) {}
 
   void enter(const std::vector<std::string>& turns) override {

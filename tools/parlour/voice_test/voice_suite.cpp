@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "tools/parlour/conversation_test/in_parallel.hpp"
+#include "tools/parlour/console/in_parallel.hpp"
 #include "tools/parlour/voice_test/read_aloud.hpp"
 
 namespace parlour::tools {

@@ -32,8 +32,9 @@ TEST_F(CommandTest, line_has_help_version_and_completion) {
   EXPECT_EQ(call({"completion", "bash"}), exit_code::success);
   EXPECT_THAT(out_.str(),
               HasSubstr("'check') words=\"--help --plugins --json --fix"));
-  EXPECT_THAT(out_.str(),
-              HasSubstr("'run') words=\"--help --plugins --text --fresh"));
+  EXPECT_THAT(
+      out_.str(),
+      HasSubstr("'run') words=\"--help --plugins --clock --text --fresh"));
 }
 
 } // namespace

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tools/parlour/conversation_test/in_parallel.hpp"
+#include "tools/parlour/console/in_parallel.hpp"
 
 namespace parlour::tools {
 namespace {

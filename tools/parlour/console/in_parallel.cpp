@@ -1,4 +1,4 @@
-#include "tools/parlour/conversation_test/in_parallel.hpp"
+#include "tools/parlour/console/in_parallel.hpp"
 
 #include <algorithm>
 #include <atomic>

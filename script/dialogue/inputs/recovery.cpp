@@ -1,0 +1,104 @@
+#include "script/dialogue/inputs/recovery.hpp"
+
+#include <utility>
+
+#include "script/dialogue/inputs/replay.hpp"
+#include "script/vm/program_identity.hpp"
+
+namespace parlour::dialogue {
+
+namespace {
+
+using Program = std::shared_ptr<const script::Program>;
+
+class Recovered {
+public:
+  Recovered(const SessionHistory& history, Replay& replay)
+      : history_(history), replay_(replay), input_(history.before) {
+    auto& port = replay_.port();
+    port.on_output = [this](const Output& output) {
+      said_.push_back(output.text);
+    };
+    // Without a strict journal what was posted had left before it was kept.
+    if (history.opened.strict)
+      port.on_post = [this](const Message& message) {
+        if (input_ > history_.posted)
+          posts_.push_back(message);
+      };
+  }
+
+  Expected<void> take(const Program& program, const InputTaken& taken) {
+    auto input = read_input(program, taken.input);
+    if (!input)
+      return tl::make_unexpected(std::move(input.error()));
+    auto answers = read_answers(program, taken.answers);
+    if (!answers)
+      return tl::make_unexpected(std::move(answers.error()));
+    ++input_;
+    if (is_turn(input->what))
+      said_.clear();
+    return replay_.take(std::move(*input), std::move(*answers));
+  }
+
+  std::uint64_t input() const {
+    return input_;
+  }
+
+  // The outcome of a request is in doubt, and it is not asked again.
+  SavedSession saved() {
+    const auto& conversation = replay_.conversation();
+    std::erase_if(posts_, [&](const Message& message) {
+      return conversation.awaits_reply(message.correlation);
+    });
+    return {history_.id,         history_.opened.seed, input_,
+            conversation.save(), std::move(posts_),    std::move(said_)};
+  }
+
+private:
+  static bool is_turn(const SessionInput& what) {
+    const auto* got = std::get_if<input::Received>(&what);
+    return got && got->message->command == "RecognitionResult";
+  }
+
+  const SessionHistory& history_;
+  Replay& replay_;
+  std::uint64_t input_;
+  std::vector<Message> posts_;
+  std::vector<std::string> said_;
+};
+
+Expected<std::unique_ptr<Replay>>
+replay_of(const Program& program,
+          const std::shared_ptr<const PhraseEvaluator>& phrases,
+          const SessionHistory& history) {
+  Conversation::Options options{history.id, history.opened.seed, phrases};
+  if (history.state.empty())
+    return std::make_unique<Replay>(program, std::move(options));
+  return Replay::from(program, std::move(options), history.state);
+}
+
+} // namespace
+
+Expected<std::unique_ptr<SavedSession>>
+recover(const Program& program,
+        const std::shared_ptr<const PhraseEvaluator>& phrases,
+        const SessionHistory& history) {
+  if (history.closed)
+    return nullptr;
+  if (history.opened.program != script::identity_of(*program))
+    return fail(ErrorKind::file, "it was held with other scripts");
+  auto replay = replay_of(program, phrases, history);
+  if (!replay)
+    return tl::make_unexpected(std::move(replay.error()));
+  Recovered recovered(history, **replay);
+  for (const auto& input : history.inputs)
+    if (auto taken = recovered.take(program, input); !taken)
+      return fail(ErrorKind::file, "input " +
+                                       std::to_string(recovered.input()) +
+                                       ": " + taken.error().message);
+  if ((*replay)->conversation().ended())
+    return nullptr;
+  return std::make_unique<SavedSession>(recovered.saved());
+}
+
+} // namespace parlour::dialogue

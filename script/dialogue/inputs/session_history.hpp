@@ -1,0 +1,38 @@
+// SessionHistory: what a journal has of one session, from its beginning or from
+// a state that was kept.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "script/dialogue/inputs/session_record.hpp"
+
+namespace parlour::dialogue {
+
+struct SessionHistory {
+  SessionId id;
+  SessionOpened opened;
+  std::string state;        // where it begins; empty: with the session
+  std::uint64_t before = 0; // inputs that were taken before that state
+  std::vector<InputTaken> inputs;
+  std::uint64_t posted = 0; // EffectsDone
+  bool closed = false;
+
+  // How many inputs the session has taken.
+  std::uint64_t count() const {
+    return before + inputs.size();
+  }
+};
+
+// From which records a history is made.
+enum class HistoryFrom : std::uint8_t {
+  beginning,  // all that there is
+  last_state, // no more than is needed to go on
+};
+
+// Takes the next record of this session. False where it does not follow what
+// came before, because a record is missing.
+bool take(SessionHistory& history, SessionRecord record, HistoryFrom from);
+
+} // namespace parlour::dialogue

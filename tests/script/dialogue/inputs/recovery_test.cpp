@@ -1,0 +1,114 @@
+// Whole sessions that a crash has left are in tests/actors/sessions and
+// tests/tools/parlour.
+#include <gmock/gmock.h>
+
+#include "script/dialogue/inputs/recording_port.hpp"
+#include "script/dialogue/inputs/recovery.hpp"
+#include "script/dialogue/inputs/replay.hpp"
+#include "script/vm/program_identity.hpp"
+#include "tests/script/dialogue/conversation_world.hpp"
+
+namespace parlour::dialogue {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+constexpr const char* bell = R"xml(
+  <state name="S"><Entrance><speak param="Good morning."/>
+    <post module="Bell" command="Ring" param=""/></Entrance></state>
+  )xml";
+
+// The history of a conversation, as a journal would have it.
+struct Kept : World {
+  SessionHistory history;
+
+  static WorldOptions options() {
+    WorldOptions options;
+    options.start = "S";
+    options.open = false;
+    return options;
+  }
+  Kept() : World(bell, options()) {
+    repeats = false; // the port is another one
+    history.id = "s1";
+    history.opened = {script::identity_of(*program), 1, true};
+    conversation = std::make_unique<Conversation>(
+        program, ConversationOptions{"s1", 1, nullptr}, port);
+    World::open();
+  }
+  void take(SessionInput input) override {
+    auto bytes = to_bytes(*program, {now, input});
+    Surroundings::take(std::move(input));
+    history.inputs.push_back(
+        {std::move(bytes), to_bytes(*program, port.take_answers())});
+  }
+  Expected<std::unique_ptr<SavedSession>> recovered() const {
+    return recover(program, nullptr, history);
+  }
+
+private:
+  // It is not put aside: what is noted here is of one port.
+  void before_move() override {}
+
+  RecordingPort port{*this};
+};
+
+TEST(Recovery, BringsBackWhatWas) {
+  Kept kept;
+  const auto saved = kept.recovered().value();
+  EXPECT_EQ(saved->id, "s1");
+  EXPECT_EQ(saved->inputs, kept.history.inputs.size());
+  EXPECT_EQ(saved->state, kept.conversation->save());
+  EXPECT_THAT(saved->said, ElementsAre("Good morning."));
+}
+
+TEST(Recovery, GoesOnFromAState) {
+  Kept kept;
+  kept.history.state = kept.conversation->save();
+  kept.history.before = kept.history.inputs.size();
+  kept.history.inputs.clear();
+  EXPECT_EQ(kept.recovered().value()->state, kept.conversation->save());
+}
+
+// What may not have left is posted again; without a strict journal it had.
+TEST(Recovery, KnowsWhatMayNotHaveLeft) {
+  Kept kept;
+  EXPECT_THAT(kept.recovered().value()->posts, SizeIs(1));
+  kept.history.posted = kept.history.inputs.size();
+  EXPECT_THAT(kept.recovered().value()->posts, IsEmpty());
+  kept.history.posted = 0;
+  kept.history.opened.strict = false;
+  EXPECT_THAT(kept.recovered().value()->posts, IsEmpty());
+}
+
+TEST(Recovery, WhatHasEndedStaysEnded) {
+  Kept kept;
+  kept.take(input::Closed());
+  EXPECT_EQ(kept.recovered().value(), nullptr);
+  kept.history.closed = true;
+  EXPECT_EQ(kept.recovered().value(), nullptr);
+}
+
+TEST(Recovery, RefusesWhatIsNotTheSame) {
+  Kept kept;
+  auto other = kept.history;
+  other.opened.program ^= 1;
+  EXPECT_THAT(recover(kept.program, nullptr, other).error().message,
+              HasSubstr("other scripts"));
+  other = kept.history;
+  other.state = "x";
+  EXPECT_FALSE(recover(kept.program, nullptr, other));
+  other = kept.history;
+  other.opened.seed = 2;
+  other.inputs.front().answers = to_bytes(*kept.program, PortAnswers{});
+  EXPECT_THAT(recover(kept.program, nullptr, other).error().message,
+              HasSubstr("input 1: "));
+  other.inputs.front().input.pop_back();
+  EXPECT_FALSE(recover(kept.program, nullptr, other));
+}
+
+} // namespace
+} // namespace parlour::dialogue

@@ -36,7 +36,8 @@ PICTURES = {"text", "vim", "python"}
 # Commands of other programs, or ones that change the machine.
 OTHERS = ("trang ", "git clone ", "tools/run", "tools/test", "tools/install",
           "export ", "parlour status", "parlour agent", "python3 tools/",
-          "parlour tap", "parlour replay", "parlour run butler", "parlour devices")
+          "parlour tap", "parlour replay", "parlour journal", "parlour run butler",
+          "parlour devices")
 
 
 class Pages(PageCase):

@@ -63,7 +63,7 @@ class Replay(ProgramCase):
         again = self.replay()
         self.assertEqual(again.returncode, 0, again.stderr)
         robot = [line[3:] for line in again.stdout.splitlines()
-                 if line.startswith("P: ")]
+                 if line.startswith("R: ")]
         self.assertEqual(robot, said.stdout.splitlines())
         self.assertEqual(len(set(robot)), 3, robot)
         self.assertIn("1 of 1 sessions are the same", again.stdout)
@@ -90,14 +90,14 @@ class Replay(ProgramCase):
         running.stdout.readline()
         # It is written some milliseconds after it was said.
         deadline = time.monotonic() + 60
-        while (f"P: {first}" not in self.replay().stdout and
+        while (f"R: {first}" not in self.replay().stdout and
                time.monotonic() < deadline):
             pass
         running.send_signal(signal.SIGKILL)
         running.wait()
         again = self.replay()
         self.assertEqual(again.returncode, 0, again.stderr)
-        self.assertIn(f"P: {first}", again.stdout)
+        self.assertIn(f"R: {first}", again.stdout)
         self.assertEqual(self.run_of("tea").returncode, 0)
 
     def test_shows_nothing_that_is_private(self):
@@ -160,6 +160,19 @@ class Replay(ProgramCase):
         self.assertIn("1 of 1 sessions are the same", whole.stdout)
         # It ended, so that the next run begins anew.
         self.assertIn("Good morning.", self.run_of("tea").stdout)
+
+    def test_a_conversation_becomes_a_test(self):
+        self.run_of("tea", "tea")
+        made = subprocess.run(
+            [PROGRAM, "journal", "export", "app", "kept"], cwd=self.folder,
+            capture_output=True, text=True, timeout=120, check=False)
+        self.assertEqual(made.returncode, 0, made.stderr)
+        self.write("app/dialogues/real.txt", made.stdout)
+        tested = subprocess.run(
+            [PROGRAM, "test", "--quiet", "app"], cwd=self.folder,
+            capture_output=True, text=True, timeout=120, check=False)
+        self.assertEqual(tested.returncode, 0, tested.stdout + tested.stderr)
+        self.assertIn("1 of 1 conversations passed", tested.stdout)
 
     def test_strict_needs_a_journal(self):
         run = subprocess.run([PROGRAM, "run", "app", "--strict"],

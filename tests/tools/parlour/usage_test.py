@@ -33,8 +33,9 @@ PRINTING = (
     ("test", "app"), ("understand", "app", "hello"))
 # A program of its own, one that waits for a platform, one that asks what runs,
 # one that depends on the machine's sound card (devices_test.py), one that hears
-# (speech_commands_test.py), and one that needs a journal (replay_test.py).
-NOT_TRIED = {"agent", "bench", "devices", "listen", "replay", "status", "tap"}
+# (speech_commands_test.py), and those that need a journal (replay_test.py).
+NOT_TRIED = {"agent", "bench", "devices", "journal", "listen", "replay", "status",
+             "tap"}
 
 # Arguments, status, and what is said about it.
 MISTAKES = (
@@ -77,6 +78,9 @@ MISTAKES = (
     (("run", "app", "--journal", "pipe"), 1,
      "folder cannot be opened: Not a directory"),
     (("replay", "app"), 2, "JOURNAL is required"),
+    (("journal", "list", "nothing"), 2, "nothing: this folder cannot be read"),
+    (("journal", "export", "app"), 2, "JOURNAL is required"),
+    (("journal", "export", "app", ".", "--as", "x"), 2, "--as"),
     (("replay", "app", "nothing"), 2, "nothing: this folder cannot be read"),
     (("replay", "app", "file"), 2, "file: this folder cannot be read"),
     (("check", "file"), 1, "file:1:1: error: there is no element"),

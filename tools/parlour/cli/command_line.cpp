@@ -40,6 +40,7 @@ public:
     app_.footer(exit_code::statuses);
     add_run();
     add_replay();
+    add_journal();
     add_status();
     add_speech();
     add_check();
@@ -260,6 +261,16 @@ private:
     add_replay_flags(*command, replay_);
   }
 
+  void add_journal() { // a group like `plugin`
+    auto* group = app_.add_subcommand("journal", "Look into a journal");
+    group->require_subcommand(1);
+    for (auto& [name, sentence, run] : journal_commands)
+      add_journal_flags(
+          *add(*group, name, sentence,
+               [this, run = run] { return run(places_, journal_, console_); }),
+          name, journal_);
+  }
+
   void add_tap() {
     add_tap_flags(*add("tap", "Print the messages of a running application",
                        [this] { return tap_command(tap_, console_); }),
@@ -284,26 +295,19 @@ private:
         add(*plugin, "new", "Write a new one that builds and passes", [this] {
           return plugin_new_command(places_, new_plugin_, console_);
         });
-    made->add_option("NAME", new_plugin_.name, "Such as EchoTTS")->required();
-    made->add_option("--role", new_plugin_.role, "Such as TTS")->required();
-    made->add_option("--folder", new_plugin_.folder, "Where; else ./NAME")
-        ->check(check_named);
+    add_new_plugin_flags(*made, new_plugin_);
     auto* test =
         add(*plugin, "test", "The conformance test of its roles", [this] {
           return plugin_test_command(places_, test_plugin_, console_);
         });
-    test->add_option("PLUGIN", test_plugin_.plugin, "FILE.so, or a name")
-        ->required();
-    test->add_option("--option", test_plugin_.options,
-                     "NAME=VALUE, as often as there are some");
+    add_test_plugin_flags(*test, test_plugin_);
     add_plugins(test);
   }
 
   void add_keygen() {
     add("keygen", "Make a pair of keys for remote agents",
         [this] { return keygen_command(places_, key_file_, console_); })
-        ->add_option("FILE", key_file_,
-                     "A new file for the secret key; only you may read it")
+        ->add_option("FILE", key_file_, "A new file for the secret key")
         ->required()
         ->check(check_named);
   }
@@ -337,12 +341,7 @@ private:
     auto* command =
         add("help", "Tell of an element, a function, a role or a command",
             [this] { return help(); });
-    command->add_option("NAME", help_.name,
-                        "Such as speak, format, TTS; an attribute, an event, "
-                        "or a word to look for");
-    command->add_option("--page", help_.page, "A page of the reference")
-        ->check(CLI::IsMember(help_pages()))
-        ->group(""); // not shown
+    add_help_flags(*command, help_);
   }
   // Help on the program, on a command, or on a word of the language.
   int help() {
@@ -379,6 +378,7 @@ private:
   AgentOptions agent_;
   TapOptions tap_;
   ReplayOptions replay_;
+  JournalOptions journal_;
   std::string plugin_app_;
   std::string plugin_role_;
   NewPluginOptions new_plugin_;

@@ -6,6 +6,7 @@
 #include "script/run/phrase_evaluator.hpp"
 #include "tools/parlour/application/opening.hpp"
 #include "tools/parlour/cli/commands.hpp"
+#include "tools/parlour/cli/journal_damage.hpp"
 #include "tools/parlour/console/exit_code.hpp"
 #include "tools/parlour/journal/journal_sessions.hpp"
 #include "tools/parlour/journal/session_replay.hpp"
@@ -13,21 +14,6 @@
 namespace parlour::tools {
 
 namespace {
-
-void tell_damage(const JournalSessions& journal, const ReplayOptions& options,
-                 const Console& console) {
-  if (journal.torn > 0)
-    say_warning(console,
-                fmt::format("{}: the last record was not finished; its {} "
-                            "bytes are left out",
-                            options.journal, journal.torn));
-  for (const auto& damage : journal.damages)
-    say_error(console, options.journal + "/" + damage);
-  if (!journal.broken.empty())
-    say_error(console, fmt::format("{} sessions cannot be repeated, as some of "
-                                   "their records cannot be read",
-                                   journal.broken.size()));
-}
 
 // True: all that was asked for was repeated, and was the same.
 bool tell(const ReplayOutcome& outcome, const ReplayOptions& options,
@@ -65,7 +51,7 @@ int replay_command(const Places& places, const ReplayOptions& options,
     say_error(console, to_string(journal.error()));
     return exit_code::usage;
   }
-  tell_damage(*journal, options, console);
+  tell_damage(*journal, options.journal, console);
   const auto outcome = replay_sessions(
       journal->sessions, application.program,
       script::make_phrase_evaluator(application.program),

@@ -1,5 +1,4 @@
-// The options of `parlour run`, `replay`, `status`, `test`, `format` and
-// `devices` that need no reader of their own.
+// The options of commands that need no reader of their own.
 #pragma once
 
 #include <limits>
@@ -8,7 +7,9 @@
 
 #include "tools/parlour/application/voice.hpp"
 #include "tools/parlour/cli/commands.hpp"
+#include "tools/parlour/cli/journal_commands.hpp"
 #include "tools/parlour/cli/number_option.hpp"
+#include "tools/parlour/cli/plugin_commands.hpp"
 
 namespace parlour::tools {
 
@@ -110,6 +111,46 @@ inline void add_check_flags(CLI::App& command, CheckOptions& options) {
                    "kind, name, message, fix}");
   command.add_flag("--fix", options.fix,
                    "Correct in the files what can safely be corrected");
+}
+
+inline void add_journal_flags(CLI::App& command, std::string_view name,
+                              JournalOptions& options) {
+  const bool exports = name == "export";
+  if (exports)
+    command.add_option("APP", options.app, "The application that held them")
+        ->required();
+  command.add_option("JOURNAL", options.journal, "Its folder")->required();
+  if (!exports)
+    return;
+  command.add_option("SESSION", options.session, "Its id; else all");
+  command
+      .add_option("--as", options.as,
+                  "test: for parlour test; transcript; json: an object a line")
+      ->check(CLI::IsMember({"test", "transcript", "json"}));
+}
+
+inline void add_new_plugin_flags(CLI::App& command, NewPluginOptions& options) {
+  command.add_option("NAME", options.name, "Such as EchoTTS")->required();
+  command.add_option("--role", options.role, "Such as TTS")->required();
+  command.add_option("--folder", options.folder, "Where; else ./NAME")
+      ->check(check_named);
+}
+
+inline void add_test_plugin_flags(CLI::App& command,
+                                  TestPluginOptions& options) {
+  command.add_option("PLUGIN", options.plugin, "FILE.so, or a name")
+      ->required();
+  command.add_option("--option", options.options,
+                     "NAME=VALUE, as often as there are some");
+}
+
+inline void add_help_flags(CLI::App& command, HelpOptions& options) {
+  command.add_option("NAME", options.name,
+                     "Such as speak, format, TTS; an attribute, an event, or a "
+                     "word to look for");
+  command.add_option("--page", options.page, "A page of the reference")
+      ->check(CLI::IsMember(help_pages()))
+      ->group(""); // not shown
 }
 
 inline void add_replay_flags(CLI::App& command, ReplayOptions& options) {

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "runtime/message/masking.hpp"
+#include "runtime/message/roles.hpp"
 #include "script/dialogue/inputs/replay.hpp"
 #include "script/vm/program_identity.hpp"
 #include "tools/parlour/talk/trace.hpp"
@@ -36,10 +37,10 @@ public:
                 const ReplayWishes& wishes,
                 const std::function<void(const std::string&)>& print)
       : kept_(kept), replay_(replay), program_(program), wishes_(wishes),
-        print_(print) {
+        print_(print), form_(wishes.form) {
     auto& port = replay_.port();
     port.on_output = [this](const dialogue::Output& output) {
-      lines_.push_back("P: " + as_one_line(output.text));
+      add(form_.robot(place_, output.text));
     };
     port.on_secret = [this](const auto& texts) {
       for (const auto& text : texts)
@@ -56,10 +57,7 @@ public:
   bool run() {
     const auto count =
         std::min(kept_.inputs.size(), wishes_.until.value_or(~std::size_t{0}));
-    print_(fmt::format("session {}, {} inputs", kept_.id, kept_.inputs.size()));
-    if (kept_.before > 0)
-      print_(fmt::format("    its first {} inputs are not kept any more",
-                         kept_.before));
+    place_.input = kept_.before;
     for (std::size_t i = 0; i < count; ++i, ++inputs_)
       if (const auto same = take(kept_.inputs[i]); !same) {
         show();
@@ -77,8 +75,13 @@ public:
 private:
   struct Turn {
     std::size_t line;
+    LinePlace place;
     std::string words;
   };
+
+  void add(const SessionLines::Lines& lines) {
+    lines_.insert(lines_.end(), lines.begin(), lines.end());
+  }
 
   Expected<void> take(const InputTaken& taken) {
     auto input = dialogue::read_input(program_, taken.input);
@@ -87,7 +90,11 @@ private:
     auto answers = dialogue::read_answers(program_, taken.answers);
     if (!answers)
       return tl::make_unexpected(answers.error());
-    note_turn(input->what);
+    if (place_.input == kept_.before)
+      add(form_.heading(kept_, input->now));
+    ++place_.input;
+    place_.now = input->now;
+    note(input->what);
     auto same = replay_.take(*std::move(input), *std::move(answers));
     // Only then is known what of it is private.
     if (is_settled())
@@ -95,13 +102,22 @@ private:
     return same;
   }
 
-  void note_turn(const dialogue::SessionInput& what) {
+  void note(const dialogue::SessionInput& what) {
     const auto* got = std::get_if<dialogue::input::Received>(&what);
-    if (!got || got->message->command != "RecognitionResult" ||
-        got->message->params.empty())
+    if (!got)
+      return add(form_.other(place_, dialogue::name_of(what)));
+    const auto& message = *got->message;
+    if (message.command == "RecognitionResult" && !message.params.empty()) {
+      auto words = to_string(message.params.front());
+      add(form_.user(place_, words));
+      turns_.push_back({lines_.size() - 1, place_, std::move(words)});
       return;
-    turns_.push_back({lines_.size(), to_string(got->message->params.front())});
-    lines_.push_back("U: " + as_one_line(turns_.back().words));
+    }
+    const auto* role = find_role(message.source);
+    if (message.correlation == 0 && !(role && role->reserved))
+      add(form_.event(place_, message));
+    else
+      add(form_.other(place_, dialogue::name_of(what)));
   }
 
   // Where the session has not dealt with a turn yet, nobody knows whether it is
@@ -111,7 +127,7 @@ private:
     for (const auto& turn : turns_)
       if (hides) {
         secrets_.add(turn.words);
-        lines_[turn.line] = "U: ***";
+        lines_[turn.line] = form_.hidden(turn.place);
       }
     turns_.clear();
     for (const auto& line : std::exchange(lines_, {}))
@@ -128,6 +144,8 @@ private:
   const std::shared_ptr<const script::Program>& program_;
   const ReplayWishes& wishes_;
   const std::function<void(const std::string&)>& print_;
+  SessionLines form_;
+  LinePlace place_; // the input that is taken
   Secrets secrets_;
   bool hides_turn_ = false;        // what the user has just said
   std::vector<std::string> lines_; // not shown yet

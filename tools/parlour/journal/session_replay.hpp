@@ -12,6 +12,7 @@
 #include "runtime/message/phrases.hpp"
 #include "script/dialogue/inputs/session_history.hpp"
 #include "script/program/program.hpp"
+#include "tools/parlour/journal/session_lines.hpp"
 
 namespace parlour::tools {
 
@@ -19,6 +20,7 @@ struct ReplayWishes {
   std::string session;              // empty: all
   std::optional<std::size_t> until; // inputs of each; nothing: all
   bool trace = false;               // also messages, topics and slots
+  LineForm form = LineForm::transcript;
 };
 
 struct ReplayOutcome {

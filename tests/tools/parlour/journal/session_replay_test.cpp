@@ -70,7 +70,7 @@ TEST_F(SessionReplayTest, SaysAllThatWasSaid) {
   EXPECT_EQ(outcome.differ, 0u);
   std::vector<std::string> again;
   for (const auto& line : lines)
-    if (line.starts_with("P: "))
+    if (line.starts_with("R: "))
       again.push_back(line.substr(3));
   EXPECT_EQ(again, said);
   EXPECT_THAT(lines, testing::Contains("U: hello"));

@@ -18,13 +18,28 @@ TEST(Asking, SeveralCandidatesAreAChoice) {
             Texts{"[confirm Meeting.Host {value: Bob Lee, type: set}]"});
 }
 
+// A handler takes its words and says nothing: silence still leads somewhere.
 TEST(Asking, AQuestionWithoutWordsCountsAsAsked) {
-  World world(R"xml(<topic name="T"><slot name="S" type="Functional"
-    question="{this.S ? 'never' : ''}"/></topic>)xml");
+  World world(R"xml(
+    <topic name="T"><slot name="S" type="Functional" question="S?">
+      <noinput><speak param="Hello?"/></noinput></slot></topic>
+    <handler name="N"><messages><component><NLG><Speak>
+      <log param="swallowed"/></Speak></NLG></component></messages>
+    </handler>)xml");
+  world.components["Phrases"] = {"NLG"};
+  world.answers = [](const Message& asked) {
+    Message reply;
+    reply.source = "Phrases";
+    reply.command = "Speak";
+    reply.params = {asked.params[0]};
+    reply.session = asked.session;
+    reply.correlation = asked.correlation;
+    return std::vector<Message>{reply};
+  };
   world.say(inform("T", {}));
-  world.said();
-  world.say(inform({}, {{"S", "a"}}));
-  EXPECT_EQ(world.slot("T", "S"), "a");
+  EXPECT_EQ(world.said(), Texts{});
+  world.advance(std::chrono::seconds(9));
+  EXPECT_EQ(world.said(), Texts{"Hello?"});
 }
 
 } // namespace

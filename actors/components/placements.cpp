@@ -22,6 +22,10 @@ void Placements::seat_opened(const actors::seat_opened& what) {
       attach_seat(deployment, scope);
 }
 
+void Placements::seat_closed(const actors::seat_closed& what) {
+  seats_.erase(what.seat);
+}
+
 void Placements::session_begins(const SessionId& session) {
   const auto seat = parts_.sessions.seat_of(session);
   for (const auto& deployment : deployments_.all())
@@ -73,11 +77,11 @@ void Placements::attach(const DeploymentPointer& deployment,
 
 // A seat's stays for the seat's next session.
 ServicePointer Placements::detach(Deployment& deployment,
-                                  const SessionId& session) const {
+                                  const std::string& scope) const {
   if (!deployment.by_session)
     return nullptr;
-  deployment.by_session->remove(session);
-  auto service = deployment.services.extract(session);
+  deployment.by_session->remove(scope);
+  auto service = deployment.services.extract(scope);
   if (!service)
     return nullptr;
   service.mapped()->over = true;

@@ -21,14 +21,15 @@ public:
         running_(running) {}
 
   void seat_opened(const actors::seat_opened& what);
+  void seat_closed(const actors::seat_closed& what);
   void session_begins(const SessionId& session);
   void session_ended(const session_ended& what);
 
   // Every scope gets what it is to have of this component.
   void settle(const DeploymentPointer& deployment);
-  // What the session had of it, and has no more; null where it had none of its
-  // own.
-  ServicePointer detach(Deployment& deployment, const SessionId& session) const;
+  // What the session or the seat of that name had of it, and has no more; null
+  // where it had none of its own.
+  ServicePointer detach(Deployment& deployment, const std::string& scope) const;
 
 private:
   void attach_seat(const DeploymentPointer& deployment,

@@ -258,6 +258,12 @@ void Supervision::opened(const seat_opened& what) {
   placements_.seat_opened(what);
 }
 
+void Supervision::closed(const seat_closed& what) {
+  placements_.seat_closed(what);
+  for (const auto& deployment : deployments_.all())
+    dismiss(deployment, what.name);
+}
+
 void Supervision::begins(const session_begins& what) {
   placements_.session_begins(what.session);
 }
@@ -265,14 +271,18 @@ void Supervision::begins(const session_begins& what) {
 // What its own instances were given before it ended they still do.
 void Supervision::ended(const session_ended& what) {
   placements_.session_ended(what);
-  for (const auto& deployment : deployments_.all()) {
-    auto service = placements_.detach(*deployment, what.session);
-    if (!service)
-      continue;
-    departures_.depart({std::move(service)}, {}, {});
-    if (deployments_.is_coming(deployment))
-      check_activation(deployment);
-  }
+  for (const auto& deployment : deployments_.all())
+    dismiss(deployment, what.session);
+}
+
+void Supervision::dismiss(const DeploymentPointer& deployment,
+                          const std::string& scope) {
+  auto service = placements_.detach(*deployment, scope);
+  if (!service)
+    return;
+  departures_.depart({std::move(service)}, {}, {});
+  if (deployments_.is_coming(deployment))
+    check_activation(deployment);
 }
 
 } // namespace parlour::actors

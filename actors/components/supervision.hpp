@@ -41,6 +41,7 @@ public:
   void try_again(const actors::try_again& what);
   void drain_over(const actors::drain_over& what);
   void opened(const seat_opened& what);
+  void closed(const seat_closed& what);
   void begins(const session_begins& what);
   void ended(const session_ended& what);
 
@@ -69,6 +70,8 @@ private:
   DeploymentPointer replace(const DeploymentPointer& deployment);
   void take_mailboxes(const Deployment& deployment, const Deployment* before);
   void failed_inline(const component_failed& what);
+  // What the scope has of it is no longer wanted.
+  void dismiss(const DeploymentPointer& deployment, const std::string& scope);
 
   const SupervisionParts parts_;
   ComponentNews news_;

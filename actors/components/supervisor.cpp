@@ -41,6 +41,7 @@ supervisor(supervisor_actor::stateful_pointer<supervisor_state> self,
       [=](const try_again& what) { all->try_again(what); },
       [=](const drain_over& what) { all->drain_over(what); },
       [=](const seat_opened& what) { all->opened(what); },
+      [=](const seat_closed& what) { all->closed(what); },
       [=](const session_begins& what) {
         all->begins(what);
         return session_settled{};

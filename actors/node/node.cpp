@@ -1,10 +1,12 @@
 #include "actors/node/node.hpp"
 
-#include <map>
+#include <atomic>
 #include <mutex>
+#include <unordered_map>
 #include <utility>
 
 #include "actors/node/node_runtime.hpp"
+#include "runtime/message/typed_turn.hpp"
 
 namespace parlour::actors {
 
@@ -17,25 +19,66 @@ public:
     SessionId session; // empty: none
   };
 
-  SessionId session_at(const SeatId& seat) {
+  // A seat that is closed has none.
+  Seat seat_of(const SeatId& seat) {
     std::lock_guard lock(mutex);
-    return seats[seat].session;
+    const auto found = seats.find(seat);
+    return found == seats.end() ? Seat() : found->second;
   }
   void set_session(const SeatId& seat, SessionId session) {
     std::lock_guard lock(mutex);
-    seats[seat].session = std::move(session);
+    const auto found = seats.find(seat);
+    if (found != seats.end())
+      found->second.session = std::move(session);
+  }
+  SeatId add_seat() {
+    auto id = "seat-" + std::to_string(++last_seat);
+    std::lock_guard lock(mutex);
+    seats[id];
+    return id;
+  }
+  SeatCalls calls_of(const SeatId& id, SeatCallbacks callbacks) {
+    SeatCalls calls;
+    calls.on_say = std::move(callbacks.on_output);
+    calls.on_over = [this, id, tell = std::move(callbacks.on_session_end)](
+                        const SessionId& session) {
+      session_over(id, session);
+      if (tell)
+        tell(session);
+    };
+    calls.on_next = [this, id, tell = std::move(callbacks.on_session_begin)](
+                        const SessionId& session) {
+      set_session(id, session);
+      if (tell)
+        tell(session);
+    };
+    calls.on_turns_done = std::move(callbacks.on_turns_done);
+    return calls;
+  }
+  // The last line has the turn's number: with it the whole turn has come.
+  void bring_in(const SessionId& session, std::uint64_t number,
+                const std::vector<std::string>& lines) {
+    std::vector<Message> turns;
+    for (const auto& line : lines) {
+      const bool is_last = turns.size() + 1 == lines.size();
+      turns.push_back(typed_turn(line, is_last ? number : 0));
+      turns.back().session = session;
+    }
+    runtime.bus().bring_in(std::move(turns));
   }
   SessionId open(const SeatId& seat,
                  std::shared_ptr<const dialogue::SavedSession> saved);
   // Unless the next one is there already.
   void session_over(const SeatId& seat, const SessionId& session) {
     std::lock_guard lock(mutex);
-    if (seats[seat].session == session)
-      seats[seat].session.clear();
+    const auto found = seats.find(seat);
+    if (found != seats.end() && found->second.session == session)
+      found->second.session.clear();
   }
 
   std::mutex mutex; // of the seats: session_over comes from their threads
-  std::map<SeatId, Seat> seats;
+  std::unordered_map<SeatId, Seat> seats;
+  std::atomic<std::uint64_t> last_seat = 0;
   NodeRuntime runtime;
 };
 
@@ -74,19 +117,9 @@ Expected<std::unique_ptr<Node>> Node::start(NodeOptions options) {
 
 SeatId Node::open_seat(SeatCallbacks callbacks) {
   auto& self = *implementation_;
-  SeatCalls calls;
-  SeatId id = "seat-" + std::to_string(self.seats.size() + 1);
-  calls.on_say = std::move(callbacks.on_output);
-  calls.on_over = [&self, id, tell = std::move(callbacks.on_session_end)](
-                      const SessionId& session) {
-    self.session_over(id, session);
-    if (tell)
-      tell(session);
-  };
-  calls.on_next = [&self, id](const SessionId& session) {
-    self.set_session(id, session);
-  };
-  auto actor = self.runtime.open_seat(id, std::move(calls));
+  auto id = self.add_seat();
+  auto actor =
+      self.runtime.open_seat(id, self.calls_of(id, std::move(callbacks)));
   std::lock_guard lock(self.mutex);
   self.seats[id].actor = std::move(actor);
   return id;
@@ -105,7 +138,7 @@ SessionId Node::go_on(const SeatId& seat, dialogue::SavedSession saved) {
 
 SessionId Node::Implementation::open(
     const SeatId& seat, std::shared_ptr<const dialogue::SavedSession> saved) {
-  auto session = runtime.open_session(seats[seat].actor, std::move(saved));
+  auto session = runtime.open_session(seat_of(seat).actor, std::move(saved));
   // It may be over already: a program without a beginning.
   if (runtime.sessions().find(session))
     set_session(seat, session);
@@ -113,23 +146,36 @@ SessionId Node::Implementation::open(
 }
 
 SessionId Node::session_at(const SeatId& seat) const {
-  return implementation_->session_at(seat);
+  return implementation_->seat_of(seat).session;
 }
 
 void Node::enter(const SeatId& seat, const std::vector<std::string>& lines) {
   auto session = session_at(seat);
   if (session.empty())
     session = open(seat);
-  std::vector<Message> turns;
-  for (const auto& line : lines) {
-    Message turn;
-    turn.source = "ASR";
-    turn.command = "RecognitionResult";
-    turn.params = {line, 1};
-    turn.session = session;
-    turns.push_back(std::move(turn));
-  }
-  implementation_->runtime.bus().bring_in(std::move(turns));
+  implementation_->bring_in(session, 0, lines);
+}
+
+SeatId Node::begin_visit(SeatCallbacks callbacks) {
+  auto& self = *implementation_;
+  auto id = self.add_seat();
+  self.runtime.begin_visit(id, self.calls_of(id, std::move(callbacks)));
+  return id;
+}
+
+void Node::enter_turn(const SeatId& seat, std::uint64_t number,
+                      const std::vector<std::string>& lines) {
+  if (const auto session = session_at(seat); !session.empty())
+    implementation_->bring_in(session, number, lines);
+}
+
+void Node::end_visit(const SeatId& seat) {
+  auto& self = *implementation_;
+  std::unique_lock lock(self.mutex);
+  const bool was_there = self.seats.erase(seat) != 0;
+  lock.unlock();
+  if (was_there)
+    self.runtime.end_visit(seat);
 }
 
 void Node::inject(const SessionId& session, Message message) {
@@ -153,6 +199,7 @@ void Node::end(const SessionId& session) {
 bool Node::stop() {
   if (!implementation_->runtime.stop())
     return false;
+  std::lock_guard lock(implementation_->mutex);
   for (auto& [id, seat] : implementation_->seats)
     seat = {};
   return true;

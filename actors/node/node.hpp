@@ -30,6 +30,12 @@ using SeatId = std::string;
 struct SeatCallbacks {
   std::function<void(const SessionId&, const dialogue::Output&)> on_output;
   std::function<void(const SessionId&)> on_session_end;
+  // A session has begun by begin_visit(), or by itself for turns that the last
+  // one left unread. It has said nothing yet.
+  std::function<void(const SessionId&)> on_session_begin = {};
+  // The turns with numbers up to this one are answered, as far as no time has
+  // to pass for it.
+  std::function<void(const SessionId&, std::uint64_t turn)> on_turns_done = {};
 };
 
 // What went through since the start.
@@ -61,6 +67,20 @@ public:
   // User turns, queued together (engine rule 3). Opens a session if the seat
   // has none.
   void enter(const SeatId& seat, const std::vector<std::string>& lines);
+
+  // -- visits: seats that come and go. In real time these may be called from
+  // any thread, and nobody waits
+
+  // Opens a seat, where a conversation begins; on_session_begin tells.
+  SeatId begin_visit(SeatCallbacks callbacks);
+  // A numbered turn, in one line or several, for the session that has begun
+  // there; nothing happens where there is none. Numbers rise, from 1.
+  void enter_turn(const SeatId& seat, std::uint64_t number,
+                  const std::vector<std::string>& lines);
+  // The seat's session ends, and the seat is forgotten. What the session still
+  // says is told, and its end last.
+  void end_visit(const SeatId& seat);
+
   // Any message, as it comes from a component.
   void inject(const SessionId& session, Message message);
 

@@ -39,6 +39,8 @@ struct NodeOptions {
   ColumnReader columns;
   // Virtual time from here; nothing: real time.
   std::optional<Timestamp> virtual_start;
+  // Real time, but the clock shows this when the node is made.
+  std::optional<Timestamp> real_start = {};
   // Of session ids and of what is random in scripts; nothing: by chance.
   std::optional<std::uint64_t> seed;
   std::string data_folder;        // absolute, writable

@@ -26,8 +26,9 @@ namespace {
 constexpr Milliseconds patience_at_end{200};
 
 std::unique_ptr<Scheduler> make_scheduler(const NodeOptions& options) {
-  return options.virtual_start ? make_virtual_time(*options.virtual_start)
-                               : make_real_time(options.threads);
+  return options.virtual_start
+             ? make_virtual_time(*options.virtual_start)
+             : make_real_time(options.threads, options.real_start);
 }
 
 PluginEnvironment plugin_environment(const NodeOptions& options) {
@@ -202,7 +203,7 @@ seat_actor NodeRuntime::open_seat(const std::string& name, SeatCalls calls) {
       seat, SeatParts{&time_, &observer_, &sessions_, name}, std::move(calls));
   {
     std::lock_guard lock(seats_mutex_);
-    seats_.emplace_back(name, opened);
+    seats_.emplace(name, opened);
   }
   caf::anon_send(manager_, seat_opened{name, opened, time_.work.begin()});
   caf::anon_send(supervisor_, seat_opened{name, opened, time_.work.begin()});
@@ -216,6 +217,20 @@ NodeRuntime::open_session(const seat_actor& seat,
       manager_,
       actors::open_session{seat, time_.work.begin(), std::move(saved)});
   return opened ? opened->session : SessionId();
+}
+
+void NodeRuntime::begin_visit(const std::string& name, SeatCalls calls) {
+  auto shared = std::make_shared<const SeatCalls>(std::move(calls));
+  std::lock_guard lock(seats_mutex_);
+  if (manager_)
+    caf::anon_send(manager_, actors::begin_visit{name, std::move(shared),
+                                                 time_.work.begin()});
+}
+
+void NodeRuntime::end_visit(const std::string& name) {
+  std::lock_guard lock(seats_mutex_);
+  if (manager_)
+    caf::anon_send(manager_, actors::end_visit{name, time_.work.begin()});
 }
 
 Value NodeRuntime::slot_value(const SessionId& id, const std::string& topic,
@@ -339,16 +354,18 @@ void NodeRuntime::stop_actors() {
   constexpr auto reason = caf::exit_reason::user_shutdown;
   for (auto& session : sessions_.all())
     caf::anon_send_exit(session, reason);
-  for (auto& [name, seat] : std::exchange(seats_, {}))
-    caf::anon_send_exit(seat, reason);
-  caf::anon_send_exit(manager_, reason);
+  {
+    std::lock_guard lock(seats_mutex_); // visitors may still come and go
+    for (auto& [name, seat] : std::exchange(seats_, {}))
+      caf::anon_send_exit(seat, reason);
+    caf::anon_send_exit(std::exchange(manager_, nullptr), reason);
+  }
   caf::anon_send_exit(supervisor_, reason);
   caf::anon_send_exit(file_keeper_, reason);
   caf::anon_send_exit(centre_, reason);
   scheduler_->run_until_quiet();
   bus_.take_down();
   sessions_.clear();
-  manager_ = nullptr;
   supervisor_ = nullptr;
   file_keeper_ = nullptr;
   centre_ = nullptr;

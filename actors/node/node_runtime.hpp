@@ -2,6 +2,7 @@
 // hides.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -40,6 +41,9 @@ public:
   SessionId
   open_session(const seat_actor& seat,
                std::shared_ptr<const dialogue::SavedSession> saved = nullptr);
+  // Seats that come and go. From any thread; nobody waits.
+  void begin_visit(const std::string& name, SeatCalls calls);
+  void end_visit(const std::string& name);
   // As Node says.
   Value slot_value(const SessionId& session, const std::string& topic,
                    const std::string& slot);
@@ -107,9 +111,10 @@ private:
   session_manager_actor manager_;
   supervisor_actor supervisor_;
   file_keeper_actor file_keeper_;
-  // By name; another thread may ask how they are.
+  // By name, and the manager's handle: other threads may ask how they are, and
+  // visit.
   mutable std::mutex seats_mutex_;
-  std::vector<std::pair<std::string, seat_actor>> seats_;
+  std::map<std::string, seat_actor> seats_;
 };
 
 } // namespace parlour::actors

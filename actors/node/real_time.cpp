@@ -13,9 +13,24 @@ namespace {
 // default in CAF, which starves the others.
 constexpr std::size_t max_throughput = 300;
 
+// The machine's, moved to begin at some other time.
+class MovedClock : public Clock {
+public:
+  explicit MovedClock(std::optional<Timestamp> start)
+      : by_(start ? *start - machine_.now() : 0) {}
+  Timestamp now() const override {
+    return machine_.now() + by_;
+  }
+
+private:
+  SystemClock machine_;
+  const Timestamp by_;
+};
+
 class RealTime : public Scheduler {
 public:
-  explicit RealTime(unsigned threads) : threads_(threads) {}
+  RealTime(unsigned threads, std::optional<Timestamp> start)
+      : clock_(start), threads_(threads) {}
 
   const Clock& clock() const override {
     return clock_;
@@ -41,7 +56,7 @@ public:
 private:
   bool quiet() const;
 
-  SystemClock clock_;
+  MovedClock clock_;
   unsigned threads_;
   NodeTime* time_ = nullptr;
 };
@@ -101,8 +116,9 @@ bool RealTime::finish(std::function<void()> action, Milliseconds at_most) {
 
 } // namespace
 
-std::unique_ptr<Scheduler> make_real_time(unsigned threads) {
-  return std::make_unique<RealTime>(threads);
+std::unique_ptr<Scheduler> make_real_time(unsigned threads,
+                                          std::optional<Timestamp> start) {
+  return std::make_unique<RealTime>(threads, start);
 }
 
 } // namespace parlour::actors

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 
 #include <caf/actor_system.hpp>
 #include <caf/actor_system_config.hpp>
@@ -36,8 +37,10 @@ public:
   virtual bool finish(std::function<void()> action, Milliseconds at_most) = 0;
 };
 
-// 0 threads: as many as cores.
-std::unique_ptr<Scheduler> make_real_time(unsigned threads);
+// 0 threads: as many as cores. `start`: what the clock shows when this is made;
+// else it is the machine's.
+std::unique_ptr<Scheduler>
+make_real_time(unsigned threads, std::optional<Timestamp> start = std::nullopt);
 std::unique_ptr<Scheduler> make_virtual_time(Timestamp start);
 
 } // namespace parlour::actors

@@ -21,6 +21,7 @@
 #include "actors/protocol/due_times.hpp"
 #include "actors/protocol/in_flight.hpp"
 #include "actors/protocol/session_questions.hpp"
+#include "actors/protocol/visits.hpp"
 #include "runtime/base/clock.hpp"
 #include "runtime/base/error.hpp"
 #include "runtime/base/files.hpp"
@@ -233,7 +234,8 @@ struct next_session {
 
 using seat_actor =
     caf::typed_actor<caf::reacts_to<say>, caf::reacts_to<session_over>,
-                     caf::reacts_to<next_session>, tells_status>;
+                     caf::reacts_to<next_session>, caf::reacts_to<turns_done>,
+                     caf::reacts_to<leave_seat>, tells_status>;
 
 // To the supervisor and the session manager: a seat of this name has opened.
 struct seat_opened {
@@ -241,6 +243,8 @@ struct seat_opened {
   seat_actor seat;
   InFlight work;
 };
+// To the supervisor: nobody will be there any more, and its session has ended.
+struct seat_closed : seat_opened {};
 
 // -- the supervisor -----------------------------------------------------------
 
@@ -341,6 +345,7 @@ using supervisor_actor = caf::typed_actor<
     caf::reacts_to<component_available>, caf::reacts_to<watch_instance>,
     caf::reacts_to<instance_idle>, caf::reacts_to<try_again>,
     caf::reacts_to<drain_over>, caf::reacts_to<seat_opened>,
+    caf::reacts_to<seat_closed>,
     caf::replies_to<session_begins>::with<session_settled>,
     caf::reacts_to<session_ended>, tells_status>;
 
@@ -386,6 +391,7 @@ using session_manager_actor =
                      caf::reacts_to<forward>, caf::reacts_to<subscribe>,
                      caf::reacts_to<close_session>,
                      caf::reacts_to<session_gone>, caf::reacts_to<seat_opened>,
+                     caf::reacts_to<begin_visit>, caf::reacts_to<end_visit>,
                      tells_status>;
 
 } // namespace parlour::actors

@@ -54,6 +54,13 @@ seat_actor::behavior_type seat(seat_actor::stateful_pointer<seat_state> self,
             calls.on_next(what.session);
         });
       },
+      [=](const turns_done& what) {
+        call_out(parts, "a seat did not take that its turns are done: ", [&] {
+          if (calls.on_turns_done)
+            calls.on_turns_done(what.session, what.turn);
+        });
+      },
+      [=](const leave_seat&) { self->quit(); },
       [=](const get_status& what) {
         const auto& session = self->state.session;
         return tell_status(self, what,

@@ -19,8 +19,11 @@ struct seat_state {
 struct SeatCalls {
   std::function<void(const SessionId&, const dialogue::Output&)> on_say;
   std::function<void(const SessionId&)> on_over;
-  // A session that opened by itself, for turns that the last one left unread.
+  // A session that opened by itself, for turns that the last one left unread,
+  // or one that a visitor has begun (begin_visit).
   std::function<void(const SessionId&)> on_next = {};
+  // What was said to it in turns with numbers up to this one is answered.
+  std::function<void(const SessionId&, std::uint64_t turn)> on_turns_done = {};
 };
 
 struct SeatParts {

@@ -1,5 +1,6 @@
 #include "actors/sessions/session.hpp"
 
+#include <algorithm>
 #include <cassert>
 #include <utility>
 
@@ -9,6 +10,7 @@
 #include "actors/support/actor_trace.hpp"
 #include "actors/support/exception_text.hpp"
 #include "actors/support/tell_status.hpp"
+#include "runtime/message/typed_turn.hpp"
 
 namespace parlour::actors {
 
@@ -110,6 +112,16 @@ bool finish_input(Self self) {
   return outcome.has_value();
 }
 
+// Who numbers the turns at the seat hears which are answered.
+void tell_turns_done(Self self) {
+  auto& state = self->state;
+  if (state.turns_done == state.turns_taken)
+    return;
+  state.turns_done = state.turns_taken;
+  self->send(state.seat, turns_done{port_of(self).id(), state.turns_done,
+                                    state.time->work.begin()});
+}
+
 // After each input: steps are taken one at a time through the mailbox, so that
 // whatever has arrived is queued before the next (engine rule 3).
 void go_on(Self self) {
@@ -119,6 +131,7 @@ void go_on(Self self) {
   const auto& conversation = conversation_of(self);
   if (conversation.ended()) {
     tell_waiting(state, false);
+    tell_turns_done(self);
     state.dialogue->close(state.asked_to_end ? std::vector<Message>()
                                              : state.dialogue->take_unread());
     self->become(over(self));
@@ -126,8 +139,11 @@ void go_on(Self self) {
   }
   tell_waiting(state, conversation.waits_for_answer());
   if (state.stepping || conversation.awaiting_frame() ||
-      !conversation.has_work())
+      !conversation.has_work()) {
+    if (!state.stepping && conversation.has_answered(now(self)))
+      tell_turns_done(self);
     return;
+  }
   state.stepping = true;
   self->send(self, take_step{state.time->work.begin()});
 }
@@ -168,8 +184,11 @@ void take_one_step(Self self) {
 // Messages are queued and not handled here: the conversation decides at its
 // next step which one is its turn (engine rule 3).
 void queue(Self self, const deliver& what) {
-  for (const auto& message : what.messages)
+  auto& taken = self->state.turns_taken;
+  for (const auto& message : what.messages) {
+    taken = std::max(taken, number_of_turn(message));
     take(self, dialogue::received(message));
+  }
   go_on(self);
 }
 
@@ -255,6 +274,7 @@ void set_up(Self self, std::shared_ptr<const SessionParts> parts,
   auto& state = self->state;
   state.parts = std::move(parts);
   state.time = &state.parts->time;
+  state.seat = order.seat;
   auto make_port = [self, id = order.id, seat = std::move(order.seat)] {
     return std::make_unique<SessionPort>(
         self, self->state.parts, id, seat,

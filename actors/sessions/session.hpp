@@ -24,6 +24,10 @@ struct session_state {
   std::unique_ptr<SessionDialogue> dialogue;
   // Until it begins; null: it is a new one.
   std::shared_ptr<const dialogue::SavedSession> saved;
+  seat_actor seat;
+  // The highest numbers of turns that were received, and told as answered.
+  std::uint64_t turns_taken = 0;
+  std::uint64_t turns_done = 0;
   bool stepping = false;     // a take_step is in the mailbox
   bool waits = false;        // as the work count knows it
   bool asked_to_end = false; // from outside: nothing goes on after it

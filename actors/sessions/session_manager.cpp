@@ -5,6 +5,7 @@
 
 #include <caf/typed_event_based_actor.hpp>
 
+#include "actors/sessions/seat.hpp"
 #include "actors/sessions/session.hpp"
 #include "actors/support/actor_trace.hpp"
 #include "actors/support/tell_status.hpp"
@@ -29,7 +30,7 @@ SessionId session_at(const session_manager_state& state,
 
 // The session is in the directory before it begins: what components say to it
 // from its first word on finds it.
-SessionId open(Self self, const open_session& what) {
+SessionId open(Self self, const open_session& what, bool tells_seat = false) {
   if (auto id = session_at(self->state, what.seat); !id.empty())
     return id;
   if (self->state.closing)
@@ -44,6 +45,8 @@ SessionId open(Self self, const open_session& what) {
       SessionOrder{id, saved ? saved->seed : state.names.next_seed(), what.seat,
                    saved});
   state.directory->add(id, session, what.seat);
+  if (tells_seat) // before the session can say anything
+    self->send(what.seat, next_session{id, what.work});
   self->send(session, begin_session{what.work});
   state.session_of[session.id()] = id;
   state.session_of[what.seat.id()] = id;
@@ -102,6 +105,24 @@ void take_further(Self self, const SessionId& session,
 
 // -- the end ------------------------------------------------------------------
 
+void remember(session_manager_state& state, const SessionId& session,
+              const seat_actor& seat) {
+  state.departed.emplace_back(session, seat);
+  if (state.departed.size() > max_departed)
+    state.departed.pop_front();
+}
+
+// Nobody knows the seat any more, and nothing is on its way to it.
+void dismiss(Self self, const std::string& name, const seat_actor& seat,
+             const InFlight& work) {
+  auto& state = self->state;
+  std::erase_if(state.departed,
+                [&](const auto& entry) { return entry.second == seat; });
+  state.visits.erase(name);
+  self->send(state.parts->supervisor, seat_closed{{name, seat, work}});
+  self->send(seat, leave_seat{work});
+}
+
 void forget(Self self, const session_gone& what) {
   auto& state = self->state;
   auto entry = state.sessions.extract(what.session);
@@ -113,11 +134,12 @@ void forget(Self self, const session_gone& what) {
   state.session_of.erase(seat.id());
   self->send(state.parts->supervisor,
              session_ended{what.session, seat, what.work});
-  state.departed.emplace_back(what.session, seat);
-  if (state.departed.size() > max_departed)
-    state.departed.pop_front();
   state.parts->bus.retire(std::move(session), what.work);
   self->send(seat, session_over{what.session, what.work});
+  if (auto closed = state.closing_seats.extract(seat.id()))
+    dismiss(self, closed.mapped(), seat, what.work);
+  else
+    remember(state, what.session, seat);
   take_further(self, what.session, what.unread, what.work);
 }
 
@@ -203,10 +225,56 @@ void pass_on(Self self, const forward& what) {
 }
 
 void close(Self self, const close_session& what) {
-  self->state.closing |= what.session.empty();
-  for (const auto& [id, entry] : self->state.sessions)
-    if (what.session.empty() || what.session == id)
-      self->send(entry.session, end_session{what.work});
+  auto& state = self->state;
+  if (!what.session.empty()) {
+    const auto found = state.sessions.find(what.session);
+    if (found != state.sessions.end())
+      self->send(found->second.session, end_session{what.work});
+    return;
+  }
+  state.closing = true;
+  for (const auto& [id, entry] : state.sessions)
+    self->send(entry.session, end_session{what.work});
+}
+
+// -- visits -------------------------------------------------------------------
+
+// Who has sent this may not spawn: CAF's logger would belong to that thread.
+void begin(Self self, const begin_visit& what) {
+  auto& state = self->state;
+  if (state.closing)
+    return;
+  auto& parts = *state.parts;
+  const auto seat = self->spawn<caf::linked>(
+      actors::seat,
+      SeatParts{&parts.time, &parts.observer, state.directory, what.name},
+      *what.calls);
+  state.visits[what.name] = seat;
+  state.seats[what.name] = seat;
+  self->send(parts.supervisor, seat_opened{what.name, seat, what.work});
+  open(self, {seat, what.work}, true);
+}
+
+void end(Self self, const end_visit& what) {
+  auto& state = self->state;
+  const auto visit = state.visits.find(what.name);
+  if (visit == state.visits.end())
+    return;
+  const auto seat = visit->second;
+  state.seats.erase(what.name);
+  const auto session = session_at(state, seat);
+  if (session.empty())
+    return dismiss(self, what.name, seat, what.work);
+  state.closing_seats[seat.id()] = what.name;
+  self->send(state.sessions[session].session, end_session{what.work});
+}
+
+std::vector<ActorHandle> visitors_of(const session_manager_state& state) {
+  std::vector<ActorHandle> all;
+  for (const auto& [name, seat] : state.visits)
+    all.push_back(
+        {seat_state::name, name, caf::actor_cast<caf::strong_actor_ptr>(seat)});
+  return all;
 }
 
 } // namespace
@@ -232,6 +300,8 @@ session_manager_actor::behavior_type session_manager(
       [=](const seat_opened& what) {
         self->state.seats[what.name] = what.seat;
       },
+      [=](const begin_visit& what) { begin(self, what); },
+      [=](const end_visit& what) { end(self, what); },
       [=](const get_status& what) {
         const auto& state = self->state;
         return tell_status(self, what,
@@ -239,7 +309,8 @@ session_manager_actor::behavior_type session_manager(
                             std::to_string(state.sessions.size()) +
                                 " sessions at " +
                                 std::to_string(state.seats.size()) + " seats",
-                            state.last_error});
+                            state.last_error,
+                            visitors_of(state)});
       });
 }
 

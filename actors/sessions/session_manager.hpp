@@ -32,7 +32,10 @@ struct session_manager_state {
   std::map<SessionId, Entry> sessions; // a seat has one at a time
   // By the ids of its actor and of its seat's.
   std::unordered_map<caf::actor_id, SessionId> session_of;
-  std::map<std::string, seat_actor> seats; // by name
+  std::map<std::string, seat_actor> seats;  // by name
+  std::map<std::string, seat_actor> visits; // those of them that come and go
+  // Those that leave when their session has ended, by the ids of their actors.
+  std::unordered_map<caf::actor_id, std::string> closing_seats;
   // Those that ended last, and where: for turns that come too late for them.
   std::deque<std::pair<SessionId, seat_actor>> departed;
   bool closing = false;

@@ -139,6 +139,11 @@ public:
               [this](const next_session& what) {
                 seen.push_back(what.session + " is next");
               },
+              [this](const turns_done& what) {
+                seen.push_back(what.session + " has answered " +
+                               std::to_string(what.turn));
+              },
+              [this](const leave_seat&) { seen.push_back("leaves"); },
               no_status,
           };
         },

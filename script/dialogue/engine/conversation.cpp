@@ -161,6 +161,12 @@ bool Conversation::waits_for_answer() const {
          parts.outside.waits_for_answer() || parts.output.waits_for_words();
 }
 
+bool Conversation::has_answered(Timestamp now) const {
+  const auto& parts = *implementation_;
+  return !parts.has_work() && !waits_for_answer() && !parts.output.plays() &&
+         !parts.context.turns.any_said(now);
+}
+
 // To look at a topic that the session has not touched would give it its frame.
 Value Conversation::slot_value(std::string_view topic,
                                std::string_view slot) const {

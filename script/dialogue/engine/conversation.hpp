@@ -75,6 +75,10 @@ public:
   // of these is due to come by itself. A script's <wait> is the clock's matter.
   bool waits_for_answer() const;
 
+  // Whatever was said to it is taken up, and nothing more is to come of it by
+  // itself but after some time.
+  bool has_answered(Timestamp now) const;
+
   // All that it knows as bytes (saved/archive.hpp), between any two inputs.
   std::string save() const;
   // Goes on from there, in any process that has compiled the same program.

@@ -40,6 +40,7 @@ protected:
               [](const try_again&) {},
               [](const drain_over&) {},
               [](const seat_opened&) {},
+              [](const seat_closed&) {},
               [](const session_begins&) { return session_settled{}; },
               [](const session_ended&) {},
               no_status,

@@ -33,9 +33,10 @@ PRINTING = (
     ("test", "app"), ("understand", "app", "hello"))
 # A program of its own, one that waits for a platform, one that asks what runs,
 # one that depends on the machine's sound card (devices_test.py), one that hears
-# (speech_commands_test.py), and those that need a journal (replay_test.py).
-NOT_TRIED = {"agent", "bench", "devices", "journal", "listen", "replay", "status",
-             "tap"}
+# (speech_commands_test.py), those that need a journal (replay_test.py), one that
+# needs a server, and one that ends when it is told to (serve_test.py).
+NOT_TRIED = {"agent", "bench", "devices", "journal", "listen", "load", "replay",
+             "serve", "status", "tap"}
 
 # Arguments, status, and what is said about it.
 MISTAKES = (

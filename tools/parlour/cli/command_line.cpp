@@ -13,12 +13,11 @@
 #include "script/lint/lints.hpp"
 #include "script/source/findings.hpp"
 #include "tools/parlour/cli/agent_flags.hpp"
-#include "tools/parlour/cli/clock_option.hpp"
 #include "tools/parlour/cli/commands.hpp"
-#include "tools/parlour/cli/component_page.hpp"
 #include "tools/parlour/cli/number_option.hpp"
 #include "tools/parlour/cli/plugin_commands.hpp"
 #include "tools/parlour/cli/run_flags.hpp"
+#include "tools/parlour/cli/serve_flags.hpp"
 #include "tools/parlour/cli/speech_flags.hpp"
 #include "tools/parlour/console/completion.hpp"
 #include "tools/parlour/console/exit_code.hpp"
@@ -39,6 +38,7 @@ public:
     app_.set_version_flag("--version", "parlour " PARLOUR_VERSION);
     app_.footer(exit_code::statuses);
     add_run();
+    add_serve();
     add_replay();
     add_journal();
     add_status();
@@ -141,9 +141,19 @@ private:
       return run_command(places_, run_, console_);
     });
     add_app(command, run_.app, app_sentence);
-    add_clock(*command, run_.clock,
-              "Virtual time from here; an empty line steps to the next timer");
     add_run_flags(*command, run_);
+  }
+
+  void add_serve() {
+    auto* command =
+        add("serve", "Serve an application to many visitors",
+            [this] { return serve_command(places_, serve_, console_); });
+    add_app(command, serve_.app, app_sentence);
+    add_serve_flags(*command, serve_);
+    add_load_flags(
+        *add("load", "Visit a server as many, and check its answers",
+             [this] { return load_command(places_, load_, console_); }),
+        load_);
   }
 
   void add_status() {
@@ -195,9 +205,9 @@ private:
   }
 
   void add_schema() {
-    auto* command = add("schema", "Print a schema of scripts, for editors",
-                        [this] { return schema_command(schema_, console_); });
-    command->add_flag("--xsd", schema_.xsd, "An XML Schema; else RELAX NG");
+    add("schema", "Print a schema of scripts, for editors", [this] {
+      return schema_command(schema_, console_);
+    })->add_flag("--xsd", schema_.xsd, "An XML Schema; else RELAX NG");
   }
 
   void add_test() {
@@ -205,20 +215,14 @@ private:
         add("test", "Hold an application's conversations in virtual time",
             [this] { return test_command(places_, test_, console_); });
     add_app(command, test_.app, app_sentence);
-    command->add_option("FILE", test_.files,
-                        "Conversations; all of dialogues/ if there is none");
     add_test_flags(*command, test_);
-    add_number<unsigned>(command, "--jobs,-j", {1, 1000},
-                         "Conversations at a time; else as many as cores",
-                         [this](auto jobs) { test_.jobs = jobs; });
   }
 
   void add_exec() {
     auto* command = add("exec", "Run the function main of a script", [this] {
       return exec_command(places_, exec_, console_);
     });
-    command->add_option("FILE", exec_.file, "A script or app")->required();
-    command->add_flag("--listing", exec_.listing, "Show its compiled code");
+    add_exec_flags(*command, exec_);
   }
 
   void add_understand() {
@@ -226,10 +230,7 @@ private:
         "understand", "Show what the understanding makes of a text, and why",
         [this] { return understand_command(places_, understand_, console_); });
     add_app(command, understand_.app, app_sentence);
-    command->add_option("TEXT", understand_.text, "What somebody says")
-        ->required();
-    add_clock(*command, understand_.clock,
-              "The time that \"tomorrow\" counts from");
+    add_understand_flags(*command, understand_);
   }
 
   void add_bench() {
@@ -312,7 +313,6 @@ private:
         ->check(check_named);
   }
 
-  // The script is made from `app_` itself, so it knows every option.
   void add_completion() {
     auto* command =
         add("completion", "Print a shell's completion script", [this] {
@@ -332,9 +332,7 @@ private:
     auto* command =
         add("component", "Run a component in a process of its own",
             [this] { return component_command(component_, console_); });
-    command->group(""); // not shown
-    command->add_option("PLUGIN", component_.plugin, "Its plug-in")->required();
-    command->add_option("--plugins", component_.folder, "Its file's folder");
+    add_component_flags(*command, component_);
   }
 
   void add_help() {
@@ -366,6 +364,8 @@ private:
                 "parlour"};
   std::function<int()> chosen_; // set by the command's callback
   RunOptions run_;
+  ServeOptions serve_;
+  LoadOptions load_;
   StatusOptions status_;
   DevicesOptions devices_;
   SayOptions say_;

@@ -85,6 +85,40 @@ struct RunOptions {
 int run_command(const Places& places, const RunOptions& options,
                 const Console& console);
 
+// `parlour serve`: an application for many visitors, by lines and WebSocket
+// (docs/operations.md).
+struct ServeOptions {
+  std::string app;
+  std::string address = "127.0.0.1";
+  std::uint16_t port = 4'000;
+  std::size_t sessions = 1'000;
+  Milliseconds linger{60'000};
+  std::vector<std::string> origins;
+  bool rehearsed = false;         // with the components of `parlour test`
+  std::optional<Timestamp> clock; // what its clock shows at the beginning
+  std::optional<std::uint64_t> seed;
+  std::string data;
+  std::string journal;
+};
+int serve_command(const Places& places, const ServeOptions& options,
+                  const Console& console);
+
+// `parlour load`: plays an application's conversations as visitors of `parlour
+// serve`, checks the answers and tells how fast they come (docs/operations.md).
+struct LoadOptions {
+  std::string app; // or a folder of conversations
+  std::string to = "127.0.0.1:4000";
+  std::size_t visitors = 1;
+  std::optional<double> rate; // conversations a second; nothing: closed loop
+  std::vector<std::string> conversations; // names; empty: all
+  std::optional<Milliseconds> duration;
+  std::optional<Timestamp> clock; // of the server; else that of tests
+  bool by_lines = false;          // else by WebSocket
+  bool idle = false;              // open sessions and say nothing
+};
+int load_command(const Places& places, const LoadOptions& options,
+                 const Console& console);
+
 // `parlour replay`: repeats the sessions of a journal, word by word, and tells
 // at which input one differs (docs/running.md).
 struct ReplayOptions {

@@ -6,7 +6,9 @@
 #include <CLI/CLI.hpp>
 
 #include "tools/parlour/application/voice.hpp"
+#include "tools/parlour/cli/clock_option.hpp"
 #include "tools/parlour/cli/commands.hpp"
+#include "tools/parlour/cli/component_page.hpp"
 #include "tools/parlour/cli/journal_commands.hpp"
 #include "tools/parlour/cli/number_option.hpp"
 #include "tools/parlour/cli/plugin_commands.hpp"
@@ -57,6 +59,8 @@ inline void add_voice_flags(CLI::App& command, RunOptions& options) {
 }
 
 inline void add_run_flags(CLI::App& command, RunOptions& options) {
+  add_clock(command, options.clock,
+            "Virtual time from here; an empty line steps to the next timer");
   command.add_flag("--text", options.text,
                    "A turn a line, bare, also on a terminal");
   command.add_flag("--fresh", options.fresh,
@@ -144,6 +148,17 @@ inline void add_test_plugin_flags(CLI::App& command,
                      "NAME=VALUE, as often as there are some");
 }
 
+inline void add_exec_flags(CLI::App& command, ExecOptions& options) {
+  command.add_option("FILE", options.file, "A script or app")->required();
+  command.add_flag("--listing", options.listing, "Show its compiled code");
+}
+
+inline void add_component_flags(CLI::App& command, ComponentOptions& options) {
+  command.group(""); // not shown
+  command.add_option("PLUGIN", options.plugin, "Its plug-in")->required();
+  command.add_option("--plugins", options.folder, "Its file's folder");
+}
+
 inline void add_help_flags(CLI::App& command, HelpOptions& options) {
   command.add_option("NAME", options.name,
                      "Such as speak, format, TTS; an attribute, an event, or a "
@@ -168,6 +183,8 @@ inline void add_replay_flags(CLI::App& command, ReplayOptions& options) {
 }
 
 inline void add_test_flags(CLI::App& command, TestOptions& options) {
+  command.add_option("FILE", options.files,
+                     "Conversations; all of dialogues/ if there is none");
   command.add_option("--junit", options.junit, "Results as JUnit's XML")
       ->check(check_named)
       ->type_name("FILE");
@@ -179,6 +196,9 @@ inline void add_test_flags(CLI::App& command, TestOptions& options) {
   command.add_flag("--watch", options.watch, "Again when a file changes")
       ->excludes("--junit");
   command.add_flag("--restore-after-each-input", options.restores)->group("");
+  add_number<unsigned>(&command, "--jobs,-j", {1, 1000},
+                       "Conversations at a time; else as many as cores",
+                       [&](auto jobs) { options.jobs = jobs; });
   auto* voice = command
                     .add_flag("--voice", options.voice,
                               "Hold them by voice, and compare with text")
@@ -213,6 +233,12 @@ inline void add_test_flags(CLI::App& command, TestOptions& options) {
 inline void add_status_flags(CLI::App& command, StatusOptions& options) {
   command.add_option("APP", options.app, "A name or folder; else all");
   command.add_flag("--json", options.json, "As a JSON array");
+}
+
+inline void add_understand_flags(CLI::App& command,
+                                 UnderstandOptions& options) {
+  command.add_option("TEXT", options.text, "What somebody says")->required();
+  add_clock(command, options.clock, "The time that \"tomorrow\" counts from");
 }
 
 inline void add_format_flags(CLI::App& command, FormatOptions& options) {

@@ -46,14 +46,20 @@ public:
   void shut() {
     shutdown(socket_, SHUT_WR);
   }
+  // Waits for something; empty at the end.
+  std::string receive_some() {
+    char buffer[1024];
+    const auto got = recv(socket_, buffer, sizeof buffer, 0);
+    return got <= 0 ? std::string()
+                    : std::string(buffer, static_cast<std::size_t>(got));
+  }
   std::string receive_all() {
     std::string text;
-    char buffer[1024];
     for (;;) {
-      const auto got = recv(socket_, buffer, sizeof buffer, 0);
-      if (got <= 0)
+      const auto more = receive_some();
+      if (more.empty())
         return text;
-      text.append(buffer, static_cast<std::size_t>(got));
+      text += more;
     }
   }
   // The status of the answer; 0: there is none.

@@ -1,0 +1,59 @@
+// What the files that use Boost.Asio and Beast share. All of it belongs to one
+// thread, which runs the io_context; so no executor is needed that could be
+// anything.
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <memory>
+
+#include <boost/asio/basic_stream_socket.hpp>
+#include <boost/asio/basic_waitable_timer.hpp>
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/wait_traits.hpp>
+
+#include "adapters/web/text_server.hpp"
+#include "adapters/web/visit.hpp"
+
+namespace parlour::adapters::web {
+
+namespace net = boost::asio;
+using net::ip::tcp;
+using ErrorCode = boost::system::error_code;
+using Executor = net::io_context::executor_type;
+using Socket = net::basic_stream_socket<tcp, Executor>;
+using SteadyClock = std::chrono::steady_clock;
+using Timer =
+    net::basic_waitable_timer<SteadyClock, net::wait_traits<SteadyClock>,
+                              Executor>;
+
+// A visit with its socket. The server holds it until it asks to be removed.
+class SocketVisit : public Visit,
+                    public std::enable_shared_from_this<SocketVisit> {
+public:
+  using Visit::Visit;
+  // Closes at once; nothing is sent any more.
+  virtual void drop() = 0;
+};
+
+// What visits have of their server.
+struct VisitParts {
+  net::io_context& context;
+  VisitorBook& book;
+  const ServerOptions& options;
+  // The visit is over: the server lets it go.
+  std::function<void(SocketVisit*)> remove;
+  std::function<void(std::shared_ptr<SocketVisit>)> add;
+};
+
+// Lines of a person or a program. Becomes the other kind where a request for a
+// WebSocket comes.
+void start_line_visit(VisitParts& parts, Socket socket);
+// `begun`: what has been read of the request.
+void start_frame_visit(VisitParts& parts, Socket socket, std::string begun);
+
+// The system notices connections that are half open.
+void keep_alive(Socket& socket);
+
+} // namespace parlour::adapters::web

@@ -1,0 +1,179 @@
+#include "tools/parlour/load/visitor.hpp"
+
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "tools/parlour/console/finding_text.hpp"
+#include "tools/parlour/conversation_test/expectation.hpp"
+
+namespace parlour::tools {
+
+namespace {
+
+using nlohmann::json;
+
+std::string text_of(const json& object, const char* name) {
+  const auto found = object.find(name);
+  return found != object.end() && found->is_string() ? found->get<std::string>()
+                                                     : std::string();
+}
+
+std::uint64_t number_of(const json& object, const char* name) {
+  const auto found = object.find(name);
+  return found != object.end() && found->is_number_unsigned()
+             ? found->get<std::uint64_t>()
+             : 0;
+}
+
+std::string without_ends(const std::string& text) {
+  const auto begin = text.find_first_not_of(" \t");
+  const auto end = text.find_last_not_of(" \t");
+  return begin == std::string::npos ? std::string()
+                                    : text.substr(begin, end - begin + 1);
+}
+
+} // namespace
+
+Visitor::Visitor(VisitorParts& parts, const Played& conversation, Moment due,
+                 std::function<void()> over)
+    : parts_(parts), conversation_(conversation), over_(std::move(over)),
+      due_(due), last_(due) {
+  connect();
+}
+
+void Visitor::connect() {
+  has_ended_ = false;
+  number_ = 0;
+  link_ = parts_.clients.connect(parts_.address, parts_.port, parts_.by, *this);
+}
+
+// -- what the server says -----------------------------------------------------
+
+void Visitor::opened() {
+  link_->send(R"({"type": "hello", "version": 1})");
+}
+
+void Visitor::heard(const std::string& message) {
+  if (is_over_)
+    return;
+  last_ = std::chrono::steady_clock::now();
+  const auto told = json::parse(message, nullptr, false);
+  const auto type = told.is_object() ? text_of(told, "type") : std::string();
+  if (type == "say")
+    said(without_ends(as_one_line(text_of(told, "text"))));
+  else if (type == "done")
+    done(number_of(told, "turn"));
+  else if (type == "welcome")
+    welcome(number_of(told, "process"));
+  else if (type == "end")
+    ended();
+  else
+    fail("the server says " + message);
+}
+
+void Visitor::closed(const std::string& why) {
+  if (!has_ended_ && !is_over_)
+    fail("the connection is over: " + why);
+}
+
+void Visitor::welcome(std::uint64_t process) {
+  if (at_ == 0)
+    parts_.figures.opened(last_ - due_);
+  if (parts_.server == 0) {
+    parts_.server = process;
+    parts_.memory_before = memory_of(process);
+  }
+  go_on();
+}
+
+void Visitor::said(const std::string& text) {
+  const auto& answers = turn().answers;
+  if (heard_ == answers.size())
+    return is_wrong(nullptr, text);
+  const auto* expected = answers[heard_++];
+  if (!is_as_expected(*expected, text))
+    return is_wrong(expected, text);
+  go_on();
+}
+
+void Visitor::done(std::uint64_t turn) {
+  if (turn != number_)
+    return fail("turn " + std::to_string(turn) + " is said to be done");
+  is_done_ = true;
+  parts_.figures.answered(last_ - due_);
+  go_on();
+}
+
+// Whoever goes on after that is another visitor. A turn that was on its way to
+// the session is said again then.
+void Visitor::ended() {
+  has_ended_ = true;
+  if (!is_done_ && heard_ == 0) {
+    is_done_ = true;
+    heard_ = conversation_.turns[--at_].answers.size();
+  }
+  go_on();
+}
+
+// -- what it does -------------------------------------------------------------
+
+void Visitor::go_on() {
+  if (!is_done_ || heard_ < turn().answers.size())
+    return;
+  if (parts_.idle) {
+    is_idle_ = true;
+    return;
+  }
+  if (at_ + 1 == conversation_.turns.size())
+    return finish();
+  if (has_ended_)
+    return connect(); // the greeting belongs to the next turn
+  say();
+}
+
+void Visitor::say() {
+  ++at_;
+  heard_ = 0;
+  is_done_ = false;
+  due_ = std::chrono::steady_clock::now();
+  link_->send(
+      json{{"type", "turn"}, {"turn", ++number_}, {"say", turn().lines}}.dump(
+          -1, ' ', false, json::error_handler_t::replace));
+}
+
+void Visitor::look(Moment now) {
+  if (is_over_ || is_idle_ || now - last_ < parts_.patience)
+    return;
+  if (is_done_ && heard_ < turn().answers.size())
+    is_wrong(turn().answers[heard_], "nothing");
+  else
+    fail("the server does not answer");
+}
+
+void Visitor::is_wrong(const Step* expected, const std::string& found) {
+  const auto& lines = turn().lines;
+  parts_.figures.wrong(
+      conversation_.conversation->file +
+      (expected ? ":" + std::to_string(expected->line) + ": expected " +
+                      expected->written
+                : ", after U: " + (lines.empty() ? "" : lines.back()) +
+                      ": expected nothing") +
+      ", found R: " + found);
+  is_over_ = true;
+  over_();
+}
+
+void Visitor::fail(const std::string& error) {
+  parts_.figures.failed(conversation_.conversation->file + ": " + error);
+  is_over_ = true;
+  over_();
+}
+
+void Visitor::finish() {
+  parts_.figures.finished();
+  is_over_ = true;
+  over_();
+}
+
+} // namespace parlour::tools

@@ -1,0 +1,42 @@
+// NodeHost: gives each visitor of a text server a seat of a node, and tells the
+// server what is said there. Both are made first; then the host is connected,
+// and until then visitors wait.
+#pragma once
+
+#include <future>
+#include <unordered_map>
+
+#include "actors/node/node.hpp"
+#include "adapters/web/text_server.hpp"
+
+namespace parlour::tools {
+
+namespace web = adapters::web;
+
+class NodeHost : public web::Host {
+public:
+  // Once. Both must live until the server has been destroyed and the node has
+  // stopped.
+  void connect(actors::Node& node, web::TextServer& server);
+
+  // -- web::Host, on the server's thread
+  void open(web::VisitorId visitor) override;
+  void take(web::VisitorId visitor, const web::Turn& turn) override;
+  void close(web::VisitorId visitor) override;
+  std::string clock() override;
+
+private:
+  struct Ends {
+    actors::Node* node;
+    web::TextServer* server;
+  };
+  const Ends& ends() const {
+    return connected_.get();
+  }
+
+  std::promise<Ends> connect_;
+  std::shared_future<Ends> connected_ = connect_.get_future().share();
+  std::unordered_map<web::VisitorId, actors::SeatId> seats_;
+};
+
+} // namespace parlour::tools

@@ -84,6 +84,7 @@ inline constexpr const char* candidates = "candidates";
 // The session's context, the second parameter of DoNLU, is a map: asked
 // ({topic, slot} or unknown), said (its slots that were given before, the
 // latest last), current and resting topic, unfinished (a list of topics),
-// grammar (or unknown), and now (in ms).
+// grammar (or unknown), heard (a list of texts, what else a recogniser may have
+// heard), and now (in ms).
 
 } // namespace parlour

@@ -12,6 +12,7 @@
 #include "adapters/nlu/parse/correction.hpp"
 #include "adapters/nlu/parse/doubt.hpp"
 #include "adapters/nlu/understand/explanation.hpp"
+#include "adapters/nlu/understand/heard_texts.hpp"
 #include "adapters/nlu/understand/hypotheses.hpp"
 
 namespace parlour::adapters::nlu {
@@ -122,6 +123,14 @@ struct Alternatives {
   // topic.
   bool same_slots = false;
 };
+
+double coverage_of(const Chain& chain, const Utterance& utterance) {
+  double covered = 0;
+  for (const auto& link : chain.links)
+    covered += link.island->covered;
+  const auto all = utterance.weight_of(0, utterance.size());
+  return all > 0 ? covered / all : 0;
+}
 
 // The same slots from the same words.
 bool equal_slots(const BuiltAct& left, const BuiltAct& right) {
@@ -254,9 +263,26 @@ NluEngine::build(const UnderstandingModel& model, const ColumnReader& columns,
       options.threshold));
 }
 
-Understanding NluEngine::understand(std::string_view text,
-                                    const Value& context_value,
+Understanding NluEngine::understand(std::string_view text, const Value& context,
                                     bool explain) const {
+  auto best = read(text, context, explain);
+  const auto others = other_texts(context, text);
+  if (others.empty() || is_settled(best))
+    return best;
+  Understanding chosen;
+  for (const auto& other : others)
+    if (auto made = read(other, context, explain);
+        makes_more_sense(made, best, context) &&
+        (chosen.acts.empty() || made.score > chosen.score))
+      chosen = std::move(made);
+  if (chosen.acts.empty())
+    return best;
+  make_doubtful(chosen);
+  return chosen;
+}
+
+Understanding NluEngine::read(std::string_view text, const Value& context_value,
+                              bool explain) const {
   const auto& self = *implementation_;
   const auto& schema = self.schema;
   // The stages, each on the result of the one before:
@@ -283,6 +309,7 @@ Understanding NluEngine::understand(std::string_view text,
 
   Understanding made;
   made.work = matcher.work();
+  made.coverage = guessed ? 0 : coverage_of(chains[0], utterance);
   if (explain)
     made.explanation = self.explain(utterance, spans, islands, chains, acts);
   for (const auto& act : acts) {

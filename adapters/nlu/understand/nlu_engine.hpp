@@ -14,23 +14,10 @@
 
 #include <tl/expected.hpp>
 
+#include "adapters/nlu/understand/understood.hpp"
 #include "runtime/message/understanding.hpp"
 
 namespace parlour::adapters::nlu {
-
-struct Understanding {
-  // The acts, as engine rule 5 wants them, in the order of the utterance; empty
-  // if nothing was understood well enough. In addition to the keys of
-  // runtime/message/understanding.hpp, a slot has `unmatched` true if its words
-  // stand for a value that the set does not have.
-  List acts;
-  // Of the best act.
-  double score = 0;
-  // Tokens, islands and scores, a line each; only if wanted.
-  std::vector<std::string> explanation;
-  // The number of arcs that were tried, for tests of the bound.
-  std::size_t work = 0;
-};
 
 // Immutable; any number of threads may use it.
 class NluEngine {
@@ -51,13 +38,16 @@ public:
   NluEngine& operator=(NluEngine&&) noexcept;
   ~NluEngine();
 
-  // `context` is the map that comes with DoNLU, or unknown.
+  // `context` is the map that comes with DoNLU, or unknown. Of what it says was
+  // heard, another text may be understood, where it makes clearly more sense.
   Understanding understand(std::string_view text, const Value& context = {},
                            bool explain = false) const;
 
 private:
   struct Implementation;
 
+  Understanding read(std::string_view text, const Value& context,
+                     bool explain) const;
   explicit NluEngine(std::unique_ptr<const Implementation> implementation);
 
   std::unique_ptr<const Implementation> implementation_;

@@ -1,6 +1,7 @@
 #include "script/dialogue/agenda/turns.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace parlour::dialogue {
 
@@ -11,10 +12,15 @@ constexpr std::size_t remembered_questions = 256;
 
 } // namespace
 
-TurnId Turns::begin() {
+TurnId Turns::begin(Value heard) {
   speech_is_over();
-  turns_.push_back({++last_, 0, false});
+  turns_.push_back({++last_, 0, false, std::move(heard)});
   return last_;
+}
+
+Value Turns::heard(TurnId turn) const {
+  const auto found = std::ranges::find(turns_, turn, &Turn::id);
+  return found == turns_.end() ? Value() : found->heard;
 }
 
 void Turns::let_go(TurnId turn) {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "runtime/base/clock.hpp"
+#include "runtime/base/value.hpp"
 #include "runtime/message/message.hpp"
 #include "script/support/short_lived.hpp"
 
@@ -21,7 +22,11 @@ using TurnId = std::uint64_t; // 0: none
 
 class Turns {
 public:
-  TurnId begin();
+  // `heard`: what the recogniser may have heard, the likeliest text first; a
+  // list, or unknown where there is no choice.
+  TurnId begin(Value heard = {});
+  // The same; unknown once the turn is over.
+  Value heard(TurnId turn) const;
 
   // The user was heard to speak, though not yet understood: a turn is open
   // until its result begins it, or this time is over.
@@ -93,10 +98,11 @@ private:
     TurnId id = 0;
     int holders = 0;
     bool taken = false;
+    Value heard = {};
 
     template <class Archive>
     void serialize(Archive& archive) {
-      archive(id, holders, taken);
+      archive(id, holders, taken, heard);
     }
   };
   struct Question {

@@ -4,6 +4,8 @@
 #include <string_view>
 #include <utility>
 
+#include "script/dialogue/engine/heard_texts.hpp"
+
 namespace parlour::dialogue {
 
 using namespace std::string_view_literals;
@@ -22,7 +24,10 @@ std::optional<StepList> Answers::take(Input& input) {
     return std::nullopt;
   const auto correlation = messenger_.post(
       understanding, "DoNLU",
-      {input.message->params[0], topics_.understanding_context()}, input.turn);
+      {input.message->params[0],
+       with_heard(topics_.understanding_context(), input.message->params[0],
+                  context_.turns.heard(input.turn))},
+      input.turn);
   context_.turns.let_go(input.turn); // the question keeps it open, for its time
   words_.emplace(correlation, std::move(input));
   return StepList();

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "script/dialogue/engine/conversation_implementation.hpp"
+#include "script/dialogue/engine/heard_texts.hpp"
 
 namespace parlour::dialogue {
 
@@ -80,7 +81,7 @@ void ConversationImplementation::receive(
                       context.port.is_source(recogniser, message->source);
   if (input.begins_turn && !context.turns.any_said(context.now))
     output.user_speaks();
-  input.turn = input.begins_turn ? context.turns.begin()
+  input.turn = input.begins_turn ? context.turns.begin(heard_texts(*message))
                                  : context.turns.of(message->correlation);
   const bool begins_turn = input.begins_turn;
   inbox.receive(std::move(input));

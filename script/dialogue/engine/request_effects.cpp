@@ -5,6 +5,7 @@
 
 #include "runtime/message/replies.hpp"
 #include "script/dialogue/engine/effect_operands.hpp"
+#include "script/dialogue/engine/heard_texts.hpp"
 
 namespace parlour::dialogue {
 
@@ -29,7 +30,8 @@ script::Performed RequestEffects::post(TurnId turn,
                                        const script::Effect& effect) {
   const auto& other = effect.operand(3);
   if (other.is_unknown() || other.text() == context_.options.session)
-    messenger_.post(effect.text(0), effect.text(1), params_of(effect), turn);
+    messenger_.post(effect.text(0), effect.text(1), params_of(turn, effect),
+                    turn);
   else
     messenger_.post_for_another(message_of(other.text(), effect.operand(0),
                                            effect.operand(1),
@@ -49,12 +51,15 @@ script::Performed RequestEffects::send(TurnId turn,
   return Value();
 }
 
-// The understanding is told what was asked, unless the script tells it itself.
-List RequestEffects::params_of(const script::Effect& effect) const {
+// The understanding is told what was asked, and what else was heard, unless the
+// script tells it itself.
+List RequestEffects::params_of(TurnId turn,
+                               const script::Effect& effect) const {
   auto params = list_of(effect.operand(2));
   if (params.size() == 1 && effect.text(1) == "DoNLU" &&
       context_.port.is_source("NLU", effect.text(0)))
-    params.push_back(topics_.understanding_context());
+    params.push_back(with_heard(topics_.understanding_context(), params[0],
+                                context_.turns.heard(turn)));
   return params;
 }
 
@@ -66,7 +71,7 @@ script::Performed RequestEffects::request(TurnId turn,
                  "nobody fills the role or has the name '" + module + "'",
                  {}};
   auto correlation =
-      messenger_.post(module, effect.text(1), params_of(effect), turn);
+      messenger_.post(module, effect.text(1), params_of(turn, effect), turn);
   const auto usual = context_.program->settings.sessions.request_timeout;
   const auto timeout = effect.has(3) ? milliseconds(effect.operand(3)) : usual;
   // For longer than usual nobody else has to wait.

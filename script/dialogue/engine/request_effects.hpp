@@ -50,7 +50,7 @@ public:
   }
 
 private:
-  List params_of(const script::Effect& effect) const;
+  List params_of(TurnId turn, const script::Effect& effect) const;
 
   DialogueContext& context_;
   Messenger& messenger_;

@@ -44,11 +44,18 @@ public:
     queue(words);
     run();
   }
-  void queue(const std::string& words) {
+  // With what a recogniser may have heard instead.
+  void hear(const std::string& words, List alternatives) {
+    queue(words, std::move(alternatives));
+    run();
+  }
+  void queue(const std::string& words, List alternatives = {}) {
     Message message;
     message.source = "Keyboard";
     message.command = "RecognitionResult";
     message.params = {words, 1};
+    if (!alternatives.empty())
+      message.params.push_back(std::move(alternatives));
     message.session = "s1";
     take(received(std::move(message)));
   }

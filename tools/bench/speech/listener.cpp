@@ -82,13 +82,15 @@ Expected<HeardLine> Listener::hear(const Sound& line, const Sound& noise) {
     made.rejected = false;
     made.text += (made.text.empty() ? "" : " ") + turn.text;
     if (made.acts.empty())
-      made.acts = understand(turn.text);
+      made.acts = understand(turn.text, turn.alternatives);
   }
   return made;
 }
 
-List Listener::understand(const std::string& text) const {
-  return engine_.understand(text, context_).acts;
+List Listener::understand(const std::string& text,
+                          const List& alternatives) const {
+  return engine_.understand(text, with_alternatives(context_, alternatives))
+      .acts;
 }
 
 } // namespace parlour::tools

@@ -29,7 +29,7 @@ public:
   Expected<HeardLine> hear(const adapters::Sound& line,
                            const adapters::Sound& noise = {});
   // The acts of a text.
-  List understand(const std::string& text) const;
+  List understand(const std::string& text, const List& alternatives = {}) const;
 
 private:
   Listener(Application application, adapters::nlu::NluEngine engine,

@@ -22,4 +22,12 @@ Map first_context(const script::Program& program, Timestamp now) {
   return context;
 }
 
+Map with_alternatives(Map context, const List& alternatives) {
+  List heard;
+  for (const auto& each : alternatives)
+    heard.push_back(each.if_map() ? each["text"] : each);
+  context.set("heard", std::move(heard));
+  return context;
+}
+
 } // namespace parlour::tools

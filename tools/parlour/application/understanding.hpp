@@ -19,4 +19,7 @@ build_engine(const Application& application, const ChosenComponent& component,
 // slots.
 Map first_context(const script::Program& program, Timestamp now);
 
+// With what else a recogniser heard, texts or maps with one.
+Map with_alternatives(Map context, const List& alternatives);
+
 } // namespace parlour::tools

@@ -33,7 +33,8 @@ UnderstoodTurn understand(const NluEngine& engine, const HeardTurn& turn,
   UnderstoodTurn understood;
   if (!turn.rejected.empty())
     return understood;
-  const auto made = engine.understand(turn.text, context, why);
+  const auto made = engine.understand(
+      turn.text, with_alternatives(context, turn.alternatives), why);
   for (const auto& act : made.acts)
     understood.acts.push_back(to_string(act));
   understood.explanation = made.explanation;

@@ -39,6 +39,9 @@ const std::vector<OptionDescription> options = {
      "folder of the application with conversations; what users say there is "
      "expected"},
     {"platform", "", "folder of what the platform ships"},
+    {"any-words", "false",
+     "hears also what is far from anything that the application expects", false,
+     OptionType::boolean},
     {"one-by-one", "false",
      "answers each message before the next; virtual time sets it", false,
      OptionType::boolean},
@@ -84,6 +87,7 @@ private:
 
   const Folders programs_;
   bool one_by_one_ = false;
+  bool any_words_ = false;
   OpenMessages open_;
   std::mutex columns_mutex_;
   nlu::KnownColumns columns_;
@@ -114,6 +118,7 @@ Expected<ProgramOrder> MoonshineASR::program_order(const Options& given) const {
 }
 
 Expected<void> MoonshineASR::on_start(const Options& given) {
+  any_words_ = option_value(given, options, "any-words") == "true";
   one_by_one_ = option_value(given, options, "one-by-one") == "true";
   auto sources = asr::language_sources(host(), given);
   if (!sources)
@@ -163,6 +168,8 @@ void MoonshineASR::prepare_grammars() {
 
 void MoonshineASR::make_grammars() {
   MoonshineGrammars made{asr::Language(sources_)};
+  for (auto& frame : language_frames(made.domain_model(), !any_words_))
+    program_->send(std::move(frame));
   const std::lock_guard lock(mutex_);
   grammars_ = std::move(made);
 }

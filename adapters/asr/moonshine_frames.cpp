@@ -144,6 +144,23 @@ std::string words_frame(const Words& words) {
       lines_of(words));
 }
 
+std::vector<std::string> language_frames(std::string_view arpa, bool rejects) {
+  std::vector<std::string> frames;
+  while (!arpa.empty()) {
+    // No line is cut, nor any character.
+    auto size = std::min(arpa.size(), longest_payload);
+    if (size < arpa.size())
+      if (const auto end = arpa.rfind('\n', size - 1); end != arpa.npos)
+        size = end + 1;
+    frames.push_back(frame({{"type", "language"},
+                            {"more", size < arpa.size()},
+                            {"rejects", rejects}},
+                           arpa.substr(0, size)));
+    arpa.remove_prefix(size);
+  }
+  return frames;
+}
+
 std::string narrow_frame(TurnNumber turn, const Words& words) {
   return frame({{"type", "narrow"},
                 {"turn", turn},

@@ -34,6 +34,10 @@ std::string detect_frame(TurnNumber stream, std::span<const Sample> samples);
 std::string narrow_frame(TurnNumber turn, const Words& words);
 std::string finish_frame(TurnNumber turn);
 std::string cancel_frame(TurnNumber turn);
+// Its domain model, in as many frames as it needs.
+// `rejects`: speech that it finds too unlikely is no turn.
+std::vector<std::string> language_frames(std::string_view arpa,
+                                         bool rejects = true);
 // The words of the application; those that do not fit into a frame are left
 // out, the last ones first.
 std::string words_frame(const Words& words);

@@ -12,6 +12,7 @@ namespace {
 // To prepare one takes milliseconds.
 constexpr std::size_t most_known = 32;
 constexpr std::size_t most_values = 2'000;
+constexpr std::size_t drawn_sentences = 20'000;
 
 // As it stands where a sentence begins.
 std::string capital(std::string phrase) {
@@ -57,6 +58,13 @@ MoonshineGrammars::narrow(const std::vector<std::string>& names) {
 const Words* MoonshineGrammars::words(const std::vector<std::string>& names) {
   const auto& known = narrow(names);
   return known.graph ? &known.words : nullptr;
+}
+
+std::string MoonshineGrammars::domain_model() const {
+  const auto& sentences = language_.sentences();
+  return sentences.arc_count() == 0
+             ? std::string()
+             : language_.arpa(sentences, drawn_sentences);
 }
 
 std::optional<bool>

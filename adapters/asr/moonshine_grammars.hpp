@@ -30,6 +30,10 @@ public:
   std::optional<bool> ends(const std::vector<std::string>& names,
                            const std::string& text);
 
+  // Which words follow each other in all of them, in the ARPA format; empty if
+  // there are none.
+  std::string domain_model() const;
+
 private:
   struct Narrow {
     std::vector<std::string> names;

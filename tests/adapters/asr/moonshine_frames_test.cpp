@@ -28,6 +28,27 @@ TEST(MoonshineFrames, WordsThatDoNotFitAreLeftOut) {
   EXPECT_THAT(words_frame(words), HasSubstr("xxx\nxxx"));
 }
 
+TEST(MoonshineFrames, AModelComesInPartsOfWholeLines) {
+  EXPECT_TRUE(language_frames("").empty());
+  EXPECT_EQ(language_frames("-1 a\n"),
+            std::vector<std::string>{"{\"type\":\"language\",\"more\":false,"
+                                     "\"rejects\":true,\"bytes\":5}\n-1 a\n"});
+  std::string model;
+  while (model.size() < (2 << 20) + 5)
+    model += "-1.5 one of many words\n";
+  const auto frames = language_frames(model);
+  EXPECT_EQ(frames.size(), 3u);
+  std::string joined;
+  for (const auto& frame : frames) {
+    EXPECT_LT(frame.size(), (1 << 20) + 100);
+    EXPECT_EQ(frame.back(), '\n');
+    EXPECT_EQ(frame.find("\"more\":true") == std::string::npos,
+              &frame == &frames.back());
+    joined += frame.substr(frame.find('\n') + 1);
+  }
+  EXPECT_EQ(joined, model);
+}
+
 Answer answer(std::string_view line) {
   AnswerReader reader;
   reader.add(line);

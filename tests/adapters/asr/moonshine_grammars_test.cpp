@@ -54,5 +54,14 @@ TEST_F(MoonshineGrammarsTest, KnowWhereASentenceMayEnd) {
   EXPECT_EQ(grammars.ends({"size"}, "I want to"), std::nullopt);
 }
 
+TEST_F(MoonshineGrammarsTest, HaveADomainModel) {
+  const auto model = grammars.domain_model();
+  EXPECT_THAT(model, testing::HasSubstr("\\3-grams:"));
+  EXPECT_THAT(model, testing::HasSubstr("i want to"));
+  EXPECT_THAT(model, testing::HasSubstr("jeffery ho"));
+  const MoonshineGrammars none{asr::Language({})};
+  EXPECT_EQ(none.domain_model(), "");
+}
+
 } // namespace
 } // namespace parlour::adapters::moonshine

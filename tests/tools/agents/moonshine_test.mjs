@@ -5,10 +5,14 @@ import { test } from "node:test";
 
 import { Detector } from "../../../tools/agents/moonshine/detector.mjs";
 import { END } from "../../../tools/agents/moonshine/model.mjs";
+import {
+  Guidance, Language,
+} from "../../../tools/agents/moonshine/language.mjs";
 import { Levels } from "../../../tools/agents/moonshine/levels.mjs";
 import {
   FrameReader, samples,
 } from "../../../tools/agents/moonshine/protocol.mjs";
+import { repeatsItself } from "../../../tools/agents/moonshine/recogniser.mjs";
 import { search } from "../../../tools/agents/moonshine/search.mjs";
 import {
   NOTHING, Steering,
@@ -81,6 +85,65 @@ test("a name earns more than another phrase", () => {
     (token) => token >= 100);
   assert.equal(steered.final(place(steered, [100])), 3);
   assert.equal(steered.final(place(steered, [100, 101])), 4);
+});
+
+// -- the domain model: tokens of a few words
+
+const pieces = ["", "", "\u2581I", "\u2581see", "\u2581sea", "\u2581Dr",
+  ".", "\u25815", "\u2581s", "ea"];
+const model = new Language(`\\data\\
+ngram 1=5
+
+\\1-grams:
+-1.0\ti\t-0.5
+-1.0\tsee\t-0.5
+-2.0\tsea
+-2.0\tdoctor
+-1.0\t</s>
+
+\\2-grams:
+-0.1\ti see\t-0.2
+
+\\3-grams:
+-0.1\t<s> i see
+
+\\end\\
+`, pieces);
+const said = (...tokens) =>
+  tokens.reduce((at, token) => model.follow(at, token), model.start);
+
+test("words that follow each other score higher", () => {
+  assert.ok(model.final(said(2, 3)) > model.final(said(2, 4)));
+  assert.ok(model.final(said(3)) > model.final(said(4)));
+});
+
+test("a word that has begun is the likeliest one", () => {
+  assert.equal(model.hoped(said(2, 8)), model.hoped(said(2, 3)));
+  assert.equal(model.final(said(2, 8, 9)), model.final(said(2, 4)));
+});
+
+test("what the model has in words may be written otherwise", () => {
+  const outside = new Language("", pieces);
+  assert.ok(model.final(said(5, 6)) >
+    outside.final(outside.follow(outside.start, 5)));
+  assert.equal(model.hoped(said(7)), 0); // a figure
+});
+
+test("model and words guide together", async () => {
+  const guidance = new Guidance(steering([3]), model);
+  const at = guidance.follow(guidance.start, 3);
+  assert.equal(guidance.final(at),
+    model.final(said(3)) + steering([3]).final(place(steering([3]), [3])));
+  assert.ok(guidance.wanted(guidance.start).has(3));
+});
+
+test("what repeats itself is no speech", () => {
+  for (const text of ["the the the the the", "of the world of the world of " +
+    "the world", "I know, I know, I know, I know."])
+    assert.ok(repeatsItself(text), text);
+  for (const text of ["no no no", "nine nine nine nine nine nine", "5 5 5 5 5",
+    "one two one two one two", "is there a bank and is there a bank", ""])
+    assert.ok(!repeatsItself(text), text);
 });
 
 // -- search: texts with their probabilities; every other token is unlikely

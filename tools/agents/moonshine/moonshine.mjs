@@ -26,7 +26,15 @@ async function recognising() {
   const recogniser = await Recogniser.load(here);
   const turns = new Turns(
     (heard, how) => recogniser.recognise(heard, how), say);
+  let model = "";
   return {
+    // In parts.
+    language: ({ more, rejects }, payload) => {
+      model += payload.toString("utf8");
+      if (!more)
+        recogniser.speak(model, rejects);
+      model = more ? model : "";
+    },
     words: ({ names }, payload) =>
       recogniser.steer(phrases(payload), names ?? 0),
     narrow: (head, payload) => turns.narrow(

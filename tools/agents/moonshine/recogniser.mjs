@@ -3,6 +3,7 @@ import fs from "node:fs";
 import path from "node:path";
 import { pathToFileURL } from "node:url";
 
+import { FIGURES, Guidance, Language } from "./language.mjs";
 import { Model, packages } from "./model.mjs";
 import { mostTokens, search } from "./search.mjs";
 import { Steering } from "./steering.mjs";
@@ -42,6 +43,19 @@ export class Recogniser {
     return recogniser;
   }
 
+  // The domain model in the ARPA format, of which turns that are not narrowed
+  // know; `rejects`: what it finds too unlikely is not said to the application.
+  speak(arpa, rejects = false) {
+    this.rejects = rejects;
+    this.language = new Language(arpa, this.tokenizer.vocabById);
+    this.guide();
+  }
+
+  guide() {
+    this.guidance = this.language
+      ? new Guidance(this.steering, this.language) : this.steering;
+  }
+
   // The words towards which it is steered, as they are written: first so many
   // names and other values, then what else is said.
   steer(phrases, names) {
@@ -52,6 +66,7 @@ export class Recogniser {
       bonus: i < names ? NAME_BONUS : PHRASE_BONUS,
     }));
     this.steering = new Steering(weighted, (token) => this.startsWord(token));
+    this.guide();
   }
 
   // The steering of a turn in which only these are expected.
@@ -86,7 +101,7 @@ export class Recogniser {
 
   // {text, confidence, alternatives, words}, or null once isOver() says so.
   // `steering` is that of a narrowed turn.
-  async recognise(samples, { careful, isOver, steering = this.steering }) {
+  async recognise(samples, { careful, isOver, steering = this.guidance }) {
     if (samples.length < SHORTEST * RATE)
       return { text: "" };
     const heard = await this.model.encode(samples);
@@ -95,11 +110,30 @@ export class Recogniser {
     const texts = await search(this.model, heard, {
       steering, width: careful ? WIDTH : PARTIAL_WIDTH,
       most: mostTokens(samples.length / RATE), isOver,
+      plainPiece: (token) => this.plainPiece(token),
     });
-    return texts && this.result(texts);
+    if (!texts)
+      return null;
+    const said = texts.filter((one) => !this.repeats(one));
+    return this.result(
+      said.length && careful && this.rejects && !fits(said[0]) ? [] : said);
+  }
+
+  // Texts that differ in nothing else are the same.
+  plainPiece(token) {
+    return (this.tokenizer.vocabById[token] ?? "").toLowerCase()
+      .replace(/[^\p{L}\p{N}\u2581]/gu, "");
+  }
+
+  // The network repeats itself where it hears voices that nobody could
+  // understand.
+  repeats({ tokens }) {
+    return repeatsItself(this.tokenizer.decode(tokens, false, true));
   }
 
   result(texts) {
+    if (texts.length === 0)
+      return { text: "" };
     const [best, ...others] = texts.map((one) => this.told(one));
     const seen = new Set([best.text]);
     const alternatives = others.filter(
@@ -135,6 +169,33 @@ export class Recogniser {
       confidence: rounded(confidence),
     })).filter(({ text }) => text);
   }
+}
+
+// A text for each of whose tokens domain model and preferred words take away so
+// much, in natural logarithms of a probability, is about something else; chosen
+// by measuring. Names and short answers may be unknown.
+const LEAST_FIT = -0.6;
+const SHORT = 8; // tokens
+const fits = ({ tokens, sum, score }) =>
+  tokens.length < SHORT || score - sum >= LEAST_FIT * tokens.length;
+
+// Whether words are said again and again at once: "the the the the", "of the
+// world of the world of the world". Figures may be, and a few short words are.
+export function repeatsItself(text) {
+  const words = text.toLowerCase().split(/[^\p{L}\p{N}']+/u).filter(Boolean);
+  for (let size = 1; size <= 4; ++size)
+    for (let from = 0; from + size <= words.length; ++from) {
+      const unit = words.slice(from, from + size);
+      if (unit.some((word) => FIGURES.has(word) || /\d/.test(word)))
+        continue;
+      let times = 1;
+      while (unit.every(
+        (word, i) => words[from + times * size + i] === word))
+        ++times;
+      if (times >= (size === 1 ? 5 : 3))
+        return true;
+    }
+  return false;
 }
 
 const rounded = (chance) => Math.round(chance * 1000) / 1000;

@@ -1,7 +1,6 @@
 // Beam search: of all texts the likeliest ones, with the bonus of the steering,
 // and the probability of each of their tokens.
 import { END } from "./model.mjs";
-import { NOTHING } from "./steering.mjs";
 
 // No more than this is said in a second; the model repeats itself for ever when
 // it hears nothing.
@@ -18,9 +17,9 @@ export const mostTokens = (seconds) =>
 
 // The texts, best first: [{tokens, chances, score}]. `chances` are the
 // probabilities of the tokens, as steered, and of the end.
-export async function search(model, heard, { steering, width, most, isOver }) {
+export async function search(model, heard, { steering, width, most, isOver, plainPiece }) {
   let state = await model.begin(heard);
-  let beam = [{ tokens: [], chances: [], sum: 0, place: NOTHING }];
+  let beam = [{ tokens: [], chances: [], sum: 0, place: steering.start, text: "" }];
   const done = [];
   for (let length = 0; length < most; ++length) {
     if (isOver?.())
@@ -28,12 +27,19 @@ export async function search(model, heard, { steering, width, most, isOver }) {
     const next = candidates(state, beam, steering, width);
     beam = [];
     const parents = [];
+    const seen = new Set();
     for (const one of next) {
       if (one.token === END) {
         done.push(finished(one, steering));
         continue;
       }
-      beam.push(grown(one));
+      const text = one.from.text + (plainPiece?.(one.token) ?? "");
+      if (plainPiece) {
+        if (seen.has(text))
+          continue;
+        seen.add(text);
+      }
+      beam.push({ ...grown(one), text });
       parents.push(one.row);
       if (beam.length === width)
         break;

@@ -9,6 +9,8 @@ const MOST_BRANCHES = 8;
 export const NOTHING = { kept: 0, ways: [] };
 
 export class Steering {
+  start = NOTHING;
+
   // `phrases`: [{tokens, bonus}], the bonus of each token in natural logarithms
   // of a probability; `startsWord(token)`: whether a word begins with it or it
   // is punctuation.

@@ -156,10 +156,14 @@ void Node::enter(const SeatId& seat, const std::vector<std::string>& lines) {
   implementation_->bring_in(session, 0, lines);
 }
 
-SeatId Node::begin_visit(SeatCallbacks callbacks) {
+SeatId Node::begin_visit(SeatCallbacks callbacks,
+                         std::optional<dialogue::SavedSession> left) {
   auto& self = *implementation_;
   auto id = self.add_seat();
-  self.runtime.begin_visit(id, self.calls_of(id, std::move(callbacks)));
+  self.runtime.begin_visit(
+      id, self.calls_of(id, std::move(callbacks)),
+      left ? std::make_shared<const dialogue::SavedSession>(*std::move(left))
+           : nullptr);
   return id;
 }
 

@@ -72,7 +72,9 @@ public:
   // any thread, and nobody waits
 
   // Opens a seat, where a conversation begins; on_session_begin tells.
-  SeatId begin_visit(SeatCallbacks callbacks);
+  // One that a crash has left goes on (engine rule 7.11).
+  SeatId begin_visit(SeatCallbacks callbacks,
+                     std::optional<dialogue::SavedSession> left = {});
   // A numbered turn, in one line or several, for the session that has begun
   // there; nothing happens where there is none. Numbers rise, from 1.
   void enter_turn(const SeatId& seat, std::uint64_t number,

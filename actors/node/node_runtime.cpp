@@ -219,12 +219,15 @@ NodeRuntime::open_session(const seat_actor& seat,
   return opened ? opened->session : SessionId();
 }
 
-void NodeRuntime::begin_visit(const std::string& name, SeatCalls calls) {
+void NodeRuntime::begin_visit(
+    const std::string& name, SeatCalls calls,
+    std::shared_ptr<const dialogue::SavedSession> saved) {
   auto shared = std::make_shared<const SeatCalls>(std::move(calls));
   std::lock_guard lock(seats_mutex_);
   if (manager_)
-    caf::anon_send(manager_, actors::begin_visit{name, std::move(shared),
-                                                 time_.work.begin()});
+    caf::anon_send(manager_,
+                   actors::begin_visit{name, std::move(shared),
+                                       std::move(saved), time_.work.begin()});
 }
 
 void NodeRuntime::end_visit(const std::string& name) {

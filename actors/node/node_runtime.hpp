@@ -42,7 +42,8 @@ public:
   open_session(const seat_actor& seat,
                std::shared_ptr<const dialogue::SavedSession> saved = nullptr);
   // Seats that come and go. From any thread; nobody waits.
-  void begin_visit(const std::string& name, SeatCalls calls);
+  void begin_visit(const std::string& name, SeatCalls calls,
+                   std::shared_ptr<const dialogue::SavedSession> saved);
   void end_visit(const std::string& name);
   // As Node says.
   Value slot_value(const SessionId& session, const std::string& topic,

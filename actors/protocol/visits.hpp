@@ -10,6 +10,10 @@
 #include "actors/protocol/in_flight.hpp"
 #include "runtime/message/message.hpp"
 
+namespace parlour::dialogue {
+struct SavedSession; // script/dialogue/inputs/saved_session.hpp
+} // namespace parlour::dialogue
+
 namespace parlour::actors {
 
 struct SeatCalls; // actors/sessions/seat.hpp
@@ -20,6 +24,8 @@ struct SeatCalls; // actors/sessions/seat.hpp
 struct begin_visit {
   std::string name;
   std::shared_ptr<const SeatCalls> calls;
+  // One that goes on after a crash, under its id; null: a new one.
+  std::shared_ptr<const dialogue::SavedSession> saved;
   InFlight work;
 };
 // To the session manager: close such a seat. Its session ends, then it leaves.

@@ -118,8 +118,7 @@ void tell_turns_done(Self self) {
   if (state.turns_done == state.turns_taken)
     return;
   state.turns_done = state.turns_taken;
-  self->send(state.seat, turns_done{port_of(self).id(), state.turns_done,
-                                    state.time->work.begin()});
+  state.dialogue->tell_turns_done(state.turns_done);
 }
 
 // After each input: steps are taken one at a time through the mailbox, so that
@@ -274,7 +273,6 @@ void set_up(Self self, std::shared_ptr<const SessionParts> parts,
   auto& state = self->state;
   state.parts = std::move(parts);
   state.time = &state.parts->time;
-  state.seat = order.seat;
   auto make_port = [self, id = order.id, seat = std::move(order.seat)] {
     return std::make_unique<SessionPort>(
         self, self->state.parts, id, seat,
@@ -293,6 +291,8 @@ void set_up(Self self, std::shared_ptr<const SessionParts> parts,
     };
   };
   state.saved = std::move(order.saved);
+  if (state.saved)
+    state.turns_taken = state.saved->turns.taken;
   state.dialogue = std::make_unique<SessionDialogue>(
       state.parts->program,
       dialogue::ConversationOptions{std::move(order.id), order.seed,

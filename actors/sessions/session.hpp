@@ -24,7 +24,6 @@ struct session_state {
   std::unique_ptr<SessionDialogue> dialogue;
   // Until it begins; null: it is a new one.
   std::shared_ptr<const dialogue::SavedSession> saved;
-  seat_actor seat;
   // The highest numbers of turns that were received, and told as answered.
   std::uint64_t turns_taken = 0;
   std::uint64_t turns_done = 0;

@@ -27,6 +27,7 @@ SessionDialogue::SessionDialogue(std::shared_ptr<const script::Program> program,
                                                     seen(*port_), saved->state)
                         .value();
     inputs_ = saved->inputs;
+    turns_ = saved->turns;
   } else {
     conversation_ = std::make_unique<dialogue::Conversation>(program_, options_,
                                                              seen(*port_));
@@ -50,7 +51,7 @@ dialogue::SessionOpened SessionDialogue::opened() const {
 void SessionDialogue::keep_state() {
   part_ = kept_.journal->hold();
   has_moved_ = has_gap_ = false;
-  keep(dialogue::StateKept{opened(), inputs_, conversation_->save()});
+  keep(dialogue::StateKept{opened(), inputs_, conversation_->save(), turns_});
 }
 
 void SessionDialogue::keep(decltype(dialogue::SessionRecord::what) what) {
@@ -58,8 +59,20 @@ void SessionDialogue::keep(decltype(dialogue::SessionRecord::what) what) {
       dialogue::to_bytes({options_.session, std::move(what)}));
   has_moved_ |= place.part != part_->number;
   has_gap_ |= place.record == 0;
-  if (place.record != 0 && port_->effects().wait_for(place.record, inputs_))
-    kept_.journal->when_written(place.record, kept_.when_written(place.record));
+  if (place.record == 0)
+    return;
+  last_record_ = place.record;
+  bind_effects();
+}
+
+void SessionDialogue::bind_effects() {
+  if (port_->effects().wait_for(last_record_, inputs_))
+    kept_.journal->when_written(last_record_, kept_.when_written(last_record_));
+}
+
+void SessionDialogue::tell_turns_done(std::uint64_t turn) {
+  port_->tell_turns_done(turn);
+  bind_effects();
 }
 
 void SessionDialogue::take(dialogue::SessionInput input, Timestamp now) {
@@ -67,8 +80,10 @@ void SessionDialogue::take(dialogue::SessionInput input, Timestamp now) {
     return dialogue::take(*conversation_, std::move(input), now);
   // Before it is dealt with: the conversation may take it apart.
   auto noted = dialogue::to_bytes(*program_, {now, input});
+  turns_.take(input);
   dialogue::take(*conversation_, std::move(input), now);
   ++inputs_;
+  turns_.dealt_with(*conversation_, now);
   auto answers = dialogue::to_bytes(*program_, recording_->take_answers());
   // Behind a gap only a state makes sense.
   if (!has_gap_)
@@ -92,6 +107,9 @@ dialogue::Port& SessionDialogue::seen(SessionPort& port) {
   if (!kept_.journal)
     return port;
   recording_ = std::make_unique<dialogue::RecordingPort>(port);
+  recording_->on_output = [this](const dialogue::Output& output) {
+    turns_.release(output);
+  };
   return *recording_;
 }
 

@@ -41,6 +41,8 @@ public:
   void take(dialogue::SessionInput input, Timestamp now);
   // The journal has this record: what waited for it is done.
   void written(std::uint64_t record);
+  // Whoever numbers its turns is told that those up to this one are answered.
+  void tell_turns_done(std::uint64_t turn);
   // It has ended: the manager is told, and what works for it ends.
   void close(std::vector<Message> unread);
 
@@ -73,6 +75,8 @@ private:
   dialogue::Port& seen(SessionPort& port);
   void keep(decltype(dialogue::SessionRecord::what) what);
   void keep_state();
+  // What the port holds back from now on waits for the last record, too.
+  void bind_effects();
   dialogue::SessionOpened opened() const;
 
   const std::shared_ptr<const script::Program> program_;
@@ -80,6 +84,8 @@ private:
   const MakePort make_port_;
   const JournalUse kept_;
   std::uint64_t inputs_ = 0; // that it has taken
+  dialogue::TurnLog turns_;
+  std::uint64_t last_record_ = 0; // of this session in the journal
   // Where its last state, or its beginning, stands in the journal.
   std::shared_ptr<const Journal::Part> part_;
   bool has_moved_ = false; // the journal has gone on to another part

@@ -252,7 +252,7 @@ void begin(Self self, const begin_visit& what) {
   state.visits[what.name] = seat;
   state.seats[what.name] = seat;
   self->send(parts.supervisor, seat_opened{what.name, seat, what.work});
-  open(self, {seat, what.work}, true);
+  open(self, {seat, what.work, what.saved}, true);
 }
 
 void end(Self self, const end_visit& what) {

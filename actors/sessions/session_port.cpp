@@ -112,6 +112,12 @@ void SessionPort::release(const dialogue::Output& output) {
   });
 }
 
+void SessionPort::tell_turns_done(std::uint64_t turn) {
+  perform([this, turn] {
+    self_->send(seat_, turns_done{id_, turn, time_.work.begin()});
+  });
+}
+
 // -- timers, queries ----------------------------------------------------------
 
 Timestamp SessionPort::due_at(Milliseconds after) const {

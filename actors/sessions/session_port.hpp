@@ -68,6 +68,8 @@ public:
   HeldEffects& effects() {
     return effects_;
   }
+  // To the seat, where turns are numbered.
+  void tell_turns_done(std::uint64_t turn);
   // After a crash: what was posted, and may not have left.
   void post_again(std::vector<Message> messages);
   // -- for who asks how it is

@@ -53,6 +53,10 @@ public:
                   "nobody can be served at " + options_.address + " port " +
                       std::to_string(options_.port) + ": " + error.message());
     address_ = text_of(acceptor_.local_endpoint());
+    for (auto& left : options_.left)
+      book_.bring_back(std::move(left), SteadyClock::now());
+    options_.left = {};
+    await_expiry();
     accept();
     thread_ = std::thread([this] { work(); });
     return {};
@@ -222,7 +226,7 @@ private:
       visit->drop();
   }
 
-  const ServerOptions options_;
+  ServerOptions options_;
   const Thrown thrown_;
   net::io_context context_{1};
   net::executor_work_guard<Executor> stays_{context_.get_executor()};

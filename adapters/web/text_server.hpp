@@ -18,6 +18,8 @@ struct ServerOptions {
   std::string address = "127.0.0.1"; // of this machine
   std::uint16_t port = 0;            // 0: any that is free
   BookOptions book = {};
+  // They are the visitors 1, 2, … in this order.
+  std::vector<LeftVisitor> left = {};
   // Pages of these origins may connect, such as https://kiosk.example, beside
   // those of this machine.
   std::vector<std::string> origins = {};

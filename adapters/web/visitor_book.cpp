@@ -80,8 +80,7 @@ VisitorId VisitorBook::come(Connection& connection) {
 
 VisitorId VisitorBook::come(Connection& connection, const Hello& hello) {
   if (!hello.session.empty())
-    return by_session_.contains(hello.session) ? resume(connection, hello)
-                                               : adopt(connection, hello);
+    return resume(connection, hello);
   const auto id = add(connection, true);
   if (id != 0)
     host_.open(id);
@@ -89,7 +88,13 @@ VisitorId VisitorBook::come(Connection& connection, const Hello& hello) {
 }
 
 VisitorId VisitorBook::resume(Connection& connection, const Hello& hello) {
-  const auto id = by_session_.at(hello.session);
+  const auto found = by_session_.find(hello.session);
+  if (found == by_session_.end())
+    return refuse(connection,
+                  {"unknown-session",
+                   "there is no such session: it has ended, or its time "
+                   "without a connection is over; say hello without one"});
+  const auto id = found->second;
   auto& visitor = visitors_.at(id);
   if (auto* before = std::exchange(visitor.connection, nullptr)) {
     before->tell(Refused{"taken-over", "another connection goes on with this "
@@ -103,26 +108,25 @@ VisitorId VisitorBook::resume(Connection& connection, const Hello& hello) {
   return id;
 }
 
-VisitorId VisitorBook::adopt(Connection& connection, const Hello& hello) {
-  const auto id = add(connection, true);
-  if (id == 0)
-    return 0;
-  const auto taken = host_.adopt(id, hello.session);
-  if (!taken) {
-    forget(visitors_.find(id));
-    return refuse(connection,
-                  {"unknown-session",
-                   "there is no such session: it has ended, or its time "
-                   "without a connection is over; say hello without one"});
-  }
-  auto& visitor = visitors_.at(id);
-  visitor.session = hello.session;
-  visitor.taken = visitor.done = *taken;
-  visitor.dropped_turn = *taken;
-  by_session_[visitor.session] = id;
-  ++counters_.resumed;
-  welcome(visitor, hello);
-  return id;
+// What came before the turns that are open, or before the last one, is lost.
+VisitorId VisitorBook::bring_back(LeftVisitor left, Moment now) {
+  auto& visitor = visitors_[++last_];
+  ++going_on_;
+  visitor.can_return = true;
+  visitor.session = std::move(left.session);
+  visitor.taken = left.taken;
+  visitor.done = left.done;
+  by_session_[visitor.session] = last_;
+  visitor.dropped_turn =
+      left.taken == left.done && left.taken > 0 ? left.taken - 1 : left.done;
+  if (!left.said.empty())
+    visitor.dropped_output = left.said.front().output - 1;
+  for (auto& said : left.said)
+    keep(visitor, std::move(said));
+  for (auto turn = visitor.dropped_turn; turn < left.done;)
+    keep(visitor, Done{++turn});
+  linger(last_, visitor, now);
+  return last_;
 }
 
 bool VisitorBook::is_kept_since(const Visitor& visitor, const Hello& hello) {

@@ -33,14 +33,6 @@ public:
   // Nobody will come back: its session ends, and all of it is forgotten.
   // Nothing happens where it is over already.
   virtual void close(VisitorId visitor) = 0;
-  // A session that no visitor of this server has, such as one that was brought
-  // back after a crash: from now on it is this visitor's, and what it says is
-  // told. Returns the number of the last turn that it has taken; nothing where
-  // there is no such session.
-  virtual std::optional<std::uint64_t> adopt(VisitorId /*visitor*/,
-                                             const std::string& /*session*/) {
-    return std::nullopt;
-  }
   // What the platform's clock shows.
   virtual std::string clock() = 0;
 };
@@ -62,6 +54,14 @@ struct BookOptions {
   Milliseconds linger{60'000};
 };
 
+// A visitor of a run that was killed, whose session goes on.
+struct LeftVisitor {
+  std::string session;
+  std::uint64_t taken = 0; // the turns up to this one
+  std::uint64_t done = 0;
+  std::vector<Said> said; // since the last turn that was taken
+};
+
 // Since the beginning.
 struct BookCounters {
   std::uint64_t visitors = 0;
@@ -79,6 +79,8 @@ public:
 
   // -- connections; 0: refused, the connection was told why and is to close ---
 
+  // Before all others: its session has begun, and it may come to resume it.
+  VisitorId bring_back(LeftVisitor left, Moment now);
   // Somebody who will not come back.
   VisitorId come(Connection& connection);
   VisitorId come(Connection& connection, const Hello& hello);
@@ -137,7 +139,6 @@ private:
 
   VisitorId add(Connection& connection, bool can_return);
   VisitorId resume(Connection& connection, const Hello& hello);
-  VisitorId adopt(Connection& connection, const Hello& hello);
   void welcome(Visitor& visitor, const Hello& hello);
   static bool is_kept_since(const Visitor& visitor, const Hello& hello);
   bool repeat(Visitor& visitor, std::uint64_t turn);

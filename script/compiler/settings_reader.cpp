@@ -35,13 +35,16 @@ void read_sessions(const Element& element, SessionSettings& sessions) {
 
 // Attributes that the language has but that have no effect yet.
 void warn_of_later(const Element& element, Findings& findings) {
-  for (const auto* name : {"rest-after", "journal", "keep"})
+  constexpr std::pair<const char*, const char*> all[] = {
+      {"rest-after", "sessions stay in memory until they end"},
+      {"journal", "parlour run --journal FOLDER keeps one, with --strict a "
+                  "strict one"},
+      {"keep", "a journal is kept for 7 days"}};
+  for (const auto& [name, instead] : all)
     if (const auto* attribute = element.attribute(name))
       findings.add({Severity::warning,
                     {attribute->position},
-                    "'" + std::string(name) +
-                        "' has no effect yet: there is no journal, and "
-                        "sessions stay in memory until they end",
+                    "'" + std::string(name) + "' has no effect yet: " + instead,
                     "not-available-yet"});
 }
 

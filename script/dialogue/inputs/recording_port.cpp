@@ -58,6 +58,8 @@ void RecordingPort::subscribe(const std::vector<Subscription>& all) {
 
 void RecordingPort::release(const Output& output) {
   wishes_.release(output);
+  if (on_output)
+    on_output(output);
   port_.release(output);
 }
 

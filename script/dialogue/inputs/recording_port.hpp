@@ -2,6 +2,8 @@
 // answers at once and what was wanted of it (port_answers.hpp).
 #pragma once
 
+#include <functional>
+
 #include "script/dialogue/agenda/port.hpp"
 #include "script/dialogue/inputs/port_answers.hpp"
 #include "script/dialogue/inputs/wishes.hpp"
@@ -12,6 +14,9 @@ class RecordingPort : public Port {
 public:
   // The other port outlives this one.
   explicit RecordingPort(Port& port) : port_(port) {}
+
+  // Each output that leaves; may be empty.
+  std::function<void(const Output&)> on_output;
 
   // What was noted since the last call.
   PortAnswers take_answers();

@@ -14,11 +14,10 @@ using Program = std::shared_ptr<const script::Program>;
 class Recovered {
 public:
   Recovered(const SessionHistory& history, Replay& replay)
-      : history_(history), replay_(replay), input_(history.before) {
+      : history_(history), replay_(replay), input_(history.before),
+        turns_(history.turns) {
     auto& port = replay_.port();
-    port.on_output = [this](const Output& output) {
-      said_.push_back(output.text);
-    };
+    port.on_output = [this](const Output& output) { turns_.release(output); };
     // Without a strict journal what was posted had left before it was kept.
     if (history.opened.strict)
       port.on_post = [this](const Message& message) {
@@ -35,9 +34,11 @@ public:
     if (!answers)
       return tl::make_unexpected(std::move(answers.error()));
     ++input_;
-    if (is_turn(input->what))
-      said_.clear();
-    return replay_.take(std::move(*input), std::move(*answers));
+    turns_.take(input->what);
+    const auto now = input->now;
+    auto taken_same = replay_.take(std::move(*input), std::move(*answers));
+    turns_.dealt_with(replay_.conversation(), now);
+    return taken_same;
   }
 
   std::uint64_t input() const {
@@ -51,20 +52,15 @@ public:
       return conversation.awaits_reply(message.correlation);
     });
     return {history_.id,         history_.opened.seed, input_,
-            conversation.save(), std::move(posts_),    std::move(said_)};
+            conversation.save(), std::move(posts_),    std::move(turns_)};
   }
 
 private:
-  static bool is_turn(const SessionInput& what) {
-    const auto* got = std::get_if<input::Received>(&what);
-    return got && got->message->command == "RecognitionResult";
-  }
-
   const SessionHistory& history_;
   Replay& replay_;
   std::uint64_t input_;
   std::vector<Message> posts_;
-  std::vector<std::string> said_;
+  TurnLog turns_;
 };
 
 Expected<std::unique_ptr<Replay>>

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "runtime/message/message.hpp"
+#include "script/dialogue/inputs/turn_log.hpp"
 
 namespace parlour::dialogue {
 
@@ -17,8 +18,7 @@ struct SavedSession {
   std::string state;        // the bytes of Conversation::save()
   // What it posted last, and what may not have left.
   std::vector<Message> posts;
-  // What it said since it last heard somebody.
-  std::vector<std::string> said;
+  TurnLog turns;
 };
 
 } // namespace parlour::dialogue

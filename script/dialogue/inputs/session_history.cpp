@@ -28,6 +28,7 @@ struct Taker {
     history.closed = false;
     history.state = std::move(kept.state);
     history.before = kept.inputs;
+    history.turns = std::move(kept.turns);
     history.inputs.clear();
     return true;
   }

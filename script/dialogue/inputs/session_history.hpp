@@ -15,6 +15,7 @@ struct SessionHistory {
   SessionOpened opened;
   std::string state;        // where it begins; empty: with the session
   std::uint64_t before = 0; // inputs that were taken before that state
+  TurnLog turns;            // at that state
   std::vector<InputTaken> inputs;
   std::uint64_t posted = 0; // EffectsDone
   bool closed = false;

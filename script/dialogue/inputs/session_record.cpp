@@ -21,6 +21,15 @@ struct Writing {
   void operator()(bool flag) const {
     bytes.byte(flag);
   }
+  void operator()(const std::vector<TurnLog::Said>& all) const {
+    bytes.fixed(all.size());
+    for (const auto& said : all) {
+      bytes.fixed(said.turn);
+      bytes.fixed(said.output);
+      bytes.byte(static_cast<std::uint8_t>(said.act));
+      bytes.text(said.text);
+    }
+  }
 };
 
 struct Reading {
@@ -34,6 +43,19 @@ struct Reading {
   }
   void operator()(bool& flag) const {
     flag = bytes.byte() != 0;
+  }
+  void operator()(std::vector<TurnLog::Said>& all) const {
+    const auto count = bytes.fixed();
+    for (std::uint64_t i = 0; i < count && bytes.ok(); ++i) {
+      auto& said = all.emplace_back();
+      said.turn = bytes.fixed();
+      said.output = bytes.fixed();
+      const auto act = bytes.byte();
+      if (act > static_cast<std::uint8_t>(OutputAct::chat))
+        return bytes.fail("an output of an unknown kind");
+      said.act = static_cast<OutputAct>(act);
+      said.text = bytes.text();
+    }
   }
 };
 
@@ -52,6 +74,9 @@ void each(Visit visit, What& it) {
     each(visit, it.opened);
     visit(it.inputs);
     visit(it.state);
+    visit(it.turns.taken);
+    visit(it.turns.done);
+    visit(it.turns.said);
   } else if constexpr (std::is_same_v<Kind, EffectsDone>) {
     visit(it.inputs);
   }

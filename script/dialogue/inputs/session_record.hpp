@@ -8,7 +8,9 @@
 //             a byte, whether its effects waited for the journal
 //   taken     block, the input; block, the port's answers (replay.hpp)
 //   state     as opened; fixed, how many inputs it has taken; block, the bytes
-//             of Conversation::save()
+//             of Conversation::save(); fixed, the turns taken and those that
+//             are answered; fixed, how many outputs follow, and for each fixed,
+//             its turn and its number; a byte, its act; text, its words
 //   posted    fixed, how many inputs
 //   closed    nothing
 #pragma once
@@ -20,6 +22,7 @@
 
 #include "runtime/base/error.hpp"
 #include "runtime/message/message.hpp"
+#include "script/dialogue/inputs/turn_log.hpp"
 
 namespace parlour::dialogue {
 
@@ -43,6 +46,7 @@ struct StateKept {
   SessionOpened opened;
   std::uint64_t inputs = 0; // that were taken before
   std::string state;
+  TurnLog turns;
 };
 
 // The messages that the session posted during its first inputs, so many, are

@@ -142,7 +142,8 @@ TEST_F(JournaledSessionTest, GoesOnWhereItWas) {
   const auto saved = recovered();
   ASSERT_TRUE(saved);
   EXPECT_EQ(saved->id, id);
-  EXPECT_THAT(saved->said, ElementsAre("2."));
+  ASSERT_THAT(saved->turns.said, SizeIs(1));
+  EXPECT_EQ(saved->turns.said[0].text, "2.");
   start_again();
   EXPECT_EQ(node->go_on(seat, *saved), id);
   EXPECT_EQ(history().before, saved->inputs);

@@ -19,7 +19,6 @@ public:
   Teller* teller = nullptr;
   bool begins = true;
   std::vector<std::string> calls;
-  std::optional<std::uint64_t> found; // by adopt()
 
   static std::string session_of(VisitorId visitor) {
     return "session-" + std::to_string(visitor);
@@ -48,11 +47,6 @@ public:
   void close(VisitorId visitor) override {
     calls.push_back("close " + std::to_string(visitor));
     end(visitor);
-  }
-  std::optional<std::uint64_t> adopt(VisitorId visitor,
-                                     const std::string& session) override {
-    calls.push_back("adopt " + std::to_string(visitor) + " " + session);
-    return found;
   }
   std::string clock() override {
     return "2026-11-21 09:00:00";

@@ -233,15 +233,35 @@ TEST_F(VisitorBookTest, WhoTypesDoesNotComeBack) {
   EXPECT_EQ(book.come(second, {"session-1", 0, 0}), 0);
 }
 
-// Brought back by somebody else, such as a journal.
-TEST_F(VisitorBookTest, TakesOverASessionThatTheHostHas) {
-  host.found = 7;
-  const auto visitor = book.come(first, {"session-1", 6, 9});
-  EXPECT_THAT(calls(), ElementsAre("adopt 1 session-1"));
-  EXPECT_FALSE(book.take(visitor, turn(7, "again")));
-  EXPECT_TRUE(book.take(visitor, turn(8, "on")));
-  EXPECT_THAT(first.seen, ElementsAre("welcome session-1 7 again lost",
-                                      "too-old", "8 echo: on", "done 8"));
+// Of a run that was killed.
+TEST_F(VisitorBookTest, BringsBackWhoWasLeft) {
+  const auto visitor = book.bring_back(
+      {"session-9", 7, 7, {{7, 12, "answer", "seven"}}}, host.now);
+  EXPECT_EQ(book.size(), 1);
+  EXPECT_EQ(book.come(first, {"session-9", 6, 11}), visitor);
+  EXPECT_FALSE(book.take(visitor, turn(6, "again")));
+  EXPECT_THAT(first.seen, ElementsAre("welcome session-9 7 again", "7 seven",
+                                      "done 7", "too-old"));
+  EXPECT_EQ(book.come(second, {"session-9", 5, 9}), visitor);
+  EXPECT_THAT(second.seen[0], HasSubstr("lost"));
+}
+
+TEST_F(VisitorBookTest, BringsBackAnOpenTurn) {
+  const auto visitor = book.bring_back(
+      {"session-9", 3, 2, {{2, 5, "answer", "two"}, {3, 6, "chat", "well"}}},
+      host.now);
+  book.come(first, {"session-9", 2, 5});
+  book.said(visitor, "session-9", {0, 7, "answer", "three"});
+  book.done(visitor, "session-9", 3);
+  EXPECT_THAT(first.seen, ElementsAre("welcome session-9 3 again", "3 well",
+                                      "3 three", "done 3"));
+}
+
+TEST_F(VisitorBookTest, WhoWasLeftIsNotWaitedForForEver) {
+  book.bring_back({"session-9", 1, 1, {}}, host.now);
+  pass(Milliseconds(101));
+  EXPECT_THAT(calls(), ElementsAre("close 1"));
+  EXPECT_EQ(book.come(first, {"session-9", 1, 0}), 0);
 }
 
 } // namespace

@@ -107,9 +107,9 @@ TEST(SettingsReader, says_what_has_no_effect_yet) {
   const auto [settings, lines] =
       read("<sessions rest-after='5m' journal='strict' keep='7d'/>");
   ASSERT_EQ(lines.size(), 3u);
-  EXPECT_EQ(lines[1], "s.xml:1:37: warning: 'journal' has no effect yet: there "
-                      "is no journal, and sessions stay in memory until they "
-                      "end");
+  EXPECT_EQ(lines[1], "s.xml:1:37: warning: 'journal' has no effect yet: "
+                      "parlour run --journal FOLDER keeps one, with --strict a "
+                      "strict one");
 }
 
 TEST(SettingsReader, replaces_what_the_environment_holds_and_never_tells_it) {

@@ -98,7 +98,8 @@ struct ServeOptions {
   std::optional<Timestamp> clock; // what its clock shows at the beginning
   std::optional<std::uint64_t> seed;
   std::string data;
-  std::string journal;
+  std::string journal; // a folder; empty: nothing is kept
+  bool strict = false;
 };
 int serve_command(const Places& places, const ServeOptions& options,
                   const Console& console);

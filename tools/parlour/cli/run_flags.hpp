@@ -21,6 +21,23 @@ inline std::string check_named(const std::string& text) {
   return text.empty() ? "an empty name" : "";
 }
 
+// Returned is --strict.
+inline CLI::Option* add_journal_option(CLI::App& command, std::string& folder,
+                                       bool& strict) {
+  auto* journal =
+      command
+          .add_option("--journal", folder,
+                      "Keep all that enters the conversations, also what is "
+                      "private: a run that is killed goes on, and `parlour "
+                      "replay` repeats them")
+          ->check(check_named)
+          ->type_name("FOLDER");
+  return command
+      .add_flag("--strict", strict,
+                "Say and do nothing before it is in the journal, on the disk")
+      ->needs(journal);
+}
+
 inline void add_voice_flags(CLI::App& command, RunOptions& options) {
   auto* voice = command.add_flag("--voice", options.voice,
                                  "Talk by microphone and speaker, too");
@@ -87,18 +104,7 @@ inline void add_run_flags(CLI::App& command, RunOptions& options) {
       .add_option("--taps", options.taps,
                   "Where `parlour tap` listens to all messages, on this host")
       ->type_name("HOST:PORT");
-  auto* journal =
-      command
-          .add_option("--journal", options.journal,
-                      "Keep all that enters the conversations, also what is "
-                      "private: a run that is killed goes on, and `parlour "
-                      "replay` repeats them")
-          ->check(check_named)
-          ->type_name("FOLDER");
-  command
-      .add_flag("--strict", options.strict,
-                "Say and do nothing before it is in the journal, on the disk")
-      ->needs(journal)
+  add_journal_option(command, options.journal, options.strict)
       ->excludes(command.get_option("--clock"));
   command
       .add_option("--data", options.data, "Folder of its database and files")

@@ -45,25 +45,26 @@ public:
   int run() {
     for (const auto& notice : application_.composition.notices)
       say_warning(console_, notice);
-    auto journaled = with_journal(node_options(), {options_.journal, false});
+    auto journaled =
+        with_journal(node_options(), {options_.journal, options_.strict});
     if (!journaled)
       return give_up(journaled.error());
     for (const auto& notice : journaled->recovered.notices)
       note(notice);
-    if (const auto left = journaled->recovered.sessions.size(); left != 0)
-      note(fmt::format("{} conversations of the journal do not go on: parlour "
-                       "serve does not resume them yet",
-                       left));
+    auto left = std::move(journaled->recovered.sessions);
+    if (!left.empty())
+      note(fmt::format("{} conversations go on that the run before has left",
+                       left.size()));
     auto node = actors::Node::start(std::move(journaled->options));
     if (!node)
       return give_up(node.error());
     NodeHost host;
     auto server = web::TextServer::start(
-        server_options(), host,
+        server_options(visitors_of(left)), host,
         [this](const std::string& what) { note("error: " + what); });
     if (!server)
       return give_up(server.error());
-    host.connect(**node, **server);
+    host.connect(**node, **server, std::move(left));
     serve_status(**node);
     begin(**server);
     wait();
@@ -103,8 +104,9 @@ private:
     return made;
   }
 
-  web::ServerOptions server_options() {
+  web::ServerOptions server_options(std::vector<web::LeftVisitor> left) {
     web::ServerOptions made;
+    made.left = std::move(left);
     made.address = options_.address;
     made.port = options_.port;
     made.origins = options_.origins;

@@ -54,12 +54,7 @@ inline void add_serve_flags(CLI::App& command, ServeOptions& options) {
   command.add_flag("--rehearsed", options.rehearsed,
                    "With the components of parlour test: nothing outside is "
                    "reached, and nothing is kept");
-  command
-      .add_option("--journal", options.journal,
-                  "Keep all that enters the conversations, for `parlour "
-                  "replay`; also what is private")
-      ->check(check_named)
-      ->type_name("FOLDER");
+  add_journal_option(command, options.journal, options.strict);
   command
       .add_option("--data", options.data, "Folder of its database and files")
       ->check(check_named);

@@ -26,13 +26,21 @@ const char* name_of(dialogue::OutputAct act) {
 
 } // namespace
 
-void NodeHost::connect(actors::Node& node, web::TextServer& server) {
+// The server's thread waits for the ends before it looks at the seats.
+void NodeHost::connect(actors::Node& node, web::TextServer& server,
+                       std::vector<dialogue::SavedSession> left) {
+  web::VisitorId visitor = 0;
+  for (auto& session : left) {
+    ++visitor;
+    seats_[visitor] =
+        node.begin_visit(calls_of(&server, visitor), std::move(session));
+  }
   connect_.set_value({&node, &server});
 }
 
 // The callbacks come from threads of the node.
-void NodeHost::open(web::VisitorId visitor) {
-  auto* const server = ends().server;
+actors::SeatCallbacks NodeHost::calls_of(web::TextServer* server,
+                                         web::VisitorId visitor) {
   actors::SeatCallbacks calls;
   calls.on_session_begin = [=](const SessionId& session) {
     server->began(visitor, session);
@@ -48,22 +56,41 @@ void NodeHost::open(web::VisitorId visitor) {
   calls.on_session_end = [=](const SessionId& session) {
     server->ended(visitor, session);
   };
-  seats_[visitor] = ends().node->begin_visit(std::move(calls));
+  return calls;
+}
+
+void NodeHost::open(web::VisitorId visitor) {
+  seats_[visitor] = ends().node->begin_visit(calls_of(ends().server, visitor));
 }
 
 void NodeHost::take(web::VisitorId visitor, const web::Turn& turn) {
+  auto* const node = ends().node;
   const auto found = seats_.find(visitor);
   if (found != seats_.end())
-    ends().node->enter_turn(found->second, turn.number, turn.lines);
+    node->enter_turn(found->second, turn.number, turn.lines);
 }
 
 void NodeHost::close(web::VisitorId visitor) {
+  auto* const node = ends().node;
   if (const auto closed = seats_.extract(visitor))
-    ends().node->end_visit(closed.mapped());
+    node->end_visit(closed.mapped());
 }
 
 std::string NodeHost::clock() {
   return format_timestamp(ends().node->now(), "%Y-%m-%d %H:%M:%S");
+}
+
+std::vector<web::LeftVisitor>
+visitors_of(const std::vector<dialogue::SavedSession>& left) {
+  std::vector<web::LeftVisitor> visitors;
+  for (const auto& session : left) {
+    auto& visitor = visitors.emplace_back(web::LeftVisitor{
+        session.id, session.turns.taken, session.turns.done, {}});
+    for (const auto& said : session.turns.said)
+      visitor.said.push_back(
+          {said.turn, said.output, name_of(said.act), said.text});
+  }
+  return visitors;
 }
 
 } // namespace parlour::tools

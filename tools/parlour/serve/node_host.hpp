@@ -5,6 +5,7 @@
 
 #include <future>
 #include <unordered_map>
+#include <vector>
 
 #include "actors/node/node.hpp"
 #include "adapters/web/text_server.hpp"
@@ -16,8 +17,10 @@ namespace web = adapters::web;
 class NodeHost : public web::Host {
 public:
   // Once. Both must live until the server has been destroyed and the node has
-  // stopped.
-  void connect(actors::Node& node, web::TextServer& server);
+  // stopped. The sessions that a crash has left go on: they are those of the
+  // visitors 1, 2, … (ServerOptions::left).
+  void connect(actors::Node& node, web::TextServer& server,
+               std::vector<dialogue::SavedSession> left = {});
 
   // -- web::Host, on the server's thread
   void open(web::VisitorId visitor) override;
@@ -26,6 +29,9 @@ public:
   std::string clock() override;
 
 private:
+  static actors::SeatCallbacks calls_of(web::TextServer* server,
+                                        web::VisitorId visitor);
+
   struct Ends {
     actors::Node* node;
     web::TextServer* server;
@@ -38,5 +44,9 @@ private:
   std::shared_future<Ends> connected_ = connect_.get_future().share();
   std::unordered_map<web::VisitorId, actors::SeatId> seats_;
 };
+
+// As the server knows them.
+std::vector<web::LeftVisitor>
+visitors_of(const std::vector<dialogue::SavedSession>& left);
 
 } // namespace parlour::tools

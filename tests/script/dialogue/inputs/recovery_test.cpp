@@ -11,7 +11,6 @@
 namespace parlour::dialogue {
 namespace {
 
-using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
@@ -62,7 +61,8 @@ TEST(Recovery, BringsBackWhatWas) {
   EXPECT_EQ(saved->id, "s1");
   EXPECT_EQ(saved->inputs, kept.history.inputs.size());
   EXPECT_EQ(saved->state, kept.conversation->save());
-  EXPECT_THAT(saved->said, ElementsAre("Good morning."));
+  ASSERT_THAT(saved->turns.said, SizeIs(1));
+  EXPECT_EQ(saved->turns.said[0].text, "Good morning.");
 }
 
 TEST(Recovery, GoesOnFromAState) {

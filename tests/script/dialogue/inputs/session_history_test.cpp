@@ -9,7 +9,7 @@ const SessionRecord opened{"s", SessionOpened{7, 8, true}};
 const SessionRecord input{"s", InputTaken{"input", "answers"}};
 
 SessionRecord state(std::uint64_t inputs) {
-  return {"s", StateKept{{7, 8, true}, inputs, "state"}};
+  return {"s", StateKept{{7, 8, true}, inputs, "state", {}}};
 }
 
 class SessionHistoryTest : public testing::Test {

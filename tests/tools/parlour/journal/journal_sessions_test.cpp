@@ -24,7 +24,7 @@ std::string input(const SessionId& id) {
   return record(id, dialogue::InputTaken{"in", "out"});
 }
 std::string state(const SessionId& id, std::uint64_t inputs) {
-  return record(id, dialogue::StateKept{{1, 2, false}, inputs, "state"});
+  return record(id, dialogue::StateKept{{1, 2, false}, inputs, "state", {}});
 }
 
 class JournalSessionsTest : public testing::Test {

@@ -1,0 +1,1 @@
+create table booking (guest text not null, people text not null);

@@ -3,7 +3,7 @@ how loud it is. Without a terminal there is none of it."""
 
 import unittest
 
-from voice_case import VoiceCase
+from voice_case import FAST, VoiceCase
 
 DOING = (b"loading the recogniser", b"listening    [", b"speaking     [",
          b"hearing you  [", b"thinking     [")
@@ -60,7 +60,7 @@ class VoiceProgressTest(VoiceCase):
         return shown
 
     def test_not_without_a_terminal(self):
-        out, err = self.talk(self.desk(), self.heard, self.spoken)
+        out, err = self.talk(self.desk(pace=FAST), self.heard, self.spoken)
         self.assertEqual(out, ["Hello.", "I open the window."])
         self.assertNotIn("listening", err)
         self.assertNotIn("\r", err)

@@ -6,7 +6,7 @@ import socket
 import threading
 import unittest
 
-from voice_case import AMPLE, RATE, VoiceCase, samples_of
+from voice_case import AMPLE, FAST, RATE, VoiceCase, samples_of
 
 
 class Spotter(threading.Thread):
@@ -55,7 +55,7 @@ class VoiceTest(VoiceCase):
         heard = self.write_sound(
             "heard.wav", self.silence(3) + question + self.silence(2))
         spoken = self.folder / "answer.wav"
-        out, err = self.talk(self.desk(), heard, spoken, "--trace")
+        out, err = self.talk(self.desk(pace=FAST), heard, spoken, "--trace")
         self.assertIn("SphinxASR.RecognitionResult", err)
         self.assertEqual(out, ["Hello.", "I open the window."])
         self.assertGreater(max(samples_of(spoken)), 1000)
@@ -72,7 +72,7 @@ class VoiceTest(VoiceCase):
             </component>
             <component name="WyomingWake">
               <option name="address" value="127.0.0.1:{spotter.port}"/>
-            </component>""")
+            </component>""", FAST)
         heard = self.write_sound(
             "heard.wav", first + self.silence(0.5) + question +
             self.silence(AMPLE) + question + self.silence(2))

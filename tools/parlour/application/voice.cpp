@@ -151,6 +151,9 @@ struct Changes {
   std::string wake;
 
   void apply(Settings& settings) const {
+    auto added = in;
+    for (auto& component : added)
+      keep_options(settings, component);
     std::erase_if(settings.components, [&](const auto& component) {
       return std::ranges::count(out, component.name) != 0;
     });
@@ -160,8 +163,17 @@ struct Changes {
       if (std::ranges::count(sleepers, component.name) != 0)
         component.options.try_emplace("sleeps-after", sleeps_after);
     }
-    settings.components.insert(settings.components.begin(), in.begin(),
-                               in.end());
+    settings.components.insert(settings.components.begin(), added.begin(),
+                               added.end());
+  }
+
+  // What the settings say of the same plug-in stands, such as how fast a file
+  // is heard, but for what the command line says.
+  static void keep_options(const Settings& settings, ComponentSettings& added) {
+    for (const auto& component : settings.components)
+      if (component.plugin == added.plugin)
+        added.options.insert(component.options.begin(),
+                             component.options.end());
   }
 };
 

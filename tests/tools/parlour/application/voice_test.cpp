@@ -200,6 +200,25 @@ TEST_F(VoiceTest, TakesFilesInThePlaceOfDevices) {
   EXPECT_EQ(speaker->options.at("device"), "plughw:\"1&2\"");
 }
 
+// But for what the command line says.
+TEST_F(VoiceTest, KeepsTheOptionsOfItsPlugins) {
+  settings("<Plugins><Plugin>FileMicrophone</Plugin></Plugins>"
+           "<component name=\"FileMicrophone\" scope=\"seat\">"
+           "<option name=\"file\" value=\"own.wav\"/></component>"
+           "<component name=\"AlsaSpeaker\" scope=\"seat\">"
+           "<option name=\"device\" value=\"hw:0\"/></component>"
+           "<Scripts><Script>own.xml</Script></Scripts>");
+  const auto application = load({"heard.wav", "hw:1"});
+  ASSERT_TRUE(application);
+  const auto option = [&](const char* component, const char* name) {
+    return std::ranges::find(application->composition.components, component,
+                             &ChosenComponent::name)
+        ->options.at(name);
+  };
+  EXPECT_EQ(option("FileMicrophone", "file"), "own.wav");
+  EXPECT_EQ(option("AlsaSpeaker", "device"), "hw:1");
+}
+
 TEST_F(VoiceTest, LetsAKeyBeginTurns) {
   settings("<Plugins><Plugin>SpeechEndpointer</Plugin></Plugins>"
            "<Scripts><Script>own.xml</Script></Scripts>");

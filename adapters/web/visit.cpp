@@ -31,6 +31,12 @@ void Visit::hear_line(std::string_view line) {
     return hear_message(line);
   if (kind_ == Kind::unknown)
     begin_typed();
+  else if (lines_ == 1 && is_structured(line)) {
+    // Nobody says this aloud: it came after the greeting.
+    refuse("too-late", "a program says hello as soon as it has connected; "
+                       "connect again");
+    return shut_once();
+  }
   const auto typed = read_typed(line);
   if (!typed)
     return refuse("not-utf8", "line " + std::to_string(lines_) + ": " +

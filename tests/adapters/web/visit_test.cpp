@@ -52,6 +52,15 @@ TEST_F(VisitTest, APersonTypes) {
   EXPECT_EQ(book.counters().turns, 2);
 }
 
+// It is no words of a person, and nobody is to act on them.
+TEST_F(VisitTest, AProgramThatBeginsTooLateIsSentAway) {
+  visit.begin_typed();
+  visit.hear_line(R"({"type": "hello", "version": 1})");
+  EXPECT_THAT(visit.seen,
+              ElementsAre("Hello.", HasSubstr("connect again"), "shut"));
+  EXPECT_EQ(book.counters().turns, 0);
+}
+
 TEST_F(VisitTest, TheFirstLineTellsWhoItIs) {
   visit.hear_line("one");
   EXPECT_THAT(visit.take(), ElementsAre("Hello.", "echo: one"));

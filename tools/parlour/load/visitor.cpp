@@ -6,6 +6,7 @@
 
 #include "tools/parlour/console/finding_text.hpp"
 #include "tools/parlour/conversation_test/expectation.hpp"
+#include "tools/parlour/talk/trace.hpp"
 
 namespace parlour::tools {
 

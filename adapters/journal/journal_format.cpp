@@ -2,7 +2,6 @@
 
 #include <charconv>
 #include <fstream>
-#include <ranges>
 
 #include "runtime/base/file_bytes.hpp"
 #include "runtime/base/word_hash.hpp"
@@ -85,9 +84,9 @@ Expected<JournalParts> parts_of(const std::filesystem::path& folder) {
 }
 
 std::uint64_t first_needed(const JournalParts& parts) {
-  for (const auto& [number, path] : std::views::reverse(parts)) {
+  for (auto part = parts.rbegin(); part != parts.rend(); ++part) {
     std::string header(header_bytes, '\0');
-    std::ifstream file(path, std::ios::binary);
+    std::ifstream file(part->second, std::ios::binary);
     if (!file.read(header.data(), header_bytes))
       continue;
     if (const auto reader = JournalReader::over(header))

@@ -11,6 +11,10 @@ namespace {
 
 class VisitorTest : public NodeFixture {
 protected:
+  // It still tells `seen` when it ends.
+  ~VisitorTest() override {
+    node.reset();
+  }
   SeatId come() {
     SeatCallbacks calls;
     calls.on_session_begin = [this](const auto&) { seen.push_back("begins"); };

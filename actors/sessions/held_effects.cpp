@@ -2,17 +2,15 @@
 
 #include <algorithm>
 #include <iterator>
-#include <ranges>
 
 namespace parlour::actors {
 
 bool HeldEffects::wait_for(std::uint64_t record, std::uint64_t input) {
   bool waits = false;
-  for (auto& held : std::views::reverse(effects_)) {
-    if (held.record != 0)
-      break;
-    held.record = record;
-    held.input = input;
+  for (auto held = effects_.rbegin();
+       held != effects_.rend() && held->record == 0; ++held) {
+    held->record = record;
+    held->input = input;
     waits = true;
   }
   return waits;

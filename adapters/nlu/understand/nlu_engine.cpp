@@ -189,7 +189,7 @@ struct NluEngine::Implementation {
     for (const auto& slot : context.said)
       all.push_back(slot.entity);
     std::ranges::sort(all);
-    all.erase(std::ranges::unique(all).begin(), all.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
     return all;
   }
 

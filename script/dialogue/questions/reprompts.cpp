@@ -134,7 +134,7 @@ std::uint32_t Reprompts::count_miss(bool heard_something) {
   count.kind = heard_something ? FrameChange::Kind::no_match
                                : FrameChange::Kind::no_input;
   count.slot = question_->slot;
-  frames_.change(question_->topic, std::move(count));
+  frames_.change(question_->topic, count);
   const auto& state = frames_[question_->topic].slots[question_->slot];
   return heard_something ? state.no_match : state.no_input;
 }

@@ -18,7 +18,7 @@ inline void tell_damage(const JournalSessions& journal, const std::string& name,
                             "bytes are left out",
                             name, journal.torn));
   for (const auto& damage : journal.damages)
-    say_error(console, name + "/" + damage);
+    say_error(console, fmt::format("{}/{}", name, damage));
   if (!journal.broken.empty())
     say_error(console, fmt::format("{} sessions cannot be repeated, as some of "
                                    "their records cannot be read",

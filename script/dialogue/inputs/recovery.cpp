@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "script/dialogue/inputs/replay.hpp"
 #include "script/vm/program_identity.hpp"
 
 namespace parlour::dialogue {
@@ -63,6 +62,8 @@ private:
   TurnLog turns_;
 };
 
+} // namespace
+
 Expected<std::unique_ptr<Replay>>
 replay_of(const Program& program,
           const std::shared_ptr<const PhraseEvaluator>& phrases,
@@ -72,8 +73,6 @@ replay_of(const Program& program,
     return std::make_unique<Replay>(program, std::move(options));
   return Replay::from(program, std::move(options), history.state);
 }
-
-} // namespace
 
 Expected<std::unique_ptr<SavedSession>>
 recover(const Program& program,

@@ -8,7 +8,7 @@
 
 #include "runtime/message/masking.hpp"
 #include "runtime/message/roles.hpp"
-#include "script/dialogue/inputs/replay.hpp"
+#include "script/dialogue/inputs/recovery.hpp"
 #include "script/vm/program_identity.hpp"
 #include "tools/parlour/talk/trace.hpp"
 
@@ -18,17 +18,6 @@ namespace {
 
 using dialogue::InputTaken;
 using dialogue::SessionHistory;
-
-Expected<std::unique_ptr<dialogue::Replay>>
-replay_of(const SessionHistory& history,
-          const std::shared_ptr<const script::Program>& program,
-          const std::shared_ptr<const PhraseEvaluator>& phrases) {
-  dialogue::Conversation::Options options{history.id, history.opened.seed,
-                                          phrases};
-  if (history.state.empty())
-    return std::make_unique<dialogue::Replay>(program, std::move(options));
-  return dialogue::Replay::from(program, std::move(options), history.state);
-}
 
 class SessionReplay {
 public:
@@ -170,7 +159,7 @@ replay_sessions(const std::vector<dialogue::SessionHistory>& sessions,
       continue;
     }
     ++outcome.sessions;
-    const auto replay = replay_of(kept, program, phrases);
+    const auto replay = dialogue::replay_of(program, phrases, kept);
     if (!replay) {
       print(fmt::format("session {}: {}", kept.id, replay.error().message));
       ++outcome.differ;

@@ -57,7 +57,8 @@ class Pages(PageCase):
     def test_commands_are_those_of_the_program(self):
         for name in ("FOLDER", "APP"):
             shutil.copytree(ROOT / "config/apps/lab", self.work / name)
-        (self.work / "lines").touch()
+        for name in ("lines", "sentences.txt", "marked.jsonl"):
+            (self.work / name).touch()
         (self.work / "FILE.xml").write_text(
             "<dialogue><function name='main'/></dialogue>", encoding="utf-8")
         self.environment["HOME"] = self.folder.name

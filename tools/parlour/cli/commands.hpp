@@ -257,6 +257,9 @@ int keygen_command(const Places& places, const std::string& file,
 struct UnderstandOptions {
   std::string app;
   std::string text;
+  bool batch = false;             // the sentences of standard input
+  std::string score;              // a file of marked sentences
+  std::string context;            // JSON
   std::optional<Timestamp> clock; // "now" for "tomorrow"; else the clock
 };
 int understand_command(const Places& places, const UnderstandOptions& options,

@@ -243,7 +243,19 @@ inline void add_status_flags(CLI::App& command, StatusOptions& options) {
 
 inline void add_understand_flags(CLI::App& command,
                                  UnderstandOptions& options) {
-  command.add_option("TEXT", options.text, "What somebody says")->required();
+  command.add_option("TEXT", options.text, "What somebody says");
+  command.add_flag("--batch", options.batch,
+                   "Read a sentence a line, and write a line of JSON for each");
+  command
+      .add_option("--score", options.score,
+                  "Compare with marked sentences, a line of JSON each")
+      ->type_name("FILE")
+      ->check(check_named);
+  command
+      .add_option("--context", options.context,
+                  "What was asked, as JSON: {\"asked\": {\"topic\": \"Taxi\", "
+                  "\"slot\": \"Time\"}}")
+      ->type_name("JSON");
   add_clock(command, options.clock, "The time that \"tomorrow\" counts from");
 }
 

@@ -1,21 +1,28 @@
-// `parlour understand`: builds the application's GrammarNLU without a node and
-// prints what it makes of one text (application/understanding.hpp).
-#include <ostream>
+// `parlour understand`: what an application makes of one text and why, of many
+// sentences, or how much of marked sentences (understand/).
+#include <fstream>
+#include <iostream>
 
+#include "runtime/text/json_text.hpp"
 #include "tools/parlour/application/opening.hpp"
-#include "tools/parlour/application/understanding.hpp"
 #include "tools/parlour/cli/commands.hpp"
 #include "tools/parlour/console/exit_code.hpp"
 #include "tools/parlour/console/line_reader.hpp"
+#include "tools/parlour/understand/reader.hpp"
+#include "tools/parlour/understand/score_table.hpp"
 
 namespace parlour::tools {
 
 namespace {
 
-using adapters::nlu::Understanding;
-
-// The explanation, then the acts, then the score of the best reading.
-void print(std::ostream& out, const Understanding& understanding) {
+// The words that were sent, if scripts changed them; the explanation; then the
+// acts, then the score of the best reading.
+void print(std::ostream& out, const std::string& text, const Reading& reading) {
+  const auto& understanding = reading.made;
+  if (!reading.sent)
+    out << "sent nothing: the application's scripts kept it\n";
+  else if (reading.sent->text != text)
+    out << "sent " << reading.sent->text << '\n';
   for (const auto& line : understanding.explanation)
     out << line << '\n';
   if (understanding.acts.empty())
@@ -37,10 +44,93 @@ std::string well_formed(std::string_view text) {
   return all;
 }
 
+// A line of JSON for each sentence, at once, so that a program may ask and
+// wait.
+int read_lines(Reader& reader, const Map& context, std::istream& in,
+               const Console& console) {
+  for (std::string line; std::getline(in, line);) {
+    const auto text = well_formed(line);
+    console.out << reading_line(text, reader.read(text, context, false))
+                << std::endl;
+  }
+  return exit_code::success;
+}
+
+int read_marked(Reader& reader, const Map& context,
+                const std::vector<MarkedSentence>& sentences,
+                const Console& console) {
+  ScoreTable table;
+  for (const auto& sentence : sentences) {
+    auto all = context;
+    for (const auto& [key, value] : sentence.context.entries())
+      all.set(key, value);
+    const auto reading = reader.read(well_formed(sentence.text), all, false);
+    table.add(sentence, reading.made.acts, reading.made.score);
+  }
+  for (const auto& line : table.lines())
+    console.out << line << '\n';
+  return exit_code::success;
+}
+
+// Nothing if it is no JSON object.
+std::optional<Map> context_of(const std::string& text) {
+  if (text.empty())
+    return Map();
+  const auto read = read_json(text);
+  if (!read || !read->if_map())
+    return {};
+  return *read->if_map();
+}
+
+// One way to use the command is chosen.
+std::string mistake_in(const UnderstandOptions& options) {
+  const int ways = (options.text.empty() ? 0 : 1) + (options.batch ? 1 : 0) +
+                   (options.score.empty() ? 0 : 1);
+  if (ways == 0)
+    return "TEXT is required, or --batch, or --score";
+  if (ways > 1)
+    return "TEXT, --batch and --score are three ways; choose one";
+  return context_of(options.context)
+             ? ""
+             : R"(--context is a JSON object: {"asked": {"topic": "Taxi", )"
+               R"("slot": "Time"}})";
+}
+
+Expected<std::vector<MarkedSentence>> marked_in(const Places& places,
+                                                const std::string& name) {
+  std::ifstream file(places.working / name);
+  if (!file)
+    return fail(ErrorKind::file, "this file cannot be read", {name, 0, 0});
+  return read_marked_sentences(file, name);
+}
+
+int understand(Reader& reader, const UnderstandOptions& options,
+               const std::vector<MarkedSentence>& marked,
+               const Console& console) {
+  const auto context = *context_of(options.context);
+  if (options.batch)
+    return read_lines(reader, context, std::cin, console);
+  if (!options.score.empty())
+    return read_marked(reader, context, marked, console);
+  const auto text = well_formed(options.text);
+  print(console.out, text, reader.read(text, context, true));
+  return exit_code::success;
+}
+
 } // namespace
 
 int understand_command(const Places& places, const UnderstandOptions& options,
                        const Console& console) {
+  if (const auto mistake = mistake_in(options); !mistake.empty()) {
+    say_error(console, mistake);
+    return exit_code::usage;
+  }
+  const auto marked = options.score.empty() ? std::vector<MarkedSentence>()
+                                            : marked_in(places, options.score);
+  if (!marked) {
+    say_error(console, to_string(marked.error()));
+    return exit_code::wrong;
+  }
   auto opened = open_application(places, options.app, console);
   if (const auto* status = std::get_if<int>(&opened))
     return *status;
@@ -50,22 +140,13 @@ int understand_command(const Places& places, const UnderstandOptions& options,
     say_error(console, options.app + " has no GrammarNLU to ask");
     return exit_code::wrong;
   }
-  // Columns come from a copy of the database in memory, so no run's data
-  // matter.
-  const auto built =
-      build_engine(application, *component,
-                   column_reader(rehearsed(application.composition),
-                                 application.folder, ""));
-  if (!built) {
-    for (const auto& error : built.error())
-      say_error(console, to_string(error));
-    return exit_code::wrong;
-  }
-  const auto context = first_context(
-      *application.program, options.clock.value_or(SystemClock().now()));
-  print(console.out,
-        built->understand(well_formed(options.text), context, true));
-  return exit_code::success;
+  auto reader = Reader::open(application, *component,
+                             options.clock.value_or(SystemClock().now()));
+  if (reader)
+    return understand(*reader, options, *marked, console);
+  for (const auto& error : reader.error())
+    say_error(console, to_string(error));
+  return exit_code::wrong;
 }
 
 } // namespace parlour::tools

@@ -11,22 +11,52 @@ namespace parlour::tools {
 using adapters::nlu::NluEngine;
 using adapters::nlu::Understanding;
 
+namespace {
+
+// The act about a topic, if there is one; else the first.
+Value leading(const List& acts) {
+  const auto found = std::ranges::find_if(
+      acts, [](const auto& act) { return !act[act_key::topic].is_unknown(); });
+  if (found != acts.end())
+    return *found;
+  return acts.empty() ? Value() : acts[0];
+}
+
+std::string without_article(std::string words) {
+  for (const std::string article : {"the ", "a ", "an "})
+    if (words.starts_with(article))
+      return words.substr(article.size());
+  return words;
+}
+
+// The words that filled a slot, or its value.
+bool fits(const std::pair<std::string, std::string>& wanted,
+          const std::string& name, const Value& slot) {
+  return wanted.first == name &&
+         (wanted.second == slot[act_key::value].text() ||
+          without_article(wanted.second) ==
+              without_article(slot[act_key::text].text()));
+}
+
+} // namespace
+
 double percent(std::size_t part, std::size_t whole) {
   return whole == 0 ? 0 : 100.0 * double(part) / double(whole);
 }
 
-// A slot is right if its name and its value are.
-void SlotCount::add(const NluText& text, const Understanding& made) {
+// A slot is right if its name and its words are.
+void SlotCount::add(const NluText& text, const Value& act) {
   wanted += text.slots.size();
-  const auto slots = made.acts.empty() ? Value() : made.acts[0]["slots"];
-  if (!slots.if_map())
+  const auto* slots = act[act_key::slots].if_map();
+  if (!slots)
     return;
-  for (const auto& [name, slot] : slots.if_map()->entries()) {
+  for (const auto& [name, slot] : slots->entries()) {
     ++found;
-    right += std::ranges::count(text.slots,
-                                std::pair(name, slot["value"].text())) > 0
-                 ? 1U
-                 : 0U;
+    right +=
+        std::ranges::any_of(
+            text.slots, [&](const auto& one) { return fits(one, name, slot); })
+            ? 1U
+            : 0U;
   }
 }
 
@@ -36,37 +66,38 @@ double SlotCount::f1() const {
   return percent(2 * right, wanted + found);
 }
 
-DataTrial::DataTrial(const std::vector<NluText>& texts,
-                     const NluEngine& engine) {
+void DataTrial::add(const std::vector<NluText>& all, const NluEngine& engine,
+                    const NearestExample& baseline) {
   const auto start = cpu_nanoseconds();
-  for (const auto& text : texts)
+  for (const auto& text : all)
     add(text, engine.understand(text.text));
-  seconds = (cpu_nanoseconds() - start) / 1e9;
-  std::ranges::sort(scores);
-}
-
-double DataTrial::limit() const {
-  // The fifth percentile: scores are sorted.
-  return scores.empty() ? 0 : scores[scores.size() / 20];
+  seconds += (cpu_nanoseconds() - start) / 1e9;
+  texts += all.size();
+  for (const auto& text : all)
+    nearest += !text.topic.empty() && baseline.topic(text.text) == text.topic
+                   ? 1U
+                   : 0U;
 }
 
 void DataTrial::add(const NluText& text, const Understanding& made) {
   if (text.topic.empty()) {
-    strangers.push_back(made.score);
+    ++strangers;
+    rejected += made.acts.empty() ? 1U : 0U;
     return;
   }
   ++asked;
-  scores.push_back(made.score);
-  slots.add(text, made);
-  right += !made.acts.empty() && made.acts[0]["topic"].text() == text.topic
-               ? 1U
-               : 0U;
-}
-
-double percent_below(const std::vector<double>& scores, double limit) {
-  const auto below = std::ranges::count_if(
-      scores, [limit](double score) { return score < limit; });
-  return percent(static_cast<std::size_t>(below), scores.size());
+  const auto act = leading(made.acts);
+  const auto& key =
+      act[act_key::topic].is_unknown() ? act_key::act : act_key::topic;
+  const bool is_right = act[key].text() == text.topic;
+  right += is_right ? 1U : 0U;
+  SlotCount own;
+  own.add(text, act);
+  const bool whole = own.wanted == own.found && own.wanted == own.right;
+  frames += is_right && whole && made.acts.size() == 1 ? 1U : 0U;
+  slots.wanted += own.wanted;
+  slots.found += own.found;
+  slots.right += own.right;
 }
 
 } // namespace parlour::tools

@@ -1,11 +1,12 @@
-// Measures how much of a public data set an engine understands, and how certain
-// it is.
+// Measures how much of a public data set an engine understands, as an
+// application has it: with generic acts and the usual threshold.
 #pragma once
 
 #include <cstddef>
 #include <vector>
 
 #include "adapters/nlu/understand/nlu_engine.hpp"
+#include "tools/bench/nlu/nearest_example.hpp"
 #include "tools/bench/nlu/nlu_data.hpp"
 
 namespace parlour::tools {
@@ -19,36 +20,33 @@ struct SlotCount {
   std::size_t found = 0;
   std::size_t right = 0;
 
-  void add(const NluText& text, const adapters::nlu::Understanding& made);
+  void add(const NluText& text, const Value& act);
   // The harmonic mean of precision and recall, in percent.
   double f1() const;
 };
 
-// Runs all texts through the engine, whose threshold must be 0: every text is
-// assigned to the most likely topic, and the scores are kept.
-class DataTrial {
-public:
-  DataTrial(const std::vector<NluText>& texts,
-            const adapters::nlu::NluEngine& engine);
+// Counts over several engines.
+struct DataTrial {
+  void add(const std::vector<NluText>& texts,
+           const adapters::nlu::NluEngine& engine,
+           const NearestExample& baseline);
 
-  // The score that 95 of 100 texts about a topic reach.
-  double limit() const;
-
-  // Texts about a topic, and how many of them were assigned to the right one.
+  // Texts about a topic, and how many of them were understood as such, by the
+  // engine and by the nearest example.
   std::size_t asked = 0;
   std::size_t right = 0;
+  std::size_t nearest = 0;
+  // Of those: topic and all slots right, and nothing else said.
+  std::size_t frames = 0;
   SlotCount slots;
-  // Of texts about a topic, lowest first.
-  std::vector<double> scores;
-  // Of texts about no topic.
-  std::vector<double> strangers;
+  // Texts about no topic, and those that were not understood.
+  std::size_t strangers = 0;
+  std::size_t rejected = 0;
+  std::size_t texts = 0;
   double seconds = 0;
 
 private:
   void add(const NluText& text, const adapters::nlu::Understanding& made);
 };
-
-// How many of the scores are below the limit, in percent.
-double percent_below(const std::vector<double>& scores, double limit);
 
 } // namespace parlour::tools

@@ -9,10 +9,11 @@
 
 #include "adapters/nlu/understand/nlu_engine.hpp"
 #include "runtime/base/clock.hpp"
+#include "tools/bench/nlu/data_rows.hpp"
 #include "tools/bench/nlu/data_trial.hpp"
+#include "tools/bench/nlu/figures.hpp"
 #include "tools/bench/nlu/frame_trial.hpp"
 #include "tools/bench/nlu/name_trial.hpp"
-#include "tools/bench/nlu/nlu_data.hpp"
 #include "tools/bench/support/measure.hpp"
 
 namespace parlour::tools {
@@ -21,84 +22,6 @@ namespace {
 
 using adapters::nlu::NluEngine;
 using adapters::nlu::Understanding;
-
-const char* met(bool ok) {
-  return ok ? "met" : "missed";
-}
-
-// A figure with its bar.
-std::string at_least(double figure, double bar, const char* unit = " %") {
-  return fmt::format("{:.1f}{} (bar {:g}: {})", figure, unit, bar,
-                     met(figure >= bar));
-}
-
-std::string at_most(double figure, double bar, const char* unit) {
-  return fmt::format("{:.1f}{} (bar {:g}: {})", figure, unit, bar,
-                     met(figure <= bar));
-}
-
-// An engine, and the time and memory that building it took.
-struct Trained {
-  NluEngine engine;
-  double milliseconds = 0;
-  double mebibytes = 0;
-};
-
-// Memory is measured as the difference before and after, so it includes the
-// vocabulary and the automaton.
-Expected<Trained> train(const UnderstandingModel& model,
-                        const ColumnReader& columns,
-                        NluEngine::Options options) {
-  const auto bytes = bytes_in_use();
-  const auto start = cpu_nanoseconds();
-  auto built = NluEngine::build(model, columns, std::move(options));
-  const auto taken = cpu_nanoseconds() - start;
-  if (!built)
-    return tl::make_unexpected(built.error().front());
-  const auto more = bytes_in_use() - std::min(bytes, bytes_in_use());
-  return Trained{std::move(*built), taken / 1e6, double(more) / (1 << 20)};
-}
-
-// Reads one of the data sets.
-using Read = Expected<NluData> (*)(const std::filesystem::path&, DataPart);
-
-// A row of a public data set. The threshold, from which the share of rejected
-// strangers follows, is chosen by the validation part.
-bool data_row(const char* name, Read read, double bar,
-              const NluBenchOptions& options, std::ostream& out) {
-  if (options.data.empty()) {
-    out << fmt::format("{:<12} not measured: --data names no folder\n", name);
-    return true;
-  }
-  const auto data = read(options.data, options.validation ? DataPart::validation
-                                                          : DataPart::test);
-  const auto trained = data.and_then([](const auto& one) {
-    return train(one.model, {}, {0, {}});
-  });
-  if (!trained) {
-    out << fmt::format("{:<12} {}\n", name, to_string(trained.error()));
-    return false;
-  }
-  const DataTrial trial(data->texts, trained->engine);
-  out << fmt::format("{:<12} intent {}", name,
-                     at_least(percent(trial.right, trial.asked), bar));
-  if (trial.slots.wanted > 0)
-    out << fmt::format(", slot F1 {}", at_least(trial.slots.f1(), 91));
-  if (!trial.strangers.empty()) {
-    // The threshold is chosen by the validation part and applied to the test
-    // part.
-    const auto limit = DataTrial(data->held_out, trained->engine).limit();
-    out << fmt::format(", accepted {:.1f} % at a threshold of {:.3f}, which "
-                       "95 % of the validation's reach; strangers rejected "
-                       "{:.1f} %",
-                       100 - percent_below(trial.scores, limit), limit,
-                       percent_below(trial.strangers, limit));
-  }
-  out << fmt::format("; trained in {:.1f} s, {:.0f} MiB, {:.0f} texts/s\n",
-                     trained->milliseconds / 1000, trained->mebibytes,
-                     double(data->texts.size()) / trial.seconds);
-  return true;
-}
 
 // Names are said within a sentence.
 const char* const before_names = "I am here to meet ";
@@ -132,7 +55,7 @@ bool names_row(const NluApplication& application, std::ostream& out) {
             [&](const std::string&) {
               return Expected<std::vector<std::string>>(application.names);
             },
-            {0.4, {}});
+            {0.4, application.generic});
   if (!trained) {
     out << "names        " << to_string(trained.error()) << '\n';
     return false;
@@ -243,19 +166,23 @@ bool application_row(const NluApplication& application, std::ostream& out) {
 } // namespace
 
 std::vector<std::string> nlu_bench_rows() {
-  return {"clinc", "snips", "names", "frames", "application"};
+  auto rows = data_row_names();
+  rows.insert(rows.end(), {"names", "frames", "application"});
+  return rows;
 }
 
 bool nlu_bench(const NluBenchOptions& options,
                const NluApplication& application, std::ostream& out) {
-  const auto wanted = [&](const char* row) {
+  const auto wanted = [&](const std::string& row) {
     return options.only.empty() || options.only == row;
   };
+  const DataRowOptions data{
+      options.data, options.validation ? DataPart::validation : DataPart::test,
+      application.generic};
   bool ok = true;
-  if (wanted("clinc"))
-    ok &= data_row("clinc", read_clinc, 91, options, out);
-  if (wanted("snips"))
-    ok &= data_row("snips", read_snips, 98, options, out);
+  for (const auto& row : data_row_names())
+    if (wanted(row))
+      ok &= data_row(row, data, out);
   if (wanted("names"))
     ok &= names_row(application, out);
   if (wanted("frames"))

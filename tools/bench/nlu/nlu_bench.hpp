@@ -1,7 +1,6 @@
 // `parlour bench nlu`: how much is understood, and how fast. Its rows:
 //
-//  clinc        topics of the public data set CLINC150
-//  snips        topics and slots of the public data set SNIPS
+//  clinc …      public data sets, and sentences of a desk (data_rows)
 //  names        names of people in the application's database
 //  frames       sentences made from the application's grammars
 //  application  what visitors have said to the application; speed and memory

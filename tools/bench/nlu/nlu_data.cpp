@@ -8,25 +8,45 @@
 
 namespace parlour::tools {
 
-namespace {
-
 namespace fs = std::filesystem;
 using nlohmann::json;
+
+Expected<fs::path> first_there(const fs::path& folder,
+                               const std::vector<std::string>& places) {
+  for (const auto& place : places)
+    if (fs::exists(folder / place))
+      return folder / place;
+  return fail(ErrorKind::file,
+              "there is no " + places.front() + " in " + folder.string());
+}
+
+std::string unmarked(std::string text) {
+  std::ranges::replace(text, '[', '(');
+  std::ranges::replace(text, '\n', ' ');
+  return text;
+}
+
+TopicModel& topic_of(NluData& data, const std::string& name) {
+  auto& topics = data.model.topics;
+  const auto found = std::ranges::find(topics, name, &TopicModel::name);
+  if (found != topics.end())
+    return *found;
+  topics.push_back({name, false, {}, {}});
+  return topics.back();
+}
+
+void add_slot(TopicModel& topic, const std::string& slot) {
+  if (std::ranges::find(topic.slots, slot, &SlotModel::name) ==
+      topic.slots.end())
+    topic.slots.push_back({slot, "", {}, "", false, false});
+}
+
+namespace {
 
 // The topics of SNIPS, which are also names of folders.
 const char* const snips_topics[] = {
     "AddToPlaylist", "BookRestaurant",     "GetWeather",          "PlayMusic",
     "RateBook",      "SearchCreativeWork", "SearchScreeningEvent"};
-
-// The first of the places that exists. The error names the first one.
-Expected<fs::path> first_there(const fs::path& folder,
-                               std::initializer_list<const char*> places) {
-  for (const auto* place : places)
-    if (fs::exists(folder / place))
-      return folder / place;
-  return fail(ErrorKind::file, "there is no " + std::string(*places.begin()) +
-                                   " in " + folder.string());
-}
 
 // Some files are Latin-1, and some have halves of surrogate pairs ("\ud83d"
 // alone). Converts the former to UTF-8 and replaces the latter by '?'.
@@ -60,23 +80,6 @@ Expected<json> read_json(const fs::path& path) {
   return read;
 }
 
-// Removes the characters that have a meaning in an example.
-std::string unmarked(std::string text) {
-  std::ranges::replace(text, '[', '(');
-  std::ranges::replace(text, '\n', ' ');
-  return text;
-}
-
-// Finds or adds a topic.
-TopicModel& topic_of(NluData& data, const std::string& name) {
-  auto& topics = data.model.topics;
-  const auto found = std::ranges::find(topics, name, &TopicModel::name);
-  if (found != topics.end())
-    return *found;
-  topics.push_back({name, false, {}, {}});
-  return topics.back();
-}
-
 // An example of SNIPS: parts of text, with or without a slot.
 struct Parts {
   // A part without "entity" belongs to no slot.
@@ -95,16 +98,6 @@ struct Parts {
   std::string marked;
   std::vector<std::pair<std::string, std::string>> slots;
 };
-
-// Slots have no cardinality: their words must be learnt.
-void add_slot(TopicModel& topic, const std::string& slot) {
-  if (std::ranges::find(topic.slots, slot, &SlotModel::name) ==
-      topic.slots.end())
-    topic.slots.push_back({slot, "", {}, "", false, false});
-}
-
-// SNIPS has no validation part, so every tenth example of the training is used.
-constexpr std::size_t held_out_of = 10;
 
 // Adds one topic: its examples, its slots, and the texts to be measured.
 Expected<void> add_snips(NluData& data, const fs::path& folder,
@@ -148,7 +141,7 @@ std::vector<NluText> texts_of(const json& data, const char* inside,
 
 } // namespace
 
-Expected<NluData> read_clinc(const fs::path& folder, DataPart part) {
+Expected<NluSets> read_clinc(const fs::path& folder, DataPart part) {
   const auto path =
       first_there(folder, {"data_full.json", "data/data_full.json",
                            "oos-eval/data/data_full.json"});
@@ -160,13 +153,12 @@ Expected<NluData> read_clinc(const fs::path& folder, DataPart part) {
   NluData data;
   for (const auto& row : read->at("train"))
     topic_of(data, row.at(1)).examples.push_back(unmarked(row.at(0)));
-  data.held_out = texts_of(*read, "val", "oos_val");
   data.texts = part == DataPart::test ? texts_of(*read, "test", "oos_test")
-                                      : data.held_out;
-  return data;
+                                      : texts_of(*read, "val", "oos_val");
+  return NluSets{std::move(data)};
 }
 
-Expected<NluData> read_snips(const fs::path& folder, DataPart part) {
+Expected<NluSets> read_snips(const fs::path& folder, DataPart part) {
   const auto path =
       first_there(folder, {"2017-06-custom-intent-engines",
                            "nlu-benchmark/2017-06-custom-intent-engines"});
@@ -176,7 +168,7 @@ Expected<NluData> read_snips(const fs::path& folder, DataPart part) {
   for (const auto* topic : snips_topics)
     if (auto added = add_snips(data, *path, topic, part); !added)
       return tl::make_unexpected(added.error());
-  return data;
+  return NluSets{std::move(data)};
 }
 
 } // namespace parlour::tools

@@ -8,8 +8,8 @@
 namespace parlour::tools {
 namespace {
 
-using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::IsSupersetOf;
 using testing::Not;
 
 NluApplication application() {
@@ -24,8 +24,8 @@ NluApplication application() {
 }
 
 TEST(NluBench, has_rows) {
-  EXPECT_THAT(nlu_bench_rows(),
-              ElementsAre("clinc", "snips", "names", "frames", "application"));
+  EXPECT_THAT(nlu_bench_rows(), IsSupersetOf({"clinc", "snips", "desk", "names",
+                                              "frames", "application"}));
 }
 
 TEST(NluBench, tells_figures_and_bars) {

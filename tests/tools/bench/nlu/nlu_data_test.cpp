@@ -50,23 +50,23 @@ TEST_F(NluDataTest, ReadsClinc) {
         R"({"train": [["hi there", "greet"]], "test": [["hello", "greet"]],
             "oos_test": [["who won", "oos"]], "val": [["hey", "greet"]],
             "oos_val": [["who lost", "oos"]]})");
-  const auto data = read_clinc(folder_, DataPart::test);
-  ASSERT_TRUE(data) << to_string(data.error());
+  const auto sets = read_clinc(folder_, DataPart::test);
+  ASSERT_TRUE(sets) << to_string(sets.error());
+  const auto* data = &sets->at(0);
   ASSERT_EQ(data->model.topics.size(), 1U);
   EXPECT_EQ(data->model.topics[0].examples[0], "hi there");
   ASSERT_EQ(data->texts.size(), 2U);
   EXPECT_EQ(data->texts[0].topic, "greet");
   EXPECT_EQ(data->texts[1].topic, "");
-  ASSERT_EQ(data->held_out.size(), 2U);
-  EXPECT_EQ(data->held_out[0].text, "hey");
-  EXPECT_EQ(data->held_out[1].topic, "");
-  EXPECT_EQ(read_clinc(folder_, DataPart::validation)->texts[0].text, "hey");
+  EXPECT_EQ(read_clinc(folder_, DataPart::validation)->at(0).texts[0].text,
+            "hey");
 }
 
 TEST_F(NluDataTest, ReadsSnipsAlsoInLatin1) {
   write_snips(1);
-  const auto data = read_snips(folder_, DataPart::test);
-  ASSERT_TRUE(data) << to_string(data.error());
+  const auto sets = read_snips(folder_, DataPart::test);
+  ASSERT_TRUE(sets) << to_string(sets.error());
+  const auto* data = &sets->at(0);
   ASSERT_EQ(data->model.topics.size(), 7U);
   EXPECT_EQ(data->model.topics[0].examples[0], "play [caf\xC3\xA9](track)");
   EXPECT_EQ(data->model.topics[0].slots[0].name, "track");
@@ -75,13 +75,16 @@ TEST_F(NluDataTest, ReadsSnipsAlsoInLatin1) {
 
 TEST_F(NluDataTest, HoldsATenthOfSnipsOut) {
   write_snips(20);
-  const auto data = read_snips(folder_, DataPart::validation);
-  ASSERT_TRUE(data) << to_string(data.error());
+  const auto sets = read_snips(folder_, DataPart::validation);
+  ASSERT_TRUE(sets) << to_string(sets.error());
+  const auto* data = &sets->at(0);
   EXPECT_EQ(data->model.topics[0].examples.size(), 18U);
   EXPECT_EQ(data->texts.size(), 7U * 2);
-  EXPECT_EQ(
-      read_snips(folder_, DataPart::test)->model.topics[0].examples.size(),
-      20U);
+  EXPECT_EQ(read_snips(folder_, DataPart::test)
+                ->at(0)
+                .model.topics[0]
+                .examples.size(),
+            20U);
 }
 
 TEST_F(NluDataTest, SaysWhatIsNotThere) {

@@ -1,5 +1,7 @@
 // libespeak-ng as a Synthesizer. It speaks within espeak_Synth() and hands over
 // samples by a callback; all of its state is global.
+#include "adapters/tts/espeak_synthesizer.hpp"
+
 #include <algorithm>
 #include <cctype>
 #include <cstring>
@@ -7,8 +9,6 @@
 #include <optional>
 
 #include <espeak-ng/speak_lib.h>
-
-#include "adapters/tts/espeak_tts.hpp"
 
 namespace parlour::adapters::tts {
 

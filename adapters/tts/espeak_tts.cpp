@@ -1,6 +1,7 @@
 #include "adapters/tts/espeak_tts.hpp"
 
 #include "adapters/tts/engine_tts.hpp"
+#include "adapters/tts/espeak_synthesizer.hpp"
 
 namespace parlour::adapters {
 

@@ -16,9 +16,6 @@ namespace tts {
 // Errors if the library is missing, or its data.
 SharedEngine& espeak_engine();
 
-// Of espeak_synthesizer, or of what takes its place.
-Expected<std::unique_ptr<Synthesizer>> make_espeak_synthesizer();
-
 } // namespace tts
 
 PluginFactory espeak_tts_factory();

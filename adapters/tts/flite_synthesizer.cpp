@@ -1,12 +1,13 @@
 // flite as a Synthesizer. It hands over samples by a callback, after all else
 // of the piece is known: so all words are told first.
+#include "adapters/tts/flite_synthesizer.hpp"
+
 #include <algorithm>
 #include <array>
 #include <span>
 
 #include <flite/flite.h>
 
-#include "adapters/tts/flite_tts.hpp"
 #include "adapters/tts/plain_words.hpp"
 
 extern "C" {

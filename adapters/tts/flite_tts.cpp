@@ -1,6 +1,7 @@
 #include "adapters/tts/flite_tts.hpp"
 
 #include "adapters/tts/engine_tts.hpp"
+#include "adapters/tts/flite_synthesizer.hpp"
 
 namespace parlour::adapters {
 

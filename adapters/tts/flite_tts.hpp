@@ -4,17 +4,9 @@
 // time; their number does not.
 #pragma once
 
-#include "adapters/tts/speech_engine.hpp"
 #include "runtime/plugin/plugin.hpp"
 
 namespace parlour::adapters {
-
-namespace tts {
-
-// Of flite_synthesizer, or of what takes its place.
-Expected<std::unique_ptr<Synthesizer>> make_flite_synthesizer();
-
-} // namespace tts
 
 PluginFactory flite_tts_factory();
 

@@ -1,5 +1,5 @@
 // What takes the place of espeak_synthesizer.cpp where libespeak-ng is missing.
-#include "adapters/tts/espeak_tts.hpp"
+#include "adapters/tts/espeak_synthesizer.hpp"
 
 namespace parlour::adapters::tts {
 

@@ -1,5 +1,5 @@
 // What takes the place of flite_synthesizer.cpp where flite is missing.
-#include "adapters/tts/flite_tts.hpp"
+#include "adapters/tts/flite_synthesizer.hpp"
 
 namespace parlour::adapters::tts {
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "adapters/tts/flite_synthesizer.hpp"
 #include "adapters/tts/flite_tts.hpp"
 #include "adapters/tts/spoken_text.hpp"
 #include "runtime/plugin/conformance.hpp"

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "adapters/agents/delivery/exchange.hpp"
 #include "adapters/agents/delivery/steady_time.hpp"
 
 namespace parlour::adapters::agents {

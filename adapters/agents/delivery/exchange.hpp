@@ -19,6 +19,7 @@
 
 #include "adapters/agents/delivery/hello.hpp"
 #include "adapters/agents/delivery/link.hpp"
+#include "adapters/agents/delivery/peer.hpp"
 #include "adapters/agents/wire/agent_message.hpp"
 
 namespace parlour::adapters::agents {
@@ -32,20 +33,6 @@ struct AgentAccount {
   // any key with which it can connect.
   std::string public_key;
 };
-
-// Who is at the other end of a connection, as far as its transport knows.
-struct Peer {
-  // For logs.
-  std::string name;
-  // The public key that CURVE has verified, or an empty text; nothing on a
-  // transport without keys, where a token counts instead.
-  std::optional<std::string> key;
-  // The peer may be on another host: it must have a key or a token.
-  bool is_remote = false;
-};
-
-// Names a connection. A server never uses an id twice.
-using ConnectionId = std::uint64_t;
 
 class AgentExchange {
 public:

@@ -2,7 +2,8 @@
 // side and by either transport.
 #pragma once
 
-#include "adapters/agents/delivery/exchange.hpp"
+#include "adapters/agents/delivery/peer.hpp"
+#include "adapters/agents/wire/agent_message.hpp"
 
 namespace parlour::adapters::agents {
 

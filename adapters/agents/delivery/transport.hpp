@@ -5,7 +5,8 @@
 #include <functional>
 #include <string>
 
-#include "adapters/agents/delivery/exchange.hpp"
+#include "adapters/agents/delivery/peer.hpp"
+#include "adapters/agents/wire/agent_message.hpp"
 
 namespace parlour::adapters::agents {
 

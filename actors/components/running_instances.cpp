@@ -1,7 +1,7 @@
 #include "actors/components/running_instances.hpp"
 
 #include <algorithm>
-#include <optional>
+#include <cassert>
 #include <utility>
 
 #include <caf/typed_event_based_actor.hpp>
@@ -35,19 +35,64 @@ std::size_t wanted_instances(const Component& component) {
 
 } // namespace
 
+// -- events -------------------------------------------------------------------
+
+void RunningInstances::happens(const ServicePointer& service,
+                               ServiceEvent event, const Cause& cause) {
+  events_.happens(service, event, cause);
+  take_events();
+}
+
+void RunningInstances::happens(InstanceId id, InstanceEvent event,
+                               const Cause& cause) {
+  events_.happens(id, event, cause);
+  take_events();
+}
+
+void RunningInstances::take_events() {
+  if (std::exchange(takes_events_, true))
+    return;
+  while (const auto transition = events_.next())
+    std::visit([this](const auto& one) { carry_out(one); }, *transition);
+  takes_events_ = false;
+}
+
+void RunningInstances::carry_out(const InstanceDeeds& deeds) {
+  for (auto deed : deeds.deeds)
+    carry_out(deed, deeds.id, deeds.cause);
+}
+
+void RunningInstances::carry_out(const ServiceDeeds& deeds) {
+  for (auto deed : deeds.deeds)
+    carry_out(deed, deeds.service, deeds.cause);
+}
+
+void RunningInstances::carry_out(const Impossible& what) {
+  news_.log("error: " + what.text);
+  assert(false && "the table of its life says that this cannot happen");
+}
+
+std::optional<ServiceReport> RunningInstances::take_report() {
+  if (reports_.empty())
+    return std::nullopt;
+  auto report = std::move(reports_.front());
+  reports_.pop_front();
+  return report;
+}
+
 // -- services -----------------------------------------------------------------
 
 void RunningInstances::carry_out(ServiceDeed deed,
                                  const ServicePointer& service,
                                  const Cause& cause) {
+  using What = ServiceReport::What;
   switch (deed) {
   case ServiceDeed::report_start:
-    return events_.report(
-        [=, this] { listener_.on_instance_started(service); });
+    reports_.push_back({What::instance_started, service, {}});
+    return;
   case ServiceDeed::fail_activation:
-    return events_.report([=, this, error = cause.error] {
-      listener_.on_activation_failed(service, error);
-    });
+    reports_.push_back({What::activation_failed, service, cause.error});
+    return;
   case ServiceDeed::come_up:
     service->component->set_serving(true);
     return;
@@ -66,15 +111,18 @@ void RunningInstances::carry_out(ServiceDeed deed,
     return news_.log(service->name() +
                      " failed while it left: " + cause.error.message);
   case ServiceDeed::report_end:
-    return events_.report([=, this] { listener_.on_instance_ended(service); });
+    reports_.push_back({What::instance_ended, service, {}});
+    return;
   }
 }
 
-// In the place of one that failed, or as the first of its session or seat.
+// In the place of one that failed, or as the first of its session or seat. What
+// is called without a mailbox is another object now: that is published before
+// messages are routed to it.
 void RunningInstances::add_worker(const Service& service, const Entry& entry) {
   auto& component = *service.component;
   if (service.direct)
-    listener_.on_direct_changed();
+    news_.publish_table(deployments_.by_rank());
   component.mailbox->open();
   component.mailbox->add_worker(entry.host);
   component.set_serving(true);

@@ -4,48 +4,51 @@
 // thread.
 #pragma once
 
+#include <cstdint>
+#include <deque>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "actors/components/component_news.hpp"
+#include "actors/components/deployment.hpp"
 #include "actors/components/life_events.hpp"
 
 namespace parlour::actors {
 
-// Who decides what a whole component does; told on the supervisor's thread,
-// once no event is left to take.
-class ServiceListener {
-public:
-  virtual ~ServiceListener() = default;
-
-  // An instance of one that is coming has started.
-  virtual void on_instance_started(const ServicePointer& service) = 0;
-  // One that is coming does not start.
-  virtual void on_activation_failed(const ServicePointer& service,
-                                    const Error& error) = 0;
-  // An instance of one that leaves has ended.
-  virtual void on_instance_ended(const ServicePointer& service) = 0;
-  // What is called without a mailbox is another object now: told at once,
-  // before messages are routed to it.
-  virtual void on_direct_changed() = 0;
+// What concerns a whole component; whoever has called into RunningInstances
+// takes what there is of it then.
+struct ServiceReport {
+  enum class What : std::uint8_t {
+    instance_started,  // of one that is coming
+    activation_failed, // one that is coming does not start
+    instance_ended,    // of one that leaves
+  };
+  What what = What::instance_started;
+  ServicePointer service;
+  Error error; // that it does not start
 };
 
-class RunningInstances : private LifeDeeds {
+class RunningInstances {
 public:
   RunningInstances(supervisor_actor::pointer self,
                    const SupervisionParts& parts, ComponentNews& news,
-                   ServiceListener& listener)
-      : self_(self), parts_(parts), news_(news), listener_(listener) {}
+                   const Deployments& deployments)
+      : self_(self), parts_(parts), news_(news), deployments_(deployments) {}
+
+  // The next report; nothing: there is none.
+  std::optional<ServiceReport> take_report();
 
   // -- services --------------------------------------------------------------
 
-  // As LifeEvents says.
+  // When these return all that follows has happened, too, unless they are
+  // called by a deed: then it comes when its transition is over. What a table
+  // calls impossible is logged and changes nothing.
   void happens(const ServicePointer& service, ServiceEvent event,
-               const Cause& cause = {}) {
-    events_.happens(service, event, cause);
-  }
+               const Cause& cause = {});
+  void happens(InstanceId id, InstanceEvent event, const Cause& cause = {});
   // The instances that it is to have, once those that stop have stopped: both
   // may want the same device.
   void fill_up(const ServicePointer& service);
@@ -56,9 +59,6 @@ public:
 
   // -- instances -------------------------------------------------------------
 
-  void happens(InstanceId id, InstanceEvent event, const Cause& cause = {}) {
-    events_.happens(id, event, cause);
-  }
   void happens_to_all(const Service& service, InstanceEvent event,
                       const Cause& cause = {});
   std::vector<InstanceId> instances_of(const Service& service) const;
@@ -99,13 +99,14 @@ private:
   void make_instance(const ServicePointer& service);
   component_host_actor host_for(const std::shared_ptr<Instance>& instance);
 
-  // -- LifeDeeds
-  void carry_out(InstanceDeed deed, InstanceId id, const Cause& cause) override;
+  // Makes transitions until no event is left.
+  void take_events();
+  void carry_out(const InstanceDeeds& deeds);
+  void carry_out(const ServiceDeeds& deeds);
+  void carry_out(const Impossible& what);
+  void carry_out(InstanceDeed deed, InstanceId id, const Cause& cause);
   void carry_out(ServiceDeed deed, const ServicePointer& service,
-                 const Cause& cause) override;
-  void log_error(const std::string& text) override {
-    news_.log("error: " + text);
-  }
+                 const Cause& cause);
 
   void enlist(const Entry& entry);
   void begin_draining(const Entry& entry);
@@ -121,8 +122,10 @@ private:
   const supervisor_actor::pointer self_;
   const SupervisionParts& parts_;
   ComponentNews& news_;
-  ServiceListener& listener_;
-  LifeEvents events_{*this};
+  const Deployments& deployments_;
+  LifeEvents events_;
+  bool takes_events_ = false;
+  std::deque<ServiceReport> reports_;
   std::map<InstanceId, Entry> entries_;
   InstanceId last_instance_ = 0;
   std::uint64_t last_trial_ = 0;

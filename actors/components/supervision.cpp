@@ -21,7 +21,7 @@ void keep(component_promise promise, Expected<void> outcome) {
 
 Supervision::Supervision(supervisor_actor::pointer self, SupervisionParts parts)
     : parts_(std::move(parts)), news_(parts_),
-      running_(self, parts_, news_, *this),
+      running_(self, parts_, news_, deployments_),
       rules_(parts_.settings, deployments_),
       placements_(parts_, deployments_, news_, running_),
       departures_(self, running_, news_) {}
@@ -55,6 +55,7 @@ void Supervision::unload(const unload_component& what,
                 tl::make_unexpected(rules_.nobody_called(what.name)));
   news_.publish_table(deployments_.by_rank());
   departures_.depart(found.mapped()->all(), what.name, std::move(promise));
+  take_reports();
 }
 
 void Supervision::stop_all() {
@@ -73,6 +74,7 @@ void Supervision::stop_all() {
   running_.stop_all();
   for (const auto& service : serving)
     service->component->mailbox->take_all();
+  take_reports();
 }
 
 // -- coming -------------------------------------------------------------------
@@ -98,10 +100,6 @@ void Supervision::load(const ComponentOrder& order, std::size_t rank, bool tell,
   deployments_.coming[order.name] = deployment;
   placements_.settle(deployment);
   check_activation(deployment); // nobody may be there yet to have an instance
-}
-
-void Supervision::on_instance_started(const ServicePointer& service) {
-  check_activation(deployments_.coming.at(service->name()));
 }
 
 // One of its instances works, or is not wanted any more: once all that are
@@ -165,18 +163,14 @@ void Supervision::take_mailboxes(const Deployment& deployment,
 }
 
 // What was there before stays.
-void Supervision::on_activation_failed(const ServicePointer& service,
-                                       const Error& error) {
+void Supervision::activation_failed(const ServicePointer& service,
+                                    const Error& error) {
   const auto deployment = deployments_.coming.extract(service->name()).mapped();
   for (const auto& one : deployment->all()) {
     running_.happens(one, ServiceEvent::leave);
     running_.happens_to_all(*one, InstanceEvent::stop);
   }
   keep(std::exchange(deployment->promise, {}), tl::make_unexpected(error));
-}
-
-void Supervision::on_direct_changed() {
-  news_.publish_table(deployments_.by_rank());
 }
 
 // -- what happens -------------------------------------------------------------
@@ -187,18 +181,22 @@ void Supervision::started(const instance_started& what) {
   else
     running_.happens(what.instance, InstanceEvent::not_started,
                      {what.outcome.error()});
+  take_reports();
 }
 
 void Supervision::stopped(const instance_stopped& what) {
   running_.happens(what.instance, InstanceEvent::stopped,
                    {{ErrorKind::offline, "it was stopped", {}}});
+  take_reports();
 }
 
 void Supervision::failed(const component_failed& what) {
   if (what.instance == 0)
-    return failed_inline(what);
-  running_.happens(what.instance, InstanceEvent::failed,
-                   {{ErrorKind::settings, what.reason, {}}});
+    failed_inline(what);
+  else
+    running_.happens(what.instance, InstanceEvent::failed,
+                     {{ErrorKind::settings, what.reason, {}}});
+  take_reports();
 }
 
 // It was called in a session's own turn, and has one service: the node's.
@@ -216,10 +214,12 @@ void Supervision::available(const component_available& what) {
 
 void Supervision::watch(const watch_instance& what) {
   running_.watch(what);
+  take_reports();
 }
 
 void Supervision::idle(const instance_idle& what) {
   departures_.idle(what.instance);
+  take_reports();
 }
 
 void Supervision::try_again(const actors::try_again& what) {
@@ -231,14 +231,28 @@ void Supervision::try_again(const actors::try_again& what) {
     return;
   found->second->due = {};
   running_.happens(found->second, ServiceEvent::retry);
+  take_reports();
 }
 
 void Supervision::drain_over(const actors::drain_over& what) {
   departures_.drain_over(what);
+  take_reports();
 }
 
-void Supervision::on_instance_ended(const ServicePointer& service) {
-  departures_.instance_ended(service);
+void Supervision::take_reports() {
+  while (const auto report = running_.take_report())
+    take(*report);
+}
+
+void Supervision::take(const ServiceReport& report) {
+  switch (report.what) {
+  case ServiceReport::What::instance_started:
+    return check_activation(deployments_.coming.at(report.service->name()));
+  case ServiceReport::What::activation_failed:
+    return activation_failed(report.service, report.error);
+  case ServiceReport::What::instance_ended:
+    return departures_.instance_ended(report.service);
+  }
 }
 
 std::string Supervision::doing() const {
@@ -262,6 +276,7 @@ void Supervision::closed(const seat_closed& what) {
   placements_.seat_closed(what);
   for (const auto& deployment : deployments_.all())
     dismiss(deployment, what.name);
+  take_reports();
 }
 
 void Supervision::begins(const session_begins& what) {
@@ -273,6 +288,7 @@ void Supervision::ended(const session_ended& what) {
   placements_.session_ended(what);
   for (const auto& deployment : deployments_.all())
     dismiss(deployment, what.session);
+  take_reports();
 }
 
 void Supervision::dismiss(const DeploymentPointer& deployment,

@@ -18,7 +18,7 @@
 
 namespace parlour::actors {
 
-class Supervision : private ServiceListener {
+class Supervision {
 public:
   // `self` is the actor whose state this is.
   Supervision(supervisor_actor::pointer self, SupervisionParts parts);
@@ -54,12 +54,10 @@ public:
   }
 
 private:
-  // -- ServiceListener
-  void on_instance_started(const ServicePointer& service) override;
-  void on_activation_failed(const ServicePointer& service,
-                            const Error& error) override;
-  void on_instance_ended(const ServicePointer& service) override;
-  void on_direct_changed() override;
+  // What became of services in what was just done.
+  void take_reports();
+  void take(const ServiceReport& report);
+  void activation_failed(const ServicePointer& service, const Error& error);
 
   Expected<void> may_load(const ComponentOrder& order) const;
   void load(const ComponentOrder& order, std::size_t rank, bool tell,
@@ -75,8 +73,8 @@ private:
 
   const SupervisionParts parts_;
   ComponentNews news_;
-  RunningInstances running_;
   Deployments deployments_;
+  RunningInstances running_;
   LoadingRules rules_;
   Placements placements_;
   Departures departures_;

@@ -2,11 +2,9 @@
 // tests/tools/parlour.
 #include <gmock/gmock.h>
 
-#include "script/dialogue/inputs/recording_port.hpp"
 #include "script/dialogue/inputs/recovery.hpp"
-#include "script/dialogue/inputs/replay.hpp"
 #include "script/vm/program_identity.hpp"
-#include "tests/script/dialogue/conversation_world.hpp"
+#include "tests/script/dialogue/inputs/noted_world.hpp"
 
 namespace parlour::dialogue {
 namespace {
@@ -21,38 +19,29 @@ constexpr const char* bell = R"xml(
   )xml";
 
 // The history of a conversation, as a journal would have it.
-struct Kept : World {
+struct Kept : NotedWorld {
   SessionHistory history;
 
-  static WorldOptions options() {
-    WorldOptions options;
-    options.start = "S";
-    options.open = false;
-    return options;
-  }
-  Kept() : World(bell, options()) {
-    repeats = false; // the port is another one
+  Kept() : NotedWorld(bell) {
     history.id = "s1";
     history.opened = {script::identity_of(*program), 1, true};
-    conversation = std::make_unique<Conversation>(
-        program, ConversationOptions{"s1", 1, nullptr}, port);
-    World::open();
+    keep();
   }
   void take(SessionInput input) override {
-    auto bytes = to_bytes(*program, {now, input});
-    Surroundings::take(std::move(input));
-    history.inputs.push_back(
-        {std::move(bytes), to_bytes(*program, port.take_answers())});
+    NotedWorld::take(std::move(input));
+    keep();
   }
   Expected<std::unique_ptr<SavedSession>> recovered() const {
     return recover(program, nullptr, history);
   }
 
 private:
-  // It is not put aside: what is noted here is of one port.
-  void before_move() override {}
-
-  RecordingPort port{*this};
+  // What was noted since.
+  void keep() {
+    for (auto i = history.inputs.size(); i < inputs.size(); ++i)
+      history.inputs.push_back(
+          {to_bytes(*program, inputs[i]), to_bytes(*program, answers[i])});
+  }
 };
 
 TEST(Recovery, BringsBackWhatWas) {

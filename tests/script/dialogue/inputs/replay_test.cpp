@@ -2,9 +2,8 @@
 // the same again is tested by every World (conversation_world.cpp).
 #include <gmock/gmock.h>
 
-#include "script/dialogue/inputs/recording_port.hpp"
 #include "script/dialogue/inputs/replay.hpp"
-#include "tests/script/dialogue/conversation_world.hpp"
+#include "tests/script/dialogue/inputs/noted_world.hpp"
 
 namespace parlour::dialogue {
 namespace {
@@ -16,34 +15,8 @@ constexpr const char* greeting = R"xml(
   <state name="S"><Entrance><speak param="Good morning."/></Entrance></state>
   )xml";
 
-// What one conversation was told at each input.
-struct Notes : World {
-  std::vector<TimedInput> inputs;
-  std::vector<PortAnswers> answers;
-
-  static WorldOptions options() {
-    WorldOptions options;
-    options.start = "S";
-    options.open = false;
-    return options;
-  }
-  Notes() : World(greeting, options()) {
-    repeats = false; // the port is another one
-    conversation = std::make_unique<Conversation>(
-        program, ConversationOptions{"s1", 1, nullptr}, port);
-    World::open();
-  }
-  void take(SessionInput input) override {
-    inputs.push_back({now, input});
-    Surroundings::take(std::move(input));
-    answers.push_back(port.take_answers());
-  }
-
-private:
-  // It is not put aside: what is noted here is of one port.
-  void before_move() override {}
-
-  RecordingPort port{*this};
+struct Notes : NotedWorld {
+  Notes() : NotedWorld(greeting) {}
 };
 
 TEST(Replay, SaysAndKnowsTheSame) {

@@ -21,24 +21,30 @@ ConversationImplementation::ConversationImplementation(
     : interpreter(program),
       context(interpreter, std::move(program), std::move(options), port),
       timers(port), inbox(context.turns), messenger(context, inbox),
-      frames(context, interpreter), reactions(context),
-      runner(context, interpreter, messenger, timers, effects),
+      frames(context, interpreter), reactions(context), view(context, frames),
+      texts(context, interpreter, messenger, view), running(context, messenger),
+      runner(context, interpreter, messenger, timers, running, effects),
       question(context, frames),
       output(context, reactions, messenger, timers, question),
-      topics(context, messenger, frames, runner, reactions, question, output),
-      sockets(context), requests(context, messenger, timers, runner, topics),
-      outside(context, timers, runner, sockets),
+      questions(context, frames, running, texts, reactions, question, output),
+      topics(context, messenger, frames, running, texts, runner, question,
+             output, questions),
+      sockets(context),
+      requests(context, messenger, timers, running, questions.whereabouts),
+      outside(context, timers, running, sockets),
       waits(context, runner, requests, outside, topics),
       machine(context, timers, runner, waits, topics),
-      heard_grammar(context, messenger, topics),
+      heard_grammar(context, messenger, questions.whereabouts),
       answers(context, messenger, inbox, topics),
       message_end(context, output, sockets),
-      pipeline(context, messenger, inbox, runner, reactions, topics, waits,
-               machine, answers, message_end),
-      topic_effects(context, frames, runner, output, topics),
-      reaction_effects(context, messenger, reactions, runner, topics, pipeline),
-      time_effects(context, timers, runner),
-      effects(context, runner, topic_effects, reaction_effects, requests,
+      pipeline(context, messenger, inbox, runner, running, reactions, topics,
+               waits, machine, answers, message_end, handled),
+      topic_effects(context, frames, running, output, questions.words,
+                    questions.confirmations, questions.repairs),
+      reaction_effects(context, messenger, reactions, running, questions.offers,
+                       handled),
+      time_effects(context, timers, running),
+      effects(view, running, topic_effects, reaction_effects, requests,
               time_effects, outside) {}
 
 void Conversation::open(Timestamp now) {
@@ -174,7 +180,7 @@ Value Conversation::slot_value(std::string_view topic,
   const auto id = parts.context.program->topic(topic);
   return id == script::no_id || !parts.frames.has(id)
              ? Value()
-             : parts.topic_effects.slot(id, parts.context.topic(id).slot(slot));
+             : parts.view.slot(id, parts.context.topic(id).slot(slot));
 }
 
 std::vector<Message> Conversation::take_unread() {

@@ -16,15 +16,20 @@
 #include "script/dialogue/context/messenger.hpp"
 #include "script/dialogue/context/open_question.hpp"
 #include "script/dialogue/context/reactions.hpp"
+#include "script/dialogue/context/running_script.hpp"
+#include "script/dialogue/context/script_view.hpp"
+#include "script/dialogue/context/text_evaluator.hpp"
 #include "script/dialogue/context/topic_frames.hpp"
 #include "script/dialogue/engine/answers.hpp"
 #include "script/dialogue/engine/effect_handler.hpp"
+#include "script/dialogue/engine/handled_message.hpp"
 #include "script/dialogue/engine/heard_grammar.hpp"
 #include "script/dialogue/engine/pipeline.hpp"
 #include "script/dialogue/engine/sockets.hpp"
 #include "script/dialogue/engine/state_machine.hpp"
 #include "script/dialogue/engine/waits.hpp"
 #include "script/dialogue/output/output_manager.hpp"
+#include "script/dialogue/questions/question_parts.hpp"
 #include "script/dialogue/topic_engine/topic_engine.hpp"
 
 namespace parlour::dialogue {
@@ -71,9 +76,13 @@ public:
   Messenger messenger;
   TopicFrames frames;
   Reactions reactions;
+  ScriptView view;
+  TextEvaluator texts;
+  RunningScript running;
   ActivationRunner runner;
   OpenQuestion question;
   OutputManager output;
+  QuestionParts questions;
   TopicEngine topics;
   ScriptSockets sockets;
   RequestEffects requests;
@@ -83,6 +92,7 @@ public:
   HeardGrammar heard_grammar;
   Answers answers;
   MessageEnd message_end;
+  HandledMessage handled;
   Pipeline pipeline;
   TopicEffects topic_effects;
   ReactionEffects reaction_effects;
@@ -93,11 +103,11 @@ public:
   void serialize(Archive& archive) {
     archive.without(interpreter); // it is saved beside them
     // They keep nothing.
-    archive.without(messenger, waits, message_end, topic_effects,
-                    reaction_effects, time_effects);
-    archive(timers, context, inbox, frames, reactions, runner, question, output,
-            topics, machine, heard_grammar, answers, sockets, pipeline,
-            requests, outside, effects, watch_, lost_);
+    archive.without(messenger, texts, waits, message_end, handled,
+                    topic_effects, reaction_effects, time_effects, effects);
+    archive(timers, context, inbox, frames, reactions, view, running, runner,
+            question, output, questions, topics, machine, heard_grammar,
+            answers, sockets, pipeline, requests, outside, watch_, lost_);
   }
 
 private:

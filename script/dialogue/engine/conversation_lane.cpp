@@ -43,7 +43,7 @@ void ConversationImplementation::take(steps::RunTimer&& step) {
 }
 
 void ConversationImplementation::take(steps::React&& step) {
-  if (!topics.consumed(step.body.input->message->number))
+  if (!questions.offers.consumed(step.body.input->message->number))
     run_body(std::move(step));
 }
 
@@ -113,10 +113,10 @@ void ConversationImplementation::take(steps::ResumeWait&& step) {
 // this leads to where the script waits for time. Who asks again has dropped
 // what he asked before.
 void ConversationImplementation::ran(ActivationRunner::Ran what) {
-  using enum ActivationRunner::WaitFor;
+  using enum WaitFor;
   if (what.failed != script::no_id)
-    topics.body_failed(what.failed, runner.body());
-  auto wanted = runner.hand_over();
+    topics.body_failed(what.failed, running.body());
+  auto wanted = running.hand_over();
   if (const auto wait = what.wait; wait != 0) {
     const auto what_for = runner.waits_for(wait);
     context.lane.wait(wait, what_for == answer ? Lane::Others::are_held

@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "script/dialogue/engine/effect_deeds.hpp"
-#include "script/dialogue/engine/effect_operands.hpp"
 #include "script/program/effect_names.hpp"
 
 namespace parlour::dialogue {
@@ -12,7 +11,7 @@ namespace parlour::dialogue {
 script::Performed EffectHandler::perform(script::Activation& activation,
                                          Call effect) {
   if (is_deed(effect))
-    runner_.acts();
+    running_.acts();
   const auto& context = activation.context();
   if (context.leaves_state && script::leads_elsewhere(effect.kind))
     return Error{ErrorKind::refused,
@@ -77,14 +76,13 @@ script::Performed EffectHandler::conversation(script::Activation&,
   using enum script::EffectKind;
   switch (effect.kind) {
   case end:
-    runner_.later(steps::End{});
+    running_.later(steps::End{});
     return Value();
   case restart:
-    runner_.later(steps::Restart{});
+    running_.later(steps::Restart{});
     return Value();
   default:
-    context_.inspect(InspectionKind::log, text_or(effect.operand(1), "info"),
-                     effect.text(0));
+    view_.log(effect);
     return Value();
   }
 }
@@ -141,7 +139,7 @@ EffectHandler::about_topic(const script::ActivationContext& context,
 }
 
 Value EffectHandler::slot(TopicId topic, SlotId slot) const {
-  return topics_.slot(topic, slot);
+  return view_.slot(topic, slot);
 }
 
 void EffectHandler::set_slot(TopicId topic, SlotId slot, Value value) {
@@ -150,27 +148,27 @@ void EffectHandler::set_slot(TopicId topic, SlotId slot, Value value) {
 
 Value EffectHandler::system(const script::Activation& activation,
                             script::SystemVariable variable) const {
-  return topics_.system(activation.context(), variable);
+  return view_.system(activation.context(), variable);
 }
 
 bool EffectHandler::online(const std::string& agent) const {
-  return context_.port.reachable(agent);
+  return view_.online(agent);
 }
 
 Timestamp EffectHandler::now() const {
-  return context_.now;
+  return view_.now();
 }
 
 double EffectHandler::random() {
-  return random_.fraction();
+  return view_.random();
 }
 
 bool EffectHandler::watches_branches() const {
-  return context_.port.inspected();
+  return view_.watches_branches();
 }
 
 void EffectHandler::reached(script::Position position) {
-  context_.reached(position);
+  view_.reached(position);
 }
 
 } // namespace parlour::dialogue

@@ -5,9 +5,8 @@
 
 #include <string>
 
-#include "runtime/base/random.hpp"
-#include "script/dialogue/context/activation_runner.hpp"
-#include "script/dialogue/context/dialogue_context.hpp"
+#include "script/dialogue/context/running_script.hpp"
+#include "script/dialogue/context/script_view.hpp"
 #include "script/dialogue/engine/outside_effects.hpp"
 #include "script/dialogue/engine/reaction_effects.hpp"
 #include "script/dialogue/engine/request_effects.hpp"
@@ -19,13 +18,11 @@ namespace parlour::dialogue {
 
 class EffectHandler final : public script::Host {
 public:
-  EffectHandler(DialogueContext& context, ActivationRunner& runner,
-                TopicEffects& topics, ReactionEffects& reactions,
-                RequestEffects& requests, TimeEffects& time,
-                OutsideEffects& outside)
-      : context_(context), runner_(runner), topics_(topics),
-        reactions_(reactions), requests_(requests), time_(time),
-        outside_(outside), random_(context.options.seed) {}
+  EffectHandler(ScriptView& view, RunningScript& running, TopicEffects& topics,
+                ReactionEffects& reactions, RequestEffects& requests,
+                TimeEffects& time, OutsideEffects& outside)
+      : view_(view), running_(running), topics_(topics), reactions_(reactions),
+        requests_(requests), time_(time), outside_(outside) {}
 
   script::Performed perform(script::Activation& activation,
                             const script::Effect& effect) override;
@@ -38,13 +35,6 @@ public:
   double random() override;
   bool watches_branches() const override;
   void reached(script::Position position) override;
-
-  template <class Archive>
-  void serialize(Archive& archive) {
-    archive.without(context_, runner_, topics_, reactions_, requests_, time_,
-                    outside_);
-    archive(random_);
-  }
 
 private:
   using Call = const script::Effect&;
@@ -59,14 +49,13 @@ private:
   script::Performed about_topic(const script::ActivationContext& context,
                                 Call effect);
 
-  DialogueContext& context_;
-  ActivationRunner& runner_;
+  ScriptView& view_;
+  RunningScript& running_;
   TopicEffects& topics_;
   ReactionEffects& reactions_;
   RequestEffects& requests_;
   TimeEffects& time_;
   OutsideEffects& outside_;
-  Random random_;
 };
 
 } // namespace parlour::dialogue

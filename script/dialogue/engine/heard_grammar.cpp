@@ -20,14 +20,14 @@ bool uses_grammars(const script::Program& program) {
 } // namespace
 
 HeardGrammar::HeardGrammar(DialogueContext& context, Messenger& messenger,
-                           const TopicEngine& topics)
-    : context_(context), messenger_(messenger), topics_(topics),
+                           const Whereabouts& whereabouts)
+    : context_(context), messenger_(messenger), whereabouts_(whereabouts),
       is_used_(uses_grammars(*context.program)) {}
 
 void HeardGrammar::tell() {
   if (!is_used_)
     return;
-  const auto& wanted = topics_.narrowing_grammar();
+  const auto& wanted = whereabouts_.narrowing_grammar();
   if (wanted == told_ || !context_.port.reachable(recogniser))
     return;
   told_ = wanted;

@@ -7,7 +7,7 @@
 
 #include "script/dialogue/context/dialogue_context.hpp"
 #include "script/dialogue/context/messenger.hpp"
-#include "script/dialogue/topic_engine/topic_engine.hpp"
+#include "script/dialogue/questions/whereabouts.hpp"
 
 namespace parlour::dialogue {
 
@@ -15,7 +15,7 @@ class HeardGrammar {
 public:
   // All must outlive it.
   HeardGrammar(DialogueContext& context, Messenger& messenger,
-               const TopicEngine& topics);
+               const Whereabouts& whereabouts);
 
   // Posts SetGrammar to the role ASR if another grammar is expected than was
   // told last; does nothing as long as there is no recogniser.
@@ -23,7 +23,7 @@ public:
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive.without(context_, messenger_, topics_);
+    archive.without(context_, messenger_, whereabouts_);
     archive.without(is_used_); // as the program says
     archive(told_);
   }
@@ -31,7 +31,7 @@ public:
 private:
   DialogueContext& context_;
   Messenger& messenger_;
-  const TopicEngine& topics_;
+  const Whereabouts& whereabouts_;
   bool is_used_;
   std::string told_; // empty: all
 };

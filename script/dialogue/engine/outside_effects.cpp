@@ -106,7 +106,7 @@ script::Performed OutsideEffects::ask_database(QueryRequest request,
     return missing("database", named);
   }
   request.id = context_.next_id();
-  queries_[request.id] = {runner_.begin_wait(ActivationRunner::WaitFor::answer),
+  queries_[request.id] = {running_.begin_wait(WaitFor::answer),
                           request.kind == QueryRequest::Kind::rollback};
   context_.port.query(std::move(request));
   return script::Waits{};
@@ -132,7 +132,7 @@ script::Performed OutsideEffects::transaction(bool writes, Call effect,
 
 script::Performed OutsideEffects::file(FileRequest request) {
   const auto id = context_.next_id();
-  const auto wait = runner_.begin_wait(ActivationRunner::WaitFor::answer);
+  const auto wait = running_.begin_wait(WaitFor::answer);
   queries_[id] = {wait, false};
   // A disk may hang: a share of the network, for one.
   const auto& settings = context_.program->settings.sessions;
@@ -152,8 +152,7 @@ script::Performed OutsideEffects::change_component(Call effect) {
   if (request.load)
     request.plugin = effect.text(0);
   request.name = text_or(effect.operand(request.load ? 1 : 0), "");
-  queries_[request.id] = {runner_.begin_wait(ActivationRunner::WaitFor::answer),
-                          false};
+  queries_[request.id] = {running_.begin_wait(WaitFor::answer), false};
   context_.port.component(std::move(request));
   return script::Waits{};
 }
@@ -161,7 +160,7 @@ script::Performed OutsideEffects::change_component(Call effect) {
 script::Performed OutsideEffects::open_socket(Call effect) {
   if (auto may = sockets_.may_open(effect.text(0)); !may)
     return may.error();
-  sockets_.open(effect, runner_.begin_wait(ActivationRunner::WaitFor::answer));
+  sockets_.open(effect, running_.begin_wait(WaitFor::answer));
   return script::Waits{};
 }
 

@@ -11,8 +11,8 @@
 #include "script/dialogue/agenda/port.hpp"
 #include "script/dialogue/agenda/timers.hpp"
 #include "script/dialogue/agenda/wait_outcome.hpp"
-#include "script/dialogue/context/activation_runner.hpp"
 #include "script/dialogue/context/dialogue_context.hpp"
+#include "script/dialogue/context/running_script.hpp"
 #include "script/dialogue/engine/sockets.hpp"
 #include "script/dialogue/engine/subscriptions.hpp"
 #include "script/program/host.hpp"
@@ -22,9 +22,9 @@ namespace parlour::dialogue {
 class OutsideEffects {
 public:
   OutsideEffects(DialogueContext& context, Timers& timers,
-                 ActivationRunner& runner, ScriptSockets& sockets)
-      : context_(context), timers_(timers), runner_(runner), sockets_(sockets),
-        subscriptions_(context.port) {}
+                 RunningScript& running, ScriptSockets& sockets)
+      : context_(context), timers_(timers), running_(running),
+        sockets_(sockets), subscriptions_(context.port) {}
 
   // An error where the effect is none of these.
   script::Performed perform(script::Activation& activation,
@@ -44,7 +44,7 @@ public:
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive.without(context_, timers_, runner_, sockets_);
+    archive.without(context_, timers_, running_, sockets_);
     archive(subscriptions_, queries_, connections_, current_);
   }
 
@@ -82,7 +82,7 @@ private:
 
   DialogueContext& context_;
   Timers& timers_;
-  ActivationRunner& runner_;
+  RunningScript& running_;
   ScriptSockets& sockets_;
   Subscriptions subscriptions_;
   std::map<QueryId, Query> queries_;

@@ -51,7 +51,7 @@ Pipeline::Item* Pipeline::waits_before(const Input& input) const {
 }
 
 bool Pipeline::holds(const Item& item, const Input& input) {
-  using enum ActivationRunner::WaitFor;
+  using enum WaitFor;
   return item.message->source == input.message->source &&
          item.message->command == input.message->command &&
          (item.what == answer || (item.what == time && input.turn == 0));
@@ -59,7 +59,7 @@ bool Pipeline::holds(const Item& item, const Input& input) {
 
 bool Pipeline::asks_again(const Item& item) const {
   return std::any_of(waiting_.begin(), waiting_.end(), [&](const auto& other) {
-    return other->what == ActivationRunner::WaitFor::user &&
+    return other->what == WaitFor::user &&
            std::any_of(item.reactions.begin(), item.reactions.end(),
                        [&](const Reactions::Match& match) {
                          return match.reaction == other->running().reaction &&
@@ -99,7 +99,7 @@ void Pipeline::go_on(Item& item) {
                             item.message->command == "Error"sv;
     item.consumed = match.captures;
     context_.reached(match.reaction->position);
-    running_ = &item;
+    handled_.begins();
     const auto ran = runner_.start(match.reaction->body, {}, std::move(context),
                                    {.visit = match.visit});
     started(item, ran.wait);
@@ -113,10 +113,11 @@ void Pipeline::go_on(Item& item) {
 
 // It ended, or waits; what it asked before is given up then.
 void Pipeline::started(Item& item, WaitId wait) {
-  running_ = nullptr;
+  if (handled_.ends())
+    item.consumed = true;
   item.waiting = wait;
   item.what = runner_.waits_for(wait);
-  auto wanted = runner_.hand_over();
+  auto wanted = running_.hand_over();
   if (wait != 0)
     wanted.prepend(machine_.dropped_by(wait));
   hand_over(std::move(wanted), item.turn);
@@ -138,7 +139,7 @@ void Pipeline::hand_over(StepList steps, TurnId turn) {
 
 // Only what a component works for holds back the questions to the user.
 void Pipeline::keep(Item&& item) {
-  if (item.what != ActivationRunner::WaitFor::answer) {
+  if (item.what != WaitFor::answer) {
     if (std::exchange(item.holds_turn, false))
       context_.turns.let_go(item.turn);
     let_go_of_held(item);
@@ -169,7 +170,7 @@ bool Pipeline::resume(WaitId wait, Expected<Value> outcome) {
   // Who wants out has no use for what would come of it.
   if (!outcome && outcome.error().kind == ErrorKind::cancelled)
     item.consumed = true;
-  running_ = &item;
+  handled_.begins();
   const auto ran = runner_.resume(wait, std::move(outcome));
   topics_.wait_is_over(wait);
   started(item, ran.wait);
@@ -200,12 +201,6 @@ bool Pipeline::was_worded(const Item& item) {
       item.reactions.begin(),
       item.reactions.begin() + static_cast<std::ptrdiff_t>(item.next),
       [](const Reactions::Match& match) { return match.named(); });
-}
-
-bool Pipeline::consume() {
-  if (running_)
-    running_->consumed = true;
-  return running_ != nullptr;
 }
 
 bool Pipeline::waits(WaitId wait) const {

@@ -16,6 +16,7 @@
 #include "script/dialogue/context/messenger.hpp"
 #include "script/dialogue/context/reactions.hpp"
 #include "script/dialogue/engine/answers.hpp"
+#include "script/dialogue/engine/handled_message.hpp"
 #include "script/dialogue/engine/message_end.hpp"
 #include "script/dialogue/engine/state_machine.hpp"
 #include "script/dialogue/engine/waits.hpp"
@@ -29,12 +30,14 @@ inline constexpr std::size_t max_held = 100;
 class Pipeline {
 public:
   Pipeline(DialogueContext& context, Messenger& messenger, Inbox& inbox,
-           ActivationRunner& runner, const Reactions& reactions,
-           TopicEngine& topics, Waits& waits, StateMachine& machine,
-           Answers& answers, MessageEnd& message_end)
+           ActivationRunner& runner, RunningScript& running,
+           const Reactions& reactions, TopicEngine& topics, Waits& waits,
+           StateMachine& machine, Answers& answers, MessageEnd& message_end,
+           HandledMessage& handled)
       : context_(context), messenger_(messenger), inbox_(inbox),
-        runner_(runner), reactions_(reactions), topics_(topics), waits_(waits),
-        machine_(machine), answers_(answers), message_end_(message_end) {}
+        runner_(runner), running_(running), reactions_(reactions),
+        topics_(topics), waits_(waits), machine_(machine), answers_(answers),
+        message_end_(message_end), handled_(handled) {}
 
   // Behind an activation that waits at most max_held wait; a further one
   // is an error and is dropped. What is an answer to one that waits for the
@@ -42,16 +45,15 @@ public:
   void take(Input&& input);
   // An activation of this lane goes on; false where it is none of ours.
   bool resume(WaitId wait, Expected<Value> outcome);
-  // <consume/> in the reaction that is running; false where none is.
-  bool consume();
 
   std::vector<WaitId> waits() const;
   bool waits(WaitId wait) const;
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive.without(context_, messenger_, inbox_, runner_, reactions_, topics_,
-                    waits_, machine_, answers_, message_end_, running_, spare_);
+    archive.without(context_, messenger_, inbox_, runner_, running_, reactions_,
+                    topics_, waits_, machine_, answers_, message_end_, handled_,
+                    spare_);
     archive(waiting_);
   }
 
@@ -67,14 +69,14 @@ private:
     bool overflows = false; // too much is behind it
     bool holds_turn = true;
     WaitId waiting = 0;
-    ActivationRunner::WaitFor what = ActivationRunner::WaitFor::answer;
+    WaitFor what = WaitFor::answer;
     std::vector<Input> behind; // same source and command
 
     template <class Archive>
     void serialize(Archive& archive) {
       archive(message, turn, raised, reactions, next, consumed, is_said,
               overflows, holds_turn, waiting, behind);
-      archive.up_to(what, ActivationRunner::WaitFor::user);
+      archive.up_to(what, WaitFor::user);
       archive.needs(message);
       archive.check(waiting != 0 && next > 0 && next <= reactions.size(),
                     "no reaction to a message waits");
@@ -105,14 +107,15 @@ private:
   Messenger& messenger_;
   Inbox& inbox_;
   ActivationRunner& runner_;
+  RunningScript& running_;
   const Reactions& reactions_;
   TopicEngine& topics_;
   Waits& waits_;
   StateMachine& machine_;
   Answers& answers_;
   MessageEnd& message_end_;
+  HandledMessage& handled_;
   std::vector<std::unique_ptr<Item>> waiting_;
-  Item* running_ = nullptr;
   std::vector<Reactions::Match> spare_; // of an item that is over: its memory
 };
 

@@ -27,17 +27,17 @@ script::Performed ReactionEffects::fire_frames(TurnId turn,
       if (auto error = misnamed(*context_.program, act))
         return std::move(*error);
   if (parsed.acts.empty())
-    runner_.later(steps::NoMatch{turn});
+    running_.later(steps::NoMatch{turn});
   for (auto& act : parsed.acts)
-    runner_.later(
+    running_.later(
         steps::TakeAct{std::make_shared<const Act>(std::move(act)), turn});
   return Value();
 }
 
 script::Performed ReactionEffects::consume(const Message* message) {
   if (message && message->source == "Dialogue")
-    topics_.consume(message->number);
-  else if (!pipeline_.consume())
+    offers_.consume(message->number);
+  else if (!handled_.consume())
     return Error{
         ErrorKind::refused, "<consume>: no message is being handled here", {}};
   return Value();

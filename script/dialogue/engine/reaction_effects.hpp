@@ -2,12 +2,12 @@
 // it speaks to other reactions: <fire>, <consume/>, <register>.
 #pragma once
 
-#include "script/dialogue/context/activation_runner.hpp"
 #include "script/dialogue/context/dialogue_context.hpp"
 #include "script/dialogue/context/messenger.hpp"
 #include "script/dialogue/context/reactions.hpp"
-#include "script/dialogue/engine/pipeline.hpp"
-#include "script/dialogue/topic_engine/topic_engine.hpp"
+#include "script/dialogue/context/running_script.hpp"
+#include "script/dialogue/engine/handled_message.hpp"
+#include "script/dialogue/questions/offers.hpp"
 #include "script/program/host.hpp"
 
 namespace parlour::dialogue {
@@ -15,10 +15,10 @@ namespace parlour::dialogue {
 class ReactionEffects {
 public:
   ReactionEffects(DialogueContext& context, Messenger& messenger,
-                  Reactions& reactions, ActivationRunner& runner,
-                  TopicEngine& topics, Pipeline& pipeline)
+                  Reactions& reactions, RunningScript& running, Offers& offers,
+                  HandledMessage& handled)
       : context_(context), messenger_(messenger), reactions_(reactions),
-        runner_(runner), topics_(topics), pipeline_(pipeline) {}
+        running_(running), offers_(offers), handled_(handled) {}
 
   script::Performed fire_event(TurnId turn, const script::Effect& effect);
   // Acts, for the dialogue lane.
@@ -31,9 +31,9 @@ private:
   DialogueContext& context_;
   Messenger& messenger_;
   Reactions& reactions_;
-  ActivationRunner& runner_;
-  TopicEngine& topics_;
-  Pipeline& pipeline_;
+  RunningScript& running_;
+  Offers& offers_;
+  HandledMessage& handled_;
 };
 
 } // namespace parlour::dialogue

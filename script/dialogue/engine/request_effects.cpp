@@ -58,7 +58,7 @@ List RequestEffects::params_of(TurnId turn,
   auto params = list_of(effect.operand(2));
   if (params.size() == 1 && effect.text(1) == "DoNLU" &&
       context_.port.is_source("NLU", effect.text(0)))
-    params.push_back(with_heard(topics_.understanding_context(), params[0],
+    params.push_back(with_heard(whereabouts_.understanding_context(), params[0],
                                 context_.turns.heard(turn)));
   return params;
 }
@@ -76,8 +76,7 @@ script::Performed RequestEffects::request(TurnId turn,
   const auto timeout = effect.has(3) ? milliseconds(effect.operand(3)) : usual;
   // For longer than usual nobody else has to wait.
   const auto wait =
-      runner_.begin_wait(timeout > usual ? ActivationRunner::WaitFor::time
-                                         : ActivationRunner::WaitFor::answer);
+      running_.begin_wait(timeout > usual ? WaitFor::time : WaitFor::answer);
   requests_[correlation] = wait;
   timers_.start(context_.in(timeout), {.purpose = Timer::Purpose::wait,
                                        .wait = wait,

@@ -8,10 +8,10 @@
 
 #include "script/dialogue/agenda/timers.hpp"
 #include "script/dialogue/agenda/wait_outcome.hpp"
-#include "script/dialogue/context/activation_runner.hpp"
 #include "script/dialogue/context/dialogue_context.hpp"
 #include "script/dialogue/context/messenger.hpp"
-#include "script/dialogue/topic_engine/topic_engine.hpp"
+#include "script/dialogue/context/running_script.hpp"
+#include "script/dialogue/questions/whereabouts.hpp"
 #include "script/program/host.hpp"
 
 namespace parlour::dialogue {
@@ -19,9 +19,9 @@ namespace parlour::dialogue {
 class RequestEffects {
 public:
   RequestEffects(DialogueContext& context, Messenger& messenger, Timers& timers,
-                 ActivationRunner& runner, const TopicEngine& topics)
+                 RunningScript& running, const Whereabouts& whereabouts)
       : context_(context), messenger_(messenger), timers_(timers),
-        runner_(runner), topics_(topics) {}
+        running_(running), whereabouts_(whereabouts) {}
 
   // All on behalf of that turn.
   script::Performed post(TurnId turn, const script::Effect& effect);
@@ -45,7 +45,7 @@ public:
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive.without(context_, messenger_, timers_, runner_, topics_);
+    archive.without(context_, messenger_, timers_, running_, whereabouts_);
     archive(requests_);
   }
 
@@ -55,8 +55,8 @@ private:
   DialogueContext& context_;
   Messenger& messenger_;
   Timers& timers_;
-  ActivationRunner& runner_;
-  const TopicEngine& topics_;
+  RunningScript& running_;
+  const Whereabouts& whereabouts_;
   std::map<Correlation, WaitId> requests_;
 };
 

@@ -13,7 +13,7 @@ script::Performed TimeEffects::wait(const script::Effect& effect) {
   if (auto full =
           timers_.refuse(timer, context_.program->settings.limits.bytes))
     return std::move(*full);
-  timer.wait = runner_.begin_wait(ActivationRunner::WaitFor::time);
+  timer.wait = running_.begin_wait(WaitFor::time);
   timers_.start(context_.in(milliseconds(effect.operand(0))), std::move(timer));
   return script::Waits{};
 }
@@ -22,7 +22,7 @@ script::Performed TimeEffects::start_timer(TopicId topic,
                                            const script::Effect& effect) {
   auto name = effect.text(0);
   timers_.cancel_named(name); // a timer replaces one of its name
-  const auto& origin = runner_.origin();
+  const auto& origin = running_.origin();
   Timer timer;
   timer.name = std::move(name);
   timer.code = effect.body;
@@ -55,7 +55,7 @@ VisitId TimeEffects::ends_with(const Value& said) const {
   const auto with = text_or(said, "");
   if (with == "session")
     return 0;
-  const auto own = runner_.origin().visit;
+  const auto own = running_.origin().visit;
   return own == 0 && with == "state" ? context_.states.visit() : own;
 }
 

@@ -2,17 +2,16 @@
 #pragma once
 
 #include "script/dialogue/agenda/timers.hpp"
-#include "script/dialogue/context/activation_runner.hpp"
 #include "script/dialogue/context/dialogue_context.hpp"
+#include "script/dialogue/context/running_script.hpp"
 #include "script/program/host.hpp"
 
 namespace parlour::dialogue {
 
 class TimeEffects {
 public:
-  TimeEffects(DialogueContext& context, Timers& timers,
-              ActivationRunner& runner)
-      : context_(context), timers_(timers), runner_(runner) {}
+  TimeEffects(DialogueContext& context, Timers& timers, RunningScript& running)
+      : context_(context), timers_(timers), running_(running) {}
 
   script::Performed wait(const script::Effect& effect);
   // The topic is that of the script.
@@ -24,7 +23,7 @@ private:
 
   DialogueContext& context_;
   Timers& timers_;
-  ActivationRunner& runner_;
+  RunningScript& running_;
 };
 
 } // namespace parlour::dialogue

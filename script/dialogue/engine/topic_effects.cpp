@@ -1,11 +1,9 @@
 #include "script/dialogue/engine/topic_effects.hpp"
 
 #include <memory>
-#include <optional>
 #include <utility>
 
 #include "script/dialogue/engine/effect_operands.hpp"
-#include "script/dialogue/frame/frame_view.hpp"
 
 namespace parlour::dialogue {
 
@@ -17,14 +15,6 @@ Error nobody_answers() {
 
 Error no_topic(const script::Effect& effect) {
   return missing("topic", effect.operand(0));
-}
-
-// What a message Script.Error tells, as <catch> would see it.
-Value error_of(const Message& message) {
-  const Value params(message.params);
-  return Map{{"message", params.at(0)},
-             {"file", params.at(1)},
-             {"line", params.at(2)}};
 }
 
 } // namespace
@@ -54,7 +44,7 @@ TopicEffects::Performed TopicEffects::later(Context context, Call effect,
   step.topic = effect.has(0) ? topic_of(effect) : context.topic;
   if (effect.has(0) && step.topic == script::no_id)
     return no_topic(effect);
-  runner_.later(std::move(step));
+  running_.later(std::move(step));
   return Value();
 }
 
@@ -70,7 +60,7 @@ TopicEffects::Performed TopicEffects::later_of_topic(Context context,
 // -- states -------------------------------------------------------------------
 
 script::Performed TopicEffects::transit(Context context, Call effect) {
-  runner_.redirect();
+  running_.redirect();
   context_.reached(effect.position);
   const auto state = state_of(effect);
   if (state == script::no_id)
@@ -82,7 +72,7 @@ script::Performed TopicEffects::transit(Context context, Call effect) {
   if (effect.body != script::no_code)
     body.input = std::make_shared<const BodyInput>(
         BodyInput{effect.captured(), context.message});
-  runner_.later(steps::Transit{state, std::move(body)});
+  running_.later(steps::Transit{state, std::move(body)});
   return Value();
 }
 
@@ -93,18 +83,17 @@ script::Performed TopicEffects::push(Context context, Call effect) {
   if (state == script::no_id)
     return missing("state", effect.operand(0));
   context_.reached(effect.position);
-  runner_.later(
-      steps::Push{.state = state,
-                  .topic = context.topic,
-                  .turn = context.turn,
-                  .wait = runner_.begin_wait(ActivationRunner::WaitFor::user)});
+  running_.later(steps::Push{.state = state,
+                             .topic = context.topic,
+                             .turn = context.turn,
+                             .wait = running_.begin_wait(WaitFor::user)});
   return script::Waits{};
 }
 
 script::Performed TopicEffects::pop(Context context) {
   if (!context_.states.pushed())
     return Error{ErrorKind::refused, "<pop>: no state was pushed", {}};
-  runner_.later(steps::Pop{context.turn});
+  running_.later(steps::Pop{context.turn});
   return Value();
 }
 
@@ -131,11 +120,11 @@ script::Performed TopicEffects::cancel(Context context, Call effect) {
 }
 
 script::Performed TopicEffects::ask(Context context, Call effect) {
-  runner_.redirect();
+  running_.redirect();
   if (!effect.operand(0).is_unknown())
     return ask_slot(context, effect);
   const bool same_words = text_or(effect.operand(1), "next") == "same";
-  runner_.later(steps::AskAgain{context.turn, same_words});
+  running_.later(steps::AskAgain{context.turn, same_words});
   return Value();
 }
 
@@ -143,7 +132,7 @@ script::Performed TopicEffects::ask_slot(Context context, Call effect) {
   const auto slot = slot_of(context.topic, effect.text(0));
   if (slot == script::no_id)
     return missing("slot", effect.operand(0));
-  runner_.later(
+  running_.later(
       steps::Ask{.topic = context.topic, .slot = slot, .turn = context.turn});
   return Value();
 }
@@ -153,8 +142,9 @@ script::Performed TopicEffects::confirm(Context context, Call effect) {
     return nobody_answers();
   const auto slot = effect.has(1) ? slot_of(context.topic, effect.text(1))
                                   : SlotId{script::no_id};
-  const auto wait = runner_.begin_wait(ActivationRunner::WaitFor::user);
-  topics_.confirm(effect.text(0), context.topic, slot, wait, context.turn);
+  const auto wait = running_.begin_wait(WaitFor::user);
+  confirmations_.confirm(effect.text(0), context.topic, slot, wait,
+                         context.turn);
   return script::Waits{};
 }
 
@@ -163,9 +153,9 @@ script::Performed TopicEffects::clear(Context context, Call effect) {
   const auto slot = slot_of(topic, effect.text(0));
   if (slot == script::no_id)
     return missing("slot", effect.operand(0));
-  runner_.redirect();
+  running_.redirect();
   frames_.change(topic, {.kind = FrameChange::Kind::clear, .slot = slot});
-  topics_.slot_changed(topic);
+  confirmations_.slot_changed(topic);
   return Value();
 }
 
@@ -208,66 +198,25 @@ script::Performed TopicEffects::say(Context context, Call effect) {
       return missing("slot", effect.operand(2));
   }
   what.data = effect.operand(3).is_unknown()
-                  ? topics_.data_of(what.act, what.topic, what.slot)
+                  ? repairs_.data_of(what.act, what.topic, what.slot)
                   : effect.operand(3);
   output_.say(std::move(what));
   return Value();
 }
 
 script::Performed TopicEffects::repeat(Context context) {
-  topics_.repeat(context.turn);
+  words_.repeat(context.turn);
   return Value();
-}
-
-// -- what scripts read and write ----------------------------------------------
-
-Value TopicEffects::slot(TopicId topic, SlotId slot) const {
-  if (topic == script::no_id)
-    return {};
-  auto value = read_slot(frames_[topic], slot);
-  context_.conceal(topic, slot, value);
-  return value;
 }
 
 void TopicEffects::set_slot(TopicId topic, SlotId slot, Value value) {
   if (topic == script::no_id)
     return;
-  runner_.acts();
+  running_.acts();
   frames_.change(topic, {.kind = FrameChange::Kind::set,
                          .slot = slot,
                          .value = std::move(value)});
-  topics_.slot_changed(topic);
-}
-
-Value TopicEffects::system(Context context,
-                           script::SystemVariable variable) const {
-  using enum script::SystemVariable;
-  const auto current = context.topic != script::no_id
-                           ? context.topic
-                           : frames_.order().current().value_or(script::no_id);
-  const bool in_topic = current != script::no_id;
-  switch (variable) {
-  case session:
-    return context_.options.session;
-  case state:
-    return context_.active_state() ? Value(context_.active_state()->name)
-                                   : Value();
-  case topic:
-    return in_topic ? Value(context_.topic(current).name) : Value();
-  case script::SystemVariable::slot:
-    return in_topic && context.slot != script::no_id
-               ? Value(context_.topic(current).slots[context.slot].name)
-               : Value();
-  case frame_done: { // everywhere, and still so when the topic has completed
-    const auto shown =
-        in_topic ? std::optional(current) : frames_.order().latest();
-    return shown && frames_[*shown].done;
-  }
-  case error: // in a <catch> it is a local of the script
-    return context.handles_error ? error_of(*context.message) : Value();
-  default:
-    return {}; // those of the message come from the activation
-  }
+  confirmations_.slot_changed(topic);
 }
 
 } // namespace parlour::dialogue

@@ -1,15 +1,16 @@
-// TopicEffects: what scripts want of states and topics, what they say, and what
-// they read of them. Most of it happens when the activation ends or waits
-// (engine rule 2.3).
+// TopicEffects: what scripts want of states and topics, and what they say. Most
+// of it happens when the activation ends or waits (engine rule 2.3).
 #pragma once
 
 #include <string>
 
-#include "script/dialogue/context/activation_runner.hpp"
 #include "script/dialogue/context/dialogue_context.hpp"
+#include "script/dialogue/context/running_script.hpp"
 #include "script/dialogue/context/topic_frames.hpp"
 #include "script/dialogue/output/output_manager.hpp"
-#include "script/dialogue/topic_engine/topic_engine.hpp"
+#include "script/dialogue/questions/confirmations.hpp"
+#include "script/dialogue/questions/repair_runner.hpp"
+#include "script/dialogue/questions/topic_words.hpp"
 #include "script/program/host.hpp"
 
 namespace parlour::dialogue {
@@ -21,10 +22,10 @@ public:
   using Context = const script::ActivationContext&; // of the script
 
   TopicEffects(DialogueContext& context, TopicFrames& frames,
-               ActivationRunner& runner, OutputManager& output,
-               TopicEngine& topics)
-      : context_(context), frames_(frames), runner_(runner), output_(output),
-        topics_(topics) {}
+               RunningScript& running, OutputManager& output, TopicWords& words,
+               Confirmations& confirmations, RepairRunner& repairs)
+      : context_(context), frames_(frames), running_(running), output_(output),
+        words_(words), confirmations_(confirmations), repairs_(repairs) {}
 
   // -- states --
   Performed transit(Context context, Call effect);
@@ -46,10 +47,8 @@ public:
   Performed say(Context context, Call effect);
   Performed repeat(Context context);
 
-  // -- what scripts read and write --
-  Value slot(TopicId topic, SlotId slot) const;
+  // `this.X` is set.
   void set_slot(TopicId topic, SlotId slot, Value value);
-  Value system(Context context, script::SystemVariable variable) const;
 
 private:
   // About the topic that it names, else the own one.
@@ -66,9 +65,11 @@ private:
 
   DialogueContext& context_;
   TopicFrames& frames_;
-  ActivationRunner& runner_;
+  RunningScript& running_;
   OutputManager& output_;
-  TopicEngine& topics_;
+  TopicWords& words_;
+  Confirmations& confirmations_;
+  RepairRunner& repairs_;
 };
 
 } // namespace parlour::dialogue

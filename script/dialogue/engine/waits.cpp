@@ -9,7 +9,7 @@ StepList Waits::cancel(const std::vector<WaitId>& in_pipeline,
   topics_.forget_waits(but);
   auto waits = context_.lane.abandon(but);
   for (auto wait : in_pipeline)
-    if (runner_.waits_for(wait) == ActivationRunner::WaitFor::user)
+    if (runner_.waits_for(wait) == WaitFor::user)
       waits.push_back(wait);
   StepList steps;
   for (auto wait : waits) {

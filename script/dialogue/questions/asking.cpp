@@ -39,7 +39,7 @@ void Asking::ask_slot(TopicId topic, SlotId slot, OutputAct as, TurnId turn) {
   asked.topic = topic;
   asked.slot = slot;
   auto code = question_wording(context_.topic(topic).slots[slot], state);
-  put(std::move(asked), "question", {}, words_.text_of(code, topic), as, turn);
+  put(std::move(asked), "question", {}, texts_.text_of(code, topic), as, turn);
 }
 
 void Asking::ask_confirmation(TopicId topic, SlotId slot, TurnId turn) {

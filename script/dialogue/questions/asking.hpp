@@ -5,6 +5,7 @@
 
 #include "script/dialogue/context/dialogue_context.hpp"
 #include "script/dialogue/context/open_question.hpp"
+#include "script/dialogue/context/text_evaluator.hpp"
 #include "script/dialogue/context/topic_frames.hpp"
 #include "script/dialogue/output/output_manager.hpp"
 #include "script/dialogue/questions/topic_words.hpp"
@@ -14,9 +15,9 @@ namespace parlour::dialogue {
 class Asking {
 public:
   Asking(DialogueContext& context, OutputManager& output, TopicFrames& frames,
-         TopicWords& words, OpenQuestion& question)
-      : context_(context), output_(output), frames_(frames), words_(words),
-        question_(question) {}
+         TextEvaluator& texts, TopicWords& words, OpenQuestion& question)
+      : context_(context), output_(output), frames_(frames), texts_(texts),
+        words_(words), question_(question) {}
 
   // Says it, as that act of the engine or with those words.
   void put(Asked&& asked, const char* act, Value data, std::string text,
@@ -40,6 +41,7 @@ private:
   DialogueContext& context_;
   OutputManager& output_;
   TopicFrames& frames_;
+  TextEvaluator& texts_;
   TopicWords& words_;
   OpenQuestion& question_;
 };

@@ -35,7 +35,7 @@ void Confirmations::confirm(std::string question, TopicId topic, SlotId slot,
   asked.topic = topic;
   asked.about = slot;
   asked.wait = wait;
-  asked.body = runner_.body();
+  asked.body = running_.body();
   asked.question = question;
   asked.level = context_.states.levels().size();
   asked.pending = false;
@@ -125,7 +125,7 @@ StepList Confirmations::end_confirms(const ConfirmPredicate& wanted) {
       continue;
     }
     forget_question(confirm);
-    runner_.redirect(confirm.body);
+    running_.redirect(confirm.body);
     auto agenda = context_.lane.take_out(confirm.wait);
     agenda.take_if([&](const Step& step) {
       return is<steps::Conclude>(step) || concludes(step, confirm.topic);
@@ -146,8 +146,8 @@ void Confirmations::slot_changed(TopicId topic) {
   if (!wants_a_yes(topic))
     return;
   for (auto& step : overtaken_by_filling(topic))
-    runner_.later(std::move(step));
-  runner_.later(steps::Settle{topic});
+    running_.later(std::move(step));
+  running_.later(steps::Settle{topic});
 }
 
 // A body of a topic that begins again is what counts.
@@ -202,7 +202,7 @@ Confirmations::confirms_but_of(const std::vector<TopicId>& topics) const {
 bool Confirmations::is_completing(TopicId topic) const {
   const auto body = context_.topic(topic).completed;
   return frames_[topic].status == TopicStatus::completed &&
-         !runner_.acted(body) &&
+         !running_.acted(body) &&
          std::ranges::any_of(confirms_, [&](const Asked& confirm) {
            return confirm.topic == topic && confirm.body == body;
          });

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "script/dialogue/agenda/step_list.hpp"
-#include "script/dialogue/context/activation_runner.hpp"
 #include "script/dialogue/context/asked.hpp"
 #include "script/dialogue/context/dialogue_context.hpp"
 #include "script/dialogue/context/open_question.hpp"
+#include "script/dialogue/context/running_script.hpp"
 #include "script/dialogue/context/topic_frames.hpp"
 #include "script/dialogue/questions/asking.hpp"
 
@@ -19,9 +19,8 @@ namespace parlour::dialogue {
 class Confirmations {
 public:
   Confirmations(DialogueContext& context, TopicFrames& frames,
-                ActivationRunner& runner, OpenQuestion& question,
-                Asking& asking)
-      : context_(context), frames_(frames), runner_(runner),
+                RunningScript& running, OpenQuestion& question, Asking& asking)
+      : context_(context), frames_(frames), running_(running),
         question_(question), asking_(asking) {}
 
   // A <confirm>'s question, for the wait of its activation; about that slot,
@@ -72,7 +71,7 @@ public:
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive.without(context_, frames_, runner_, question_, asking_);
+    archive.without(context_, frames_, running_, question_, asking_);
     archive(confirms_);
   }
 
@@ -86,7 +85,7 @@ private:
 
   DialogueContext& context_;
   TopicFrames& frames_;
-  ActivationRunner& runner_;
+  RunningScript& running_;
   OpenQuestion& question_;
   Asking& asking_;
   std::vector<Asked> confirms_; // innermost last

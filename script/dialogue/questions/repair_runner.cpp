@@ -12,7 +12,7 @@ namespace parlour::dialogue {
 bool RepairRunner::repair(const Trouble& trouble) {
   Value data;
   auto holds = [&](CodeId condition) {
-    return runner_.holds(condition, {data}, trouble.topic, trouble.turn);
+    return texts_.holds(condition, {data}, trouble.topic, trouble.turn);
   };
   data = situation(trouble);
   const auto* found = choose_repair(
@@ -39,8 +39,8 @@ Value RepairRunner::situation(const Trouble& trouble) {
         explain_wording(context_.topic(trouble.topic).slots[trouble.slot],
                         frames_[trouble.topic].slots[trouble.slot]);
     if (code != script::no_code)
-      explanation = words_.text_of(code, trouble.topic);
-    choices = words_.choices_of(trouble.topic, trouble.slot)["choices"];
+      explanation = texts_.text_of(code, trouble.topic);
+    choices = texts_.choices_of(trouble.topic, trouble.slot)["choices"];
   }
   return Map{{"asked", question_ && (question_->heard || question_->pending)},
              {"count", static_cast<std::int64_t>(trouble.count)},
@@ -55,7 +55,7 @@ Value RepairRunner::situation(const Trouble& trouble) {
 Value RepairRunner::data_of(const std::string& act, TopicId topic,
                             SlotId slot) {
   if ((act == "help" || act == "choices") && slot != script::no_id)
-    return words_.choices_of(topic, slot);
+    return texts_.choices_of(topic, slot);
   if (act == "bye")
     return Map{{"unfinished", whereabouts_.unfinished_names()}};
   if (act == "greet" && question_)

@@ -6,12 +6,11 @@
 #include <string>
 #include <string_view>
 
-#include "script/dialogue/context/activation_runner.hpp"
 #include "script/dialogue/context/dialogue_context.hpp"
 #include "script/dialogue/context/open_question.hpp"
+#include "script/dialogue/context/text_evaluator.hpp"
 #include "script/dialogue/context/topic_frames.hpp"
 #include "script/dialogue/questions/confirmations.hpp"
-#include "script/dialogue/questions/topic_words.hpp"
 #include "script/dialogue/questions/whereabouts.hpp"
 
 namespace parlour::dialogue {
@@ -29,10 +28,10 @@ struct Trouble {
 class RepairRunner {
 public:
   RepairRunner(DialogueContext& context, TopicFrames& frames,
-               ActivationRunner& runner, TopicWords& words,
-               OpenQuestion& question, Whereabouts& whereabouts)
-      : context_(context), frames_(frames), runner_(runner), words_(words),
-        question_(question), whereabouts_(whereabouts) {}
+               TextEvaluator& texts, OpenQuestion& question,
+               Whereabouts& whereabouts)
+      : context_(context), frames_(frames), texts_(texts), question_(question),
+        whereabouts_(whereabouts) {}
 
   // The <repair> that is due for it is run; false where there is none.
   bool repair(const Trouble& trouble);
@@ -49,8 +48,7 @@ public:
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive.without(context_, frames_, runner_, words_, question_,
-                    whereabouts_);
+    archive.without(context_, frames_, texts_, question_, whereabouts_);
     archive(misses_);
   }
 
@@ -59,8 +57,7 @@ private:
 
   DialogueContext& context_;
   TopicFrames& frames_;
-  ActivationRunner& runner_;
-  TopicWords& words_;
+  TextEvaluator& texts_;
   OpenQuestion& question_;
   Whereabouts& whereabouts_;
   std::uint32_t misses_ = 0; // not understood in a row, nothing being asked

@@ -50,7 +50,7 @@ void Reprompts::take(const steps::Ask& step) {
 }
 
 void Reprompts::take(const steps::AskStill& step) {
-  if (!runner_.redirected(step.rung) && !context_.ending.is_wished() &&
+  if (!running_.redirected(step.rung) && !context_.ending.is_wished() &&
       frames_[step.topic].status == TopicStatus::active &&
       frames_.order().current() == step.topic)
     ask_slot(step.topic, step.slot, OutputAct::reprompt, step.turn);
@@ -99,7 +99,7 @@ void Reprompts::repeat_question(TurnId turn) {
     auto code =
         question_wording(context_.topic(asked.topic).slots[asked.slot], state);
     const auto topic = asked.topic;
-    asking_.put(std::move(asked), "question", {}, words_.text_of(code, topic),
+    asking_.put(std::move(asked), "question", {}, texts_.text_of(code, topic),
                 OutputAct::reprompt, turn);
     return;
   }

@@ -8,9 +8,10 @@
 #include <string>
 
 #include "script/dialogue/agenda/step_list.hpp"
-#include "script/dialogue/context/activation_runner.hpp"
 #include "script/dialogue/context/dialogue_context.hpp"
 #include "script/dialogue/context/open_question.hpp"
+#include "script/dialogue/context/running_script.hpp"
+#include "script/dialogue/context/text_evaluator.hpp"
 #include "script/dialogue/context/topic_frames.hpp"
 #include "script/dialogue/questions/asking.hpp"
 #include "script/dialogue/questions/clarification.hpp"
@@ -23,11 +24,12 @@ namespace parlour::dialogue {
 
 class Reprompts {
 public:
-  Reprompts(DialogueContext& context, ActivationRunner& runner, Offers& offers,
-            TopicFrames& frames, TopicWords& words, OpenQuestion& question,
-            Asking& asking, Clarification& clarification, RepairRunner& repairs)
-      : context_(context), runner_(runner), offers_(offers), frames_(frames),
-        words_(words), question_(question), asking_(asking),
+  Reprompts(DialogueContext& context, RunningScript& running, Offers& offers,
+            TopicFrames& frames, TextEvaluator& texts, TopicWords& words,
+            OpenQuestion& question, Asking& asking,
+            Clarification& clarification, RepairRunner& repairs)
+      : context_(context), running_(running), offers_(offers), frames_(frames),
+        texts_(texts), words_(words), question_(question), asking_(asking),
         clarification_(clarification), repairs_(repairs) {}
 
   // Nothing was understood: offered to who listens to Dialogue.no_match; else
@@ -53,8 +55,8 @@ public:
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive.without(context_, runner_, offers_, frames_, words_, question_,
-                    asking_, clarification_, repairs_);
+    archive.without(context_, running_, offers_, frames_, texts_, words_,
+                    question_, asking_, clarification_, repairs_);
     archive(refused_);
   }
 
@@ -77,9 +79,10 @@ private:
   void climb_own(const Trouble& trouble);
 
   DialogueContext& context_;
-  ActivationRunner& runner_;
+  RunningScript& running_;
   Offers& offers_;
   TopicFrames& frames_;
+  TextEvaluator& texts_;
   TopicWords& words_;
   OpenQuestion& question_;
   Asking& asking_;

@@ -2,8 +2,6 @@
 
 #include <utility>
 
-#include "script/program/constant_text.hpp"
-
 namespace parlour::dialogue {
 
 void TopicWords::say(const char* act, TopicId topic, SlotId slot, Value data,
@@ -39,32 +37,6 @@ Value TopicWords::with_type(Map data, TopicId topic, SlotId slot) const {
   if (!type.empty())
     data.set("type", type);
   return data;
-}
-
-std::string TopicWords::text_of(CodeId code, TopicId topic) {
-  if (code == script::no_code)
-    return {};
-  if (auto constant = script::constant_text(*context_.program, code))
-    return std::string(*constant);
-  auto text = runner_.evaluate(code, {}, topic);
-  if (text)
-    return text->text();
-  context_.inspect(InspectionKind::error, context_.topic(topic).name,
-                   to_string(text.error()));
-  return {};
-}
-
-Value TopicWords::choices_of(TopicId topic, SlotId slot) {
-  const auto& taken = context_.topic(topic).slots[slot].cardinality;
-  List choices;
-  for (auto code : taken.values)
-    choices.emplace_back(text_of(code, topic));
-  Map said{{"choices", std::move(choices)}};
-  if (taken.minimum != script::no_code)
-    said.set("from", text_of(taken.minimum, topic));
-  if (taken.maximum != script::no_code)
-    said.set("to", text_of(taken.maximum, topic));
-  return said;
 }
 
 void TopicWords::repeat(TurnId turn) {

@@ -57,7 +57,7 @@
 
 namespace parlour::dialogue {
 
-inline constexpr std::uint8_t conversation_version = 5;
+inline constexpr std::uint8_t conversation_version = 6;
 
 // `Self` moves numbers, texts, values and shared objects; the rest is made of
 // these.

@@ -65,7 +65,7 @@ void FillingOutcome::filled(const steps::Fill& step, ResultPointer result) {
 void FillingOutcome::take(const steps::Rule& step) {
   const auto& rule = context_.topic(step.topic).rules[step.index];
   StepList steps;
-  if (runner_.holds(rule.condition, {}, step.topic, step.turn))
+  if (texts_.holds(rule.condition, {}, step.topic, step.turn))
     run_body(rule.body, step.topic, script::no_id, step.turn, steps);
   context_.lane.now(std::move(steps));
 }
@@ -109,7 +109,7 @@ Value FillingOutcome::refusal(TopicId topic, const SlotReport& report) {
       {"value", report.offered},
       {"reason", report.reason},
       {"type", context_.topic(topic).slots[report.slot].cardinality.type}};
-  const auto choices = words_.choices_of(topic, report.slot);
+  const auto choices = texts_.choices_of(topic, report.slot);
   for (const auto& [name, value] : choices.if_map()->entries())
     refused.set(name, value);
   return refused;

@@ -3,9 +3,9 @@
 #pragma once
 
 #include "script/dialogue/agenda/step_list.hpp"
-#include "script/dialogue/context/activation_runner.hpp"
 #include "script/dialogue/context/dialogue_context.hpp"
 #include "script/dialogue/context/open_question.hpp"
+#include "script/dialogue/context/text_evaluator.hpp"
 #include "script/dialogue/context/topic_frames.hpp"
 #include "script/dialogue/questions/reprompts.hpp"
 #include "script/dialogue/questions/topic_words.hpp"
@@ -16,11 +16,11 @@ namespace parlour::dialogue {
 
 class FillingOutcome {
 public:
-  FillingOutcome(DialogueContext& context, ActivationRunner& runner,
+  FillingOutcome(DialogueContext& context, TextEvaluator& texts,
                  TopicFrames& frames, TopicWords& words, OpenQuestion& question,
                  Reprompts& reprompts, Settling& settling,
                  ConfirmAnswers& confirm_answers)
-      : context_(context), runner_(runner), frames_(frames), words_(words),
+      : context_(context), texts_(texts), frames_(frames), words_(words),
         question_(question), reprompts_(reprompts), settling_(settling),
         confirm_answers_(confirm_answers) {}
 
@@ -33,7 +33,7 @@ private:
   Value refusal(TopicId topic, const SlotReport& report);
 
   DialogueContext& context_;
-  ActivationRunner& runner_;
+  TextEvaluator& texts_;
   TopicFrames& frames_;
   TopicWords& words_;
   OpenQuestion& question_;

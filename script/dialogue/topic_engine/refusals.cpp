@@ -56,7 +56,7 @@ void Refusals::note_refusal(TopicId id, CodeId body, std::uint64_t told) {
   refusal.topic = id;
   refusal.body = body;
   refusal.told = told;
-  refusal.deeds = runner_.deeds();
+  refusal.deeds = running_.deeds();
   refusal.slot = slot_filled_by(topic, body);
   if (refusal.slot != script::no_id)
     refusal.value = frames_[id].slots[refusal.slot].value;
@@ -76,7 +76,7 @@ std::vector<Refusal> Refusals::take_refusals(TopicId topic) {
 
 // By a clear, ask or transit, or by another value of the slot.
 bool Refusals::is_dealt_with(const Refusal& refusal) const {
-  if (runner_.redirected(refusal.body))
+  if (running_.redirected(refusal.body))
     return true;
   if (refusal.slot == script::no_id)
     return false;
@@ -87,7 +87,7 @@ bool Refusals::is_dealt_with(const Refusal& refusal) const {
 // A no to going on with the topic, which nothing was done about.
 bool Refusals::gives_up(const Refusal& refusal) const {
   return refusal.body == context_.topic(refusal.topic).resumed &&
-         refusal.told != by_failure && refusal.deeds == runner_.deeds();
+         refusal.told != by_failure && refusal.deeds == running_.deeds();
 }
 
 // A refused value is taken back. Where the topic would be completed

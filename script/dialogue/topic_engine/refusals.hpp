@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "script/dialogue/context/activation_runner.hpp"
 #include "script/dialogue/context/dialogue_context.hpp"
+#include "script/dialogue/context/running_script.hpp"
 #include "script/dialogue/context/topic_frames.hpp"
 #include "script/dialogue/output/output_manager.hpp"
 #include "script/dialogue/questions/confirmations.hpp"
@@ -34,10 +34,10 @@ struct Refusal {
 
 class Refusals {
 public:
-  Refusals(DialogueContext& context, ActivationRunner& runner,
+  Refusals(DialogueContext& context, RunningScript& running,
            OutputManager& output, TopicFrames& frames,
            Confirmations& confirmations)
-      : context_(context), runner_(runner), output_(output), frames_(frames),
+      : context_(context), running_(running), output_(output), frames_(frames),
         confirmations_(confirmations) {}
 
   // A script of the topic ended with an error, or heard a no: the topic is not
@@ -59,7 +59,7 @@ public:
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive.without(context_, runner_, output_, frames_, confirmations_);
+    archive.without(context_, running_, output_, frames_, confirmations_);
     archive(refusals_);
   }
 
@@ -69,7 +69,7 @@ private:
   bool gives_up(const Refusal& refusal) const;
 
   DialogueContext& context_;
-  ActivationRunner& runner_;
+  RunningScript& running_;
   OutputManager& output_;
   TopicFrames& frames_;
   Confirmations& confirmations_;

@@ -72,7 +72,7 @@ void Settling::take(const steps::Finish& step) {
   const auto& frame = frames_[step.topic];
   if (!refusals_.heeds_refusals(step.topic, step.turn) && frame.done &&
       frame.status == TopicStatus::active &&
-      !runner_.redirected(context_.topic(step.topic).filled))
+      !running_.redirected(context_.topic(step.topic).filled))
     take(steps::Complete{step.topic, step.turn});
 }
 
@@ -96,7 +96,7 @@ void Settling::take(const steps::Complete& step) {
 void Settling::take(const steps::WindUp& step) {
   const bool refused = !refusals_.take_refusals(step.topic).empty();
   const auto& topic = context_.topic(step.topic);
-  if (refused && !runner_.acted(topic.completed) &&
+  if (refused && !running_.acted(topic.completed) &&
       frames_[step.topic].status == TopicStatus::completed) {
     context_.lane.at_once(
         steps::CancelTopic{step.topic, step.turn, context_.ending.is_wished()});
@@ -114,7 +114,7 @@ bool Settling::asks_for_refused(const steps::Settle& step) {
     const auto invalid = slots[report.slot].invalid;
     return report.outcome == SlotOutcome::refused &&
            (invalid == script::no_code ||
-            (!runner_.redirected(invalid) &&
+            (!running_.redirected(invalid) &&
              frames_[step.topic].slots[report.slot].status !=
                  SlotStatus::filled));
   };

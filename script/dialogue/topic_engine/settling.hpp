@@ -3,9 +3,9 @@
 #pragma once
 
 #include "script/dialogue/agenda/step_list.hpp"
-#include "script/dialogue/context/activation_runner.hpp"
 #include "script/dialogue/context/dialogue_context.hpp"
 #include "script/dialogue/context/open_question.hpp"
+#include "script/dialogue/context/running_script.hpp"
 #include "script/dialogue/context/topic_frames.hpp"
 #include "script/dialogue/questions/confirmations.hpp"
 #include "script/dialogue/topic_engine/enquiries.hpp"
@@ -16,11 +16,11 @@ namespace parlour::dialogue {
 
 class Settling {
 public:
-  Settling(DialogueContext& context, ActivationRunner& runner,
+  Settling(DialogueContext& context, RunningScript& running,
            TopicFrames& frames, OpenQuestion& question,
            Confirmations& confirmations, Refusals& refusals,
            TopicChanges& topic_changes, Enquiries& enquiries)
-      : context_(context), runner_(runner), frames_(frames),
+      : context_(context), running_(running), frames_(frames),
         question_(question), confirmations_(confirmations), refusals_(refusals),
         topic_changes_(topic_changes), enquiries_(enquiries) {}
 
@@ -36,7 +36,7 @@ public:
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive.without(context_, runner_, frames_, question_, confirmations_,
+    archive.without(context_, running_, frames_, question_, confirmations_,
                     refusals_, topic_changes_, enquiries_);
     archive(completed_at_);
   }
@@ -46,7 +46,7 @@ private:
   void settle_enquiry(const steps::Settle& step);
 
   DialogueContext& context_;
-  ActivationRunner& runner_;
+  RunningScript& running_;
   TopicFrames& frames_;
   OpenQuestion& question_;
   Confirmations& confirmations_;

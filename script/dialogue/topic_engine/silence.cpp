@@ -23,7 +23,7 @@ constexpr int max_reprompts = 5;
 } // namespace
 
 Silence::Silence(DialogueContext& context, TopicFrames& frames,
-                 ActivationRunner& runner, Offers& offers,
+                 const ActivationRunner& runner, Offers& offers,
                  OpenQuestion& question, Asking& asking,
                  Confirmations& confirmations, Reprompts& reprompts,
                  NextQuestion& next_question, TopicChanges& topic_changes)

@@ -23,9 +23,10 @@ namespace parlour::dialogue {
 class Silence {
 public:
   Silence(DialogueContext& context, TopicFrames& frames,
-          ActivationRunner& runner, Offers& offers, OpenQuestion& question,
-          Asking& asking, Confirmations& confirmations, Reprompts& reprompts,
-          NextQuestion& next_question, TopicChanges& topic_changes);
+          const ActivationRunner& runner, Offers& offers,
+          OpenQuestion& question, Asking& asking, Confirmations& confirmations,
+          Reprompts& reprompts, NextQuestion& next_question,
+          TopicChanges& topic_changes);
 
   // Silence has lasted: the next question, resume or reprompt.
   void silence();
@@ -65,7 +66,7 @@ private:
 
   DialogueContext& context_;
   TopicFrames& frames_;
-  ActivationRunner& runner_;
+  const ActivationRunner& runner_;
   Offers& offers_;
   OpenQuestion& question_;
   Asking& asking_;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "script/dialogue/agenda/give.hpp"
+#include "script/dialogue/questions/question_parts.hpp"
 #include "script/dialogue/topic_engine/act_entry.hpp"
 
 namespace parlour::dialogue {
@@ -16,28 +17,20 @@ namespace parlour::dialogue {
 class TopicEngine {
 public:
   TopicEngine(DialogueContext& context, Messenger& messenger,
-              TopicFrames& frames, ActivationRunner& runner,
-              const Reactions& reactions, OpenQuestion& question,
-              OutputManager& output);
+              TopicFrames& frames, RunningScript& running, TextEvaluator& texts,
+              const ActivationRunner& runner, OpenQuestion& question,
+              OutputManager& output, QuestionParts& questions);
 
   // A step that belongs to topics; it may put further ones in front.
   template <class Kind>
   void take(Kind&& step) {
-    give(std::forward<Kind>(step), reprompts_, next_question_, changes_,
-         enquiries_, settling_, outcome_, filling_, yes_or_no_, silence_, ends_,
-         acts_, entry_);
+    give(std::forward<Kind>(step), questions_.reprompts,
+         questions_.next_question, changes_, enquiries_, settling_, outcome_,
+         filling_, yes_or_no_, silence_, ends_, acts_, entry_);
   }
   void restart();
 
   // -- acts --
-  // <consume/> in a reaction to what was offered with this number, also after
-  // it waited.
-  void consume(OfferId number) {
-    offers_.consume(number);
-  }
-  bool consumed(OfferId number) const {
-    return offers_.consumed(number);
-  }
   // Whether a script waits for this act.
   bool is_waited_for(const Act& act) const {
     return entry_.is_waited_for(act);
@@ -61,36 +54,26 @@ public:
   }
   // The context of DoNLU (runtime/message/understanding.hpp).
   Value understanding_context() const {
-    return whereabouts_.understanding_context();
-  }
-  // The only grammar that is tried now; empty: all.
-  const std::string& narrowing_grammar() const {
-    return whereabouts_.narrowing_grammar();
+    return questions_.whereabouts.understanding_context();
   }
 
   // -- what waits --
-  // A <confirm>'s question, for the wait of its activation; about that slot,
-  // or no_id.
-  void confirm(std::string question, TopicId topic, SlotId slot, WaitId wait,
-               TurnId turn) {
-    confirmations_.confirm(std::move(question), topic, slot, wait, turn);
-  }
   // The <confirm> that waits so is being ended.
   void forget_confirm(WaitId wait) {
-    confirmations_.forget_confirm(wait);
+    questions_.confirmations.forget_confirm(wait);
   }
   // The <confirm>s of all other topics.
   std::vector<WaitId>
   confirms_but_of(const std::vector<TopicId>& topics) const {
-    return confirmations_.confirms_but_of(topics);
+    return questions_.confirmations.confirms_but_of(topics);
   }
   // What the body that begins puts an end to, before it runs.
   StepList overtaken_by(const Body& body) {
-    return confirmations_.overtaken_by(body);
+    return questions_.confirmations.overtaken_by(body);
   }
   // A script goes on that waited so, or was ended.
   void wait_is_over(WaitId wait) {
-    confirmations_.wait_is_over(wait);
+    questions_.confirmations.wait_is_over(wait);
   }
   // A script of the topic ended with an error that no <catch> took.
   void body_failed(TopicId topic, CodeId body) {
@@ -98,13 +81,13 @@ public:
   }
   // All that scripts and topics wait for is over, but these waits.
   void forget_waits(const std::vector<WaitId>& but) {
-    confirmations_.cancel_confirms(but);
+    questions_.confirmations.cancel_confirms(but);
     refusals_.clear();
     enquiries_.forget();
   }
   // No question waits any more (Asking).
   void withdraw_question() {
-    asking_.withdraw();
+    questions_.asking.withdraw();
   }
   // The topics that the user wants out of, and the steps that end them.
   std::vector<TopicId> meant_by(const steps::Cancel& step) const {
@@ -140,45 +123,22 @@ public:
     return enquiries_.waits_for_answer();
   }
 
-  // -- what scripts do --
-  // A script has set or cleared a slot: what is asked about the topic is asked
-  // anew.
-  void slot_changed(TopicId topic) {
-    confirmations_.slot_changed(topic);
-  }
-  // What a phrase of that act sees where a script's <say> gives no data.
-  Value data_of(const std::string& act, TopicId topic, SlotId slot) {
-    return repairs_.data_of(act, topic, slot);
-  }
-  void repeat(TurnId turn) { // what was heard last
-    words_.repeat(turn);
-  }
-
   template <class Archive>
   void serialize(Archive& archive) {
-    archive.without(frames_);
+    archive.without(frames_, questions_);
     // They keep nothing.
-    archive.without(words_, asking_, clarification_, confirm_answers_, outcome_,
-                    beside_, yes_or_no_outcome_, yes_or_no_, ends_,
-                    repair_acts_, late_corrections_, delivery_, acts_, entry_);
-    archive(reprompts_, whereabouts_, next_question_, filling_, enquiries_,
-            confirmations_, breath_, refusals_, changes_, settling_, silence_,
-            repairs_, offers_);
+    archive.without(confirm_answers_, outcome_, beside_, yes_or_no_outcome_,
+                    yes_or_no_, ends_, repair_acts_, late_corrections_,
+                    delivery_, acts_, entry_);
+    archive(filling_, enquiries_, breath_, refusals_, changes_, settling_,
+            silence_);
   }
 
 private:
   TopicFrames& frames_;
+  QuestionParts& questions_;
 
   // The parts, each of which knows those before it.
-  Offers offers_;
-  TopicWords words_;
-  Asking asking_;
-  Confirmations confirmations_;
-  Whereabouts whereabouts_;
-  Clarification clarification_;
-  RepairRunner repairs_;
-  Reprompts reprompts_;
-  NextQuestion next_question_;
   Refusals refusals_;
   TopicChanges changes_;
   Enquiries enquiries_;

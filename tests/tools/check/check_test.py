@@ -99,6 +99,21 @@ class Checks(unittest.TestCase):
                    "class A { virtual void heard() = 0; };\n")
         self.assertEqual("", self.said("layers"))
 
+    def test_a_reference_that_is_lent_is_no_arrow(self):
+        self.write("script/vm/machine.hpp",
+                   "class Host {\n  virtual void run() = 0;\n};\n"
+                   "class Machine {\n  Host* host_;\n};\n")
+        for i in range(3):
+            self.includes(f"script/vm/u{i}.hpp",
+                          f'"script/vm/u{i - 1}.hpp"' if i else
+                          '"script/vm/machine.hpp"')
+        self.write("script/vm/u3.hpp", '#include "script/vm/u2.hpp"\n'
+                   "class Effects final : public Host {};\n")
+        self.assertEqual("", self.said("layers"))
+        self.write("script/vm/machine.hpp", "class Machine {};\n")
+        self.assertEqual("script/vm/machine: no field refers to Host; strike "
+                         "it from NO_ARROW\n", self.said("layers"))
+
     def test_code_in_no_room_is_found(self):
         self.includes("script/s.hpp", "<string>")
         self.includes("elsewhere/s.hpp", "<string>")

@@ -10,6 +10,15 @@ namespace {
 using F = OperandForm;
 using K = EffectKind;
 
+// A constant name is part of its body's name: by it a timer goes on when the
+// script is changed (engine rule 7.12).
+std::string timer_name(const Element& element) {
+  const auto* name = element.attribute("name");
+  return name && name->value.find('{') == std::string::npos
+             ? "timer '" + name->value + "'"
+             : "timer";
+}
+
 } // namespace
 
 // Compiles the element's statements into a code of their own, as they run when
@@ -24,7 +33,8 @@ CodeId DetachedStatements::detached(const Element& element, bool in_timer,
       captured.push_back(&local);
   auto context = b_.context;
   context.in_timer |= in_timer;
-  context.name = (in_timer ? "timer in " : "transit in ") + b_.code.name;
+  context.name =
+      (in_timer ? timer_name(element) : "transit") + " in " + b_.code.name;
   CodeBuilder builder(b_.program, b_.names, b_.findings, context);
   builder.at(element.position);
   for (const auto* local : captured) {

@@ -80,6 +80,11 @@ public:
         levels_.begin() + 1, levels_.end(),
         [&](const Level& level) { return level.by.wait == wait; });
   }
+  // Those of another conversation; at least one.
+  void take_over(const StateStack& before, std::vector<Level> levels) {
+    visits_ = before.visits_;
+    levels_ = std::move(levels);
+  }
   const std::vector<Level>& levels() const { // innermost last
     return levels_;
   }

@@ -71,6 +71,22 @@ public:
       return timer.visit != 0 && is_over(timer.visit);
     });
   }
+  // Those of another conversation, under their ids and at the same times, as
+  // far as `keeps` can change them; the port is told of the others only. Those
+  // that it has lost.
+  template <class Keeps>
+  std::vector<Timer> take_over(const Timers& before, Keeps keeps) {
+    std::vector<Timer> lost;
+    last_ = before.last_;
+    for (auto [id, timer] : before.timers_)
+      if (keeps(timer)) {
+        timers_.emplace_back(id, std::move(timer));
+      } else {
+        port_->cancel_timer(id);
+        lost.push_back(std::move(timer));
+      }
+    return lost;
+  }
   // Takes a fired timer out; a repeating one starts again from `now`. Nothing
   // where it was cancelled meanwhile.
   std::optional<Timer> fired(TimerId id, Timestamp now);

@@ -54,6 +54,9 @@ public:
   std::vector<WaitId> take_those_of_left_states();
   // Whether a <wait> of a topic's script goes on.
   bool topic_waits() const;
+  bool anything_waits() const {
+    return !waiting_.empty();
+  }
   // Whether anything waits that is not for the user.
   bool waits_for_others() const;
 

@@ -42,6 +42,10 @@ struct DialogueContext {
   std::uint64_t next_id() {
     return ++last_id_;
   }
+  // Numbers go on where another conversation's have ended.
+  void number_after(const DialogueContext& before) {
+    last_id_ = before.last_id_;
+  }
   const script::Topic& topic(TopicId id) const {
     return program->topics[id];
   }

@@ -25,6 +25,7 @@
 namespace parlour::dialogue {
 
 class ConversationImplementation;
+class Renames; // saved/renames.hpp
 
 class Conversation {
 public:
@@ -100,6 +101,21 @@ public:
   // Something is outstanding, beside timers, that resume() would ask for again
   // or give up.
   bool expects_outcome() const;
+
+  // Nothing runs, waits or is said, and nobody is heard: another program may
+  // take over here (engine rule 7.12).
+  bool is_at_rest(Timestamp now) const;
+  // What waits in scripts ends with an error of kind Cancelled. An input.
+  void end_scripts(Timestamp now);
+  // The dialogue of `before`, which is at rest, as another conversation of the
+  // program that `renames` leads to; at the same port, which is told of nothing
+  // but what is over.
+  struct TakenOver {
+    std::unique_ptr<Conversation> conversation;
+    std::vector<std::string> lost; // a phrase each
+  };
+  static TakenOver take_over(const Conversation& before, const Renames& renames,
+                             Options options, Port& port, Timestamp now);
 
   // Whether a <request> waits for what answers this message.
   bool awaits_reply(Correlation correlation) const;

@@ -30,6 +30,7 @@
 #include "script/dialogue/engine/waits.hpp"
 #include "script/dialogue/output/output_manager.hpp"
 #include "script/dialogue/questions/question_parts.hpp"
+#include "script/dialogue/saved/renames.hpp"
 #include "script/dialogue/topic_engine/topic_engine.hpp"
 
 namespace parlour::dialogue {
@@ -57,6 +58,13 @@ public:
   void resume();
   void close();
   std::vector<Message> take_unread();
+  // Nothing runs, waits or is said.
+  bool is_at_rest() const;
+  // What waits in scripts ends with an error.
+  void end_scripts();
+  // The dialogue of `before`, which is at rest; what of it is lost.
+  std::vector<std::string> take_over(const ConversationImplementation& before,
+                                     const Renames& renames);
 
   // The steps that are nobody else's.
   void take(steps::Run&& step);
@@ -153,6 +161,21 @@ private:
   void stop_silence();
 
   void lose(WaitOutcome over);
+
+  // -- from another program, each with what is lost
+  using Losses = std::vector<std::string>;
+  void take_variables(const ConversationImplementation& before,
+                      const Renames& renames, Losses& lost);
+  void take_frames(const ConversationImplementation& before,
+                   const Renames& renames, Losses& lost);
+  void take_frame(const TopicFrame& before, TopicId topic,
+                  const Renames& renames, Losses& lost);
+  void take_states(const ConversationImplementation& before,
+                   const Renames& renames, Losses& lost);
+  void take_timers(const ConversationImplementation& before,
+                   const Renames& renames, Losses& lost);
+  void take_question(const ConversationImplementation& before,
+                     const Renames& renames, Losses& lost);
 
   std::optional<Watch> watch_;
   Fifo<WaitOutcome> lost_; // to be told to who waits

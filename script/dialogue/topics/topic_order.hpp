@@ -35,6 +35,28 @@ public:
   // The enquiry whose slots are context, unless its time is over.
   std::optional<TopicId> resting(Timestamp now, Milliseconds context_for) const;
 
+  // What another program's order was, of which `rename` gives the topics here,
+  // or no_id.
+  template <class Rename>
+  void take_over(const TopicOrder& before, Rename rename) {
+    const auto renamed = [&](std::optional<TopicId> topic) {
+      const auto id = topic ? rename(*topic) : script::no_id;
+      return id == script::no_id ? std::nullopt : std::optional(id);
+    };
+    for (TopicId topic = 0; topic < before.registered_.size(); ++topic)
+      if (const auto here = renamed(topic)) {
+        registered_[*here] = before.registered_[topic];
+        started_[*here] = before.started_[topic];
+      }
+    current_ = renamed(before.current_);
+    latest_ = renamed(before.latest_);
+    resting_ = renamed(before.resting_);
+    rested_at_ = before.rested_at_;
+    for (auto topic : before.suspended_)
+      if (const auto here = renamed(topic))
+        suspended_.push_back(*here);
+  }
+
   // Most recently suspended first.
   const std::vector<TopicId>& suspended() const;
   bool unfinished(TopicId topic) const;

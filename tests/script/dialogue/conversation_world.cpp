@@ -7,6 +7,7 @@
 
 #include "script/compiler/compiler.hpp"
 #include "script/dialogue/inputs/replay.hpp"
+#include "script/dialogue/saved/renames.hpp"
 #include "tests/support/paths.hpp"
 
 namespace parlour::dialogue {
@@ -198,6 +199,19 @@ void World::restore() {
   conversation = std::move(*restored);
   if (conversation->save() != bytes)
     throw std::runtime_error("what is read is not what was written");
+}
+
+Texts World::change_script(const std::string& script,
+                           const WorldOptions& options) {
+  repeats = false; // nobody notes the other script
+  const auto other = compile(test::TemporaryFolder(), script, options);
+  EXPECT_TRUE(conversation->is_at_rest(now));
+  auto taken = Conversation::take_over(*conversation, Renames(program, other),
+                                       options_, port_, now);
+  program = other;
+  conversation = std::move(taken.conversation);
+  run();
+  return taken.lost;
 }
 
 void World::run() {

@@ -61,6 +61,10 @@ public:
   // Another conversation goes on from the bytes of this one in a fresh world:
   // nobody knows of what was asked before.
   void interrupt();
+  // The conversation, which is at rest, goes on with another script. Returned
+  // is what is lost.
+  Texts change_script(const std::string& script,
+                      const WorldOptions& options = {});
   // The oldest socket that waits is opened, or fails with this text.
   void answer_socket(const std::string& failure = "");
   // The other side closes a socket.

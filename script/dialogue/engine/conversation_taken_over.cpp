@@ -1,0 +1,263 @@
+// The part of a conversation that goes on with another program (engine rule
+// 7.12): what it knows is found again there by its names.
+#include <utility>
+
+#include "script/dialogue/agenda/saved_step.hpp"
+#include "script/dialogue/engine/conversation.hpp"
+#include "script/dialogue/engine/conversation_implementation.hpp"
+#include "script/dialogue/saved/reader.hpp"
+#include "script/dialogue/saved/renaming_writer.hpp"
+
+namespace parlour::dialogue {
+
+namespace {
+
+// What a part names, and the other program has not.
+enum class Missing : bool { keeps_it_out, is_left_out };
+
+// False: nothing was taken.
+template <class Part>
+bool take_part(Part& part, const Part& before, const Renames& renames,
+               Missing missing = Missing::keeps_it_out) {
+  RenamingWriter writer(renames);
+  writer.write(before);
+  if (writer.misses() && missing == Missing::keeps_it_out)
+    return false;
+  const auto bytes = writer.take();
+  Reader reader(renames.to(), bytes);
+  reader(part);
+  return reader.finish().has_value();
+}
+
+std::string quoted(const char* kind, const std::string& name) {
+  return std::string(kind) + " '" + name + "'";
+}
+
+FrameChange fill_with(SlotId slot, const SlotState& was) {
+  FrameChange change{.kind = FrameChange::Kind::fill, .slot = slot};
+  change.value = was.value;
+  change.confidence = 1.0;
+  if (was.status == SlotStatus::ambiguous)
+    change.candidates = was.candidates;
+  return change;
+}
+
+// What was said for it stays said, as the other program's slot reads it.
+bool take_slot(SlotState& slot, const SlotState& was) {
+  if (was.status == SlotStatus::empty || was.by_default) {
+    slot.asked = was.asked;
+    slot.no_input = was.no_input;
+    slot.no_match = was.no_match;
+    return true;
+  }
+  const auto fits = [](const SlotState& one) {
+    return one.status != SlotStatus::empty && !one.by_default;
+  };
+  if (!fits(slot))
+    return false;
+  if (slot.status == SlotStatus::unconfirmed ||
+      was.status != SlotStatus::ambiguous) {
+    auto taken = was;
+    taken.value = std::move(slot.value);
+    slot = std::move(taken);
+  }
+  return true;
+}
+
+} // namespace
+
+bool Conversation::is_at_rest(Timestamp now) const {
+  const auto& parts = *implementation_;
+  return !ended() && !parts.context.turns.any_open(now) && parts.is_at_rest();
+}
+
+void Conversation::end_scripts(Timestamp now) {
+  if (ended() || awaiting_frame())
+    return;
+  implementation_->context.now = now;
+  implementation_->begin_event();
+  implementation_->end_scripts();
+  implementation_->go_on();
+}
+
+Conversation::TakenOver Conversation::take_over(const Conversation& before,
+                                                const Renames& renames,
+                                                Options options, Port& port,
+                                                Timestamp now) {
+  TakenOver taken;
+  taken.conversation =
+      std::make_unique<Conversation>(renames.to(), std::move(options), port);
+  auto& parts = *taken.conversation->implementation_;
+  parts.context.now = now;
+  taken.lost = parts.take_over(*before.implementation_, renames);
+  return taken;
+}
+
+bool ConversationImplementation::is_at_rest() const {
+  return !has_work() && !topics.awaiting_frame() &&
+         !topics.waits_for_answer() && context.lane.idle() &&
+         !context.lane.waits() && !runner.anything_waits() &&
+         !requests.waits_for_answer() && !outside.waits_for_answer() &&
+         output.silent() && !inbox.has_message(Inbox::Of::all) &&
+         !context.ending.is_wished();
+}
+
+void ConversationImplementation::end_scripts() {
+  auto steps = waits.cancel(pipeline.waits());
+  for (auto wait : pipeline.waits())
+    if (runner.waits_for(wait) != WaitFor::user) {
+      waits.forget_request(wait);
+      steps.add(outcome_step(
+          wait, fail(ErrorKind::cancelled, "the script was changed")));
+    }
+  context.lane.now(std::move(steps));
+}
+
+// The states first: timers and the question stand on them.
+std::vector<std::string>
+ConversationImplementation::take_over(const ConversationImplementation& before,
+                                      const Renames& renames) {
+  Losses lost;
+  context.number_after(before.context);
+  take_variables(before, renames, lost);
+  take_frames(before, renames, lost);
+  take_states(before, renames, lost);
+  take_timers(before, renames, lost);
+  take_question(before, renames, lost);
+  take_part(context.turns, before.context.turns, renames);
+  take_part(reactions, before.reactions, renames);
+  take_part(sockets, before.sockets, renames);
+  take_part(outside, before.outside, renames);
+  take_part(view, before.view, renames); // where chance stands
+  take_part(running, before.running, renames, Missing::is_left_out);
+  take_part(output, before.output, renames, Missing::is_left_out);
+  frames.conceal();
+  messenger.raise("System", "Reloaded", {List(lost.begin(), lost.end())});
+  return lost;
+}
+
+void ConversationImplementation::take_variables(
+    const ConversationImplementation& before, const Renames& renames,
+    Losses& lost) {
+  interpreter.initialise_what_computes(effects);
+  const auto& variables = renames.from().variables;
+  for (std::uint32_t id = 0; id < variables.size(); ++id)
+    if (const auto here = renames.variable(id); here != script::no_id)
+      interpreter.set_variable(here, before.interpreter.variable(id));
+    else if (!variables[id].is_constant)
+      lost.push_back(quoted("the variable", variables[id].name));
+}
+
+void ConversationImplementation::take_frames(
+    const ConversationImplementation& before, const Renames& renames,
+    Losses& lost) {
+  const auto& topics_before = renames.from().topics;
+  for (TopicId topic = 0; topic < topics_before.size(); ++topic) {
+    if (!before.frames.has(topic))
+      continue;
+    const auto& frame = before.frames[topic];
+    if (const auto here = renames.topic(topic); here != script::no_id)
+      take_frame(frame, here, renames, lost);
+    else if (frame.status != TopicStatus::untouched)
+      lost.push_back(quoted("the topic", topics_before[topic].name));
+  }
+  frames.order().take_over(before.frames.order(),
+                           [&](TopicId topic) { return renames.topic(topic); });
+}
+
+// What was said is heard again: a value has to fit the slot and the constraints
+// that the other program has. It is asked for, confirmed and counted as before.
+void ConversationImplementation::take_frame(const TopicFrame& before,
+                                            TopicId topic,
+                                            const Renames& renames,
+                                            Losses& lost) {
+  const auto& definition = renames.from().topics[before.topic];
+  std::vector<FrameChange> fills;
+  for (SlotId slot = 0; slot < before.slots.size(); ++slot) {
+    const auto& was = before.slots[slot];
+    const auto here = renames.slot(before.topic, slot);
+    if (was.status != SlotStatus::empty && !was.by_default &&
+        here != script::no_id)
+      fills.push_back(fill_with(here, was));
+  }
+  frames.apply(topic, fills);
+  auto frame = std::make_shared<TopicFrame>(frames[topic]);
+  frame->status = before.status;
+  frame->done = before.done;
+  frame->rows = before.rows;
+  frame->asked = before.asked;
+  frame->relaxed = before.relaxed;
+  for (SlotId slot = 0; slot < before.slots.size(); ++slot) {
+    const auto& was = before.slots[slot];
+    const auto here = renames.slot(before.topic, slot);
+    const bool had = was.status != SlotStatus::empty && !was.by_default;
+    if (here == script::no_id ? had : !take_slot(frame->slots[here], was))
+      lost.push_back(
+          quoted(here == script::no_id ? "the slot" : "the value of the slot",
+                 definition.name + "." + definition.slots[slot].name));
+  }
+  frames.store(std::move(frame));
+}
+
+// A state that is not there any more falls back to the one below it.
+void ConversationImplementation::take_states(
+    const ConversationImplementation& before, const Renames& renames,
+    Losses& lost) {
+  const auto& known = before.context.states.levels();
+  std::vector<StateStack::Level> levels;
+  for (const auto& level : known) {
+    const auto here = renames.state(level.state);
+    if (level.state != script::no_id && here == script::no_id)
+      lost.push_back(
+          quoted("the state", renames.from().states[level.state].name));
+    else if (levels.empty() || here != script::no_id)
+      levels.push_back({here, level.visit, {0, renames.topic(level.by.topic)}});
+  }
+  const bool had_one = known.back().state != script::no_id;
+  if (levels.empty())
+    levels.emplace_back();
+  const bool has_one = levels.back().state != script::no_id;
+  context.states.take_over(before.context.states, std::move(levels));
+  if (had_one && !has_one)
+    context.lane.queue(beginning());
+}
+
+void ConversationImplementation::take_timers(
+    const ConversationImplementation& before, const Renames& renames,
+    Losses& lost) {
+  using enum Timer::Purpose;
+  const auto given_up = timers.take_over(before.timers, [&](Timer& timer) {
+    if (timer.purpose == silence || timer.purpose == closing)
+      return true;
+    const bool has_topic = timer.topic != script::no_id;
+    timer.code = renames.code(timer.code);
+    timer.topic = renames.topic(timer.topic);
+    return timer.purpose == script && timer.code != script::no_code &&
+           (!has_topic || timer.topic != script::no_id) &&
+           (timer.visit == 0 || context.states.lasts(timer.visit));
+  });
+  for (const auto& timer : given_up)
+    if (timer.purpose == script)
+      lost.push_back(quoted("the timer", timer.name));
+  if (before.watch_ &&
+      (before.watch_->purpose == silence || before.watch_->purpose == closing))
+    watch_ = before.watch_;
+}
+
+void ConversationImplementation::take_question(
+    const ConversationImplementation& before, const Renames& renames,
+    Losses& lost) {
+  if (!take_part(questions, before.questions, renames) ||
+      !take_part(topics, before.topics, renames))
+    lost.push_back("what the topics have counted");
+  if (!before.question)
+    return;
+  const bool stands_there =
+      before.context.states.levels().size() == context.states.levels().size();
+  if (!stands_there || !take_part(question, before.question, renames)) {
+    question.reset();
+    lost.push_back("the question that waited for an answer");
+  }
+}
+
+} // namespace parlour::dialogue

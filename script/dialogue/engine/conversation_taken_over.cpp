@@ -130,6 +130,7 @@ ConversationImplementation::take_over(const ConversationImplementation& before,
   take_part(outside, before.outside, renames);
   take_part(view, before.view, renames); // where chance stands
   take_part(running, before.running, renames, Missing::is_left_out);
+  take_part(heard_grammar, before.heard_grammar, renames);
   take_part(output, before.output, renames, Missing::is_left_out);
   frames.conceal();
   messenger.raise("System", "Reloaded", {List(lost.begin(), lost.end())});

@@ -90,7 +90,8 @@ World::World(const std::string& script, const WorldOptions& options)
 World::World(const test::TemporaryFolder& folder, const std::string& script,
              const WorldOptions& options)
     : Surroundings(compile(folder, script, options)),
-      restores_(options.restores || std::getenv("PARLOUR_TEST_RESTORES")) {
+      restores_(options.restores || std::getenv("PARLOUR_TEST_RESTORES")),
+      takes_over_(std::getenv("PARLOUR_TEST_TAKES_OVER")) {
   components = {{"Keyboard", {"ASR"}}, {"SQLite", {"Database"}}};
   hears = [this](const Output& output) { said_.push_back(output.text); };
   sees = [this](const Inspection& inspection) { seen_.push_back(inspection); };
@@ -126,6 +127,12 @@ void World::repeat() const {
 }
 
 void World::take(SessionInput input) {
+  const bool comes_by_itself = std::holds_alternative<input::Received>(input) ||
+                               std::holds_alternative<input::TimerFired>(input);
+  if (takes_over_ && comes_by_itself && conversation->is_at_rest(now)) {
+    const auto lost = take_over(program);
+    EXPECT_EQ(lost, Texts()) << "by the same program";
+  }
   auto noted = to_bytes(*program, TimedInput{now, input});
   Surroundings::take(std::move(input));
   notes_.emplace_back(std::move(noted),
@@ -203,14 +210,19 @@ void World::restore() {
 
 Texts World::change_script(const std::string& script,
                            const WorldOptions& options) {
-  repeats = false; // nobody notes the other script
   const auto other = compile(test::TemporaryFolder(), script, options);
   EXPECT_TRUE(conversation->is_at_rest(now));
+  auto lost = take_over(other);
+  run();
+  return lost;
+}
+
+Texts World::take_over(std::shared_ptr<const script::Program> other) {
+  repeats = false; // nobody notes the other program
   auto taken = Conversation::take_over(*conversation, Renames(program, other),
                                        options_, port_, now);
-  program = other;
+  program = std::move(other);
   conversation = std::move(taken.conversation);
-  run();
   return taken.lost;
 }
 

@@ -36,6 +36,8 @@ struct WorldOptions {
   // on from its bytes; everywhere where PARLOUR_TEST_RESTORES is set. Where
   // nothing but timers is outstanding, the world is a fresh one, too.
   bool restores = false;
+  // Where PARLOUR_TEST_TAKES_OVER is set, its own program takes over before
+  // each message and timer that comes to a conversation at rest.
 };
 
 class World : public tools::Surroundings {
@@ -104,10 +106,12 @@ private:
   void before_move() override;
   void repeat() const;
   void restore();
+  Texts take_over(std::shared_ptr<const script::Program> other);
   std::string socket(SocketId id) const; // its name
 
   Conversation::Options options_;
   bool restores_;
+  bool takes_over_;
   RecordingPort port_{*this};
   std::vector<std::pair<std::string, std::string>> notes_; // input, answers
   Texts said_;

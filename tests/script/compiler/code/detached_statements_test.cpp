@@ -24,10 +24,25 @@ TEST(DetachedStatements, TakeNoLocalWhoseNameIsPartOfAnother) {
   ASSERT_TRUE(outcome.program);
   const auto& all = outcome.program->code;
   const auto timer = std::find_if(all.begin(), all.end(), [](const Code& code) {
-    return code.name.starts_with("timer in");
+    return code.name.starts_with("timer 't' in");
   });
   ASSERT_NE(timer, all.end());
   EXPECT_EQ(timer->parameter_names, std::vector<std::string>{"counter"});
+}
+
+// One whose name is computed has none.
+TEST(DetachedStatements, AreNamedAfterTheirTimers) {
+  const auto outcome = test::compile_declarations(
+      "<function name='f'><timer name='t' after='1s'><print param='a'/></timer>"
+      "<timer name='t{1 + 1}' after='1s'><print param='b'/></timer>"
+      "</function>");
+  ASSERT_TRUE(outcome.program);
+  std::vector<std::string> names;
+  for (const auto& code : outcome.program->code)
+    if (code.name.starts_with("timer"))
+      names.push_back(code.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"timer 't' in function f",
+                                             "timer in function f"}));
 }
 
 } // namespace

@@ -12,6 +12,7 @@
 #include "runtime/base/value.hpp"
 #include "runtime/message/understanding.hpp"
 #include "script/program/code.hpp"
+#include "script/program/initial_values.hpp"
 #include "script/source/source.hpp"
 
 namespace parlour::script {
@@ -256,6 +257,8 @@ struct Program {
   std::map<std::string, CodeId, std::less<>> functions; // session-wide
   // Declarations, in the order of the files.
   std::vector<Variable> variables;
+  std::shared_ptr<InitialValues> initial_values =
+      std::make_shared<InitialValues>();
   std::vector<Handler> handlers;
   std::vector<State> states;
   std::vector<Topic> topics;

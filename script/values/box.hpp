@@ -8,7 +8,7 @@
 //   | below fff9  a double                           |
 //   |   fff9    | integer of 48 bits, plus 2^47      |
 //   |   fffa    | unknown 0, false 2, true 3,        |
-//   |           | missing argument 4                 |
+//   |           | missing argument or value 4        |
 //   |   fffb    | Box*: a variable bound to a        |
 //   |           | parameter                          |
 //   |   fffc    | StringObject*                      |
@@ -154,7 +154,9 @@ public:
   }
 
   // Stands for an argument that the caller left out; the callee replaces it by
-  // the default before its body runs. Scripts never see it.
+  // the default before its body runs. In a session variable it stands for an
+  // initial value that nobody has looked at (Machine::variable). Scripts never
+  // see it.
   static Box missing() {
     return Box(missing_bits);
   }

@@ -96,12 +96,12 @@ PARLOUR_INLINE bool bind_register(Machine&, Cursor& c) {
 }
 
 PARLOUR_INLINE bool bind_variable(Machine& m, Cursor& c) {
-  c.r[c.pc->a] = Box::reference(&m.variables[c.pc->b]);
+  c.r[c.pc->a] = Box::reference(&m.variable(c.pc->b));
   return next(c);
 }
 
 PARLOUR_INLINE bool load_variable(Machine& m, Cursor& c) {
-  c.r[c.pc->a] = m.variables[c.pc->b];
+  c.r[c.pc->a] = m.variable(c.pc->b);
   return next(c);
 }
 

@@ -6,6 +6,7 @@
 #include "script/program/constant_text.hpp"
 #include "script/values/convert.hpp"
 #include "script/vm/interpreter_state.hpp"
+#include "script/vm/known_values.hpp"
 #include "script/vm/machine.hpp"
 
 namespace parlour::script {
@@ -14,6 +15,22 @@ namespace parlour::script {
 // headers.
 struct Interpreter::Implementation : Machine {
   using Machine::Machine;
+
+  // Gives a variable the value that it has in all sessions, if it has one. What
+  // needs memory is made when it is looked at.
+  bool begins_as_known(std::size_t index) {
+    const auto& known = known_values_of(program)[index];
+    if (!known)
+      return false;
+    if (const auto* constant =
+            constant_of(code[program->variables[index].initial]))
+      variables[index] = *constant;
+    else if (known->type() <= ValueType::number)
+      variables[index] = to_box(heap(), *known);
+    else
+      variables[index] = Box::missing();
+    return true;
+  }
 };
 
 Interpreter::Interpreter(std::shared_ptr<const Program> program)
@@ -40,6 +57,8 @@ void Interpreter::initialise_what_computes(Host& host) {
 Expected<void> Interpreter::initialise(std::size_t index, Host& host) {
   const auto code = program().variables[index].initial;
   if (code == no_code)
+    return {};
+  if (implementation_->begins_as_known(index))
     return {};
   auto value = evaluate(code, {}, {}, host);
   if (!value)
@@ -101,7 +120,8 @@ const Program& Interpreter::program() const {
 }
 
 Value Interpreter::variable(std::size_t index) const {
-  return to_value(implementation_->variables[index]);
+  const auto& box = implementation_->variables[index];
+  return box.is_missing() ? (*program().initial_values)[index] : to_value(box);
 }
 
 void Interpreter::set_variable(std::size_t index, Value value) {

@@ -7,7 +7,7 @@
 //   program       fixed, identity_of(program)
 //   objects       count, objects
 //   fuel          two numbers: of one event, left; a byte: grace was given
-//   variables     a box each
+//   variables     a box each, or 6: its initial value (initial_values.hpp)
 //   messages      count; for each time (signed), number, source, command,
 //                 count and values of its parameters, count and texts of its
 //                 sinks, session, correlation, rounds
@@ -33,7 +33,7 @@
 namespace parlour::script {
 
 // Raised with each change of the format.
-inline constexpr std::uint8_t state_version = 4;
+inline constexpr std::uint8_t state_version = 5;
 
 // These follow the tags of a box. Only parameters that are bound, and arguments
 // that a call will take, have them (frame_check.hpp).

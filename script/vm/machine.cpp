@@ -293,6 +293,11 @@ Machine::Machine(std::shared_ptr<const Program> shared_program)
   new_event();
 }
 
+// The heap's limit is checked after the next instruction that makes something.
+void Machine::make_initial(std::size_t index) {
+  variables[index] = to_box(*heap_, (*program->initial_values)[index]);
+}
+
 // Arguments that are not given are marked as missing if the code has defaults.
 std::unique_ptr<Execution> Machine::start(CodeId body,
                                           const std::vector<Value>& values,

@@ -258,9 +258,19 @@ public:
   // end.
   bool recover();
 
+  // A session variable that is looked at. Its initial value is made now, if it
+  // is the same in all sessions and this one has not needed it yet.
+  PARLOUR_INLINE Box& variable(std::size_t index) {
+    auto& box = variables[index];
+    if (box.is_missing()) [[unlikely]]
+      make_initial(index);
+    return box;
+  }
+
   std::shared_ptr<const Program> program;
   const Code* code; // of the program
-  // The session variables, by their index in Program::variables.
+  // The session variables, by their index in Program::variables; missing: see
+  // variable().
   std::vector<Box> variables;
   // The run in progress. RunScope saves and restores these members.
   Host* host = nullptr;
@@ -274,6 +284,7 @@ private:
   friend class RunScope;
 
   void dispatch();
+  void make_initial(std::size_t index); // of a variable
   bool key_for(const Box& container, const Box& key, Box& result);
   bool may_call(const Code& callee); // false: too deep, raised
   // Of the event, slice included.

@@ -9,6 +9,7 @@
 #include "script/values/object_bytes.hpp"
 #include "script/vm/frame_check.hpp"
 #include "script/vm/interpreter_state.hpp"
+#include "script/vm/known_values.hpp"
 #include "script/vm/program_identity.hpp"
 
 namespace parlour::script {
@@ -27,6 +28,7 @@ public:
 
 private:
   void read_header();
+  Box read_variable(std::size_t index);
   void read_fuel();
   void read_messages();
   Message read_message();
@@ -64,8 +66,8 @@ Expected<Executions> StateReader::read() {
   read_header();
   objects_.read_objects();
   read_fuel();
-  for (auto& variable : machine_.variables)
-    variable = bytes_.ok() ? objects_.read() : Box();
+  for (std::size_t i = 0; i < machine_.variables.size() && bytes_.ok(); ++i)
+    machine_.variables[i] = read_variable(i);
   read_messages();
   const auto count = bytes_.count("activations");
   for (std::size_t i = 0; i < count && bytes_.ok(); ++i)
@@ -87,6 +89,17 @@ void StateReader::read_header() {
   if (bytes_.fixed() != identity_of(program_))
     bytes_.fail("this state belongs to another program; load the program that "
                 "wrote it, or start the session anew");
+}
+
+// Only what the program has an initial value for may be missing.
+Box StateReader::read_variable(std::size_t index) {
+  const auto tag = bytes_.byte();
+  if (tag != static_cast<std::uint8_t>(RegisterTag::missing))
+    return objects_.read(tag);
+  if (!program_.initial_values->has(index))
+    bytes_.fail("variable " + std::to_string(index) +
+                " has no initial value that every session shares");
+  return Box::missing();
 }
 
 void StateReader::read_fuel() {
@@ -294,6 +307,7 @@ void StateReader::read_copy_outs(Execution& execution) {
 } // namespace
 
 Expected<Executions> restore_state(Machine& machine, std::string_view bytes) {
+  known_values_of(machine.program); // which the state may refer to
   return StateReader(machine, bytes).read();
 }
 

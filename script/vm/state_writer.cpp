@@ -29,6 +29,7 @@ private:
   void write(const Execution& execution);
   void write(const ActivationContext& context);
   void write(CallFrame& frame);
+  void write_variable(const Box& variable);
   void write(const CopyOut& copy_out);
   void write_register(const Box& box, const FrameCheck& check,
                       std::uint16_t reg);
@@ -50,7 +51,7 @@ private:
 std::string StateWriter::write() {
   write_fuel();
   for (const auto& variable : machine_.variables)
-    objects_.write(bytes_, variable);
+    write_variable(variable);
   write_messages();
   bytes_.number(executions_.size());
   for (const auto* execution : executions_)
@@ -61,6 +62,13 @@ std::string StateWriter::write() {
   objects_.write_objects(whole);
   whole.add(bytes_);
   return whole.take();
+}
+
+// What nobody has looked at is made from the program again.
+void StateWriter::write_variable(const Box& variable) {
+  if (variable.is_missing())
+    return put(RegisterTag::missing);
+  objects_.write(bytes_, variable);
 }
 
 // A restored event has as much fuel left as it had.

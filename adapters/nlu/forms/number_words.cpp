@@ -165,6 +165,10 @@ bool is_article_of_number(const Tokens& tokens, std::size_t position) {
 
 } // namespace
 
+bool is_number_word(std::string_view word) {
+  return number_words().contains(word);
+}
+
 std::optional<NumberAt> number_at(const Tokens& tokens, std::size_t position) {
   if (position >= tokens.list.size())
     return {};

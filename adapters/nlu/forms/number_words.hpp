@@ -19,6 +19,9 @@ struct NumberAt {
   bool digits = false;
 };
 
+// Whether the word alone is a number, cardinal or ordinal.
+bool is_number_word(std::string_view word);
+
 // The longest whole number that begins at this token.
 std::optional<NumberAt> number_at(const Tokens& tokens, std::size_t position);
 

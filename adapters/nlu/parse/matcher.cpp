@@ -194,10 +194,13 @@ void Matcher::take_span(const Item& item, const Arc& arc, std::uint32_t index,
   reach(next, span.end);
 }
 
-void Matcher::reach(Item item, std::size_t position) {
-  for (const auto& accepted : automaton_.states[item.state].accepts)
+// Nothing goes on from a state without arcs.
+void Matcher::reach(const Item& item, std::size_t position) {
+  const auto& state = automaton_.states[item.state];
+  for (const auto& accepted : state.accepts)
     accept(item, accepted);
-  if (position < utterance_.size())
+  if (position < utterance_.size() &&
+      !(state.words.empty() && state.entities.empty()))
     items_[position].push_back(item);
 }
 

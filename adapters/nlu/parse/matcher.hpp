@@ -97,7 +97,7 @@ private:
   void take_entity(std::size_t position, const Item& item, const Arc& arc);
   void take_span(const Item& item, const Arc& arc, std::uint32_t index,
                  bool expected);
-  void reach(Item item, std::size_t position);
+  void reach(const Item& item, std::size_t position);
   void accept(const Item& item, const Accept& accept);
   bool is_tried(const RuleInfo& rule) const;
   // Records the actions of an arc.

@@ -7,6 +7,7 @@
 #include <array>
 #include <string_view>
 
+#include "adapters/nlu/forms/first_words.hpp"
 #include "adapters/nlu/forms/number_words.hpp"
 #include "adapters/nlu/text/words.hpp"
 
@@ -47,10 +48,16 @@ Spans::Spans(const Schema& schema, const Utterance& utterance,
 }
 
 void Spans::add_forms(const std::vector<EntityId>& entities, Now now) {
+  std::vector<bool> may_begin(utterance_.size());
+  for (std::uint32_t at = 0; at < utterance_.size(); ++at)
+    may_begin[at] = may_begin_form(utterance_.tokens.list[at].word);
   for (const auto entity : entities) {
     if (!is_form(entity))
       continue;
+    const bool begins_anywhere = static_cast<Form>(entity) == Form::email;
     for (std::uint32_t at = 0; at < utterance_.size(); ++at) {
+      if (!may_begin[at] && !begins_anywhere)
+        continue;
       auto found =
           form_at(static_cast<Form>(entity), utterance_.tokens, at, now);
       if (!found || found->length == 0)

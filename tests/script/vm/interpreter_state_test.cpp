@@ -165,7 +165,7 @@ TEST_F(InterpreterStateTest, AnotherVersionIsRefused) {
   run("<function name='main'><wait for='1s'/></function>");
   auto bytes = saved();
   bytes[0] = 9;
-  EXPECT_NE(error_of(bytes).find("of version 9, but only 4"),
+  EXPECT_NE(error_of(bytes).find("of version 9, but only 5"),
             std::string::npos);
 }
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "adapters/nlu/forms/first_words.hpp"
 #include "adapters/nlu/forms/normal_forms.hpp"
 #include "tests/support/paths.hpp"
 
@@ -51,6 +52,16 @@ TEST(Forms, OfADeskAreRead) {
     const auto form = form_of(line.form);
     ASSERT_TRUE(form) << line.form;
     EXPECT_EQ(read(*form, line.words), line.expected)
+        << line.form << ": " << line.words;
+  }
+}
+
+TEST(Forms, BeginWithAFirstWord) {
+  for (const auto& line : table()) {
+    if (line.expected.empty() || line.form == "email")
+      continue;
+    const auto tokens = tokenize(line.words);
+    EXPECT_TRUE(may_begin_form(tokens.list[0].word))
         << line.form << ": " << line.words;
   }
 }

@@ -1,0 +1,47 @@
+#include "adapters/nlu/forms/first_words.hpp"
+
+#include <algorithm>
+#include <unordered_set>
+
+#include "adapters/nlu/forms/calendar.hpp"
+#include "adapters/nlu/forms/number_words.hpp"
+
+namespace parlour::adapters::nlu {
+
+namespace {
+
+// Besides number words, digits, months and weekdays.
+const std::unordered_set<std::string_view>& other_first_words() {
+  static const std::unordered_set<std::string_view> words{
+      // counts
+      "a", "an", "half", "quarter", "couple", "pair", "dozen",
+      // digits and signs
+      "oh", "o", "double", "triple", "plus", "minus", "negative", "point",
+      // times
+      "noon", "midday", "lunchtime", "midnight", "now", "immediately", "asap",
+      "right", "at", "straight", "as", "in",
+      // dates
+      "the", "day", "today", "tonight", "this", "yesterday", "tomorrow", "tmr",
+      "tmrw", "coming", "next", "last", "week", "weekend", "end", "new",
+      "christmas", "boxing", "valentine", "valentines",
+      // levels
+      "basement", "floor", "floors", "level", "storey", "story", "flr", "lower",
+      "ground", "street", "main"};
+  return words;
+}
+
+// Also "+65", "b2" and "l3".
+bool has_digit(std::string_view word) {
+  return std::ranges::any_of(
+      word, [](char letter) { return letter >= '0' && letter <= '9'; });
+}
+
+} // namespace
+
+bool may_begin_form(std::string_view word) {
+  return has_digit(word) || other_first_words().contains(word) ||
+         is_number_word(word) || month_of(word) != 0 ||
+         weekday_of(word).has_value();
+}
+
+} // namespace parlour::adapters::nlu

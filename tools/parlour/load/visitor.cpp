@@ -61,7 +61,10 @@ void Visitor::heard(const std::string& message) {
   last_ = std::chrono::steady_clock::now();
   const auto told = json::parse(message, nullptr, false);
   const auto type = told.is_object() ? text_of(told, "type") : std::string();
-  if (type == "say")
+  if (is_leaving_) {
+    if (type == "end")
+      leave();
+  } else if (type == "say")
     said(without_ends(as_one_line(text_of(told, "text"))));
   else if (type == "done")
     done(number_of(told, "turn"));
@@ -74,7 +77,11 @@ void Visitor::heard(const std::string& message) {
 }
 
 void Visitor::closed(const std::string& why) {
-  if (!has_ended_ && !is_over_)
+  if (is_over_)
+    return;
+  if (is_leaving_)
+    leave();
+  else if (!has_ended_)
     fail("the connection is over: " + why);
 }
 
@@ -146,7 +153,9 @@ void Visitor::say() {
 void Visitor::look(Moment now) {
   if (is_over_ || is_idle_ || now - last_ < parts_.patience)
     return;
-  if (is_done_ && heard_ < turn().answers.size())
+  if (is_leaving_)
+    leave();
+  else if (is_done_ && heard_ < turn().answers.size())
     is_wrong(turn().answers[heard_], "nothing");
   else
     fail("the server does not answer");
@@ -161,18 +170,24 @@ void Visitor::is_wrong(const Step* expected, const std::string& found) {
                 : ", after U: " + (lines.empty() ? "" : lines.back()) +
                       ": expected nothing") +
       ", found R: " + found);
-  is_over_ = true;
-  over_();
+  leave();
 }
 
 void Visitor::fail(const std::string& error) {
   parts_.figures.failed(conversation_.conversation->file + ": " + error);
-  is_over_ = true;
-  over_();
+  leave();
 }
 
+// A place that nobody has left stays taken for a time.
 void Visitor::finish() {
   parts_.figures.finished();
+  if (has_ended_)
+    return leave();
+  is_leaving_ = true;
+  link_->send(R"({"type": "end"})");
+}
+
+void Visitor::leave() {
   is_over_ = true;
   over_();
 }

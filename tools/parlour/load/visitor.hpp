@@ -61,6 +61,7 @@ private:
   void is_wrong(const Step* expected, const std::string& found);
   void fail(const std::string& error);
   void finish();
+  void leave();
   const PlayedTurn& turn() const {
     return conversation_.turns[at_];
   }
@@ -74,6 +75,7 @@ private:
   std::uint64_t number_ = 0; // of the turn in this session
   bool is_done_ = true;      // the server has told so
   bool has_ended_ = false;   // the session; the next turn begins another
+  bool is_leaving_ = false;  // it has said so; the server's end is awaited
   bool is_over_ = false;
   bool is_idle_ = false;
   Moment due_;  // when it was to begin, or the turn was to be said

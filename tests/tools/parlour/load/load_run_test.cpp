@@ -41,6 +41,7 @@ TEST_F(LoadRunTest, VisitorsBeginAnotherUntilTheTimeIsOver) {
   run({.visitors = 3, .rate = {}, .duration = Milliseconds(500)});
   EXPECT_TRUE(figures.all_right());
   EXPECT_GT(figures.conversations(), 3);
+  EXPECT_EQ(server->counts().sessions, 0); // nobody keeps a place
 }
 
 TEST_F(LoadRunTest, IdleVisitorsSayNothing) {

@@ -11,6 +11,16 @@
 
 namespace parlour::script {
 
+namespace {
+
+const KnownValues& known_values(const std::shared_ptr<const Program>& program) {
+  return known_values_of(*program, [&](CodeId code, Host& host) {
+    return Interpreter(program).evaluate(code, {}, {}, host);
+  });
+}
+
+} // namespace
+
 // Hides the machine from users of the interpreter, who need none of its
 // headers.
 struct Interpreter::Implementation : Machine {
@@ -19,7 +29,7 @@ struct Interpreter::Implementation : Machine {
   // Gives a variable the value that it has in all sessions, if it has one. What
   // needs memory is made when it is looked at.
   bool begins_as_known(std::size_t index) {
-    const auto& known = known_values_of(program)[index];
+    const auto& known = known_values(program)[index];
     if (!known)
       return false;
     if (const auto* constant =
@@ -138,6 +148,7 @@ Interpreter::save(const std::vector<const Activation*>& activations) const {
 
 Expected<Restored> Interpreter::restore(std::shared_ptr<const Program> program,
                                         std::string_view bytes) {
+  known_values(program); // which the state may refer to
   Restored restored{Interpreter(std::move(program)), {}};
   auto executions = restore_state(*restored.interpreter.implementation_, bytes);
   if (!executions)

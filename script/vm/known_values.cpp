@@ -5,7 +5,6 @@
 
 #include "script/program/computing_host.hpp"
 #include "script/program/instruction.hpp"
-#include "script/vm/interpreter.hpp"
 
 namespace parlour::script {
 
@@ -62,14 +61,13 @@ bool needs_session(const Instruction& instruction) {
   }
 }
 
-std::optional<Value> known_value(Interpreter& interpreter,
-                                 const Program& program, CodeId code) {
+std::optional<Value> known_value(const Program& program, CodeId code,
+                                 const Evaluate& evaluate) {
   if (code == no_code ||
       std::ranges::any_of(program.code[code].instructions, needs_session))
     return std::nullopt;
   SealedHost host;
-  interpreter.new_event();
-  auto value = interpreter.evaluate(code, {}, {}, host);
+  auto value = evaluate(code, host);
   if (!value || host.was_asked())
     return std::nullopt;
   return std::move(*value);
@@ -77,13 +75,12 @@ std::optional<Value> known_value(Interpreter& interpreter,
 
 } // namespace
 
-const KnownValues&
-known_values_of(const std::shared_ptr<const Program>& program) {
-  return program->initial_values->get([&] {
-    Interpreter interpreter(program);
+const KnownValues& known_values_of(const Program& program,
+                                   const Evaluate& evaluate) {
+  return program.initial_values->get([&] {
     KnownValues known;
-    for (const auto& variable : program->variables)
-      known.push_back(known_value(interpreter, *program, variable.initial));
+    for (const auto& variable : program.variables)
+      known.push_back(known_value(program, variable.initial, evaluate));
     return known;
   });
 }

@@ -9,7 +9,6 @@
 #include "script/values/object_bytes.hpp"
 #include "script/vm/frame_check.hpp"
 #include "script/vm/interpreter_state.hpp"
-#include "script/vm/known_values.hpp"
 #include "script/vm/program_identity.hpp"
 
 namespace parlour::script {
@@ -307,7 +306,6 @@ void StateReader::read_copy_outs(Execution& execution) {
 } // namespace
 
 Expected<Executions> restore_state(Machine& machine, std::string_view bytes) {
-  known_values_of(machine.program); // which the state may refer to
   return StateReader(machine, bytes).read();
 }
 

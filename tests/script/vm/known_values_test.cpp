@@ -17,10 +17,15 @@ std::shared_ptr<const Program> compiled(const std::string& declarations) {
 }
 
 std::optional<Value> known(const std::string& expression) {
-  return known_values_of(compiled("<function name='f'><return expr='1'/>"
-                                  "</function><var name='first' expr='1'/>"
-                                  "<var name='v' expr=\"" +
-                                  expression + "\"/>"))
+  const auto program =
+      compiled("<function name='f'><return expr='1'/></function>"
+               "<var name='first' expr='1'/><var name='v' expr=\"" +
+               expression + "\"/>");
+  return known_values_of(*program,
+                         [&](CodeId code, Host& host) {
+                           return Interpreter(program).evaluate(code, {}, {},
+                                                                host);
+                         })
       .back();
 }
 

@@ -126,8 +126,10 @@ void RunningInstances::add_worker(const Service& service, const Entry& entry) {
   component.mailbox->open();
   component.mailbox->add_worker(entry.host);
   component.set_serving(true);
-  if (service.failures.count() != 0)
-    news_.tell_up(service);
+  if (service.failures.count() == 0)
+    return;
+  parts_.observer.metrics().component(service.name()).restarts.add();
+  news_.tell_up(service);
 }
 
 void RunningInstances::count_failure(const ServicePointer& service,
@@ -135,6 +137,7 @@ void RunningInstances::count_failure(const ServicePointer& service,
   const auto verdict = service->failures.failed(parts_.time.now());
   const auto& reason = cause.error.message;
   service->last_error = reason;
+  parts_.observer.metrics().component(service->name()).failures.add();
   last_error_ = service->name() + " failed: " + reason;
   news_.log(last_error_);
   news_.tell("ComponentFailed",

@@ -259,6 +259,14 @@ std::vector<ActorStatus> Node::status(Milliseconds patience) {
   return implementation_->runtime.status(patience);
 }
 
+Metrics Node::metrics(Milliseconds patience) {
+  return implementation_->runtime.metrics(patience);
+}
+
+void Node::watch_all(bool wanted) {
+  implementation_->runtime.observer().watch_all(wanted);
+}
+
 NodeCounters Node::counters() const {
   const auto& counters = implementation_->runtime.bus().counters();
   return {counters.messages(), counters.relayed, counters.filtered,

@@ -17,6 +17,7 @@
 #include "actors/node/node_options.hpp"
 #include "actors/protocol/actor_status.hpp"
 #include "runtime/base/clock.hpp"
+#include "runtime/base/metrics.hpp"
 #include "runtime/message/message.hpp"
 #include "script/dialogue/agenda/output_queue.hpp"
 #include "script/dialogue/inputs/saved_session.hpp"
@@ -112,6 +113,13 @@ public:
   // Whether a user's words are not to be kept.
   bool is_private(const std::string& words) const;
   NodeCounters counters() const;
+  // What it counts (docs/operations.md). Of actors that do not answer within
+  // `patience` (real time) it is told that they do not. In real time this may
+  // be called from any thread, as long as the node is not stopped.
+  Metrics metrics(Milliseconds patience = default_patience);
+  // Whether on_inspection hears of everything from now on, whatever
+  // NodeOptions::inspect_all says. From any thread.
+  void watch_all(bool wanted);
   // How every actor is; who does not answer within `patience` (real time) is
   // told as such, with the call that it is in. In real time this may be called
   // from any thread, as long as the node is not stopped.

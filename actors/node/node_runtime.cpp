@@ -12,7 +12,7 @@
 
 #include "actors/components/component_host.hpp"
 #include "actors/components/supervisor.hpp"
-#include "actors/node/status_collector.hpp"
+#include "actors/node/metrics_collector.hpp"
 #include "actors/routing/message_centre.hpp"
 #include "actors/sessions/file_keeper.hpp"
 #include "actors/sessions/session.hpp"
@@ -29,6 +29,12 @@ std::unique_ptr<Scheduler> make_scheduler(const NodeOptions& options) {
   return options.virtual_start
              ? make_virtual_time(*options.virtual_start)
              : make_real_time(options.threads, options.real_start);
+}
+
+template <class Actor>
+void add(std::vector<ActorHandle>& all, const char* kind,
+         const std::string& name, const Actor& actor) {
+  all.push_back({kind, name, caf::actor_cast<caf::strong_actor_ptr>(actor)});
 }
 
 PluginEnvironment plugin_environment(const NodeOptions& options) {
@@ -260,42 +266,57 @@ void NodeRuntime::end_session(const SessionId& session) {
 
 // -- how it is ----------------------------------------------------------------
 
+std::vector<ActorHandle> NodeRuntime::central_actors() const {
+  std::vector<ActorHandle> all;
+  add(all, message_centre_state::name, "", centre_);
+  add(all, session_manager_state::name, "", manager_);
+  add(all, supervisor_state::name, "", supervisor_);
+  add(all, file_keeper_state::name, "", file_keeper_);
+  return all;
+}
+
 // All but those that sessions have spawned; these are named by the sessions.
 std::vector<ActorHandle> NodeRuntime::actors() const {
-  std::vector<ActorHandle> all;
-  auto add = [&all](const char* kind, const std::string& name,
-                    const auto& actor) {
-    all.push_back({kind, name, caf::actor_cast<caf::strong_actor_ptr>(actor)});
-  };
-  add(message_centre_state::name, "", centre_);
-  add(session_manager_state::name, "", manager_);
-  add(supervisor_state::name, "", supervisor_);
-  add(file_keeper_state::name, "", file_keeper_);
+  auto all = central_actors();
   for (auto& handle : instances_.handles())
     all.push_back(std::move(handle));
   {
     std::lock_guard lock(seats_mutex_);
     for (const auto& [name, seat] : seats_)
-      add(seat_state::name, name, seat);
+      add(all, seat_state::name, name, seat);
   }
   for (const auto& [id, session] : sessions_.all_by_id())
-    add(session_state::name, id, session);
+    add(all, session_state::name, id, session);
   return all;
 }
 
 std::vector<ActorStatus> NodeRuntime::status(Milliseconds patience) {
   if (!system_)
     return {}; // it has stopped
-  auto let_run = [this] {
-    if (!scheduler_->detaches())
-      scheduler_->run_until_quiet();
-  };
-  auto all = collect_status(*system_, actors(), let_run, patience);
+  auto all = ask_all(actors(), patience, Children::asked);
   for (auto& one : all) {
     one.doing = observer_.discretion().masked_afterwards(one.doing);
     one.last_error = observer_.discretion().masked_afterwards(one.last_error);
   }
   return all;
+}
+
+std::vector<ActorStatus>
+NodeRuntime::ask_all(const std::vector<ActorHandle>& whom,
+                     Milliseconds patience, Children children) {
+  auto let_run = [this] {
+    if (!scheduler_->detaches())
+      scheduler_->run_until_quiet();
+  };
+  return collect_status(*system_, whom, let_run, patience, children);
+}
+
+Metrics NodeRuntime::metrics(Milliseconds patience) {
+  if (!system_)
+    return {}; // it has stopped
+  const auto central = ask_all(central_actors(), patience, Children::left_out);
+  return collect_metrics({observer_.metrics(), *bus_.table(), central,
+                          time_.work.held(), options_.journal.get()});
 }
 
 // -- bringing down ------------------------------------------------------------

@@ -17,6 +17,7 @@
 #include "actors/components/supervision.hpp"
 #include "actors/node/node_options.hpp"
 #include "actors/node/scheduler.hpp"
+#include "actors/node/status_collector.hpp"
 #include "actors/routing/message_bus.hpp"
 #include "actors/routing/session_directory.hpp"
 #include "actors/sessions/seat.hpp"
@@ -54,6 +55,8 @@ public:
   // How all actors are; who does not answer within `patience` (real time) is
   // told as such. In real time from any thread, until stop() is called.
   std::vector<ActorStatus> status(Milliseconds patience);
+  // As Node says.
+  Metrics metrics(Milliseconds patience);
   // Sessions, then components, then the rest, each for at most the drain time;
   // safe to call again. False where something does not come to an end: this
   // node may then never be destroyed.
@@ -93,6 +96,10 @@ private:
   void stop_components();
   void stop_actors();
   std::vector<ActorHandle> actors() const;
+  // Those of which there is one.
+  std::vector<ActorHandle> central_actors() const;
+  std::vector<ActorStatus> ask_all(const std::vector<ActorHandle>& whom,
+                                   Milliseconds patience, Children children);
   std::string who_is_at_work();
   bool is_idle() const;
 

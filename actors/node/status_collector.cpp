@@ -33,15 +33,17 @@ ActorStatus unanswered(const ActorHandle& handle) {
 // One collection; on the stack of who wants it.
 class StatusCollector {
 public:
-  StatusCollector(caf::actor_system& system, Milliseconds patience)
-      : self_(system), deadline_(SteadyClock::now() + patience) {}
+  StatusCollector(caf::actor_system& system, Milliseconds patience,
+                  Children children)
+      : self_(system), deadline_(SteadyClock::now() + patience),
+        with_children_(children == Children::asked) {}
 
   void ask(const ActorHandle& handle) {
     if (!handle.actor)
       return;
     pending_.insert(told_.size());
     self_->send(caf::actor_cast<caf::actor>(handle.actor),
-                get_status{told_.size()});
+                get_status{told_.size(), with_children_});
     told_.push_back(unanswered(handle));
     asked_.push_back(handle);
   }
@@ -93,8 +95,9 @@ private:
     const auto name = std::exchange(status, std::move(what.status)).name;
     if (status.name.empty())
       status.name = name;
-    for (const auto& child : what.children)
-      ask(child);
+    if (with_children_)
+      for (const auto& child : what.children)
+        ask(child);
   }
 
   // Timers and queries end by themselves.
@@ -109,6 +112,7 @@ private:
 
   caf::scoped_actor self_;
   SteadyClock::time_point deadline_;
+  const bool with_children_;
   std::vector<ActorHandle> asked_;
   std::vector<ActorStatus> told_;
   std::set<std::size_t> pending_; // numbers
@@ -120,8 +124,9 @@ private:
 std::vector<ActorStatus> collect_status(caf::actor_system& system,
                                         const std::vector<ActorHandle>& roots,
                                         const std::function<void()>& let_run,
-                                        Milliseconds patience) {
-  StatusCollector collector(system, patience);
+                                        Milliseconds patience,
+                                        Children children) {
+  StatusCollector collector(system, patience, children);
   for (const auto& root : roots)
     collector.ask(root);
   collector.take_answers(let_run);

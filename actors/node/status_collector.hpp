@@ -15,9 +15,11 @@ namespace parlour::actors {
 // In the order of asking: those given, then theirs. `let_run` is called after
 // each round of questions: in virtual time it runs the actors. `patience` is
 // real time, for all of it together. From any thread that is no actor's.
+enum class Children : bool { left_out, asked };
 std::vector<ActorStatus> collect_status(caf::actor_system& system,
                                         const std::vector<ActorHandle>& roots,
                                         const std::function<void()>& let_run,
-                                        Milliseconds patience);
+                                        Milliseconds patience,
+                                        Children children = Children::asked);
 
 } // namespace parlour::actors

@@ -40,6 +40,7 @@ struct ActorHandle {
 // Say how you are. It holds no work: who asks does not make the node busy.
 struct get_status {
   std::uint64_t number; // comes back with the answer
+  bool with_children = true;
 };
 // How it is, and whom it has spawned for its own purposes.
 struct status_told {

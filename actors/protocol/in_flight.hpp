@@ -19,6 +19,9 @@ public:
   bool none() const {
     return held_ == 0;
   }
+  std::int64_t held() const {
+    return held_;
+  }
 
 private:
   friend class InFlight;

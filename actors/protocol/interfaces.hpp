@@ -25,6 +25,7 @@
 #include "runtime/base/clock.hpp"
 #include "runtime/base/error.hpp"
 #include "runtime/base/files.hpp"
+#include "runtime/base/metrics.hpp"
 #include "runtime/base/sockets.hpp"
 #include "runtime/message/message.hpp"
 #include "runtime/message/subscription.hpp"
@@ -48,6 +49,7 @@ struct begin_session {
 struct deliver {
   std::vector<Message> messages;
   InFlight work;
+  Nanoseconds arrived = 0; // as NodeMetrics::now() says; 0: just now
 };
 // Take the next queued input; the session sends this to itself.
 struct take_step {
@@ -121,11 +123,8 @@ using file_keeper_actor =
 
 // -- the message centre -------------------------------------------------------
 
-// Messages from outside that happened together: stamp and route them in order.
-struct publish {
-  std::vector<Message> messages;
-  InFlight work;
-};
+// The same from outside, with when they came: stamp and route them in order.
+struct publish : deliver {};
 // Messages that their sender has routed itself, as far as sessions get them.
 struct distribute {
   std::vector<Message> messages;

@@ -16,6 +16,7 @@ const char* ComponentMailbox::put(Job& job) {
   if (is_full())
     return "has more messages waiting than it may";
   back_.waiting.push_back(std::move(job));
+  back_.received.add();
   auto host = one_to_wake();
   lock.unlock();
   wake(host);

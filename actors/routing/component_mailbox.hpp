@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "actors/protocol/interfaces.hpp"
+#include "runtime/base/metrics.hpp"
 #include "runtime/message/message.hpp"
 
 namespace parlour::actors {
@@ -56,6 +57,14 @@ public:
 
   bool empty() const;
   std::size_t size() const; // of all that waits
+  // Messages that were put here since it is there, and those that the component
+  // got directly, in the turn of a session.
+  std::uint64_t received() const {
+    return back_.received.value();
+  }
+  void count_direct() {
+    back_.received.add();
+  }
   // Refuses new messages until open() is called; `why` follows the component's
   // name in the error. What waits already can still be taken.
   void close(const char* why);
@@ -83,6 +92,7 @@ private:
     std::vector<component_host_actor> idle;
     const char* closed = nullptr; // why
     std::size_t moved = 0;        // to the front, when that was last empty
+    Counter received;
   };
   struct alignas(cache_line) Front {
     mutable std::mutex mutex;

@@ -59,7 +59,8 @@ MessageBus::parts(std::shared_ptr<const script::Program> program,
   parts.complain = [this](const Message& message, const Error& error) {
     failed(message, error);
   };
-  if (observer_.follows_messages())
+  parts.is_tapped = &observer_.follows_messages();
+  if (observer_.may_follow())
     parts.taps.push_back(
         [this](const Message& message, const std::string& way) {
           observer_.follow(message, way);
@@ -121,9 +122,11 @@ void MessageBus::publish(std::vector<Message> messages) {
 // centre's mailbox keeps the order.
 void MessageBus::bring_in(std::vector<Message> messages) {
   time_.main_thread.post([this, messages = std::move(messages),
-                          waits = time_.work.begin()]() mutable {
+                          waits = time_.work.begin(),
+                          now = NodeMetrics::now()]() mutable {
     if (const auto centre = centre_.load())
-      caf::anon_send(*centre, actors::publish{std::move(messages), waits});
+      caf::anon_send(*centre,
+                     actors::publish{{std::move(messages), waits, now}});
   });
 }
 
@@ -214,7 +217,8 @@ bool MessageBus::ask(Message question, const InFlight& work) {
 
 // -- what goes wrong ----------------------------------------------------------
 
-void MessageBus::unhandled(const Message& message, const std::string& why) {
+void MessageBus::unhandled(const Message& message, const std::string& why,
+                           std::uint64_t turn) {
   if (table()->is_routine(message))
     return;
   ++parts_.counters->unhandled;
@@ -224,6 +228,7 @@ void MessageBus::unhandled(const Message& message, const std::string& why) {
   inspection.subject = message.source + "." + message.command;
   inspection.detail = why;
   inspection.message = std::make_shared<const Message>(message);
+  inspection.turn = turn;
   observer_.inspect(std::move(inspection));
 }
 

@@ -123,8 +123,9 @@ public:
   // -- what goes wrong -------------------------------------------------------
 
   // Counted, and shown or else logged: a message that nobody took.
-  // Nothing where nobody has to take it.
-  void unhandled(const Message& message, const std::string& why);
+  // Nothing where nobody has to take it. `turn`: of its session, if known.
+  void unhandled(const Message& message, const std::string& why,
+                 std::uint64_t turn = 0);
   // The same for the sinks of a message that nobody fills.
   void unreached(const Routed& routed);
   // Shown, or else logged: what went wrong with a message on its way.

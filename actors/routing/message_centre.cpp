@@ -15,32 +15,35 @@ using Self = message_centre_actor::stateful_pointer<message_centre_state>;
 
 // What goes to one session together: a row of turns stays a row.
 struct Batch {
-  SessionId session;
-  std::vector<Message> messages;
+  const InFlight& work;
+  Nanoseconds arrived;
+  SessionId session = {};
+  std::vector<Message> messages = {};
   // A message for all sessions goes by the manager. What follows takes the same
   // way, so that no session gets it earlier.
   bool by_manager = false;
 };
 
-void flush(Self self, Batch& batch, const InFlight& work) {
+void flush(Self self, Batch& batch) {
   if (batch.messages.empty())
     return;
   auto messages = std::exchange(batch.messages, {});
   batch.by_manager |= batch.session.empty();
   if (auto session = self->state.sessions->find(batch.session);
       session && !batch.by_manager)
-    self->send(session, deliver{std::move(messages), work});
+    self->send(session,
+               deliver{std::move(messages), batch.work, batch.arrived});
   else
-    self->send(self->state.manager, forward{std::move(messages), work});
+    self->send(self->state.manager, forward{std::move(messages), batch.work});
 }
 
-void add(Self self, Batch& batch, Message message, const InFlight& work) {
+void add(Self self, Batch& batch, Message message) {
   if (auto query = self->state.bus->replies().take(message.correlation)) {
-    self->send(query, component_event{std::move(message), work});
+    self->send(query, component_event{std::move(message), batch.work});
     return;
   }
   if (batch.session != message.session)
-    flush(self, batch, work);
+    flush(self, batch);
   batch.session = message.session;
   batch.messages.push_back(std::move(message));
 }
@@ -50,11 +53,12 @@ std::string counted(const Counters& counters) {
          std::to_string(counters.unhandled) + " taken by nobody";
 }
 
-void give(Self self, std::vector<Message> messages, const InFlight& work) {
-  Batch batch;
+void give(Self self, std::vector<Message> messages, const InFlight& work,
+          Nanoseconds arrived = 0) {
+  Batch batch{work, arrived};
   for (auto& message : messages)
-    add(self, batch, std::move(message), work);
-  flush(self, batch, work);
+    add(self, batch, std::move(message));
+  flush(self, batch);
 }
 
 } // namespace
@@ -67,7 +71,8 @@ message_centre_actor::behavior_type message_centre(
   return traced<message_centre_actor::behavior_type>(
       ActorTrace(bus->observer(), message_centre_state::name, ""),
       [=](publish& what) {
-        give(self, bus->route(std::move(what.messages)), what.work);
+        give(self, bus->route(std::move(what.messages)), what.work,
+             what.arrived);
       },
       [=](distribute& what) {
         give(self, std::move(what.messages), what.work);

@@ -164,13 +164,15 @@ Routed RoutingTable::route(Message&& message, Timestamp now) const {
     return routed;
   if (message.sinks.empty()) {
     pass_on_values(message, routed);
-    tap(message, message.session.empty() ? "every session" : "session");
+    ++parts_.counters->to_sessions;
+    if (is_tapped())
+      tap(message, message.session.empty() ? "every session" : "session");
     routed.for_session = std::move(message);
     return routed;
   }
   const auto shared = std::make_shared<const Message>(std::move(message));
   for (const auto& sink : shared->sinks) {
-    if (!parts_.taps.empty())
+    if (is_tapped())
       tap(*shared, "-> " + sink);
     deliver(shared, sink, routed);
   }
@@ -189,7 +191,8 @@ bool RoutingTable::goes_in_a_ring(const Message& message) const {
   if (verdict == RoundLimit::Verdict::passes)
     return false;
   ++parts_.counters->circled;
-  tap(message, "dropped");
+  if (is_tapped())
+    tap(message, "dropped");
   if (verdict == RoundLimit::Verdict::first_too_many && parts_.complain)
     parts_.complain(message,
                     {ErrorKind::limit,
@@ -211,10 +214,10 @@ bool RoutingTable::apply_routes(const Message& message, Routed& routed) const {
                     : route.is_filter ? parts_.counters->filtered
                                       : parts_.counters->relayed;
     ++counter;
-    if (route.drop)
-      tap(message, "dropped");
-    else
+    if (!route.drop)
       send_copies(route, message, routed);
+    else if (is_tapped())
+      tap(message, "dropped");
     if (route.is_filter)
       return true;
   }
@@ -263,7 +266,8 @@ void RoutingTable::pass_on_values(const Message& message,
     ++parts_.counters->copies;
     copy.session = std::move(session);
     copy.sinks = {target.name};
-    tap(copy, "relay -> " + target.name);
+    if (is_tapped())
+      tap(copy, "relay -> " + target.name);
     routed.deliveries.push_back(
         {&target, std::make_shared<const Message>(copy)});
   };
@@ -285,7 +289,8 @@ void RoutingTable::send_copies(const script::Route& route,
   for (const auto& to : route.to) {
     const auto copy =
         std::make_shared<const Message>(copy_for(route, message, to));
-    tap(*copy, (route.is_filter ? "filter -> " : "relay -> ") + to);
+    if (is_tapped())
+      tap(*copy, (route.is_filter ? "filter -> " : "relay -> ") + to);
     deliver(copy, to, routed);
   }
 }
@@ -319,6 +324,13 @@ void RoutingTable::deliver(const SharedMessage& message, const std::string& to,
   });
   if (nobody)
     routed.unreached.push_back({to, message});
+}
+
+// Asked before a way is put in words.
+bool RoutingTable::is_tapped() const {
+  return !parts_.taps.empty() &&
+         (!parts_.is_tapped ||
+          parts_.is_tapped->load(std::memory_order_relaxed));
 }
 
 void RoutingTable::tap(const Message& message, const std::string& way) const {

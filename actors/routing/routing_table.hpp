@@ -69,6 +69,7 @@ struct Routed {
 struct Counters {
   std::atomic<std::uint64_t> numbers = 0; // of stamps
   std::atomic<std::uint64_t> copies = 0;  // which have numbers of their own
+  std::atomic<std::uint64_t> to_sessions = 0;
   std::atomic<std::uint64_t> relayed = 0;
   std::atomic<std::uint64_t> filtered = 0;
   std::atomic<std::uint64_t> dropped = 0;
@@ -102,6 +103,8 @@ public:
     const Clock* clock = nullptr; // outlives the table
     std::shared_ptr<Counters> counters;
     std::vector<Tap> taps;
+    // Whether they want to see anything now; null: always.
+    const std::atomic<bool>* is_tapped = nullptr;
     Complaint complain;
   };
 
@@ -163,6 +166,7 @@ private:
                Routed& routed) const;
   bool apply_routes(const Message& message, Routed& routed) const;
   void pass_on_values(const Message& message, Routed& routed) const;
+  bool is_tapped() const;
   void tap(const Message& message, const std::string& way) const;
 
   Parts parts_;

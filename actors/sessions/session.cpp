@@ -112,13 +112,14 @@ bool finish_input(Self self) {
   return outcome.has_value();
 }
 
-// Who numbers the turns at the seat hears which are answered.
+// Turns are counted, and who numbers them at the seat hears which are answered.
 void tell_turns_done(Self self) {
   auto& state = self->state;
-  if (state.turns_done == state.turns_taken)
-    return;
+  const auto answered = state.meter.take_answered();
+  const bool are_numbered = state.turns_done != state.turns_taken;
   state.turns_done = state.turns_taken;
-  state.dialogue->tell_turns_done(state.turns_done);
+  if (are_numbered || answered.turns > 0)
+    state.dialogue->turns_done(answered, are_numbered ? state.turns_done : 0);
 }
 
 // After each input: steps are taken one at a time through the mailbox, so that
@@ -180,14 +181,32 @@ void take_one_step(Self self) {
   go_on(self);
 }
 
+void note_turns(Self self, const deliver& what) {
+  auto& state = self->state;
+  std::uint64_t lines = 0;
+  std::uint64_t numbered = 0;
+  for (const auto& message : what.messages) {
+    const auto number = number_of_turn(message);
+    state.turns_taken = std::max(state.turns_taken, number);
+    if (number != 0)
+      ++numbered;
+    else if (message.command == "RecognitionResult" &&
+             state.parts->bus.table()->begins_turn(message))
+      ++lines;
+  }
+  if (lines == 0 && numbered == 0)
+    return;
+  state.meter.take(lines, numbered, state.turns_taken,
+                   what.arrived != 0 ? what.arrived : NodeMetrics::now());
+  port_of(self).turn_begins(state.meter.number());
+}
+
 // Messages are queued and not handled here: the conversation decides at its
 // next step which one is its turn (engine rule 3).
 void queue(Self self, const deliver& what) {
-  auto& taken = self->state.turns_taken;
-  for (const auto& message : what.messages) {
-    taken = std::max(taken, number_of_turn(message));
+  note_turns(self, what);
+  for (const auto& message : what.messages)
     take(self, dialogue::received(message));
-  }
   go_on(self);
 }
 
@@ -292,7 +311,7 @@ void set_up(Self self, std::shared_ptr<const SessionParts> parts,
   };
   state.saved = std::move(order.saved);
   if (state.saved)
-    state.turns_taken = state.saved->turns.taken;
+    state.meter.go_on(state.turns_taken = state.saved->turns.taken);
   state.dialogue = std::make_unique<SessionDialogue>(
       state.parts->program,
       dialogue::ConversationOptions{std::move(order.id), order.seed,

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "actors/sessions/session_dialogue.hpp"
+#include "actors/sessions/turn_meter.hpp"
 
 namespace parlour::actors {
 
@@ -27,6 +28,7 @@ struct session_state {
   // The highest numbers of turns that were received, and told as answered.
   std::uint64_t turns_taken = 0;
   std::uint64_t turns_done = 0;
+  TurnMeter meter;
   bool stepping = false;     // a take_step is in the mailbox
   bool waits = false;        // as the work count knows it
   bool asked_to_end = false; // from outside: nothing goes on after it

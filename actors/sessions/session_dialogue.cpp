@@ -70,8 +70,11 @@ void SessionDialogue::bind_effects() {
     kept_.journal->when_written(last_record_, kept_.when_written(last_record_));
 }
 
-void SessionDialogue::tell_turns_done(std::uint64_t turn) {
-  port_->tell_turns_done(turn);
+void SessionDialogue::turns_done(const TurnMeter::Answered& answered,
+                                 std::uint64_t turn) {
+  if (turn != 0)
+    port_->tell_turns_done(turn);
+  port_->count_turns(answered);
   bind_effects();
 }
 

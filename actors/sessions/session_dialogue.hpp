@@ -41,8 +41,9 @@ public:
   void take(dialogue::SessionInput input, Timestamp now);
   // The journal has this record: what waited for it is done.
   void written(std::uint64_t record);
-  // Whoever numbers its turns is told that those up to this one are answered.
-  void tell_turns_done(std::uint64_t turn);
+  // Turns are answered: they are counted. Whoever numbers them is told that
+  // those up to `turn` are; 0: nobody does.
+  void turns_done(const TurnMeter::Answered& answered, std::uint64_t turn);
   // It has ended: the manager is told, and what works for it ends.
   void close(std::vector<Message> unread);
 

@@ -44,6 +44,8 @@ SessionId open(Self self, const open_session& what, bool tells_seat = false) {
       actors::session, state.parts,
       SessionOrder{id, saved ? saved->seed : state.names.next_seed(), what.seat,
                    saved});
+  auto& metrics = state.parts->observer.metrics();
+  (saved ? metrics.sessions_recovered : metrics.sessions_opened).add();
   state.directory->add(id, session, what.seat);
   if (tells_seat) // before the session can say anything
     self->send(what.seat, next_session{id, what.work});
@@ -129,6 +131,7 @@ void forget(Self self, const session_gone& what) {
   state.directory->remove(what.session);
   if (entry.empty())
     return;
+  state.parts->observer.metrics().sessions_ended.add();
   auto& [session, seat, subscriptions] = entry.mapped();
   state.session_of.erase(session.id());
   state.session_of.erase(seat.id());
@@ -153,6 +156,7 @@ void notice_loss(Self self, const caf::down_msg& down) {
   auto& last_error = self->state.last_error;
   last_error =
       "session " + id + " was lost: " + self->system().render(down.reason);
+  parts.observer.metrics().sessions_lost.add();
   parts.observer.log(last_error);
   forget(self, {id, parts.time.work.begin()});
 }
@@ -310,7 +314,8 @@ session_manager_actor::behavior_type session_manager(
                                 " sessions at " +
                                 std::to_string(state.seats.size()) + " seats",
                             state.last_error,
-                            visitors_of(state)});
+                            what.with_children ? visitors_of(state)
+                                               : std::vector<ActorHandle>()});
       });
 }
 

@@ -68,6 +68,8 @@ std::vector<Message> SessionPort::call(const Target& target,
                                        const Message& message) {
   if (parts_->observer.traces("inline", target.name))
     trace_of("inline", target.name).took("message", to_string(message));
+  if (target.mailbox)
+    target.mailbox->count_direct();
   std::vector<Answer> answers;
   if (auto reason =
           catch_to_string([&] { answers = target.direct->answers(message); })) {
@@ -115,6 +117,16 @@ void SessionPort::release(const dialogue::Output& output) {
 void SessionPort::tell_turns_done(std::uint64_t turn) {
   perform([this, turn] {
     self_->send(seat_, turns_done{id_, turn, time_.work.begin()});
+  });
+}
+
+void SessionPort::count_turns(const TurnMeter::Answered& answered) {
+  perform([this, answered] {
+    auto& metrics = parts_->observer.metrics();
+    const auto took = NodeMetrics::now() - answered.since;
+    metrics.turns.add(answered.turns);
+    for (std::uint64_t i = 0; i < answered.turns; ++i)
+      metrics.turn_time.observe(took);
   });
 }
 
@@ -275,7 +287,7 @@ void SessionPort::apply(script::TopicId topic,
 // -- watching, ending ---------------------------------------------------------
 
 void SessionPort::unhandled(const Message& message) {
-  bus_.unhandled(message, "no state and no handler takes it");
+  bus_.unhandled(message, "no state and no handler takes it", turn_);
 }
 
 bool SessionPort::inspected() const {
@@ -285,6 +297,7 @@ bool SessionPort::inspected() const {
 void SessionPort::inspect(Inspection inspection) {
   if (inspection.kind == InspectionKind::error)
     last_error_ = inspection.detail;
+  inspection.turn = turn_;
   parts_->observer.inspect(std::move(inspection));
 }
 

@@ -9,6 +9,7 @@
 #include "actors/sessions/held_effects.hpp"
 #include "actors/sessions/session_parts.hpp"
 #include "actors/sessions/session_sockets.hpp"
+#include "actors/sessions/turn_meter.hpp"
 #include "actors/support/actor_trace.hpp"
 #include "script/dialogue/agenda/port.hpp"
 
@@ -70,6 +71,12 @@ public:
   }
   // To the seat, where turns are numbered.
   void tell_turns_done(std::uint64_t turn);
+  // With how long they took, when what they led to has left.
+  void count_turns(const TurnMeter::Answered& answered);
+  // What happens from now on happens in this turn of the user.
+  void turn_begins(std::uint64_t number) {
+    turn_ = number;
+  }
   // After a crash: what was posted, and may not have left.
   void post_again(std::vector<Message> messages);
   // -- for who asks how it is
@@ -119,6 +126,7 @@ private:
   const AskFrame ask_frame_;
   const ComponentDone component_done_;
   std::string last_error_;
+  std::uint64_t turn_ = 0;
   HeldEffects effects_;
   std::map<dialogue::TimerId, Timer> timers_;
   std::map<dialogue::QueryId, Query> queries_;

@@ -25,15 +25,24 @@ Inspection inspection_of(const Message& message, const std::string& way) {
 Observer::Observer(Watcher watcher, const std::atomic<bool>& left_behind)
     : watcher_(std::move(watcher)), left_behind_(left_behind),
       discretion_([this](const Inspection& seen) { show(seen); },
-                  watcher_.is_heard) {}
+                  watcher_.is_heard),
+      all_(watcher_.on_inspection && watcher_.all),
+      follows_(discretion_.hides() || all_) {}
 
 void Observer::inspect(Inspection seen) {
+  if (seen.kind == InspectionKind::error)
+    metrics_.script_errors.add();
   if (!watcher_.on_inspection)
     log_instead(seen);
   else if (!watcher_.exact)
     discretion_.show(std::move(seen));
   else
     show(seen);
+}
+
+void Observer::watch_all(bool wanted) {
+  all_ = watcher_.on_inspection && (wanted || watcher_.all);
+  follows_ = discretion_.hides() || all_;
 }
 
 void Observer::follow(const Message& message, const std::string& way) {
@@ -64,9 +73,9 @@ void Observer::show(const Inspection& seen) {
 void Observer::log_instead(const Inspection& seen) {
   using Kind = InspectionKind;
   if (seen.kind == Kind::unhandled)
-    log(to_string(*seen.message) + ": " + seen.detail);
+    log(to_string(*seen.message) + ": " + seen.detail + concern_of(seen));
   else if (seen.kind == Kind::error || seen.kind == Kind::log)
-    log(seen.subject + ": " + seen.detail);
+    log(seen.subject + ": " + seen.detail + concern_of(seen));
 }
 
 void Observer::write(const std::string& line) {

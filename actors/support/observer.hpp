@@ -1,5 +1,5 @@
-// Observer: shows what happens to whoever watches, and keeps the log; neither
-// is given what is private.
+// Observer: shows what happens to whoever watches, keeps the log, and counts.
+// None of it is given what is private.
 #pragma once
 
 #include <atomic>
@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "actors/support/discretion.hpp"
+#include "actors/support/node_metrics.hpp"
 #include "runtime/message/inspection.hpp"
 
 namespace parlour::actors {
@@ -43,17 +44,26 @@ public:
   void log(const std::string& line);
   // Whether there is somebody to show more than these to.
   bool watches_all() const {
-    return watcher_.on_inspection && watcher_.all;
+    return all_.load(std::memory_order_relaxed);
   }
+  // Somebody wants to be shown all, or does not any more.
+  void watch_all(bool wanted);
 
-  // Whether it is to be given each message on its way.
-  bool follows_messages() const {
-    return discretion_.hides() || watches_all();
+  // Whether it is to be given each message on its way, now; lives as long.
+  const std::atomic<bool>& follows_messages() const {
+    return follows_;
+  }
+  // Whether it may ever be.
+  bool may_follow() const {
+    return discretion_.hides() || watcher_.on_inspection;
   }
   void follow(const Message& message, const std::string& way);
   // Whether it is to be shown what this actor takes.
   bool traces(std::string_view kind, std::string_view name) const;
 
+  NodeMetrics& metrics() {
+    return metrics_;
+  }
   Discretion& discretion() {
     return discretion_;
   }
@@ -69,6 +79,9 @@ private:
   const Watcher watcher_;
   const std::atomic<bool>& left_behind_;
   Discretion discretion_;
+  std::atomic<bool> all_;
+  std::atomic<bool> follows_;
+  NodeMetrics metrics_;
   std::mutex showing_;
   std::mutex logging_;
 };

@@ -124,6 +124,35 @@ std::uint64_t JournalFolder::lost() const {
   return lost_;
 }
 
+Metrics JournalFolder::metrics() const {
+  std::unique_lock lock(mutex_);
+  const auto appended = appended_;
+  const auto written = done_;
+  const auto lost = lost_;
+  const auto waiting = waiting_.size();
+  const bool fails = fails_;
+  lock.unlock();
+  using enum MetricKind;
+  const auto number = [](auto count) { return static_cast<double>(count); };
+  return {metric("parlour_journal_records_total", counter,
+                 "Records that were written.", number(written)),
+          metric("parlour_journal_bytes_total", counter, "Bytes of them.",
+                 number(bytes_.value())),
+          metric("parlour_journal_groups_total", counter,
+                 "Groups in which they were written.", number(groups_.value())),
+          metric("parlour_journal_lost_records_total", counter,
+                 "Records that could not be kept.", number(lost)),
+          metric("parlour_journal_waiting_records", gauge,
+                 "Records that are not written yet.",
+                 number(appended - written)),
+          metric("parlour_journal_waiting_bytes", gauge,
+                 "Bytes that wait for the next group.", number(waiting)),
+          metric("parlour_journal_writable", gauge,
+                 "0: the last group could not be written.", fails ? 0 : 1),
+          metric("parlour_journal_write_seconds",
+                 "How long it takes to write a group.", write_time_)};
+}
+
 // -- the journal's thread -----------------------------------------------------
 
 // One batch after the other; the lock is not held while the disk works.
@@ -145,7 +174,13 @@ void JournalFolder::run() {
     if (part_->size() + batch.size() >= options_.part_bytes)
       current_ = std::make_shared<const Part>(Part{number + 1});
     lock.unlock();
+    const auto begun = std::chrono::steady_clock::now();
     const auto written = write(batch, number);
+    if (written) {
+      write_time_.observe((std::chrono::steady_clock::now() - begun) / 1ns);
+      groups_.add();
+      bytes_.add(batch.size());
+    }
     lock.lock();
     const bool failed_before = std::exchange(fails_, !written);
     if (!written) {

@@ -49,6 +49,7 @@ public:
   void when_written(std::uint64_t record, std::function<void()> done) override;
   void forget_who_waits() override;
   std::shared_ptr<const Part> hold() override;
+  Metrics metrics() const override;
 
   // Everything that was appended before is written, or has failed, on return.
   void flush();
@@ -91,6 +92,10 @@ private:
   bool fails_ = false;
   bool hurries_ = false;
   bool ends_ = false;
+  // What was written.
+  Counter groups_;
+  Counter bytes_;
+  Histogram write_time_;
   std::thread thread_;
 };
 

@@ -8,6 +8,8 @@
 #include <memory>
 #include <string>
 
+#include "runtime/base/metrics.hpp"
+
 namespace parlour {
 
 // All of it from any thread.
@@ -35,6 +37,10 @@ public:
   virtual void forget_who_waits() = 0;
   // The part where the next record will stand; later ones follow it.
   virtual std::shared_ptr<const Part> hold() = 0;
+  // What it counts.
+  virtual Metrics metrics() const {
+    return {};
+  }
 };
 
 } // namespace parlour

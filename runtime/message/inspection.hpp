@@ -42,6 +42,12 @@ struct Inspection {
   // took, such as "filter -> NLG" or "session". Otherwise null and empty.
   std::shared_ptr<const Message> message = nullptr;
   std::string way = {};
+  // The user's turn that its session has taken last; 0: none, or nobody knows.
+  std::uint64_t turn = 0;
 };
+
+// For the end of a line of a log: "  (session s1, turn 3)"; empty where it is
+// about no session.
+std::string concern_of(const Inspection& seen);
 
 } // namespace parlour

@@ -148,7 +148,8 @@ TEST(MessageBus, ShowWhatNobodyTookOrLogIt) {
   bench.watch({});
   bench.bus.unhandled(event("Bell", "Rings", {3}, "s1"), "nobody is in");
   EXPECT_EQ(bench.bus.counters().unhandled, 2u);
-  EXPECT_THAT(bench.logs, ElementsAre("Bell.Rings(3): nobody is in"));
+  EXPECT_THAT(bench.logs,
+              ElementsAre("Bell.Rings(3): nobody is in  (session s1)"));
 }
 
 // A voice says word for word how far it is.

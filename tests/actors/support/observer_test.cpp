@@ -71,6 +71,36 @@ TEST_F(ObserverTest, FollowsNothingForWhoWatchesTroubleOnly) {
   EXPECT_EQ(shown.size(), 1u);
 }
 
+TEST_F(ObserverTest, ShowsAllForAsLongAsSomebodyWants) {
+  watcher.all = false;
+  Observer observer(watcher, left_behind);
+  const auto& follows = observer.follows_messages();
+  EXPECT_TRUE(observer.may_follow());
+  observer.watch_all(true);
+  EXPECT_TRUE(observer.watches_all());
+  EXPECT_TRUE(follows);
+  observer.follow(rings(), "-> Ear");
+  EXPECT_EQ(shown.size(), 1u);
+  observer.watch_all(false);
+  EXPECT_FALSE(observer.watches_all());
+  EXPECT_FALSE(follows);
+}
+
+TEST_F(ObserverTest, WhoWatchesAllAnywayGoesOn) {
+  Observer observer(watcher, left_behind);
+  observer.watch_all(true);
+  observer.watch_all(false);
+  EXPECT_TRUE(observer.watches_all());
+}
+
+TEST_F(ObserverTest, CountsWhatScriptsHaveFailedAt) {
+  Observer observer({}, left_behind);
+  EXPECT_FALSE(observer.may_follow());
+  observer.inspect({InspectionKind::error, "s1", "", ""});
+  observer.inspect({InspectionKind::slot, "s1", "", ""});
+  EXPECT_EQ(observer.metrics().script_errors.value(), 1u);
+}
+
 TEST_F(ObserverTest, MasksWhatIsPrivate) {
   watcher.is_heard = [](const Message&) { return false; };
   for (const bool exact : {false, true}) {

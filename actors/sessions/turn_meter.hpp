@@ -1,0 +1,39 @@
+// TurnMeter: the number of the user's turn that a session has taken last, and
+// since when turns wait for their answers. Lives on the session's thread.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "runtime/base/metrics.hpp"
+#include "runtime/message/message.hpp"
+
+namespace parlour::actors {
+
+class TurnMeter {
+public:
+  // One that goes on after a crash.
+  void go_on(std::uint64_t taken) {
+    number_ = taken;
+  }
+  // Lines of the user that came together. Lines without a number belong to the
+  // turn of the one that has one.
+  void take(std::uint64_t lines, std::uint64_t numbered, std::uint64_t highest,
+            Nanoseconds arrived);
+  std::uint64_t number() const {
+    return number_;
+  }
+
+  // Turns that are answered now, and when the first of them came.
+  struct Answered {
+    std::uint64_t turns = 0;
+    Nanoseconds since = 0;
+  };
+  Answered take_answered();
+
+private:
+  std::uint64_t number_ = 0;
+  Answered open_;
+};
+
+} // namespace parlour::actors

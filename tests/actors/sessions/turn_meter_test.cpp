@@ -1,0 +1,34 @@
+#include <gtest/gtest.h>
+
+#include "actors/sessions/turn_meter.hpp"
+
+namespace parlour::actors {
+namespace {
+
+TEST(TurnMeter, EachLineWithoutANumberIsATurn) {
+  TurnMeter meter;
+  EXPECT_EQ(meter.number(), 0u);
+  EXPECT_EQ(meter.take_answered().turns, 0u);
+  meter.take(2, 0, 0, 100);
+  meter.take(1, 0, 0, 200);
+  EXPECT_EQ(meter.number(), 3u);
+  const auto answered = meter.take_answered();
+  EXPECT_EQ(answered.turns, 3u);
+  EXPECT_EQ(answered.since, 100); // the first of them
+  EXPECT_EQ(meter.take_answered().turns, 0u);
+  meter.take(1, 0, 0, 300);
+  EXPECT_EQ(meter.take_answered().since, 300);
+}
+
+TEST(TurnMeter, LinesBelongToTheTurnWithTheNumber) {
+  TurnMeter meter;
+  meter.go_on(6);
+  meter.take(2, 1, 7, 100);
+  EXPECT_EQ(meter.number(), 7u);
+  EXPECT_EQ(meter.take_answered().turns, 1u);
+  meter.take(0, 0, 7, 200); // nobody said anything
+  EXPECT_EQ(meter.take_answered().turns, 0u);
+}
+
+} // namespace
+} // namespace parlour::actors

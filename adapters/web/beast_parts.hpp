@@ -28,6 +28,9 @@ using Timer =
     net::basic_waitable_timer<SteadyClock, net::wait_traits<SteadyClock>,
                               Executor>;
 
+// "127.0.0.1:4000".
+std::string text_of(const tcp::endpoint& end);
+
 // A visit with its socket. The server holds it until it asks to be removed.
 class SocketVisit : public Visit,
                     public std::enable_shared_from_this<SocketVisit> {

@@ -16,6 +16,12 @@
 
 namespace parlour::adapters::web {
 
+std::string text_of(const tcp::endpoint& end) {
+  const auto host = end.address().to_string();
+  return (end.address().is_v6() ? '[' + host + ']' : host) + ':' +
+         std::to_string(end.port());
+}
+
 namespace {
 
 using Acceptor = net::basic_socket_acceptor<tcp, Executor>;
@@ -108,12 +114,6 @@ public:
 
 private:
   using News = std::function<void(BeastServer&)>;
-
-  static std::string text_of(const tcp::endpoint& end) {
-    const auto host = end.address().to_string();
-    return (end.address().is_v6() ? '[' + host + ']' : host) + ':' +
-           std::to_string(end.port());
-  }
 
   // All that has come meanwhile is taken at once: the thread need not be woken
   // for each.

@@ -1,3 +1,4 @@
+#include "adapters/web/page_server.hpp"
 #include "adapters/web/text_client.hpp"
 #include "adapters/web/text_server.hpp"
 
@@ -13,6 +14,10 @@ constexpr const char* missing =
 
 Expected<std::unique_ptr<TextServer>> TextServer::start(ServerOptions, Host&,
                                                         Thrown) {
+  return fail(ErrorKind::settings, missing);
+}
+
+Expected<std::unique_ptr<PageServer>> PageServer::start(PageServerOptions) {
   return fail(ErrorKind::settings, missing);
 }
 

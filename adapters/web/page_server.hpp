@@ -1,0 +1,45 @@
+// PageServer: a few pages over HTTP/1.1, for programs that watch this one. A
+// connection gets one answer and is closed. One thread serves all of them.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+
+#include "runtime/base/clock.hpp"
+#include "runtime/base/error.hpp"
+
+namespace parlour::adapters::web {
+
+struct Page {
+  bool is_well = true; // else the status is 503
+  std::string text;
+  std::string content_type = "text/plain; charset=utf-8";
+};
+
+struct PageServerOptions {
+  std::string address = "127.0.0.1"; // of this machine
+  std::uint16_t port = 0;            // 0: any that is free
+  // By their paths, such as "/metrics". They are made anew for each request, on
+  // the server's thread.
+  std::map<std::string, std::function<Page()>> pages;
+  // More are closed at once.
+  std::size_t connections = 16;
+  // For the request to come, and again for the answer to be read.
+  Milliseconds patience{5'000};
+};
+
+class PageServer {
+public:
+  // The error says why nothing can be heard there, or that this program was
+  // built without it. What a page throws is answered by the status 500.
+  static Expected<std::unique_ptr<PageServer>> start(PageServerOptions options);
+  // Waits for a page that is being made.
+  virtual ~PageServer() = default;
+
+  virtual std::string address() const = 0; // "127.0.0.1:9464"
+};
+
+} // namespace parlour::adapters::web

@@ -31,12 +31,12 @@ PRINTING = (
     ("plugin", "test", "LogTaxi"), ("run", "app"),
     ("say", "hello", "-o", "said.wav"), ("schema",),
     ("test", "app"), ("understand", "app", "hello"))
-# A program of its own, one that waits for a platform, one that asks what runs,
+# A program of its own, one that waits for a platform, those that ask what runs,
 # one that depends on the machine's sound card (devices_test.py), one that hears
 # (speech_commands_test.py), those that need a journal (replay_test.py), one that
 # needs a server, and one that ends when it is told to (serve_test.py).
 NOT_TRIED = {"agent", "bench", "devices", "journal", "listen", "load", "replay",
-             "serve", "status", "tap"}
+             "serve", "status", "tail", "tap", "top"}
 
 # Arguments, status, and what is said about it.
 MISTAKES = (

@@ -109,6 +109,11 @@ void sort(std::vector<script::Finding>& findings) {
 
 } // namespace
 
+std::string Application::name() const {
+  const auto& given = program->settings.name;
+  return given.empty() ? folder.filename().string() : given;
+}
+
 bool Application::has_errors() const {
   return std::any_of(findings.begin(), findings.end(), [](const auto& finding) {
     return finding.severity == script::Severity::error;

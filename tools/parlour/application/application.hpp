@@ -36,6 +36,8 @@ struct Application {
   std::shared_ptr<Catalogue> plugins;    // never null; shared with nodes
 
   bool has_errors() const;
+  // As the settings call it, else that of its folder.
+  std::string name() const;
 };
 
 // Whether lints run, too: warnings about code that is correct but probably not

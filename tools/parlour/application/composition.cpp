@@ -202,6 +202,14 @@ const ChosenComponent* first_of_role(const Composition& composition,
   return nullptr;
 }
 
+std::map<std::string, std::vector<std::string>>
+roles_by_component(const Composition& composition) {
+  std::map<std::string, std::vector<std::string>> all;
+  for (const auto& component : composition.components)
+    all[component.name] = component.factory.description.roles;
+  return all;
+}
+
 std::set<std::string, std::less<>> names_of_role(const Composition& composition,
                                                  std::string_view role) {
   std::set<std::string, std::less<>> names;

@@ -61,6 +61,10 @@ Composition compose(const Settings& settings, Catalogue& plugins,
 const ChosenComponent* first_of_role(const Composition& composition,
                                      std::string_view role);
 
+// The roles of each component, by its name.
+std::map<std::string, std::vector<std::string>>
+roles_by_component(const Composition& composition);
+
 // The names of all components with that role.
 std::set<std::string, std::less<>> names_of_role(const Composition& composition,
                                                  std::string_view role);

@@ -41,7 +41,7 @@ public:
     add_serve();
     add_replay();
     add_journal();
-    add_status();
+    add_watching();
     add_speech();
     add_check();
     add_format();
@@ -156,11 +156,11 @@ private:
         load_);
   }
 
-  void add_status() {
-    add_status_flags(
-        *add("status", "How the actors of running nodes are",
-             [this] { return status_command(places_, status_, console_); }),
-        status_);
+  void add_watching() {
+    for (const auto& its : watch_commands)
+      its.add_flags(*add(its.name, its.sentence,
+                         [&] { return its.run(places_, watch_, console_); }),
+                    watch_);
   }
 
   void add_speech() {
@@ -366,7 +366,7 @@ private:
   RunOptions run_;
   ServeOptions serve_;
   LoadOptions load_;
-  StatusOptions status_;
+  WatchOptions watch_;
   DevicesOptions devices_;
   SayOptions say_;
   ListenOptions listen_;

@@ -14,8 +14,10 @@
 #include <vector>
 
 #include "runtime/base/clock.hpp"
+#include "runtime/base/host_and_port.hpp"
 #include "tools/parlour/console/console.hpp"
 #include "tools/parlour/console/places.hpp"
+#include "tools/parlour/status/tail_filter.hpp"
 
 namespace parlour::tools {
 
@@ -81,6 +83,7 @@ struct RunOptions {
   // The folder where what enters the sessions is kept; empty: nowhere.
   std::string journal;
   bool strict = false; // nothing leaves a session before its journal has it
+  std::optional<HostAndPort> metrics; // where they are told; nothing: nowhere
 };
 int run_command(const Places& places, const RunOptions& options,
                 const Console& console);
@@ -100,6 +103,7 @@ struct ServeOptions {
   std::string data;
   std::string journal; // a folder; empty: nothing is kept
   bool strict = false;
+  std::optional<HostAndPort> metrics; // where they are told; nothing: nowhere
 };
 int serve_command(const Places& places, const ServeOptions& options,
                   const Console& console);
@@ -194,6 +198,24 @@ struct StatusOptions {
 // How the actors of running applications are.
 int status_command(const Places& places, const StatusOptions& options,
                    const Console& console);
+
+// `parlour top`: how a running application does, again each second
+// (docs/operations.md).
+struct TopOptions {
+  std::string app; // its name or folder; empty: the only one that runs
+  bool once = false;
+};
+int top_command(const Places& places, const TopOptions& options,
+                const Console& console);
+
+// `parlour tail`: what happens in a running application, until a signal comes
+// or the application ends.
+struct TailOptions {
+  std::string app; // as above
+  TailFilter filter;
+};
+int tail_command(const Places& places, const TailOptions& options,
+                 const Console& console);
 
 struct FormatOptions {
   std::vector<std::string> files; // "-": standard input to output

@@ -26,9 +26,8 @@
 #include "tools/parlour/console/signal_watch.hpp"
 #include "tools/parlour/console/terminal_mode.hpp"
 #include "tools/parlour/journal/journaled_node.hpp"
+#include "tools/parlour/status/node_watch.hpp"
 #include "tools/parlour/status/runtime_folder.hpp"
-#include "tools/parlour/status/status_report.hpp"
-#include "tools/parlour/status/status_server.hpp"
 #include "tools/parlour/talk/hearing.hpp"
 #include "tools/parlour/talk/terminal_run.hpp"
 #include "tools/parlour/talk/text_run.hpp"
@@ -98,7 +97,9 @@ public:
         voice_(roles_of(application.composition),
                first_of_role(application.composition, "KeywordSpotter")),
         key_(isatty(STDIN_FILENO) ? key_of_terminal(application.composition)
-                                  : nullptr) {}
+                                  : nullptr),
+        watch_({application.name(), application.folder.string(),
+                roles_by_component(application.composition)}) {}
 
   int run() {
     for (const auto& notice : application_.composition.notices)
@@ -132,7 +133,11 @@ public:
     });
     // Where time is virtual, actors run only while somebody talks.
     if (!options_.clock)
-      serve_status(**node);
+      if (auto watched = let_watch(**node); !watched) {
+        signals_.on_interrupt(nullptr);
+        (*node)->stop();
+        return give_up(watched.error());
+      }
     if (wants_terminal())
       talk_on_terminal(**node);
     else
@@ -187,6 +192,7 @@ private:
   // Errors and what a script logs as an error or a warning are always shown.
   // The rest is shown with --trace and otherwise left to log().
   void watch(const Inspection& seen) {
+    watch_.see(seen);
     if (seen.kind == InspectionKind::message) {
       hearing_.take(*seen.message);
       if (const auto line = voice_.take(*seen.message))
@@ -197,11 +203,12 @@ private:
     if (seen.kind == InspectionKind::branch ||
         !(options_.trace || is_told_always(seen.kind)))
       return;
-    if (options_.trace || seen.kind == InspectionKind::actor ||
-        is_trouble(seen))
+    if (options_.trace || seen.kind == InspectionKind::actor)
       note(trace_line(seen));
+    else if (is_trouble(seen))
+      note(trace_line(seen) + concern_of(seen));
     else
-      log(trace_line(seen));
+      log(trace_line(seen) + concern_of(seen));
   }
 
   // Only on a terminal, and not between the lines of a trace.
@@ -243,20 +250,16 @@ private:
       notes_.show(text);
   }
 
-  void serve_status(actors::Node& node) {
-    auto server = StatusServer::open(
-        sockets_, [this, &node] { return to_json(report(node)); });
-    if (server)
-      status_ = std::move(*server);
-    else
-      log("parlour status cannot ask this run: " + to_string(server.error()));
-  }
-
-  StatusReport report(actors::Node& node) const {
-    const auto& name = application_.program->settings.name;
-    const auto& folder = application_.folder;
-    return {name.empty() ? folder.filename().string() : name, folder.string(),
-            getpid(), node.now(), node.status()};
+  // Where somebody asked for metrics, it has to be possible.
+  Expected<void> let_watch(actors::Node& node) {
+    watch_.connect(node);
+    if (auto served = watch_.serve_commands(sockets_); !served)
+      log("parlour status, top and tail cannot ask this run: " +
+          to_string(served.error()));
+    if (!options_.metrics)
+      return {};
+    return watch_.serve_pages(*options_.metrics)
+        .map([this](const std::string& where) { note("metrics at " + where); });
   }
 
   // Stops the node. A first signal has no effect from here on: it would cut
@@ -264,7 +267,7 @@ private:
   void end(actors::Node& node) {
     signals_.on_interrupt(nullptr);
     ended_ = signals_.status();
-    status_.reset(); // nobody may ask a node that stops
+    watch_.end(); // nobody may ask a node that stops
     has_stopped_ = node.stop();
   }
 
@@ -351,9 +354,9 @@ private:
   std::unique_ptr<adapters::agents::MessageTap> tap_; // null: nobody taps
   std::vector<dialogue::SavedSession> left_; // by a run that was killed
   std::atomic<Screen*> screen_ = nullptr;    // set while a terminal is used
-  std::unique_ptr<StatusServer> status_;     // null: it cannot be asked
-  int ended_ = exit_code::success;           // exit status, from a signal
-  bool has_stopped_ = true;                  // whether node.stop() succeeded
+  NodeWatch watch_;
+  int ended_ = exit_code::success; // exit status, from a signal
+  bool has_stopped_ = true;        // whether node.stop() succeeded
 };
 
 } // namespace

@@ -12,6 +12,7 @@
 #include "tools/parlour/cli/journal_commands.hpp"
 #include "tools/parlour/cli/number_option.hpp"
 #include "tools/parlour/cli/plugin_commands.hpp"
+#include "tools/parlour/cli/watch_flags.hpp"
 
 namespace parlour::tools {
 
@@ -105,6 +106,8 @@ inline void add_run_flags(CLI::App& command, RunOptions& options) {
                   "Where `parlour tap` listens to all messages, on this host")
       ->type_name("HOST:PORT");
   add_journal_option(command, options.journal, options.strict)
+      ->excludes(command.get_option("--clock"));
+  add_metrics_option(command, options.metrics)
       ->excludes(command.get_option("--clock"));
   command
       .add_option("--data", options.data, "Folder of its database and files")
@@ -234,11 +237,6 @@ inline void add_test_flags(CLI::App& command, TestOptions& options) {
                 "With --voice: the recogniser knows what is said in the "
                 "conversations, as it does in a run")
       ->needs(voice);
-}
-
-inline void add_status_flags(CLI::App& command, StatusOptions& options) {
-  command.add_option("APP", options.app, "A name or folder; else all");
-  command.add_flag("--json", options.json, "As a JSON array");
 }
 
 inline void add_understand_flags(CLI::App& command,

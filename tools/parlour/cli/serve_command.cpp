@@ -20,9 +20,8 @@
 #include "tools/parlour/journal/journaled_node.hpp"
 #include "tools/parlour/serve/file_limit.hpp"
 #include "tools/parlour/serve/node_host.hpp"
+#include "tools/parlour/status/node_watch.hpp"
 #include "tools/parlour/status/runtime_folder.hpp"
-#include "tools/parlour/status/status_report.hpp"
-#include "tools/parlour/status/status_server.hpp"
 #include "tools/parlour/talk/trace.hpp"
 
 namespace parlour::tools {
@@ -40,7 +39,9 @@ public:
           const Console& console, const std::filesystem::path& data,
           const std::filesystem::path& sockets, SignalWatch& signals)
       : application_(application), options_(options), console_(console),
-        data_(data), sockets_(sockets), signals_(signals) {}
+        data_(data), sockets_(sockets), signals_(signals),
+        watch_({application.name(), application.folder.string(),
+                roles_by_component(application.composition)}) {}
 
   int run() {
     for (const auto& notice : application_.composition.notices)
@@ -65,7 +66,8 @@ public:
     if (!server)
       return give_up(server.error());
     host.connect(**node, **server, std::move(left));
-    serve_status(**node);
+    if (auto watched = let_watch(**node, **server); !watched)
+      return give_up(watched.error());
     begin(**server);
     wait();
     return end(**node, std::move(*server));
@@ -95,10 +97,11 @@ private:
     made.drain_time = drain_time;
     made.inspect_all = false;
     made.on_inspection = [this](const Inspection& seen) {
+      watch_.see(seen);
       if (seen.kind == InspectionKind::error ||
           (seen.kind == InspectionKind::log &&
            (seen.subject == "error" || seen.subject == "warning")))
-        note(trace_line(seen));
+        note(trace_line(seen) + concern_of(seen));
     };
     made.log = [this](const std::string& text) { note(as_one_line(text)); };
     return made;
@@ -123,16 +126,12 @@ private:
     return made;
   }
 
-  std::string name() const {
-    const auto& name = application_.program->settings.name;
-    return name.empty() ? application_.folder.filename().string() : name;
-  }
-
   // Where somebody waits for the line, nothing else is there before it.
   void begin(const web::TextServer& server) {
     console_.out << fmt::format("{} is served at {} by lines and WebSocket, to "
                                 "{} at a time\n",
-                                name(), server.address(), sessions_)
+                                application_.name(), server.address(),
+                                sessions_)
                  << std::flush;
   }
 
@@ -146,7 +145,7 @@ private:
   // then the connections are closed.
   int end(actors::Node& node, std::unique_ptr<web::TextServer> server) {
     server->stop_accepting();
-    status_.reset(); // nobody may ask a node that stops
+    watch_.end(); // nobody may ask a node that stops
     const bool stopped = node.stop();
     const auto counts = server->counts();
     server.reset();
@@ -158,15 +157,16 @@ private:
     return signals_.status();
   }
 
-  void serve_status(actors::Node& node) {
-    auto server = StatusServer::open(sockets_, [this, &node] {
-      return to_json(StatusReport{name(), application_.folder.string(),
-                                  getpid(), node.now(), node.status()});
-    });
-    if (server)
-      status_ = std::move(*server);
-    else
-      note("parlour status cannot ask this run: " + to_string(server.error()));
+  // Where somebody asked for metrics, it has to be possible.
+  Expected<void> let_watch(actors::Node& node, web::TextServer& server) {
+    watch_.connect(node, [&server] { return metrics_of(server.counts()); });
+    if (auto served = watch_.serve_commands(sockets_); !served)
+      note("parlour status, top and tail cannot ask this run: " +
+           to_string(served.error()));
+    if (!options_.metrics)
+      return {};
+    return watch_.serve_pages(*options_.metrics)
+        .map([this](const std::string& where) { note("metrics at " + where); });
   }
 
   const Application& application_;
@@ -177,7 +177,7 @@ private:
   SignalWatch& signals_;
   std::mutex mutex_; // of what is noted
   std::size_t sessions_ = 0;
-  std::unique_ptr<StatusServer> status_; // null: it cannot be asked
+  NodeWatch watch_;
 };
 
 // With --rehearsed nothing is kept.

@@ -55,6 +55,7 @@ inline void add_serve_flags(CLI::App& command, ServeOptions& options) {
                    "With the components of parlour test: nothing outside is "
                    "reached, and nothing is kept");
   add_journal_option(command, options.journal, options.strict);
+  add_metrics_option(command, options.metrics);
   command
       .add_option("--data", options.data, "Folder of its database and files")
       ->check(check_named);

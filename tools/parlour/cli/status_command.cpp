@@ -3,6 +3,7 @@
 
 #include "tools/parlour/cli/commands.hpp"
 #include "tools/parlour/console/exit_code.hpp"
+#include "tools/parlour/status/running_nodes.hpp"
 #include "tools/parlour/status/runtime_folder.hpp"
 #include "tools/parlour/status/status_client.hpp"
 
@@ -10,20 +11,11 @@ namespace parlour::tools {
 
 namespace {
 
-// By its name, or by its folder.
-bool is_meant(const Places& places, const std::string& app,
-              const StatusReport& report) {
-  std::error_code code;
-  return app.empty() || report.application == app ||
-         std::filesystem::equivalent(places.working / app, report.folder, code);
-}
-
-// "; running: receptionist, butler".
-std::string others(const std::vector<StatusReport>& reports) {
-  std::string text;
+std::vector<std::string> names_of(const std::vector<StatusReport>& reports) {
+  std::vector<std::string> names;
   for (const auto& report : reports)
-    text += (text.empty() ? "; running: " : ", ") + report.application;
-  return text;
+    names.push_back(report.application);
+  return names;
 }
 
 void print(const std::vector<StatusReport>& reports, bool json,
@@ -53,13 +45,13 @@ int status_command(const Places& places, const StatusOptions& options,
   }
   std::vector<StatusReport> meant;
   std::ranges::copy_if(all, std::back_inserter(meant), [&](const auto& report) {
-    return is_meant(places, options.app, report);
+    return is_meant(places, options.app, report.application, report.folder);
   });
   if (meant.empty()) {
     say_error(console,
               (options.app.empty() ? std::string("no application runs")
                                    : "'" + options.app + "' does not run") +
-                  others(all) +
+                  also_running(names_of(all)) +
                   "; start one with parlour run APP (one with --clock "
                   "cannot be asked)");
     return exit_code::wrong;

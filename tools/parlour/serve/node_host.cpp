@@ -80,6 +80,21 @@ std::string NodeHost::clock() {
   return format_timestamp(ends().node->now(), "%Y-%m-%d %H:%M:%S");
 }
 
+Metrics metrics_of(const web::TextServer::Counts& counts) {
+  using enum MetricKind;
+  const auto number = [](auto count) { return static_cast<double>(count); };
+  return {metric("parlour_visitor_connections", gauge,
+                 "Connections of visitors.", number(counts.connections)),
+          metric("parlour_visitors_total", counter, "Visitors who came.",
+                 number(counts.book.visitors)),
+          metric("parlour_visitors_resumed_total", counter,
+                 "Visitors who came back to their session.",
+                 number(counts.book.resumed)),
+          metric("parlour_sessions_refused_total", counter,
+                 "Visitors for whom there was no room.",
+                 number(counts.book.refused))};
+}
+
 std::vector<web::LeftVisitor>
 visitors_of(const std::vector<dialogue::SavedSession>& left) {
   std::vector<web::LeftVisitor> visitors;

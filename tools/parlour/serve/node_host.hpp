@@ -45,6 +45,9 @@ private:
   std::unordered_map<web::VisitorId, actors::SeatId> seats_;
 };
 
+// What a text server counts.
+Metrics metrics_of(const web::TextServer::Counts& counts);
+
 // As the server knows them.
 std::vector<web::LeftVisitor>
 visitors_of(const std::vector<dialogue::SavedSession>& left);

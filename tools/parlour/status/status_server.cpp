@@ -14,6 +14,7 @@
 
 #include "adapters/loop/wait_until_ready.hpp"
 #include "runtime/base/clock.hpp"
+#include "tools/parlour/status/running_nodes.hpp"
 #include "tools/parlour/status/runtime_folder.hpp"
 
 namespace parlour::tools {
@@ -22,8 +23,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Who connects and does not read is let go.
-constexpr timeval send_patience{1, 0};
+// Who connects and neither asks nor reads is let go.
+constexpr timeval patience{1, 0};
+constexpr std::size_t max_question = 4'096;
 constexpr int backlog = 4;
 // While the process has no descriptors left, whoever connects stays in the
 // queue, and accepting fails at once, again and again.
@@ -54,10 +56,20 @@ Expected<int> listen_at(const fs::path& path) {
   return error;
 }
 
+// A line, without its end.
+std::string question_of(const Descriptor& connection) {
+  std::string text;
+  char byte = 0;
+  while (text.size() < max_question &&
+         recv(connection.get(), &byte, 1, 0) == 1 && byte != '\n')
+    text += byte;
+  return text;
+}
+
 } // namespace
 
 Expected<std::unique_ptr<StatusServer>>
-StatusServer::open(const fs::path& folder, Tell tell) {
+StatusServer::open(const fs::path& folder, Tell tell, Follow follow) {
   if (auto made = make_runtime_folder(folder); !made)
     return tl::make_unexpected(made.error());
   auto path = folder / (std::to_string(getpid()) + ".sock");
@@ -69,13 +81,15 @@ StatusServer::open(const fs::path& folder, Tell tell) {
     close(stop);
     return tl::make_unexpected(listener.error());
   }
-  return std::unique_ptr<StatusServer>(
-      new StatusServer(std::move(path), *listener, stop, std::move(tell)));
+  return std::unique_ptr<StatusServer>(new StatusServer(
+      std::move(path), *listener, stop, std::move(tell), std::move(follow)));
 }
 
-StatusServer::StatusServer(fs::path path, int listener, int stop, Tell tell)
+StatusServer::StatusServer(fs::path path, int listener, int stop, Tell tell,
+                           Follow follow)
     : path_(std::move(path)), listener_(listener), stop_(stop),
-      tell_(std::move(tell)), thread_([this] { serve(); }) {}
+      tell_(std::move(tell)), follow_(std::move(follow)),
+      thread_([this] { serve(); }) {}
 
 StatusServer::~StatusServer() {
   eventfd_write(stop_, 1);
@@ -92,13 +106,11 @@ void StatusServer::serve() {
       return;
     if (waiting[1].revents == 0)
       continue;
-    const int connection = accept4(listener_, nullptr, nullptr, SOCK_CLOEXEC);
-    if (connection < 0) {
+    Descriptor connection(accept4(listener_, nullptr, nullptr, SOCK_CLOEXEC));
+    if (connection)
+      answer(std::move(connection));
+    else
       pause();
-      continue;
-    }
-    answer(connection);
-    close(connection);
   }
 }
 
@@ -109,12 +121,17 @@ void StatusServer::pause() const {
                              std::chrono::steady_clock::now() + pause_between);
 }
 
-void StatusServer::answer(int connection) const {
-  setsockopt(connection, SOL_SOCKET, SO_SNDTIMEO, &send_patience,
-             sizeof send_patience);
-  const auto text = tell_();
+void StatusServer::answer(Descriptor connection) const {
+  for (const int what : {SO_SNDTIMEO, SO_RCVTIMEO})
+    setsockopt(connection.get(), SOL_SOCKET, what, &patience, sizeof patience);
+  const auto question = question_of(connection);
+  const std::string follow = std::string(questions::tail) + " ";
+  if (follow_ && question.starts_with(follow))
+    return follow_(std::move(connection), question.substr(follow.size()));
+  const auto text = tell_(question);
   for (std::string_view left = text; !left.empty();) {
-    const auto sent = send(connection, left.data(), left.size(), MSG_NOSIGNAL);
+    const auto sent =
+        send(connection.get(), left.data(), left.size(), MSG_NOSIGNAL);
     if (sent <= 0)
       return;
     left.remove_prefix(static_cast<std::size_t>(sent));

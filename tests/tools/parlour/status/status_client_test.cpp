@@ -36,7 +36,8 @@ TEST(StatusClient, RemovesASocketThatNobodyListensAt) {
 TEST(StatusClient, AnAnswerThatIsNoneIsAnError) {
   test::TemporaryFolder folder;
   const auto runtime = folder.path() / "parlour";
-  const auto server = StatusServer::open(runtime, [] { return "hello"; });
+  const auto server =
+      StatusServer::open(runtime, [](const auto&) { return "hello"; });
   ASSERT_TRUE(server);
   const auto told = ask_status(runtime);
   ASSERT_EQ(told.size(), 1u);

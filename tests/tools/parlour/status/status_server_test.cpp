@@ -21,7 +21,7 @@ TEST(StatusServer, TellsWhoeverAsks) {
   StatusReport report{"desk", "/apps/desk", 42, 0, {}};
   report.actors.resize(2'000);
   const auto server =
-      StatusServer::open(runtime, [&] { return to_json(report); });
+      StatusServer::open(runtime, [&](const auto&) { return to_json(report); });
   ASSERT_TRUE(server) << to_string(server.error());
   for (int i = 0; i < 3; ++i) {
     const auto told = ask_status(runtime);
@@ -36,7 +36,8 @@ TEST(StatusServer, TakesItsSocketAway) {
   test::TemporaryFolder folder;
   const auto runtime = folder.path() / "parlour";
   {
-    const auto server = StatusServer::open(runtime, [] { return ""; });
+    const auto server =
+        StatusServer::open(runtime, [](const auto&) { return ""; });
     ASSERT_TRUE(server);
     EXPECT_FALSE(std::filesystem::is_empty(runtime));
   }
@@ -70,7 +71,8 @@ double busy_meanwhile(double seconds) {
 TEST(StatusServer, RestsWhileItCannotAccept) {
   test::TemporaryFolder folder;
   const auto runtime = folder.path() / "parlour";
-  const auto server = StatusServer::open(runtime, [] { return "here"; });
+  const auto server =
+      StatusServer::open(runtime, [](const auto&) { return "here"; });
   ASSERT_TRUE(server);
   sockaddr_un address{};
   address.sun_family = AF_UNIX;
@@ -92,16 +94,16 @@ TEST(StatusServer, RestsWhileItCannotAccept) {
 TEST(StatusServer, SaysThatThereAreNoDescriptors) {
   test::TemporaryFolder folder;
   const auto runtime = folder.path() / "parlour";
-  ASSERT_TRUE(StatusServer::open(runtime, [] { return ""; }));
+  ASSERT_TRUE(StatusServer::open(runtime, [](const auto&) { return ""; }));
   const test::NoDescriptors but_one(next_descriptor() + 1);
-  EXPECT_FALSE(StatusServer::open(runtime, [] { return ""; }));
+  EXPECT_FALSE(StatusServer::open(runtime, [](const auto&) { return ""; }));
 }
 
 TEST(StatusServer, SaysWhyItCannotBeReached) {
   test::TemporaryFolder folder;
   folder.write("file", "");
-  const auto server =
-      StatusServer::open(folder.path() / "file", [] { return ""; });
+  const auto server = StatusServer::open(folder.path() / "file",
+                                         [](const auto&) { return ""; });
   EXPECT_FALSE(server);
 }
 

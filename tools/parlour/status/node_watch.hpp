@@ -1,0 +1,58 @@
+// NodeWatch: how a running node is watched from outside of its process: by
+// `parlour status`, `top` and `tail`, and over HTTP. It is made before the
+// node, which shows it what happens, and ends before the node stops.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "actors/node/node.hpp"
+#include "adapters/web/page_server.hpp"
+#include "runtime/base/host_and_port.hpp"
+#include "tools/parlour/status/metrics_report.hpp"
+#include "tools/parlour/status/status_server.hpp"
+#include "tools/parlour/status/tail_hub.hpp"
+
+namespace parlour::tools {
+
+class NodeWatch {
+public:
+  // Who it is.
+  struct Of {
+    std::string application; // its name
+    std::string folder;      // absolute
+    RolesByComponent roles = {};
+  };
+  explicit NodeWatch(Of of);
+  ~NodeWatch(); // as end()
+
+  // From the node's on_inspection.
+  void see(const Inspection& seen);
+
+  // Both outlive it, or its end. `more`: what others count; may be empty.
+  void connect(actors::Node& node, std::function<Metrics()> more = {});
+  // For this user's own commands. The error says why they cannot ask.
+  Expected<void> serve_commands(const std::filesystem::path& sockets);
+  // Pages over HTTP: /metrics and /health. Returned is where: an URL.
+  Expected<std::string> serve_pages(const HostAndPort& address);
+  // Nobody may ask a node that stops.
+  void end();
+
+private:
+  std::string answer(const std::string& question);
+  MetricsReport metrics();
+  adapters::web::Page health();
+
+  const Of of_;
+  const Nanoseconds begun_;
+  std::atomic<actors::Node*> node_ = nullptr;
+  std::function<Metrics()> more_;
+  TailHub tails_;
+  std::unique_ptr<StatusServer> commands_;           // null: none
+  std::unique_ptr<adapters::web::PageServer> pages_; // null: none
+};
+
+} // namespace parlour::tools

@@ -363,6 +363,11 @@ private:
 
 int run_command(const Places& places, const RunOptions& options,
                 const Console& console) {
+  if (options.clock && options.metrics) {
+    say_error(console, "--metrics excludes --clock: nobody can ask a run whose "
+                       "time is virtual");
+    return exit_code::usage;
+  }
   SignalWatch signals;
   // Before the conversation starts, a signal may end the process at once.
   signals.on_interrupt([&] { end_now(signals.status()); });

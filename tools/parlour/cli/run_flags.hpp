@@ -107,8 +107,9 @@ inline void add_run_flags(CLI::App& command, RunOptions& options) {
       ->type_name("HOST:PORT");
   add_journal_option(command, options.journal, options.strict)
       ->excludes(command.get_option("--clock"));
-  add_metrics_option(command, options.metrics)
-      ->excludes(command.get_option("--clock"));
+  // Not with --clock, which run_command says: CLI11 lists several options that
+  // exclude one in an order of its own each time.
+  add_metrics_option(command, options.metrics);
   command
       .add_option("--data", options.data, "Folder of its database and files")
       ->check(check_named);

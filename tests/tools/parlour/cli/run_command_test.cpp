@@ -76,8 +76,10 @@ TEST_F(CommandTest, run_shows_what_a_script_logs) {
                           "</Entrance></state></dialogue>");
   const auto arguments =
       folder.path().string() + " --data " + (folder.path() / "data").string();
-  EXPECT_EQ(piped("", arguments, "2>&1"), "log         warning: low\n"
-                                          "log         info: here\n0");
+  EXPECT_THAT(piped("", arguments, "2>&1"),
+              testing::MatchesRegex(
+                  "log         warning: low  \\(session [0-9a-f]+\\)\n"
+                  "log         info: here  \\(session [0-9a-f]+\\)\n0"));
 }
 
 TEST_F(CommandTest, run_starts_nothing_of_a_broken_application) {

@@ -250,16 +250,12 @@ private:
       notes_.show(text);
   }
 
-  // Where somebody asked for metrics, it has to be possible.
   Expected<void> let_watch(actors::Node& node) {
     watch_.connect(node);
-    if (auto served = watch_.serve_commands(sockets_); !served)
-      log("parlour status, top and tail cannot ask this run: " +
-          to_string(served.error()));
-    if (!options_.metrics)
-      return {};
-    return watch_.serve_pages(*options_.metrics)
-        .map([this](const std::string& where) { note("metrics at " + where); });
+    return watch_.serve(
+        sockets_, options_.metrics,
+        [this](const std::string& line) { log(line); },
+        [this](const std::string& line) { note(line); });
   }
 
   // Stops the node. A first signal has no effect from here on: it would cut
@@ -364,8 +360,7 @@ private:
 int run_command(const Places& places, const RunOptions& options,
                 const Console& console) {
   if (options.clock && options.metrics) {
-    say_error(console, "--metrics excludes --clock: nobody can ask a run whose "
-                       "time is virtual");
+    say_error(console, "--metrics excludes --clock, whose time is virtual");
     return exit_code::usage;
   }
   SignalWatch signals;

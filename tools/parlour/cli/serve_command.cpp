@@ -157,16 +157,10 @@ private:
     return signals_.status();
   }
 
-  // Where somebody asked for metrics, it has to be possible.
   Expected<void> let_watch(actors::Node& node, web::TextServer& server) {
+    const auto tell = [this](const std::string& line) { note(line); };
     watch_.connect(node, [&server] { return metrics_of(server.counts()); });
-    if (auto served = watch_.serve_commands(sockets_); !served)
-      note("parlour status, top and tail cannot ask this run: " +
-           to_string(served.error()));
-    if (!options_.metrics)
-      return {};
-    return watch_.serve_pages(*options_.metrics)
-        .map([this](const std::string& where) { note("metrics at " + where); });
+    return watch_.serve(sockets_, options_.metrics, tell, tell);
   }
 
   const Application& application_;

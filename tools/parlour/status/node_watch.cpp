@@ -70,6 +70,18 @@ Expected<void> NodeWatch::serve_commands(const std::filesystem::path& sockets) {
   return {};
 }
 
+Expected<void> NodeWatch::serve(const std::filesystem::path& sockets,
+                                const std::optional<HostAndPort>& pages,
+                                const Tell& log, const Tell& note) {
+  if (auto served = serve_commands(sockets); !served)
+    log("parlour status, top and tail cannot ask this run: " +
+        to_string(served.error()));
+  if (!pages)
+    return {};
+  return serve_pages(*pages).map(
+      [&](const std::string& where) { note("metrics at " + where); });
+}
+
 Expected<std::string> NodeWatch::serve_pages(const HostAndPort& address) {
   web::PageServerOptions options;
   options.address = address.host;

@@ -38,6 +38,12 @@ public:
   Expected<void> serve_commands(const std::filesystem::path& sockets);
   // Pages over HTTP: /metrics and /health. Returned is where: an URL.
   Expected<std::string> serve_pages(const HostAndPort& address);
+  // Both: pages only if an address is given, and then they have to be possible.
+  // `log` is told why commands cannot ask, `note` where the pages are.
+  using Tell = std::function<void(const std::string& line)>;
+  Expected<void> serve(const std::filesystem::path& sockets,
+                       const std::optional<HostAndPort>& pages, const Tell& log,
+                       const Tell& note);
   // Nobody may ask a node that stops.
   void end();
 

@@ -88,7 +88,6 @@ TEST_F(NodeWatchTest, AnswersTheCommandsOfItsUser) {
   EXPECT_TRUE(ask_status(sockets).at(0));
 }
 
-// What is private is masked there as everywhere.
 TEST_F(NodeWatchTest, IsFollowed) {
   const auto sockets = folder.path() / "parlour";
   ASSERT_TRUE(watch.serve_commands(sockets));

@@ -37,7 +37,8 @@ PICTURES = {"text", "vim", "python"}
 OTHERS = ("trang ", "git clone ", "tools/run", "tools/test", "tools/install",
           "export ", "parlour status", "parlour agent", "python3 tools/",
           "parlour tap", "parlour replay", "parlour journal", "parlour run butler",
-          "parlour devices", "parlour serve", "parlour load", "nc ")
+          "parlour devices", "parlour serve", "parlour load", "parlour top",
+          "parlour tail", "nc ")
 
 
 class Pages(PageCase):

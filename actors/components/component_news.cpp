@@ -6,6 +6,8 @@ namespace parlour::actors {
 
 namespace {
 
+// A component with an instance for each seat or session has no mailbox here:
+// the sender finds it by the message's session.
 Target target_of(const Deployment& deployment) {
   const auto& description = deployment.order.factory.description;
   Target target;
@@ -32,6 +34,8 @@ void ComponentNews::publish_table(
   parts_.bus.set_targets(std::move(targets));
 }
 
+// An event for one session is not sent where no reaction listens: it would be
+// shown as unhandled, though nobody had asked.
 void ComponentNews::tell(const char* event, std::vector<Value> params,
                          const SessionId& session) const {
   Message message;
@@ -70,6 +74,8 @@ void ComponentNews::answer_by_failure(const Service& service,
     parts_.bus.publish(std::move(answers));
 }
 
+// All in one batch: a script hears "AgentOffline" before the failed answer
+// makes it say something.
 void ComponentNews::tell_available(const Service& service, bool is_available,
                                    std::vector<Message> unanswered) const {
   if (!answers_ || service.over)
@@ -85,6 +91,8 @@ void ComponentNews::tell_available(const Service& service, bool is_available,
   parts_.bus.publish(std::move(messages));
 }
 
+// Where the scope is over nobody can be answered: the messages are shown as
+// unhandled instead, so that they are not lost silently (architecture rule 6).
 void ComponentNews::answer_what_waits(const Service& service,
                                       const std::string& reason) const {
   std::vector<Message> messages;

@@ -11,6 +11,9 @@
 
 namespace parlour::actors {
 
+// What goes wrong with a component is told three times, each to its own
+// audience: to the senders that wait (an event Failed), to the scripts (an
+// event of System), and to the people (the log).
 class ComponentNews {
 public:
   explicit ComponentNews(const SupervisionParts& parts) : parts_(parts) {}
@@ -22,6 +25,8 @@ public:
   // else all that do.
   void tell(const char* event, std::vector<Value> params,
             const SessionId& session = {}) const;
+  // ComponentUp, with the first role of the component; unknown where it has
+  // none.
   void tell_up(const Service& service) const;
   // A component cannot take messages any more, or can again
   // (PluginHost::available). Sessions hear so before the failure answers of
@@ -51,6 +56,7 @@ private:
                                        const std::string& reason) const;
 
   const SupervisionParts& parts_;
+  // False from the beginning of the node's end.
   bool answers_ = true;
 };
 

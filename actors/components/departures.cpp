@@ -44,6 +44,8 @@ void Departures::idle(InstanceId instance) {
   hand_on_all(departing);
 }
 
+// What the instances still owe is answered by a failure when they have stopped
+// (instance_life.def).
 void Departures::drain_over(const actors::drain_over& what) {
   const auto found = departures_.find(what.departure);
   if (found == departures_.end())
@@ -65,17 +67,20 @@ Departures::Departing Departures::departure_of(const ServicePointer& service) {
   });
 }
 
+// To hear that it has finished may end an instance here and now.
 void Departures::stop_finished(const Departure& departure) {
-  for (const auto& service : departure.services)
-    for (auto instance : running_.instances_of(*service))
+  for (const auto& service : departure.services) {
+    const auto ids = service->instances; // some end here
+    for (auto instance : ids)
       if (running_.has_finished(instance))
         running_.happens(instance, InstanceEvent::finished);
+  }
 }
 
 // Once all of its instances stop, its successors have the mailbox. True when
 // none is left.
 bool Departures::hand_on(Service& service) {
-  const auto left = running_.instances_of(service);
+  const auto left = service.instances;
   if (std::ranges::all_of(left, [&](auto instance) {
         return running_.state_of(instance) == InstanceState::stopping;
       }))

@@ -11,9 +11,17 @@
 
 namespace parlour::actors {
 
+//
+// A replaced component hands its mailbox on: its successors begin as soon as
+// its own instances have all stopped taking messages, so that what was said
+// first is answered first. An unloaded one has nobody to hand on to: what waits
+// then is answered by a failure.
 class Departures {
 public:
   // For what a departing instance has begun.
+  // A longer one would delay the successor, and `<unload>`, by as much; a
+  // shorter one cuts off more answers. Waits of scripts count on it (engine
+  // rule 2.4).
   static constexpr Milliseconds drain_time{2'000};
 
   Departures(supervisor_actor::pointer self, RunningInstances& running,
@@ -27,6 +35,7 @@ public:
               component_promise promise);
   // An instance may have finished.
   void idle(InstanceId instance);
+  // Nothing happens where the departure has finished before.
   void drain_over(const actors::drain_over& what);
   // An instance of a service that leaves has ended.
   void instance_ended(const ServicePointer& service);
@@ -40,10 +49,13 @@ private:
   };
   using Departing = std::map<std::uint64_t, Departure>::iterator;
 
+  // The end of the map where the service departs in none.
   Departing departure_of(const ServicePointer& service);
   void stop_accepting(const ServicePointer& service);
+  // Those of its instances that have nothing left to do are told so.
   void stop_finished(const Departure& departure);
   bool hand_on(Service& service);
+  // Ends the departure if nothing of it is left; `departing` is gone then.
   void hand_on_all(Departing departing);
   void finish(Departure departure);
 

@@ -42,6 +42,7 @@ std::vector<DeploymentPointer> Deployments::all() const {
   return result;
 }
 
+// Of equal ranks the one whose name comes first.
 std::vector<DeploymentPointer> Deployments::by_rank() const {
   std::vector<DeploymentPointer> result;
   for (const auto& [name, deployment] : serving)

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "actors/components/component.hpp"
+#include "actors/components/instance/component.hpp"
 #include "actors/components/service_life.hpp"
 #include "actors/routing/instance_list.hpp"
 #include "actors/support/instance_scope.hpp"
@@ -16,6 +16,9 @@
 
 namespace parlour::actors {
 
+// It outlives its instances: while one that failed is replaced, the messages
+// wait in its mailbox, and the failures are counted here. `state` is what
+// service_life.def says; RunningInstances alone changes it.
 struct Service {
   std::shared_ptr<Component> component;
   std::shared_ptr<InstanceScope> scope;
@@ -28,6 +31,7 @@ struct Service {
   bool over = false;       // its scope is: nobody waits for its answers
   std::uint64_t trial = 0; // the try_again that counts; others are outdated
   DueTicket due = {};      // of that
+  std::vector<InstanceId> instances = {}; // that run, oldest first
   // They take over the mailbox when it has finished: else what was said last
   // might be answered first.
   std::vector<InstanceId> successors = {};
@@ -38,6 +42,9 @@ struct Service {
 };
 using ServicePointer = std::shared_ptr<Service>;
 
+// While a component is replaced there are two of one name: the one that serves,
+// and the one that is coming. A scope is named by its seat or session; the
+// node's has the empty name.
 struct Deployment {
   ComponentOrder order;
   std::size_t rank = 0; // among the components of its roles
@@ -55,6 +62,8 @@ struct Deployment {
 using DeploymentPointer = std::shared_ptr<Deployment>;
 
 // A node's deployments, by name.
+// A name is at most once in each map. What departs is in neither
+// (departures.hpp).
 struct Deployments {
   std::map<std::string, DeploymentPointer> serving;
   std::map<std::string, DeploymentPointer> coming; // not all have started

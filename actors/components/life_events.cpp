@@ -50,6 +50,8 @@ std::optional<Transition> LifeEvents::next() {
   return made;
 }
 
+// A message about an instance may arrive when it is gone, as its host's thread
+// knows nothing of that.
 std::optional<Transition> LifeEvents::take(const OfInstance& item) {
   const auto found = instances_.find(item.id);
   if (found == instances_.end())

@@ -44,6 +44,9 @@ struct Impossible {
 };
 using Transition = std::variant<InstanceDeeds, ServiceDeeds, Impossible>;
 
+// The queue is what makes the tables trustworthy: a deed such as `blame` may
+// bring a service down, which stops other instances; all of that is queued, and
+// each transition sees the state that the one before has left.
 class LifeEvents {
 public:
   // An instance whose life begins. One that nobody has begun is gone.

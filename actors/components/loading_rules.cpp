@@ -19,12 +19,17 @@ tl::unexpected<Error> wrong(const ComponentOrder& order,
 
 } // namespace
 
+// Without the function that makes the plug-in: the catalogue gives one when it
+// is loaded again.
 void LoadingRules::remember(const ComponentOrder& order) {
   auto& known = known_[order.name];
   known = order;
   known.factory.create = nullptr;
 }
 
+// What is known counts only if it is about the same plug-in: another one under
+// this name has other options. `<load>` starts at least one, also where the
+// settings say 0 (which means: not at the start).
 Expected<ComponentOrder>
 LoadingRules::order_for(const std::string& plugin,
                         const std::string& name) const {
@@ -49,6 +54,9 @@ LoadingRules::order_for(const std::string& plugin,
   return order;
 }
 
+// A second load of a name that is still coming is refused, as both would take
+// over the same mailbox. One that replaces has to fill all roles of the one
+// before (engine rule 1.5).
 Expected<void> LoadingRules::check(const ComponentOrder& order) const {
   const auto& plugin = order.factory.description;
   if (deployments_.coming.count(order.name) != 0)

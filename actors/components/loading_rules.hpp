@@ -11,6 +11,9 @@
 
 namespace parlour::actors {
 
+// A component comes from the settings with all that they say of it; `<load
+// plugin="X"/>` gives a name only, so the options and the policy that belong to
+// this name are kept here.
 class LoadingRules {
 public:
   LoadingRules(const ComponentSettings& settings,

@@ -14,6 +14,7 @@ bool is_per_seat(const Deployment& deployment) {
 
 // -- who is there -------------------------------------------------------------
 
+// Until a session begins there, the seat's scope speaks for the seat itself.
 void Placements::seat_opened(const actors::seat_opened& what) {
   const auto scope = std::make_shared<InstanceScope>(what.name, what.name);
   seats_[what.seat] = scope;
@@ -26,12 +27,15 @@ void Placements::seat_closed(const actors::seat_closed& what) {
   seats_.erase(what.seat);
 }
 
+// All deployments, also those that are coming: a component that is just being
+// replaced has to have an instance for this session in either case.
 void Placements::session_begins(const SessionId& session) {
   const auto seat = parts_.sessions.seat_of(session);
   for (const auto& deployment : deployments_.all())
     attach(deployment, session, seat);
 }
 
+// The seat's instances stay, and speak for the seat until its next session.
 void Placements::session_ended(const actors::session_ended& what) {
   if (const auto seat = seats_.find(what.seat); seat != seats_.end())
     seat->second->is_over(what.session);
@@ -58,6 +62,8 @@ void Placements::attach_seat(const DeploymentPointer& deployment,
         scope->name(), {service->component->mailbox, service->component->up});
 }
 
+// A seat's instance stays the same from session to session; only whom it speaks
+// for changes.
 void Placements::attach(const DeploymentPointer& deployment,
                         const SessionId& session, const seat_actor& seat) {
   if (!deployment->by_session)

@@ -10,6 +10,10 @@
 
 namespace parlour::actors {
 
+//
+// A component with scope="session" has an instance for each session, one with
+// scope="seat" for each seat. They come with the seat or session, or with the
+// component if that is loaded later (settle), and go with the first of them.
 class Placements {
 public:
   // A component has instances for no more scopes: each costs a thread.
@@ -34,10 +38,14 @@ public:
 private:
   void attach_seat(const DeploymentPointer& deployment,
                    const std::shared_ptr<InstanceScope>& scope);
+  // Lets the session's messages find the instance of the session, or of its
+  // seat.
   void attach(const DeploymentPointer& deployment, const SessionId& session,
               const seat_actor& seat);
   ServicePointer service_for(const DeploymentPointer& deployment,
                              const std::shared_ptr<InstanceScope>& scope);
+  // Nobody waits for the instance: the log and System.ComponentDown tell that
+  // it is missing.
   void refuse(const Deployment& deployment, const InstanceScope& scope) const;
   std::shared_ptr<ComponentMailbox>
   mailbox_at(const std::string& name, const InstanceScope& scope) const;
@@ -48,6 +56,7 @@ private:
   const Deployments& deployments_;
   const ComponentNews& news_;
   RunningInstances& running_;
+  // The scope without a name.
   const std::shared_ptr<InstanceScope> node_ =
       std::make_shared<InstanceScope>();
   std::map<seat_actor, std::shared_ptr<InstanceScope>> seats_;

@@ -6,12 +6,14 @@
 
 #include <caf/typed_event_based_actor.hpp>
 
-#include "actors/components/component_host.hpp"
+#include "actors/components/instance/component_host.hpp"
 
 namespace parlour::actors {
 
 namespace {
 
+// A plug-in that may block would hold up the session that calls it; one with a
+// scope of its own was given a mailbox by the settings.
 bool is_called_inline(const Component& component) {
   using enum Scope::Kind;
   const auto scope = component.order.policy.scope.kind;
@@ -20,6 +22,8 @@ bool is_called_inline(const Component& component) {
 }
 
 // Keeps its whole instance.
+// The pointer shares the ownership of the instance: a session that still calls
+// keeps plug-in and context alive.
 std::shared_ptr<const InlinePlugin>
 direct_of(const std::shared_ptr<Instance>& instance) {
   const auto* plugin =
@@ -49,6 +53,8 @@ void RunningInstances::happens(InstanceId id, InstanceEvent event,
   take_events();
 }
 
+// Called from inside of a deed it returns at once: the loop that runs that deed
+// takes the new event next.
 void RunningInstances::take_events() {
   if (std::exchange(takes_events_, true))
     return;
@@ -82,6 +88,8 @@ std::optional<ServiceReport> RunningInstances::take_report() {
 
 // -- services -----------------------------------------------------------------
 
+// What concerns the whole component is only noted here, as a report: the caller
+// is in the middle of its own maps.
 void RunningInstances::carry_out(ServiceDeed deed,
                                  const ServicePointer& service,
                                  const Cause& cause) {
@@ -132,6 +140,9 @@ void RunningInstances::add_worker(const Service& service, const Entry& entry) {
   news_.tell_up(service);
 }
 
+// The scripts hear of the failure before they hear that the component is down.
+// All instances of a pool go down together, as they run the same code with the
+// same options.
 void RunningInstances::count_failure(const ServicePointer& service,
                                      const Cause& cause) {
   const auto verdict = service->failures.failed(parts_.time.now());
@@ -150,6 +161,8 @@ void RunningInstances::count_failure(const ServicePointer& service,
           {cause.error, verdict.pause});
 }
 
+// First nobody routes to it any more, then the mailbox refuses, then what is in
+// it is answered: a message that comes in between is refused with a reason.
 void RunningInstances::take_down(Service& service, const Cause& cause) {
   const auto& reason = cause.error.message;
   service.component->set_serving(false);
@@ -173,8 +186,9 @@ void RunningInstances::try_later(Service& service, Milliseconds pause) {
     self_->send(self_, again);
 }
 
+// A pool that lost one of three instances gets one; a new service gets all.
 void RunningInstances::fill_up(const ServicePointer& service) {
-  const auto ids = instances_of(*service);
+  const auto& ids = service->instances;
   const bool one_stops = std::ranges::any_of(
       ids, [&](auto id) { return state_of(id) == InstanceState::stopping; });
   if (one_stops || closed_)
@@ -207,6 +221,7 @@ void RunningInstances::make_instance(const ServicePointer& service) {
   self_->send(host, start_component{});
   const auto id = instance->id;
   events_.begin(id);
+  service->instances.push_back(id);
   entries_[id] = {std::move(instance), std::move(host), service,
                   std::max(component->deadline(), parts_.settings.start_time)};
 }
@@ -225,6 +240,10 @@ RunningInstances::host_for(const std::shared_ptr<Instance>& instance) {
 
 // -- instances ----------------------------------------------------------------
 
+//
+// A remote agent that goes away is no failure: it is not counted, and the
+// plug-in that stands for it stays. But what it was asked is answered at once,
+// as is what waits in its mailbox.
 void RunningInstances::available(InstanceId id, bool is_available) {
   const auto found = entries_.find(id);
   if (found == entries_.end())
@@ -244,7 +263,8 @@ void RunningInstances::available(InstanceId id, bool is_available) {
 
 void RunningInstances::happens_to_all(const Service& service,
                                       InstanceEvent event, const Cause& cause) {
-  for (auto id : instances_of(service))
+  const auto ids = service.instances; // some may end
+  for (auto id : ids)
     happens(id, event, cause);
 }
 
@@ -293,6 +313,8 @@ void RunningInstances::enlist(const Entry& entry) {
   happens(entry.service, ServiceEvent::worker_started, cause);
 }
 
+// One whose mailbox a successor has takes nothing more from it; an unloaded one
+// empties its mailbox first.
 void RunningInstances::begin_draining(const Entry& entry) {
   if (entry.service->handed_on)
     entry.service->component->mailbox->remove_worker(entry.host);
@@ -321,16 +343,8 @@ void RunningInstances::answer_failure(const Entry& entry,
 
 void RunningInstances::remove(InstanceId id) {
   const auto entry = entries_.extract(id);
+  std::erase(entry.mapped().service->instances, id);
   happens(entry.mapped().service, ServiceEvent::instance_gone);
-}
-
-std::vector<InstanceId>
-RunningInstances::instances_of(const Service& service) const {
-  std::vector<InstanceId> ids;
-  for (const auto& [id, entry] : entries_)
-    if (entry.service.get() == &service)
-      ids.push_back(id);
-  return ids;
 }
 
 ServicePointer RunningInstances::service_of(InstanceId id) const {
@@ -373,6 +387,7 @@ void RunningInstances::watch(const watch_instance& what) {
     self_->delayed_send(self_, *left, watch_instance{what.instance, false});
 }
 
+// The reminder itself is sent by the caller; the ticket only makes it known.
 DueTicket RunningInstances::ticket(Milliseconds delay) const {
   const auto due = parts_.time.now() + delay.count();
   return {parts_.time.due_times,

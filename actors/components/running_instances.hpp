@@ -31,6 +31,11 @@ struct ServiceReport {
   Error error; // that it does not start
 };
 
+//
+// An instance and its host's thread are made here, and here alone they are told
+// to stop. What a plug-in does in the meantime is the host's concern; what its
+// component means for others, the caller's (Supervision, Placements,
+// Departures).
 class RunningInstances {
 public:
   RunningInstances(supervisor_actor::pointer self,
@@ -61,7 +66,6 @@ public:
 
   void happens_to_all(const Service& service, InstanceEvent event,
                       const Cause& cause = {});
-  std::vector<InstanceId> instances_of(const Service& service) const;
   void stop_all();
   InstanceState state_of(InstanceId id) const {
     return events_.state_of(id);
@@ -89,6 +93,7 @@ public:
   DueTicket ticket(Milliseconds delay) const;
 
 private:
+  // One instance that is not gone, with the actor that calls it.
   struct Entry {
     std::shared_ptr<Instance> instance;
     component_host_actor host;

@@ -38,6 +38,8 @@ void Supervision::load(const load_component& what, component_promise promise) {
   load(*what.order, what.rank, false, std::move(promise));
 }
 
+// A script's `<load>`: its rank is that of the one it replaces, else the last,
+// and everybody hears that it is up.
 void Supervision::load(const load_plugin& what, component_promise promise) {
   auto order = rules_.order_for(what.plugin, what.name);
   if (!order)
@@ -47,6 +49,7 @@ void Supervision::load(const load_plugin& what, component_promise promise) {
   load(*order, 0, true, std::move(promise));
 }
 
+// Out of the table first: nobody finds it while it finishes what it has begun.
 void Supervision::unload(const unload_component& what,
                          component_promise promise) {
   const auto found = deployments_.serving.extract(what.name);
@@ -58,6 +61,9 @@ void Supervision::unload(const unload_component& what,
   take_reports();
 }
 
+// No mailbox is handed on and no failure is answered any more: sessions have
+// ended by now, and whoever still asks is ending, too. The mailboxes are
+// emptied last, as their messages hold tokens that keep the node busy.
 void Supervision::stop_all() {
   closing_ = true;
   running_.close();
@@ -116,14 +122,18 @@ void Supervision::check_activation(DeploymentPointer deployment) {
   keep(std::exchange(deployment->promise, {}), {});
 }
 
+// True, too, where there is no instance at all: a component for each session,
+// while no session is there.
 bool Supervision::all_work(const Deployment& deployment) const {
   for (const auto& service : deployment.all())
-    for (auto id : running_.instances_of(*service))
+    for (auto id : service->instances)
       if (running_.state_of(id) != InstanceState::working)
         return false;
   return true;
 }
 
+// The order matters: the new services accept messages before the table leads to
+// them, and have the mailboxes before the old ones depart.
 void Supervision::take_over(const DeploymentPointer& deployment) {
   const auto before = replace(deployment);
   for (const auto& service : deployment->all())
@@ -147,6 +157,8 @@ DeploymentPointer Supervision::replace(const DeploymentPointer& deployment) {
 
 // Where an instance of the one before still finishes what it has, the new one
 // begins after it.
+// The mailbox itself is the same object for both (Placements::mailbox_at): what
+// is handed on is the right to take from it.
 void Supervision::take_mailboxes(const Deployment& deployment,
                                  const Deployment* before) {
   for (const auto& [scope, service] : deployment.services) {
@@ -154,11 +166,11 @@ void Supervision::take_mailboxes(const Deployment& deployment,
     const auto old =
         before ? before->services.find(scope) : deployment.services.end();
     if (!before || old == before->services.end()) {
-      running_.begin(running_.instances_of(*service));
+      running_.begin(service->instances);
       continue;
     }
     old->second->handed_on = true;
-    old->second->successors = running_.instances_of(*service);
+    old->second->successors = service->instances;
   }
 }
 
@@ -208,6 +220,7 @@ void Supervision::failed_inline(const component_failed& what) {
                    {{ErrorKind::settings, what.reason, {}}});
 }
 
+// No transition of any table: it concerns the routing alone.
 void Supervision::available(const component_available& what) {
   running_.available(what.instance, what.is_available);
 }
@@ -222,6 +235,8 @@ void Supervision::idle(const instance_idle& what) {
   take_reports();
 }
 
+// The component may have been unloaded or replaced during the pause, or its
+// session may be over.
 void Supervision::try_again(const actors::try_again& what) {
   const auto deployment = deployments_.find(what.name);
   if (!deployment)
@@ -255,6 +270,7 @@ void Supervision::take(const ServiceReport& report) {
   }
 }
 
+// What serves and is well is only counted.
 std::string Supervision::doing() const {
   auto text = std::to_string(deployments_.serving.size()) + " components";
   if (!deployments_.coming.empty())
@@ -272,6 +288,7 @@ void Supervision::opened(const seat_opened& what) {
   placements_.seat_opened(what);
 }
 
+// The seat's own instances depart; its session has ended before.
 void Supervision::closed(const seat_closed& what) {
   placements_.seat_closed(what);
   for (const auto& deployment : deployments_.all())

@@ -18,6 +18,9 @@
 
 namespace parlour::actors {
 
+//
+// Every function does its part and then takes the reports of RunningInstances:
+// these say what has become of whole components, and may lead to more.
 class Supervision {
 public:
   // `self` is the actor whose state this is.
@@ -45,8 +48,7 @@ public:
   void begins(const session_begins& what);
   void ended(const session_ended& what);
 
-  // -- for who asks how it is
-  // "3 components, 1 of them is coming; City is down".
+  // -- for who asks how it is "3 components, 1 coming; City is down".
   std::string doing() const;
   // Of all components.
   const std::string& last_error() const {
@@ -64,6 +66,8 @@ private:
             component_promise promise);
   void check_activation(DeploymentPointer deployment);
   bool all_work(const Deployment& deployment) const;
+  // From the deployment's coming to its serving: the routes lead to it, and the
+  // one before departs.
   void take_over(const DeploymentPointer& deployment);
   DeploymentPointer replace(const DeploymentPointer& deployment);
   void take_mailboxes(const Deployment& deployment, const Deployment* before);
@@ -78,6 +82,7 @@ private:
   LoadingRules rules_;
   Placements placements_;
   Departures departures_;
+  // The highest that was given; a component of a new name comes behind it.
   std::size_t last_rank_ = 0;
   bool closing_ = false;
 };

@@ -5,8 +5,8 @@
 #include <functional>
 #include <memory>
 
-#include "actors/components/instance_directory.hpp"
-#include "actors/components/plugin_environment.hpp"
+#include "actors/components/instance/instance_directory.hpp"
+#include "actors/components/instance/plugin_environment.hpp"
 #include "actors/protocol/component_order.hpp"
 #include "actors/routing/message_bus.hpp"
 #include "actors/routing/session_directory.hpp"
@@ -15,6 +15,7 @@
 namespace parlour::actors {
 
 // How components are made here.
+// From NodeOptions and the program's settings (NodeRuntime::supervision_parts).
 struct ComponentSettings {
   // What scripts can load; may be null.
   std::shared_ptr<PluginCatalogue> plugins = nullptr;

@@ -7,6 +7,8 @@
 
 namespace parlour::actors {
 
+// What takes its time is answered by a promise, which CAF returns as "not
+// answered yet"; the rest is one call each.
 supervisor_actor::behavior_type
 supervisor(supervisor_actor::stateful_pointer<supervisor_state> self,
            SupervisionParts parts) {

@@ -7,10 +7,11 @@
 #include "actors/protocol/actor_status.hpp"
 #include "actors/routing/routing_table.hpp"
 #include "actors/support/node_metrics.hpp"
-#include "runtime/base/journal.hpp"
+#include "runtime/base/outside/journal.hpp"
 
 namespace parlour::actors {
 
+// All of it is only read, and only during the call.
 struct MetricSources {
   const NodeMetrics& node;
   const RoutingTable& table;              // with the counters of messages
@@ -19,6 +20,8 @@ struct MetricSources {
   const Journal* journal = nullptr; // null: there is none
 };
 
+// With the names and labels of docs/operations.md. From any thread; counters go
+// on meanwhile, so that two figures need not fit each other exactly.
 Metrics collect_metrics(const MetricSources& sources);
 
 } // namespace parlour::actors

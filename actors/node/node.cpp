@@ -14,6 +14,7 @@ class Node::Implementation {
 public:
   explicit Implementation(NodeOptions options) : runtime(std::move(options)) {}
 
+  // A seat of a visit has no actor here: the session manager has it.
   struct Seat {
     seat_actor actor;
     SessionId session; // empty: none
@@ -31,12 +32,15 @@ public:
     if (found != seats.end())
       found->second.session = std::move(session);
   }
+  // Known before its actor exists: the actor's first call may come at once.
   SeatId add_seat() {
     auto id = "seat-" + std::to_string(++last_seat);
     std::lock_guard lock(mutex);
     seats[id];
     return id;
   }
+  // The seat's session is noted before the tool is told, so that the tool can
+  // enter a line as soon as it hears of the session.
   SeatCalls calls_of(const SeatId& id, SeatCallbacks callbacks) {
     SeatCalls calls;
     calls.on_say = std::move(callbacks.on_output);
@@ -69,6 +73,8 @@ public:
   SessionId open(const SeatId& seat,
                  std::shared_ptr<const dialogue::SavedSession> saved);
   // Unless the next one is there already.
+  // The seat may hear of the next session before it hears that the last is
+  // over.
   void session_over(const SeatId& seat, const SessionId& session) {
     std::lock_guard lock(mutex);
     const auto found = seats.find(seat);
@@ -79,6 +85,7 @@ public:
   std::mutex mutex; // of the seats: session_over comes from their threads
   std::unordered_map<SeatId, Seat> seats;
   std::atomic<std::uint64_t> last_seat = 0;
+  // The last member: its actors, which call back into the others, end first.
   NodeRuntime runtime;
 };
 
@@ -149,6 +156,8 @@ SessionId Node::session_at(const SeatId& seat) const {
   return implementation_->seat_of(seat).session;
 }
 
+// A line is the message ASR.RecognitionResult, as a recogniser would send it
+// (runtime/message/typed_turn.hpp).
 void Node::enter(const SeatId& seat, const std::vector<std::string>& lines) {
   auto session = session_at(seat);
   if (session.empty())
@@ -173,6 +182,8 @@ void Node::enter_turn(const SeatId& seat, std::uint64_t number,
     implementation_->bring_in(session, number, lines);
 }
 
+// Only the first call does anything: a visitor who goes and a session that ends
+// may both lead here.
 void Node::end_visit(const SeatId& seat) {
   auto& self = *implementation_;
   std::unique_lock lock(self.mutex);
@@ -246,6 +257,8 @@ std::string Node::state(const SessionId& session) {
   return implementation_->runtime.state_of(session);
 }
 
+// Also what was heard in private turns, unlike in the log: what a tool reports
+// of a conversation is read by others.
 std::string Node::masked(const std::string& text) const {
   return implementation_->runtime.observer().discretion().masked_afterwards(
       text);

@@ -48,6 +48,10 @@ struct NodeCounters {
   std::uint64_t unhandled = 0;
 };
 
+// A conversation by hand: start(), open_seat(), open(), then for each line
+// enter() and run_until_quiet(); what the robot says comes by on_output.
+// step_to_next_due() lets silence pass. The tools' drivers do just that
+// (tools/parlour).
 class Node {
 public:
   // All components are up when this returns, or an error names the first that
@@ -55,6 +59,7 @@ public:
   static Expected<std::unique_ptr<Node>> start(NodeOptions options);
   ~Node(); // stops, and leaves behind what does not
 
+  // A seat that stays until the node ends; no conversation begins yet.
   SeatId open_seat(SeatCallbacks callbacks);
   // A conversation begins: Session.Started is handled and the opening prompt
   // released when this returns.
@@ -85,6 +90,8 @@ public:
   void end_visit(const SeatId& seat);
 
   // Any message, as it comes from a component.
+  // An empty session: for every session that listens or has subscribed to it
+  // (engine rule 1d).
   void inject(const SessionId& session, Message message);
 
   // Until nothing is queued or running, and in real time until no session
@@ -128,8 +135,10 @@ public:
 
   // Components while it runs, as <load> and <unload> do it.
   Expected<void> load(const std::string& plugin, const std::string& name = {});
+  // An error where no component has the name; returns when it has stopped.
   Expected<void> unload(const std::string& name);
 
+  // Asks it to end, and does not wait; an unknown or empty session is ignored.
   void end(const SessionId& session);
   // Ends all sessions, then the components. Nothing runs afterwards, but where
   // it returns false: then a component or a callback has not returned within

@@ -11,9 +11,9 @@
 
 #include "actors/protocol/component_order.hpp"
 #include "runtime/base/clock.hpp"
-#include "runtime/base/files.hpp"
-#include "runtime/base/journal.hpp"
-#include "runtime/base/sockets.hpp"
+#include "runtime/base/outside/files.hpp"
+#include "runtime/base/outside/journal.hpp"
+#include "runtime/base/outside/sockets.hpp"
 #include "runtime/message/inspection.hpp"
 #include "runtime/message/phrases.hpp"
 #include "runtime/message/understanding.hpp"
@@ -23,6 +23,8 @@
 
 namespace parlour::actors {
 
+// Filled by tools/parlour/application from the settings and the command line. A
+// test needs `program` alone.
 struct NodeOptions {
   std::shared_ptr<const script::Program> program;
   // One whose scope has 0 instances is not started: it is for <load>.

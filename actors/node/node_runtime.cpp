@@ -10,7 +10,7 @@
 #include <caf/send.hpp>
 #include <caf/typed_event_based_actor.hpp>
 
-#include "actors/components/component_host.hpp"
+#include "actors/components/instance/component_host.hpp"
 #include "actors/components/supervisor.hpp"
 #include "actors/node/metrics_collector.hpp"
 #include "actors/routing/message_centre.hpp"
@@ -146,7 +146,7 @@ Expected<void> NodeRuntime::start_components() {
 std::vector<std::size_t> NodeRuntime::in_starting_order() const {
   std::vector<std::size_t> order(options_.components.size());
   std::iota(order.begin(), order.end(), 0);
-  std::ranges::stable_partition(order, [this](std::size_t rank) {
+  std::stable_partition(order.begin(), order.end(), [this](std::size_t rank) {
     const auto& roles = options_.components[rank].factory.description.roles;
     return std::ranges::find(roles, "Database") != roles.end();
   });

@@ -13,7 +13,7 @@
 #include <caf/actor_system.hpp>
 #include <caf/actor_system_config.hpp>
 
-#include "actors/components/plugin_environment.hpp"
+#include "actors/components/instance/plugin_environment.hpp"
 #include "actors/components/supervision.hpp"
 #include "actors/node/node_options.hpp"
 #include "actors/node/scheduler.hpp"
@@ -26,6 +26,8 @@
 
 namespace parlour::actors {
 
+// Owned by Node; the driving thread calls it, unless a function says otherwise.
+// It is the only place that knows all actors.
 class NodeRuntime {
 public:
   explicit NodeRuntime(NodeOptions options);
@@ -87,6 +89,7 @@ private:
   std::vector<std::size_t> in_starting_order() const;
   Expected<void> start(std::size_t rank);
   // Asks the supervisor and runs until it is done.
+  // `What` is a message that is answered by component_done.
   template <class What>
   Expected<void> ask_supervisor(What what);
   // Asks an actor that answers at once; nothing where there is no answer.
@@ -94,13 +97,18 @@ private:
   std::optional<Answer> ask(const Actor& actor, What what);
   void stop_sessions();
   void stop_components();
+  // Ends those that are left, and forgets their handles.
   void stop_actors();
+  // Whom `parlour status` lists; children are asked of the sessions.
   std::vector<ActorHandle> actors() const;
   // Those of which there is one.
   std::vector<ActorHandle> central_actors() const;
   std::vector<ActorStatus> ask_all(const std::vector<ActorHandle>& whom,
                                    Milliseconds patience, Children children);
+  // "Weather, City": those that keep the node from ending; "something" where
+  // none can be named.
   std::string who_is_at_work();
+  // No message is in flight, and no instance is in a call.
   bool is_idle() const;
 
   // In the order of their making: what is below may use what is above.

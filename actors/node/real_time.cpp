@@ -27,6 +27,8 @@ private:
   const Timestamp by_;
 };
 
+// The actors run on CAF's threads and the components on their own; the driving
+// thread only waits, and is woken by the tracker of the work in flight.
 class RealTime : public Scheduler {
 public:
   RealTime(unsigned threads, std::optional<Timestamp> start)
@@ -78,10 +80,12 @@ bool RealTime::quiet() const {
          (!time_->work.sessions_wait() || due_times.component_pending());
 }
 
+// Woken whenever the last token is dropped or a due time goes (NodeTime).
 bool RealTime::run_until_quiet() {
   return time_->work.wait([this] { return quiet(); });
 }
 
+// CAF's clock sets off the timer by itself; here is only waited for it.
 bool RealTime::step_to_next_due(Milliseconds at_most) {
   const auto next = time_->due_times.next();
   if (!next || next->due > clock_.now() + at_most.count())
@@ -91,6 +95,7 @@ bool RealTime::step_to_next_due(Milliseconds at_most) {
   return time_->work.wait(over) && run_until_quiet();
 }
 
+// The whole time, whatever happens in it, unless it is interrupted.
 void RealTime::advance(Milliseconds time) {
   time_->work.wait([] { return false; },
                    std::chrono::steady_clock::now() + time);
@@ -102,6 +107,8 @@ bool RealTime::run_until(const std::function<bool()>& done,
   return time_->work.wait(done, std::chrono::steady_clock::now() + at_most);
 }
 
+// On a thread of its own: what does not come to an end can only be left behind,
+// not stopped.
 bool RealTime::finish(std::function<void()> action, Milliseconds at_most) {
   std::packaged_task<void()> task(std::move(action));
   auto done = task.get_future();

@@ -13,6 +13,8 @@
 
 namespace parlour::actors {
 
+// Made by NodeRuntime and owned by it. In virtual time the same actors run as
+// in real time; what is different is in here (engine rule 7.5).
 class Scheduler {
 public:
   virtual ~Scheduler() = default;
@@ -20,6 +22,7 @@ public:
   virtual const Clock& clock() const = 0;
   virtual MainThreadQueue::Kind queue_kind() const = 0;
   // Whether plug-ins that block get a thread of their own.
+  // True in real time: a call that blocks stops its own thread and no other.
   virtual bool detaches() const = 0;
   virtual void configure(caf::actor_system_config& config) const = 0;
   // Before any other call below.

@@ -31,6 +31,9 @@ ActorStatus unanswered(const ActorHandle& handle) {
 }
 
 // One collection; on the stack of who wants it.
+//
+// Questions are numbered, and each number is a place in `told_`: there stands
+// "does not answer" until the answer comes.
 class StatusCollector {
 public:
   StatusCollector(caf::actor_system& system, Milliseconds patience,
@@ -38,6 +41,7 @@ public:
       : self_(system), deadline_(SteadyClock::now() + patience),
         with_children_(children == Children::asked) {}
 
+  // A dead actor is asked as well: it is recognised as gone in the next round.
   void ask(const ActorHandle& handle) {
     if (!handle.actor)
       return;
@@ -48,6 +52,8 @@ public:
     asked_.push_back(handle);
   }
 
+  // An answer may bring children, which are asked in turn: the loop ends when
+  // nobody is left to wait for, or when the time is over.
   void take_answers(const std::function<void()>& let_run) {
     while (!pending_.empty()) {
       let_run();
@@ -88,6 +94,8 @@ private:
     return taken;
   }
 
+  // Who does not know its own name, such as a seat's actor without one, keeps
+  // the name it was asked under.
   void take(status_told& what) {
     if (pending_.erase(what.number) == 0)
       return;

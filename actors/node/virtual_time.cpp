@@ -8,6 +8,7 @@ namespace parlour::actors {
 
 namespace {
 
+// Atomic, as plug-ins may read the time on threads of their own.
 class VirtualClock : public Clock {
 public:
   explicit VirtualClock(Timestamp start) : now_(start) {}
@@ -66,6 +67,8 @@ private:
   NodeTime* time_ = nullptr;
 };
 
+// One message at a time until no actor has any, then what other threads have
+// left in the queue, which may give the actors messages again.
 bool VirtualTime::run_until_quiet() {
   time_->main_thread.adopt_thread();
   const auto& work = time_->work;
@@ -76,6 +79,8 @@ bool VirtualTime::run_until_quiet() {
   return !work.interrupted();
 }
 
+// All that is due at that time happens before this returns: what a timer leads
+// to at once has the same time.
 bool VirtualTime::step_to_next_due(Milliseconds at_most) {
   if (!run_until_quiet())
     return false;
@@ -86,6 +91,8 @@ bool VirtualTime::step_to_next_due(Milliseconds at_most) {
   return run_until_quiet();
 }
 
+// From due time to due time, so that each thing happens at its own time: after
+// 10 s, a timer of 3 s that repeats has fired at 3, 6 and 9 s.
 void VirtualTime::advance(Milliseconds time) {
   const auto end = clock_.now() + time.count();
   while (step_to_next_due(Milliseconds(end - clock_.now()))) {

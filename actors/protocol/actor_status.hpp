@@ -16,6 +16,8 @@
 
 namespace parlour::actors {
 
+// Shown by `parlour status` and by the metrics; nothing in the program depends
+// on it.
 struct ActorStatus {
   std::string kind;      // "session": what its state struct calls it
   std::string name;      // its own: a component's, a session's id; may be empty
@@ -28,6 +30,7 @@ struct ActorStatus {
   bool answered = true;
 };
 
+// Keeps the actor alive while it is asked.
 struct ActorHandle {
   std::string kind;
   std::string name;

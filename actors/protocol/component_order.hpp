@@ -10,6 +10,8 @@
 namespace parlour::actors {
 
 // A plug-in under the name of an instance.
+// `factory.create` may be empty where only the options and the policy are kept
+// (LoadingRules).
 struct ComponentOrder {
   std::string name;
   PluginFactory factory;

@@ -32,6 +32,7 @@ bool DueTimes::has(Id id) const {
   return pending_.count(id) != 0;
 }
 
+// Ids rise, so that of equal times the smaller pair is the one added first.
 std::optional<DueTimes::Entry> DueTimes::next() const {
   std::lock_guard lock(mutex_);
   const std::pair<Timestamp, Id>* first = nullptr;
@@ -64,6 +65,7 @@ bool DueTimes::component_pending() const {
 DueTicket::DueTicket(DueTicket&& other) noexcept
     : times_(std::exchange(other.times_, nullptr)), id_(other.id_) {}
 
+// What this one had goes with `other`.
 DueTicket& DueTicket::operator=(DueTicket&& other) noexcept {
   std::swap(times_, other.times_);
   std::swap(id_, other.id_);

@@ -17,6 +17,9 @@
 namespace parlour::actors {
 
 // Safe to use from any thread.
+// Part of NodeTime. Each kind of owner has its own reason to be asked about:
+// whether a session's timer is near decides how long a tool waits; whether a
+// component's delay is pending, whether a node may call itself quiet.
 class DueTimes {
 public:
   using Id = std::uint64_t;
@@ -66,6 +69,8 @@ private:
 };
 
 // Removes its entry when it goes, whatever way its owner ends.
+// Kept by whoever waits for the time: a timer's actor, a query, a message to a
+// host. Movable, as a unique pointer is.
 class DueTicket {
 public:
   DueTicket() = default;

@@ -48,6 +48,8 @@ public:
     reset();
   }
 
+  // The count is lowered before all_done() is called: whoever that wakes sees a
+  // quiet node.
   void reset() {
     auto* counter = std::exchange(counter_, nullptr);
     if (!counter)

@@ -24,9 +24,9 @@
 #include "actors/protocol/visits.hpp"
 #include "runtime/base/clock.hpp"
 #include "runtime/base/error.hpp"
-#include "runtime/base/files.hpp"
 #include "runtime/base/metrics.hpp"
-#include "runtime/base/sockets.hpp"
+#include "runtime/base/outside/files.hpp"
+#include "runtime/base/outside/sockets.hpp"
 #include "runtime/message/message.hpp"
 #include "runtime/message/subscription.hpp"
 

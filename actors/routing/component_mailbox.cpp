@@ -9,6 +9,8 @@
 
 namespace parlour::actors {
 
+// `job` is moved from only where it is taken: the caller answers for it
+// otherwise.
 const char* ComponentMailbox::put(Job& job) {
   std::unique_lock lock(back_.mutex);
   if (back_.closed)
@@ -25,11 +27,15 @@ const char* ComponentMailbox::put(Job& job) {
 
 // Of both queues. The front's size is looked at only where it matters: it is on
 // the hosts' cache line.
+// `moved` is what the front had when it was filled last. Unless a job was put
+// back, it has no more than that, so the first comparison mostly decides.
 bool ComponentMailbox::is_full() const {
   const auto waiting = back_.waiting.size();
   return waiting + back_.moved >= capacity && waiting + front_.size >= capacity;
 }
 
+// In front: it is older than all that waits. It may exceed the capacity by one,
+// as a message that was accepted is not refused later.
 void ComponentMailbox::put_back(Job job) {
   std::unique_lock lock(front_.mutex);
   front_.waiting.push_front(std::move(job));
@@ -40,6 +46,7 @@ void ComponentMailbox::put_back(Job job) {
 // -- who is told --------------------------------------------------------------
 
 // An idle host, to be told outside of the locks; null: none.
+// The one that went idle last.
 component_host_actor ComponentMailbox::one_to_wake() {
   if (back_.idle.empty())
     return {};
@@ -87,6 +94,8 @@ void ComponentMailbox::remove_worker(const component_host_actor& host) {
 
 // -- taking -------------------------------------------------------------------
 
+// A host that was removed meanwhile gets nothing: its instance is about to
+// stop, or was given up.
 std::optional<ComponentMailbox::Job>
 ComponentMailbox::take(const component_host_actor& host, IfEmpty then) {
   std::lock_guard lock(front_.mutex);
@@ -104,6 +113,8 @@ ComponentMailbox::take(const component_host_actor& host, IfEmpty then) {
 }
 
 // What has arrived; where nothing has, the host may go idle.
+// Both happen under the back's lock: a sender that comes later sees the idle
+// host and wakes it.
 void ComponentMailbox::bring_forward(const component_host_actor& host,
                                      IfEmpty then) {
   std::lock_guard lock(back_.mutex);

@@ -20,12 +20,19 @@ namespace parlour::actors {
 // One for all who are given it.
 using SharedMessage = std::shared_ptr<const Message>;
 
+// A component's hosts are its workers: each takes the next job when it is
+// ready, so that a pool shares the work. An idle host is woken by one message
+// and then takes as many jobs as there are.
 // Safe to use from any thread.
 class ComponentMailbox {
 public:
   // Of messages that no instance has come to yet; further ones are refused.
+  // The bound of architecture rule 5: a component that is this far behind does
+  // not catch up. A smaller one would refuse bursts that a slow disk or network
+  // makes.
   static constexpr std::size_t capacity = 10'000;
 
+  // A message, and the token that keeps the node busy until it is handled.
   struct Job {
     SharedMessage message; // never null
     InFlight work;
@@ -70,15 +77,19 @@ public:
   void close(const char* why);
   void open();
   // All that waits.
+  // For whoever answers them in the component's place.
   std::vector<Job> take_all();
 
 private:
   using Lock = std::unique_lock<std::mutex>;
 
+  // With the back's lock held.
   bool is_full() const;
   component_host_actor one_to_wake();
+  // Takes the front's lock and lets go of it before it wakes anybody.
   void wake_for_what_waits(Lock front);
   static void wake(const component_host_actor& host);
+  // With the front's lock held, and the front empty.
   void bring_forward(const component_host_actor& host, IfEmpty then);
 
   // Two queues, each on a cache line of its own, so that senders and hosts

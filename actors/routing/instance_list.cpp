@@ -15,6 +15,7 @@ void InstanceList::remove(const SessionId& session) {
   entries_.erase(session);
 }
 
+// By value: the entry may be removed while its mailbox is still used.
 std::optional<InstanceList::Entry>
 InstanceList::find(const SessionId& session) const {
   std::shared_lock lock(mutex_);

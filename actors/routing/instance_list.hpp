@@ -14,6 +14,8 @@
 namespace parlour::actors {
 
 // Safe to use from any thread.
+// The key is a session's id, or a seat's name: what a seat's components say
+// between two sessions belongs to the seat.
 class InstanceList {
 public:
   struct Entry {

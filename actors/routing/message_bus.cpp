@@ -30,6 +30,7 @@ Message failure_answer(const std::string& component, const Message& message,
   return event;
 }
 
+// A message without a correlation was posted by somebody who does not wait.
 std::optional<Message> answer_for_failed(const std::string& component,
                                          const Message& message,
                                          const std::string& reason) {
@@ -73,6 +74,8 @@ void MessageBus::connect(message_centre_actor centre) {
       std::make_shared<const message_centre_actor>(std::move(centre)));
 }
 
+// The lock keeps a supervisor that still publishes a table from bringing the
+// targets back.
 void MessageBus::take_down() {
   const std::lock_guard lock(storing_);
   down_ = true;
@@ -140,6 +143,8 @@ std::vector<Message> MessageBus::route(std::vector<Message> messages) {
   return for_sessions;
 }
 
+// What comes back is for the caller's own session, or for others: the caller
+// sorts it out.
 std::vector<Message> MessageBus::route(Message message, InlineCaller& caller) {
   std::vector<Message> for_sessions;
   Way way{time_.now(), for_sessions, &caller};
@@ -147,6 +152,8 @@ std::vector<Message> MessageBus::route(Message message, InlineCaller& caller) {
   return for_sessions;
 }
 
+// What nobody fills is told before anything is delivered: the trace shows the
+// reason ahead of what the message led to.
 void MessageBus::carry(Message&& message, Way& way, int depth,
                        Answers answers) {
   if (down_)
@@ -161,6 +168,10 @@ void MessageBus::carry(Message&& message, Way& way, int depth,
 }
 
 // Each message is answered once: by its component, or for it.
+//
+// In this order: an inline component answers here and now; a strict session may
+// keep the message back; else it goes into the mailbox, with the sender's own
+// token if that is still there.
 void MessageBus::deliver(Delivery& delivery, Way& way, int depth,
                          Answers answers) {
   auto& [target, sent] = delivery;
@@ -217,6 +228,8 @@ bool MessageBus::ask(Message question, const InFlight& work) {
 
 // -- what goes wrong ----------------------------------------------------------
 
+// Routine events, such as how far a voice has come, are for whoever is
+// interested: that nobody was is no news (engine rule 1.4).
 void MessageBus::unhandled(const Message& message, const std::string& why,
                            std::uint64_t turn) {
   if (table()->is_routine(message))

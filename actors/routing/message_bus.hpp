@@ -31,12 +31,19 @@ std::optional<Message> answer_for_failed(const std::string& component,
                                          const std::string& reason);
 
 // Who calls components that answer in the caller's own turn (engine rule 1.2).
+// Implemented by a session's port (actors/sessions/session_port.hpp); called on
+// the session's thread, while the message is routed.
 class InlineCaller {
 public:
   virtual ~InlineCaller() = default;
   // The events that it answers with; `target.direct` is not null.
+  // The bus routes these events like any message, with the same caller: "NLU
+  // answers FrameInfo" needs no mailbox.
   virtual std::vector<Message> call(const Target& target,
                                     const Message& message) = 0;
+  // Asked for each delivery that goes by mailbox. A session with a strict
+  // journal keeps them back until the journal has what led to them (engine rule
+  // 7.11).
   // True: it gives the job to the component later, by hand_over(). False: the
   // bus does it now.
   virtual bool keep_back(const Target&, const SharedMessage&) {
@@ -45,8 +52,13 @@ public:
 };
 
 // Safe to use from any thread once the node has started.
+//
+// Which way in is for whom: a component publishes one event on its own thread;
+// tools bring_in what comes from outside; the message centre routes what was
+// brought in; a session routes what it posts, with itself as the caller.
 class MessageBus {
 public:
+  // From another name to the role: "Record" to "Microphone".
   using Aliases = std::map<std::string, std::string, std::less<>>;
 
   // Nobody fills a role yet.
@@ -61,6 +73,8 @@ public:
   // The message centre gets what sessions get.
   void connect(message_centre_actor centre);
   // Nobody gets anything any more, whoever still sends.
+  // Called when the actors have ended. Threads of plug-ins that were left
+  // behind may still publish: their messages vanish.
   void take_down();
 
   // -- the table -------------------------------------------------------------
@@ -132,7 +146,9 @@ public:
   void failed(const Message& message, const Error& error);
 
 private:
+  // Makes a whole new table: loading is rare, and routing must not lock.
   void store(std::vector<Target> targets);
+  // The taps and complaints of the table lead to the observer.
   RoutingTable::Parts parts(std::shared_ptr<const script::Program> program,
                             Aliases aliases);
   // On the way of one message and of all that answers it at once.
@@ -145,6 +161,8 @@ private:
   // Where even the answer for a component that failed is for one that failed,
   // nobody is answered again, however the routes lead.
   enum class Answers : bool { no, yes };
+  // Routes one message and delivers it, and all that answers it at once;
+  // `depth` counts inline calls inside of each other.
   void carry(Message&& message, Way& way, int depth = 0,
              Answers answers = Answers::yes);
   void deliver(Delivery& delivery, Way& way, int depth, Answers answers);

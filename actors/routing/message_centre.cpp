@@ -24,6 +24,8 @@ struct Batch {
   bool by_manager = false;
 };
 
+// A session that the directory does not know, as it has ended, is the
+// manager's: it may take a late turn to the seat's next session.
 void flush(Self self, Batch& batch) {
   if (batch.messages.empty())
     return;
@@ -37,6 +39,8 @@ void flush(Self self, Batch& batch) {
     self->send(self->state.manager, forward{std::move(messages), batch.work});
 }
 
+// What a query or an ask waits for goes to that actor, and to no session. A
+// change of the session ends the row.
 void add(Self self, Batch& batch, Message message) {
   if (auto query = self->state.bus->replies().take(message.correlation)) {
     self->send(query, component_event{std::move(message), batch.work});
@@ -53,6 +57,8 @@ std::string counted(const Counters& counters) {
          std::to_string(counters.unhandled) + " taken by nobody";
 }
 
+// Messages of one session that follow each other stay together: "two lines
+// entered at once" reach the session as one row (engine rule 3.1).
 void give(Self self, std::vector<Message> messages, const InFlight& work,
           Nanoseconds arrived = 0) {
   Batch batch{work, arrived};

@@ -9,6 +9,9 @@
 
 namespace parlour::actors {
 
+// It keeps nothing of a message: all of its state is where to look. Lost
+// sessions are the manager's concern, and a message that no session takes goes
+// there, too.
 struct message_centre_state {
   static inline const char* name = "message_centre";
   MessageBus* bus = nullptr;

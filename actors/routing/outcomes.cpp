@@ -4,6 +4,7 @@
 
 namespace parlour::actors {
 
+// A statement that gives no rows, such as an insert, has an empty result set.
 Expected<Value> outcome_of(const Message& event) {
   if (event.command != "Result")
     return tl::make_unexpected(error_of(event, true));

@@ -12,6 +12,8 @@
 namespace parlour::actors {
 
 // Safe to use from any thread.
+// Queries and asks add themselves on their own threads and forget their entry
+// when they end; the message centre takes.
 class ReplyRegistry {
 public:
   // A correlation that no session gives out itself: those count from 1, ours
@@ -19,6 +21,8 @@ public:
   enum class Wants { the_first, all };
   Correlation add(query_actor query, Wants wants = Wants::the_first);
   // Null where nobody waits for it (any more).
+  // With Wants::the_first the entry is gone afterwards: a second answer goes to
+  // the session that the event names.
   query_actor take(Correlation correlation);
   void forget(Correlation correlation);
 

@@ -8,6 +8,8 @@ RoundLimit::Verdict RoundLimit::judge(const Message& message) {
   return message.rounds <= honest_rounds ? Verdict::passes : count(message);
 }
 
+// What was counted in an earlier second is forgotten for all sessions at once,
+// so that the map stays small.
 RoundLimit::Verdict RoundLimit::count(const Message& message) {
   const auto second = message.time / 1'000;
   const std::lock_guard lock(mutex_);

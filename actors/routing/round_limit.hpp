@@ -15,12 +15,18 @@
 namespace parlour::actors {
 
 // Safe from any thread.
+// One of each node, shared by all of its tables (Counters). Messages without a
+// session count together.
 class RoundLimit {
 public:
   // As a user's turn goes from the words to the voice.
   static constexpr std::uint32_t honest_rounds = 8;
+  // Two components that answer each other reach this at once; a long
+  // pipeline that is asked once a turn never does.
   static constexpr std::uint32_t each_second = 1'000;
 
+  // `first_too_many` comes once in a second for each session: then an error is
+  // shown.
   enum class Verdict : std::uint8_t { passes, first_too_many, too_many };
   Verdict judge(const Message& message);
 

@@ -11,6 +11,8 @@ namespace parlour::actors {
 
 namespace {
 
+// By event and source alone: whether a reaction's own condition holds, only its
+// session can say.
 bool any_of(const std::vector<script::Reaction>& reactions,
             const RoutingTable& table, const Message& message) {
   return std::any_of(
@@ -65,6 +67,8 @@ void RoutingTable::for_targets_of(std::string_view sink,
       take(*target);
     return;
   }
+  // The name of a component means that one: if it is down, its role's next does
+  // not take its place. A role means the first that is up, "ASR*" each.
   const bool all = sink.ends_with('*');
   const auto wanted = role(sink.substr(0, sink.size() - all));
   for (const auto& target : parts_.targets)
@@ -76,6 +80,7 @@ void RoutingTable::for_targets_of(std::string_view sink,
     }
 }
 
+// For "Role*" as well: whoever asks wants to know whether somebody is there.
 const Target* RoutingTable::find(std::string_view module,
                                  const SessionId& session) const {
   const Target* first = nullptr;
@@ -86,6 +91,9 @@ const Target* RoutingTable::find(std::string_view module,
   return first;
 }
 
+// A script that listens to "NLU" hears GrammarNLU, one that listens to "Record"
+// hears the microphone. A source without a target (ASR, for a typed line) is a
+// role itself.
 bool RoutingTable::is_source(std::string_view module,
                              std::string_view source) const {
   if (module == "*" || module == source || role(module) == role(source))
@@ -96,6 +104,8 @@ bool RoutingTable::is_source(std::string_view module,
 }
 
 // An event that nobody has described counts as an answer.
+// So a component's own event, which no role describes, ends a request too
+// (engine rule 1.3).
 Reply RoutingTable::reply_to_request(const Message& event) const {
   const auto* target = named(event.source);
   const auto known =
@@ -109,6 +119,7 @@ bool RoutingTable::begins_turn(const Message& message) const {
          is_source("ASR", message.source);
 }
 
+// A message with sinks is a command: that nobody took it is never routine.
 bool RoutingTable::is_routine(const Message& message) const {
   const auto says_so = [&](std::string_view role_name) {
     const auto* its = find_role(role_name);
@@ -122,6 +133,9 @@ bool RoutingTable::is_routine(const Message& message) const {
                 : says_so(role(message.source));
 }
 
+// Of all states, not of the active one: the sender does not know in which state
+// a session is. <Online> and <Offline> are reactions to two events of System
+// (engine rule 4.5).
 bool RoutingTable::is_listened_to(const Message& message) const {
   const auto& program = *parts_.program;
   for (const auto& handler : program.handlers)
@@ -157,6 +171,8 @@ Routed RoutingTable::route(Message message) const {
   return route(std::move(message), parts_.clock->now());
 }
 
+// The routes come before the sinks: a filter may turn away what names its
+// receiver.
 Routed RoutingTable::route(Message&& message, Timestamp now) const {
   Routed routed;
   stamp(message, now);
@@ -224,6 +240,7 @@ bool RoutingTable::apply_routes(const Message& message, Routed& routed) const {
   return false;
 }
 
+// The cheap tests come first: a condition is a script that has to run.
 template <class Rule>
 bool RoutingTable::matches(const Rule& rule, const Message& message) const {
   return (rule.command == "*" || rule.command == message.command) &&
@@ -261,6 +278,8 @@ void RoutingTable::pass_on_values(const Message& message,
   auto copy = message;
   copy.command = "SetValues";
   ++copy.rounds;
+  // Each copy has a number and a session of its own: an instance of a session
+  // finds its mailbox by that.
   const auto give = [&](const Target& target, SessionId session) {
     copy.number = ++parts_.counters->numbers;
     ++parts_.counters->copies;

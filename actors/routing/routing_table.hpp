@@ -47,6 +47,8 @@ struct Target {
   std::shared_ptr<ComponentMailbox> mailbox_of(const SessionId& session) const;
 };
 
+// One mailbox or inline component that gets the message. The table that made it
+// must be kept until it is delivered.
 struct Delivery {
   const Target* target; // lives as long as the table
   SharedMessage message;
@@ -66,6 +68,8 @@ struct Routed {
 };
 
 // What went through, of all tables of a node.
+// Only count up, and are read while others count: two of them need not fit each
+// other exactly.
 struct Counters {
   std::atomic<std::uint64_t> numbers = 0; // of stamps
   std::atomic<std::uint64_t> copies = 0;  // which have numbers of their own
@@ -78,6 +82,7 @@ struct Counters {
   std::atomic<std::uint64_t> circled = 0; // dropped, as they went in a ring
   RoundLimit rounds;
 
+  // Without the copies of relays: what was said, not what was delivered.
   std::uint64_t messages() const {
     const auto copied = copies.load(); // first: there are never more of them
     return numbers - copied;
@@ -93,6 +98,9 @@ using Tap = std::function<void(const Message&, const std::string& way)>;
 // fails, or it goes in a ring. Called from any thread; may be empty.
 using Complaint = std::function<void(const Message&, const Error&)>;
 
+// Made by the bus whenever the supervisor publishes other targets, never
+// changed afterwards, and kept by each sender for as long as it uses it. So
+// routing takes no lock of its own.
 class RoutingTable {
 public:
   struct Parts {
@@ -108,6 +116,7 @@ public:
     Complaint complain;
   };
 
+  // `parts.program` and `parts.counters` are not null.
   explicit RoutingTable(Parts parts);
 
   // Stamps, relays, filters, finds the sinks. Safe from any thread.
@@ -144,6 +153,7 @@ public:
   }
 
 private:
+  // Views into the table, or into `name`.
   std::string_view role(std::string_view name) const;
   const Target* named(std::string_view name) const;
   // All that a sink means: for "Role*" each that is up (engine rule 1c).
@@ -151,6 +161,7 @@ private:
   void for_targets_of(std::string_view sink, const SessionId& session,
                       Take&& take) const;
   void stamp(Message& message, Timestamp now) const;
+  // Whether the message is to be dropped (engine rule 1.6).
   bool goes_in_a_ring(const Message& message) const;
   // Whether a route or an opening is for such messages.
   template <class Rule>
@@ -158,13 +169,16 @@ private:
   // Unknown where it fails, which is told.
   Value evaluate(script::CodeId code, const Message& message) const;
   bool holds(script::CodeId condition, const Message& message) const;
+  // With the route's `as` and parameters, where it has some.
   Message copy_for(const script::Route& route, const Message& message,
                    const std::string& to) const;
   void send_copies(const script::Route& route, const Message& message,
                    Routed& routed) const;
+  // Notes all that `to` means, or that nobody fills it.
   void deliver(const SharedMessage& message, const std::string& to,
                Routed& routed) const;
   bool apply_routes(const Message& message, Routed& routed) const;
+  // For an event other than ValuesChanged it does nothing.
   void pass_on_values(const Message& message, Routed& routed) const;
   bool is_tapped() const;
   void tap(const Message& message, const std::string& way) const;

@@ -12,6 +12,9 @@
 namespace parlour::actors {
 
 // Safe to use from any thread.
+// A handle that was found may be of a session that has just ended: such a
+// session passes on what it is still sent, until the centre lets it go
+// (message_centre.hpp).
 class SessionDirectory {
 public:
   void add(const SessionId& id, session_actor session, seat_actor seat = {});

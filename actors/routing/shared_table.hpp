@@ -23,6 +23,9 @@ public:
 
   // For who stores one after the other. A thread sees each in its turn; while
   // one is stored, some see it earlier than others.
+  //
+  // Each copy is a pointer with a holder of its own, so that threads count in
+  // different places, but all of them point to the same object.
   void store(const Pointer& what) {
     for (auto& copy : copies_) {
       const auto holder = std::make_shared<const Holder>(Holder{what});
@@ -42,6 +45,7 @@ private:
   struct alignas(cache_line) Copy {
     std::atomic<Pointer> what;
   };
+  // More threads than that share copies, which is slower and nothing else.
   std::array<Copy, 16> copies_;
 };
 

@@ -12,6 +12,7 @@ namespace parlour::actors {
 
 namespace {
 
+// Which files a script may touch, the adapter decides (engine rule 7.4).
 Expected<Value> carry_out(const FileAccess& files, const FileRequest& request) {
   if (!files)
     return fail(ErrorKind::refused, "this run has no data folder");

@@ -8,6 +8,7 @@
 
 namespace parlour::actors {
 
+// Nothing of an order is kept: it is carried out before the next is taken.
 struct file_keeper_state {
   static inline const char* name = "file_keeper";
   std::string last_error;

@@ -5,6 +5,7 @@
 
 namespace parlour::actors {
 
+// Those without a record are the last ones: effects are kept in order.
 bool HeldEffects::wait_for(std::uint64_t record, std::uint64_t input) {
   bool waits = false;
   for (auto held = effects_.rbegin();

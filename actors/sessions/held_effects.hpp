@@ -13,6 +13,9 @@
 
 namespace parlour::actors {
 
+// An example: the user says "yes, transfer it", and the script posts Transfer.
+// The post waits here until the record with the "yes" is on the disk; a crash
+// before that has neither.
 class HeldEffects {
 public:
   // Whether somebody must know, after a crash, that it was done.
@@ -37,12 +40,16 @@ public:
 
   // What was kept back since the last call waits for this record, which has the
   // session's input of that number. False where nothing was.
+  // Records are numbered from 1 by the journal, inputs by the session.
   bool wait_for(std::uint64_t record, std::uint64_t input);
   // This record and all before it are written: does what waited for them.
   // Returned is the last input of which something must be noted as done.
+  // Nothing where nobody has to know.
   std::optional<std::uint64_t> written(std::uint64_t record);
 
 private:
+  // `input` is that of the session which led to it; both are 0 until the record
+  // is known.
   struct Held {
     std::uint64_t record; // 0: not known yet
     std::uint64_t input;

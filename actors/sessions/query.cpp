@@ -19,6 +19,8 @@ const char* command_of(dialogue::QueryRequest::Kind kind) {
   return commands[static_cast<std::size_t>(kind)];
 }
 
+// A transaction's commands have no parameters: the session says which
+// transaction it is.
 Message as_message(const QueryOrder& order, Correlation correlation) {
   const auto& request = order.request;
   Message message;
@@ -57,6 +59,8 @@ query_state::~query_state() {
     bus->replies().forget(correlation);
 }
 
+// The correlation is registered before the question leaves: the answer may come
+// on another thread at once.
 query_actor::behavior_type
 query(query_actor::stateful_pointer<query_state> self, NodeTime* time,
       MessageBus* bus, session_actor session, QueryOrder order) {

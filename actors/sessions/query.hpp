@@ -18,6 +18,8 @@ struct query_state {
   ~query_state();
 };
 
+// What SessionPort::query hands over to the actor. `due` is in NodeTime
+// already; the actor's ticket removes it.
 struct QueryOrder {
   SessionId session_id;
   dialogue::QueryRequest request;

@@ -24,6 +24,8 @@ bool call_out(const SeatParts& parts, const char* what, Call call) {
 
 } // namespace
 
+// The tool's callbacks run on the seat's own actor: a slow one delays this seat
+// alone.
 seat_actor::behavior_type seat(seat_actor::stateful_pointer<seat_state> self,
                                SeatParts parts, SeatCalls calls) {
   return traced<seat_actor::behavior_type>(

@@ -26,6 +26,7 @@ struct SeatCalls {
   std::function<void(const SessionId&, std::uint64_t turn)> on_turns_done = {};
 };
 
+// All of it outlives the seat.
 struct SeatParts {
   const NodeTime* time = nullptr;
   Observer* observer = nullptr;
@@ -33,6 +34,9 @@ struct SeatParts {
   std::string name = {};
 };
 
+// Each output is answered by output_done, also where it could not be shown: the
+// session would wait for ever otherwise. Where the session has a loudspeaker,
+// it does not take this as the end of the speech (engine rule 3.8).
 seat_actor::behavior_type seat(seat_actor::stateful_pointer<seat_state> self,
                                SeatParts parts, SeatCalls calls);
 

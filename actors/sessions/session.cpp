@@ -27,6 +27,8 @@ const dialogue::Conversation& conversation_of(Self self) {
   return self->state.dialogue->conversation();
 }
 
+// Nothing else changes the conversation: what comes by a message, a timer or an
+// answer is an input with its time (engine rule 7.2).
 void take(Self self, dialogue::SessionInput input) {
   self->state.dialogue->take(std::move(input), now(self));
 }
@@ -40,6 +42,7 @@ ActorTrace trace_of(Self self) {
   return {self->state.parts->observer, session_state::name, id, id};
 }
 
+// "waits for an answer in state Welcome".
 std::string doing_of(const session_state& state) {
   const auto& conversation = state.dialogue->conversation();
   if (conversation.ended())
@@ -92,12 +95,16 @@ session_actor::behavior_type over(Self self) {
 }
 
 // Only a change is told: the tracker counts sessions that wait.
+// A node with a session that waits is not quiet in real time: the answer is
+// still to come (RealTime::quiet).
 void tell_waiting(session_state& state, bool waits) {
   if (std::exchange(state.waits, waits) != waits)
     state.time->work.session_waits(waits);
 }
 
 // False where that ends the session.
+// A strict session that cannot write its journal ends here: whatever it said
+// next could not be taken back by a crash (engine rule 7.11).
 bool finish_input(Self self) {
   auto& state = self->state;
   Expected<void> outcome;
@@ -124,6 +131,9 @@ void tell_turns_done(Self self) {
 
 // After each input: steps are taken one at a time through the mailbox, so that
 // whatever has arrived is queued before the next (engine rule 3).
+//
+//   a message comes    it is queued; take_step is sent, behind what has come
+//   take_step          one step; again take_step, until nothing is left to do
 void go_on(Self self) {
   auto& state = self->state;
   if (!finish_input(self))
@@ -150,6 +160,8 @@ void go_on(Self self) {
 
 // Session.Started is handled, up to the opening prompt; or it goes on after a
 // crash.
+// What the session had posted before the crash, and may not have reached
+// anybody, leaves after it has resumed.
 void begin(Self self) {
   const auto saved = std::exchange(self->state.saved, nullptr);
   if (!saved)
@@ -163,6 +175,8 @@ void begin(Self self) {
 
 // Where components have an instance for each session, what this one says to
 // them from its first word on is to find its own.
+// The answer is awaited, so that no other message is taken before the session
+// has begun.
 void settle_and_begin(Self self, const SessionId& id, const InFlight& work) {
   const auto& parts = *self->state.parts;
   if (!parts.bus.table()->has_instances_by_session())
@@ -172,6 +186,8 @@ void settle_and_begin(Self self, const SessionId& id, const InFlight& work) {
              [=](const caf::error&) { begin(self); }); // the node stops
 }
 
+// A frame may be awaited by now, if something else was taken in between: then
+// its answer goes on.
 void take_one_step(Self self) {
   auto& state = self->state;
   assert(state.stepping && "only a session asks itself for a step");
@@ -181,6 +197,8 @@ void take_one_step(Self self) {
   go_on(self);
 }
 
+// Lines without a number are turns of their own only where no line of the row
+// has one (TurnMeter::take).
 void note_turns(Self self, const deliver& what) {
   auto& state = self->state;
   std::uint64_t lines = 0;
@@ -216,6 +234,8 @@ void expect_input(Self self) {
   (void)self;
 }
 
+// A timer that was cancelled a moment ago may still arrive: the conversation
+// does not know its number any more.
 void hear_timer(Self self, const timer_due& what) {
   expect_input(self);
   port_of(self).timer_is_over(what.id);
@@ -223,6 +243,7 @@ void hear_timer(Self self, const timer_due& what) {
   go_on(self);
 }
 
+// The outcome is a result set, or an error that the script may catch.
 void hear_query(Self self, const query_outcome& what) {
   expect_input(self);
   port_of(self).query_is_over(what.id);
@@ -245,6 +266,9 @@ void hear_component(Self self, dialogue::QueryId id, Expected<void> outcome) {
 }
 
 // Its messages go the way of all others: by the routes, then queued.
+//
+// That it is closed is told twice: the event `Closed` is for the scripts, the
+// input SocketClosed lets the conversation forget it.
 void hear_socket(Self self, const socket_told& what) {
   using enum SocketEvent::Kind;
   if (what.event.kind == opened)
@@ -268,6 +292,8 @@ void hear_seat(Self self, const output_done& what) {
   go_on(self);
 }
 
+// Awaited: CAF keeps all other messages in the mailbox until the frame's answer
+// is here (engine rule 5.12).
 void ask_frame(Self self, const topic_frame_actor& frame,
                std::shared_ptr<const dialogue::FrameRequest> request) {
   // No deadline: the frame computes within the limits of its script, and its
@@ -287,6 +313,8 @@ void ask_frame(Self self, const topic_frame_actor& frame,
           });
 }
 
+// The port calls back into this actor only during its own messages, so the
+// lambdas may hold the bare pointer; the journal's thread holds a handle.
 void set_up(Self self, std::shared_ptr<const SessionParts> parts,
             SessionOrder order) {
   auto& state = self->state;

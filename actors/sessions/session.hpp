@@ -11,6 +11,8 @@
 
 namespace parlour::actors {
 
+// `seed` decides all that is random in the conversation, so that a replay draws
+// the same.
 struct SessionOrder {
   SessionId id;
   std::uint64_t seed = 1;
@@ -18,6 +20,7 @@ struct SessionOrder {
   std::shared_ptr<const dialogue::SavedSession> saved = nullptr; // null: new
 };
 
+// Used by the session's actor alone. `parts` and `time` outlive it.
 struct session_state {
   static inline const char* name = "session";
   std::shared_ptr<const SessionParts> parts;

@@ -11,6 +11,8 @@ namespace {
 
 // A replay and a recovery begin at a state, and so do not take longer than so
 // many inputs.
+// A smaller number makes the journal larger by a state each time (engine rule
+// 7.8 has the sizes), a larger one lets a recovery take longer.
 constexpr std::uint64_t inputs_between_states = 1'000;
 
 } // namespace
@@ -54,6 +56,8 @@ void SessionDialogue::keep_state() {
   keep(dialogue::StateKept{opened(), inputs_, conversation_->save(), turns_});
 }
 
+// Where the journal could not take it, `record` is 0: from then on there is a
+// gap, and nothing that is held back may leave.
 void SessionDialogue::keep(decltype(dialogue::SessionRecord::what) what) {
   const auto place = kept_.journal->append(
       dialogue::to_bytes({options_.session, std::move(what)}));
@@ -65,6 +69,7 @@ void SessionDialogue::keep(decltype(dialogue::SessionRecord::what) what) {
   bind_effects();
 }
 
+// The call comes at once where the record is on the disk already.
 void SessionDialogue::bind_effects() {
   if (port_->effects().wait_for(last_record_, inputs_))
     kept_.journal->when_written(last_record_, kept_.when_written(last_record_));
@@ -95,17 +100,21 @@ void SessionDialogue::take(dialogue::SessionInput input, Timestamp now) {
     keep_state();
 }
 
+// That a post was made is noted, so that a recovery does not make it again.
 void SessionDialogue::written(std::uint64_t record) {
   if (const auto input = port_->effects().written(record))
     keep(dialogue::EffectsDone{*input});
 }
 
+// The record tells a recovery that there is nothing to bring back.
 void SessionDialogue::close(std::vector<Message> unread) {
   port_->close(std::move(unread));
   if (kept_.journal)
     keep(dialogue::SessionClosed());
 }
 
+// Between the conversation and its port stands what writes down the port's
+// answers, as a replay has to repeat them.
 dialogue::Port& SessionDialogue::seen(SessionPort& port) {
   if (!kept_.journal)
     return port;
@@ -118,6 +127,8 @@ dialogue::Port& SessionDialogue::seen(SessionPort& port) {
 
 // -- another port -------------------------------------------------------------
 
+// The conversation before ends only when the next one is there, as an error
+// must leave it in place; its port ends last.
 Expected<void> SessionDialogue::renew(Timestamp now) {
   const bool keeps_port =
       conversation_->expects_outcome() || !port_->effects().none();

@@ -8,7 +8,7 @@
 #include <memory>
 
 #include "actors/sessions/session_port.hpp"
-#include "runtime/base/journal.hpp"
+#include "runtime/base/outside/journal.hpp"
 #include "script/dialogue/engine/conversation.hpp"
 #include "script/dialogue/inputs/recording_port.hpp"
 #include "script/dialogue/inputs/saved_session.hpp"
@@ -26,6 +26,10 @@ struct JournalUse {
   std::function<std::function<void()>(std::uint64_t record)> when_written = {};
 };
 
+//
+// With a journal each input leads to one record: the input, and what the port
+// answered at once while it was dealt with. Now and then a state follows, from
+// which a replay or a recovery begins (engine rule 7.10).
 class SessionDialogue {
 public:
   using MakePort = std::function<std::unique_ptr<SessionPort>()>;
@@ -38,6 +42,8 @@ public:
                   const dialogue::SavedSession* saved = {});
 
   // The only way into the conversation.
+  // An input that is taken after a record was lost leads to a state instead of
+  // a record, which mends the gap.
   void take(dialogue::SessionInput input, Timestamp now);
   // The journal has this record: what waited for it is done.
   void written(std::uint64_t record);
@@ -74,10 +80,13 @@ public:
 private:
   // The port, as the conversation sees it.
   dialogue::Port& seen(SessionPort& port);
+  // Appends a record; notes where it stands, or that it was lost.
   void keep(decltype(dialogue::SessionRecord::what) what);
+  // If it is kept, a gap is over: what was lost is in the state.
   void keep_state();
   // What the port holds back from now on waits for the last record, too.
   void bind_effects();
+  // What each state begins with, so that it can be read alone.
   dialogue::SessionOpened opened() const;
 
   const std::shared_ptr<const script::Program> program_;

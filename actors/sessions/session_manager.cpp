@@ -30,6 +30,9 @@ SessionId session_at(const session_manager_state& state,
 
 // The session is in the directory before it begins: what components say to it
 // from its first word on finds it.
+//
+// Empty where the node stops, or where a session of that id goes on already. A
+// seat that has a session keeps it: two lines that come at once open one.
 SessionId open(Self self, const open_session& what, bool tells_seat = false) {
   if (auto id = session_at(self->state, what.seat); !id.empty())
     return id;
@@ -58,6 +61,7 @@ SessionId open(Self self, const open_session& what, bool tells_seat = false) {
 
 // -- turns without a session --------------------------------------------------
 
+// Null where the session is long over, or never was.
 seat_actor last_seat_of(const session_manager_state& state,
                         const SessionId& session) {
   for (const auto& [id, seat] : state.departed)
@@ -74,6 +78,8 @@ void leave_unhandled(MessageBus& bus, const std::vector<Message>& messages) {
     bus.unhandled(message, "its session is over");
 }
 
+// User turns, or the message of an `<open>`: they are the first that the
+// session gets after its beginning.
 void bring(Self self, const seat_actor& seat, std::vector<Message> turns,
            const InFlight& work) {
   auto& state = self->state;
@@ -125,6 +131,13 @@ void dismiss(Self self, const std::string& name, const seat_actor& seat,
   self->send(seat, leave_seat{work});
 }
 
+// First nobody finds it any more; then the centre, which may have sent it
+// something, lets it go; then its seat hears; last, its late turns open the
+// seat's next session.
+//
+//   session -> manager   session_gone, with the turns it has not read
+//   manager -> centre    retire: leave follows what the centre sent before
+//   manager -> seat      session_over, then perhaps next_session
 void forget(Self self, const session_gone& what) {
   auto& state = self->state;
   auto entry = state.sessions.extract(what.session);
@@ -147,6 +160,8 @@ void forget(Self self, const session_gone& what) {
 }
 
 // A session that ended without a word: its actor was lost to an exception.
+// Every session's end comes here; one that has said session_gone is not known
+// any more.
 void notice_loss(Self self, const caf::down_msg& down) {
   const auto found = self->state.session_of.find(down.source.id());
   if (found == self->state.session_of.end())
@@ -163,6 +178,8 @@ void notice_loss(Self self, const caf::down_msg& down) {
 
 // -- messages -----------------------------------------------------------------
 
+// "*" stands for any event.
+// A source may be a role or a component's name.
 bool is_subscribed(const std::vector<Subscription>& all,
                    const RoutingTable& table, const Message& message) {
   return std::ranges::any_of(all, [&](const Subscription& one) {
@@ -173,6 +190,7 @@ bool is_subscribed(const std::vector<Subscription>& all,
 
 // A sensor sees somebody, a robot has arrived: a conversation opens at each
 // seat that has none, and gets the message (engine rule 1.8).
+// True where it opened one: then the message was taken.
 bool open_for(Self self, const Message& message, const RoutingTable& table,
               const InFlight& work) {
   bool opened = false;
@@ -208,12 +226,15 @@ void pass_to_all(Self self, Message message, const InFlight& work) {
     bus.unhandled(message, "no session has subscribed to it");
 }
 
+// All of its subscriptions: they take the place of those before.
 void note_subscriptions(Self self, const subscribe& what) {
   const auto found = self->state.sessions.find(what.session);
   if (found != self->state.sessions.end())
     found->second.subscriptions = what.to;
 }
 
+// All messages of one `forward` have the same session (message_centre.cpp);
+// without one, each may be for several.
 void pass_on(Self self, const forward& what) {
   if (what.messages.empty())
     return;
@@ -259,6 +280,7 @@ void begin(Self self, const begin_visit& what) {
   open(self, {seat, what.work, what.saved}, true);
 }
 
+// The seat lives until its session has ended: what that still says is told.
 void end(Self self, const end_visit& what) {
   auto& state = self->state;
   const auto visit = state.visits.find(what.name);

@@ -17,11 +17,13 @@
 namespace parlour::actors {
 
 // Of the sessions that open; called by the session manager only.
+// By a seed of the run both are the same each time (id_source.hpp).
 struct SessionNames {
   std::function<SessionId()> next_id;
   std::function<std::uint64_t()> next_seed;
 };
 
+// The directory is what others see of `sessions`; both change together.
 struct session_manager_state {
   static inline const char* name = "session_manager";
   struct Entry {

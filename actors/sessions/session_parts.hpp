@@ -8,14 +8,15 @@
 #include "actors/routing/message_bus.hpp"
 #include "actors/support/node_time.hpp"
 #include "actors/support/observer.hpp"
-#include "runtime/base/journal.hpp"
-#include "runtime/base/sockets.hpp"
+#include "runtime/base/outside/journal.hpp"
+#include "runtime/base/outside/sockets.hpp"
 #include "runtime/message/phrases.hpp"
 
 namespace parlour::actors {
 
 class SessionDialogue; // which is made with these
 
+// What is referred to belongs to the node and outlives the sessions.
 struct SessionParts {
   NodeTime& time;
   MessageBus& bus;

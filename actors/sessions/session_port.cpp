@@ -64,6 +64,8 @@ void SessionPort::post_again(std::vector<Message> messages) {
 }
 
 // A component without state, in the session's own turn.
+// If it throws, the message has a failed answer in the same turn, and the
+// supervisor counts the failure against the component.
 std::vector<Message> SessionPort::call(const Target& target,
                                        const Message& message) {
   if (parts_->observer.traces("inline", target.name))
@@ -120,6 +122,8 @@ void SessionPort::tell_turns_done(std::uint64_t turn) {
   });
 }
 
+// In a strict session the time includes the wait for the disk: that is what the
+// user waits for.
 void SessionPort::count_turns(const TurnMeter::Answered& answered) {
   perform([this, answered] {
     auto& metrics = parts_->observer.metrics();
@@ -143,6 +147,8 @@ ActorTrace SessionPort::trace_of(const char* kind,
 
 // A timer is an actor of its own, so that CAF's clock ends it; its due time is
 // noted first, as virtual time must not jump over it.
+// A timer of the same number is replaced. One that is overdue, as after a
+// crash, fires at once.
 void SessionPort::start_timer(dialogue::TimerId id, Timestamp due) {
   cancel_timer(id);
   const auto after = std::max(due - time_.now(), Timestamp{0});
@@ -197,6 +203,8 @@ void SessionPort::component(dialogue::ComponentRequest request) {
   });
 }
 
+// The supervisor's answer is no awaited one: the session goes on hearing
+// messages while a component starts for up to 30 s.
 void SessionPort::order_component(dialogue::ComponentRequest request) {
   auto hear = [id = request.id, done = component_done_](auto answer) {
     answer.then(
@@ -225,6 +233,8 @@ void SessionPort::file(dialogue::QueryId id, FileRequest request) {
   });
 }
 
+// The refusal comes as an event, like any failure to connect: the script waits
+// for it.
 void SessionPort::open_socket(dialogue::SocketRequest request) {
   const auto id = request.id;
   if (!sockets_.open(std::move(request)))
@@ -252,6 +262,7 @@ void SessionPort::socket_is_over(dialogue::SocketId id) {
   sockets_.forget(id);
 }
 
+// The adapter stops reading when too many texts are not taken.
 std::vector<Message> SessionPort::hear_socket(dialogue::SocketId id,
                                               const SocketEvent& event) {
   std::vector<Message> messages;
@@ -294,6 +305,7 @@ bool SessionPort::inspected() const {
   return parts_->observer.watches_all();
 }
 
+// The last error is kept for who asks how the session is.
 void SessionPort::inspect(Inspection inspection) {
   if (inspection.kind == InspectionKind::error)
     last_error_ = inspection.detail;

@@ -15,6 +15,10 @@
 
 namespace parlour::actors {
 
+// Each effect is one message to an actor, or one call of the bus; its outcome
+// comes back as a message to the session and so as an input. Without a strict
+// journal effects leave at once, else they wait (held_effects.hpp): what is
+// below as perform().
 class SessionPort : public dialogue::Port, private InlineCaller {
 public:
   // One request to a topic's frame; its answer is the session's next input,
@@ -31,13 +35,19 @@ public:
               ComponentDone component_done = {});
   ~SessionPort() override; // ends whatever still works for the session
 
+  // Returned is what this session gets of it at once: the message itself where
+  // no sink takes it, and the answers of inline components.
   std::vector<Message> post(Message message) override;
   void subscribe(const std::vector<Subscription>& all) override;
+  // Whether a component of the name or role is up for this session.
   bool reachable(const std::string& module) const override;
   bool is_source(const std::string& module,
                  const std::string& source) const override;
   Reply reply_to_request(const Message& event) const override;
   void release(const dialogue::Output& output) override;
+  // What is wanted from here on comes back as a message to the session:
+  // timer_due, query_outcome, file_outcome, socket_told; of component() by
+  // ComponentDone.
   void start_timer(dialogue::TimerId id, Timestamp due) override;
   void cancel_timer(dialogue::TimerId id) override;
   void query(dialogue::QueryRequest request) override;
@@ -46,13 +56,19 @@ public:
   void open_socket(dialogue::SocketRequest request) override;
   Expected<void> send_socket(dialogue::SocketId id,
                              const std::string& text) override;
+  // A text of the socket is dealt with.
   void socket_taken(dialogue::SocketId id) override;
   void close_socket(dialogue::SocketId id) override;
+  // One at a time: the session takes no other input until the frame has
+  // answered (engine rule 5.12).
   void apply(script::TopicId topic,
              std::shared_ptr<const dialogue::FrameRequest> request) override;
+  // Counted and shown; nothing comes back.
   void unhandled(const Message& message) override;
+  // Whether an inspection is worth being made.
   bool inspected() const override;
   void inspect(Inspection inspection) override;
+  // To Discretion: what is private, and up to which message all is understood.
   void conceal(const std::vector<std::string>& texts) override;
   void conceal_turn() override;
   void settled(std::uint64_t received) override;
@@ -78,6 +94,7 @@ public:
     turn_ = number;
   }
   // After a crash: what was posted, and may not have left.
+  // With the session and correlation that they had.
   void post_again(std::vector<Message> messages);
   // -- for who asks how it is
   const SessionId& id() const {
@@ -93,6 +110,7 @@ public:
   void close(std::vector<Message> unread);
 
 private:
+  // `due`: its entry in NodeTime, removed with it.
   struct Timer {
     timer_actor actor;
     DueTimes::Id due;
@@ -112,7 +130,9 @@ private:
   void start_query(dialogue::QueryRequest request);
   void order_component(dialogue::ComponentRequest request);
   void end_timer(const Timer& timer);
+  // Ends timers, queries, sockets and frames.
   void end_all();
+  // Valid until end_all().
   const topic_frame_actor& frame_of(script::TopicId topic);
   Timestamp due_at(Milliseconds after) const;
   ActorTrace trace_of(const char* kind, const std::string& name) const;

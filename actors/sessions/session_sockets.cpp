@@ -35,6 +35,7 @@ void SessionSockets::close_all() {
     network_->close(socket.id);
 }
 
+// The name is kept before the adapter is called, as it may tell at once.
 bool SessionSockets::open(dialogue::SocketRequest request) {
   if (!network_)
     return false;
@@ -67,6 +68,8 @@ void SessionSockets::forget(dialogue::SocketId id) {
   sockets_.erase(id);
 }
 
+// A text comes as the event Data of a source with the socket's name, the end as
+// Closed with the reason.
 std::optional<Message> SessionSockets::message(dialogue::SocketId id,
                                                const SocketEvent& event) const {
   const auto found = sockets_.find(id);

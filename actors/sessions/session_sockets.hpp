@@ -17,6 +17,7 @@
 
 namespace parlour::actors {
 
+// The ids are the conversation's; the network's own are known here alone.
 class SessionSockets {
 public:
   // `network` may be null: this run has none.
@@ -29,8 +30,11 @@ public:
   }
 
   // False where this run has no network.
+  // True says only that it is tried: SocketEvent opened or failed follows.
   bool open(dialogue::SocketRequest request);
+  // An error of kind Network where it is closed.
   Expected<void> send(dialogue::SocketId id, const std::string& text);
+  // The conversation has dealt with a text: the next may be read.
   void taken(dialogue::SocketId id);
   void close(dialogue::SocketId id);
   void close_all();

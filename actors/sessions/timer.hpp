@@ -13,6 +13,7 @@ struct timer_state {
   DueTicket ticket;
 };
 
+// What SessionPort::start_timer hands over; `due` is in NodeTime already.
 struct TimerOrder {
   std::uint64_t id = 0; // what the session calls it
   Milliseconds after{0};

@@ -14,12 +14,14 @@ namespace parlour::actors {
 
 namespace {
 
+// Constraints are scripts: they see the changed frame, and what the request
+// brings of the session.
 frame_changed change(const std::shared_ptr<const script::Program>& program,
                      const apply_changes& what) {
   const auto& request = *what.request;
   assert(request.frame && "a change leads from a frame to a frame");
-  auto evaluate =
-      dialogue::make_frame_evaluator(program, request.variables, request.now);
+  auto evaluate = dialogue::make_frame_evaluator(program, request.variables,
+                                                 request.now, request.others);
   return {std::make_shared<const dialogue::FrameResult>(
               dialogue::apply(*program, request, evaluate)),
           what.work};

@@ -8,6 +8,7 @@
 
 namespace parlour::actors {
 
+// Spawned by the session's port when the topic is first touched; ends with it.
 struct topic_frame_state {
   static inline const char* name = "topic_frame";
 };

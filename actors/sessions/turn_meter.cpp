@@ -5,6 +5,8 @@
 
 namespace parlour::actors {
 
+// The time counts from the first turn that has no answer yet: turns that came
+// while it was worked for are answered with it.
 void TurnMeter::take(std::uint64_t lines, std::uint64_t numbered,
                      std::uint64_t highest, Nanoseconds arrived) {
   const auto turns = numbered == 0 ? lines : numbered;

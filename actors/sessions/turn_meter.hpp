@@ -10,6 +10,8 @@
 
 namespace parlour::actors {
 
+// For the metric `parlour_turn_seconds` and the number that inspections show. A
+// row of three lines is three turns; one numbered turn of three lines is one.
 class TurnMeter {
 public:
   // One that goes on after a crash.
@@ -29,6 +31,8 @@ public:
     std::uint64_t turns = 0;
     Nanoseconds since = 0;
   };
+  // Called when the session has nothing left to do for them; none are open
+  // afterwards.
   Answered take_answered();
 
 private:

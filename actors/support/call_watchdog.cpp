@@ -10,6 +10,8 @@ void CallWatchdog::expect(InFlight work) {
   expected_ = std::move(work);
 }
 
+// The calls that start and stop a plug-in bring no token: theirs was left by
+// expect().
 CallWatchdog::Begin CallWatchdog::begin(Timestamp now, InFlight& work) {
   std::lock_guard lock(mutex_);
   if (given_up_)
@@ -37,6 +39,8 @@ void CallWatchdog::watch_anew() {
   watched_ = false;
 }
 
+// In one step under the lock: a call that begins a moment later finds that
+// nobody watches, and says so.
 std::optional<Milliseconds> CallWatchdog::time_left(Timestamp now,
                                                     Milliseconds deadline) {
   std::lock_guard lock(mutex_);

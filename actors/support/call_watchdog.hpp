@@ -12,6 +12,8 @@
 namespace parlour::actors {
 
 // Safe to use from any thread.
+// A token for the call is kept here and not on the host's stack: if the call
+// hangs, the supervisor drops it, and the node becomes quiet all the same.
 class CallWatchdog {
 public:
   enum class Begin {
@@ -33,6 +35,7 @@ public:
   bool in_call() const {
     return call_since().has_value();
   }
+  // Nothing: it is in no call.
   std::optional<Timestamp> call_since() const;
   // The next call is to be watched anew: it has less time than the last.
   void watch_anew();

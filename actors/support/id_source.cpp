@@ -7,6 +7,7 @@ namespace parlour::actors {
 IdSource::IdSource(std::optional<std::uint64_t> seed)
     : seed_(seed), repeatable_(seed.value_or(0)) {}
 
+// The device gives 32 bits at a time.
 std::uint64_t IdSource::draw() {
   if (seed_)
     return repeatable_();

@@ -10,6 +10,7 @@
 namespace parlour::actors {
 
 // Used by one thread at a time.
+// An id is a secret: who knows it can speak in that session (engine rule 1.5).
 class IdSource {
 public:
   explicit IdSource(std::optional<std::uint64_t> seed);

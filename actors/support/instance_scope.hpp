@@ -10,6 +10,7 @@
 namespace parlour::actors {
 
 // Safe to use from any thread.
+// The supervisor changes it, and the plug-in's threads ask whom to speak for.
 class InstanceScope {
 public:
   // The node has no name. What is said there belongs to no session until that

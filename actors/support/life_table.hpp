@@ -16,6 +16,7 @@ namespace parlour::actors {
 template <class Deed>
 class Deeds {
 public:
+  // The longest row has as many; a row with more does not compile.
   static constexpr std::size_t max = 4;
 
   constexpr Deeds() = default;
@@ -46,6 +47,8 @@ struct LifeRow {
 
 // All rows by state, then by event, as the two enumerations count them.
 template <class Row, std::size_t states, std::size_t events>
+// A lookup is one multiplication; the order of the rows makes up for the
+// search.
 struct LifeTable {
   std::array<Row, states * events> rows;
 

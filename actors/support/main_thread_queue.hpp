@@ -24,6 +24,7 @@ public:
     return kind_ != Kind::open && owner_.load() != std::this_thread::get_id();
   }
   // The calling thread is the node's from now on.
+  // A node may be driven by one thread after the other.
   void adopt_thread();
   // Runs what waited; false if nothing did.
   bool drain();

@@ -12,6 +12,8 @@ namespace parlour::actors {
 
 // Safe to use from any thread; nobody waits but for the seldom counters of
 // components.
+// Counters are members, so that counting is one atomic addition; components
+// have theirs by name, as they come and go.
 class NodeMetrics {
 public:
 #define NODE_COUNTER(member, name, sentence) Counter member;
@@ -28,6 +30,7 @@ public:
   // For latencies: a time that never goes back, of this process.
   static Nanoseconds now();
 
+  // All of it as of about now, as `/metrics` shows it.
   Metrics told() const;
 
 private:

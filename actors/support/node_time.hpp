@@ -12,6 +12,8 @@
 namespace parlour::actors {
 
 // Safe to use from any thread.
+// A due time that is removed wakes those who wait for quiet: what they wait for
+// may have become work, or nothing.
 struct NodeTime {
   NodeTime(const Clock& its_clock, MainThreadQueue::Kind kind)
       : clock(its_clock), due_times([this] { work.wake(); }),

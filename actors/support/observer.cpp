@@ -45,6 +45,8 @@ void Observer::watch_all(bool wanted) {
   follows_ = discretion_.hides() || all_;
 }
 
+// Discretion hears of each message even where nobody watches: it has to know
+// what is private before it is in a log.
 void Observer::follow(const Message& message, const std::string& way) {
   discretion_.pass(message, way);
   if (watches_all())
@@ -62,6 +64,7 @@ void Observer::log(const std::string& line) {
   write(discretion_.masked(line));
 }
 
+// What the watcher throws is not its caller's fault, and is only logged.
 void Observer::show(const Inspection& seen) {
   if (left_behind_)
     return;

@@ -10,12 +10,15 @@
 #include <string_view>
 #include <vector>
 
-#include "actors/support/discretion.hpp"
 #include "actors/support/node_metrics.hpp"
+#include "actors/support/privacy/discretion.hpp"
 #include "runtime/message/inspection.hpp"
 
 namespace parlour::actors {
 
+// Called by every actor that does something worth seeing; it masks by
+// Discretion before anybody is shown anything. Errors of scripts are counted
+// here, too.
 // Safe to use from any thread.
 class Observer {
 public:
@@ -40,6 +43,7 @@ public:
   Observer& operator=(const Observer&) = delete;
 
   // Where nobody watches, errors, logs and unhandled messages are logged.
+  // `seen.turn` and `seen.session` say whom it concerns; both may be empty.
   void inspect(Inspection seen);
   void log(const std::string& line);
   // Whether there is somebody to show more than these to.

@@ -7,6 +7,8 @@
 
 namespace parlour::actors {
 
+// Where there are too many, the oldest loses its early error: its sender's
+// time-out is left.
 void PendingRequests::given(const Message& message, Timestamp now) {
   if (message.correlation == 0 || !wants_answer(message.command))
     return;
@@ -16,6 +18,7 @@ void PendingRequests::given(const Message& message, Timestamp now) {
   entries_.push_back({now, message.correlation, message.session});
 }
 
+// Progress events carry the same correlation and end nothing.
 void PendingRequests::said(const Message& event) {
   if (event.correlation == 0 || entries_.empty())
     return;

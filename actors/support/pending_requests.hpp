@@ -14,6 +14,9 @@
 namespace parlour::actors {
 
 // For one thread at a time.
+//
+// An example: Weather was asked for a forecast and crashes. Its entry makes the
+// session's request end with an error at once, not after `request-timeout`.
 class PendingRequests {
 public:
   // Of the commands that roles.def does not know, many want no answer: what is
@@ -39,6 +42,7 @@ private:
   bool is_answer(const std::string& command) const;
   void forget_old(Timestamp now);
 
+  // Only what an answer needs: the message itself is not kept.
   struct Entry {
     Timestamp since;
     Correlation correlation;

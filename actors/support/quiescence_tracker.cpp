@@ -15,6 +15,8 @@ void QuiescenceTracker::session_waits(bool waits) {
   wake();
 }
 
+// `done` is called with the lock held: it may read counters and due times, and
+// must not call wake().
 bool QuiescenceTracker::wait(const std::function<bool()>& done,
                              std::optional<Deadline> deadline) {
   auto over = [&] { return interrupted_ || done(); };

@@ -17,6 +17,8 @@
 
 namespace parlour::actors {
 
+// One of each node, in NodeTime. The driving thread waits in wait(); whoever
+// drops the last token wakes it.
 // Safe to use from any thread. Outlives every token that it gave out.
 class QuiescenceTracker : public InFlightCounter {
 public:

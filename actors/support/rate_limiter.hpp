@@ -16,6 +16,8 @@ public:
   // Audio in pieces of 10 ms is 100 events a second.
   static constexpr std::int64_t capacity = 2'000;
   static constexpr std::int64_t each_second = 1'000;
+  // An answer in pieces, such as a page of text that is spoken, has room in
+  // that.
   static constexpr std::int64_t each_message = 20;
 
   // False where there is none left.
@@ -28,6 +30,8 @@ public:
   }
 
 private:
+  // At the first call all time since 0 seems to have passed; more than the
+  // capacity never counts.
   void refill(Timestamp now) {
     const auto grown = (now - filled_) * each_second / 1'000;
     if (grown <= 0)

@@ -5,6 +5,8 @@
 namespace parlour::actors {
 
 // `recent_` holds the failures of the last minute, the oldest first.
+// A component that has worked for a minute after its return begins anew: its
+// next five failures lead to the first, short time down.
 RestartPolicy::Verdict RestartPolicy::failed(Timestamp now) {
   ++count_;
   const bool returned =

@@ -15,6 +15,7 @@
 
 namespace parlour::actors {
 
+// One for each service; called on the supervisor's thread.
 class RestartPolicy {
 public:
   // With so many failures within `window` it is down.

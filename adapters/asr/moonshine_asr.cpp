@@ -24,6 +24,8 @@ namespace {
 
 using namespace moonshine;
 
+// Whose grammars are kept; beyond it all are forgotten, and the next turns
+// prefer all words.
 constexpr std::size_t most_sessions = 1'000;
 
 using Folders = std::vector<std::filesystem::path>;
@@ -57,6 +59,9 @@ List typed(List entries) {
 
 // Threads: commands come on the plug-in's own thread; answers of the program
 // come on its loop's thread; grammars are prepared on a thread of their own.
+//
+// The program is sent everything as it comes and decides by itself when it
+// works; here is only known which turn belongs to which message.
 class MoonshineASR : public ASRPlugin {
 public:
   explicit MoonshineASR(Folders programs) : programs_(std::move(programs)) {}
@@ -89,6 +94,7 @@ private:
   bool one_by_one_ = false;
   bool any_words_ = false;
   OpenMessages open_;
+  // Of the columns: taken by the thread that prepares the grammars, too.
   std::mutex columns_mutex_;
   nlu::KnownColumns columns_;
   asr::LanguageSources sources_;
@@ -148,6 +154,7 @@ ColumnReader MoonshineASR::columns() {
   };
 }
 
+// The newest words take the place of those before.
 void MoonshineASR::tell_words() {
   program_->send(words_frame(application_words(host(), sources_.columns)));
 }
@@ -190,6 +197,7 @@ void MoonshineASR::stop() {
   end("The component is stopped.");
 }
 
+// A turn is narrowed before its first audio, as the program wants it.
 void MoonshineASR::on_do_recognition(const Binary&) {
   const auto message = current();
   const auto samples = speech_samples(message.params.at(0));
@@ -207,6 +215,8 @@ void MoonshineASR::on_do_recognition(const Binary&) {
     program_->send(audio_frame(place.turn, samples->first(place.samples)));
 }
 
+// The program is asked under the lock: what ends it meanwhile finds the turn,
+// and rejects it.
 void MoonshineASR::on_finish() {
   {
     const std::lock_guard lock(mutex_);
@@ -224,6 +234,7 @@ void MoonshineASR::on_finish() {
     open_.wait_for_all();
 }
 
+// Answers are fired without the lock: the plug-in's host may call back.
 void MoonshineASR::on_cancel() {
   MoonshineTurns::Cancelled cancelled;
   {
@@ -258,6 +269,7 @@ MoonshineASR::wanted_in(const SessionId& session) const {
   return found == wanted_.end() ? none : found->second;
 }
 
+// Nothing is sent where no wanted name is known: all words are preferred then.
 void MoonshineASR::narrow(TurnNumber turn, const SessionId& session) {
   const auto& wanted = wanted_in(session);
   if (wanted.empty() || !grammars_)
@@ -267,6 +279,7 @@ void MoonshineASR::narrow(TurnNumber turn, const SessionId& session) {
 }
 
 // A turn that is being recognised keeps the words with which that began.
+// The words are told at once; the grammars follow when they are prepared.
 void MoonshineASR::on_set_values(const std::string& column,
                                  const List& values) {
   {
@@ -284,6 +297,7 @@ void MoonshineASR::on_set_values(const std::string& column,
 
 // -- on the thread of the program's loop --------------------------------------
 
+// `ready` and `failed` do not come here (MoonshineProgram).
 void MoonshineASR::take(const Answer& answer) {
   if (answer.kind == AnswerKind::partial)
     return tell_partial(answer);
@@ -299,6 +313,7 @@ void MoonshineASR::take(const Answer& answer) {
   tell_result(*order, answer);
 }
 
+// Whether a sentence may end here is said only once the grammars are prepared.
 void MoonshineASR::tell_partial(const Answer& one) {
   std::optional<MoonshineTurns::Partial> partial;
   std::optional<bool> ends;
@@ -328,6 +343,8 @@ void MoonshineASR::reject(const Message& order, const std::string& reason) {
   answer(order, "Rejected", {reason});
 }
 
+// First the waiting turns are rejected, then the supervisor replaces the
+// instance.
 void MoonshineASR::program_ended(const std::string& reason) {
   const auto sentence = "The recogniser's program has ended: " + reason;
   end(sentence);

@@ -24,6 +24,7 @@ constexpr std::array<std::pair<std::string_view, AnswerKind>, 6> kinds = {{
     {"failed", AnswerKind::failed},
 }};
 
+// {"type":"audio","turn":7,"bytes":640}, a line end, 640 bytes of samples.
 std::string frame(Map head, std::string_view payload = {}) {
   if (!payload.empty())
     head.set("bytes", static_cast<std::int64_t>(payload.size()));
@@ -38,6 +39,7 @@ std::string turn_frame(const char* type, TurnNumber turn,
   return frame({{"type", type}, {"turn", turn}}, payload);
 }
 
+// A turn is heard for 30 s, which is less, so that none is cut.
 std::string_view payload_of(std::span<const Sample> samples) {
   const auto bytes = std::as_bytes(samples);
   return {reinterpret_cast<const char*>(bytes.data()),
@@ -45,6 +47,7 @@ std::string_view payload_of(std::span<const Sample> samples) {
 }
 
 // Those that fit.
+// Names come first in the list, so that sentences are what is left out.
 std::string lines_of(const Words& words) {
   std::string lines;
   for (const auto& phrase : words.phrases) {
@@ -99,6 +102,8 @@ tl::unexpected<Error> unreadable(std::string_view line) {
                                       std::string(line.substr(0, 80)));
 }
 
+// A field of the wrong type counts as missing; an unknown kind ends the stream,
+// as nobody knows what it asks for.
 Expected<Answer> read_answer(std::string_view line) {
   const auto value = read_json(line);
   if (!value || !value->if_map())
@@ -168,6 +173,7 @@ std::string narrow_frame(TurnNumber turn, const Words& words) {
                lines_of(words));
 }
 
+// What was read is erased here, once for all lines that next() has returned.
 void AnswerReader::add(std::string_view bytes) {
   held_.erase(0, std::exchange(at_, 0));
   held_ += bytes;

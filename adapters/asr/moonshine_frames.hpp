@@ -32,6 +32,7 @@ std::string audio_frame(TurnNumber turn, std::span<const Sample> samples);
 std::string detect_frame(TurnNumber stream, std::span<const Sample> samples);
 // Before its audio: the only words that the turn is to prefer.
 std::string narrow_frame(TurnNumber turn, const Words& words);
+// A result or a rejection follows; after `cancel` nothing does.
 std::string finish_frame(TurnNumber turn);
 std::string cancel_frame(TurnNumber turn);
 // Its domain model, in as many frames as it needs.
@@ -52,6 +53,7 @@ enum class AnswerKind : std::uint8_t {
   failed    // the program cannot go on
 };
 
+// Which fields count depends on the kind; the others are empty.
 struct Answer {
   AnswerKind kind = AnswerKind::failed;
   TurnNumber turn = 0;
@@ -67,6 +69,7 @@ struct Answer {
 
 // Splits the bytes of the program into its answers. It holds at most one
 // incomplete line and the bytes of the last add().
+// For one stream, on one thread.
 class AnswerReader {
 public:
   // In bytes.

@@ -11,7 +11,9 @@ namespace {
 
 // To prepare one takes milliseconds.
 constexpr std::size_t most_known = 32;
+// Of each list of names; the frame has its own bound (moonshine_frames.cpp).
 constexpr std::size_t most_values = 2'000;
+// For the domain model, which is sent to the program as a whole.
 constexpr std::size_t drawn_sentences = 20'000;
 
 // As it stands where a sentence begins.
@@ -21,6 +23,8 @@ std::string capital(std::string phrase) {
   return phrase;
 }
 
+// Twice, as the network writes a capital where it thinks that a sentence
+// begins.
 void add(Words& words, const std::string& phrase) {
   if (phrase.empty())
     return;
@@ -41,6 +45,8 @@ Words words_of(const asr::Language::Phrases& phrases) {
 
 } // namespace
 
+// Names that nobody knows are kept, too, so that they are not looked for each
+// time.
 const MoonshineGrammars::Narrow&
 MoonshineGrammars::narrow(const std::vector<std::string>& names) {
   const auto found = std::ranges::find(known_, names, &Narrow::names);
@@ -61,10 +67,9 @@ const Words* MoonshineGrammars::words(const std::vector<std::string>& names) {
 }
 
 std::string MoonshineGrammars::domain_model() const {
-  const auto& sentences = language_.sentences();
-  return sentences.arc_count() == 0
+  return language_.sentences().arc_count() == 0
              ? std::string()
-             : language_.arpa(sentences, drawn_sentences);
+             : language_.arpa(drawn_sentences);
 }
 
 std::optional<bool>

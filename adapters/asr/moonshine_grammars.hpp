@@ -15,6 +15,7 @@
 namespace parlour::adapters::moonshine {
 
 // For one thread.
+// The instance is replaced as a whole when a column has new values.
 class MoonshineGrammars {
 public:
   explicit MoonshineGrammars(asr::Language language)
@@ -35,6 +36,7 @@ public:
   std::string domain_model() const;
 
 private:
+  // What was prepared for one list of names.
   struct Narrow {
     std::vector<std::string> names;
     std::optional<asr::WordGraph> graph; // nothing: no name is known

@@ -30,6 +30,7 @@ tl::unexpected<Error> missing(const PlaceOrder& order,
                   " needs none of it");
 }
 
+// As a shell looks for it: a name with a '/' is a path.
 fs::path find_node(const PlaceOrder& order) {
   if (order.node.find('/') != std::string::npos)
     return is_there(order.node) ? full_path(order.node) : fs::path();
@@ -50,6 +51,7 @@ fs::path find_program(const PlaceOrder& order) {
 
 } // namespace
 
+// The first thing that is missing is told.
 Expected<Place> find_place(const PlaceOrder& order) {
   const Place place{find_node(order), find_program(order)};
   if (place.program.empty())

@@ -14,7 +14,8 @@ struct Place {
   std::filesystem::path program; // moonshine.mjs; absolute
 };
 
-// What to look for. Relative paths start at the working folder.
+// What to look for. Relative paths start at the working folder. SileroVAD,
+// which runs in the same program, asks with a name of its own.
 struct PlaceOrder {
   // The program; empty: the first of `usual` that exists.
   std::filesystem::path program;

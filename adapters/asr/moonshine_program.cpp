@@ -37,6 +37,11 @@ std::string system_message() {
 
 // The process and our ends: one socket for its standard input and output, and a
 // pipe for its errors.
+// Exists as long as the program may be talked to; end() takes it away.
+//
+//   ours                          theirs
+//   socket_, read and written     standard input and output
+//   errors_, read                 standard error
 class MoonshineProgram::Connection {
 public:
   static Expected<std::unique_ptr<Connection>> open(const ProgramOrder& order) {
@@ -103,6 +108,7 @@ private:
   std::unique_ptr<StartedProcess> process_;
 };
 
+// The loop exists before its owner does: it learns of it by a shared pointer.
 Expected<std::unique_ptr<MoonshineProgram>>
 MoonshineProgram::start(const ProgramOrder& order, ProgramCalls calls) {
   const auto owner = std::make_shared<MoonshineProgram*>();
@@ -153,6 +159,7 @@ void MoonshineProgram::send(std::string frame) {
   });
 }
 
+// The debt is noted before the frame is sent, so that no answer comes earlier.
 void MoonshineProgram::ask(TurnNumber turn, std::string frame) {
   loop_->post([this, turn] {
     awaited_.emplace(turn, Steady::now());
@@ -169,6 +176,8 @@ void MoonshineProgram::listen() {
   error_output_.await(connection_->errors(), POLLIN);
 }
 
+// One piece, then the loop's other work; end of file means that it has closed
+// its output.
 void MoonshineProgram::read() {
   if (!connection_)
     return;
@@ -194,6 +203,7 @@ void MoonshineProgram::read_errors() {
     error_output_.await(connection_->errors(), POLLIN);
 }
 
+// Each answer may end the program, and with it the connection.
 void MoonshineProgram::take(std::string_view bytes) {
   answers_.add(bytes);
   while (connection_) {
@@ -216,6 +226,7 @@ void MoonshineProgram::take(Answer answer) {
   calls_.answered(std::move(answer));
 }
 
+// As much as the socket takes now; the rest when it is ready.
 void MoonshineProgram::write() {
   if (!connection_ || unsent_.empty())
     return;

@@ -20,6 +20,8 @@
 namespace parlour::adapters::moonshine {
 
 // How to start the program, and how long it may take.
+// `ready_within` counts from the start, `answer_within` from the question, or
+// from when the program was ready.
 struct ProgramOrder {
   std::filesystem::path program; // absolute
   std::vector<std::string> arguments;
@@ -39,6 +41,10 @@ struct ProgramCalls {
   std::function<void(const std::string& line)> print;
 };
 
+//
+// The program has three debts, each with its own time: to be ready, to answer
+// what was asked, and to read. It is ended when it owes one too long, and then
+// over() is called.
 class MoonshineProgram {
 public:
   // Starts the program; what is sent waits until it is ready.
@@ -87,6 +93,7 @@ private:
   std::string unsent_;
   bool is_ready_ = false;
   const Moment started_;
+  // What ask() was called for and is not answered.
   std::map<TurnNumber, Moment> awaited_; // since when
   Watch input_;
   Watch output_;

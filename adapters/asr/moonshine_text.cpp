@@ -81,6 +81,7 @@ std::string typed_word(const Word& word) {
 }
 
 // The words from one on that are one number, said digit by digit.
+// `words` 0: there is none.
 struct Number {
   std::string digits;
   std::size_t words = 0;
@@ -114,6 +115,7 @@ Number number_at(const std::vector<std::string>& words, std::size_t first) {
 
 } // namespace
 
+// From left to right: the longest number first, else one word.
 std::string typed_text(std::string_view spoken) {
   const auto words = split_words(spoken);
   std::string text;

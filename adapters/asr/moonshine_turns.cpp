@@ -18,6 +18,7 @@ Message order_of(const Message& message) {
 
 } // namespace
 
+// Beyond 30 s of a turn, `samples` is 0: the rest is not heard.
 MoonshineTurns::Place MoonshineTurns::add(const Message& audio,
                                           std::size_t samples) {
   Place place;
@@ -45,6 +46,8 @@ std::optional<TurnNumber> MoonshineTurns::drop_one() {
   return turn;
 }
 
+// The session may begin its next turn at once: this one is only known by its
+// number from now on.
 std::optional<TurnNumber> MoonshineTurns::finish(const Message& order) {
   const auto spoken = spoken_.find(order.session);
   if (spoken == spoken_.end())
@@ -73,6 +76,7 @@ MoonshineTurns::Cancelled MoonshineTurns::cancel(const SessionId& session) {
   return cancelled;
 }
 
+// A partial result that comes after Finish is outdated.
 std::optional<MoonshineTurns::Partial>
 MoonshineTurns::partial(TurnNumber number) {
   const auto found = turns_.find(number);

@@ -13,12 +13,14 @@
 
 namespace parlour::adapters::moonshine {
 
+// MoonshineASR calls it under its mutex.
 class MoonshineTurns {
 public:
   static constexpr std::size_t max_spoken = 64;   // turns
   static constexpr std::size_t max_finished = 64; // turns
   static constexpr std::size_t max_samples = std::size_t{30} * speech_rate;
 
+  // Known by its number until its result is there.
   struct Turn {
     // The first piece, or Finish when that has come: what answers belong to.
     Message order;
@@ -35,6 +37,7 @@ public:
     // A turn that gives way to this one, as too many are being spoken.
     std::optional<TurnNumber> dropped;
   };
+  // Begins a turn if the session has none.
   Place add(const Message& audio, std::size_t samples);
 
   // The turn that ends, or nothing if the session has none.
@@ -63,6 +66,7 @@ public:
   std::vector<Message> take_all();
 
 private:
+  // Nothing while there is room.
   std::optional<TurnNumber> drop_one();
   void erase(std::map<TurnNumber, Turn>::iterator turn);
 

@@ -19,6 +19,7 @@ constexpr std::size_t most_phrases = 20'000;
 constexpr std::size_t shortest_word = 5;
 constexpr std::size_t shortest_name = 3;
 
+// Keeps the order in which they come: the most important first.
 class Phrases {
 public:
   void add(std::string phrase) {
@@ -61,6 +62,7 @@ void add_slot(Phrases& phrases, const SlotModel& slot,
     add_values(phrases, *values);
 }
 
+// A single short word is left out, a run of short words is not.
 void add_sentences(Phrases& phrases, std::vector<std::string> parts) {
   for (auto& part : parts)
     if (part.size() >= shortest_word || part.find(' ') != std::string::npos)
@@ -111,6 +113,9 @@ std::size_t first_rule(const std::string& jsgf) {
 
 } // namespace
 
+//
+// "<ask> = where is [the] @Place {act=request};" gives "where is" and "the": no
+// parser is needed for that, and a grammar with a mistake gives words, too.
 std::vector<std::string> grammar_words(const std::string& jsgf) {
   Phrases phrases;
   std::string run;
@@ -134,6 +139,8 @@ std::vector<std::string> grammar_words(const std::string& jsgf) {
   return phrases.take();
 }
 
+// What stands in brackets is one part, and the parenthesis behind it is not
+// spoken.
 std::vector<std::string> example_words(const std::string& example) {
   Phrases phrases;
   std::string part;

@@ -13,6 +13,7 @@ namespace parlour::adapters::moonshine {
 // block. The values of sets and of database columns and the names in them; then
 // what the grammars and the examples say. Each once, as it is written. Columns
 // that cannot be read are left out.
+// Empty where the host knows no application.
 Words application_words(const PluginHost& host, const ColumnReader& columns);
 
 // The runs of words in a JSGF grammar that are spoken as they stand: no rules,

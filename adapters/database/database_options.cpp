@@ -2,7 +2,7 @@
 
 #include <iterator>
 
-#include "runtime/base/comma_list.hpp"
+#include "runtime/base/text/comma_list.hpp"
 
 namespace parlour::adapters {
 

@@ -5,7 +5,7 @@
 
 #include <unicode/unistr.h>
 
-#include "runtime/base/utf8.hpp"
+#include "runtime/base/text/utf8.hpp"
 
 namespace parlour::adapters {
 

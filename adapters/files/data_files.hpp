@@ -6,7 +6,7 @@
 
 #include <filesystem>
 
-#include "runtime/base/files.hpp"
+#include "runtime/base/outside/files.hpp"
 
 namespace parlour::adapters {
 

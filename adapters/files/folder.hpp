@@ -13,8 +13,8 @@
 #include <utility>
 #include <vector>
 
-#include "runtime/base/descriptor.hpp"
 #include "runtime/base/error.hpp"
+#include "runtime/base/outside/descriptor.hpp"
 
 namespace parlour::adapters {
 

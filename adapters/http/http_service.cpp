@@ -20,6 +20,7 @@ Error joined(const std::vector<Error>& errors) {
   return all;
 }
 
+// A variable that is not set counts as empty.
 std::string environment_value(const std::string& name) {
   const auto* value = std::getenv(name.c_str());
   return value ? value : "";
@@ -42,6 +43,8 @@ HTTPService::HTTPService(Environment environment)
 
 HTTPService::~HTTPService() = default;
 
+// With samples nobody is asked: variables that the environment lacks do no harm
+// then, and no webhook is heard.
 Expected<void> HTTPService::on_start(const Options& options) {
   const auto folder = host().application_folder();
   auto settings = read_service_options(options, folder);
@@ -88,6 +91,8 @@ void HTTPService::stop() {
   client_.reset();
 }
 
+// The request is made also where a sample answers, so that a test finds what a
+// command lacks.
 void HTTPService::on_message(const Message& message) {
   const auto* rule = rules_.find(message.command);
   if (!rule)
@@ -145,6 +150,7 @@ void HTTPService::tell_sample(const CommandRule& rule, const Message& message) {
                       ", and no service is asked here.");
 }
 
+// An answer that no rule fits is the role's refusal.
 void HTTPService::tell(const CommandRule& rule, const Message& message,
                        const HttpAnswer& received) {
   auto event = read_answer(rule.answers, rules_.file, rule.who_answered(),
@@ -192,6 +198,8 @@ void describe_by_rules(PluginDescription& description, const Options& options,
   description.events = own_events(rules);
 }
 
+// The options and the rules are read independently, so that mistakes in both
+// are told.
 ServiceMistakes check_service(const Options& options,
                               const std::string& application_folder) {
   ServiceMistakes mistakes;

@@ -25,6 +25,8 @@
 
 namespace parlour::adapters::http {
 
+// `rules_` is set by on_start() and not changed any more, so the threads of the
+// client and of the listener read it without a lock.
 class HTTPService : public IPlugin {
 public:
   // `environment` gives the values of ${NAME} in the rules.
@@ -69,6 +71,7 @@ void describe_by_rules(PluginDescription& description, const Options& options,
 
 // What `parlour check` reports. Variables that the environment lacks are
 // warnings: they may be there where the application runs.
+// Each with its file and line.
 struct ServiceMistakes {
   std::vector<Error> errors;
   std::vector<Error> missing;

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "runtime/base/file_bytes.hpp"
+#include "runtime/base/outside/file_bytes.hpp"
 #include "runtime/plugin/folder.hpp"
 #include "runtime/plugin/option_reader.hpp"
 
@@ -10,6 +10,7 @@ namespace parlour::adapters::http {
 
 namespace {
 
+// In bytes; a file of rules has a few thousand.
 constexpr std::size_t max_rules_file = 1 << 20;
 
 constexpr Milliseconds shortest{1};
@@ -95,6 +96,8 @@ Expected<void> check_webhooks(const ServiceOptions& options,
   return check_listener(options.listener);
 }
 
+// The file has to be in the application's folder: what is installed elsewhere
+// comes along.
 tl::expected<ReadRules, std::vector<Error>>
 load_service_rules(const Options& options,
                    const std::string& application_folder,

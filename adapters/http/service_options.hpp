@@ -11,6 +11,7 @@
 
 namespace parlour::adapters::http {
 
+// All options of docs/services.md but the rules themselves.
 struct ServiceOptions {
   ClientOptions client;
   ListenerOptions listener;

@@ -22,8 +22,8 @@
 #include <utility>
 
 #include "adapters/journal/journal_part.hpp"
-#include "runtime/base/descriptor.hpp"
-#include "runtime/base/journal.hpp"
+#include "runtime/base/outside/descriptor.hpp"
+#include "runtime/base/outside/journal.hpp"
 
 namespace parlour::adapters {
 

@@ -3,8 +3,8 @@
 #include <charconv>
 #include <fstream>
 
-#include "runtime/base/file_bytes.hpp"
-#include "runtime/base/word_hash.hpp"
+#include "runtime/base/outside/file_bytes.hpp"
+#include "runtime/base/text/word_hash.hpp"
 
 namespace parlour::adapters {
 

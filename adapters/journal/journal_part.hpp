@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <string_view>
 
-#include "runtime/base/descriptor.hpp"
 #include "runtime/base/error.hpp"
+#include "runtime/base/outside/descriptor.hpp"
 
 namespace parlour::adapters {
 

@@ -2,6 +2,8 @@
 
 namespace parlour::adapters::mqtt {
 
+// "… is no state of 'door' (and 41 more)": what was not written is counted with
+// the next line.
 std::optional<std::string>
 Complaints::note(Complaint complaint, const std::string& text,
                  std::chrono::steady_clock::time_point now) {

@@ -20,6 +20,8 @@ enum class Complaint : std::uint8_t {
   news,         // they come too fast for conversations
 };
 
+// Each kind is limited by itself: a device that floods does not hide that
+// another announces itself wrongly.
 // Not thread-safe.
 class Complaints {
 public:

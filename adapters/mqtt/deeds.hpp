@@ -41,6 +41,7 @@ struct Log {
   std::string text;
 };
 
+// A test compares them; MQTTDevices carries them out (mqtt_devices.cpp).
 using Deed = std::variant<Subscribe, Unsubscribe, Publish, Answer, News, Log>;
 using Deeds = std::vector<Deed>;
 

@@ -11,6 +11,7 @@ namespace {
 // Devices round what they are set to, at most to tenths.
 constexpr double close_enough = 0.05;
 
+// A script may set true, "On" or "ON": all are "on".
 std::string word_for(const Value& value) {
   if (const auto* truth = value.if_boolean())
     return *truth ? "on" : "off";
@@ -73,6 +74,7 @@ Expected<DeviceCommand> command_for(const Device& device, const Spoken& spoken,
                        {found->shown_by.begin(), found->shown_by.end()}};
 }
 
+// A heating that was set to 20.5 and says 20.50 has obeyed.
 bool shows(const Value& state, const std::vector<Value>& wanted) {
   const auto is_number = [](const Value& value) {
     return value.if_integer() || value.if_number();

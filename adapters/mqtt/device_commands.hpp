@@ -9,6 +9,8 @@
 
 namespace parlour::adapters::mqtt {
 
+// "Set the blind to open" publishes OPEN; the state "opening" shows already
+// that it obeys.
 struct DeviceCommand {
   std::string topic;
   std::string payload;

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "adapters/mqtt/entity_kinds.hpp"
+#include "adapters/mqtt/discovery/entity_kinds.hpp"
 #include "adapters/standins/report_table.hpp"
 
 namespace parlour::adapters::mqtt {
@@ -21,6 +21,7 @@ std::string text_in(const Map& row, const char* column) {
   return cell ? cell->text() : std::string();
 }
 
+// "sensor:temperature" is the kind and, behind the colon, the class.
 ListedDevice listed(const Map& row) {
   ListedDevice made{text_in(row, "device"), text_in(row, "room"),
                     text_in(row, "kind"),   {},
@@ -58,6 +59,8 @@ bool has_topic(const Map& row) {
 
 } // namespace
 
+// The first mistake ends the reading: the file is the application's own, and is
+// to be right.
 Expected<DeviceList> DeviceList::read(const std::filesystem::path& file) {
   const auto table = ReportTable::read(file, {"device", "room"}, "kind");
   if (!table)

@@ -18,13 +18,14 @@
 #include <string>
 #include <vector>
 
-#include "adapters/mqtt/discovery.hpp"
-#include "adapters/mqtt/entity.hpp"
+#include "adapters/mqtt/discovery/discovery.hpp"
+#include "adapters/mqtt/discovery/entity.hpp"
 #include "adapters/mqtt/spoken_names.hpp"
 #include "runtime/base/error.hpp"
 
 namespace parlour::adapters::mqtt {
 
+// One row. The three lists of words are the texts as they are compared.
 struct ListedDevice {
   std::string device;
   std::string room; // "*": every room

@@ -3,17 +3,20 @@
 #include <algorithm>
 #include <utility>
 
-#include "runtime/base/utf8.hpp"
+#include "runtime/base/text/utf8.hpp"
 
 namespace parlour::adapters::mqtt {
 
 namespace {
 
 // Announcements later than this hold nobody up.
+// A hub that announces hundreds of devices, or one that never stops, would hold
+// up every request otherwise.
 constexpr Milliseconds longest_settling{5'000};
 // Longer quotations from messages are cut in the log.
 constexpr std::size_t longest_quotation = 100;
 
+// The cut does not go through a character.
 std::string in_quotes(const std::string& text) {
   auto end = std::min(text.size(), longest_quotation);
   while (end > 0 && end < text.size() && continues_code_point(text[end]))
@@ -56,6 +59,9 @@ void DevicePolicy::end() {
 
 // -- messages of the server ---------------------------------------------------
 
+//
+// Several devices may read one topic: each takes its part of the payload by its
+// template. A broken JSON is told once, and only if one of them needed it.
 void DevicePolicy::received(const std::string& topic, std::string text,
                             bool retained, Moment now) {
   if (text.size() > max_payload)
@@ -83,6 +89,7 @@ void DevicePolicy::received(const std::string& topic, std::string text,
 }
 
 // An empty message takes the announcement back.
+// Each announcement puts off the moment at which all are known.
 void DevicePolicy::announced(const std::string& topic, const std::string& kind,
                              const Payload& payload, Moment now) {
   if (link_ == Link::connected && now - connected_at_ < longest_settling)
@@ -109,6 +116,7 @@ void DevicePolicy::follow_table() {
     deeds_.emplace_back(Unsubscribe{std::move(topic)});
 }
 
+// A text that is neither of the two says nothing.
 void DevicePolicy::read_availability(Device& device, const std::string& topic,
                                      const Payload& payload) {
   using State = AvailabilitySource::State;
@@ -160,6 +168,8 @@ void DevicePolicy::tell(const Device& device, Moment now) {
 
 // -- messages of conversations ------------------------------------------------
 
+// While the link is starting, a request waits; it fails by its own patience if
+// no connection comes.
 void DevicePolicy::order(const Message& message, Moment now) {
   requests_.add(message, now);
   if (link_ == Link::down)
@@ -195,6 +205,7 @@ Deeds DevicePolicy::deeds() {
   return std::exchange(deeds_, {});
 }
 
+// The end of settling matters for the line in the log, or if somebody waits.
 Moment DevicePolicy::next_moment() const {
   const bool settles = !has_counted_ || requests_.has_held();
   return std::min(requests_.next_moment(),

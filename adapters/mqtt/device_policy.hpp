@@ -21,6 +21,7 @@
 
 namespace parlour::adapters::mqtt {
 
+// From the options of the plug-in; docs/devices.md explains them.
 struct PolicySettings {
   // The first part of the topics on which devices announce themselves.
   std::string prefix = "homeassistant";
@@ -30,6 +31,8 @@ struct PolicySettings {
   Milliseconds settle{500};
 };
 
+// Call deeds() after each call that may lead to some, carry them out, and call
+// decide() at next_moment().
 // Not thread-safe. Every message gets exactly one answer.
 class DevicePolicy {
 public:
@@ -78,8 +81,10 @@ private:
                   Moment now);
   static void read_availability(Device& device, const std::string& topic,
                                 const Payload& payload);
+  // Makes a News of its state, if the application speaks of the device.
   void tell(const Device& device, Moment now);
   void follow_table();
+  // Whether all devices count as announced, so that requests may begin.
   bool is_settled(Moment now) const;
   void complain(Complaint kind, const std::string& text, Moment now);
 

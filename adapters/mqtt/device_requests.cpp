@@ -27,6 +27,7 @@ std::string listed(const std::vector<std::string>& names) {
   return text;
 }
 
+// "There is no 'fan' in 'kitchen'; there is: lamp, heating."
 std::string not_there(const Spoken& what, const DeviceTable& table) {
   const auto others = table.in_room(what.room);
   return "There is no '" + what.device + "' in '" + what.room + "'" +
@@ -76,6 +77,7 @@ void DeviceRequests::begin(Moment now) {
   });
 }
 
+// Devices that say they are away are left out, if others of the name are there.
 bool DeviceRequests::begin(Request& request, Moment now) {
   auto found = table_.find(request.what.device, request.what.room);
   if (found.empty()) {
@@ -91,6 +93,8 @@ bool DeviceRequests::begin(Request& request, Moment now) {
                       : begin_ask(request, found, now);
 }
 
+// A device that has told its state is not asked again: MQTT has no way to ask.
+// The request waits for one that has said nothing yet.
 bool DeviceRequests::begin_ask(Request& request,
                                const std::vector<Device*>& found, Moment now) {
   Value best;
@@ -171,6 +175,7 @@ void DeviceRequests::supersede(const Request& by) {
 
 // -- what devices say ---------------------------------------------------------
 
+// One message may answer several requests.
 bool DeviceRequests::told(const Device& device, bool retained, Moment now) {
   bool was_awaited = false;
   end_those([&](Request& request) {
@@ -216,6 +221,7 @@ bool DeviceRequests::obeyed(Request& request) {
   return true;
 }
 
+// Where the device tells nothing, the state is what it was told.
 void DeviceRequests::published(Ticket ticket, Moment now) {
   end_those([&](Request& request) {
     const auto found =
@@ -255,6 +261,8 @@ void DeviceRequests::expire(Moment now) {
 
 // A device that was in the wanted state before and says nothing counts as
 // obedient, as some tell only what changes. A lock must say so.
+// The answer quotes what it said last, if it said anything: "The door in the
+// hall says 'open'."
 void DeviceRequests::late(Request& request) {
   if (request.held)
     return fail(request, "The devices' server does not answer.");

@@ -18,6 +18,10 @@
 namespace parlour::adapters::mqtt {
 
 // Not thread-safe. It refers to the table and the deeds, which must outlive it.
+//
+// An example: "switch the lamp in the kitchen on" is Set(lamp, kitchen, on).
+// The lamp's command is published; its state ON is the answer. A lamp that
+// never tells its state is believed as soon as the server has the command.
 class DeviceRequests {
 public:
   // How many may be without an answer; further ones fail at once.
@@ -61,6 +65,7 @@ private:
     Value said;
     bool done = false;
   };
+  // Owned by the list. `awaited` is empty while it is held.
   struct Request {
     Message message;
     bool sets = false;

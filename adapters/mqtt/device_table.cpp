@@ -68,6 +68,8 @@ DeviceTable::DeviceTable(const DeviceList& list) : list_(list) {
 
 // -- what is announced --------------------------------------------------------
 
+// A thing that is announced again, as after a restart of its hub, is the same
+// thing: its state stays, as long as it is read from the same topic.
 bool DeviceTable::set(const std::string& message,
                       std::vector<Entity> entities) {
   const auto former = by_message_.find(message);
@@ -117,6 +119,7 @@ Device DeviceTable::device_of(Entity entity) const {
   return made;
 }
 
+// The class "temperature" may also be a word of the device's name.
 bool DeviceTable::means(const ListedDevice& listed,
                         const Device& device) const {
   const auto& entity = device.entity;
@@ -127,6 +130,8 @@ bool DeviceTable::means(const ListedDevice& listed,
          (listed.room == "*" || is_in(device, listed.room_words));
 }
 
+// A topic that was given up and is wanted again, before anybody has asked for
+// the changes, is no change.
 void DeviceTable::read(const Device& device) {
   for (auto& topic : topics_of(device.entity)) {
     auto& readers = by_topic_[topic];
@@ -167,6 +172,10 @@ bool DeviceTable::is_listed(const Words& device) const {
   });
 }
 
+//
+// Only the best ones are found: a thing whose kind is "light" comes before one
+// that is called "night light". A name of the list means what is listed and
+// nothing else.
 std::vector<Device*> DeviceTable::find(const std::string& device,
                                        const std::string& room) {
   const auto asked = words_of(device);
@@ -207,6 +216,8 @@ std::vector<Device*> DeviceTable::readers(const std::string& topic) {
   return found;
 }
 
+// Without a list the device's own words count, and its kind where it has no
+// name.
 std::optional<Spoken> DeviceTable::spoken(const Device& device) const {
   const auto& entity = device.entity;
   if (!device.listed.empty()) {

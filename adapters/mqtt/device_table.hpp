@@ -10,13 +10,14 @@
 #include <vector>
 
 #include "adapters/mqtt/device_list.hpp"
-#include "adapters/mqtt/entity.hpp"
+#include "adapters/mqtt/discovery/entity.hpp"
 
 namespace parlour::adapters::mqtt {
 
 using Moment = std::chrono::steady_clock::time_point;
 
 // A thing and what is known of it.
+// Owned by the table; requests find it anew by its id each time.
 struct Device {
   Entity entity;
   // Those rows of the list that mean it.
@@ -55,6 +56,7 @@ public:
 
   // What the application means. Things that the list names by these words come
   // before those whose kind or name fits.
+  // Empty: there is none in that room.
   std::vector<Device*> find(const std::string& device, const std::string& room);
   Device* find(const std::string& id);
   // All that read the topic.
@@ -65,6 +67,7 @@ public:
   std::vector<std::string> in_room(const std::string& room) const;
 
   // The topics that somebody reads.
+  // Each once.
   std::vector<std::string> topics() const;
   // Topics that have got their first reader, or lost their last, since the last
   // call.
@@ -81,6 +84,7 @@ public:
   std::size_t spoken_of() const;
 
 private:
+  // With the words by which it may be called, and the rows that mean it.
   Device device_of(Entity entity) const;
   bool means(const ListedDevice& listed, const Device& device) const;
   bool is_listed(const Words& device) const;

@@ -72,6 +72,7 @@ std::string text_of(int code, int system_error) {
 } // namespace
 
 // The library calls these within its functions; they only note what happens.
+// An exception must not go through the library, so nothing is decided here.
 struct MQTTClient::Calls {
   static MQTTClient& self(void* client) {
     return *static_cast<MQTTClient*>(client);
@@ -136,6 +137,7 @@ MQTTClient::Outcome MQTTClient::prepare() {
   return options_.tls == Tls::off ? Outcome() : prepare_tls();
 }
 
+// Without a file of authorities those of the machine count.
 MQTTClient::Outcome MQTTClient::prepare_tls() {
   auto* client = client_.get();
   const auto& [ca, certificate, key] =
@@ -207,6 +209,7 @@ void MQTTClient::say_goodbye() {
     mosquitto_disconnect(client_.get());
 }
 
+// The library may have noticed a loss within a call that succeeded.
 MQTTClient::Outcome MQTTClient::judge(int code) {
   if (code != MOSQ_ERR_SUCCESS)
     return lost(code);
@@ -215,6 +218,7 @@ MQTTClient::Outcome MQTTClient::judge(int code) {
   return {};
 }
 
+// What the server answered to the login tells more than that it hung up.
 tl::unexpected<Error> MQTTClient::lost(int code) const {
   const int system_error = errno;
   if (refusal_ != 0)

@@ -24,6 +24,8 @@ struct Publication {
 };
 
 // Used by one thread, which has SIGPIPE blocked or ignored.
+// MQTTLink drives it: it waits for the socket, calls proceed() and tend(), and
+// makes another client after a loss.
 class MQTTClient {
 public:
   explicit MQTTClient(const ServerOptions& options);

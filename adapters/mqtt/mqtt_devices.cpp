@@ -20,6 +20,7 @@ constexpr std::size_t max_open = 2 * DeviceRequests::max_pending;
 
 // The policy and the link, on a loop: whatever happens is told to the policy,
 // whose deeds are carried out at once.
+// Made by the plug-in's thread; everything but order() runs on the loop's.
 class MQTTDevices::House {
 public:
   House(MQTTDevices& plugin, std::unique_ptr<Loop> loop, DeviceList list)
@@ -83,6 +84,8 @@ private:
     plugin_.host().available(false);
   }
 
+  // After each event: what may be decided now, what follows from it, and when
+  // to look again.
   void turn() {
     policy_.decide(Steady::now());
     carry_out();
@@ -159,6 +162,7 @@ void MQTTDevices::stop() {
   house_.reset();
 }
 
+// A message beyond the bound is refused at once, as the loop may be behind.
 void MQTTDevices::on_message(const Message& message) {
   if (!house_)
     return fire_event("Failed", {"The component is stopped."});

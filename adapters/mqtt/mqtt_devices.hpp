@@ -21,6 +21,7 @@
 
 namespace parlour::adapters::mqtt {
 
+// `open_` counts the messages that are not answered yet.
 class MQTTDevices : public IPlugin {
 public:
   MQTTDevices();

@@ -9,7 +9,9 @@ namespace {
 
 using Steady = std::chrono::steady_clock;
 
+// A server that comes back is used after a minute at the latest.
 constexpr Milliseconds longest_pause{60'000};
+// A server that accepts and drops at once must not be tried without a pause.
 constexpr Milliseconds holds{10'000};
 
 // How often the library looks whether the server is still there.
@@ -59,6 +61,8 @@ void MQTTLink::attempt() {
                      });
 }
 
+// The addresses themselves are not used: the library looks them up again, which
+// is quick by then.
 void MQTTLink::found(const Endpoints& endpoints) {
   if (!endpoints)
     return lose(endpoints.error().message);
@@ -77,6 +81,7 @@ void MQTTLink::ready(short events) {
   went_on(client_->proceed(events));
 }
 
+// One alarm for three purposes, told apart by the phase.
 void MQTTLink::rung() {
   if (phase_ == Phase::pausing)
     return attempt();
@@ -100,6 +105,7 @@ void MQTTLink::went_on(const Expected<void>& outcome) {
   wait();
 }
 
+// Receipts first, as they were waited for longer.
 void MQTTLink::hand_over() {
   for (const auto number : client_->receipts())
     if (const auto found = tickets_.extract(number))
@@ -120,6 +126,7 @@ void MQTTLink::wait() {
                                  : deadline_);
 }
 
+// Tickets without a receipt are forgotten: the requests fail by `down`.
 void MQTTLink::lose(const std::string& reason) {
   watch_.stop();
   watched_ = -1;

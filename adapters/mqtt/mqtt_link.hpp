@@ -26,6 +26,7 @@
 namespace parlour::adapters::mqtt {
 
 // What a link tells. The functions are called on the loop's thread.
+// None is called within the constructor, start() or stop().
 struct LinkCalls {
   std::function<void()> up;
   // Also after an attempt that failed.
@@ -36,6 +37,9 @@ struct LinkCalls {
 };
 
 // Used on the loop's thread only (loop.hpp), destroyed like an Alarm.
+//
+// Subscriptions and publications are not kept over a loss: DevicePolicy says
+// them anew when the link is up.
 class MQTTLink {
 public:
   MQTTLink(Loop& loop, ServerOptions options, LinkCalls calls);

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "runtime/base/file_bytes.hpp"
+#include "runtime/base/outside/file_bytes.hpp"
 #include "runtime/plugin/option_reader.hpp"
 
 namespace parlour::adapters::mqtt {
@@ -20,6 +20,7 @@ constexpr Milliseconds longest_keep_alive{65'535'000};
 
 // Settings of the server and of what is expected of devices, one group after
 // the other.
+// All mistakes are collected by the OptionReader and told together.
 class Reader {
 public:
   Reader(const Options& options, fs::path folder)
@@ -41,6 +42,9 @@ public:
 
 private:
   // A certificate without its key, or the other way round, is a mistake.
+  //
+  // Where `tls` says nothing, port 8883 or a certificate means that the server
+  // is to be verified.
   void read_tls(ServerOptions& made) {
     const auto said = read_.text("tls");
     made.tls_ca = file("tls-ca");

@@ -8,6 +8,8 @@
 
 namespace parlour::adapters::mqtt {
 
+// Marks that stand on letters belong to the word, in whatever form of Unicode
+// they are written.
 Words words_of(std::string_view text) {
   auto folded = icu::UnicodeString::fromUTF8(
       {text.data(), static_cast<std::int32_t>(text.size())});

@@ -1,6 +1,6 @@
 #include "adapters/network/address.hpp"
 
-#include "runtime/base/host_and_port.hpp"
+#include "runtime/base/text/host_and_port.hpp"
 
 namespace parlour::adapters {
 

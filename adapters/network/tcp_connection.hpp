@@ -16,7 +16,7 @@
 
 #include "adapters/network/address.hpp"
 #include "adapters/network/text_framer.hpp"
-#include "runtime/base/sockets.hpp"
+#include "runtime/base/outside/sockets.hpp"
 
 namespace parlour::adapters {
 

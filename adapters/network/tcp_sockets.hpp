@@ -11,7 +11,7 @@
 #include "adapters/loop/watch.hpp"
 #include "adapters/network/resolver.hpp"
 #include "adapters/network/tcp_connection.hpp"
-#include "runtime/base/sockets.hpp"
+#include "runtime/base/outside/sockets.hpp"
 
 namespace parlour::adapters {
 

@@ -56,23 +56,26 @@ std::string text_of(const Value& value) {
 
 Value slot_value(const SlotModel& slot) {
   return List{slot.name,   slot.type,       all(slot.values, from_text),
-              slot.source, slot.functional, slot.relevant_to_query};
+              slot.source, slot.functional, slot.relevant_to_query,
+              slot.many};
 }
 
 SlotModel slot_from(const Value& value) {
   return {
       value.at(0).text(), value.at(1).text(), all_from(value.at(2), text_of),
-      value.at(3).text(), truth(value.at(4)), truth(value.at(5))};
+      value.at(3).text(), truth(value.at(4)), truth(value.at(5)),
+      truth(value.at(6))};
 }
 
 Value topic_value(const TopicModel& topic) {
   return List{topic.name, topic.enquiry, all(topic.slots, slot_value),
-              all(topic.examples, from_text)};
+              all(topic.examples, from_text), topic.part};
 }
 
 TopicModel topic_from(const Value& value) {
   return {value.at(0).text(), truth(value.at(1)),
-          all_from(value.at(2), slot_from), all_from(value.at(3), text_of)};
+          all_from(value.at(2), slot_from), all_from(value.at(3), text_of),
+          truth(value.at(4))};
 }
 
 Value grammar_value(const GrammarModel& grammar) {

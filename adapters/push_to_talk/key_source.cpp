@@ -14,7 +14,7 @@
 #include <termios.h>
 #include <unistd.h>
 
-#include "runtime/base/descriptor.hpp"
+#include "runtime/base/outside/descriptor.hpp"
 
 namespace parlour::adapters {
 

@@ -3,7 +3,7 @@
 #include <ostream>
 #include <string>
 
-#include "runtime/base/file_bytes.hpp"
+#include "runtime/base/outside/file_bytes.hpp"
 
 namespace parlour::adapters {
 

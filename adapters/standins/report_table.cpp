@@ -4,7 +4,7 @@
 #include <cctype>
 #include <sstream>
 
-#include "runtime/base/file_bytes.hpp"
+#include "runtime/base/outside/file_bytes.hpp"
 
 namespace parlour::adapters {
 

@@ -7,7 +7,7 @@
 #include <ostream>
 #include <utility>
 
-#include "runtime/base/file_bytes.hpp"
+#include "runtime/base/outside/file_bytes.hpp"
 #include "runtime/plugin/option_reader.hpp"
 #include "runtime/text/words.hpp"
 

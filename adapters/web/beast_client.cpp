@@ -22,6 +22,9 @@ namespace {
 namespace beast = boost::beast;
 
 // What the handlers share with the link, which may be destroyed before them.
+//
+// One message is written at a time; the others wait. Messages that are sent
+// before the connection is open wait, too.
 class Talk : public std::enable_shared_from_this<Talk> {
 public:
   explicit Talk(Client& client) : client_(&client) {}
@@ -30,6 +33,7 @@ public:
   virtual void connect(const tcp::endpoint& end) = 0;
   virtual void close() = 0;
 
+  // Called by the link that goes: nobody hears of anything any more.
   void forget() {
     client_ = nullptr;
     close();
@@ -51,6 +55,7 @@ protected:
     if (client_)
       client_->heard(message);
   }
+  // The client hears it once; it may destroy its link in the call.
   void over(const ErrorCode& error) {
     close();
     if (auto* client = std::exchange(client_, nullptr))
@@ -63,6 +68,7 @@ protected:
     else
       write();
   }
+  // Nothing is sent while another message is on its way.
   void write() {
     if (!is_open_ || is_sending_ || waiting_.empty())
       return;
@@ -80,6 +86,7 @@ private:
   bool is_sending_ = false;
 };
 
+// The line end is added here, and taken off what comes.
 class LineTalk : public Talk {
 public:
   LineTalk(net::io_context& context, Client& client)
@@ -126,6 +133,7 @@ private:
   std::string out_;
 };
 
+// The message that is written must stay in place: Talk keeps it.
 class FrameTalk : public Talk {
 public:
   FrameTalk(net::io_context& context, Client& client)
@@ -177,6 +185,8 @@ private:
   beast::flat_buffer buffer_;
 };
 
+// What the tool holds: it only lets the talk go, which may live on in a
+// handler.
 class Link : public ClientLink {
 public:
   explicit Link(std::shared_ptr<Talk> talk) : talk_(std::move(talk)) {}
@@ -191,6 +201,7 @@ private:
   std::shared_ptr<Talk> talk_;
 };
 
+// One timer serves all moments: thousands of visitors have one each.
 class BeastClients : public TextClients {
 public:
   void run() override {
@@ -231,6 +242,7 @@ private:
         act();
     });
   }
+  // An action may ask for further moments, also for earlier ones.
   void act() {
     while (!due_.empty() && due_.begin()->first <= SteadyClock::now())
       due_.extract(due_.begin()).mapped()();

@@ -31,6 +31,9 @@ std::string text_of(beast::string_view text) {
   return {text.data(), text.size()};
 }
 
+//
+// The request for the WebSocket is read first and judged; then each text frame
+// is one message of PROTOCOL.md.
 class FrameVisit : public SocketVisit {
 public:
   FrameVisit(VisitParts& parts, Socket socket, const std::string& begun)
@@ -70,6 +73,7 @@ public:
   }
 
 private:
+  // Only until the request is answered, as it is large and visitors are many.
   struct Head {
     http::request_parser<http::string_body> parser;
     http::response<http::string_body> answer;
@@ -90,6 +94,7 @@ private:
 
   // -- the request ------------------------------------------------------------
 
+  // Anything but an upgrade is told what this port is for.
   void judge() {
     const auto& request = head_->parser.get();
     if (buffer_.size() != 0) // frames may not come before the answer
@@ -152,6 +157,7 @@ private:
     });
   }
 
+  // A frame that is refused does not end the visit; too many a second do.
   void take() {
     if (is_over_)
       return;
@@ -167,6 +173,7 @@ private:
     read();
   }
 
+  // Before the WebSocket is open there is nobody to hear it.
   void send(std::string text) override {
     if (is_over_ || !is_open_)
       return;
@@ -203,6 +210,7 @@ private:
   }
 
   // The read that is under way meets the end.
+  // Waits for the visitor's own closing frame, but not for ever.
   void finish() {
     if (!is_open_)
       return drop();

@@ -22,18 +22,32 @@ namespace {
 constexpr std::string_view request = "GET ";
 // Who sends more of one line than this is no person.
 constexpr std::size_t max_skipped = 1 << 20;
+// How long the other side may take to read its last words.
 constexpr Milliseconds time_to_close{1'000};
 // Of the system, in seconds, and how often.
+// A connection whose other side has vanished is noticed after a minute: 30 s
+// and three probes of 10 s.
 constexpr int silent_before_probe = 30;
 constexpr int between_probes = 10;
 constexpr int probes = 3;
 
+// A connection begins here whatever it speaks, as only its first bytes tell. Of
+// a person no more lines are read than are answered; a program counts its turns
+// itself.
+//
+// How a connection ends, each way by drop() at last:
+//
+//   the visitor goes      end_of_input(), the answers, shut(), finish()
+//   the session is over   close(), shut(), finish(): 1 s to read the rest
+//   it does not read      more than max_unsent waits: drop()
+//   an error              drop()
 class LineVisit : public SocketVisit {
 public:
   LineVisit(VisitParts& parts, Socket socket)
       : SocketVisit(parts.book), parts_(parts), socket_(std::move(socket)),
         timer_(parts.context.get_executor()), rate_(messages_per_second) {}
 
+  // The timer's end decides for a person, if nothing has come by then.
   void start() {
     ErrorCode ignored;
     socket_.non_blocking(true, ignored);
@@ -95,6 +109,8 @@ private:
     });
   }
 
+  // The buffer is shared by all connections of the thread: what was read is
+  // taken before anything else is.
   void read_some() {
     static thread_local std::array<char, 16'384> bytes;
     ErrorCode error;
@@ -108,6 +124,7 @@ private:
     take({bytes.data(), size});
   }
 
+  // While what has come may still become "GET ", nothing is decided.
   void take(std::string_view bytes) {
     in_ += bytes;
     if (!has_begun() && in_.starts_with(request))
@@ -118,6 +135,8 @@ private:
     read();
   }
 
+  // The socket moves to the other visit, and this one goes without having said
+  // or heard anything.
   void become_frames() {
     is_over_ = true; // nothing was begun
     timer_.cancel();
@@ -125,6 +144,8 @@ private:
     parts_.remove(this);
   }
 
+  // Reading stops where the visitor has no room for a turn; the rest stays in
+  // `in_` until read_on().
   void take_lines() {
     std::size_t begin = 0;
     while (!is_full() && !closing_) {
@@ -141,6 +162,7 @@ private:
       in_.shrink_to_fit();
   }
 
+  // The end of a line that was too long is no line of its own.
   void take_line(std::string_view line) {
     if (std::exchange(skipped_, 0) != 0)
       return;
@@ -160,6 +182,7 @@ private:
                            " bytes; this one was not taken");
   }
 
+  // Told once for each such line; its rest is thrown away as it comes.
   void skip_what_is_too_long() {
     if (in_.size() <= max_message || in_.find('\n') != std::string::npos)
       return;
@@ -193,6 +216,8 @@ private:
 
   // -- writing ----------------------------------------------------------------
 
+  // Who does not read is dropped. Not at once: the caller may be in the middle
+  // of a loop over visits.
   void send(std::string text) override {
     if (is_over_)
       return;
@@ -203,6 +228,7 @@ private:
     write();
   }
 
+  // All that waits goes in one piece.
   void write() {
     if (!sending_.empty() || is_over_)
       return;
@@ -219,6 +245,7 @@ private:
                      });
   }
 
+  // Posted, as the book may be the caller: the visit removes itself from there.
   void shut() override {
     closing_ = true;
     net::post(parts_.context, [kept = self()] { kept->write(); });

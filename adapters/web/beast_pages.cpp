@@ -32,6 +32,7 @@ namespace http = beast::http;
 using PageAcceptor = net::basic_socket_acceptor<tcp, Executor>;
 
 constexpr Milliseconds page_pause{200}; // after accepting failed
+// How many the system may keep until they are accepted.
 constexpr int waiting_for_pages = 64;
 
 class PageVisit;
@@ -46,6 +47,7 @@ bool is_malformed(const ErrorCode& error) {
 }
 
 // One connection. The server holds it until it is over.
+// Read one request, answer it, close: whoever watches asks every few seconds.
 class PageVisit : public std::enable_shared_from_this<PageVisit> {
 public:
   PageVisit(net::io_context& context, const PageServerOptions& options,
@@ -53,6 +55,7 @@ public:
       : options_(options), visits_(visits), socket_(std::move(socket)),
         timer_(context.get_executor()) {}
 
+  // Head and body are bounded before anything is read.
   void start() {
     parser_.header_limit(max_head);
     parser_.body_limit(0);
@@ -79,6 +82,7 @@ private:
     });
   }
 
+  // Who speaks no HTTP gets an answer in HTTP all the same.
   void judge(ErrorCode error) {
     if (error == http::error::header_limit)
       return refuse(http::status::request_header_fields_too_large);
@@ -91,6 +95,7 @@ private:
     answer_request();
   }
 
+  // What stands behind a '?' changes nothing.
   void answer_request() {
     const auto& request = parser_.get();
     const bool is_head = request.method() == http::verb::head;
@@ -113,6 +118,7 @@ private:
     }
   }
 
+  // The text says which pages there are, as a person may have mistyped one.
   void refuse(http::status status) {
     std::string known;
     for (const auto& [path, page] : options_.pages)
@@ -122,6 +128,7 @@ private:
                              "; there is: GET " + known + "\n"});
   }
 
+  // The patience begins anew: the other side has to read the answer now.
   void send(http::status status, const Page& page, bool is_head = false) {
     response_.version(11);
     response_.result(status);
@@ -170,6 +177,8 @@ private:
   std::array<char, 1'024> skipped_{};
 };
 
+// The thread runs nothing but the context; all members that it uses are set
+// before it starts.
 class BeastPages : public PageServer {
 public:
   explicit BeastPages(PageServerOptions options)

@@ -31,6 +31,9 @@ using Timer =
 // "127.0.0.1:4000".
 std::string text_of(const tcp::endpoint& end);
 
+// Lines and frames have one class each (beast_lines.cpp, beast_frames.cpp).
+// Each handler of asio holds the visit, so that it lives until the last one has
+// come.
 // A visit with its socket. The server holds it until it asks to be removed.
 class SocketVisit : public Visit,
                     public std::enable_shared_from_this<SocketVisit> {
@@ -41,6 +44,7 @@ public:
 };
 
 // What visits have of their server.
+// Owned by the server, which outlives all visits.
 struct VisitParts {
   net::io_context& context;
   VisitorBook& book;
@@ -52,6 +56,7 @@ struct VisitParts {
 
 // Lines of a person or a program. Becomes the other kind where a request for a
 // WebSocket comes.
+// Every connection begins so; `parts` outlives it.
 void start_line_visit(VisitParts& parts, Socket socket);
 // `begun`: what has been read of the request.
 void start_frame_visit(VisitParts& parts, Socket socket, std::string begun);

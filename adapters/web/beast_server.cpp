@@ -29,10 +29,15 @@ using Acceptor = net::basic_socket_acceptor<tcp, Executor>;
 // While the process has too many files open, accepting fails at once, again and
 // again.
 constexpr Milliseconds pause_between{200};
+// The system's own queue: thousands may come at once after a restart.
 constexpr int max_waiting_to_be_accepted = 4'096;
 // For last words, when the server ends.
 constexpr Milliseconds time_to_end{2'000};
 
+// Other threads reach it by tell() only; everything else runs on its thread.
+//
+// How it ends: nobody else is let in, who is there is told, and has two seconds
+// to read it; then all sockets are closed, and the thread returns.
 class BeastServer : public TextServer {
 public:
   BeastServer(ServerOptions options, Host& host, Thrown thrown)
@@ -42,6 +47,8 @@ public:
                                   [this](auto* visit) { remove(visit); },
                                   [this](auto visit) { add(visit); }} {}
 
+  // Visitors of a run that was killed are in the book before anybody can
+  // connect.
   Expected<void> listen() {
     ErrorCode error;
     const auto address = net::ip::make_address(options_.address, error);
@@ -103,6 +110,7 @@ public:
     tell([](BeastServer& self) { self.close_acceptor(); });
   }
 
+  // The caller waits, so the server's thread must not call this.
   Counts counts() override {
     std::promise<Counts> counts;
     tell([&](BeastServer& self) {
@@ -117,6 +125,8 @@ private:
 
   // All that has come meanwhile is taken at once: the thread need not be woken
   // for each.
+  // Only the first of a batch wakes the thread: those that come before it has
+  // taken the batch go with it.
   void tell(News news) {
     {
       const std::lock_guard lock(mutex_);
@@ -151,6 +161,7 @@ private:
 
   // -- connections ------------------------------------------------------------
 
+  // One connection at a time is accepted, on the thread that serves all.
   void accept() {
     acceptor_.async_accept(context_, [this](ErrorCode error, Socket socket) {
       if (error == net::error::operation_aborted || !acceptor_.is_open())
@@ -191,6 +202,8 @@ private:
 
   // -- time -------------------------------------------------------------------
 
+  // Asked again whenever somebody may have lost a connection; nothing changes
+  // where the same moment is awaited already.
   void await_expiry() {
     const auto next = book_.next_expiry();
     if (!next || is_ending_ || awaited_ == next)
@@ -219,6 +232,7 @@ private:
       let_end();
   }
 
+  // The context returns from run() when the last handlers are done.
   void let_end() {
     pause_.cancel();
     stays_.reset();

@@ -20,6 +20,7 @@ const char* name_of(MetricKind kind) {
   return "histogram";
 }
 
+// A sentence needs no quotes to be escaped, a label does.
 std::string escaped(std::string_view text, bool quotes) {
   std::string result;
   for (const char c : text)
@@ -33,6 +34,8 @@ std::string escaped(std::string_view text, bool quotes) {
 }
 
 // `more`: a label of a bucket; may be empty.
+//
+// {component="City",role="Database"}
 std::string labels_of(const MetricSample& sample, const std::string& more) {
   std::string all;
   for (const auto& [name, value] : sample.labels)
@@ -47,6 +50,7 @@ double seconds(Nanoseconds time) {
 }
 
 // Buckets are told as how many there are up to their bound.
+// 'parlour_turn_seconds_bucket{le="0.1"} 12': twelve took 0.1 s or less.
 void add_histogram(std::string& text, const std::string& name,
                    const MetricSample& sample) {
   std::uint64_t so_far = 0;

@@ -8,6 +8,7 @@ namespace parlour::adapters::web {
 namespace {
 
 // "http://localhost:8080" is at the host "localhost".
+// An IPv6 address stands in brackets, which belong to it here.
 std::string_view host_of(std::string_view origin) {
   const auto scheme = origin.find("://");
   if (scheme == std::string_view::npos)

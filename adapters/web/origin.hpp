@@ -9,6 +9,8 @@
 namespace parlour::adapters::web {
 
 // Those of this machine, by whatever port, and those in the list.
+// `origin` is the header's value, "https://kiosk.example:8443". What is no
+// browser sends none, and is not asked.
 bool is_allowed_origin(std::string_view origin,
                        const std::vector<std::string>& allowed);
 

@@ -31,6 +31,8 @@ struct PageServerOptions {
   Milliseconds patience{5'000};
 };
 
+// What `parlour serve` shows to Prometheus and to load balancers
+// (docs/operations.md). GET and HEAD only; no request has a body.
 class PageServer {
 public:
   // The error says why nothing can be heard there, or that this program was

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "adapters/web/bounds.hpp"
-#include "runtime/base/utf8.hpp"
+#include "runtime/base/text/utf8.hpp"
 #include "runtime/text/json_text.hpp"
 
 namespace parlour::adapters::web {
@@ -15,6 +15,7 @@ namespace {
 
 using nlohmann::json;
 
+// What a Value can hold, too.
 constexpr std::uint64_t max_number = std::numeric_limits<std::int64_t>::max();
 
 tl::unexpected<Error> wrong(const std::string& message) {
@@ -33,6 +34,7 @@ Expected<std::uint64_t> number_of(const json& object, const char* name,
   return found->get<std::uint64_t>();
 }
 
+// Members that nobody knows are ignored: later versions may have more.
 Expected<Heard> read_hello(const json& object) {
   const auto version = number_of(object, "version", protocol_version);
   if (!version || *version != protocol_version)
@@ -54,6 +56,7 @@ Expected<Heard> read_hello(const json& object) {
   return hello;
 }
 
+// A list of texts is a row: lines that are said in one breath.
 Expected<Heard> read_turn(const json& object) {
   const auto number = number_of(object, "turn", 0);
   if (!number)
@@ -77,12 +80,14 @@ Expected<Heard> read_turn(const json& object) {
 }
 
 // Without the exception's own beginning, "[json.exception.parse_error.101] ".
+// Visitors see this text.
 std::string words_of(const json::exception& error) {
   const std::string text = error.what();
   const auto end = text.find("] ");
   return end == std::string::npos ? text : text.substr(end + 2);
 }
 
+// The type decides; what else is in the object, each kind reads by itself.
 Expected<Heard> read_object(const json& object) {
   if (!object.is_object())
     return wrong("a message is an object: {\"type\": \"turn\", …}");
@@ -109,6 +114,9 @@ std::string number(const char* name, std::uint64_t value) {
   return std::string(", \"") + name + "\": " + std::to_string(value);
 }
 
+// Written by hand: the members always stand in the order of PROTOCOL.md.
+//
+// {"type": "say", "turn": 1, "output": 2, "act": "answer", "text": "Hello."}
 struct Json {
   std::string operator()(const Welcome& what) const {
     return "{\"type\": \"welcome\"" + number("version", protocol_version) +
@@ -140,6 +148,7 @@ struct Json {
   }
 };
 
+// A person sees what is said and what is refused; the rest is for programs.
 struct Line {
   std::string operator()(const Said& what) const {
     auto text = what.text;

@@ -16,6 +16,8 @@ inline constexpr std::uint64_t protocol_version = 1;
 
 // -- from a visitor -----------------------------------------------------------
 
+// A program's first message. With `session` it comes back, and is told all that
+// it has not seen.
 struct Hello {
   std::string session;      // to be resumed; empty: a new one
   std::uint64_t turn = 0;   // the last one that was seen as done
@@ -49,15 +51,18 @@ struct Welcome {
   std::string clock;         // what the platform's clock shows: local time
   std::uint64_t process = 0; // the server's number
 };
+// One output of the robot. Outputs of a session have rising numbers.
 struct Said {
   std::uint64_t turn = 0; // that it answers; 0: said without being asked
   std::uint64_t output = 0;
   std::string act;
   std::string text;
 };
+// Nothing more comes of this turn, and of none before it, unless time passes.
 struct Done {
   std::uint64_t turn = 0;
 };
+// The session is over.
 struct Ended {};
 struct Pong {};
 // `code` is a word for programs, the rest for people.

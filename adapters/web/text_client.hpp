@@ -12,6 +12,7 @@
 namespace parlour::adapters::web {
 
 // One visitor's end. Called on the thread that runs the clients.
+// Implemented by the tool; may destroy its link in any of these calls.
 class Client {
 public:
   virtual ~Client() = default;
@@ -28,6 +29,8 @@ public:
   virtual void send(std::string message) = 0;
 };
 
+// Thousands of visitors need no thread each, so that the tool does not measure
+// itself.
 class TextClients {
 public:
   using Moment = std::chrono::steady_clock::time_point;
@@ -43,6 +46,7 @@ public:
 
   // The rest is for the thread that runs them, or before it does. `client` must
   // live until closed(), or until the link is destroyed.
+  // Returns at once; opened() or closed() follows.
   virtual std::unique_ptr<ClientLink> connect(const std::string& address,
                                               std::uint16_t port, By by,
                                               Client& client) = 0;

@@ -14,6 +14,7 @@
 
 namespace parlour::adapters::web {
 
+// From the command line of `parlour serve`, but for `left`.
 struct ServerOptions {
   std::string address = "127.0.0.1"; // of this machine
   std::uint16_t port = 0;            // 0: any that is free
@@ -31,6 +32,9 @@ struct ServerOptions {
   Milliseconds idle{60'000};
 };
 
+//
+// It does not know the conversations: `host` is told what visitors want, and
+// tells what the robot says by began(), said(), done() and ended().
 class TextServer {
 public:
   // Gets what() of an exception, on the server's thread.
@@ -59,6 +63,7 @@ public:
     std::size_t sessions = 0;
     BookCounters book = {};
   };
+  // Waits for the server's thread.
   virtual Counts counts() = 0;
 };
 

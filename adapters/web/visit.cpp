@@ -23,6 +23,7 @@ void Visit::begin_typed() {
     shut_once();
 }
 
+// A blank line of a person is no turn: somebody has only pressed Enter.
 void Visit::hear_line(std::string_view line) {
   ++lines_;
   if (kind_ == Kind::unknown && is_structured(line))
@@ -45,6 +46,7 @@ void Visit::hear_line(std::string_view line) {
     book_.take(visitor_, {book_.next_turn(visitor_), {*typed}});
 }
 
+// After the end was announced, what still comes is not read.
 void Visit::hear_message(std::string_view text) {
   kind_ = Kind::program;
   if (shut_)
@@ -91,6 +93,7 @@ bool Visit::is_full() const {
 
 // -- what is told -------------------------------------------------------------
 
+// Before it is known who is there, a person is assumed: lines.
 void Visit::tell(const Told& told) {
   if (shut_)
     return;
@@ -113,11 +116,14 @@ void Visit::shut_once() {
     shut();
 }
 
+// The book lets go of the visitor: nothing is asked of it any more.
 void Visit::close() {
   visitor_ = 0;
   shut_once();
 }
 
+// `printf 'hello\n' | nc` closes its side at once: the answer is still told,
+// and only then the session ends.
 void Visit::go_on() {
   if (ends_ && !shut_ && book_.is_answered(visitor_))
     return kind_ == Kind::typed && visitor_ != 0 ? book_.finish(visitor_)
@@ -125,6 +131,7 @@ void Visit::go_on() {
   read_on();
 }
 
+// The book decides whether the session waits for its visitor.
 void Visit::lost(VisitorBook::Moment now) {
   shut_ = true;
   if (const auto visitor = std::exchange(visitor_, 0))

@@ -10,6 +10,14 @@
 
 namespace parlour::adapters::web {
 
+// Who it is shows in the first bytes: a line that begins with '{' is a
+// program's, any other a person's; who sends nothing for a moment is a person
+// who waits for a greeting (ServerOptions::first_bytes).
+//
+// Where what comes in goes to:
+//
+//   socket -> hear_line(), hear_message() -> VisitorBook -> Host
+//   socket <- send(), shut() <- tell(), close() <- VisitorBook
 class Visit : public Connection {
 public:
   explicit Visit(VisitorBook& book) : book_(book) {}
@@ -17,6 +25,7 @@ public:
   Visit& operator=(const Visit&) = delete;
 
   // A person is there, who is greeted.
+  // Begins a session at once, without a hello.
   void begin_typed();
   // A line that a person or a program has sent. The first one decides who it
   // is, unless begin_typed() has.
@@ -26,6 +35,7 @@ public:
   // No more will come, but what was said is still answered.
   void hear_end();
   // Something that cannot be taken was sent; the visit goes on.
+  // `code` is one of PROTOCOL.md.
   void refuse(const char* code, std::string message);
   // The same, and it ends.
   void turn_away(const char* code, std::string message);
@@ -66,6 +76,7 @@ private:
   void hear(const Turn& turn);
   void hear(const Goodbye&);
   void hear(const Ping&);
+  // Later calls do nothing.
   void shut_once();
 
   VisitorBook& book_;

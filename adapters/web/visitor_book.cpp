@@ -17,6 +17,7 @@ std::size_t size_of(const Told& told) {
 }
 
 // Whether who says that it has seen that much has not seen this.
+// `told` is a Said or a Done: nothing else is kept.
 bool is_news(const Told& told, std::uint64_t turn, std::uint64_t output) {
   if (const auto* said = std::get_if<Said>(&told))
     return said->output > output;
@@ -56,6 +57,7 @@ VisitorId VisitorBook::refuse(Connection& connection, Refused why) {
   return 0;
 }
 
+// Sessions whose visitor is away take a place, too.
 VisitorId VisitorBook::add(Connection& connection, bool can_return) {
   if (going_on_ >= options_.sessions) {
     ++counters_.refused;
@@ -71,6 +73,7 @@ VisitorId VisitorBook::add(Connection& connection, bool can_return) {
   return last_;
 }
 
+// A person has nothing to come back with: no id was shown.
 VisitorId VisitorBook::come(Connection& connection) {
   const auto id = add(connection, false);
   if (id != 0)
@@ -87,6 +90,8 @@ VisitorId VisitorBook::come(Connection& connection, const Hello& hello) {
   return id;
 }
 
+// The session's id is the key to it: whoever names it takes over, also from a
+// connection that has not noticed yet that it is dead.
 VisitorId VisitorBook::resume(Connection& connection, const Hello& hello) {
   const auto found = by_session_.find(hello.session);
   if (found == by_session_.end())
@@ -160,12 +165,15 @@ std::uint64_t VisitorBook::next_turn(VisitorId id) const {
   return visitor ? visitor->taken + 1 : 0;
 }
 
+// Somebody who is not known waits for nothing.
 bool VisitorBook::is_answered(VisitorId id) const {
   const auto* visitor = find(id);
   return !visitor ||
          (!visitor->session.empty() && visitor->taken == visitor->done);
 }
 
+// The first turns may come before the session has begun, which takes a moment:
+// they wait in `early`.
 bool VisitorBook::take(VisitorId id, const Turn& turn) {
   auto* visitor = find(id);
   if (!visitor || visitor->ended)
@@ -213,6 +221,8 @@ bool VisitorBook::repeat(Visitor& visitor, std::uint64_t turn) {
 
 // -- going --------------------------------------------------------------------
 
+// Who cannot come back, or said goodbye, or never got a session's id, goes for
+// good.
 void VisitorBook::lose(VisitorId id, const Connection& connection, Moment now) {
   const auto found = visitors_.find(id);
   if (found == visitors_.end() || found->second.connection != &connection)
@@ -226,6 +236,7 @@ void VisitorBook::lose(VisitorId id, const Connection& connection, Moment now) {
   host_.close(id);
 }
 
+// The end comes by ended(), when the conversation has said its last words.
 void VisitorBook::finish(VisitorId id) {
   auto* visitor = find(id);
   if (!visitor || visitor->finished || visitor->ended)
@@ -235,10 +246,12 @@ void VisitorBook::finish(VisitorId id) {
 }
 
 void VisitorBook::linger(VisitorId id, Visitor& visitor, Moment now) {
+  lingering_.erase({visitor.expires, id}); // lost before the session ended
   visitor.expires = now + options_.linger;
   (visitor.ended ? ended_ : lingering_).emplace(visitor.expires, id);
 }
 
+// The caller sees to the host and to the lists of those who are awaited.
 void VisitorBook::forget(Visitors::iterator found) {
   if (!found->second.ended)
     --going_on_;
@@ -248,6 +261,7 @@ void VisitorBook::forget(Visitors::iterator found) {
 
 // -- conversations ------------------------------------------------------------
 
+// Turns that came early are taken now, in order.
 void VisitorBook::began(VisitorId id, const std::string& session) {
   auto* visitor = find(id);
   if (!visitor || !visitor->session.empty())
@@ -271,6 +285,7 @@ void VisitorBook::said(VisitorId id, const std::string& session, Said what) {
   keep(*visitor, std::move(what));
 }
 
+// The session tells only the highest number; the visitor is told of each.
 void VisitorBook::done(VisitorId id, const std::string& session,
                        std::uint64_t turn) {
   auto* visitor = find(id, session);
@@ -307,6 +322,8 @@ void VisitorBook::tell(Visitor& visitor, const Told& told) {
     visitor.connection->tell(told);
 }
 
+// What is dropped is remembered by its number: a visitor who has not seen it is
+// told that something is lost.
 void VisitorBook::keep(Visitor& visitor, Told told) {
   if (!visitor.can_return)
     return;

@@ -48,6 +48,7 @@ public:
   virtual void go_on() {}
 };
 
+// From the command line of `parlour serve`.
 struct BookOptions {
   std::size_t sessions = 1'000; // at a time
   // How long a session outlives its connection.
@@ -55,6 +56,7 @@ struct BookOptions {
 };
 
 // A visitor of a run that was killed, whose session goes on.
+// Made from the journal (tools/parlour/serve).
 struct LeftVisitor {
   std::string session;
   std::uint64_t taken = 0; // the turns up to this one
@@ -63,6 +65,7 @@ struct LeftVisitor {
 };
 
 // Since the beginning.
+// Shown by the metrics of `parlour serve`.
 struct BookCounters {
   std::uint64_t visitors = 0;
   std::uint64_t turns = 0;
@@ -70,6 +73,21 @@ struct BookCounters {
   std::uint64_t refused = 0; // for want of room
 };
 
+// Everything about a visitor that does not depend on sockets is decided here,
+// and tested without them.
+//
+// A turn is counted once: its number is the visitor's own, so that a turn that
+// is sent again, because the connection broke before its Done, is not taken
+// again but answered from what was kept.
+//
+// The life of a visitor:
+//
+//   come()     its session is asked for; turns wait in `early`
+//   began()    it is welcome; turns go to the host
+//   lose()     no connection: it lingers, if it can come back
+//   come()     with the session's id: what it has not seen is told again
+//   ended()    its session is over; who lingers may still hear the last words
+//   expire()   its time without a connection is over: it is forgotten
 class VisitorBook {
 public:
   using Moment = std::chrono::steady_clock::time_point;
@@ -106,6 +124,7 @@ public:
   // -- time -------------------------------------------------------------------
 
   // Those who have not come back in time are closed.
+  // Call it at next_expiry().
   void expire(Moment now);
   std::optional<Moment> next_expiry() const;
 
@@ -118,6 +137,8 @@ public:
   }
 
 private:
+  // `done` <= `taken`; the turns between are open. `kept` is empty for somebody
+  // who cannot come back.
   struct Visitor {
     Connection* connection = nullptr; // null: it has none at present
     bool can_return = false;
@@ -141,9 +162,11 @@ private:
   VisitorId resume(Connection& connection, const Hello& hello);
   void welcome(Visitor& visitor, const Hello& hello);
   static bool is_kept_since(const Visitor& visitor, const Hello& hello);
+  // Tells again what was said to a turn; false where that is not kept.
   bool repeat(Visitor& visitor, std::uint64_t turn);
   void tell(Visitor& visitor, const Told& told);
   void keep(Visitor& visitor, Told told);
+  // The visitor has no connection, and may come back for some time.
   void linger(VisitorId id, Visitor& visitor, Moment now);
   void expire(Expiries& all, Moment now, std::size_t most);
   void forget(Visitors::iterator found);

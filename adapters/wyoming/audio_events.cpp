@@ -6,6 +6,7 @@ namespace parlour::adapters::wyoming {
 
 namespace {
 
+// Each event for audio repeats the format, as the protocol wants it.
 nlohmann::json format() {
   return {{"rate", speech_rate}, {"width", sizeof(Sample)}, {"channels", 1}};
 }

@@ -16,6 +16,7 @@ inline constexpr std::size_t longest_audio = std::size_t{2} * speech_rate;
 
 // Times are in ms since the audio began.
 Event audio_start();
+// `samples`: 16 bits each, in the order of this machine's bytes.
 Event audio_chunk(const std::string& samples, std::int64_t time);
 Event audio_stop(std::int64_t time);
 

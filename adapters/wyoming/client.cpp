@@ -24,6 +24,8 @@ std::vector<OptionDescription> client_options(const std::string& port) {
            false, Type::boolean}};
 }
 
+// A server that is not there is no error: the component starts, is not
+// available, and is tried again by the watch.
 Expected<std::unique_ptr<Client>>
 Client::start(PluginHost& host, const Options& options,
               const std::vector<OptionDescription>& descriptions,
@@ -59,6 +61,7 @@ Client::start(PluginHost& host, const Options& options,
 Client::Client(std::unique_ptr<Loop> loop, Address address)
     : loop_(std::move(loop)), route_{*loop_, resolver_, std::move(address)} {}
 
+// Called on the loop's thread; PluginHost may be called from any.
 WatchCalls Client::watch_calls(PluginHost& host) {
   const auto server =
       "the Wyoming server " + route_.address.host + ":" + route_.address.port;
@@ -79,6 +82,8 @@ Client::~Client() {
   end([] {});
 }
 
+// Recognisers and wake words begin alike: what is wanted, then the format of
+// the audio.
 std::unique_ptr<Connection> Client::connect(const SessionId& session,
                                             const SessionCalls& calls,
                                             const Event& request) const {
@@ -98,6 +103,7 @@ void Client::post(Loop::Action action) {
   loop_->post(std::move(action));
 }
 
+// Counted before it is posted, so that many threads at once keep the bound.
 bool Client::post(Loop::Action action, std::size_t bytes) {
   if (posted_.fetch_add(bytes) + bytes > max_posted) {
     posted_ -= bytes;
@@ -110,6 +116,7 @@ bool Client::post(Loop::Action action, std::size_t bytes) {
   return true;
 }
 
+// The watch goes on the loop's thread, where its connection lives.
 void Client::end(Loop::Action action) {
   if (std::exchange(is_ended_, true))
     return;

@@ -18,6 +18,7 @@ namespace parlour::adapters::wyoming {
 std::vector<OptionDescription> client_options(const std::string& port);
 
 // What the connection of a session tells, on the loop's thread.
+// Those of one plug-in, for all of its sessions.
 struct SessionCalls {
   std::function<void(const SessionId& session, const Event& event)> received;
   // As that of ConnectionCalls: the last call.
@@ -26,9 +27,14 @@ struct SessionCalls {
 };
 
 // Thread-safe, except where a function says otherwise.
+//
+// One for each instance of a plug-in. The plug-in's thread posts; everything
+// that touches a connection runs on the loop's thread, so that it needs no
+// lock.
 class Client {
 public:
   // How much may be posted and not done yet, in bytes.
+  // Two minutes of speech; a loop that is further behind will not catch up.
   static constexpr std::size_t max_posted = 4 << 20;
 
   // Connects to the server, and calls host.available() as it comes and goes. An
@@ -42,12 +48,14 @@ public:
   ~Client();
 
   // Has the action done on the loop's thread.
+  // From any thread; in the order in which they come.
   void post(Loop::Action action);
   // The same for an action that keeps so many bytes. False: too many wait
   // already, and it is not done.
   bool post(Loop::Action action, std::size_t bytes);
   // Has the action done there as the last one, and waits for it. Nothing is
   // done any more after that.
+  // Later calls do nothing. The plug-in answers what it owes in `action`.
   void end(Loop::Action action);
 
   // On the loop's thread.
@@ -63,9 +71,11 @@ public:
                                       const SessionCalls& calls,
                                       const Event& request) const;
 
+  // How long a server may say nothing while an answer is due.
   Milliseconds answer_timeout() const {
     return answer_timeout_;
   }
+  // The first pause before another attempt.
   Milliseconds pause() const {
     return pause_;
   }
@@ -87,6 +97,7 @@ private:
   bool one_by_one_ = false;
   bool is_ended_ = false;
   std::unique_ptr<ServerWatch> watch_;
+  // Used on the loop's thread.
   std::string reason_; // that was logged last
 };
 

@@ -15,6 +15,7 @@ namespace {
 using asio::ip::tcp;
 using Steady = std::chrono::steady_clock;
 
+// All addresses of the name; they are tried in this order.
 std::vector<tcp::endpoint> endpoints_of(const std::vector<Endpoint>& found) {
   std::vector<tcp::endpoint> endpoints;
   for (const auto& one : found) {
@@ -29,6 +30,9 @@ std::vector<tcp::endpoint> endpoints_of(const std::vector<Endpoint>& found) {
 } // namespace
 
 // Handlers share it: they may come after the connection has gone.
+//
+// The alarm has two meanings: until the connection is open it limits
+// connecting, then the silence of the server.
 struct Connection::State : std::enable_shared_from_this<State> {
   State(const Route& way, ConnectionCalls told)
       : loop(way.loop), calls(std::move(told)), socket(way.loop.context()),
@@ -37,6 +41,7 @@ struct Connection::State : std::enable_shared_from_this<State> {
                         : "it takes too long to connect");
         }) {}
 
+  // The name was looked up on another thread meanwhile.
   void resolved(const Endpoints& found) {
     if (is_over)
       return;
@@ -77,6 +82,8 @@ struct Connection::State : std::enable_shared_from_this<State> {
   }
 
   // Whoever is told may end the connection.
+  // Each event shows that the server lives: the limit of its silence ends with
+  // it, and whoever expects more says so again.
   void read_done(const asio::error_code& error, std::size_t size) {
     is_reading = false;
     if (error)
@@ -95,6 +102,8 @@ struct Connection::State : std::enable_shared_from_this<State> {
     read();
   }
 
+  // Counted with what is on its way: a server that stops reading does not make
+  // this process grow.
   void send(const std::string& bytes) {
     if (is_over)
       return;
@@ -105,6 +114,7 @@ struct Connection::State : std::enable_shared_from_this<State> {
       write();
   }
 
+  // One write at a time: all that has come meanwhile goes next, in one piece.
   void write() {
     sending = std::exchange(waiting, {});
     if (sending.empty())

@@ -28,10 +28,13 @@ struct ConnectionCalls {
   std::function<void(const std::string& reason)> closed;
 };
 
+// It knows events and time limits, and nothing of what they mean. A connection
+// that is closed stays closed: whoever wants another makes one.
 // Used on the loop's thread only, destroyed like an Alarm.
 class Connection {
 public:
   // How much may wait to be sent, in bytes; more closes the connection.
+  // Half a minute of speech.
   static constexpr std::size_t max_unsent = 1 << 20;
   // How much of what is sent the system may keep beyond that.
   static constexpr int system_buffer = 64 << 10;
@@ -44,6 +47,7 @@ public:
   ~Connection();
 
   // What is sent before the connection is open waits for it.
+  // One that is closed sends nothing, and says nothing about it.
   void send(const Event& event);
   // If nothing is received within the time, the connection is closed. Zero: no
   // limit.

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "runtime/base/utf8.hpp"
+#include "runtime/base/text/utf8.hpp"
 
 namespace parlour::adapters::wyoming {
 
@@ -20,6 +20,7 @@ tl::unexpected<Error> broken(std::string what) {
 }
 
 // Missing and null are 0.
+// A length is refused when it is announced, before memory is taken for it.
 Expected<std::size_t> length_of(const json& header, const char* name,
                                 std::size_t max) {
   const auto found = header.find(name);
@@ -35,6 +36,7 @@ Expected<std::size_t> length_of(const json& header, const char* name,
 }
 
 // Discarded if the text is no JSON or nests too deep.
+// The library would throw otherwise, and build whatever depth there is.
 json parse(std::string_view text, int max_depth) {
   bool is_deep = false;
   auto made = json::parse(
@@ -49,6 +51,7 @@ json parse(std::string_view text, int max_depth) {
 
 } // namespace
 
+// The data stand in the header: short ones need no block of their own.
 std::string encode(const Event& event) {
   json header = {{"type", event.type}};
   if (!event.data.empty())
@@ -59,6 +62,7 @@ std::string encode(const Event& event) {
          event.payload;
 }
 
+// A cut does not go through a character.
 std::string text_of(const json& data, const char* name) {
   const auto found = data.find(name);
   if (found == data.end() || !found->is_string())
@@ -79,6 +83,7 @@ std::int64_t number_of(const json& data, const char* name,
              : otherwise;
 }
 
+// The bytes that are used up are erased once, not event by event.
 Expected<std::vector<Event>> EventReader::take(std::string_view bytes) {
   held_ += bytes;
   std::string_view rest = held_;
@@ -96,6 +101,7 @@ Expected<std::vector<Event>> EventReader::take(std::string_view bytes) {
   return events;
 }
 
+// The data behind the header win over those in it.
 Expected<bool> EventReader::take_one(std::string_view& rest, Event& event) {
   if (!has_header_)
     if (const auto taken = take_header(rest); !taken || !*taken)
@@ -115,6 +121,8 @@ Expected<bool> EventReader::take_one(std::string_view& rest, Event& event) {
   return true;
 }
 
+// What was searched for a line end before is not searched again: a long header
+// comes in many pieces.
 Expected<bool> EventReader::take_header(std::string_view& rest) {
   const auto end = rest.find('\n', std::min(searched_, rest.size()));
   if (std::min(end, rest.size()) > max_header)
@@ -130,6 +138,7 @@ Expected<bool> EventReader::take_header(std::string_view& rest) {
   return true;
 }
 
+// Short data may stand in the header itself.
 Expected<void> EventReader::read_header(std::string_view line) {
   const auto header = parse(line, max_depth);
   if (!header.is_object() || text_of(header, "type").empty())

@@ -20,6 +20,7 @@ struct Event {
 };
 
 // Text that is not UTF-8 is replaced by U+FFFD.
+// The payload is sent as it is.
 std::string encode(const Event& event);
 
 // The member of this name, or nothing that is of use. Of a text, no more than
@@ -29,6 +30,8 @@ std::string text_of(const nlohmann::json& data, const char* name);
 std::int64_t number_of(const nlohmann::json& data, const char* name,
                        std::int64_t otherwise);
 
+// For example `{"type":"audio-chunk","data_length":45,"payload_length":640}`, a
+// line end, 45 bytes of JSON, and 640 bytes of samples.
 // Cuts a stream into events. It keeps no more than one event of the greatest
 // lengths, and refuses greater ones when they are announced.
 class EventReader {
@@ -44,11 +47,13 @@ public:
   // kind Network, nothing more can be read.
   Expected<std::vector<Event>> take(std::string_view bytes);
   // Whether an event has begun and not ended.
+  // A connection that ends then was cut off.
   bool is_inside() const {
     return !held_.empty() || has_header_;
   }
 
 private:
+  // Each takes from `rest`; false: the bytes do not suffice yet.
   Expected<bool> take_one(std::string_view& rest, Event& event);
   Expected<bool> take_header(std::string_view& rest);
   Expected<void> read_header(std::string_view line);

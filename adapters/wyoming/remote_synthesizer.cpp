@@ -19,6 +19,8 @@ using Steady = std::chrono::steady_clock;
 
 // How long after Stop the engine may still wait for the server.
 constexpr Milliseconds look_up{50};
+// About 15 characters a second; a wrong value moves the words' places, and
+// nothing else.
 constexpr std::int64_t character_time = 65; // ms, of usual speech
 
 // What may wait for the engine, in bytes; the server waits with the rest.
@@ -32,6 +34,7 @@ struct Answer {
   int rate = 0;      // of 16 bit audio of one channel; 0: it is something else
 };
 
+// What a server leaves out counts as the usual: 16 bits, one channel.
 int rate_of(const Event& event) {
   const auto rate = number_of(event.data, "rate", 0);
   const bool fits = number_of(event.data, "width", 2) == 2 &&
@@ -41,6 +44,8 @@ int rate_of(const Event& event) {
 }
 
 // How much sound the words may be, in ms, however long the server talks.
+// A bound for a broken server, far above any voice: ten words may take some 25
+// s.
 std::int64_t longest_sound(const tts::Words& words) {
   constexpr std::int64_t margin = 10'000;
   constexpr std::int64_t slowest = 4; // times as slow as usual
@@ -49,6 +54,7 @@ std::int64_t longest_sound(const tts::Words& words) {
          slowest * character_time * static_cast<std::int64_t>(characters);
 }
 
+// Other events, such as audio-start, say nothing that matters here.
 std::optional<Answer> answer_of(Event event) {
   using Kind = Answer::Kind;
   if (event.type == "audio-stop")
@@ -61,9 +67,13 @@ std::optional<Answer> answer_of(Event event) {
 }
 
 // Between the loop, which receives, and the engine, which waits.
+//
+// It has a bound: when the engine is behind, the connection reads no further
+// until half of it is used up.
 class Answers {
 public:
   // Whether the next one is to wait until `wanted` is called.
+  // The answer is taken in any case: the bound may be exceeded by one.
   bool put(Answer answer, std::function<void()> wanted) {
     const std::lock_guard lock(mutex_);
     waiting_ += size_of(answer);
@@ -110,6 +120,8 @@ private:
 };
 
 // One piece: sound as it comes, and words where they can be expected.
+// The protocol tells no marks, so that a word's place is guessed by the
+// characters before it. A word is told when the sound has reached it.
 class Reception {
 public:
   Reception(const tts::Words& words, tts::SpeechSink& sink)
@@ -153,6 +165,11 @@ private:
   std::int64_t position_ = 0;
 };
 
+// One piece of text is one connection: synthesize, then the server's
+// audio-start, audio-chunk and so on until audio-stop.
+//
+//   loop's thread:   Connection -> received() -> Answers
+//   engine's thread:                             Answers -> Reception -> sink
 class RemoteSynthesizer : public tts::Synthesizer {
 public:
   RemoteSynthesizer(Client& client, std::string language)
@@ -169,6 +186,8 @@ public:
     return {};
   }
 
+  // The engine's thread waits here until the piece is over, or nobody wants it
+  // any more. The connection is made and ended on the loop's thread.
   Expected<void> speak(const tts::Words& words, bool,
                        const tts::VoiceSettings& settings,
                        tts::SpeechSink& sink) override {
@@ -195,6 +214,8 @@ private:
     std::unique_ptr<Connection> connection; // null: it has ended
   };
 
+  // Called by the connection itself: a weak pointer, as the place may have
+  // gone, and so that the two do not keep each other.
   void received(Answers& answers, const std::weak_ptr<Place>& weak,
                 Event event) const {
     auto answer = answer_of(std::move(event));
@@ -222,6 +243,8 @@ private:
   }
 
   // The connection ends by itself if it cannot be opened in time.
+  //
+  // Looks up every 50 ms, so that Stop is noticed while the server is silent.
   Expected<void> receive(Answers& answers, const tts::Words& words,
                          tts::SpeechSink& sink) const {
     Reception reception(words, sink);

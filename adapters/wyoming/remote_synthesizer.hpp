@@ -11,6 +11,7 @@
 namespace parlour::adapters::wyoming {
 
 // The client must outlive it.
+// Makes no connection yet: each piece of text has one of its own.
 Expected<std::unique_ptr<tts::Synthesizer>>
 make_remote_synthesizer(Client& client, const std::string& language);
 

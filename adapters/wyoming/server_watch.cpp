@@ -9,8 +9,11 @@ namespace {
 
 using Steady = std::chrono::steady_clock;
 
+// A server that comes back is used after a minute at the latest.
 constexpr Milliseconds longest_pause{60'000};
 
+// The answer `info` has a list for each service; an empty one means that the
+// server knows the service and has nothing for it.
 bool offers(const nlohmann::json& info, const std::string& service) {
   const auto found = info.find(service);
   return found != info.end() && found->is_array() && !found->empty();
@@ -18,6 +21,11 @@ bool offers(const nlohmann::json& info, const std::string& service) {
 
 } // namespace
 
+// What the watch does, and what follows from the answer:
+//
+//   start, ask            describe is sent; the alarm limits the answer
+//   info with the service it is up; asked again after ask_every
+//   no answer, no service it is down; tried again after a pause, which doubles
 ServerWatch::ServerWatch(const Route& route, WatchOptions options,
                          WatchCalls calls)
     : route_(route), options_(std::move(options)), calls_(std::move(calls)),
@@ -39,6 +47,7 @@ void ServerWatch::ask() {
   connection_->expect(options_.answer_timeout);
 }
 
+// An answer sets the pause back: the next loss is tried again soon.
 void ServerWatch::received(const Event& event) {
   if (event.type != "info" && is_asked_)
     return connection_->expect(options_.answer_timeout);
@@ -53,6 +62,7 @@ void ServerWatch::received(const Event& event) {
     calls_.up();
 }
 
+// The caller may be the connection that goes: it tells only at its end.
 void ServerWatch::lose(const std::string& reason) {
   connection_.reset();
   is_asked_ = false;
@@ -62,6 +72,7 @@ void ServerWatch::lose(const std::string& reason) {
   calls_.down(reason);
 }
 
+// The alarm's meaning follows from what is under way.
 void ServerWatch::rung() {
   if (is_asked_)
     lose("it does not answer in time");

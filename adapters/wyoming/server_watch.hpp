@@ -11,6 +11,8 @@
 
 namespace parlour::adapters::wyoming {
 
+// `answer_timeout` limits the answer of the server, `ask_every` the time
+// between two questions.
 struct WatchOptions {
   std::string service; // "asr", "tts", "wake"
   Milliseconds answer_timeout{10'000};
@@ -25,6 +27,8 @@ struct WatchCalls {
 };
 
 // Used on the loop's thread only, destroyed like an Alarm.
+// The service is one of the protocol's: a server that only speaks is of no use
+// to a recogniser.
 class ServerWatch {
 public:
   ServerWatch(const Route& route, WatchOptions options, WatchCalls calls);
@@ -37,6 +41,7 @@ public:
 private:
   void ask();
   void received(const Event& event);
+  // Ends the connection and tries again after the pause.
   void lose(const std::string& reason);
   void rung();
 

@@ -16,12 +16,14 @@ namespace {
 
 using Steady = std::chrono::steady_clock;
 
+// Each has a connection; far more than a recogniser can follow.
 constexpr std::size_t max_turns = 64; // at a time, of as many sessions
 // A turn that is not spoken on for so long may be given up for another one's
 // sake: its session may have ended.
 constexpr Milliseconds idle_time{30'000};
 // How long an answer may take in all, from a server that says other things.
 constexpr Milliseconds longest_answer{60'000};
+// Of one turn: a sentence has some hundred.
 constexpr std::size_t longest_text = wyoming::max_text / 2; // in bytes
 constexpr const char* too_slow = "it takes too little of what is sent";
 
@@ -39,6 +41,17 @@ const std::vector<OptionDescription>& descriptions() {
 } // namespace
 
 // The turns that are spoken now, on the client's loop.
+//
+// A turn begins with its first audio and ends with one answer to Finish. What
+// goes wrong before Finish is kept in `trouble`, as nobody may be answered
+// then.
+//
+// A turn, and what the server hears and says:
+//
+//   DoRecognition   connects: transcribe, audio-start, audio-chunk
+//   DoRecognition   audio-chunk ...         <- transcript-chunk: Partial
+//   Finish          audio-stop              <- transcript: RecognitionResult
+//                                              or the time is over: Rejected
 class WyomingASR::Turns {
 public:
   Turns(WyomingASR& plugin, std::unique_ptr<wyoming::Client> client,
@@ -67,9 +80,12 @@ public:
     if (!is_posted)
       lose(message);
   }
+  // It has no audio, so that no bound holds for it: each Finish has to be
+  // answered.
   void finish(Message message) {
     client_->post([this, message = std::move(message)] { finished(message); });
   }
+  // A Finish that waits is answered by Rejected.
   void cancel(const SessionId& session) {
     client_->post([this, session] {
       if (turns_.contains(session))
@@ -110,6 +126,8 @@ private:
   }
 
   // The session's turn, which begins if there is none.
+  // A turn beyond the bound exists, too, so that its Finish can be answered
+  // with the reason.
   Turn& turn_of(const Message& message) {
     const auto found = turns_.find(message.session);
     if (found != turns_.end())
@@ -126,6 +144,7 @@ private:
     return turn;
   }
 
+  // Nobody waits for these: they have not been finished.
   void forget_idle() {
     const auto latest = Steady::now() - idle_time;
     std::erase_if(turns_, [&](const auto& one) {
@@ -133,6 +152,8 @@ private:
     });
   }
 
+  // The order is that of the last message, so that a Partial answers what came
+  // last.
   void heard(const Message& message, const std::string& samples) {
     auto& turn = turn_of(message);
     turn.heard_at = Steady::now();
@@ -145,6 +166,7 @@ private:
     turn.connection->send(event);
   }
 
+  // Begins to connect; audio that comes meanwhile waits in the connection.
   void open(Turn& turn, const SessionId& session) {
     wyoming::Event transcribe{"transcribe"};
     if (!model_.empty())
@@ -154,6 +176,8 @@ private:
     turn.connection = client_->connect(session, calls_, transcribe);
   }
 
+  // A second Finish before the first is answered is refused, whatever audio
+  // came between.
   void finished(const Message& message) {
     const auto found = turns_.find(message.session);
     if (found == turns_.end())
@@ -170,6 +194,9 @@ private:
     turn.connection->send(wyoming::audio_stop(turn.position));
   }
 
+  // Only what the server says after the whole turn was sent is its result.
+  // Other events show that it is alive, but not for longer than
+  // `longest_answer`.
   void received(const SessionId& session, const wyoming::Event& event) {
     auto& turn = turns_.at(session);
     const auto text = wyoming::trimmed(wyoming::text_of(event.data, "text"));
@@ -191,6 +218,7 @@ private:
     turn.connection->expect(client_->answer_timeout());
   }
 
+  // The server tells pieces that follow each other; a Partial has all so far.
   void partial(Turn& turn, const std::string& text) {
     if (text.empty() || turn.partial.size() + text.size() > longest_text)
       return;
@@ -220,6 +248,7 @@ private:
     const auto turn = turns_.extract(session);
     answer(turn.mapped().order, command, std::move(params));
   }
+  // The message counts as answered when the event is fired.
   void answer(const Message& to, const std::string& command,
               std::vector<Value> params) {
     const OpenMessages::Closing closing(plugin_.open_);

@@ -24,6 +24,7 @@
 
 namespace parlour::adapters {
 
+// `open_` counts the turns whose Finish is not answered yet.
 class WyomingASR : public ASRPlugin {
 public:
   WyomingASR();

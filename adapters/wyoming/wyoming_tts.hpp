@@ -13,6 +13,8 @@
 
 namespace parlour::adapters {
 
+// `client_` is there before the engine makes its synthesizer, and goes after
+// it.
 class WyomingTTS : public tts::EngineTTS {
 public:
   WyomingTTS();

@@ -6,7 +6,7 @@
 
 #include "adapters/wyoming/audio_events.hpp"
 #include "adapters/wyoming/client.hpp"
-#include "runtime/base/comma_list.hpp"
+#include "runtime/base/text/comma_list.hpp"
 #include "runtime/plugin/open_messages.hpp"
 
 namespace parlour::adapters {
@@ -16,6 +16,7 @@ namespace {
 using Steady = std::chrono::steady_clock;
 using Keywords = std::vector<std::string>;
 
+// Each is a connection that never ends.
 constexpr std::size_t max_streams = 64; // of as many sessions
 constexpr std::size_t max_keywords = 100;
 // A session that says nothing for so long may have ended.
@@ -34,6 +35,12 @@ const std::vector<OptionDescription>& descriptions() {
 } // namespace
 
 // What the sessions send now, on the client's loop.
+//
+// A stream that has failed is opened again by the session's next audio, once
+// the server is there and the pause is over.
+//
+//   Process   connects: detect, audio-start, audio-chunk
+//   Process   audio-chunk ...               <- detection: Keyword
 class WyomingWake::Streams {
 public:
   Streams(WyomingWake& plugin, std::unique_ptr<wyoming::Client> client,
@@ -60,6 +67,7 @@ public:
         closed(message.session, "it takes too little of what is sent");
       });
   }
+  // The protocol cannot change the words of a connection: all begin anew.
   void look_for(Keywords keywords) {
     client_->post([this, keywords = std::move(keywords)] {
       keywords_ = keywords;
@@ -79,6 +87,7 @@ private:
     std::optional<Steady::time_point> told_at;
   };
 
+  // Positions go on where no connection is there: the session's time does.
   void heard(const Message& message, const std::string& samples,
              std::optional<std::int64_t> position) {
     const auto found = streams_.find(message.session);
@@ -103,6 +112,7 @@ private:
       stream.connection->send(event);
   }
 
+  // Streams without a connection go as well: they find nothing now.
   void forget_idle() {
     const auto latest = Steady::now() - idle_time;
     const auto gone = std::erase_if(streams_, [&](const auto& one) {
@@ -112,6 +122,8 @@ private:
       is_full_ = false;
   }
 
+  // The next attempt is not before the pause is over, also if this one fails at
+  // once.
   void open(Stream& stream, const SessionId& session) {
     stream.next_attempt = Steady::now() + client_->pause();
     wyoming::Event detect{"detect"};
@@ -135,6 +147,7 @@ private:
                    {"no words are found: the server: " + reason});
   }
 
+  // A server that tells no time means the audio that it has just heard.
   void received(const SessionId& session, const wyoming::Event& event) {
     const auto& stream = streams_.at(session);
     if (event.type == "error")

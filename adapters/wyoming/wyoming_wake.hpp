@@ -19,6 +19,7 @@
 
 namespace parlour::adapters {
 
+// A session has one stream that never ends; nothing is answered one by one.
 class WyomingWake : public RolePlugin {
 public:
   WyomingWake();

@@ -1,5 +1,6 @@
 // The configuration of an application (settings.xml; docs/writing.md) as data.
-// script/compiler/settings_reader reads it; defaults.hpp has every default.
+// script/compiler/application/settings_reader reads it; defaults.hpp has every
+// default.
 #pragma once
 
 #include <cstddef>

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <functional>
 
-#include "runtime/base/decimal.hpp"
+#include "runtime/base/text/decimal.hpp"
 
 namespace parlour {
 

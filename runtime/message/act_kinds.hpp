@@ -16,6 +16,13 @@ enum class ActKind : std::uint8_t {
 #undef ACT
 };
 
+inline constexpr auto last_act_kind = static_cast<ActKind>(-1
+// NOLINTNEXTLINE(bugprone-macro-parentheses): it adds up the acts
+#define ACT(name, sentence) +1
+#include "runtime/message/acts.def"
+#undef ACT
+);
+
 std::string_view name_of(ActKind kind);
 // Nothing if there is no act of that name.
 std::optional<ActKind> act_kind(std::string_view name);

@@ -17,11 +17,13 @@ namespace parlour {
 // A slot as understanding sees it.
 struct SlotModel {
   std::string name;
-  std::string type; // cardinality: "set", "time", "level", … or ""
+  std::string type; // cardinality: "set", "time", "level", … or ""; "part":
+                    // no words fill it
   std::vector<std::string> values; // of a set, canonical forms
   std::string source;              // of a query: "db:table.column", else ""
   bool functional = false;
   bool relevant_to_query = false; // used by a <by> of the topic's query
+  bool many = false;              // several values of it are said in one act
 };
 
 struct TopicModel {
@@ -29,6 +31,7 @@ struct TopicModel {
   bool enquiry = false;
   std::vector<SlotModel> slots;
   std::vector<std::string> examples; // such as "I am [David](Visitor)"
+  bool part = false;                 // spoken about only while it goes on
 };
 
 // JSGF text of a <grammar> element or a file.
@@ -59,11 +62,14 @@ using ColumnReader =
 // An act, as an entry of a list of frames (engine rule 5.2), is a map with
 // these keys:
 //   topic        string, or unknown if the engine's classifier is to choose
-//   act          "inform" "request" "confirm" "deny" "correct" "help"
-//                "repeat" "cancel" "restart" "greet" "bye" "thank"
-//                "explain" "options" "rephrase" "abandon" "person"
+//   act          "inform" "request" "confirm" "deny" "correct" "help" "wait"
+//                "repeat" "cancel" "restart" "greet" "bye" "thank" "protest"
+//                "explain" "options" "rephrase" "abandon" "person" "refuse"
 //   confidence   0..1 or unknown
-//   slots        map: name -> value, or {value, confidence, text, candidates}
+//   slots        map: name -> value, or {value, confidence, text, candidates};
+//                of several values {items}: a list of such, each with its
+//                `amount`; `more`: so many in addition; `unmatched`: true if
+//                the words are where a value belongs and are none
 //   text         the words
 //   elliptical   boolean
 //   alternatives list of acts, on the first act only
@@ -79,12 +85,17 @@ inline constexpr const char* elliptical = "elliptical";
 inline constexpr const char* alternatives = "alternatives";
 inline constexpr const char* value = "value";
 inline constexpr const char* candidates = "candidates";
+inline constexpr const char* items = "items";
+inline constexpr const char* amount = "amount";
+inline constexpr const char* more = "more";
+inline constexpr const char* unmatched = "unmatched";
 } // namespace act_key
 
 // The session's context, the second parameter of DoNLU, is a map: asked
 // ({topic, slot} or unknown), said (its slots that were given before, the
 // latest last), current and resting topic, unfinished (a list of topics),
-// grammar (or unknown), heard (a list of texts, what else a recogniser may have
-// heard), and now (in ms).
+// choices (a list: what is offered), confirms (the words of the yes-or-no
+// question that was asked), grammar (or unknown), heard (a list of
+// texts: what else a recogniser may have heard), and now (in ms).
 
 } // namespace parlour

@@ -10,8 +10,8 @@
 
 namespace parlour {
 
-// Implemented by tools/parlour/application/catalogue. Safe to use from any
-// thread.
+// Implemented by tools/parlour/application/plugins/catalogue. Safe to use from
+// any thread.
 class PluginCatalogue {
 public:
   virtual ~PluginCatalogue() = default;

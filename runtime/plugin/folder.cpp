@@ -1,6 +1,6 @@
 #include "runtime/plugin/folder.hpp"
 
-#include "runtime/base/paths.hpp"
+#include "runtime/base/text/paths.hpp"
 
 namespace parlour {
 

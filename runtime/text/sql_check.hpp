@@ -3,8 +3,8 @@
 // or column (engine rule 6).
 //
 // The compiler checks topics and slots with them. Only the database knows the
-// rest; `parlour check` asks it (tools/parlour/application/sql_statements.hpp).
-// All functions are pure.
+// rest; `parlour check` asks it
+// (tools/parlour/application/sql/sql_statements.hpp). All functions are pure.
 #pragma once
 
 #include <string>

@@ -2,7 +2,7 @@
 // Numbers of built-in functions as decimal digits.
 #pragma once
 
-#include "runtime/base/decimal.hpp"
+#include "runtime/base/text/decimal.hpp"
 #include "script/values/operations.hpp"
 
 namespace parlour::script {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "runtime/base/result_rows.hpp"
-#include "runtime/base/utf8.hpp"
+#include "runtime/base/text/utf8.hpp"
 #include "script/values/convert.hpp"
 #include "script/vm/builtin_call.hpp"
 #include "script/vm/builtin_functions.hpp"

@@ -66,7 +66,8 @@ bool insert(BuiltinCall& call) {
   auto budget = call.machine.walk_budget();
   auto ring = refuse_ring(call[0], call[2], budget);
   if (!call.machine.charge(budget.price()) ||
-      !call.machine.check(std::move(ring)))
+      !call.machine.check(std::move(ring)) ||
+      !call.values(list->elements.size()))
     return false;
   list->elements.insert(list->elements.begin() + at, call[2]);
   return call.give(call[0]);
@@ -90,6 +91,8 @@ bool remove(BuiltinCall& call) {
                      "position " + std::to_string(position) +
                          " is outside of a list of " +
                          std::to_string(list->elements.size()));
+  if (!call.values(list->elements.size())) // those behind it move
+    return false;
   removed = list->elements[*at];
   list->elements.erase(list->elements.begin() +
                        static_cast<std::ptrdiff_t>(*at));
@@ -166,7 +169,7 @@ bool sort(BuiltinCall& call) {
 // In place, like sort.
 bool reverse(BuiltinCall& call) {
   ListObject* list = nullptr;
-  if (!call.list(0, list))
+  if (!call.list(0, list) || !call.values(list->elements.size()))
     return false;
   std::reverse(list->elements.begin(), list->elements.end());
   return call.give(call[0]);

@@ -10,10 +10,31 @@ namespace parlour::script::builtins {
 
 namespace {
 
+// One of several values of a slot (engine rule 5.14).
+struct Item {
+  const Box* value = nullptr; // null: it is none
+  const Box* amount = nullptr;
+};
+
+Item item_of(const Box& box) {
+  if (!box.is_map() || box.map()->entries.size() != 2)
+    return {};
+  const auto* amount = box.map()->find("amount");
+  return amount && numeric(*amount, false)
+             ? Item{box.map()->find("value"), amount}
+             : Item{};
+}
+
 // Speaks one value, which costs as much as a built-in. A number without a kind
 // is spoken as a number.
 bool say(BuiltinCall& call, const Box& value, const std::string& kind,
          std::string& words) {
+  if (const auto item = item_of(value); item.value) { // "two coffees"
+    if (!say(call, *item.value, kind, words))
+      return false;
+    words = counted(decimal_of(*numeric(*item.amount, false)), words, {});
+    return true;
+  }
   ToSay what;
   if (!call.print(what.text, value) ||
       !call.machine.charge(Machine::builtin_cost))

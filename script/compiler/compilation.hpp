@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/base/names.hpp"
+#include "runtime/base/text/names.hpp"
 #include "script/compiler/code/body_compiler.hpp"
 #include "script/program/program.hpp"
 #include "script/source/findings.hpp"

@@ -7,10 +7,10 @@
 
 #include <algorithm>
 
-#include "runtime/base/file_bytes.hpp"
-#include "script/compiler/application_loader.hpp"
+#include "runtime/base/outside/file_bytes.hpp"
+#include "script/compiler/application/application_loader.hpp"
+#include "script/compiler/application/settings_reader.hpp"
 #include "script/compiler/declaration_compiler.hpp"
-#include "script/compiler/settings_reader.hpp"
 #include "script/xml/allowances.hpp"
 
 namespace parlour::script {

@@ -14,7 +14,7 @@
 #include <optional>
 #include <vector>
 
-#include "script/compiler/application_loader.hpp"
+#include "script/compiler/application/application_loader.hpp"
 #include "script/program/program.hpp"
 #include "script/source/findings.hpp"
 

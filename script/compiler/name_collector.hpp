@@ -8,7 +8,7 @@
 
 #include <vector>
 
-#include "script/compiler/application_loader.hpp"
+#include "script/compiler/application/application_loader.hpp"
 #include "script/compiler/code/body_compiler.hpp"
 
 namespace parlour::script {

@@ -15,6 +15,9 @@ namespace parlour::script {
   X(ambiguous, "data: candidates") \
   X(invalid, "data: value, reason, type, choices") \
   X(confirm, "asks whether a value is right; data: value") \
+  X(offer, "asks whether what the slot offers is right; data: value, label, type") \
+  X(summary, "asks whether all that is gathered is right; data: slots") \
+  X(what_to_change, "asks what of it is wrong") \
   X(clarify, "asks which topic is meant; data: topics") \
   X(resume, "asks whether to take an unfinished topic up again") \
   X(choices, "what can be answered; data: choices") \
@@ -31,6 +34,9 @@ namespace parlour::script {
   X(thank, "answers thanks") \
   X(acknowledge, "what was said answers no question; data: missing") \
   X(one_by_one, "more was said than what was asked for") \
+  X(wait, "the user asks for a moment") \
+  X(protest, "the user has said it already") \
+  X(refuse, "the user does not want to say it") \
   X(no_match, "nothing was understood; data: count") \
   X(no_input, "nothing was said; data: count") \
   X(unavailable, "a service is away; data: service") \

@@ -26,7 +26,8 @@ std::vector<std::string> known_acts() {
 
 // Acts that can happen several times in a row.
 bool is_counted(const std::string& act) {
-  return act == "no_match" || act == "no_input";
+  return act == "no_match" || act == "no_input" || act == "protest" ||
+         act == "refuse";
 }
 
 class RepairCompiler {
@@ -79,7 +80,7 @@ private:
     const auto other = std::find_if_not(acts.begin(), acts.end(), is_counted);
     if (count && other != acts.end())
       compilation_.findings.error(count->position,
-                                  "'count' is of no_match and no_input; '" +
+                                  "'count' is of answers that fail; '" +
                                       *other + "' is not counted");
   }
 

@@ -29,6 +29,7 @@ public:
 
   void compile() {
     read_words();
+    read_part();
     compile_texts();
     compile_bodies();
     if (const auto* cardinality = element_.child("cardinality"))
@@ -37,6 +38,7 @@ public:
 
 private:
   void read_words();
+  void read_part();
   void compile_texts();
   void compile_bodies();
   void compile_cardinality(const Element& cardinality);
@@ -52,13 +54,38 @@ private:
   Compilation& compilation_;
 };
 
+// The topic that fills the slot, and what it has from the start.
+void SlotCompiler::read_part() {
+  const auto* part = element_.attribute("topic");
+  if (part) {
+    slot_.part = compilation_.program.topic(part->value);
+    if (slot_.part == no_id)
+      compilation_.findings.error(
+          part->value_position,
+          "there is no topic '" + part->value + "'" +
+              did_you_mean(part->value, keys_of(compilation_.names.topics)));
+  }
+  const auto* with = element_.attribute("with");
+  if (with && !part)
+    compilation_.findings.error(with->position,
+                                "'with' is for the topic that fills the slot; "
+                                "name it by 'topic'");
+  slot_.with = optional(element_, "with");
+}
+
 // Attributes that are words: type, private, confirm, match, grammar.
 void SlotCompiler::read_words() {
   slot_.functional = element_.value("type") == "Functional";
   slot_.is_private = element_.value("private") == "true";
+  slot_.commits = element_.value("commit") == "true";
   slot_.confirm = choice_of<ConfirmPolicy>(
       element_, "confirm", {"auto", "explicit", "implicit", "never"});
   slot_.match = match_of(element_);
+  slot_.many = element_.value("many") == "true";
+  if (const auto* more = element_.attribute("more"); more && !slot_.many)
+    compilation_.findings.error(more->position,
+                                "'more' is asked for further values; write "
+                                "many=\"true\" as well");
   slot_.grammar = element_.value("grammar");
   check_grammar(element_, compilation_);
 }
@@ -72,9 +99,15 @@ CodeId SlotCompiler::optional(const Element& element, const char* name) {
 // The initial value, the question, its further wordings and explanations.
 void SlotCompiler::compile_texts() {
   slot_.initial = optional(element_, "expr");
+  slot_.condition = optional(element_, "if");
+  slot_.offer = optional(element_, "offer");
+  if (const auto* label = element_.attribute("label"))
+    slot_.label = compilation_.bodies.text_or_expression(*label, context_);
   if (const auto* question = element_.attribute("question"))
     slot_.question =
         compilation_.bodies.text_or_expression(*question, context_);
+  if (const auto* more = element_.attribute("more"))
+    slot_.more = compilation_.bodies.text_or_expression(*more, context_);
   slot_.help = compile_values(element_.child("help"), context_, compilation_);
   slot_.explain =
       compile_values(element_.child("explain"), context_, compilation_);

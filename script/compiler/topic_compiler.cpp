@@ -42,12 +42,14 @@ public:
 
 private:
   void read_words();
+  void read_summary();
   void compile_children();
   void compile_child_of(const Element& child);
   void compile_own_slot(const Element& element);
   void add_constraint(const Element& element);
   void add_rule(const Element& element);
   void compile_bodies();
+  CodeId summarised_body();
   void check_examples(const Element& examples);
   void check_marks(const Element& example);
   void warn_of_enquiry();
@@ -68,6 +70,8 @@ void TopicCompiler::read_words() {
                                               {"user", "system", "mixed"});
   topic_.resume =
       choice_of<ResumePolicy>(element_, "resume", {"always", "ask", "never"});
+  topic_.is_part = element_.value("part") == "true";
+  read_summary();
   topic_.needs = split_names(element_.value("needs"));
   for (const auto& need : topic_.needs)
     if (!compilation_.names.topics.count(need))
@@ -75,6 +79,28 @@ void TopicCompiler::read_words() {
           element_.attribute("needs")->value_position,
           "there is no topic '" + need + "'" +
               did_you_mean(need, keys_of(compilation_.names.topics)));
+}
+
+// confirm="summary", or commit="true" where certain words are enough. Only a
+// task is done, so only a task is confirmed.
+void TopicCompiler::read_summary() {
+  if (element_.value("confirm") == "summary")
+    topic_.summary = Summary::always;
+  else if (element_.value("commit") == "true")
+    topic_.summary = Summary::unless_certain;
+  if (const auto* label = element_.attribute("label"))
+    topic_.label = compilation_.bodies.text_or_expression(*label, context_);
+  const bool summarises = topic_.summary != Summary::never;
+  if (summarises && topic_.kind == TopicKind::enquiry)
+    compilation_.findings.error(element_.position,
+                                "an enquiry is answered and does nothing that "
+                                "could be confirmed; leave out 'confirm' and "
+                                "'commit', or kind=\"enquiry\"");
+  if (const auto* refused = element_.child("refused"); refused && !summarises)
+    compilation_.findings.error(refused->position,
+                                "<refused> runs after a no to the summary; "
+                                "write confirm=\"summary\" or "
+                                "commit=\"true\" on the topic");
 }
 
 // The slot exists already, with its name; the element fills it.
@@ -164,9 +190,18 @@ void TopicCompiler::compile_bodies() {
   topic_.started = body("started");
   topic_.suspended = body("suspended");
   topic_.resumed = body("resumed");
-  topic_.filled = body("filled");
+  topic_.filled =
+      topic_.summary == Summary::never ? body("filled") : summarised_body();
   topic_.completed = body("completed");
   topic_.cancelled = body("cancelled");
+}
+
+// The summary comes before the topic's own <filled>.
+CodeId TopicCompiler::summarised_body() {
+  auto inside = context_;
+  inside.name += " <filled>";
+  return compilation_.bodies.after_summary(
+      element_, topic_.summary == Summary::unless_certain, inside);
 }
 
 // The topic's functions come first, as all its other parts may call them.
@@ -222,12 +257,16 @@ void check_needs(Compilation& compilation) {
     if (id >= marks.size() || marks[id] == Mark::done)
       return;
     if (marks[id] == Mark::open)
-      return compilation.findings.error(program.topics[id].position,
-                                        "topic '" + program.topics[id].name +
-                                            "' needs itself, by its 'needs'");
+      return compilation.findings.error(
+          program.topics[id].position,
+          "topic '" + program.topics[id].name + "' needs itself, by its " +
+              (program.topics[id].needs.empty() ? "slot's 'topic'"
+                                                : "'needs'"));
     marks[id] = Mark::open;
     for (const auto& need : program.topics[id].needs)
       visit(program.topic(need));
+    for (const auto& slot : program.topics[id].slots)
+      visit(slot.part);
     marks[id] = Mark::done;
   };
   for (TopicId id = 0; id < marks.size(); ++id)

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "runtime/base/utf8.hpp"
+#include "runtime/base/text/utf8.hpp"
 #include "runtime/text/phones.hpp"
 #include "runtime/text/words.hpp"
 #include "script/source/text_positions.hpp"
@@ -75,6 +75,9 @@ SlotModel UnderstandingBuilder::slot_model(const Slot& slot,
   model.type = slot.cardinality.type;
   model.source = slot.cardinality.source;
   model.functional = slot.functional;
+  model.many = slot.many;
+  if (slot.part != no_id)
+    model.type = "part";
   if (element)
     model.values = literal_values(element->child("cardinality"));
   return model;
@@ -89,6 +92,7 @@ void UnderstandingBuilder::add_topic(const Element& element) {
   TopicModel model;
   model.name = topic.name;
   model.enquiry = topic.kind == TopicKind::enquiry;
+  model.part = topic.is_part;
   for (std::size_t i = 0; i < topic.slots.size(); ++i) {
     const auto& slot = topic.slots[i];
     model.slots.push_back(slot_model(slot, slot_element(element, slot.name)));

@@ -8,7 +8,7 @@
 #include <memory>
 #include <vector>
 
-#include "script/compiler/application_loader.hpp"
+#include "script/compiler/application/application_loader.hpp"
 #include "script/program/program.hpp"
 
 namespace parlour::script {

@@ -12,7 +12,7 @@
 
 #include <fmt/format.h>
 
-#include "runtime/base/utf8.hpp"
+#include "runtime/base/text/utf8.hpp"
 
 namespace parlour::script {
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "runtime/base/utf8.hpp"
+#include "runtime/base/text/utf8.hpp"
 #include "script/format/layout_tree.hpp"
 #include "script/xml/element_table.hpp"
 #include "script/xml/source_reader.hpp"

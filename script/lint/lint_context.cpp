@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "script/compiler/code/expression_compiler.hpp"
+#include "script/compiler/code/expressions/expression_compiler.hpp"
 #include "script/xml/attribute_check.hpp"
 
 namespace parlour::script::lint {

@@ -17,7 +17,7 @@
 #include <string_view>
 #include <vector>
 
-#include "script/compiler/code/code_builder.hpp"
+#include "script/compiler/code/expressions/code_builder.hpp"
 #include "script/expression/expression.hpp"
 #include "script/lint/lint.hpp"
 #include "script/xml/element_table.hpp"

@@ -101,8 +101,8 @@ void lint_values(const Element& slot, Findings& findings) {
          "this is one value, with its commas; write a <value> for each");
 }
 
-// A slot can be filled by a question, a value set, an example, a grammar or a
-// script.
+// A slot can be filled by a question, a value set, an example, a grammar, a
+// topic of its own or a script.
 void lint_slot(const LintContext& context, const Element& topic,
                const ElementRule& rule, const Element& slot,
                Findings& findings) {
@@ -111,7 +111,8 @@ void lint_slot(const LintContext& context, const Element& topic,
   const auto name = slot.value("name");
   const bool can_be_filled =
       slot.attribute("question") || slot.attribute("expr") ||
-      slot.attribute("grammar") || slot.child("cardinality") ||
+      slot.attribute("grammar") || slot.attribute("topic") ||
+      slot.attribute("offer") || slot.child("cardinality") ||
       slot.child("help") || is_marked(topic, name) ||
       is_in_grammar(context, name) || is_set(topic, rule, name) ||
       is_asked(topic, rule, name);

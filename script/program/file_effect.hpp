@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "runtime/base/files.hpp"
+#include "runtime/base/outside/files.hpp"
 #include "script/program/host.hpp"
 
 namespace parlour::script {

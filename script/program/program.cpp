@@ -24,6 +24,11 @@ SlotId Topic::slot(std::string_view slot_name) const {
   return index_of(slots, slot_name);
 }
 
+bool Topic::has_part(TopicId topic) const {
+  return std::ranges::any_of(
+      slots, [&](const Slot& slot) { return slot.part == topic; });
+}
+
 bool Topic::has_rule(CodeId body) const {
   return std::any_of(rules.begin(), rules.end(),
                      [&](const Rule& rule) { return rule.body == body; });

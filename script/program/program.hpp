@@ -30,10 +30,12 @@ inline constexpr std::uint32_t no_id = 0xffffffff;
 inline constexpr SlotId slot_rows = 0xfffffff0;
 inline constexpr SlotId slot_asked = 0xfffffff1;
 inline constexpr SlotId slot_relaxed = 0xfffffff2;
+// `this.last`: what the topic was completed with before, by slot.
+inline constexpr SlotId slot_last = 0xfffffff3;
 
 // Which values a slot takes (engine rule 5.6).
 struct Cardinality {
-  std::string type; // "", set, range, pattern, number, date, …, query
+  std::string type; // "", set, range, pattern, number, …, query, boolean
   std::vector<CodeId> values; // of a set
   CodeId minimum = no_code;   // of a range
   CodeId maximum = no_code;
@@ -63,13 +65,21 @@ struct Slot {
   std::string name;
   bool functional = false;
   bool is_private = false;
+  bool commits = false;  // confirmed unless certain (engine rule 5.5)
+  bool many = false;     // several values (engine rule 5.14)
+  TopicId part = no_id;  // the topic that fills it (engine rule 5.15)
+  CodeId with = no_code; // a map: what that one has from the start
   ConfirmPolicy confirm = ConfirmPolicy::automatic;
   Match match = Match::equal;
   std::string grammar;
   // Texts and values, computed when they are wanted.
   CodeId initial = no_code;
-  CodeId question = no_code; // gives its text
-  std::vector<CodeId> help;  // further wordings
+  CodeId condition = no_code; // asked for only while it holds
+  CodeId offer = no_code;     // a value that is offered before the question
+  CodeId label = no_code;     // gives its text
+  CodeId question = no_code;  // gives its text
+  CodeId more = no_code;      // of many: what is asked after each
+  std::vector<CodeId> help;   // further wordings
   std::vector<CodeId> explain;
   // Which values are accepted, and what runs then.
   Cardinality cardinality;
@@ -114,9 +124,28 @@ struct Rule {
   Position position;
 };
 
+// A slot of another topic, as `Booking.Room` reads it, in the place of a
+// SlotId: the highest bit, the topic and the slot. The highest ones are those
+// above.
+inline constexpr SlotId foreign_slot(TopicId topic, SlotId slot) {
+  return 0x80000000U | topic << 16 | slot;
+}
+inline constexpr bool is_foreign(SlotId slot) {
+  return slot >= 0x80000000U && slot < 0xffff0000U;
+}
+inline constexpr TopicId topic_of_foreign(SlotId slot) {
+  return (slot & 0x7fffffffU) >> 16;
+}
+inline constexpr SlotId slot_of_foreign(SlotId slot) {
+  return slot & 0xffffU;
+}
+
 enum class TopicKind : std::uint8_t { task, enquiry };
 enum class Initiative : std::uint8_t { user, system, mixed };
 enum class ResumePolicy : std::uint8_t { always, ask, never };
+// Whether all that a topic was told is confirmed before it is done (engine rule
+// 5.13).
+enum class Summary : std::uint8_t { never, always, unless_certain };
 
 // A topic (engine rule 5). Its slots are in the order in which they are asked
 // for.
@@ -125,6 +154,9 @@ struct Topic {
   TopicKind kind = TopicKind::task;
   Initiative initiative = Initiative::mixed;
   ResumePolicy resume = ResumePolicy::always;
+  Summary summary = Summary::never;
+  bool is_part = false;   // begun by slots and scripts only (engine rule 5.15)
+  CodeId label = no_code; // gives its text
   // Topics that must be completed before.
   std::vector<std::string> needs;
   std::vector<Slot> slots;
@@ -142,6 +174,7 @@ struct Topic {
 
   // The slot's index; no_id if there is none.
   SlotId slot(std::string_view slot_name) const;
+  bool has_part(TopicId topic) const; // whether a slot is filled by it
   bool has_rule(CodeId body) const;
 };
 
@@ -262,6 +295,7 @@ struct Program {
   std::vector<Handler> handlers;
   std::vector<State> states;
   std::vector<Topic> topics;
+  std::vector<TopicId> read_elsewhere; // whose slots another topic reads
   std::vector<Route> routes;
   std::vector<Opening> openings;
   std::vector<FactTable> facts;

@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-#include "runtime/base/files.hpp"
+#include "runtime/base/outside/files.hpp"
 #include "runtime/base/random.hpp"
 #include "script/program/computing_host.hpp"
 #include "script/vm/interpreter.hpp"

@@ -48,7 +48,9 @@ void XmlSchema::global(const std::string& name, const ElementRule& rule) {
 
 // Wildcards stand for elements of any name, and a validator looks their
 // elements up among the global ones. These are the sources and events of all
-// roles, and the roots: <Dialogue> is a source, <dialogue> a root.
+// roles, and the roots: <Dialogue> is a source, <dialogue> a root. An event of
+// a statement's name ("wait", "confirm") is left out, as it may be either, and
+// what is not among the global ones is accepted.
 void XmlSchema::globals() {
   for (const auto& place : {"sources", "events"})
     for (const auto* row : rows_within({place})) {
@@ -61,7 +63,8 @@ void XmlSchema::globals() {
       for (const auto& role : roles()) {
         if (std::string_view(place) == "events") {
           for (const auto& event : role.events)
-            global(event.name, *row);
+            if (!find_rule(event.name, {"statements"}))
+              global(event.name, *row);
           continue;
         }
         global(role.name, *row);

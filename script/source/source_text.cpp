@@ -6,7 +6,7 @@
 #include <string_view>
 #include <utility>
 
-#include "runtime/base/utf8.hpp"
+#include "runtime/base/text/utf8.hpp"
 #include "script/source/text_positions.hpp"
 
 namespace parlour::script {

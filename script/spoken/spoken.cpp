@@ -82,6 +82,12 @@ std::string digits(const ToSay& value) {
   return digit_words(value.text);
 }
 
+std::string boolean(const ToSay& value) {
+  return value.text == "true"    ? "yes"
+         : value.text == "false" ? "no"
+                                 : value.text;
+}
+
 struct Kind {
   std::string_view name;
   std::string (*say)(const ToSay& value);

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "runtime/base/clock.hpp"
-#include "runtime/base/decimal.hpp"
+#include "runtime/base/text/decimal.hpp"
 
 namespace parlour::script {
 

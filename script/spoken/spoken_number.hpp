@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "runtime/base/decimal.hpp"
+#include "runtime/base/text/decimal.hpp"
 
 namespace parlour::script {
 

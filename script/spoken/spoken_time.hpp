@@ -4,7 +4,7 @@
 #include <string>
 
 #include "runtime/base/clock.hpp"
-#include "runtime/base/decimal.hpp"
+#include "runtime/base/text/decimal.hpp"
 
 namespace parlour::script {
 

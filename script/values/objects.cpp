@@ -7,7 +7,7 @@
 
 #include <cstring>
 
-#include "runtime/base/utf8.hpp"
+#include "runtime/base/text/utf8.hpp"
 #include "script/support/block_cache.hpp"
 #include "script/support/estimated_size.hpp"
 

@@ -214,7 +214,10 @@ Box Machine::taken_in(const Value& value) {
 }
 
 void Machine::load_slot(SlotId slot, Box& result) {
-  result = taken_in(host->slot(execution->context().topic, slot));
+  const auto own = execution->context().topic;
+  result = taken_in(is_foreign(slot) ? host->slot(topic_of_foreign(slot),
+                                                  slot_of_foreign(slot))
+                                     : host->slot(own, slot));
 }
 
 void Machine::store_slot(SlotId slot, const Box& value) {

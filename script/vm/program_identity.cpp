@@ -5,7 +5,7 @@
 
 #include <bit>
 
-#include "runtime/base/word_hash.hpp"
+#include "runtime/base/text/word_hash.hpp"
 #include "script/expression/builtins.hpp"
 #include "script/program/host.hpp"
 #include "script/program/instruction.hpp"

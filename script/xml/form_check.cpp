@@ -63,7 +63,6 @@ Given given(const Element& element, const ElementRule& rule) {
     if (!is_off && rule.is_in_a_form(attribute.name))
       all.push_back(&attribute);
   }
-  // Not std::ranges::stable_partition, which clang 14 cannot compile.
   std::stable_partition(all.begin(), all.end(), [&](const Attribute* one) {
     return chooses_the_form(*one, rule);
   });

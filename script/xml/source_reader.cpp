@@ -9,8 +9,8 @@
 
 #include <pugixml.hpp>
 
-#include "runtime/base/file_bytes.hpp"
-#include "runtime/base/utf8.hpp"
+#include "runtime/base/outside/file_bytes.hpp"
+#include "runtime/base/text/utf8.hpp"
 #include "script/source/text_positions.hpp"
 #include "script/xml/well_formed.hpp"
 

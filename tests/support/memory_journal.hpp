@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "runtime/base/journal.hpp"
+#include "runtime/base/outside/journal.hpp"
 
 namespace parlour::test {
 

@@ -9,18 +9,31 @@ function(parlour_folder_name variable folder)
 endfunction()
 
 # Standard headers that most sources include. They take half of a source's
-# compile time, so larger libraries precompile them.
+# compile time, so they are precompiled.
 set(PARLOUR_HEADERS
   <algorithm> <array> <charconv> <chrono> <cstdint> <deque> <filesystem>
   <functional> <map> <memory> <optional> <set> <span> <string> <string_view>
   <unordered_map> <utility> <variant> <vector> <tl/expected.hpp>)
 
-# parlour_library(<name> [SHARED] SOURCES ... [PUBLIC ...] [PRIVATE ...])
-# A library without sources is an INTERFACE library, so that targets which link
+# parlour_precompile(<target> <library> [<header>...]): makes a target whose
+# precompiled headers others reuse: those above, and further ones. To compile
+# them takes longer than most sources, so libraries share what they can.
+function(parlour_precompile target library)
+  file(CONFIGURE OUTPUT headers.cpp CONTENT "")
+  add_library(${target} OBJECT EXCLUDE_FROM_ALL
+    "${CMAKE_CURRENT_BINARY_DIR}/headers.cpp")
+  target_link_libraries(${target} PRIVATE ${library} parlour_warnings)
+  target_precompile_headers(${target} PRIVATE ${PARLOUR_HEADERS} ${ARGN})
+endfunction()
+parlour_precompile(parlour_headers tl::expected)
+
+# parlour_library(<name> [SHARED] [HEADERS <target>] SOURCES ... [PUBLIC ...]
+#   [PRIVATE ...]): with the precompiled headers of the target <target>. A shared
+# library has its own, because it is compiled in another way. A library without sources is an INTERFACE library, so that targets which link
 # it can be configured.
 function(parlour_library name)
   cmake_parse_arguments(PARSE_ARGV 1 arg
-    "SHARED" "" "SOURCES;PUBLIC;PRIVATE")
+    "SHARED" "HEADERS" "SOURCES;PUBLIC;PRIVATE")
   if(arg_SOURCES)
     set(kind STATIC)
     if(arg_SHARED)
@@ -31,9 +44,12 @@ function(parlour_library name)
       "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>")
     target_link_libraries(${name}
       PUBLIC ${arg_PUBLIC} PRIVATE ${arg_PRIVATE} parlour_warnings)
-    list(LENGTH arg_SOURCES count)
-    if(count GREATER 8)
+    if(arg_SHARED)
       target_precompile_headers(${name} PRIVATE ${PARLOUR_HEADERS})
+    elseif(arg_HEADERS)
+      target_precompile_headers(${name} REUSE_FROM ${arg_HEADERS})
+    else()
+      target_precompile_headers(${name} REUSE_FROM parlour_headers)
     endif()
     parlour_unite(${name})
   else()
@@ -66,12 +82,6 @@ endfunction()
 # start a process takes longer than most tests. With PARLOUR_TESTS_APART each
 # of the others has a process and a name in ctest.
 function(parlour_runs program folder together)
-  if(PARLOUR_SANITIZE AND NOT PARLOUR_TESTS_APART)
-    # To start a process takes long with sanitizers.
-    add_test(NAME "${folder}" COMMAND ${program} --gtest_brief=1
-      WORKING_DIRECTORY "${PROJECT_SOURCE_DIR}")
-    return()
-  endif()
   set(others "-${together}")
   if(together)
     add_test(NAME "${folder}: ${together}"

@@ -13,26 +13,46 @@ function(parlour_unite target)
   if(NOT PARLOUR_UNITE OR NOT Python3_FOUND)
     return()
   endif()
-  get_target_property(sources ${target} SOURCES)
-  execute_process(
-    COMMAND "${Python3_EXECUTABLE}" -B "${PROJECT_SOURCE_DIR}/tools/cmake/unite.py"
-      ${PARLOUR_UNITE} ${sources}
-    WORKING_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}"
-    OUTPUT_VARIABLE lines OUTPUT_STRIP_TRAILING_WHITESPACE
-    COMMAND_ERROR_IS_FATAL ANY)
-  string(REPLACE "\n" ";" lines "${lines}")
-  foreach(line IN LISTS lines)
-    string(REGEX MATCH "^([0-9]+) (.*)$" line "${line}")
-    set_source_files_properties("${CMAKE_MATCH_2}" PROPERTIES
-      UNITY_GROUP "${target}_${CMAKE_MATCH_1}")
-  endforeach()
+  set_property(GLOBAL APPEND PROPERTY parlour_united ${target})
   # g++ warns of what stands on types of an unnamed namespace, but not in the file
   # that it was told to compile, where it is welcome.
   target_compile_options(${target} PRIVATE
     $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
   set_target_properties(${target} PROPERTIES
     UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
-  # A name that a source gets may need other pieces.
-  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS
-    ${sources} "${PROJECT_SOURCE_DIR}/tools/cmake/unite.py")
+endfunction()
+
+# parlour_choose_pieces(): chooses for all targets that asked for it, when they
+# are all known: one process for each target took a minute.
+function(parlour_choose_pieces)
+  get_property(targets GLOBAL PROPERTY parlour_united)
+  set(list "")
+  foreach(target IN LISTS targets)
+    get_target_property(folder ${target} SOURCE_DIR)
+    get_target_property(sources ${target} SOURCES)
+    foreach(source IN LISTS sources)
+      cmake_path(ABSOLUTE_PATH source BASE_DIRECTORY "${folder}")
+      string(APPEND list "${target} ${source}\n")
+      # A name that a source gets may need other pieces.
+      set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${source}")
+    endforeach()
+  endforeach()
+  if(NOT list)
+    return()
+  endif()
+  set(chooser "${PROJECT_SOURCE_DIR}/tools/cmake/unite.py")
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${chooser}")
+  file(WRITE "${PROJECT_BINARY_DIR}/united.txt" "${list}")
+  execute_process(
+    COMMAND "${Python3_EXECUTABLE}" -B "${chooser}" ${PARLOUR_UNITE}
+      "${PROJECT_BINARY_DIR}/united.txt"
+    OUTPUT_VARIABLE lines OUTPUT_STRIP_TRAILING_WHITESPACE
+    COMMAND_ERROR_IS_FATAL ANY)
+  string(REPLACE "\n" ";" lines "${lines}")
+  foreach(line IN LISTS lines)
+    string(REGEX MATCH "^([^ ]+) ([0-9]+) (.*)$" line "${line}")
+    set_source_files_properties("${CMAKE_MATCH_3}"
+      TARGET_DIRECTORY ${CMAKE_MATCH_1}
+      PROPERTIES UNITY_GROUP "${CMAKE_MATCH_1}_${CMAKE_MATCH_2}")
+  endforeach()
 endfunction()

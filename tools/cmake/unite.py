@@ -1,9 +1,11 @@
 """Chooses which sources are compiled together (Unite.cmake).
 
-    python3 unite.py LIMIT SOURCE...
+    python3 unite.py LIMIT LIST
 
-Prints "NUMBER SOURCE" for each source that is compiled with others; sources of
-the same number, at most LIMIT, are one piece. Two sources come into one piece
+Each line of the file LIST is "TARGET SOURCE". Prints "TARGET NUMBER SOURCE" for
+each source that is compiled with others; sources of the same target and number,
+at most LIMIT, are one piece. One process serves all targets, so that it reads
+each header once. Two sources come into one piece
 only if neither, nor a header that it includes, mentions what the other keeps to
 itself: names in unnamed namespaces, macros, and namespaces that it opens for all
 that follows. So each means the same as if it were compiled alone, and may have
@@ -162,8 +164,23 @@ def united(sources, limit):
                    for piece in joined(pieces, limit)], limit)
 
 
+def targets(lines):
+    """The sources of each target."""
+    found = {}
+    for line in lines:
+        target, source = line.split(" ", 1)
+        found.setdefault(target, []).append(source)
+    return found
+
+
+def choice(lines, limit):
+    """What is printed for these lines of the list."""
+    return [f"{target} {number} {source}"
+            for target, sources in targets(lines).items()
+            for number, piece in enumerate(united(sources, limit))
+            for source in piece.sources if len(piece.sources) > 1]
+
+
 if __name__ == "__main__":
-    for number, piece in enumerate(united(sys.argv[2:], int(sys.argv[1]))):
-        for source in piece.sources:
-            if len(piece.sources) > 1:
-                print(number, source)
+    listed = Path(sys.argv[2]).read_text("utf-8").splitlines()
+    print("\n".join(choice(listed, int(sys.argv[1]))))

@@ -41,6 +41,7 @@ COLUMNS = {
     "rr_facility": "facility_id, name, category, tags, unit, level, "
                    "description, contact",
     "rr_hours": "hours_id, facility, days, opens, closes",
+    "rr_offer": "offer_id, offer",
     "rr_meeting": "meeting_id, date, time, venue, host, visitor, "
                   "organisation, status",
     "rr_visitor": "visitor_id, salutation, name, contact, email, "
@@ -55,13 +56,24 @@ def floor_code(level):
 def facility_rows():
     """Rows of rr_facility. Units are numbered along each floor."""
     rows, units = [], {}
+    more = receptionist_facilities.OFFERS
     for index, facility in enumerate(receptionist_facilities.FACILITIES):
         name, category, tags, level, description = facility
+        if name in more:
+            tags += ", " + more[name]
         units[level] = units.get(level, 0) + 1
         unit = f"#{floor_code(level)}-{units[level]:02d}"
         rows.append((index + 1, name, category, tags, unit, level,
                      description, str(64072000 + 17 * index)))
     return rows
+
+
+def offer_rows():
+    """Rows of rr_offer: each tag that says what somebody looks for, once."""
+    tags = [tag for row in facility_rows() for tag in row[3].split(", ")]
+    offers = [tag for tag in dict.fromkeys(tags)
+              if tag not in receptionist_facilities.NO_OFFERS]
+    return [(index + 1, offer) for index, offer in enumerate(offers)]
 
 
 def hours_rows():
@@ -94,7 +106,8 @@ def tables():
     staff = receptionist_staff.rows(draw)
     meetings, visitors = receptionist_meetings.rows(staff, draw)
     return {"rr_staff": staff, "rr_facility": facility_rows(),
-            "rr_hours": hours_rows(), "rr_meeting": meetings, "rr_visitor": visitors}
+            "rr_hours": hours_rows(), "rr_offer": offer_rows(),
+            "rr_meeting": meetings, "rr_visitor": visitors}
 
 
 def seed():

@@ -6,9 +6,64 @@ auditorium, Star home, the food court and the two coffee shops come from the
 paper's examples; the rest is invented. Do not add another coffee shop or food
 court: the example conversation counts them.
 
+OFFERS has more of what people look for in a place, in their words: it is added
+to the tags. Of all tags those in NO_OFFERS are no words to look for a place by,
+since they stand in other sentences, too.
+
 HOURS has the opening hours, where they are known: days of the week (1 is
 Monday), opening and closing time. They must agree with the description.
 """
+
+OFFERS = {
+    "Bicycle Bay": "bike, scooters",
+    "Innovation Gallery": "look around",
+    "Food Chain food court": "noodle, chicken rice, vegan food, breakfast, "
+                             "dinner, a meal, something to eat, food",
+    "Fresh Basket": "nappies, diapers, milk, water, vegetables, toiletries",
+    "Daily Stop": "umbrellas, water, chewing gum, batteries, charger, "
+                  "tissues, toothbrush, cigarettes",
+    "Basement Cash Machine": "money",
+    "Lobby Cash Machine": "money",
+    "Starbucks Coffee": "tea, espresso, latte, cappuccino, muffin, "
+                        "something to drink, drink",
+    "Ya Kun Toastwich": "breakfast, toast, something to drink, drink",
+    "Good Health Pharmacy": "tablets, pills, painkillers, aspirin, bandage, "
+                            "something for a headache, cough medicine, "
+                            "first aid, paracetamol",
+    "Paper Crane Books": "newspaper, pens, notebook, postcards, stamps, "
+                         "envelope, gifts",
+    "Kelapa Kitchen": "malay food, a meal",
+    "Saffron Table": "indian food, a meal",
+    "White Pearl Dental": "toothache",
+    "Silver Scissors": "hairdresser",
+    "Evergreen Medical": "see a doctor, medical help, nurse",
+    "Nursing Room": "breastfeed, change a nappy, feed a baby, "
+                    "baby changing",
+    "Sharp Copies": "print something, make a copy, photocopy, scan",
+    "Meridian Library": "read, study, somewhere quiet, a quiet place, "
+                        "somewhere to sit, somewhere to work",
+    "Sky garden": "somewhere to sit, a bench, fresh air, flowers, "
+                  "somewhere to relax",
+    "Prayer Room": "pray",
+    "Swimming pool": "swimming, a swim",
+    "Skyline Gym": "exercise, work out",
+    "Cloud Terrace": "steak, cocktails, beer, wine, a meal",
+}
+
+NO_OFFERS = {
+    "first aid", "read", "study", "view",
+    "help", "delivery", "collection", "parcel", "counter", "taxi", "cab",
+    "pick up", "meeting", "course", "class", "workshop", "robot", "research",
+    "demonstration", "quiet", "view", "outdoor", "stage", "conference", "tour",
+    "exhibition", "science", "children", "mother", "baby", "screen", "video",
+    "projector", "car", "goods", "lorry", "local", "dollars", "accessible",
+    "train", "bus", "shuttle", "lane", "sport", "shower", "bar", "grill",
+    "western", "malay", "indian", "savings", "loans", "mrt", "apartment",
+    "smart home", "six seats", "eight seats", "twelve seats", "twenty seats",
+    "circle line", "restroom", "washroom", "dentist", "doctor", "barber",
+    "prayer", "atm", "cash", "parking", "lost property", "map", "nursery",
+    "hall", "concert", "lecture", "swim",
+}
 
 FACILITIES = [
     # Basement two and one.

@@ -186,9 +186,10 @@ bool Surroundings::applies_changes() const {
 // result.
 void Surroundings::apply(
     dialogue::TopicId, std::shared_ptr<const dialogue::FrameRequest> request) {
-  applied_ = dialogue::apply(*program, *request,
-                             dialogue::make_frame_evaluator(
-                                 program, request->variables, request->now));
+  applied_ = dialogue::apply(
+      *program, *request,
+      dialogue::make_frame_evaluator(program, request->variables, request->now,
+                                     request->others));
 }
 
 void Surroundings::forget() {

@@ -1,6 +1,6 @@
 #include "adapters/agents/wire/multipart.hpp"
 
-#include "runtime/base/utf8.hpp"
+#include "runtime/base/text/utf8.hpp"
 
 namespace parlour::adapters::agents {
 Read<std::vector<std::string>> frames_of(const AgentMessage& message) {

@@ -8,7 +8,7 @@
 #include <forward_list>
 
 #include "adapters/agents/wire/special_characters.hpp"
-#include "runtime/base/utf8.hpp"
+#include "runtime/base/text/utf8.hpp"
 
 namespace parlour::adapters::agents {
 namespace {

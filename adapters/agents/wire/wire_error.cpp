@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "runtime/base/utf8.hpp"
+#include "runtime/base/text/utf8.hpp"
 
 namespace parlour::adapters::agents {
 namespace {

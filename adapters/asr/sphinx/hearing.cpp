@@ -16,6 +16,7 @@ namespace {
 constexpr const char* everything = "everything";
 constexpr const char* domain = "domain";
 constexpr std::size_t drawn_sentences = 20'000;
+// Searches of one decoder, which keep their memory.
 constexpr std::size_t most_narrow = 16;
 // The domain model joins words freely: if they are a sentence all the same, by
 // no accident, they count at least so much.
@@ -55,11 +56,13 @@ Expected<Vocabulary> make_vocabulary(const LanguageSources& sources,
   Vocabulary made;
   made.dictionary = dictionary_text(*sounds);
   made.grammar = language->fsg(language->sentences());
-  made.domain = language->arpa(language->sentences(), drawn_sentences);
+  made.domain = language->arpa(drawn_sentences);
   made.language = std::move(language);
   return made;
 }
 
+// Only the decoder by the domain model makes three passes
+// (SphinxDecoder::Passes).
 Expected<Hearing> Hearing::make(std::shared_ptr<const Vocabulary> vocabulary,
                                 const std::string& model) {
   auto grammar = SphinxDecoder::make(model + "/en-us", vocabulary->dictionary);

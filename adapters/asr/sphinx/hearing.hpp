@@ -31,6 +31,7 @@ std::string text_of(const std::vector<std::string>& words);
 std::vector<std::string> split_text(const std::string& text);
 
 // What recognisers load: made once, shared by all.
+// The texts are read by each decoder when it is made.
 struct Vocabulary {
   std::shared_ptr<const Language> language;
   std::string dictionary;
@@ -44,6 +45,12 @@ Expected<Vocabulary> make_vocabulary(const LanguageSources& sources,
                                      const std::string& model);
 
 // One utterance at a time; for one thread at a time.
+// Expensive: it has two decoders (README.md). RecogniserPool keeps and lends
+// it.
+//
+//   audio -> NoiseGate -> decoder by the grammar      -> text, word by word
+//                      -> decoder by the domain model -> text at the end
+//   both texts -> agreement() -> confidence
 class Hearing {
 public:
   static Expected<Hearing> make(std::shared_ptr<const Vocabulary> vocabulary,
@@ -51,10 +58,12 @@ public:
 
   // Begins an utterance of these grammars; all if none is named or known.
   Expected<void> begin(const std::vector<std::string>& grammars);
+  // Decodes at once, on the caller's thread.
   void hear(std::span<const Sample> audio);
   // What was heard so far, and whether a sentence may end there.
   std::string partial() const;
   std::optional<bool> ends(const std::string& partial) const;
+  // Ends the utterance; the next begin() may follow.
   Heard finish();
   void drop();
 
@@ -63,6 +72,7 @@ public:
   }
 
 private:
+  // One set of grammars that was asked for, with its search in the decoder.
   struct Narrow {
     std::vector<std::string> names;
     std::string search;

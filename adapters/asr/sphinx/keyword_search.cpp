@@ -28,6 +28,7 @@ std::size_t count_sounds(const std::string& phones) {
   return split_text(phones).size();
 }
 
+// A word with several pronunciations counts as its shortest.
 std::size_t least_sounds(const std::vector<std::string>& ways) {
   auto least = count_sounds(ways.front());
   for (const auto& way : ways)
@@ -50,6 +51,8 @@ Expected<Pronunciations> sounds_of(const std::set<std::string>& words,
 
 } // namespace
 
+// What is enough is said for each sound, and so depends on how long the phrase
+// is.
 Expected<Keywords> make_keywords(const std::vector<std::string>& phrases,
                                  const std::string& model, double sensitivity,
                                  const Pronunciations& given) {
@@ -113,6 +116,8 @@ std::vector<FoundKeyword> KeywordSearch::hear(std::span<const Sample> audio) {
   return all;
 }
 
+// At the threshold it is 0.5; each two points more for a sound bring it nearer
+// to 1.
 FoundKeyword KeywordSearch::found(const SpottedPhrase& spotted) const {
   const auto phrase = std::ranges::find(keywords_->phrases, spotted.phrase,
                                         &Keywords::Phrase::spoken);

@@ -40,6 +40,7 @@ struct FoundKeyword {
 };
 
 // For one thread at a time.
+// One for each session that listens.
 class KeywordSearch {
 public:
   static Expected<KeywordSearch> make(std::shared_ptr<const Keywords> keywords,

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "runtime/base/file_bytes.hpp"
+#include "runtime/base/outside/file_bytes.hpp"
 #include "runtime/plugin/folder.hpp"
 
 namespace parlour::adapters::asr {
@@ -34,6 +34,7 @@ const std::vector<OptionDescription>& language_options() {
   return descriptions;
 }
 
+// A folder of conversations that is not there is empty: applications need none.
 Expected<LanguageSources> language_sources(const PluginHost& host,
                                            const Options& options) {
   auto value = [&](const char* name) {

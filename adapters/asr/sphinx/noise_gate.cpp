@@ -18,12 +18,15 @@ constexpr double least_noise = -70;
 // So much louder is speech, and so many frames around it belong to it.
 constexpr double above_noise = 10;
 constexpr std::size_t around_speech = 6;
+// The gain of a closed gate: 40 dB less.
 constexpr double closed = 0.01;
 // How fast it opens and closes, for each sample.
 constexpr double speed = 0.02;
 
 } // namespace
 
+// A frame leaves only when those behind it are known: whether speech follows
+// decides whether it is kept.
 std::vector<Sample> NoiseGate::take(std::span<const Sample> audio) {
   std::vector<Sample> passed;
   for (const auto sample : audio) {
@@ -78,6 +81,7 @@ bool NoiseGate::is_open() const {
          });
 }
 
+// The gain moves sample by sample: a jump would sound like a stop consonant.
 void NoiseGate::pass(std::vector<Sample>& to) {
   const auto wanted = is_open() ? 1 : closed;
   const auto& frame = kept_.front();

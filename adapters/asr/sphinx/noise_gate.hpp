@@ -14,6 +14,7 @@
 
 namespace parlour::adapters::asr {
 
+// Made anew for each utterance.
 class NoiseGate {
 public:
   // Takes the next audio of the utterance, and returns what can be decided:

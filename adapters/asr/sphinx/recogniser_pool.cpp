@@ -8,6 +8,8 @@ namespace {
 
 using Renewed = RecogniserPool::Renewed;
 
+// The first recogniser is made here, so that the slow part is done where nobody
+// waits.
 Expected<Renewed> make_renewed(const LanguageSources& sources,
                                const std::string& model) {
   auto vocabulary = make_vocabulary(sources, model);
@@ -49,6 +51,7 @@ RecogniserPool::RecogniserPool(LanguageSources sources, std::string model,
   };
 }
 
+// Beside the free ones, one more is made where there may be more.
 std::optional<Hearing> RecogniserPool::take() {
   if (free_.empty() && made_ < most_ && !is_deaf_)
     if (auto made = Hearing::make(vocabulary_, model_)) {
@@ -96,6 +99,7 @@ void RecogniserPool::renew(Loop& loop,
   });
 }
 
+// Those that are lent now belong to the vocabulary before, and do not count.
 void RecogniserPool::use(Renewed renewed) {
   vocabulary_ = std::move(renewed.vocabulary);
   is_deaf_ = !renewed.first;

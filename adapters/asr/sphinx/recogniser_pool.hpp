@@ -17,6 +17,13 @@
 namespace parlour::adapters::asr {
 
 // For one thread, beside `renewed` of prepare().
+//
+// Each Hearing belongs to the vocabulary that it was made with: one that comes
+// back after another vocabulary is in use is thrown away.
+//
+// New values of a column, step by step: set_values() notes them, renew() makes
+// a vocabulary and a first recogniser of them elsewhere, use() puts both in
+// place, and give_back() throws the old ones away as they come.
 class RecogniserPool {
 public:
   // Makes the vocabulary and the first recogniser. Blocks for a second or so.

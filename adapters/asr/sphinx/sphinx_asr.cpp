@@ -20,7 +20,9 @@ namespace parlour::adapters {
 
 namespace {
 
+// 200 ms: to ask the decoder for its text takes time, too.
 constexpr std::size_t partial_samples = speech_rate / 5;
+// 30 s; who speaks longer while all are busy is not heard to the end.
 constexpr std::size_t most_waiting = std::size_t{speech_rate} * 30;
 constexpr std::size_t most_sessions = 1'000;
 // An utterance without audio for so long may lose its recogniser.
@@ -48,6 +50,15 @@ std::string option(const Options& options, const char* name) {
   return option_value(options, option_descriptions(), name);
 }
 
+// A session without a recogniser collects its audio; when one is free, it is
+// decoded at once, faster than it was spoken.
+//
+// The way of an utterance:
+//
+//   first audio      a recogniser is taken, or the audio waits
+//   further audio    decoded as it comes; Partial every 200 ms of audio
+//   Finish           RecognitionResult or Rejected; the recogniser goes back
+//   nothing for 10 s another session may take the recogniser
 class SphinxASR : public ASRPlugin {
 protected:
   Expected<void> on_start(const Options& options) override {
@@ -146,6 +157,7 @@ protected:
   }
 
 private:
+  // Either `hearing` is there, or `waiting` has the audio so far.
   struct Utterance {
     std::optional<asr::Hearing> hearing;
     std::vector<Sample> waiting;     // for a recogniser
@@ -165,6 +177,7 @@ private:
     }
   }
 
+  // With the grammars that the session wants now.
   bool give_free(const SessionId& session, Utterance& utterance) {
     auto hearing = pool_->take();
     if (!hearing)
@@ -180,6 +193,7 @@ private:
   }
 
   // Ends an utterance that nobody goes on with: its session may be gone.
+  // At most one: the caller needs one.
   void take_back() {
     const auto before = host().clock().now() - left_alone.count();
     const auto found = std::ranges::find_if(utterances_, [&](const auto& each) {
@@ -204,6 +218,7 @@ private:
     utterance.partial = std::move(text);
   }
 
+  // Two texts that do not agree are worse than none: the user is asked again.
   void tell(const asr::Heard& heard, const asr::Language& language) {
     if (heard.words.empty())
       return fire_rejected("nothing was understood");
@@ -261,6 +276,7 @@ private:
     }
   }
 
+  // A Finish that waited is answered as if it came now.
   void catch_up(Utterance& utterance) {
     utterance.hearing->hear(std::exchange(utterance.waiting, {}));
     const auto finish = std::move(utterance.finish);
@@ -288,6 +304,7 @@ private:
     });
   }
 
+  // On the plug-in's own thread, between two messages.
   void use(const asr::RecogniserPool::Outcome& outcome) {
     if (!*outcome)
       return host().log("The new values are not heard: " +

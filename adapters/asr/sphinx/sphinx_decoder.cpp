@@ -81,6 +81,8 @@ SphinxDecoder::SphinxDecoder(SphinxDecoder&&) noexcept = default;
 SphinxDecoder& SphinxDecoder::operator=(SphinxDecoder&&) noexcept = default;
 SphinxDecoder::~SphinxDecoder() = default;
 
+// The dictionary is a file in memory: the library wants a name, and nothing is
+// to be left on a disk.
 Expected<SphinxDecoder> SphinxDecoder::make(const std::string& model,
                                             const std::string& dictionary,
                                             Passes passes) {
@@ -103,6 +105,7 @@ Expected<SphinxDecoder> SphinxDecoder::make(const std::string& model,
   return SphinxDecoder(std::move(made));
 }
 
+// The beams are those of the configuration when the search is made.
 Expected<void> SphinxDecoder::add_grammar(const std::string& name,
                                           const std::string& fsg) {
   auto* const decoder = implementation_->decoder.get();
@@ -192,6 +195,7 @@ std::vector<SpottedPhrase> SphinxDecoder::spotted() const {
   return found;
 }
 
+// Words of silence and noise have no plain word, and are passed over.
 std::vector<HeardWord> SphinxDecoder::finish() {
   std::vector<HeardWord> words;
   if (!implementation_->is_open)

@@ -26,6 +26,8 @@ struct SpottedPhrase {
   double score = 0;
 };
 
+// The only place that knows PocketSphinx. Movable; a moved-from one may only be
+// destroyed.
 class SphinxDecoder {
 public:
   // Whether an utterance that has ended is searched again, with all that was

@@ -8,13 +8,14 @@
 #include <vector>
 
 #include "adapters/asr/sphinx/keyword_search.hpp"
-#include "runtime/base/comma_list.hpp"
+#include "runtime/base/text/comma_list.hpp"
 #include "runtime/plugin/role_plugin.hpp"
 
 namespace parlour::adapters {
 
 namespace {
 
+// All phrases are one search.
 constexpr std::size_t max_phrases = 50;
 // A session that says nothing for so long may have ended: its search may serve
 // another one. A search that changed hands with each frame would find nothing.
@@ -29,6 +30,8 @@ const std::vector<OptionDescription> options = {
     {"model", "/usr/share/pocketsphinx/model/en-us",
      "folder of the acoustic model and its dictionary"}};
 
+// Everything runs on the plug-in's thread. `spare_` is a search that nobody has
+// yet.
 class SphinxKeywords : public RolePlugin {
 public:
   SphinxKeywords() : RolePlugin("KeywordSpotter") {
@@ -64,6 +67,7 @@ private:
     Timestamp used = 0;
   };
 
+  // All sessions begin anew: a search cannot change its phrases.
   Expected<void> look_for(const std::vector<std::string>& phrases) {
     const auto application = host().understanding();
     auto made = asr::make_keywords(
@@ -101,6 +105,8 @@ private:
       refuse(done.error().message);
   }
 
+  // A gap in the positions means that audio is missing: what was heard before
+  // it does not go on.
   void on_process(const Binary& audio, std::optional<std::int64_t> position) {
     const Value value(audio);
     const auto samples = speech_samples(value);
@@ -136,6 +142,7 @@ private:
              std::to_string(max_streams_) + ")");
   }
 
+  // Without a search where none could be made.
   Stream& stream_of(const SessionId& session) {
     auto& stream = streams_[session];
     stream.used = host().clock().now();

@@ -29,6 +29,7 @@ std::size_t differences(const Words& first, const Words& second) {
   return distances(first, second).back().back();
 }
 
+// Walks back through the table, from the end of both to their beginning.
 Agreement agreement(const Words& first, const Words& second) {
   Agreement made;
   made.agreed.resize(first.size());

@@ -16,6 +16,7 @@ struct Agreement {
 
 // By the alignment with the fewest differences (insertions, deletions,
 // substitutions). Two empty hypotheses agree in nothing.
+// "coffee shop please" and "coffee shops please" agree by two of three words.
 Agreement agreement(const std::vector<std::string>& first,
                     const std::vector<std::string>& second);
 

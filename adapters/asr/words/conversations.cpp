@@ -8,6 +8,7 @@ namespace parlour::adapters::asr {
 
 namespace {
 
+// Of all files together.
 constexpr std::size_t most_lines = 10'000;
 constexpr std::string_view expected_slot = "expect slot ";
 
@@ -26,6 +27,8 @@ std::string_view said_by_user(std::string_view line) {
   return colon == std::string_view::npos ? "" : trimmed(line.substr(colon + 1));
 }
 
+// "expect slot Appointment.Host = Jeffery Ho" gives a value of that slot;
+// "unknown" is none.
 void read_line(std::string_view line, Conversations& to) {
   if (const auto said = said_by_user(line); !said.empty())
     to.lines.emplace_back(said);
@@ -50,6 +53,7 @@ void read_conversation(std::string_view text, Conversations& to) {
   }
 }
 
+// Sorted, so that equal folders give equal models on every machine.
 Conversations read_conversations(const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> files;
   std::error_code error;

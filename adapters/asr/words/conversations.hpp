@@ -10,6 +10,8 @@
 
 namespace parlour::adapters::asr {
 
+// What people say there weighs more than what is drawn from the grammars
+// (language.cpp).
 struct Conversations {
   std::vector<std::string> lines;
   // Topic.Slot and its value.

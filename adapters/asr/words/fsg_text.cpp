@@ -15,12 +15,21 @@ namespace parlour::adapters::asr {
 
 namespace {
 
+// States of the sentences come first, then those of the copies of sets.
+//
+//   FSG_BEGIN parlour
+//   NUM_STATES 3
+//   START_STATE 0
+//   FINAL_STATE 2
+//   TRANSITION 0 1 0.5 where
+//   FSG_END
 class Writer {
 public:
   Writer(const Symbols& symbols, const std::map<Symbol, WordGraph>& sets,
          const FsgOptions& options)
       : symbols_(symbols), sets_(sets), options_(options) {}
 
+  // The number of states is known at the end, and stands in the first lines.
   FsgText write(const WordGraph& graph) {
     const auto first = states_;
     states_ += graph.states.size();
@@ -58,6 +67,7 @@ private:
                    from, to, probability, word);
   }
 
+  // An arc to a state that only ends leads to the common end at once.
   void write_sentences(const WordGraph& graph, std::size_t first) {
     for (std::size_t i = 0; i < graph.states.size(); ++i) {
       const auto& state = graph.states[i];
@@ -72,6 +82,7 @@ private:
     }
   }
 
+  // A word is one line; a value set, the way into a copy of its graph.
   void move(std::size_t from, std::size_t to, double probability,
             Symbol symbol) {
     if (!symbols_.is_set(symbol))

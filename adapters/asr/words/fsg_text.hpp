@@ -10,6 +10,7 @@
 
 namespace parlour::adapters::asr {
 
+// The defaults are those of the recogniser; tests change them.
 struct FsgOptions {
   // The probability that another sentence follows; 0: only one.
   double another = 0.1;
@@ -20,6 +21,7 @@ struct FsgOptions {
   std::size_t most_transitions = 200'000;
 };
 
+// Language takes the text alone; the rest is for tests.
 struct FsgText {
   std::string text;
   std::size_t states = 0;

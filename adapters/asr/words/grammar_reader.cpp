@@ -12,6 +12,7 @@ using nlu::jsgf::NodeKind;
 namespace {
 
 // The slot that a node's tags fill: the last part of {Topic.Slot}.
+// {act=request} and {topic=Facility} fill no slot.
 std::string slot_of(const nlu::jsgf::Node& node) {
   for (const auto& tag : node.tags)
     if (!tag.has_value && tag.name != "act" && tag.name != "topic")
@@ -50,6 +51,7 @@ void GrammarReader::add(const Node& node, GraphBuilder& to) {
   to.accept(build(node, GraphBuilder::start));
 }
 
+// Each form goes into the builder of its own value set.
 void GrammarReader::add_forms(const nlu::jsgf::Grammar& grammar) {
   grammar_ = &grammar;
   is_form_ = true;
@@ -63,6 +65,7 @@ void GrammarReader::add_forms(const nlu::jsgf::Grammar& grammar) {
   is_form_ = false;
 }
 
+// Where the builder is full, what is left adds nothing.
 GrammarReader::State GrammarReader::build(const Node& node, State from) {
   if (to_->is_full())
     return from;
@@ -117,6 +120,7 @@ GrammarReader::State GrammarReader::build_determiner(State from) {
   return next;
 }
 
+// A word of a grammar may be several that are said, as "10:30" is.
 GrammarReader::State GrammarReader::build_word(const Node& node, State from) {
   auto words = spoken_words(node.text);
   spellings_.note(node.text, false);
@@ -132,6 +136,7 @@ GrammarReader::State GrammarReader::build_word(const Node& node, State from) {
   return from;
 }
 
+// A state that nothing leads to: what follows the missing rule cannot be said.
 GrammarReader::State GrammarReader::build_rule(const Node& node, State from) {
   const nlu::jsgf::Rule* found = nullptr;
   if (grammar_)
@@ -165,6 +170,7 @@ GrammarReader::State GrammarReader::build_alternatives(const Node& node,
   return end;
 }
 
+// "very very good": the way back leads to the state before the words.
 GrammarReader::State GrammarReader::build_repeat(const Node& node, State from,
                                                  bool may_be_none) {
   const auto begin = to_->add();

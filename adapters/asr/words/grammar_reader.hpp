@@ -13,6 +13,7 @@
 
 namespace parlour::adapters::asr {
 
+// A rule is copied wherever it is referred to; only value sets are shared.
 class GrammarReader {
 public:
   // All must outlive this.
@@ -20,6 +21,7 @@ public:
       : symbols_(symbols), sets_(sets), spellings_(spellings) {}
 
   // Adds each public rule as a sentence.
+  // `grammar` has to live during the call only.
   void add(const nlu::jsgf::Grammar& grammar, GraphBuilder& to);
   // Adds a node that belongs to no grammar, such as an example.
   void add(const nlu::jsgf::Node& node, GraphBuilder& to);
@@ -45,6 +47,7 @@ private:
   Spellings& spellings_;
   GraphBuilder* to_ = nullptr;
   const nlu::jsgf::Grammar* grammar_ = nullptr;
+  // Whether the words belong to a form such as <time>.
   bool is_form_ = false;
   // The rules that are being copied.
   std::vector<const nlu::jsgf::Rule*> inside_;

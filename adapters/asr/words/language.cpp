@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <utility>
 
 #include "adapters/asr/words/fsg_text.hpp"
@@ -30,6 +31,7 @@ constexpr std::uint64_t seed = 1;
 // Utterances of several sentences, of those drawn.
 constexpr std::size_t one_in = 4;
 
+// Behind an empty move from the start: several graphs stand side by side.
 void copy(const WordGraph& graph, GraphBuilder& to) {
   std::vector<GraphBuilder::State> states;
   for (std::size_t i = 0; i < graph.states.size(); ++i)
@@ -52,6 +54,8 @@ std::vector<Symbol> symbols_of(std::string_view text, Symbols& symbols) {
 
 } // namespace
 
+// The order matters: forms and values come before the grammars that name them,
+// and bare values last, when all sets are known.
 Language::Language(const LanguageSources& sources) {
   ValueSets sets(sources.model, sources.columns, symbols_, spellings_);
   GrammarReader reader(symbols_, sets, spellings_);
@@ -96,6 +100,7 @@ void Language::add_example_values(const TopicModel& topic, ValueSets& sets) {
                      .substr(mark.begin, mark.end - mark.begin));
 }
 
+// A value that a conversation expects in a slot may be said in it.
 void Language::add_conversations(const LanguageSources& sources,
                                  ValueSets& sets) {
   for (const auto& [slot, value] : sources.conversations.values)
@@ -108,6 +113,7 @@ void Language::add_conversations(const LanguageSources& sources,
   }
 }
 
+// Each grammar is a part of its own, so that a turn can be narrowed to it.
 void Language::add_grammar(const GrammarModel& model, GrammarReader& reader) {
   std::vector<Error> ignored;
   const auto grammar = nlu::jsgf::parse(model, ignored);
@@ -116,6 +122,8 @@ void Language::add_grammar(const GrammarModel& model, GrammarReader& reader) {
   parts_[model.name] = whole.finish();
 }
 
+// As it was written and, by the rules that the understanding makes of it, with
+// other values in the marked places.
 void Language::add_examples(const TopicModel& topic, GrammarReader& reader,
                             GraphBuilder& to) {
   std::vector<Error> ignored;
@@ -150,12 +158,16 @@ void Language::put_together() {
       bare.add_sentence({set});
       parts_[symbols_.text(set)] = bare.finish();
     }
-  std::vector<const WordGraph*> all{&generic_};
+  std::vector<const WordGraph*> all;
   for (const auto& [name, graph] : parts_)
     all.push_back(&graph);
+  own_ = joined(all);
+  all.push_back(&generic_);
   sentences_ = joined(all);
 }
 
+// Contractions are put in here, as they may reach from one part of a sentence
+// to the next.
 WordGraph Language::joined(const std::vector<const WordGraph*>& graphs) const {
   GraphBuilder builder(400'000);
   for (const auto* graph : graphs)
@@ -166,6 +178,7 @@ WordGraph Language::joined(const std::vector<const WordGraph*>& graphs) const {
   return builder.finish();
 }
 
+// Unknown names are passed over where another one is known.
 std::optional<WordGraph>
 Language::sentences(const std::vector<std::string>& names) const {
   std::vector<const WordGraph*> found;
@@ -182,10 +195,16 @@ std::string Language::fsg(const WordGraph& graph) const {
   return fsg_text(graph, symbols_, sets_).text;
 }
 
-std::string Language::arpa(const WordGraph& graph, std::size_t count) const {
+// Drawn with a fixed seed: equal sources give the same model.
+std::string Language::arpa(std::size_t count) const {
   Trigrams trigrams;
-  auto drawn =
-      fill_sets(draw_sentences(graph, count, seed), symbols_, sets_, seed);
+  auto sentences = draw_sentences(sentences_, count, seed);
+  // The platform's grammar says yes in many ways; what the application is about
+  // is said as often, however few rules it has.
+  auto own = draw_sentences(own_, count, seed);
+  sentences.insert(sentences.end(), std::make_move_iterator(own.begin()),
+                   std::make_move_iterator(own.end()));
+  auto drawn = fill_sets(sentences, symbols_, sets_, seed);
   for (std::size_t i = 0; i < drawn.size(); ++i) {
     // Every so often two in one breath.
     if (i % one_in == 0 && i > 0)
@@ -223,6 +242,7 @@ Language::Phrases Language::phrases(const WordGraph& graph,
   return made;
 }
 
+// Depth first, with the words so far in `before`.
 void Language::add_values(const WordGraph& set, std::uint32_t state,
                           const std::string& before, std::size_t most,
                           std::vector<std::string>& values) const {

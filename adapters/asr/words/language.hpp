@@ -17,6 +17,7 @@
 
 namespace parlour::adapters::asr {
 
+// All of it may be empty: then nothing can be heard.
 struct LanguageSources {
   UnderstandingModel model;
   ColumnReader columns;
@@ -28,6 +29,17 @@ struct LanguageSources {
 };
 
 // Immutable after it was made; then any number of threads may use it.
+//
+// An example: for "where is [the] @Facility.Name" the graph has "where is the"
+// and the value set; the set's names are a graph of their own. From both come
+// the recogniser's grammar, and the sentences that are drawn for the domain
+// model.
+//
+//   grammars, examples, conversations -> GrammarReader -> parts_ (word graphs)
+//   values of slots, columns, forms   -> ValueSets     -> sets_ (word graphs)
+//   parts_ and sets_ -> fsg():  all sentences, as the decoder reads them
+//                    -> arpa(): drawn sentences, counted in Trigrams
+//                    -> ends(): whether what was heard may be all
 class Language {
 public:
   // Takes a second or less. Parts with errors are left out: the understanding
@@ -44,9 +56,9 @@ public:
   sentences(const std::vector<std::string>& names) const;
 
   std::string fsg(const WordGraph& graph) const;
-  // The domain model, counted from `count` sentences drawn from the graph, and
-  // from the conversations.
-  std::string arpa(const WordGraph& graph, std::size_t count) const;
+  // The domain model, counted from `count` of all sentences, as many of the
+  // application's own, and the conversations.
+  std::string arpa(std::size_t count) const;
   // What the graph's sentences are made of, as it is written: the values in
   // them, at most so many, and single words. Forms such as times are left out.
   struct Phrases {
@@ -77,7 +89,9 @@ private:
                     GraphBuilder& to);
   void add_bare_values(const UnderstandingModel& model, ValueSets& sets);
   // Only parts are read; what they make together comes last.
+  // Fills `own_` and `sentences_` from the parts.
   void put_together();
+  // One graph that has the sentences of all of them, contracted ones too.
   WordGraph joined(const std::vector<const WordGraph*>& graphs) const;
 
   Symbols symbols_;
@@ -85,6 +99,7 @@ private:
   std::map<Symbol, WordGraph> sets_;
   WordGraph sentences_;
   WordGraph generic_;
+  WordGraph own_; // without the platform's
   // The contractions of this language, as symbols.
   struct Contraction {
     Symbol first;
@@ -94,6 +109,7 @@ private:
   std::vector<Contraction> contractions_;
   // Grammars and public rules, slots, columns and forms by name.
   std::map<std::string, WordGraph> parts_;
+  // Examples and lines of conversations, word by word.
   std::vector<std::vector<Symbol>> said_;
 };
 

@@ -35,6 +35,7 @@ MemoryFile::~MemoryFile() {
     close(descriptor_);
 }
 
+// Valid in this process alone: another one would find its own descriptor there.
 std::string MemoryFile::path() const {
   return "/proc/self/fd/" + std::to_string(descriptor_);
 }

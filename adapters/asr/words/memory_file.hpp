@@ -7,6 +7,7 @@
 namespace parlour::adapters::asr {
 
 // Gone with its object. Movable.
+// PocketSphinx wants file names for what is made here in memory.
 class MemoryFile {
 public:
   // With this content, to be read from its beginning. Nothing if the system has

@@ -124,6 +124,7 @@ constexpr Entry table[] = {
     {";", ""}};
 
 // The parts of a text between blanks and '_'.
+// Views into `text`.
 std::vector<std::string_view> parts_of(std::string_view text) {
   std::vector<std::string_view> parts;
   constexpr std::string_view between = " _\t\r\n|";
@@ -144,6 +145,8 @@ std::string_view unstressed(std::string_view phoneme) {
 
 } // namespace
 
+// One unknown phoneme makes the word unknown: a word without a sound would be
+// found in others.
 std::optional<std::string> phones_of(std::string_view phonemes) {
   std::string made;
   for (const auto part : parts_of(phonemes)) {

@@ -20,6 +20,7 @@ namespace parlour::adapters::asr {
 
 namespace {
 
+// No copy of this process is made: it may have many threads.
 std::optional<pid_t> start(const std::vector<std::string>& words, int input,
                            int output) {
   std::vector<char*> arguments;
@@ -38,6 +39,8 @@ std::optional<pid_t> start(const std::vector<std::string>& words, int input,
 }
 
 // Whether it ended by itself, and well.
+// The descriptor of the process becomes readable when it ends, so that no
+// signal is needed.
 bool ends_well(pid_t process, std::chrono::milliseconds patience) {
   const int handle = static_cast<int>(syscall(SYS_pidfd_open, process, 0));
   pollfd ended{handle, POLLIN, 0};
@@ -54,6 +57,7 @@ bool ends_well(pid_t process, std::chrono::milliseconds patience) {
 
 } // namespace
 
+// What it writes on standard error goes where ours does.
 std::optional<std::string> program_output(const std::vector<std::string>& words,
                                           const std::string& input,
                                           std::chrono::milliseconds patience) {

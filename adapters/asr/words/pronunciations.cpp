@@ -18,6 +18,7 @@ struct Line {
   std::string_view phones;
 };
 
+// "hello(2)" is another way to say "hello".
 Line split(std::string_view line) {
   const auto end = line.find_first_of(" \t");
   if (end == std::string_view::npos)
@@ -33,6 +34,8 @@ Line split(std::string_view line) {
 
 } // namespace
 
+// The dictionary has more than a hundred thousand words; only the wanted ones
+// are kept.
 Expected<Pronunciations> dictionary_sounds(const std::filesystem::path& path,
                                            const std::set<std::string>& words) {
   std::ifstream file(path);
@@ -78,6 +81,7 @@ Pronunciations espeak_sounds(const std::set<std::string>& words) {
   return word == words.end() ? found : Pronunciations();
 }
 
+// A name of several words has no sound as a whole: each word has its own.
 Pronunciations given_sounds(const std::vector<PronunciationModel>& given) {
   Pronunciations sounds;
   for (const auto& each : given)
@@ -86,6 +90,7 @@ Pronunciations given_sounds(const std::vector<PronunciationModel>& given) {
   return sounds;
 }
 
+// What the application says of a word takes the place of the dictionary's.
 Expected<Pronunciations> model_sounds(const std::filesystem::path& model,
                                       const std::set<std::string>& words,
                                       const Pronunciations& given) {

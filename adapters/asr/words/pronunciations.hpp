@@ -14,6 +14,7 @@
 namespace parlour::adapters::asr {
 
 // Several for one word; each is phones with blanks between: "HH AH L OW".
+// A word without any is missing: an empty list does not occur.
 using Pronunciations = std::map<std::string, std::vector<std::string>>;
 
 // Those of these words that a dictionary in the format of PocketSphinx has: a

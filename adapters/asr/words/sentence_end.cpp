@@ -24,6 +24,12 @@ struct Place {
   }
 };
 
+// "coffee shop" may end a sentence and may go on with "on the first floor": all
+// places count, and one that may end is enough.
+//
+//   "call jeffery"    may end in "call @Host.Name", if Jeffery is a whole value
+//   "call"            begins a sentence, and cannot end there
+//   "banana"          begins none: it is lost
 class Walk {
 public:
   Walk(const WordGraph& graph, const Symbols& symbols,
@@ -32,6 +38,7 @@ public:
     reach({0, 0, 0, false});
   }
 
+  // All places at which the sentence may be behind this word.
   void step(const std::string& word) {
     const auto before = std::exchange(places_, {});
     for (const auto& place : before)
@@ -43,6 +50,8 @@ public:
   bool is_lost() const {
     return places_.empty();
   }
+  // A place within a value set is never an end by itself: reach() has added the
+  // place behind it, where the value may end.
   bool is_end() const {
     for (const auto& place : places_)
       if (!place.within && graph_.states[place.state].is_final)
@@ -79,6 +88,7 @@ private:
 
 } // namespace
 
+// Nothing, where no sentence begins like this: whoever asks must not cut in.
 std::optional<bool>
 Language::ends(const WordGraph& graph,
                const std::vector<std::string>& words) const {

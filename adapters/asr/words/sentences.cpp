@@ -9,10 +9,14 @@ namespace parlour::adapters::asr {
 
 namespace {
 
+// In words or sets; rings in a grammar would go on for ever.
 constexpr std::size_t longest = 40;
 
 // The number of sentences of each state, so that a set of names is drawn from
 // evenly, whatever its graph looks like. Loops count as if they were left soon.
+// The same seed and graph give the same sentences on every machine, as no
+// distribution of the standard library is used.
+// `evenly`: all sentences are equally probable, else all ways on at each state.
 class Drawing {
 public:
   Drawing(const WordGraph& graph, bool evenly, std::uint64_t seed)
@@ -47,6 +51,7 @@ private:
     Symbol symbol = 0;
   };
 
+  // Breadth first, so that each way is the shortest.
   void find_ways() {
     constexpr auto unseen = std::numeric_limits<std::size_t>::max();
     std::vector<std::size_t> depths(graph_.states.size(), unseen);
@@ -76,6 +81,7 @@ private:
     return sentence;
   }
 
+  // A sentence that is still not over at its longest is given up.
   Sentence go_on(Sentence sentence, std::uint32_t at) {
     while (sentence.size() < longest) {
       const auto& state = graph_.states[at];
@@ -92,6 +98,7 @@ private:
     return counts_.empty() ? 1 : counts_[state];
   }
 
+  // Repeated until nothing changes, at most as often as a sentence has words.
   void count_sentences() {
     std::vector<double> counts(graph_.states.size());
     for (std::size_t length = 0; length < longest; ++length) {
@@ -144,6 +151,8 @@ std::vector<Sentence> draw_sentences(const WordGraph& graph, std::size_t count,
   return sentences;
 }
 
+// Each set draws with a seed of its own: more values in one do not change what
+// is drawn from another.
 std::vector<Sentence> fill_sets(const std::vector<Sentence>& sentences,
                                 const Symbols& symbols,
                                 const std::map<Symbol, WordGraph>& sets,

@@ -16,6 +16,7 @@ using Sentence = std::vector<Symbol>;
 // them one for each arc of the graph, so that nothing is forgotten. The same
 // seed gives the same sentences. None from an empty graph; sentences end after
 // at most 40 symbols.
+// At each state all ways on are equally probable, and so is the end.
 std::vector<Sentence> draw_sentences(const WordGraph& graph, std::size_t count,
                                      std::uint64_t seed);
 

@@ -26,6 +26,7 @@ constexpr std::array<std::string_view, 20> ordinals{
     "tenth",     "eleventh",  "twelfth",     "thirteenth", "fourteenth",
     "fifteenth", "sixteenth", "seventeenth", "eighteenth", "nineteenth"};
 // What is written shorter than it is said.
+// Words without a point, as signs divide words: "Dr." comes as "dr".
 constexpr std::array<std::pair<std::string_view, std::string_view>, 16>
     short_for{{{"dr", "doctor"},
                {"mr", "mister"},
@@ -69,6 +70,7 @@ std::optional<long long> number_at(std::string_view text, std::size_t& at) {
 }
 
 // "am", "pm" and "a.m." behind a time.
+// "am" in "amount" is none: no letter may follow.
 std::string half_of_day(std::string_view rest, std::size_t& length) {
   for (const auto* const sign : {"am", "pm", "a.m.", "p.m.", "a.m", "p.m"}) {
     const std::string_view form(sign);
@@ -99,6 +101,8 @@ Words digits_in_words(std::string_view digits) {
 }
 
 // Reads one text from left to right.
+// What is neither a letter nor a digit divides words, unless it has a word of
+// its own ("&").
 class Reader {
 public:
   explicit Reader(std::string_view text) {
@@ -122,6 +126,9 @@ private:
     return std::string_view(text_).substr(at_);
   }
 
+  //
+  // "2026" is a number, "64785056" a row of digits, and so is "007": what has
+  // more than four digits or a leading zero is read out.
   void number() {
     const auto begin = at_;
     while (at_ < text_.size() && is_digit(text_[at_]))
@@ -155,6 +162,7 @@ private:
     return true;
   }
 
+  // "2nd" is "second"; "23rd", "twenty third".
   bool ordinal(std::optional<long long> value) {
     for (const auto* const ending : {"st", "nd", "rd", "th"})
       if (value && rest().starts_with(ending) &&
@@ -166,6 +174,7 @@ private:
     return false;
   }
 
+  // Blanks between the time and "am" are skipped.
   bool day_half() {
     auto from = at_;
     while (from < text_.size() && text_[from] == ' ')
@@ -179,6 +188,7 @@ private:
     return true;
   }
 
+  // "don't" is one word; an apostrophe at the end is a quotation mark.
   void word() {
     const auto begin = at_;
     while (at_ < text_.size() &&
@@ -215,6 +225,7 @@ std::vector<std::string> spoken_words(std::string_view text) {
   return Reader(text).read();
 }
 
+// "one thousand two hundred thirty four", as Americans say it: without "and".
 std::vector<std::string> number_in_words(long long number) {
   if (number < 0 || number >= 1'000'000'000)
     return {};

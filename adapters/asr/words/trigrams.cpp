@@ -25,6 +25,8 @@ double decimal_logarithm(double probability) {
 
 } // namespace
 
+// Witten and Bell: a context that was followed by many different words is
+// believed less, as others may follow it, too.
 double Trigrams::Context::trust() const {
   return count > 0 ? count / (count + static_cast<double>(words.size())) : 0;
 }
@@ -33,6 +35,8 @@ Trigrams::Key Trigrams::key(Symbol before, Symbol last) {
   return (static_cast<Key>(before) << 32) | last;
 }
 
+// Each word is counted in three contexts, and the end of the sentence as a
+// word.
 void Trigrams::add(const Sentence& sentence, double weight) {
   auto before = begin;
   auto last = begin;
@@ -68,6 +72,7 @@ double Trigrams::interpolated(const Context* context, Symbol word,
   return trust * own + (1 - trust) * rest;
 }
 
+// The shortest context has a shorter one still: all words equally probable.
 double Trigrams::of_word(Symbol word) const {
   const auto size =
       static_cast<double>(std::max<std::size_t>(1, words_.words.size()));
@@ -82,6 +87,12 @@ double Trigrams::probability(Symbol before, Symbol last, Symbol word) const {
   return interpolated(find(key(before, last)), word, of_pair(last, word));
 }
 
+// What stands in the file for a known triple is the interpolated probability;
+// for the others, the reader multiplies that of the pair by the back-off
+// weight, which is the trust that is left.
+//
+// A line of the file is the logarithm of a probability, the words, and the
+// logarithm of the back-off weight: "-1.2041 coffee shop -0.3010".
 std::string Trigrams::arpa(const Symbols& symbols, double least) const {
   fmt::memory_buffer one;
   fmt::memory_buffer two;

@@ -13,6 +13,7 @@
 
 namespace parlour::adapters::asr {
 
+// Filled on one thread, then only read.
 class Trigrams {
 public:
   // The sentence counts `weight` times.
@@ -26,6 +27,7 @@ public:
   // than `least` are left to the back-off.
   std::string arpa(const Symbols& symbols, double least = 0) const;
 
+  // Words and sets are numbered below these: there is room for a million.
   static constexpr Symbol begin = 0xFFFFF;
   static constexpr Symbol end = 0xFFFFE;
 

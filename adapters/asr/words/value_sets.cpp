@@ -56,6 +56,7 @@ const SlotModel* find_slot(const UnderstandingModel& model,
 
 } // namespace
 
+// "Will" as a name and "will" in a sentence: the small one wins.
 void Spellings::note(std::string_view text, bool is_sentence) {
   bool is_first = true;
   for (auto& word : written_words(text)) {
@@ -99,6 +100,7 @@ Symbol ValueSets::open_set(std::string_view slot) {
   return set;
 }
 
+// In this order: a column, a form, a slot; anything else stands for any words.
 Symbol ValueSets::set_of(std::string_view reference, std::string_view slot) {
   if (reference.starts_with("db:"))
     return column(std::string(reference));
@@ -130,6 +132,7 @@ Symbol ValueSets::set_of(const TopicModel& topic, const SlotModel& slot) {
   return open_set(slot.name);
 }
 
+// A column that cannot be read is an empty set; it is not asked for again.
 Symbol ValueSets::column(const std::string& name) {
   if (const auto found = read_columns_.find(name); found != read_columns_.end())
     return found->second;
@@ -146,6 +149,7 @@ Symbol ValueSets::column(const std::string& name) {
   return set;
 }
 
+// A value that is said like another one counts once.
 void ValueSets::add(Symbol set, std::string_view value) {
   auto& values = values_[set];
   auto& builder = builders_[set];

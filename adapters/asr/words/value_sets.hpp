@@ -15,10 +15,11 @@ namespace parlour::adapters::asr {
 
 // How words are written: "Jeffery", though it is said like "jeffery". The first
 // spelling with capitals counts, unless the word is also written without.
+// Of a whole application. A recogniser hears small letters only.
 class Spellings {
 public:
-  // Notes the words of a text. `capital_is_name`: false where a sentence
-  // begins, whose first word has a capital anyway.
+  // Notes the words of a text. `is_sentence`: its first word has a capital
+  // anyway, which says nothing.
   void note(std::string_view text, bool is_sentence);
   std::string written(const std::string& word) const;
 
@@ -30,6 +31,7 @@ private:
   std::map<std::string, Spelling> spellings_;
 };
 
+// Used while a Language is made, on its thread.
 class ValueSets {
 public:
   // `symbols` and `spellings` must outlive this.

@@ -71,6 +71,9 @@ void GraphBuilder::add_sentence(const std::vector<Symbol>& sentence) {
   accept(at);
 }
 
+// Empty moves may lie between the two words.
+//
+//   0 -i-> 1 -am-> 2    gets    0 -i'm-> 2
 void GraphBuilder::contract(Symbol first, Symbol second, Symbol both) {
   for (auto& node : nodes_) {
     std::vector<State> ends;
@@ -97,6 +100,8 @@ GraphBuilder::closure(std::vector<State> states) const {
   return states;
 }
 
+// A state of the result is a set of states of the builder; each set is numbered
+// when it is met first.
 WordGraph GraphBuilder::deterministic(std::size_t most_states) const {
   WordGraph graph;
   std::map<std::vector<State>, std::uint32_t> numbers;
@@ -177,10 +182,14 @@ WordGraph without_dead_ends(const WordGraph& graph) {
 
 } // namespace
 
+// Dead ends go first: they would keep states apart that are the same without
+// them.
 WordGraph GraphBuilder::finish() const {
   return minimal(without_dead_ends(deterministic(most_states_)));
 }
 
+// States are told apart step by step: first the final ones from the others,
+// then by where their arcs lead, until nothing changes.
 WordGraph minimal(const WordGraph& graph) {
   const auto count = graph.states.size();
   std::vector<std::uint32_t> part(count);

@@ -18,6 +18,7 @@ namespace parlour::adapters::asr {
 using Symbol = std::uint32_t;
 
 // Numbers words and value sets. Not thread-safe.
+// A word and a value set of the same text have different numbers.
 class Symbols {
 public:
   Symbol word(std::string_view text);
@@ -42,6 +43,7 @@ private:
 };
 
 // Deterministic, with the fewest states. State 0 is the start.
+// What a regular expression over words would be, compiled. Paths may be rings.
 struct WordGraph {
   struct Arc {
     Symbol symbol = 0;
@@ -64,6 +66,8 @@ struct WordGraph {
 
 // Collects sentences and makes a graph of them. Moves may be empty and
 // ambiguous. Bounded: what exceeds the bound is left out (is_full()).
+// A non-deterministic automaton while it is built; finish() makes the smallest
+// deterministic one.
 class GraphBuilder {
 public:
   using State = std::uint32_t;
@@ -71,6 +75,7 @@ public:
   explicit GraphBuilder(std::size_t most_states = 200'000);
 
   static constexpr State start = 0;
+  // When it is full, the last state: later moves are ignored anyway.
   State add();
   void link(State from, State to);
   void take(State from, State to, Symbol symbol);

@@ -3,8 +3,8 @@
 #include <memory>
 #include <utility>
 
-#include "adapters/database/mariadb/mariadb_connection.hpp"
-#include "adapters/database/mariadb/mariadb_errors.hpp"
+#include "adapters/database/mariadb/connection/mariadb_connection.hpp"
+#include "adapters/database/mariadb/connection/mariadb_errors.hpp"
 #include "adapters/database/sqlite/sqlite_columns.hpp"
 
 namespace parlour::adapters {

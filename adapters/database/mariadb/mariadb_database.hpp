@@ -21,7 +21,7 @@
 #include <memory>
 
 #include "adapters/database/database_command.hpp"
-#include "adapters/database/mariadb/mariadb_options.hpp"
+#include "adapters/database/mariadb/connection/mariadb_options.hpp"
 #include "adapters/database/statement.hpp"
 #include "runtime/plugin/open_messages.hpp"
 #include "runtime/plugin/plugin.hpp"

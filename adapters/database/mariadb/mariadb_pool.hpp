@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "adapters/database/mariadb/mariadb_connection.hpp"
+#include "adapters/database/mariadb/connection/mariadb_connection.hpp"
 #include "adapters/database/mariadb/pool_policy.hpp"
 #include "adapters/loop/alarm.hpp"
 #include "adapters/loop/watch.hpp"

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "adapters/database/sql_scan.hpp"
-#include "runtime/base/file_bytes.hpp"
+#include "runtime/base/outside/file_bytes.hpp"
 
 namespace parlour::adapters {
 

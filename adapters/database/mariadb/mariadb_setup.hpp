@@ -3,7 +3,7 @@
 // database with the marker was not finished, and is emptied and made again.
 #pragma once
 
-#include "adapters/database/mariadb/mariadb_connection.hpp"
+#include "adapters/database/mariadb/connection/mariadb_connection.hpp"
 
 namespace parlour::adapters {
 

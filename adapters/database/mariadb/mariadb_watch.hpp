@@ -11,7 +11,7 @@
 #include <optional>
 #include <string>
 
-#include "adapters/database/mariadb/mariadb_connection.hpp"
+#include "adapters/database/mariadb/connection/mariadb_connection.hpp"
 #include "adapters/database/value_watch.hpp"
 #include "adapters/loop/alarm.hpp"
 #include "adapters/loop/loop.hpp"

@@ -9,7 +9,7 @@
 #include <sqlite3.h>
 
 #include "adapters/database/sqlite/sqlite_open.hpp"
-#include "runtime/base/file_bytes.hpp"
+#include "runtime/base/outside/file_bytes.hpp"
 
 namespace parlour::adapters {
 

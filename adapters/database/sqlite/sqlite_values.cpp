@@ -5,7 +5,7 @@
 #include <sqlite3.h>
 
 #include "adapters/database/row_texts.hpp"
-#include "runtime/base/utf8.hpp"
+#include "runtime/base/text/utf8.hpp"
 
 namespace parlour::adapters {
 

@@ -26,6 +26,8 @@ std::uint16_t usual_port(std::string_view scheme) {
 }
 
 // "host", "host:port", "[::1]:port". False if it has another form.
+// Stricter than the standard: what has another form is refused before it is
+// sent anywhere.
 bool read_server(std::string_view text, HttpAddress& address) {
   const auto bracket = text.starts_with('[') ? text.find(']') : 0;
   if (bracket == std::string_view::npos)
@@ -60,6 +62,7 @@ std::string HttpAddress::server() const {
   return port == usual_port(scheme) ? host : host + ':' + std::to_string(port);
 }
 
+// The scheme is read first, as the usual port depends on it.
 tl::expected<HttpAddress, std::string> read_address(std::string_view text) {
   HttpAddress address;
   const auto colon = text.find("://");

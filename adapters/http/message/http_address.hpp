@@ -9,6 +9,7 @@
 
 namespace parlour::adapters::http {
 
+// No user, no password and no fragment: read_address() refuses them.
 struct HttpAddress {
   std::string scheme; // "http" or "https"
   std::string host;   // in lower case; an IPv6 address with its brackets
@@ -28,6 +29,7 @@ tl::expected<HttpAddress, std::string> read_address(std::string_view text);
 
 // Each byte but letters, digits and "-._~" as %XX, so that the text is one part
 // of a path, a query or a form.
+// "a/b c" is "a%2Fb%20c".
 std::string percent_encoded(std::string_view text);
 
 // Whether a part of the path is "." or "..", by which one gets to other parts

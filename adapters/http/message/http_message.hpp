@@ -31,8 +31,11 @@ enum class Method : std::uint8_t {
 
 // "GET".
 std::string_view name_of(Method method);
+// Such a request may be sent again without asking, unless a rule says
+// otherwise.
 bool is_idempotent(Method method);
 
+// Names as the rule wrote them; only Content-Type has one spelling.
 struct HttpHeader {
   std::string name;
   std::string value;
@@ -42,6 +45,7 @@ struct HttpHeader {
   bool operator==(const HttpHeader&) const = default;
 };
 
+// Complete: no value of a conversation is put in afterwards.
 struct HttpRequest {
   Method method = Method::get;
   std::string address; // absolute, all parts encoded
@@ -55,6 +59,7 @@ struct HttpRequest {
   bool operator==(const HttpRequest&) const = default;
 };
 
+// Any status is an answer; whether it is a failure the rules say.
 struct HttpAnswer {
   int status = 0;
   std::string body = {};

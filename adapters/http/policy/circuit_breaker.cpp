@@ -29,6 +29,7 @@ void CircuitBreaker::succeeded(Pass pass) {
   failures_ = 0;
 }
 
+// Failures of requests from before count for nothing while it is open.
 void CircuitBreaker::failed(Pass pass, Moment now, const std::string& reason) {
   if (!is_closed_ && !pass.is_trial)
     return;

@@ -19,6 +19,7 @@
 
 namespace parlour::adapters::http {
 
+// HttpClient has one for each server.
 class CircuitBreaker {
 public:
   using Moment = std::chrono::steady_clock::time_point;

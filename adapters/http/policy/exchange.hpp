@@ -9,6 +9,8 @@
 
 namespace parlour::adapters::http {
 
+// HttpClient sends request(), calls after() with what became of it, and does
+// what that says.
 class Exchange {
 public:
   using Moment = std::chrono::steady_clock::time_point;

@@ -38,6 +38,7 @@ bool is_redirect(const HttpAnswer& answer) {
   }
 }
 
+// From https to http everybody could read the values, so the scheme stays.
 tl::expected<HttpRequest, std::string> redirected(const HttpRequest& request,
                                                   const HttpAnswer& answer) {
   const auto from = read_address(request.address);

@@ -35,6 +35,8 @@ bool is_trouble(const TryOutcome& outcome) {
          kind == Kind::broken_off || kind == Kind::not_http;
 }
 
+// 200, 400, 800 ms and so on, each shortened by chance to half at most. A pause
+// behind the deadline would only delay the failure.
 std::optional<Milliseconds>
 pause_before_retry(const RetryTerms& terms, const HttpRequest& request,
                    const TryOutcome& outcome, unsigned tries,

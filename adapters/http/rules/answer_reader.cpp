@@ -6,7 +6,7 @@
 
 #include <re2/re2.h>
 
-#include "runtime/base/utf8.hpp"
+#include "runtime/base/text/utf8.hpp"
 #include "runtime/text/json_text.hpp"
 
 namespace parlour::adapters::http {
@@ -31,6 +31,7 @@ std::string readable(std::string text) {
 }
 
 // Values of a list are told with commas between them.
+// "rain, sun, rain": for a text in which the values stand.
 std::string spoken(const Value& value) {
   const auto* list = value.if_list();
   if (!list)
@@ -42,6 +43,10 @@ std::string spoken(const Value& value) {
 }
 
 // One answer, read as far as the rules ask for it.
+// The JSON is parsed when a rule first asks for it.
+//
+//   the first rule of which status, has, is and matches all apply -> its event
+//   its parameters: {name} of the command, {/path} in the JSON, {0} a match
 class Reader {
 public:
   Reader(const std::vector<AnswerRule>& rules, const std::string& file,
@@ -59,6 +64,7 @@ public:
   }
 
 private:
+  // {0} is the whole text where the rule has no expression.
   bool applies(const AnswerRule& rule) {
     const auto fits = [this](const auto& range) {
       return range.first <= answer_.status && answer_.status <= range.second;
@@ -71,6 +77,8 @@ private:
     return !rule.matches || match(*rule.matches);
   }
 
+  // An answer that is no JSON has nothing, and is no mistake here: another rule
+  // may fit it.
   bool has(const JsonPath& path, const std::optional<std::string>& wanted) {
     const auto& answer = json();
     const auto found = answer ? path.find(*answer) : std::nullopt;
@@ -92,6 +100,8 @@ private:
     return true;
   }
 
+  // A value that the answer lacks is replaced by the rule's `else`; without one
+  // the whole answer becomes no event.
   Made event_of(const AnswerRule& rule) {
     Answer event{rule.event.name, {}};
     for (const auto& param : rule.event.params) {

@@ -10,6 +10,8 @@
 namespace parlour::adapters::http {
 
 // Why an answer becomes no event.
+// Who asked is told the reason; for a webhook, none_applies decides what is
+// logged.
 struct NoEvent {
   // A sentence. It quotes nothing of the answer.
   std::string reason;
@@ -27,6 +29,7 @@ tl::expected<Answer, NoEvent> read_answer(const std::vector<AnswerRule>& rules,
 
 // The sample that stands for the answer: the first for one of the parameters,
 // else the first for all; null if there is none.
+// <sample for="Boston"> is for a command with a parameter "Boston".
 const SampleRule* find_sample(const CommandRule& command,
                               const List& parameters);
 

@@ -16,6 +16,8 @@ namespace parlour::adapters::http {
 namespace {
 
 // The memory that one expression may take.
+// RE2 refuses an expression that would need more; matching takes linear time in
+// any case.
 constexpr std::int64_t max_expression = 1 << 20;
 
 std::optional<int> read_number(std::string_view text) {
@@ -28,6 +30,7 @@ std::optional<int> read_number(std::string_view text) {
 }
 
 // "200", "2xx", "400-404".
+// Both ends belong to the range.
 std::optional<std::pair<int, int>> read_statuses(const std::string& text) {
   const auto dash = text.find('-');
   auto from = read_number(text.substr(0, dash));
@@ -47,6 +50,7 @@ std::optional<std::pair<int, int>> read_statuses(const std::string& text) {
 
 } // namespace
 
+// An <otherwise> is a rule without statuses, so it applies always.
 void AnswerRuleReader::read(const pugi::xml_node& node,
                             const std::vector<std::string>& parameters,
                             std::vector<AnswerRule>& answers) {
@@ -111,6 +115,8 @@ void AnswerRuleReader::read_conditions(const pugi::xml_node& node,
   }
 }
 
+// The place of each parameter is kept, so that a failure at run time can name
+// its line.
 void AnswerRuleReader::read_event(const pugi::xml_node& node, EventRule& event,
                                   const TemplateNames& names) {
   if (!xml_.check_attributes(node, {"name"}))
@@ -160,6 +166,7 @@ void AnswerRuleReader::check_event(const pugi::xml_node& node,
                    ", and here are " + std::to_string(given));
 }
 
+// Its text is taken as it stands, without the blanks around it.
 void AnswerRuleReader::read_sample(const pugi::xml_node& node,
                                    std::vector<SampleRule>& samples) {
   if (of_ == Of::webhook)

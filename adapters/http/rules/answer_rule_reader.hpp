@@ -11,6 +11,7 @@
 
 namespace parlour::adapters::http {
 
+// Used while one element is read.
 class AnswerRuleReader {
 public:
   // A webhook has no status, and its events come unasked, so they need not end

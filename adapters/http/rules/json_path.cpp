@@ -35,6 +35,7 @@ const Value* child(const Value& value, const std::string& step) {
   return &(*list)[position];
 }
 
+// The entries of a map in its own order, as "*" means all of them.
 std::vector<Value> children(const Value& value) {
   if (const auto* list = value.if_list())
     return *list;
@@ -47,6 +48,7 @@ std::vector<Value> children(const Value& value) {
 
 } // namespace
 
+// "/days/0/" has a last step that is empty: the entry with the empty name.
 JsonPath::JsonPath(std::string_view text) : text_(text) {
   for (std::size_t at = 1; text.size() > 1 && at <= text.size();) {
     const auto end = std::min(text.find('/', at), text.size());

@@ -19,6 +19,7 @@
 namespace parlour::adapters::http {
 
 // Immutable.
+// Written in rules of services; read once, followed in each answer.
 class JsonPath {
 public:
   JsonPath() = default; // the whole answer

@@ -16,6 +16,16 @@ using Unexpected = tl::unexpected<std::string>;
 using Text = tl::expected<std::string, std::string>;
 
 // What templates are filled with.
+// Values of the conversation are data: wherever they are put in, they are
+// written so that they cannot become a part of the address, of JSON or of XML.
+//
+// How a value is written, by the place where it stands:
+//
+//   in the address, a <query>, a <field>   as %XX
+//   in a <header>                          as it is; no line ends
+//   in JSON, between quotes                as a part of a text, with \" for "
+//   in JSON, elsewhere                     as JSON: 5, true, null, "a"
+//   in XML                                 with &lt; for <
 struct Filling {
   const List& parameters;
   const std::string& request_id;
@@ -40,6 +50,7 @@ struct Filling {
 
 // The template with each value passed through `escape`; its own text stays.
 template <class Escape>
+// The template's own text is the application's, and is written as it stands.
 std::string filled(const TextTemplate& text, const Filling& filling,
                    Escape escape) {
   std::string result;
@@ -112,6 +123,7 @@ std::string without_quotes(const std::string& json) {
 }
 
 // Between quotes a value is a part of a text; elsewhere it is a value.
+// In {"to": "{number}", "count": {count}} the first is a text, whatever it is.
 std::string json_of(const TextTemplate& text, const Filling& filling) {
   std::string result;
   for (const auto& part : text.parts)
@@ -153,6 +165,7 @@ std::string xml_escaped(const std::string& text) {
   return result;
 }
 
+// Without a <body> it is a form, which may be empty.
 std::string body_of(const RequestRule& rule, const Filling& filling) {
   if (!rule.body_type)
     return pairs(rule.fields, filling);
@@ -200,6 +213,8 @@ const Parameter* missing(const CommandRule& rule, const List& parameters) {
 
 } // namespace
 
+// All checks come before anything is sent: a value that is missing or too long,
+// or that would change the address.
 tl::expected<HttpRequest, std::string>
 make_request(const CommandRule& rule, const List& parameters,
              const std::string& request_id) {

@@ -20,6 +20,7 @@ make_request(const CommandRule& rule, const List& parameters,
              const std::string& request_id);
 
 // The largest address and body that are sent, in bytes.
+// Servers commonly refuse longer addresses.
 inline constexpr std::size_t max_address = 8 << 10;
 inline constexpr std::size_t max_body = 1 << 20;
 

@@ -66,6 +66,8 @@ std::optional<Method> method_of_element(std::string_view element) {
   return std::nullopt;
 }
 
+// A rule with mistakes is returned as well: its answers are checked all the
+// same.
 RequestRule RequestReader::read(const pugi::xml_node& node, Method method,
                                 const std::vector<std::string>& parameters) {
   names_ = {parameters, true, 0, environment_};
@@ -84,6 +86,7 @@ RequestRule RequestReader::read(const pugi::xml_node& node, Method method,
   return rule;
 }
 
+// `retry` has the last word, whatever method and headers say.
 void RequestReader::read_terms(const pugi::xml_node& node, RequestRule& rule) {
   if (const auto timeout = node.attribute("timeout")) {
     const auto time = parse_duration(timeout.value());
@@ -115,12 +118,16 @@ void RequestReader::read_address(const pugi::xml_node& node,
                        : address_);
   }
   bool is_whole = true;
-  while (text.starts_with("${")) {
-    const auto end = text.find('}');
+  // What a variable holds is not read again: it may hold "${…}" itself.
+  std::size_t at = 0;
+  while (text.compare(at, 2, "${") == 0) {
+    const auto end = text.find('}', at);
     if (end == std::string::npos)
       return xml_.error(node, "${ without its }");
-    text.replace(0, end + 1,
-                 with_variables(node, text.substr(0, end + 1), is_whole));
+    const auto value =
+        with_variables(node, text.substr(at, end + 1 - at), is_whole);
+    text.replace(at, end + 1 - at, value);
+    at += value.size();
   }
   const auto scheme = text.find("://");
   const auto end = std::min(
@@ -142,6 +149,7 @@ void RequestReader::read_address(const pugi::xml_node& node,
 
 // With each ${NAME} replaced by its value. `is_whole` becomes false if the
 // environment lacks one.
+// For the server's name only: its variables are no secrets.
 std::string RequestReader::with_variables(const pugi::xml_node& node,
                                           std::string text, bool& is_whole) {
   for (auto at = text.find("${"); at != std::string::npos;
@@ -161,6 +169,7 @@ std::string RequestReader::with_variables(const pugi::xml_node& node,
   return text;
 }
 
+// A GET with a body is refused by some servers and ignored by others.
 void RequestReader::read_part(const pugi::xml_node& node, RequestRule& rule) {
   const std::string_view name = node.name();
   const bool is_of_body = name == "field" || name == "body";
@@ -198,6 +207,7 @@ void RequestReader::read_header(const pugi::xml_node& node, RequestRule& rule) {
   rule.headers.push_back(std::move(header));
 }
 
+// In JSON it is noted now which values stand between quotes.
 void RequestReader::read_body(const pugi::xml_node& node, RequestRule& rule) {
   if (!xml_.check_attributes(node, {"type"}))
     return;
@@ -222,6 +232,8 @@ NamedTemplate RequestReader::named(const pugi::xml_node& node) {
           read_text(node, node.attribute("value").value())};
 }
 
+// A variable that is missing is no mistake of the rules: it may be there where
+// the application runs.
 TextTemplate RequestReader::read_text(const pugi::xml_node& node,
                                       std::string_view text) {
   std::vector<std::string> lacking;

@@ -15,6 +15,8 @@ namespace parlour::adapters::http {
 // The method that an element stands for: "get", "delete".
 std::optional<Method> method_of_element(std::string_view element);
 
+// The method decides what the request may have, and whether it may be repeated
+// unless the rule says it.
 class RequestReader {
 public:
   // `address`: the beginning of addresses that begin with "/".

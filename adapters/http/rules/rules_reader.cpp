@@ -17,6 +17,16 @@ namespace parlour::adapters::http {
 namespace {
 
 // Reads one file.
+// Mistakes are collected; what is wrong is left out or incomplete, and the
+// reading goes on, so that one check tells all of them.
+//
+// Who reads what:
+//
+//   <service>                    this, with RulesXml for the mistakes
+//     <command>, <webhook>       this
+//       <get>, <post>, ...       RequestReader
+//       <on>, <otherwise>        AnswerRuleReader
+//       <sample>                 AnswerRuleReader
 class Reader {
 public:
   Reader(std::string_view text, const std::string& file,
@@ -117,6 +127,7 @@ void Reader::read_webhook(const pugi::xml_node& node) {
   read_.rules.webhooks.push_back(std::move(webhook));
 }
 
+// A command is tried out at once with values of its parameters' types.
 void Reader::read_command(const pugi::xml_node& node) {
   if (!xml_.check_attributes(node, {"name"}, {"params"}))
     return;
@@ -150,6 +161,7 @@ void Reader::read_parameters_of(const pugi::xml_node& node,
                          "\"; params=\"…\" may give them other names");
 }
 
+// The request and the answers may stand in any order; answers count in theirs.
 void Reader::read_child(const pugi::xml_node& node, CommandRule& command,
                         const std::vector<std::string>& parameters) {
   const std::string_view name = node.name();
@@ -176,6 +188,7 @@ void Reader::read_request(const pugi::xml_node& node, CommandRule& command,
                         .read(node, method, parameters);
 }
 
+// Where there are mistakes already, trying it out would only repeat them.
 void Reader::check_command(const pugi::xml_node& node,
                            const CommandRule& command) {
   if (read_.rules.find(command.name))
@@ -212,6 +225,7 @@ void Reader::check_request(const CommandRule& command, const List& parameters) {
 }
 
 // A sample of a failure may have no rule: the command then fails.
+// The samples are the tests of the rules: each has to become an event.
 void Reader::check_samples(const std::vector<AnswerRule>& answers,
                            const std::string& subject,
                            const std::vector<SampleRule>& samples,

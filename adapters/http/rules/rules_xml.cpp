@@ -25,6 +25,7 @@ std::string listed(std::initializer_list<std::string_view> first,
 
 } // namespace
 
+// Counted anew each time: only mistakes and few elements ask for it.
 std::uint32_t RulesXml::line_of(std::ptrdiff_t offset) const {
   const auto end = std::clamp<std::ptrdiff_t>(
       offset, 0, static_cast<std::ptrdiff_t>(text_.size()));
@@ -50,6 +51,8 @@ void RulesXml::error(std::uint32_t line, std::string message) {
       {ErrorKind::settings, std::move(message), {file_, line, 1}});
 }
 
+// Unknown attributes are mistakes, too: "retries" for "retry" must not be
+// ignored.
 bool RulesXml::check_attributes(
     const pugi::xml_node& node, std::initializer_list<std::string_view> needed,
     std::initializer_list<std::string_view> optional) {
@@ -72,6 +75,8 @@ void RulesXml::unknown(const pugi::xml_node& node, const std::string& known) {
                   node.parent().name() + ">; there are " + known);
 }
 
+// Readers do not report in the order of the lines: a command is checked after
+// its parts.
 std::vector<Error> RulesXml::take_errors() {
   std::stable_sort(errors_.begin(), errors_.end(),
                    [](const Error& left, const Error& right) {
@@ -80,6 +85,7 @@ std::vector<Error> RulesXml::take_errors() {
   return std::exchange(errors_, {});
 }
 
+// Texts and CDATA that follow each other are one text.
 std::string text_of(const pugi::xml_node& node) {
   std::string text;
   for (const auto child : node.children())

@@ -16,6 +16,8 @@ class xml_node;
 namespace parlour::adapters::http {
 
 // Used while one file is read; `text` and `file` must live so long.
+// Owned by the reader of the file, and given to the readers of its parts. It
+// reports and does not stop: whoever reads decides whether to go on.
 class RulesXml {
 public:
   RulesXml(std::string_view text, const std::string& file)

@@ -41,6 +41,7 @@ const WebhookRule* ServiceRules::find_webhook(std::string_view path) const {
   return found == webhooks.end() ? nullptr : &*found;
 }
 
+// The first refusal of the role whose only parameter is the reason.
 std::string ServiceRules::refusal() const {
   const auto* known = find_role(role);
   if (!known)
@@ -61,6 +62,7 @@ std::vector<RoleCommand> own_commands(const ServiceRules& rules) {
   return own;
 }
 
+// An event that a command and a webhook have is listed once, as an answer.
 std::vector<RoleEvent> own_events(const ServiceRules& rules) {
   const auto* role = find_role(rules.role);
   std::vector<RoleEvent> own;

@@ -40,6 +40,7 @@ struct NamedTemplate {
   TextTemplate value;
 };
 
+// One <get>, <post> and so on. Templates are filled anew for each command.
 struct RequestRule {
   Method method = Method::get;
   // The whole address without what <query> adds.
@@ -71,6 +72,8 @@ struct EventRule {
 };
 
 // An answer to which all of these apply becomes the event.
+// One <on> or <otherwise>; the event's parameters are templates over the
+// answer.
 struct AnswerRule {
   // Ranges of statuses, both ends included; empty: any.
   std::vector<std::pair<int, int>> statuses;
@@ -92,6 +95,7 @@ struct SampleRule {
   std::uint32_t line = 0;
 };
 
+// One <command> of the file.
 struct CommandRule {
   std::string name;
   std::vector<Parameter> parameters;
@@ -111,6 +115,7 @@ struct WebhookRule {
   std::vector<SampleRule> samples;
 };
 
+// Never changed once they are read; any thread may use them.
 struct ServiceRules {
   std::string file; // for messages
   std::string role; // empty: none

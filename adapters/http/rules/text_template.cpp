@@ -27,6 +27,10 @@ std::string quoted(std::string_view name) {
 }
 
 // Reads one template. An error ends the reading.
+// A brace whose inside is no name, as in JSON, is a text.
+//
+// "/v1/{place}?key=${KEY}" is the parts: text "/v1/", parameter 0, text
+// "?key=", the value of KEY as a secret.
 class Reader {
 public:
   Reader(const TemplateNames& names, std::vector<std::string>& missing)
@@ -68,6 +72,7 @@ private:
       result_.parts.push_back({Kind::text, std::string(text)});
   }
 
+  // The value becomes a part of the template here; it is never looked up again.
   Wrong add_variable(std::string_view name) {
     if (!names_.is_request)
       return "$" + quoted(name) +
@@ -81,6 +86,7 @@ private:
     return {};
   }
 
+  // A command's parameter comes first: it may be called as it likes.
   Wrong add_place(std::string_view name) {
     const auto found = std::ranges::find(names_.parameters, name);
     if (found != names_.parameters.end()) {
@@ -144,6 +150,8 @@ read_template(std::string_view text, const TemplateNames& names,
   return Reader(names, missing).read(text);
 }
 
+// Quotes are counted over all texts of the template; a quote behind a backslash
+// does not count.
 void mark_quoted(TextTemplate& json) {
   bool is_in_string = false;
   for (auto& part : json.parts) {

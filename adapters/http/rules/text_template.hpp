@@ -24,6 +24,7 @@ namespace parlour::adapters::http {
 // The value of a variable of the environment; empty: it has none.
 using Environment = std::function<std::string(const std::string& name)>;
 
+// Which fields count depends on the kind.
 struct TemplatePart {
   enum class Kind : std::uint8_t {
     text,

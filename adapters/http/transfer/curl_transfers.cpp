@@ -26,6 +26,8 @@ constexpr std::size_t max_headers = 64 << 10;
 constexpr curl_off_t longest_retry_after = 86'400; // seconds
 
 // One transfer: libcurl's handle, and what it fills while it runs.
+// Owned by the transfers while it runs. libcurl holds pointers into it, so it
+// never moves.
 struct Transfer {
   explicit Transfer(std::size_t max) : max_answer(max) {}
   Transfer(const Transfer&) = delete;
@@ -48,6 +50,7 @@ struct Transfer {
   bool has_all_headers = false;
 };
 
+// To return less than was given makes libcurl end the transfer.
 std::size_t take_body(char* bytes, std::size_t size, std::size_t count,
                       void* user) {
   auto& transfer = *static_cast<Transfer*>(user);
@@ -75,6 +78,7 @@ std::size_t take_header(char* bytes, std::size_t size, std::size_t count,
   return transfer.is_too_large ? 0 : length;
 }
 
+// The body is not copied: `request` lives as long as the handle.
 void set_body(Transfer& transfer) {
   const auto& request = transfer.request;
   auto* easy = transfer.easy;
@@ -199,6 +203,7 @@ HttpFailure failure(const Transfer& transfer, CURLcode code) {
   }
 }
 
+// What libcurl calls a success has all headers, or it was cut off.
 TryOutcome outcome_of(Transfer& transfer, CURLcode code) {
   if (code != CURLE_OK || !transfer.has_all_headers)
     return tl::make_unexpected(failure(transfer, code));
@@ -216,6 +221,9 @@ TryOutcome outcome_of(Transfer& transfer, CURLcode code) {
   return answer;
 }
 
+//
+// libcurl calls on_socket and on_timer within its own functions: these only set
+// watches and the alarm.
 class CurlTransfers : public Transfers {
 public:
   CurlTransfers(Loop& loop, CURLM* multi, TransferOptions options)
@@ -249,6 +257,7 @@ public:
     return last_id_;
   }
 
+  // The transfer goes last, as its handle refers to it.
   void cancel(Id id) override {
     const auto found = transfers_.find(id);
     if (found == transfers_.end())
@@ -294,6 +303,7 @@ private:
     return 0;
   }
 
+  // libcurl says once what it waits for; it is kept for the next time.
   void wait_for(curl_socket_t number, int what) {
     if (what == CURL_POLL_REMOVE) {
       sockets_.erase(number);

@@ -26,6 +26,7 @@ std::string server_of(const std::string& address) {
 
 } // namespace
 
+// Waits for the loop's thread once, so that an error is one of the start.
 Expected<std::unique_ptr<HttpClient>> HttpClient::start(ClientOptions options,
                                                         Loop::Thrown thrown,
                                                         const Open& open) {
@@ -57,6 +58,8 @@ HttpClient::~HttpClient() {
   loop_->stop();
 }
 
+// Counted here and not on the loop's thread, which may be behind: the bound
+// holds at once.
 void HttpClient::submit(HttpRequest request, Done done) {
   const auto most = options_.connections + options_.queue;
   const auto timeout = request.timeout > Milliseconds::zero()
@@ -95,6 +98,9 @@ void HttpClient::turn() {
 
 // In the order in which they have come. An order that ends is erased, so the
 // next one is found first.
+//
+// An order is running, waits for its pause, waits for a connection, or is over
+// because its time is.
 void HttpClient::start_what_may(Moment now) {
   for (auto next = orders_.begin(); next != orders_.end();) {
     const auto order = next++;
@@ -138,6 +144,7 @@ void HttpClient::wait(Moment now) {
   alarm_.set(moment);
 }
 
+// The breaker hears of every try, also of one that is sent again.
 void HttpClient::took_place(Place order, TryOutcome outcome) {
   const auto now = Steady::now();
   order->running.reset();
@@ -167,6 +174,7 @@ void HttpClient::note(const Order& order, const TryOutcome& outcome,
     judged.withdrawn(order.pass);
 }
 
+// The order is gone before `done` is called, which may submit another one.
 void HttpClient::finish(Place order, TryOutcome outcome) {
   const auto done = std::move(order->done);
   orders_.erase(order);
@@ -181,6 +189,7 @@ CircuitBreaker& HttpClient::breaker(const std::string& server) {
   return breakers_.try_emplace(server, options_.breaker).first->second;
 }
 
+// What was on its way may have arrived: `was_sent` says so.
 void HttpClient::end() {
   is_over_ = true;
   while (!orders_.empty()) {

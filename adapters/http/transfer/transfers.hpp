@@ -26,6 +26,7 @@ struct TransferOptions {
 };
 
 // Used on the loop's thread only.
+// An interface, so that HttpClient is tested without a network.
 class Transfers {
 public:
   using Id = std::uint64_t;

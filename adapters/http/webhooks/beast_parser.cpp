@@ -17,6 +17,7 @@ std::string text_of(beast::string_view text) {
   return {text.data(), text.size()};
 }
 
+// Fed piece by piece; knows no socket.
 class BeastParser : public RequestParser {
 public:
   explicit BeastParser(std::size_t max_body) {

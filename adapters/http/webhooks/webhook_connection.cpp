@@ -45,6 +45,7 @@ WebhookConnection::WebhookConnection(asio::ip::tcp::socket socket,
       parser_(std::move(parser)), judge_(std::move(judge)),
       over_(std::move(over)) {}
 
+// One time limit for all of it: reading, the answer, and the sender's closing.
 void WebhookConnection::start(Milliseconds patience) {
   patience_.expires_after(patience);
   patience_.async_wait([self = shared_from_this()](asio::error_code error) {
@@ -73,6 +74,7 @@ void WebhookConnection::read() {
       });
 }
 
+// The parser says 0 for "more is needed", else the status to answer with.
 void WebhookConnection::take(std::string_view bytes) {
   const auto status = parser_->take(bytes);
   if (status == 0)

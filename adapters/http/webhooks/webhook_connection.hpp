@@ -16,6 +16,8 @@
 namespace parlour::adapters::http {
 
 // Used on the loop's thread only. It keeps itself alive while it works.
+// The parser may refuse the request before it is complete; else `judge` has the
+// last word.
 class WebhookConnection
     : public std::enable_shared_from_this<WebhookConnection> {
 public:

@@ -11,8 +11,8 @@
 #include <asio/steady_timer.hpp>
 
 #include "adapters/http/webhooks/webhook_connection.hpp"
-#include "runtime/base/host_and_port.hpp"
 #include "runtime/base/rate_limit.hpp"
+#include "runtime/base/text/host_and_port.hpp"
 
 namespace parlour::adapters::http {
 
@@ -58,6 +58,7 @@ Expected<void> check_listener(const ListenerOptions& options) {
   return {};
 }
 
+// All of it runs on one loop; the public class only posts to it.
 struct WebhookListener::State {
   State(std::unique_ptr<Loop> thread, ListenerOptions given, Take function)
       : options(std::move(given)), take(std::move(function)),
@@ -123,6 +124,8 @@ struct WebhookListener::State {
       accept();
   }
 
+  // Too many are refused before their token is looked at: guessing is slowed
+  // down, too.
   int judge(const WebhookRequest& request) {
     if (!rate.admit(std::chrono::steady_clock::now()))
       return 429;
@@ -150,6 +153,7 @@ struct WebhookListener::State {
   std::map<WebhookConnection*, std::shared_ptr<WebhookConnection>> connections;
 };
 
+// Returns when the port is open, as the error is to be told by the start.
 Expected<std::unique_ptr<WebhookListener>>
 WebhookListener::start(ListenerOptions options, Take take,
                        Loop::Thrown thrown) {

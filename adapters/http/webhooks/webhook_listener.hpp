@@ -31,6 +31,8 @@ struct ListenerOptions {
 // Whether one may listen so. An error of kind Settings says what to write.
 Expected<void> check_listener(const ListenerOptions& options);
 
+// Owned by the plug-in, which is called by `take` on another thread than its
+// own.
 class WebhookListener {
 public:
   // Gets each request that is not refused, on the listener's thread, and

@@ -24,6 +24,7 @@ int escaped_byte(std::string_view text) {
   return read.ec == std::errc() && read.ptr == end && byte >= 0 ? byte : -1;
 }
 
+// What is no escape stays as it is: "100%" is "100%".
 std::string decoded(std::string_view text, bool plus_is_blank) {
   std::string result;
   for (std::size_t i = 0; i < text.size(); ++i)
@@ -65,6 +66,7 @@ bool is_same(std::string_view left, std::string_view right) {
   return !differs;
 }
 
+// Services that cannot send headers have the token in the address.
 bool has_token(const WebhookRequest& request, std::string_view token) {
   const std::string_view header = request.authorization;
   if (header.starts_with(bearer) &&
@@ -79,12 +81,14 @@ bool has_token(const WebhookRequest& request, std::string_view token) {
 
 } // namespace
 
+// The query stays encoded, as its parts are split before they are decoded.
 void set_target(WebhookRequest& request, std::string_view target) {
   const auto mark = std::min(target.find('?'), target.size());
   request.path = decoded(target.substr(0, mark), false);
   request.query = target.substr(std::min(mark + 1, target.size()));
 }
 
+// Who has no token does not learn which methods and paths there are.
 int refusal_of(const WebhookRequest& request, std::string_view token) {
   if (!token.empty() && !has_token(request, token))
     return 401;

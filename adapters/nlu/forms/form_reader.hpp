@@ -90,6 +90,13 @@ public:
   std::size_t position() const {
     return at_;
   }
+  // Where it began, and all tokens, for who looks beyond what is read.
+  std::size_t begin() const {
+    return begin_;
+  }
+  const Tokens& tokens() const {
+    return *tokens_;
+  }
   void go_back(std::size_t position) {
     at_ = position;
   }

@@ -3,6 +3,7 @@
 #include <charconv>
 
 #include "adapters/nlu/forms/form_reader.hpp"
+#include "adapters/nlu/forms/half_of_day.hpp"
 #include "adapters/nlu/forms/normal_forms.hpp"
 
 namespace parlour::adapters::nlu {
@@ -19,9 +20,6 @@ struct Time {
   bool weak = true;
 };
 
-// What is said about the half of the day.
-enum class Half { unknown, am, pm, night };
-
 // Hours before this one are taken for the afternoon if the half is not said.
 constexpr std::int64_t first_office_hour = 8;
 
@@ -36,43 +34,20 @@ std::string clock_text(std::int64_t minutes) {
   return text;
 }
 
-// Reads "am", "pm", "in the morning", "this evening", "at night" …
-Half skip_half(FormReader& reader) {
-  if (reader.skip("am") || reader.skip_all({"a", "m"}))
-    return Half::am;
-  if (reader.skip("pm") || reader.skip_all({"p", "m"}))
-    return Half::pm;
-  const auto start = reader.position();
-  if (reader.skip_all({"in", "the"}) || reader.skip_any({"in", "this"})) {
-    if (reader.skip("morning"))
-      return Half::am;
-    if (reader.skip_any({"afternoon", "evening"}))
-      return Half::pm;
-  } else if (reader.skip_all({"at", "night"}) || reader.skip("tonight")) {
-    return Half::night;
-  }
-  reader.go_back(start);
-  return Half::unknown;
-}
-
-// The hour of 24. "at night" means evening from 6 to 11 and morning otherwise.
-std::int64_t hour_of(const Time& time, Half half) {
-  const auto hour = time.hour;
-  if (hour > 12)
-    return hour;
-  switch (half) {
-  case Half::am:
-    return hour % 12;
-  case Half::pm:
-    return hour % 12 + 12;
-  case Half::night:
-    return hour >= 6 && hour < 12 ? hour + 12 : hour % 12;
-  case Half::unknown:
-    break;
-  }
+// The hour of 24. If the time says no half of the day, its sentence may: that
+// decides for an hour that may be either, but noon stays noon.
+std::int64_t hour_of(const Time& time, Half half, const FormReader& reader) {
+  if (half != Half::unknown)
+    return hour_in_half(time.hour, half);
+  const auto beside = half_of_sentence(reader);
+  const bool either = time.hour > 0 && time.hour < 12;
+  if ((beside != Half::unknown && either) ||
+      (beside == Half::night && time.hour == 12))
+    return hour_in_half(time.hour, beside);
   // "3" is 15, but "03" and "15" are meant as they stand.
-  const bool guess = !time.exact && hour > 0 && hour < first_office_hour;
-  return guess ? hour + 12 : hour;
+  const bool guess =
+      !time.exact && time.hour > 0 && time.hour < first_office_hour;
+  return guess ? time.hour + 12 : time.hour;
 }
 
 // Reads what may follow a time and makes the form. A bare hour is weak: "four"
@@ -86,7 +61,7 @@ std::optional<FormAt> finish(FormReader& reader, Time time) {
   time.weak = time.weak && half == Half::unknown && !sharp;
   if (time.hour > 24 || time.minute > 59 || time.minute < 0)
     return {};
-  const auto hour = hour_of(time, half);
+  const auto hour = hour_of(time, half, reader);
   return reader.form(clock_text(hour * 60 + time.minute), time.weak);
 }
 
@@ -140,7 +115,8 @@ std::optional<FormAt> digital_time(FormReader reader) {
     return {};
   reader.advance();
   if (rest == "am" || rest == "pm") {
-    const auto hour = hour_of(*time, rest == "am" ? Half::am : Half::pm);
+    const auto hour =
+        hour_in_half(time->hour, rest == "am" ? Half::am : Half::pm);
     if (time->minute > 59)
       return {};
     reader.skip("sharp");
@@ -185,8 +161,16 @@ std::optional<FormAt> hundred_hours(FormReader reader) {
   return reader.form(clock_text(number->value / 100 * 60), !whole);
 }
 
+bool is_tens(std::string_view word) {
+  return word == "twenty" || word == "thirty" || word == "forty" ||
+         word == "fifty";
+}
+
 // Reads "three", "ten thirty", "nine oh five" or "three o'clock".
 std::optional<FormAt> spoken_time(FormReader reader) {
+  // "twenty-five o'clock" is no time: its second word is none either.
+  if (is_tens(reader.word_before()) && digit_of(reader.word()))
+    return {};
   const auto hour = reader.number();
   if (!hour || hour->ordinal || hour->digits || hour->value > 24)
     return {};
@@ -254,7 +238,7 @@ std::optional<FormAt> relative_time(FormReader reader) {
     return {};
   reader.skip("oclock");
   const auto half = skip_half(reader);
-  const auto start = hour_of({hour->value, 0, false, false}, half) * 60;
+  const auto start = hour_of({hour->value, 0, false, false}, half, reader) * 60;
   // The half of the day is that of the hour which is named: a quarter to eight
   // is in the morning, as eight is.
   return reader.form(clock_text(past ? start + *count : start - *count));

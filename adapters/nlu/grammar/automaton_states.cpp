@@ -1,6 +1,5 @@
 // The second step of AutomatonBuilder: removes the empty moves.
 #include <algorithm>
-#include <ranges>
 #include <set>
 
 #include "adapters/nlu/grammar/automaton_builder.hpp"
@@ -16,8 +15,8 @@ constexpr std::uint32_t no_state = 0xFFFFFFFF;
 
 std::span<const Arc> arcs_of(const std::vector<Arc>& arcs,
                              std::uint32_t symbol) {
-  const auto range = std::ranges::equal_range(arcs, symbol, {}, &Arc::symbol);
-  return {range.begin(), range.end()};
+  return {std::ranges::lower_bound(arcs, symbol, {}, &Arc::symbol),
+          std::ranges::upper_bound(arcs, symbol, {}, &Arc::symbol)};
 }
 
 // Only nodes that can be reached become states.
@@ -71,12 +70,12 @@ void AutomatonBuilder::fill_state(NodeId node) {
     }
     // `paths` is a stack: pushing in reverse order visits the grammar's first
     // alternative first.
-    for (const auto& move : std::views::reverse(here.empty)) {
-      if (!seen.insert(move.target).second)
+    for (auto move = here.empty.rbegin(); move != here.empty.rend(); ++move) {
+      if (!seen.insert(move->target).second)
         continue;
-      paths.push_back({move.target, path.actions, path.weight + move.weight});
-      if (move.does != 0)
-        paths.back().actions.push_back({move.tag, move.does > 0});
+      paths.push_back({move->target, path.actions, path.weight + move->weight});
+      if (move->does != 0)
+        paths.back().actions.push_back({move->tag, move->does > 0});
     }
   }
   std::ranges::stable_sort(state.words, {}, &Arc::symbol);

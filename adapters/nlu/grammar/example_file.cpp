@@ -9,9 +9,9 @@
 #include "adapters/nlu/grammar/examples.hpp"
 #include "adapters/nlu/grammar/marked_text.hpp"
 #include "adapters/nlu/text/similarity.hpp"
-#include "runtime/base/file_bytes.hpp"
-#include "runtime/base/names.hpp"
-#include "runtime/base/utf8.hpp"
+#include "runtime/base/outside/file_bytes.hpp"
+#include "runtime/base/text/names.hpp"
+#include "runtime/base/text/utf8.hpp"
 
 namespace parlour::adapters::nlu {
 

@@ -2,6 +2,11 @@
 // known one, so that words which were not understood lower the score.
 #include "adapters/nlu/grammar/utterance.hpp"
 
+#include <algorithm>
+#include <utility>
+
+#include "adapters/nlu/forms/calendar.hpp"
+#include "adapters/nlu/forms/number_words.hpp"
 #include "adapters/nlu/text/negation.hpp"
 #include "adapters/nlu/text/words.hpp"
 
@@ -49,6 +54,88 @@ void mark_fillers(Utterance& utterance) {
   }
 }
 
+// -- noise within what is said ------------------------------------------------
+
+// "ah" and "eh" are names, too, so they count as noise only beside numbers,
+// days and hours: "two ah o'clock".
+bool is_noise(const std::vector<Token>& list, std::size_t at) {
+  const auto& word = list[at].word;
+  const auto* next = at + 1 < list.size() ? &list[at + 1].word : nullptr;
+  if (is_hesitation(word))
+    return !next || (*next != "huh" && *next != "hmm");
+  return word == "ah" && at > 0 && next &&
+         (is_number_word(list[at - 1].word) || is_number_word(*next) ||
+          weekday_of(*next) || month_of(*next) != 0);
+}
+
+// Whether the `count` words from `at` are said again right behind.
+bool is_said_again(const std::vector<Token>& list, std::size_t at,
+                   std::size_t count) {
+  if (at + 2 * count > list.size())
+    return false;
+  for (std::size_t word = at; word < at + count; ++word)
+    if (list[word].word != list[word + count].word ||
+        list[word].word.size() < 2 || is_number_word(list[word].word) ||
+        list[word + count].before == Break::sentence)
+      return false;
+  return true;
+}
+
+// One word alone may be a name ("Ting Ting"), if no grammar has it.
+bool is_restart(const std::vector<Token>& list, std::size_t at,
+                std::size_t count, const Automaton& automaton) {
+  if (!is_said_again(list, at, count))
+    return false;
+  const auto& word = list[at].word;
+  return count > 1 || list[at + 1].before == Break::comma ||
+         is_function_word(word) || automaton.word(word) != unknown_word;
+}
+
+// Quickly, whether there may be any noise: a hesitation, "ah", or a word that
+// comes again soon.
+bool has_noise(const std::vector<Token>& list) {
+  for (std::size_t at = 0; at < list.size(); ++at) {
+    if (is_noise(list, at))
+      return true;
+    for (std::size_t ahead = 1; ahead <= 3 && at + ahead < list.size(); ++ahead)
+      if (list[at].word == list[at + ahead].word)
+        return true;
+  }
+  return false;
+}
+
+// How many words of a restart are looked at: "the food, the food court".
+constexpr std::size_t longest_restart = 3;
+
+// Removes hesitations and what is said twice, so that values and rules are
+// found that they interrupt. What consists of nothing else stays.
+void remove_noise(Tokens& tokens, const Automaton& automaton) {
+  auto& list = tokens.list;
+  std::vector<Token> kept;
+  // Punctuation before a hesitation stands before what follows it.
+  auto before = Break::none;
+  for (std::size_t at = 0; at < list.size(); ++at) {
+    before = std::max(before, list[at].before);
+    if (is_noise(list, at))
+      continue;
+    kept.push_back(list[at]);
+    kept.back().before = std::exchange(before, Break::none);
+  }
+  if (kept.empty())
+    return;
+  list = std::exchange(kept, {});
+  for (std::size_t at = 0; at < list.size();) {
+    std::size_t skipped = 0;
+    for (auto count = longest_restart; count > 0 && skipped == 0; --count)
+      skipped = is_restart(list, at, count, automaton) ? count : 0;
+    if (skipped == 0)
+      kept.push_back(list[at++]);
+    at += skipped;
+  }
+  if (kept.size() < list.size())
+    list = std::move(kept);
+}
+
 } // namespace
 
 double Utterance::weight_of(std::size_t first, std::size_t last) const {
@@ -75,6 +162,8 @@ Utterance make_utterance(std::string_view text, const Automaton& automaton) {
   Utterance made;
   made.text = text;
   made.tokens = tokenize(text);
+  if (has_noise(made.tokens.list))
+    remove_noise(made.tokens, automaton);
   const auto size = made.size();
   made.filler.resize(size);
   mark_fillers(made);

@@ -9,6 +9,9 @@
 
 namespace parlour::adapters::nlu {
 
+// From this weight on, words have a meaning of their own.
+inline constexpr double full_weight = 1;
+
 // The vectors have one entry for each token.
 struct Utterance {
   // Not owned; it must outlive the utterance.

@@ -95,11 +95,13 @@ private:
   // The first place where the words follow each other.
   std::optional<Range> find(const Words& words) const {
     const auto& list = tokens_.list;
-    const auto found = std::ranges::search(list, words, {}, &Token::word);
-    if (found.empty() || words.empty())
+    const auto found = std::search(
+        list.begin(), list.end(), words.begin(), words.end(),
+        [](const auto& token, const auto& word) { return token.word == word; });
+    if (found == list.end() || words.empty())
       return {};
-    return Range{static_cast<std::size_t>(found.begin() - list.begin()),
-                 static_cast<std::size_t>(found.end() - list.begin())};
+    const auto begin = static_cast<std::size_t>(found - list.begin());
+    return Range{begin, begin + words.size()};
   }
 
   // -- yes and no -------------------------------------------------------------

@@ -6,7 +6,7 @@
 
 #include "adapters/nlu/keywords/keyword_matcher.hpp"
 #include "adapters/nlu/values/known_columns.hpp"
-#include "runtime/base/file_bytes.hpp"
+#include "runtime/base/outside/file_bytes.hpp"
 #include "runtime/plugin/folder.hpp"
 
 namespace parlour::adapters {

@@ -35,13 +35,22 @@ constexpr Feature feature(char kind, std::string_view first,
   return hash_of(third, hash_of(" ", feature(kind, first, second)));
 }
 
+constexpr Feature of_class(FeatureClass kind, Feature feature) {
+  return (feature & ~class_bits) | static_cast<Feature>(kind);
+}
+
+constexpr Feature plain(Feature feature) {
+  return of_class(FeatureClass::plain, feature);
+}
+
 // The pieces of "^want$": ^wa, wan, ant, nt$, ^wan …
 void add_pieces(std::string_view word, std::vector<Feature>& made) {
   std::string framed = "^";
   framed.append(word).append("$");
   for (auto length = shortest_piece; length <= longest_piece; ++length)
     for (std::size_t at = 0; at + length <= framed.size(); ++at)
-      made.push_back(feature('p', std::string_view(framed).substr(at, length)));
+      made.push_back(
+          plain(feature('p', std::string_view(framed).substr(at, length))));
 }
 
 std::string kind_name(std::uint32_t kind) {
@@ -135,16 +144,22 @@ std::vector<Feature> text_features(const std::vector<LearningWord>& words) {
   std::vector<Feature> made;
   std::string before = "^";
   for (const auto& word : without_values(words)) {
-    made.push_back(feature('w', word));
-    made.push_back(feature('b', before, word));
-    if (!word.starts_with('@'))
+    const bool is_kind = word.starts_with('@');
+    made.push_back(
+        of_class(is_kind ? FeatureClass::kind_of_value : FeatureClass::plain,
+                 feature('w', word)));
+    made.push_back(plain(feature('b', before, word)));
+    if (!is_kind)
       add_pieces(word, made);
     before = word;
   }
-  made.push_back(feature('b', before, "$"));
+  made.push_back(plain(feature('b', before, "$")));
+  for (const auto& word : words)
+    if (word.kind != 0)
+      made.push_back(
+          of_class(FeatureClass::word_of_value, feature('v', word.word)));
   std::ranges::sort(made);
-  const auto again = std::ranges::unique(made);
-  made.erase(again.begin(), again.end());
+  made.erase(std::unique(made.begin(), made.end()), made.end());
   return made;
 }
 

@@ -12,6 +12,18 @@
 namespace parlour::adapters::nlu {
 
 using Feature = std::uint64_t;
+// The lowest bits tell what a feature of a text counts for.
+enum class FeatureClass : std::uint8_t {
+  plain,
+  // A word of a known value: counts if an example had it, too.
+  word_of_value,
+  // The kind of a known value: counts more than a word.
+  kind_of_value,
+};
+inline constexpr Feature class_bits = 3;
+constexpr FeatureClass class_of(Feature feature) {
+  return static_cast<FeatureClass>(feature & class_bits);
+}
 using FeatureNumber = std::uint32_t;
 inline constexpr FeatureNumber no_feature = 0xFFFFFFFF;
 // Of the number of weights in training.
@@ -47,8 +59,9 @@ struct LearningWord {
 };
 
 // The features of a text: its words, pairs of adjacent words, and pieces of
-// words of three and four letters; each once, sorted. Words of a value are
-// replaced by its kind, so that one name in the examples stands for all.
+// words of three and four letters; each once, sorted. In pairs, words of a
+// value are replaced by its kind, so that one name in the examples stands for
+// all.
 std::vector<Feature> text_features(const std::vector<LearningWord>& words);
 
 // The features of each word: the word, its neighbours, how it begins and ends,

@@ -1,6 +1,7 @@
 #include "adapters/nlu/learning/tagger.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 #include "adapters/nlu/learning/shuffle.hpp"
@@ -16,6 +17,8 @@ constexpr int rounds = 16;
 constexpr float margin = 1;
 // With so many texts, features that occur with only one word are left out.
 constexpr std::size_t many_texts = 2000;
+// Labels that are worked on at once.
+constexpr std::size_t lanes = 4;
 
 // The labels of these slots, `outside` first.
 std::vector<TagLabel> labels_of(const std::vector<std::uint32_t>& slots) {
@@ -25,12 +28,6 @@ std::vector<TagLabel> labels_of(const std::vector<std::uint32_t>& slots) {
     made.push_back(goes_on(slot));
   }
   return made;
-}
-
-// A continuation follows only its own slot.
-bool may_follow(TagLabel before, TagLabel label) {
-  return label == outside || is_beginning(label) || before == label ||
-         before + 1 == label;
 }
 
 } // namespace
@@ -43,7 +40,11 @@ public:
               const std::vector<std::uint32_t>& slots,
               const std::vector<TagLabel>* truth)
       : tagger_(tagger), rows_(rows), labels_(labels_of(slots)), truth_(truth),
-        came_from_(rows.size() * labels_.size()) {}
+        places_(tagger.labels_, absent), scores_(tagger.stride_),
+        came_from_(rows.size() * labels_.size()) {
+    for (std::size_t place = 0; place < labels_.size(); ++place)
+      places_[labels_[place]] = place;
+  }
 
   std::vector<TagLabel> run() {
     // The word before the first one is outside.
@@ -58,38 +59,57 @@ public:
 private:
   static constexpr float impossible = std::numeric_limits<float>::lowest() / 4;
 
+  static constexpr std::size_t absent = static_cast<std::size_t>(-1);
+
   // The best score of each label at word `at`, from the best scores at the word
   // before.
   std::vector<float> step(std::size_t at, const std::vector<float>& before) {
+    score_word(at);
     std::vector<float> here(labels_.size());
     for (std::size_t one = 0; one < labels_.size(); ++one) {
       const auto label = labels_[one];
       const auto from = best_before(before, label);
       came_from_[at * labels_.size() + one] = static_cast<std::uint32_t>(from);
-      here[one] =
-          before[from] + tagger_.row(tagger_.after(labels_[from]))[label];
-      for (const auto feature : rows_[at])
-        here[one] += tagger_.row(feature)[label];
+      here[one] = before[from] + weight(labels_[from], label) + scores_[label];
       if (truth_ && (*truth_)[at] != label)
         here[one] += margin;
     }
     return here;
   }
 
-  // The best label before `label`. There is always one: `outside` may precede a
-  // beginning, and a beginning its continuation.
+  // What the features of the word say of all labels.
+  void score_word(std::size_t at) {
+    std::ranges::fill(scores_, 0.0F);
+    for (const auto feature : rows_[at]) {
+      const auto* row = tagger_.row(feature);
+      for (std::size_t first = 0; first < scores_.size(); first += lanes) {
+        std::array<float, lanes> sums;
+        for (std::size_t lane = 0; lane < lanes; ++lane)
+          sums[lane] = scores_[first + lane] + row[first + lane];
+        for (std::size_t lane = 0; lane < lanes; ++lane)
+          scores_[first + lane] = sums[lane];
+      }
+    }
+  }
+
+  float weight(TagLabel before, TagLabel label) const {
+    return tagger_.row(tagger_.after(before))[label];
+  }
+
+  // The place of the best label before `label`. There is always one: `outside`
+  // may precede a beginning, and a beginning its continuation.
   std::size_t best_before(const std::vector<float>& before,
                           TagLabel label) const {
     std::size_t best = 0;
     float most = std::numeric_limits<float>::lowest();
-    for (std::size_t last = 0; last < before.size(); ++last) {
-      if (!may_follow(labels_[last], label))
+    for (const auto last : tagger_.before_[label]) {
+      const auto place = places_[last];
+      if (place == absent)
         continue;
-      const auto score =
-          before[last] + tagger_.row(tagger_.after(labels_[last]))[label];
+      const auto score = before[place] + weight(last, label);
       if (score > most) {
         most = score;
-        best = last;
+        best = place;
       }
     }
     return best;
@@ -109,6 +129,10 @@ private:
   const Tagger::Rows& rows_;
   std::vector<TagLabel> labels_;
   const std::vector<TagLabel>* truth_;
+  // By label: its place in `labels_`.
+  std::vector<std::size_t> places_;
+  // Of the current word, by label.
+  std::vector<float> scores_;
   // The label before, by word and label.
   std::vector<std::uint32_t> came_from_;
 };
@@ -131,7 +155,7 @@ public:
   }
 
   void run(const std::vector<TaggedText>& texts) {
-    tagger_.weights_.assign(tagger_.after(tagger_.labels_) * tagger_.labels_,
+    tagger_.weights_.assign(tagger_.after(tagger_.labels_) * tagger_.stride_,
                             0);
     sums_ = tagger_.weights_;
     std::vector<Tagger::Rows> rows;
@@ -169,7 +193,7 @@ private:
   }
 
   void move(std::size_t row, TagLabel label, float by) {
-    const auto at = row * tagger_.labels_ + label;
+    const auto at = row * tagger_.stride_ + label;
     tagger_.weights_[at] += by;
     sums_[at] += by * steps_;
   }
@@ -190,12 +214,31 @@ std::optional<Tagger> Tagger::train(const std::vector<TaggedText>& texts,
                                     std::size_t max_weights) {
   Tagger made;
   made.labels_ = 2 * slots + 1;
+  made.stride_ = (made.labels_ + lanes - 1) / lanes * lanes;
+  made.see_orders(texts);
   TaggerTraining training(made);
   training.number_features(texts);
-  if (made.after(made.labels_) * made.labels_ > max_weights)
+  if (made.after(made.labels_) * made.stride_ > max_weights)
     return {};
   training.run(texts);
   return made;
+}
+
+void Tagger::see_orders(const std::vector<TaggedText>& texts) {
+  before_.assign(labels_, {outside});
+  for (TagLabel label = 1; label < labels_; ++label)
+    if (!is_beginning(label))
+      before_[label] = {label - 1, label};
+  for (const auto& text : texts)
+    for (std::size_t at = 1; at < text.labels.size(); ++at)
+      before_[text.labels[at]].push_back(text.labels[at - 1]);
+  // Anything may end.
+  for (TagLabel label = 1; label < labels_; ++label)
+    before_[outside].push_back(label);
+  for (auto& list : before_) {
+    std::ranges::sort(list);
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+  }
 }
 
 Tagger::Rows

@@ -54,7 +54,7 @@ public:
                                      std::size_t max_weights = no_limit);
 
   // The most likely labels, one for each word, of these slots only. Time: words
-  // x labels x (features of a word + labels).
+  // x labels x (features of a word + labels that a label was seen after).
   std::vector<TagLabel> tag(const std::vector<std::vector<Feature>>& features,
                             const std::vector<std::uint32_t>& slots) const;
 
@@ -65,8 +65,9 @@ private:
   using Rows = std::vector<std::vector<FeatureNumber>>;
 
   Rows rows(const std::vector<std::vector<Feature>>& features) const;
+  void see_orders(const std::vector<TaggedText>& texts);
   const float* row(std::size_t number) const {
-    return &weights_[number * labels_];
+    return &weights_[number * stride_];
   }
   // The row with the weights of the labels that may follow `label`.
   std::size_t after(TagLabel label) const {
@@ -74,10 +75,15 @@ private:
   }
 
   std::uint32_t labels_ = 1;
+  // `labels_`, rounded up so that processors can work on several at once.
+  std::size_t stride_ = 4;
   FeatureTable table_;
   // One row for each feature, then one for each previous label, with a weight
   // for each label.
-  std::vector<float> weights_{0};
+  std::vector<float> weights_ = std::vector<float>(4);
+  // By label: those that stood before it in some text, and those that always
+  // may: `outside`, and for a continuation its beginning and itself. Sorted.
+  std::vector<std::vector<TagLabel>> before_{{outside}};
 };
 
 } // namespace parlour::adapters::nlu

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "adapters/nlu/parse/doubt.hpp"
 
@@ -11,8 +10,9 @@ namespace parlour::adapters::nlu {
 namespace {
 
 // Generic acts that are only politeness if something else is said.
-constexpr std::array<std::string_view, 7> courtesies{
-    "greet", "thank", "help", "repeat", "explain", "options", "rephrase"};
+constexpr std::array<std::string_view, 9> courtesies{
+    "greet",   "thank",    "help", "repeat", "explain",
+    "options", "rephrase", "wait", "protest"};
 
 const Fill* find(const std::vector<Fill>& fills, std::string_view slot) {
   const auto found = std::ranges::find(fills, slot, &Fill::slot);
@@ -102,11 +102,12 @@ private:
     if (!island.act.empty() && group_.act.empty())
       group_.act = island.act;
     group_.only_bare = group_.only_bare && is_value(island);
-    const bool denied =
-        denies() || (is_value(island) && utterance_.is_negated(island.begin));
+    const bool denied = denies(island) || (is_value(island) &&
+                                           utterance_.is_negated(island.begin));
     auto& fills = denied ? group_.denied : group_.fills;
     for (const auto& fill : island.fills)
-      put(fills, fill);
+      if (!adds_to(fills, island, fill))
+        put(fills, fill, link.topic);
     group_.end = island.end;
     marker_ = nullptr;
     lead_in_ = nullptr;
@@ -116,15 +117,25 @@ private:
     return island.rule->bare || island.asked;
   }
 
-  // "not the blue one"
-  bool denies() const {
-    return marker_ && marker_->denies;
+  // "I am Anouk, Windmolen Energy": who is asked for any words has said them
+  // first; what follows is something else, unless it corrects them.
+  bool adds_to(const std::vector<Fill>& fills, const Island& island,
+               const Fill& fill) const {
+    const auto* const said = find(fills, fill.slot);
+    return island.asked && fill.open && said && said->open && !marker_;
+  }
+
+  // "not the blue one". In "not Orchard Road, take me to Tampines", what is not
+  // wanted is something that nothing has understood.
+  bool denies(const Island& island) const {
+    return marker_ && marker_->denies &&
+           utterance_.weight_of(marker_->end, island.begin) < full_weight;
   }
 
   // A negated order. A denied value ("not the blue one") is something else.
   bool is_negated(const Island& island) const {
     const bool names_value =
-        is_value(island) || (denies() && !island.fills.empty());
+        is_value(island) || (denies(island) && !island.fills.empty());
     return !names_value && utterance_.is_negated(island.begin);
   }
 
@@ -138,7 +149,8 @@ private:
     if (marker_ || island.rule->bare)
       return true;
     const bool again = std::ranges::any_of(island.fills, [&](const Fill& fill) {
-      return find(group_.fills, fill.slot) != nullptr;
+      return find(group_.fills, fill.slot) != nullptr &&
+             !schema_.at(link.topic).takes_many(fill.slot);
     });
     return !(again && (!island.act.empty() || is_enquiry()));
   }
@@ -178,8 +190,13 @@ private:
            acts_.back().topic != topic;
   }
 
-  static void put(std::vector<Fill>& fills, const Fill& fill) {
-    const auto same = std::ranges::find(fills, fill.slot, &Fill::slot);
+  // A slot with several values takes each of them.
+  void put(std::vector<Fill>& fills, const Fill& fill,
+           TopicNumber topic) const {
+    const bool many =
+        topic != no_topic && schema_.at(topic).takes_many(fill.slot);
+    const auto same =
+        many ? fills.end() : std::ranges::find(fills, fill.slot, &Fill::slot);
     if (same == fills.end())
       fills.push_back(fill);
     else
@@ -202,6 +219,7 @@ private:
     }
     act.topic = group_.topic;
     act.act = act_of_group();
+    act.is_declared = !group_.act.empty();
     act.fills = group_.fills.empty() ? group_.denied : group_.fills;
     act.elliptical = is_elliptical();
     acts_.push_back(std::move(act));
@@ -245,6 +263,15 @@ private:
     };
     if (!std::ranges::all_of(acts_, is_courtesy))
       std::erase_if(acts_, is_courtesy);
+    // Who wants something has not gone yet: "I am off. Lights out. See you."
+    const bool wants_something =
+        std::ranges::any_of(acts_, [](const BuiltAct& act) {
+          return act.topic != no_topic && !act.negated;
+        });
+    if (wants_something)
+      std::erase_if(acts_, [](const BuiltAct& act) {
+        return act.topic == no_topic && act.act == "bye";
+      });
     // "thank you, thank you" is one act.
     const auto again =
         std::unique(acts_.begin(), acts_.end(),
@@ -297,14 +324,24 @@ bool is_something_else(const BuiltAct& act, const BuiltAct& before,
          act.score - bonus_of(act, context) < further_value;
 }
 
-// An act is scored on the tokens from its begin to the begin of the next one.
+// An act is scored on the tokens from its begin to the begin of the next one;
+// one that a rule declares, within its clauses: "What a big house. Where do I
+// find Kelvin Ho?" asks a clear question. A mere value among much that is not
+// understood says little, whatever clause it is in.
 void set_scores(std::vector<BuiltAct>& acts, const Chain& chain,
                 const Utterance& utterance, const Context& context) {
   const auto covered = coverage(chain, utterance.size());
   for (std::size_t at = 0; at < acts.size(); ++at) {
-    const std::size_t first = at == 0 ? 0 : acts[at].begin;
-    const auto last =
+    const auto& act = acts[at];
+    std::size_t first = at == 0 ? 0 : act.begin;
+    std::size_t last =
         at + 1 < acts.size() ? acts[at + 1].begin : utterance.size();
+    if (act.is_declared) {
+      const auto clause =
+          stretch_of(utterance.tokens, {act.begin, act.end}, Break::comma);
+      first = std::max<std::size_t>(first, clause.begin);
+      last = std::min<std::size_t>(last, clause.end);
+    }
     const auto whole = utterance.weight_of(first, last);
     double sum = 0;
     for (auto token = first; token < last; ++token)
@@ -312,40 +349,6 @@ void set_scores(std::vector<BuiltAct>& acts, const Chain& chain,
     acts[at].score = (whole > 0 ? std::min(1.0, sum / whole) : 1.0) +
                      bonus_of(acts[at], context);
   }
-}
-
-// Confidences are rounded so that they print well.
-double in_thousandths(double confidence) {
-  return std::round(confidence * 1000) / 1000;
-}
-
-Value fill_value(const Fill& fill, const Utterance& utterance,
-                 const Spans& spans, const Schema& schema) {
-  const std::string text(
-      words_of(utterance.text, utterance.tokens, fill.begin, fill.end));
-  Map made{{act_key::value, text}, {act_key::confidence, 1.0}};
-  if (fill.literal) {
-    made.set(act_key::value, *fill.literal);
-  } else if (fill.span) {
-    const auto& span = spans[*fill.span];
-    made.set(act_key::confidence, in_thousandths(span.confidence));
-    if (is_form(span.entity) && !span.unmatched)
-      made.set(act_key::value, span.value);
-    if (span.unmatched)
-      made.set("unmatched", true);
-    const auto set = span.entity - first_set_entity;
-    List candidates;
-    for (const auto value : span.values)
-      candidates.push_back(schema.values().value(set, value));
-    if (candidates.size() == 1)
-      made.set(act_key::value, candidates[0]);
-    else if (candidates.size() > 1) {
-      made.set(act_key::value, Value());
-      made.set(act_key::candidates, std::move(candidates));
-    }
-  }
-  made.set(act_key::text, text);
-  return made;
 }
 
 } // namespace
@@ -363,22 +366,6 @@ std::vector<BuiltAct> build_acts(const Chain& chain, const Utterance& utterance,
         (kept.empty() || !is_something_else(act, kept.back(), context)))
       kept.push_back(act);
   return kept;
-}
-
-Map act_value(const BuiltAct& act, const Utterance& utterance,
-              const Spans& spans, const Schema& schema) {
-  Map slots;
-  for (const auto& fill : act.fills)
-    slots.set(fill.slot, fill_value(fill, utterance, spans, schema));
-  const auto topic =
-      act.topic == no_topic ? Value() : Value(schema.at(act.topic).name);
-  return Map{{act_key::topic, topic},
-             {act_key::act, act.act},
-             {act_key::confidence, in_thousandths(std::min(1.0, act.score))},
-             {act_key::slots, std::move(slots)},
-             {act_key::text,
-              words_of(utterance.text, utterance.tokens, act.begin, act.end)},
-             {act_key::elliptical, act.elliptical}};
 }
 
 } // namespace parlour::adapters::nlu

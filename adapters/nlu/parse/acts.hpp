@@ -22,6 +22,8 @@ struct BuiltAct {
   // One for each slot.
   std::vector<Fill> fills;
   bool elliptical = false;
+  // A rule says which act it is, so it has a sentence of its own.
+  bool is_declared = false;
   // A "deny" that stands for a negated order.
   bool negated = false;
   // Tokens [begin, end).
@@ -37,10 +39,5 @@ struct BuiltAct {
 std::vector<BuiltAct> build_acts(const Chain& chain, const Utterance& utterance,
                                  const Schema& schema, const Context& context,
                                  double threshold);
-
-// The act as a map, as FrameInfo carries it
-// (runtime/message/understanding.hpp).
-Map act_value(const BuiltAct& act, const Utterance& utterance,
-              const Spans& spans, const Schema& schema);
 
 } // namespace parlour::adapters::nlu

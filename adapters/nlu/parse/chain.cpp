@@ -72,7 +72,8 @@ private:
     const auto befores = ends_[position];
     for (const auto before : befores) {
       const auto last = nodes_[before].link; // nodes_ grows below
-      if (island.weak && !may_be_meant(island, last))
+      if (island.weak && !may_be_meant(island, last) &&
+          !contrasts(before, island))
         continue;
       if (!island.is_content()) {
         append(before, {&island, last.topic}, 0);
@@ -96,6 +97,18 @@ private:
             std::ranges::any_of(island.topics, [&](TopicNumber topic) {
               return context_.bonus(topic) > 0;
             }));
+  }
+
+  // "not three, four": behind a value that is denied, of the same slot.
+  bool contrasts(std::uint32_t before, const Island& island) const {
+    const auto& last = nodes_[before].link;
+    if (before == 0 || !last.island->is_content())
+      return false;
+    const auto* const marker = nodes_[nodes_[before].before].link.island;
+    return marker && marker->denies &&
+           std::ranges::any_of(island.fills, [&](const Fill& fill) {
+             return last.island->find(fill.slot) != nullptr;
+           });
   }
 
   // What an island gets for being expected (understanding, "Score"), minus the

@@ -54,6 +54,11 @@ double Context::bonus(TopicNumber topic) const {
   return waits ? 0.1 : 0;
 }
 
+bool Context::goes_on(TopicNumber topic) const {
+  return topic == asked_topic || topic == current ||
+         std::ranges::find(unfinished, topic) != unfinished.end();
+}
+
 Context read_context(const Value& context, const Schema& schema) {
   Context read;
   read_asked(context["asked"], schema, read);
@@ -67,6 +72,9 @@ Context read_context(const Value& context, const Schema& schema) {
   if (const auto* grammar = context["grammar"].if_string())
     read.grammar = *grammar;
   read_confirms(context["confirms"], read);
+  if (const auto* choices = context["choices"].if_list())
+    for (const auto& choice : *choices)
+      read.choices.push_back(choice.text());
   if (const auto* now = context["now"].if_integer())
     read.now = *now;
   return read;

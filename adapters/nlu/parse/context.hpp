@@ -24,11 +24,15 @@ struct Context {
   std::string grammar;
   // The words of the question to which a yes or no is expected; empty: none.
   std::vector<std::string> confirms;
+  // What the last question offers ("Do you mean A or B?"); empty: nothing.
+  std::vector<std::string> choices;
   Now now;
 
   // What an act about the topic gets for being expected (understanding,
   // "Score"): 0.2 for the current topic, 0.1 for a resting or unfinished one.
   double bonus(TopicNumber topic) const;
+  // Whether the conversation is at it: it is asked for, current or unfinished.
+  bool goes_on(TopicNumber topic) const;
 };
 
 // What an act gets that fills the slot which was asked for.

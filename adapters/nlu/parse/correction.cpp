@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <ranges>
 
 namespace parlour::adapters::nlu {
 
@@ -43,9 +42,9 @@ void correct_what_was_said(BuiltAct& act, const Spans& spans,
                            const Context& context) {
   if (!only_answers(act, context))
     return;
-  for (const auto& slot : std::views::reverse(context.said))
-    if (auto made = as_value(act.fills[0], slot.entity, spans)) {
-      made->slot = slot.name;
+  for (auto slot = context.said.rbegin(); slot != context.said.rend(); ++slot)
+    if (auto made = as_value(act.fills[0], slot->entity, spans)) {
+      made->slot = slot->name;
       act.fills = {std::move(*made)};
       return;
     }

@@ -13,9 +13,31 @@ namespace {
 // Acts that ask something back: whoever asks has not answered yet.
 constexpr std::array<std::string_view, 5> questions{"help", "repeat", "explain",
                                                     "options", "rephrase"};
+// Acts beside which a yes is none, but a no is.
+constexpr std::array<std::string_view, 2> hesitations{"wait", "refuse"};
 
 // A weight below this is rounding, not a word.
 constexpr double min_weight = 0.05;
+// How many small words may be left over beside a yes.
+constexpr std::size_t most_small = 2;
+
+bool is_pronoun(std::string_view word) {
+  static constexpr std::array<std::string_view, 6> words{"i",  "you",  "it",
+                                                         "we", "that", "this"};
+  return std::ranges::find(words, word) != words.end();
+}
+
+// Small words that change nothing about a yes before them: "yes I will", "yes
+// now". The other way round it is a question: "yes will I".
+bool is_harmless(std::string_view word, std::string_view before) {
+  static constexpr std::array<std::string_view, 12> verbs{
+      "am",    "is",  "are",   "do",  "does",  "will",
+      "would", "can", "could", "may", "shall", "have"};
+  static constexpr std::array<std::string_view, 5> others{
+      "very", "really", "already", "now", "then"};
+  return is_pronoun(word) || std::ranges::find(others, word) != others.end() ||
+         (is_pronoun(before) && std::ranges::find(verbs, word) != verbs.end());
+}
 
 template <class All, class One>
 bool has(const All& all, const One& one) {
@@ -67,6 +89,11 @@ public:
     });
     if (contradicts || asks)
       std::erase_if(acts_, [](auto& act) { return is_answer(act); });
+    const bool hesitates = std::ranges::any_of(acts_, [](auto& act) {
+      return act.topic == no_topic && has(hesitations, act.act);
+    });
+    if (hesitates)
+      std::erase_if(acts_, [](auto& act) { return is_plain(act, "confirm"); });
     std::erase_if(acts_, [&](auto& act) { return is_unsure(act); });
   }
 
@@ -120,14 +147,34 @@ private:
     return true;
   }
 
-  // "do not cancel it": a generic act right behind a negation.
+  // "do not cancel it", "no need to cancel": a generic act right behind a
+  // negation, or behind a no that ends with "to".
   bool is_denied(const BuiltAct& act) const {
     if (act.topic != no_topic || is_answer(act) || act.act == "correct")
       return false;
+    if (act.begin > 0 && word(act.begin - 1) == "to" &&
+        std::ranges::any_of(acts_, [&](auto& other) {
+          return is_plain(other, "deny") && other.end == act.begin;
+        }))
+      return true;
     auto at = act.begin;
     while (at > 0 && utterance_.filler[at - 1])
       --at;
     return at > 0 && (word(at - 1) == "not" || word(at - 1) == "never");
+  }
+
+  // "Cancel the six o'clock alarm" is about the application, whether or not it
+  // knows such an order. To stop is always understood. Another sentence is
+  // about something else: "Cancel that! I have a meeting."
+  bool leaves_known_words(const BuiltAct& act) const {
+    const auto sentence = stretch_of(
+        utterance_.tokens, {act.begin, act.begin + 1}, Break::sentence);
+    for (auto token = sentence.begin; token < sentence.end; ++token)
+      if (!understood_[token] && utterance_.weight[token] >= full_weight &&
+          utterance_.words[token] != unknown_word &&
+          !has(context_.confirms, word(token)))
+        return true;
+    return false;
   }
 
   // A yes is in doubt if words are left over or it is asked ("right?"). A no is
@@ -135,22 +182,44 @@ private:
   // left over ("not bad").
   bool is_unsure(const BuiltAct& act) const {
     if (is_plain(act, "confirm"))
-      return leaves_words() || is_asked(act);
+      return leaves_words(act.begin) || is_asked(act) || is_turned_round(act);
+    if (is_plain(act, "cancel") || is_plain(act, "abandon"))
+      return word(act.begin) != "stop" && leaves_known_words(act);
     return is_plain(act, "deny") && !act.negated && has(denials_, act.begin) &&
-           leaves_words();
+           leaves_words(utterance_.size());
   }
 
   // Whether words are left that nothing has understood. Fillers and the words
   // of the question do not count, but words such as "but" always do.
-  bool leaves_words() const {
+  // Neither do a few small words behind `yes`, the token of the yes.
+  bool leaves_words(std::size_t yes) const {
+    std::size_t small = 0;
     for (std::size_t token = 0; token < utterance_.size(); ++token) {
+      if (understood_[token])
+        continue;
       const bool turns = is_turning_word(word(token));
       const bool means_nothing = utterance_.weight[token] < min_weight ||
                                  has(context_.confirms, word(token));
-      if (!understood_[token] && (turns || !means_nothing))
+      if (turns || (!means_nothing && !may_follow(token, yes)))
+        return true;
+      small += means_nothing ? 0U : 1U;
+    }
+    return small > most_small;
+  }
+
+  // "of course you can't", "yes I can not": a negation beside the yes, even one
+  // that some rule has understood.
+  bool is_turned_round(const BuiltAct& act) const {
+    for (std::size_t token = 0; token < utterance_.size(); ++token) {
+      const bool is_within = token >= act.begin && token < act.end;
+      if (!is_within && (word(token) == "not" || word(token) == "never"))
         return true;
     }
     return false;
+  }
+
+  bool may_follow(std::size_t token, std::size_t yes) const {
+    return token > yes && is_harmless(word(token), word(token - 1));
   }
 
   // Whether a question mark follows the act.
@@ -184,6 +253,27 @@ void prefer_answers(std::vector<Island>& islands, const Context& context) {
            std::ranges::any_of(answers, [&](const auto& answer) {
              return answer.first <= island.begin && island.end <= answer.second;
            });
+  });
+}
+
+void prefer_application(std::vector<Island>& islands) {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> own;
+  for (const auto& island : islands)
+    if (!island.rule->generic && !island.rule->bare)
+      own.emplace_back(island.begin, island.end);
+  // A rule of its own that begins with "not" or "leave out" says what that is
+  // about.
+  const auto begins_own = [&](const Island& island) {
+    return std::ranges::any_of(own, [&](const auto& one) {
+      return one.first == island.begin && one.second > island.end;
+    });
+  };
+  std::erase_if(islands, [&](const Island& island) {
+    if (!island.rule->generic || island.is_content())
+      return false;
+    if (is_answer(island))
+      return island.denies && begins_own(island);
+    return !island.act.empty() && has(own, std::pair(island.begin, island.end));
   });
 }
 

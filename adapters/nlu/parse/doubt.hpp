@@ -15,6 +15,11 @@ namespace parlour::adapters::nlu {
 // only. Removes the islands that say otherwise.
 void prefer_answers(std::vector<Island>& islands, const Context& context);
 
+// What an application means by words goes before what they mean anywhere:
+// removes generic acts, other than yes and no, for the words of a rule of the
+// application.
+void prefer_application(std::vector<Island>& islands);
+
 // Removes answers that are in doubt, and acts that are negated ("do not cancel
 // it").
 void drop_doubtful(std::vector<BuiltAct>& acts, const Chain& chain,

@@ -6,6 +6,11 @@ namespace parlour::adapters::nlu {
 
 namespace {
 
+// From this confidence on the words are the value's own; below the other one,
+// they only sound or look like it.
+constexpr float certain = 0.95F;
+constexpr float guessed = 0.9F;
+
 // Replays the trace of a match. Tags are properly nested, so a stack of open
 // tags is enough; a tag takes effect when it closes.
 class IslandReader {
@@ -91,7 +96,7 @@ private:
   // tag, or the words within the tag.
   void fill(const std::string& slot, TopicNumber topic, const TagInfo& tag,
             const Opened& opened, std::uint32_t end) {
-    Fill made{slot, topic, {}, {}, opened.position, end};
+    Fill made{slot, topic, {}, {}, opened.position, end, false};
     if (tag.has_value)
       made.literal = tag.value;
     else if (seen_.size() > opened.spans)
@@ -101,6 +106,7 @@ private:
       made.begin = spans_[*made.span].core;
       made.end = spans_[*made.span].end;
     }
+    made.open = is_open(made, spans_);
     island_.fills.push_back(std::move(made));
   }
 
@@ -149,7 +155,28 @@ private:
   std::vector<std::uint32_t> seen_;
 };
 
+// Whether the value of a fill was found among known ones, with a confidence
+// that `is_such` accepts.
+template <class Predicate>
+bool fits(const Fill& fill, const Spans& spans, Predicate is_such) {
+  return fill.span && !is_form(spans[*fill.span].entity) &&
+         is_such(spans[*fill.span]);
+}
+
+bool is_certain(const Span& span) {
+  return !span.unmatched && span.confidence >= certain;
+}
+
+bool is_guess(const Span& span) {
+  return !span.unmatched && span.confidence < guessed;
+}
+
 } // namespace
+
+bool is_open(const Fill& fill, const Spans& spans) {
+  return !fill.literal &&
+         (!fill.span || spans[*fill.span].entity == words_entity);
+}
 
 const Fill* Island::find(std::string_view slot) const {
   const auto found = std::ranges::find(fills, slot, &Fill::slot);
@@ -166,6 +193,98 @@ std::vector<Island> read_islands(const std::vector<Match>& matches,
     if (auto island = reader.read(match))
       islands.push_back(std::move(*island));
   return islands;
+}
+
+void leave_out_guesses(std::vector<Island>& islands, const Spans& spans,
+                       const Schema& schema) {
+  // "not Palmar, Palmer": what is denied stays, or else the next value would
+  // be.
+  if (std::ranges::any_of(islands, &Island::denies))
+    return;
+  std::vector<std::string> sure;
+  for (const auto& island : islands)
+    for (const auto& fill : island.fills)
+      if (fits(fill, spans, is_certain))
+        sure.push_back(fill.slot);
+  const auto is_outshone = [&](const Fill& fill, const Island& island) {
+    return fits(fill, spans, is_guess) &&
+           std::ranges::find(sure, fill.slot) != sure.end() &&
+           std::ranges::none_of(island.topics, [&](TopicNumber topic) {
+             return schema.at(topic).takes_many(fill.slot);
+           });
+  };
+  std::erase_if(islands, [&](const Island& island) {
+    return island.rule->bare && !island.fills.empty() &&
+           std::ranges::all_of(island.fills, [&](const Fill& fill) {
+             return is_outshone(fill, island);
+           });
+  });
+}
+
+void leave_out_strangers(std::vector<Island>& islands,
+                         const Utterance& utterance, const Spans& spans) {
+  const auto is_known = [&](const Fill& fill) {
+    return fill.literal || fits(fill, spans, is_certain);
+  };
+  const auto is_stranger = [&](const Fill& fill) {
+    return fits(fill, spans, [](const Span& span) { return span.unmatched; });
+  };
+  const auto is_better = [&](const Island& island) {
+    return std::ranges::any_of(island.fills, is_known);
+  };
+  const auto is_apart = [&](const Island& one, const Island& other) {
+    const auto first = std::min(one.end, other.end);
+    const auto last = std::max(one.begin, other.begin);
+    for (auto token = first; token <= last; ++token)
+      if (utterance.tokens.list[token].before != Break::none)
+        return true;
+    return false;
+  };
+  std::vector<const Island*> better;
+  for (const auto& island : islands)
+    if (is_better(island))
+      better.push_back(&island);
+  std::vector<Island> kept;
+  for (const auto& island : islands)
+    if (island.fills.empty() || !island.act.empty() ||
+        !std::ranges::all_of(island.fills, is_stranger) ||
+        std::ranges::none_of(better, [&](const Island* other) {
+          return is_apart(island, *other);
+        }))
+      kept.push_back(island);
+  islands = std::move(kept);
+}
+
+void trust_whole_values(std::vector<Island>& islands,
+                        const Utterance& utterance, const Spans& spans) {
+  const auto is_whole = [&](const Island& island) {
+    for (std::size_t token = 0; token < utterance.size(); ++token)
+      if (!utterance.filler[token] &&
+          (token < island.begin || token >= island.end))
+        return false;
+    return true;
+  };
+  const auto is_sure = [](const Span& span) {
+    return !span.unmatched && span.confidence >= guessed;
+  };
+  for (auto& island : islands)
+    if (island.weak && island.rule->bare && !island.fills.empty() &&
+        is_whole(island) &&
+        std::ranges::all_of(island.fills, [&](const Fill& fill) {
+          return fits(fill, spans, is_sure);
+        }))
+      island.weak = false;
+}
+
+void leave_out_parts(std::vector<Island>& islands, const Schema& schema,
+                     const Context& context) {
+  std::erase_if(islands, [&](Island& island) {
+    const bool content = island.is_content();
+    std::erase_if(island.topics, [&](TopicNumber topic) {
+      return schema.at(topic).part && !context.goes_on(topic);
+    });
+    return content && !island.is_content();
+  });
 }
 
 } // namespace parlour::adapters::nlu

@@ -21,7 +21,12 @@ struct Fill {
   std::optional<Value> literal;
   std::uint32_t begin = 0; // tokens
   std::uint32_t end = 0;
+  // Any words: neither of a list nor of a normal form.
+  bool open = false;
 };
+
+// Whether the fill's value is nothing but words.
+bool is_open(const Fill& fill, const Spans& spans);
 
 struct Island {
   const RuleInfo* rule = nullptr;
@@ -57,5 +62,26 @@ std::vector<Island> read_islands(const std::vector<Match>& matches,
                                  const std::vector<Trace>& traces,
                                  const Spans& spans, const Automaton& automaton,
                                  const Schema& schema, const Context& context);
+
+// Takes out values that the words only sound like, where others of the same
+// slot are said as they are: in "what am I saying, Kelvin Palmer", "saying" is
+// nobody called Seng.
+void leave_out_guesses(std::vector<Island>& islands, const Spans& spans,
+                       const Schema& schema);
+
+// Takes out what only names something unknown, without saying what is wanted of
+// it, where another clause names what is known: in "to the study, it's on the
+// way", nobody asks for a way.
+void leave_out_strangers(std::vector<Island>& islands,
+                         const Utterance& utterance, const Spans& spans);
+
+// A value that is all that was said means something, though its words are plain
+// ones: "Coffee?". Not a number or time: without a question they are anything.
+void trust_whole_values(std::vector<Island>& islands,
+                        const Utterance& utterance, const Spans& spans);
+
+// Takes out what is about a part of another topic that does not go on.
+void leave_out_parts(std::vector<Island>& islands, const Schema& schema,
+                     const Context& context);
 
 } // namespace parlour::adapters::nlu

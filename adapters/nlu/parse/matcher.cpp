@@ -171,7 +171,10 @@ void Matcher::take_entity(std::size_t position, const Item& item,
     if (!known.empty() || (is_form(entity) && !asked))
       return;
   }
-  if (expected)
+  // Open words are all that stands there: "I am Anouk, Windmolen" is no
+  // Windmolen.
+  const bool passed_over = entity == words_entity && item.skipped > 0;
+  if (expected && !passed_over)
     for (const auto index : spans_.open(
              entity, position, asked ? max_asked_words : max_open_words))
       take_span(item, arc, index, expected);

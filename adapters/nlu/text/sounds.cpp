@@ -83,7 +83,9 @@ private:
       if (letters.starts_with('^') && at_ > 0)
         continue;
       letters.remove_prefix(letters.starts_with('^') ? 1 : 0);
-      if (!word_.substr(at_).starts_with(letters))
+      // The first letter tells nearly all apart.
+      if (letters.front() != word_[at_] ||
+          !word_.substr(at_).starts_with(letters))
         continue;
       at_ += letters.size();
       for (const char one : sound)

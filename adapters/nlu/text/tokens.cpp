@@ -243,6 +243,15 @@ Tokens tokenize(std::string_view text) {
   return Tokenizer(text).run();
 }
 
+TokenRange stretch_of(const Tokens& tokens, TokenRange range, Break by) {
+  const auto& list = tokens.list;
+  while (range.begin > 0 && list[range.begin].before < by)
+    --range.begin;
+  while (range.end < list.size() && list[range.end].before < by)
+    ++range.end;
+  return range;
+}
+
 std::string_view words_of(std::string_view text, const Tokens& tokens,
                           std::size_t first, std::size_t last) {
   if (first >= last || last > tokens.list.size())

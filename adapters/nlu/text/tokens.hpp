@@ -37,6 +37,16 @@ struct Tokens {
 // expanded; times, dates, telephone numbers and e-mail addresses stay one word.
 Tokens tokenize(std::string_view text);
 
+// Tokens [begin, end).
+struct TokenRange {
+  std::uint32_t begin = 0;
+  std::uint32_t end = 0;
+};
+
+// What stands around these tokens up to such punctuation, or stronger:
+// Break::comma gives the clause, Break::sentence the sentence.
+TokenRange stretch_of(const Tokens& tokens, TokenRange range, Break by);
+
 // The part of the text that tokens [first, last) cover.
 std::string_view words_of(std::string_view text, const Tokens& tokens,
                           std::size_t first, std::size_t last);

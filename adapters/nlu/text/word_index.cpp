@@ -4,6 +4,7 @@
 #include <functional>
 #include <utility>
 
+#include "adapters/nlu/text/phones.hpp"
 #include "adapters/nlu/text/similarity.hpp"
 #include "adapters/nlu/text/sounds.hpp"
 
@@ -11,15 +12,20 @@ namespace parlour::adapters::nlu {
 
 namespace {
 
-// A misspelling is looked for only if the word has at least three letters,
+// A misspelling is looked for only if the word has at least two letters,
 // among words whose length differs by at most three.
 constexpr std::size_t max_hits = 8;
-constexpr std::size_t shortest_misspelt = 3;
+constexpr std::size_t shortest_misspelt = 2;
 constexpr std::size_t max_extra = 3;
 constexpr std::size_t longest_short = 5;
 // How similar words are at least that sound alike: less than what is accepted
 // without a word about it.
 constexpr double similar_by_sound = 0.8;
+// How alike words sound at least, those that are said the same, and what the
+// spelling costs of words that are not written alike.
+constexpr double least_alike = 0.72;
+constexpr double said_the_same = 0.9;
+constexpr double other_spelling = 0.95;
 
 // Three bytes as one number.
 std::uint32_t trigram(const std::string& padded, std::size_t position) {
@@ -45,17 +51,31 @@ void add_keys_of_short(std::string word, std::vector<std::uint32_t>& keys) {
   keys.push_back(0x0200'0000U | (letters & 0x00FF'FFFFU));
 }
 
-std::uint32_t key_of_sound(const std::string& sound) {
+std::uint32_t key_of(std::string_view sounds, std::uint32_t kind) {
   std::uint32_t key = 0;
-  for (const char one : sound)
+  for (const char one : sounds)
     key = key * 31 + static_cast<unsigned char>(one);
-  return 0x0300'0000U | (key & 0x00FF'FFFFU);
+  return kind << 24 | (key & 0x00FF'FFFFU);
+}
+
+std::uint32_t key_of_sound(std::string_view sound) {
+  return key_of(sound, 3);
+}
+
+// The kinds of its consonants; of words that hardly have any, the first sound
+// as well: "ai", "hui".
+std::uint32_t key_of_phones(std::string_view phones) {
+  auto outline = outline_of(phones);
+  if (outline.size() < 2 && !phones.empty())
+    outline += phones.back();
+  return key_of(outline, 4);
 }
 
 // The keys of a word, sorted and without duplicates: its trigrams, with its
 // ends marked by ^ and $, and its sound.
 std::vector<std::uint32_t> keys_of(const std::string& word,
-                                   const std::string& sound) {
+                                   const std::string& sound,
+                                   const std::string& phones) {
   const auto padded = '^' + word + '$';
   std::vector<std::uint32_t> keys;
   for (std::size_t position = 0; position + 3 <= padded.size(); ++position)
@@ -64,6 +84,8 @@ std::vector<std::uint32_t> keys_of(const std::string& word,
     add_keys_of_short(word, keys);
   if (sound.size() > 1)
     keys.push_back(key_of_sound(sound));
+  if (!phones.empty())
+    keys.push_back(key_of_phones(phones));
   std::ranges::sort(keys);
   keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
   return keys;
@@ -89,10 +111,12 @@ WordIndex::WordId WordIndex::add(std::string_view word) {
   const auto [place, is_new] = numbers_.try_emplace(key, number);
   if (is_new) {
     auto sound = sound_of(key);
-    for (const auto gram : keys_of(key, sound))
+    auto phones = phones_of(key);
+    for (const auto gram : keys_of(key, sound, phones))
       near_[gram].push_back(number);
     words_.push_back(std::move(key));
     sounds_.push_back(std::move(sound));
+    phones_.push_back(std::move(phones));
   }
   return place->second;
 }
@@ -108,40 +132,86 @@ std::vector<WordIndex::Hit> WordIndex::find(std::string_view word,
   return hits;
 }
 
-// Collects all words that share a key with `word` and compares those that share
-// enough: two keys, or one for a short word. Sorting groups equal numbers, so
-// the length of a group is the number of shared keys. Computing the similarity,
-// the expensive part, is thus done for few words only.
+std::vector<WordIndex::Hit>
+WordIndex::find_said_alike(std::string_view word) const {
+  std::vector<Hit> hits;
+  const auto phones = phones_of(word);
+  if (phones.size() < 2)
+    return hits;
+  const auto found = near_.find(key_of_phones(phones));
+  if (found == near_.end())
+    return hits;
+  for (const auto number : found->second)
+    if (const auto alike = sounds_alike(phones, phones_[number]);
+        alike >= said_the_same)
+      hits.push_back({number, alike * other_spelling});
+  sort(hits);
+  return hits;
+}
+
+void WordIndex::sort(std::vector<Hit>& hits) {
+  std::ranges::stable_sort(hits, std::greater(), &Hit::similarity);
+  if (hits.size() > max_hits)
+    hits.resize(max_hits);
+}
+
+// Collects all words that share a key with `word`. Sorting groups equal
+// numbers, so the length of a group is the number of shared keys.
 void WordIndex::add_misspelt(const std::string& word,
                              std::vector<Hit>& hits) const {
+  const Heard heard{word, sound_of(word), phones_of(word)};
+  const auto outline = key_of_phones(heard.phones);
   std::vector<WordId> near;
-  const auto sound = sound_of(word);
-  for (const auto gram : keys_of(word, sound))
-    if (const auto found = near_.find(gram); found != near_.end())
+  const std::vector<WordId>* outlined = nullptr;
+  for (const auto key : keys_of(word, heard.sound, heard.phones))
+    if (const auto found = near_.find(key); found != near_.end()) {
       near.insert(near.end(), found->second.begin(), found->second.end());
+      if (key == outline)
+        outlined = &found->second;
+    }
   std::ranges::sort(near);
-  const std::size_t shared = word.size() > 5 ? 2 : 1;
   for (std::size_t at = 0; at < near.size();) {
     const auto first = at;
     while (at < near.size() && near[at] == near[first])
       ++at;
-    const auto& other = words_[near[first]];
-    if (other == word || other.size() < 2)
-      continue;
-    const bool by_sound = sound.size() > 1 && sound == sounds_[near[first]];
-    if (at - first < shared && !by_sound)
-      continue;
-    const auto length = std::min(word.size(), other.size());
-    if (std::max(word.size(), other.size()) > length + max_extra)
-      continue;
-    const auto alike =
-        std::max(similarity(word, other), by_sound ? similar_by_sound : 0.0);
-    if (alike >= similarity_needed(length))
-      hits.push_back({near[first], alike});
+    const bool alike_in_outline =
+        outlined && std::ranges::binary_search(*outlined, near[first]);
+    if (const auto hit =
+            compare(heard, near[first], at - first, alike_in_outline);
+        hit.similarity > 0)
+      hits.push_back(hit);
   }
-  std::ranges::stable_sort(hits, std::greater(), &Hit::similarity);
-  if (hits.size() > max_hits)
-    hits.resize(max_hits);
+  sort(hits);
+}
+
+// How alike the two words are, with 0 if they are not alike enough. They are
+// only compared if they share enough keys: two, or one for a short word. The
+// comparison, which is the expensive part, is thus done for few words only.
+WordIndex::Hit WordIndex::compare(const Heard& heard, WordId number,
+                                  std::size_t shared,
+                                  bool alike_in_outline) const {
+  const auto& word = heard.word;
+  const auto& other = words_[number];
+  const auto& phones = phones_[number];
+  const bool near = shared >= (word.size() > 5 ? 2U : 1U);
+  const bool by_sound =
+      heard.sound.size() > 1 && heard.sound == sounds_[number];
+  const auto length = std::min(word.size(), other.size());
+  if (other == word || other.size() < 2 ||
+      std::max(word.size(), other.size()) > length + max_extra ||
+      (!near && !by_sound && !alike_in_outline))
+    return {number, 0};
+  const auto longest = std::max(heard.phones.size(), phones.size());
+  const auto said =
+      longest > std::min(heard.phones.size(), phones.size()) + max_extra
+          ? 0.0
+          : sounds_alike(heard.phones, phones) * other_spelling;
+  const auto letters = near || by_sound ? similarity(word, other) : 0.0;
+  const auto written =
+      std::max(letters >= similarity_needed(length) ? letters : 0.0,
+               by_sound ? similar_by_sound : 0.0);
+  return {number, std::max(written, said >= least_alike ? said : 0.0),
+          written == 0};
 }
 
 } // namespace parlour::adapters::nlu

@@ -36,24 +36,40 @@ public:
   struct Hit {
     WordId word = 0;
     double similarity = 1;
+    // Only said alike: "boat" for "pot". For names, which are spelt in many
+    // ways.
+    bool only_said = false;
   };
 
   // Returns the number of the word, which is new if its singular is not yet
   // there. Numbers count from 0.
   WordId add(std::string_view word);
 
-  // The word itself, if it is there, then misspellings of it and words of the
-  // same sound if `misspelt`; the most similar first, at most eight.
+  // The word itself, if it is there, then misspellings of it and words that
+  // sound alike if `misspelt`; the most similar first, at most eight.
   std::vector<Hit> find(std::string_view word, bool misspelt) const;
+  // Words that are said the same, such as "soh" for "so".
+  std::vector<Hit> find_said_alike(std::string_view word) const;
   std::size_t size() const {
     return words_.size();
   }
 
 private:
+  // A word that was heard, with its sounds.
+  struct Heard {
+    const std::string& word;
+    std::string sound;
+    std::string phones;
+  };
+
   void add_misspelt(const std::string& word, std::vector<Hit>& hits) const;
+  Hit compare(const Heard& heard, WordId number, std::size_t shared,
+              bool alike_in_outline) const;
+  static void sort(std::vector<Hit>& hits);
 
   std::vector<std::string> words_;
   std::vector<std::string> sounds_; // of each word (sounds.hpp)
+  std::vector<std::string> phones_; // of each word (phones.hpp)
   TextMap<WordId> numbers_;
   // Words by the keys that similar words share (keys_of in the source).
   std::unordered_map<std::uint32_t, std::vector<WordId>>

@@ -12,9 +12,10 @@ namespace {
 using Words = std::unordered_set<std::string_view>;
 
 const Words& titles() {
-  static const Words words{"dr",    "doctor", "mr",     "mister",    "mrs",
-                           "ms",    "miss",   "prof",   "professor", "sir",
-                           "madam", "mdm",    "madame", "mme"};
+  static const Words words{"dr",        "doctor", "mr",     "mister",
+                           "mrs",       "ms",     "miss",   "prof",
+                           "professor", "sir",    "madam",  "mdm",
+                           "madame",    "mme",    "missus", "missis"};
   return words;
 }
 
@@ -55,7 +56,11 @@ const Words& function_words() {
       "hungry", "thirsty", "tired", "fine", "sorry", "sure", "good", "nice",
       "nearest", "closest", "next", "other", "another", "all", "more",
       "interested", "afraid", "available", "ready", "wrong", "right", "new",
-      "called", "named"};
+      "called", "named", "finally", "exactly", "obviously", "certainly",
+      "probably", "possibly", "usually", "normally", "unfortunately", "luckily",
+      "hopefully", "honestly", "seriously", "literally", "totally",
+      "absolutely", "completely", "definitely", "immediately", "quickly",
+      "slowly", "lately", "recently", "suddenly"};
   return words;
 }
 
@@ -82,73 +87,35 @@ struct Contraction {
 };
 // With and without apostrophe, as speech recognisers write both.
 constexpr Contraction contractions[] = {
-    {"i'm", "i am"},
-    {"im", "i am"},
-    {"i'd", "i would"},
-    {"i'll", "i will"},
-    {"i've", "i have"},
-    {"ive", "i have"},
-    {"you're", "you are"},
-    {"you'd", "you would"},
-    {"we're", "we are"},
-    {"we'd", "we would"},
-    {"we've", "we have"},
-    {"they're", "they are"},
-    {"he's", "he is"},
-    {"she's", "she is"},
-    {"it's", "it is"},
-    {"its", "it is"},
-    {"that's", "that is"},
-    {"thats", "that is"},
-    {"there's", "there is"},
-    {"theres", "there is"},
-    {"here's", "here is"},
-    {"what's", "what is"},
-    {"whats", "what is"},
-    {"where's", "where is"},
-    {"wheres", "where is"},
-    {"who's", "who is"},
-    {"whos", "who is"},
-    {"how's", "how is"},
-    {"hows", "how is"},
-    {"when's", "when is"},
-    {"let's", "let us"},
-    {"lets", "let us"},
-    {"can't", "can not"},
-    {"cant", "can not"},
-    {"cannot", "can not"},
-    {"don't", "do not"},
-    {"dont", "do not"},
-    {"doesn't", "does not"},
-    {"didn't", "did not"},
-    {"won't", "will not"},
-    {"isn't", "is not"},
-    {"aren't", "are not"},
-    {"wasn't", "was not"},
-    {"gonna", "going to"},
-    {"wanna", "want to"},
-    {"name's", "name is"},
-    {"mustn't", "must not"},
-    {"mustnt", "must not"},
-    {"shouldn't", "should not"},
-    {"shouldnt", "should not"},
-    {"wouldn't", "would not"},
-    {"wouldnt", "would not"},
-    {"couldn't", "could not"},
-    {"couldnt", "could not"},
-    {"needn't", "need not"},
-    {"neednt", "need not"},
-    {"shan't", "shall not"},
-    {"haven't", "have not"},
-    {"havent", "have not"},
-    {"hasn't", "has not"},
-    {"weren't", "were not"},
-    {"doesnt", "does not"},
-    {"didnt", "did not"},
-    {"isnt", "is not"},
-    {"arent", "are not"},
-    {"wasnt", "was not"},
+    {"i'm", "i am"},          {"im", "i am"},
+    {"i'd", "i would"},       {"ive", "i have"},
+    {"you'd", "you would"},   {"we'd", "we would"},
+    {"he's", "he is"},        {"she's", "she is"},
+    {"it's", "it is"},        {"its", "it is"},
+    {"that's", "that is"},    {"thats", "that is"},
+    {"there's", "there is"},  {"theres", "there is"},
+    {"here's", "here is"},    {"what's", "what is"},
+    {"whats", "what is"},     {"where's", "where is"},
+    {"wheres", "where is"},   {"who's", "who is"},
+    {"whos", "who is"},       {"how's", "how is"},
+    {"hows", "how is"},       {"when's", "when is"},
+    {"let's", "let us"},      {"lets", "let us"},
+    {"can't", "can not"},     {"cant", "can not"},
+    {"cannot", "can not"},    {"dont", "do not"},
+    {"won't", "will not"},    {"gonna", "going to"},
+    {"wanna", "want to"},     {"name's", "name is"},
+    {"mustnt", "must not"},   {"shouldnt", "should not"},
+    {"wouldnt", "would not"}, {"couldnt", "could not"},
+    {"neednt", "need not"},   {"shan't", "shall not"},
+    {"havent", "have not"},   {"doesnt", "does not"},
+    {"didnt", "did not"},     {"isnt", "is not"},
+    {"arent", "are not"},     {"wasnt", "was not"},
+    {"youre", "you are"},     {"youve", "you have"},
+    {"theyre", "they are"},   {"weve", "we have"},
 };
+// Of any word: "there'll", "you've", "didn't".
+constexpr Contraction endings[] = {
+    {"'ll", " will"}, {"'ve", " have"}, {"'re", " are"}, {"n't", " not"}};
 
 } // namespace
 
@@ -169,8 +136,29 @@ bool is_light(std::string_view word) {
   return words.contains(word) || is_determiner(word) || is_connector(word);
 }
 
+bool is_hesitation(std::string_view word) {
+  static const Words words{"er", "erm", "um", "uh", "uhm", "hmm", "mm", "eh"};
+  return words.contains(word);
+}
+
 bool is_function_word(std::string_view word) {
   return function_words().contains(word) || is_determiner(word);
+}
+
+bool is_sentence_word(std::string_view word) {
+  static const Words words{
+      "i",       "me",        "you",      "he",       "she",    "we",
+      "they",    "us",        "them",     "am",       "is",     "are",
+      "was",     "were",      "be",       "been",     "do",     "does",
+      "did",     "have",      "has",      "had",      "would",  "should",
+      "could",   "can",       "not",      "never",    "what",   "which",
+      "who",     "whom",      "where",    "when",     "why",    "how",
+      "because", "if",        "whether",  "want",     "need",   "think",
+      "know",    "mean",      "said",     "told",     "tell",   "forgot",
+      "sorry",   "please",    "hello",    "yes",      "no",     "someone",
+      "anyone",  "something", "anything", "nothing",  "nobody", "somebody",
+      "anybody", "thanks",    "already",  "somewhere"};
+  return words.contains(word);
 }
 
 bool is_turning_word(std::string_view word) {
@@ -193,7 +181,7 @@ std::span<const std::string_view> filler_phrases() {
   return fillers;
 }
 
-std::string_view contraction(std::string_view word) {
+std::string contraction(std::string_view word) {
   static const auto table = [] {
     std::unordered_map<std::string_view, std::string_view> made;
     for (const auto& [written, meant] : contractions)
@@ -201,7 +189,13 @@ std::string_view contraction(std::string_view word) {
     return made;
   }();
   const auto found = table.find(word);
-  return found == table.end() ? std::string_view() : found->second;
+  if (found != table.end())
+    return std::string(found->second);
+  for (const auto& [ending, meant] : endings)
+    if (word.size() > ending.size() && word.ends_with(ending))
+      return std::string(word.substr(0, word.size() - ending.size())) +
+             std::string(meant);
+  return {};
 }
 
 } // namespace parlour::adapters::nlu

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -21,9 +22,16 @@ bool is_connector(std::string_view word);
 // Words that a value can do without: "of", "and", determiners, connectors.
 bool is_light(std::string_view word);
 
+// Whether it is said while one thinks, even within a name: "er", "um".
+bool is_hesitation(std::string_view word);
+
 // Words that are neither a name nor a value by themselves: pronouns,
 // prepositions, auxiliaries, common adjectives, determiners.
 bool is_function_word(std::string_view word);
+
+// Words of sentences: pronouns, auxiliaries, question words. Neither a name nor
+// a place has one of them, and a text that has one may be about something else.
+bool is_sentence_word(std::string_view word);
 
 // All function words, sorted.
 std::vector<std::string_view> all_function_words();
@@ -35,7 +43,9 @@ bool is_turning_word(std::string_view word);
 // way".
 std::span<const std::string_view> filler_phrases();
 
-// "i'm" gives "i am". `word` has its apostrophe. Empty if it is no contraction.
-std::string_view contraction(std::string_view word);
+// "i'm" gives "i am", and "there'll" gives "there will": some endings make a
+// contraction of any word. `word` has its apostrophe, if the writer made one.
+// Empty if it is no contraction.
+std::string contraction(std::string_view word);
 
 } // namespace parlour::adapters::nlu

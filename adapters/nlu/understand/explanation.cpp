@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "adapters/nlu/parse/act_value.hpp"
+
 namespace parlour::adapters::nlu {
 
 namespace {

@@ -11,7 +11,7 @@
 
 #include "adapters/nlu/grammar/example_file.hpp"
 #include "adapters/nlu/values/known_columns.hpp"
-#include "runtime/base/file_bytes.hpp"
+#include "runtime/base/outside/file_bytes.hpp"
 #include "runtime/plugin/adaptors.hpp"
 #include "runtime/plugin/folder.hpp"
 

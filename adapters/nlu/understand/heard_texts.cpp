@@ -26,8 +26,10 @@ bool has_slots(const Value& act) {
 }
 
 bool is_known(const Value& slot) {
-  return !slot["unmatched"] && (!slot[act_key::value].is_unknown() ||
-                                slot[act_key::candidates].if_list());
+  if (const auto* items = slot[act_key::items].if_list())
+    return std::ranges::all_of(*items, is_known);
+  return !slot[act_key::unmatched] && (!slot[act_key::value].is_unknown() ||
+                                       slot[act_key::candidates].if_list());
 }
 
 bool has_only_known_values(const Value& act) {
@@ -53,6 +55,20 @@ bool fits(const Value& act, const Understanding& best, const Value& context) {
 
 double lower(const Value& confidence) {
   return std::min(most_certain, confidence.number_or(most_certain));
+}
+
+// The slot, with each of its values, at a lower confidence.
+Value doubted(const Value& slot) {
+  auto made = *slot.if_map();
+  if (const auto* items = slot[act_key::items].if_list()) {
+    List all;
+    for (const auto& item : *items)
+      all.push_back(doubted(item));
+    made.set(act_key::items, std::move(all));
+  } else {
+    made.set(act_key::confidence, lower(slot[act_key::confidence]));
+  }
+  return made;
 }
 
 } // namespace
@@ -93,16 +109,13 @@ bool makes_more_sense(const Understanding& other, const Understanding& best,
 
 void make_doubtful(Understanding& made) {
   for (auto& act : made.acts) {
-    auto doubted = *act.if_map();
-    doubted.set(act_key::confidence, lower(act[act_key::confidence]));
+    auto less_sure = *act.if_map();
+    less_sure.set(act_key::confidence, lower(act[act_key::confidence]));
     Map slots;
-    for (const auto& [name, slot] : act[act_key::slots].if_map()->entries()) {
-      auto value = *slot.if_map();
-      value.set(act_key::confidence, lower(slot[act_key::confidence]));
-      slots.set(name, std::move(value));
-    }
-    doubted.set(act_key::slots, std::move(slots));
-    act = std::move(doubted);
+    for (const auto& [name, slot] : act[act_key::slots].if_map()->entries())
+      slots.set(name, doubted(slot));
+    less_sure.set(act_key::slots, std::move(slots));
+    act = std::move(less_sure);
   }
 }
 

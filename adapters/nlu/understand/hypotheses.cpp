@@ -21,10 +21,12 @@ bool overlap(const Fill& fill, std::uint32_t begin, std::uint32_t end) {
   return fill.begin < end && begin < fill.end;
 }
 
-// A slot is filled once, and a word fills one slot.
-bool may_add(const std::vector<Fill>& fills, const Fill& more) {
+// A slot is filled once, but for one with several values; a word fills one
+// slot.
+bool may_add(const std::vector<Fill>& fills, const Fill& more, bool many) {
   return std::ranges::none_of(fills, [&](const Fill& fill) {
-    return fill.slot == more.slot || overlap(fill, more.begin, more.end);
+    return (fill.slot == more.slot && !many) ||
+           overlap(fill, more.begin, more.end);
   });
 }
 
@@ -92,7 +94,7 @@ private:
   }
 
   void add(Fill fill) {
-    if (may_add(fills_, fill))
+    if (may_add(fills_, fill, schema_.at(topic_).takes_many(fill.slot)))
       fills_.push_back(std::move(fill));
   }
 
@@ -117,12 +119,84 @@ double bonus_of(const BuiltAct& act, const Context& context) {
   return context.bonus(act.topic) + (asked ? asked_bonus : 0);
 }
 
-// Whether the utterance has only function words and fillers.
-bool means_nothing(const Utterance& utterance) {
-  for (std::size_t at = 0; at < utterance.size(); ++at)
-    if (!utterance.function[at] && !utterance.filler[at])
-      return false;
-  return true;
+// Evidence of known values: the share of the utterance that they are, and which
+// topics take all of them.
+class ValueEvidence {
+public:
+  ValueEvidence(const Utterance& utterance,
+                const std::vector<LearningWord>& words, const Schema& schema,
+                const std::vector<TopicHypothesis>& topics)
+      : schema_(schema) {
+    double known = 0;
+    for (std::size_t at = 0; at < words.size(); ++at)
+      if (const auto kind = words[at].kind; kind != 0) {
+        known += utterance.weight[at];
+        if (std::ranges::find(entities_, kind - 1) == entities_.end())
+          entities_.push_back(kind - 1);
+      }
+    const auto all = utterance.weight_of(0, utterance.size());
+    share_ = all > 0 ? known / all : 0;
+    for (const auto& one : topics)
+      if (takes_all(one.topic))
+        rivals_ += one.probability;
+  }
+
+  // The probability by examples and values together: either may be right while
+  // the other says nothing. Values speak for each topic that takes them, as far
+  // as the examples prefer it.
+  double joined(const TopicHypothesis& hypothesis) const {
+    const auto probability = hypothesis.probability;
+    if (share_ == 0 || rivals_ == 0 || !takes_all(hypothesis.topic))
+      return probability;
+    const auto by_values = share_ * probability / rivals_;
+    return 1 - (1 - probability) * (1 - by_values);
+  }
+
+private:
+  bool takes_all(TopicNumber topic) const {
+    const auto& slots = schema_.at(topic).slots;
+    return std::ranges::all_of(entities_, [&](EntityId entity) {
+      return std::ranges::find(slots, entity, &Schema::Slot::entity) !=
+             slots.end();
+    });
+  }
+
+  const Schema& schema_;
+  std::vector<EntityId> entities_;
+  double share_ = 0;
+  // The probability of all topics that take all values.
+  double rivals_ = 0;
+};
+
+// What a topic needs that only small words and values speak for.
+constexpr double very_likely = 0.9;
+constexpr std::size_t least_small_words = 3;
+
+// What an utterance is made of, beside fillers.
+struct Makeup {
+  bool content = false; // words that may tell a topic
+  bool values = false;
+  std::size_t small = 0; // function words
+};
+
+Makeup makeup_of(const Utterance& utterance,
+                 const std::vector<LearningWord>& words) {
+  Makeup made;
+  for (std::size_t at = 0; at < utterance.size(); ++at) {
+    const bool is_value = words[at].kind != 0;
+    if (utterance.function[at])
+      made.small += is_value ? 0U : 1U;
+    else if (!utterance.filler[at])
+      (is_value ? made.values : made.content) = true;
+  }
+  return made;
+}
+
+// Without content only a very likely topic counts, and only beside a few small
+// words: "what desserts do you have", but not "the kitchen".
+bool tells_nothing(const Makeup& makeup) {
+  return !makeup.content &&
+         (!makeup.values || makeup.small < least_small_words);
 }
 
 // The answer to a negated order.
@@ -135,6 +209,33 @@ BuiltAct refusal(const Utterance& utterance, double score) {
   return act;
 }
 
+// Whether the hypothesis has these values, too.
+bool has_all(const BuiltAct& hypothesis, const BuiltAct& act) {
+  return std::ranges::all_of(act.fills, [&](const Fill& fill) {
+    return std::ranges::any_of(hypothesis.fills, [&](const Fill& other) {
+      return other.begin <= fill.begin && fill.end <= other.end;
+    });
+  });
+}
+
+// Acts about the conversation for which a part of a sentence about a topic may
+// be taken: "repeat the alarm". A yes or no is never replaced.
+bool is_replaceable(const BuiltAct& act) {
+  return act.topic == no_topic && act.score < well_understood &&
+         act.act != "confirm" && act.act != "deny" && act.act != "correct";
+}
+
+// A bare value tells no topic by itself. If the conversation does not expect
+// it, the words around it decide.
+bool is_better(const BuiltAct& act, const BuiltAct& hypothesis,
+               const Context& context) {
+  if (act.topic == no_topic)
+    return is_replaceable(act) && hypothesis.score > act.score;
+  return act.elliptical && act.act != "correct" &&
+         (act.score < hypothesis.score ||
+          (max_bonus(act.topic, context) == 0 && has_all(hypothesis, act)));
+}
+
 } // namespace
 
 std::vector<BuiltAct> hypothesised_acts(const TrainedModel& learned,
@@ -143,30 +244,43 @@ std::vector<BuiltAct> hypothesised_acts(const TrainedModel& learned,
                                         const Context& context,
                                         double threshold) {
   std::vector<BuiltAct> acts;
-  if (learned.empty() || means_nothing(utterance))
+  if (learned.empty())
     return acts;
   const auto words = learning_words(utterance, spans);
+  const auto makeup = makeup_of(utterance, words);
+  if (tells_nothing(makeup))
+    return acts;
   auto topics = learned.topics(words);
+  const ValueEvidence evidence(utterance, words, schema, topics);
   topics.resize(std::min(topics.size(), max_topics));
   std::vector<std::vector<Feature>> features;
   for (const auto& hypothesis : topics) {
     // Topics that cannot reach the threshold are skipped before the slots,
     // which are the expensive part, are looked for.
-    if (hypothesis.probability + max_bonus(hypothesis.topic, context) <
-        threshold)
+    const auto& topic = schema.at(hypothesis.topic);
+    if ((topic.part && !context.goes_on(hypothesis.topic)) ||
+        (!makeup.content && hypothesis.probability < very_likely))
+      continue;
+    const auto probability = evidence.joined(hypothesis);
+    if (probability + max_bonus(hypothesis.topic, context) < threshold)
       continue;
     if (features.empty())
       features = word_features(words);
     BuiltAct act;
-    // A negated order is a refusal, whatever it is about.
-    if (is_negated_order(utterance.tokens, utterance.negates))
-      return {refusal(utterance, hypothesis.probability)};
+    // A negated order is a refusal, unless such orders are what the topic is
+    // about, or a more likely one.
+    if (!hypothesis.negates &&
+        is_negated_order(utterance.tokens, utterance.negates)) {
+      if (acts.empty())
+        return {refusal(utterance, probability)};
+      continue;
+    }
     act.act = schema.at(hypothesis.topic).enquiry ? "request" : "inform";
     act.topic = hypothesis.topic;
     act.fills = SlotFiller(utterance, spans, schema, hypothesis.topic)
                     .run(learned.slots(hypothesis.topic, features));
     act.end = static_cast<std::uint32_t>(utterance.size());
-    act.score = hypothesis.probability + bonus_of(act, context);
+    act.score = probability + bonus_of(act, context);
     if (act.score >= threshold)
       acts.push_back(std::move(act));
   }
@@ -179,14 +293,15 @@ std::vector<BuiltAct> hypothesised_acts(const TrainedModel& learned,
 
 bool leaves_open(const std::vector<BuiltAct>& acts) {
   return acts.empty() ||
-         (acts.size() == 1 && acts[0].topic != no_topic &&
-          (acts[0].elliptical || acts[0].score < well_understood));
+         (acts.size() == 1 &&
+          (acts[0].topic == no_topic
+               ? is_replaceable(acts[0])
+               : acts[0].elliptical || acts[0].score < well_understood));
 }
 
 bool prefer_better(std::vector<BuiltAct>& acts, const BuiltAct& hypothesis,
-                   const Context& context) {
-  const bool better =
-      acts.empty() || (acts[0].elliptical && acts[0].score < hypothesis.score);
+                   const Schema& schema, const Context& context) {
+  const bool better = acts.empty() || is_better(acts[0], hypothesis, context);
   if (acts.empty() || (better && acts[0].topic != hypothesis.topic)) {
     acts = {hypothesis};
     return true;
@@ -194,7 +309,8 @@ bool prefer_better(std::vector<BuiltAct>& acts, const BuiltAct& hypothesis,
   if (acts[0].topic != hypothesis.topic || acts[0].act == "deny")
     return false;
   for (const auto& fill : hypothesis.fills)
-    if (may_add(acts[0].fills, fill))
+    if (may_add(acts[0].fills, fill,
+                schema.at(hypothesis.topic).takes_many(fill.slot)))
       acts[0].fills.push_back(fill);
   // Several topics take this value, but the whole sentence is about this one:
   // the act is no longer elliptical.

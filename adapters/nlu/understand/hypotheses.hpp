@@ -27,6 +27,6 @@ bool leaves_open(const std::vector<BuiltAct>& acts);
 // value about the topic that the context expects is kept, whatever the examples
 // say.
 bool prefer_better(std::vector<BuiltAct>& acts, const BuiltAct& hypothesis,
-                   const Context& context);
+                   const Schema& schema, const Context& context);
 
 } // namespace parlour::adapters::nlu

@@ -8,9 +8,12 @@
 
 #include "adapters/nlu/grammar/automaton_builder.hpp"
 #include "adapters/nlu/grammar/examples.hpp"
+#include "adapters/nlu/parse/act_value.hpp"
 #include "adapters/nlu/parse/acts.hpp"
+#include "adapters/nlu/parse/choice.hpp"
 #include "adapters/nlu/parse/correction.hpp"
 #include "adapters/nlu/parse/doubt.hpp"
+#include "adapters/nlu/parse/open_words.hpp"
 #include "adapters/nlu/understand/explanation.hpp"
 #include "adapters/nlu/understand/heard_texts.hpp"
 #include "adapters/nlu/understand/hypotheses.hpp"
@@ -258,9 +261,9 @@ NluEngine::build(const UnderstandingModel& model, const ColumnReader& columns,
       TrainedModel::train(model.topics, schema, automaton, options.threshold);
   if (!learned)
     return tl::make_unexpected(std::vector{learned.error()});
-  return NluEngine(std::make_unique<const Implementation>(
-      std::move(schema), std::move(automaton), std::move(*learned),
-      options.threshold));
+  return NluEngine(std::unique_ptr<const Implementation>(
+      new Implementation{std::move(schema), std::move(automaton),
+                         std::move(*learned), options.threshold}));
 }
 
 Understanding NluEngine::understand(std::string_view text, const Value& context,
@@ -295,15 +298,24 @@ Understanding NluEngine::read(std::string_view text, const Value& context_value,
                   context.grammar);
   auto islands = read_islands(matcher.run(), matcher.traces(), spans,
                               self.automaton, schema, context);
+  leave_out_guesses(islands, spans, schema);
+  leave_out_strangers(islands, utterance, spans);
+  trust_whole_values(islands, utterance, spans);
+  leave_out_parts(islands, schema, context);
   prefer_answers(islands, context);
+  prefer_application(islands);
+  drop_implausible(islands, utterance, spans);
   const auto chains = best_chains(islands, utterance.size(), context);
   auto acts = self.acts_of(chains[0], utterance, context);
+  const auto choice = choice_of(utterance, context);
+  if (choice)
+    acts = {*choice};
   // Examples are asked only if grammars left something open.
-  const auto hypotheses = leaves_open(acts)
+  const auto hypotheses = !choice && leaves_open(acts)
                               ? self.hypotheses(utterance, spans, context)
                               : std::vector<BuiltAct>();
-  const bool guessed =
-      !hypotheses.empty() && prefer_better(acts, hypotheses[0], context);
+  const bool guessed = !hypotheses.empty() &&
+                       prefer_better(acts, hypotheses[0], schema, context);
   for (auto& act : acts)
     correct_what_was_said(act, spans, context);
 
@@ -320,7 +332,7 @@ Understanding NluEngine::read(std::string_view text, const Value& context_value,
   if (guessed)
     add_alternatives(made, {{hypotheses.begin() + 1, hypotheses.end()}, false},
                      utterance, spans, schema);
-  else if (acts.size() == 1 && acts[0].topic != no_topic)
+  else if (!choice && acts.size() == 1 && acts[0].topic != no_topic)
     add_alternatives(made,
                      self.other_chains(chains, acts[0], utterance, context),
                      utterance, spans, schema);

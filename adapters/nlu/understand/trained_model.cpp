@@ -5,10 +5,10 @@
 #include "adapters/nlu/understand/trained_model.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "adapters/nlu/grammar/marked_text.hpp"
+#include "adapters/nlu/text/negation.hpp"
 #include "adapters/nlu/text/words.hpp"
 
 namespace parlour::adapters::nlu {
@@ -25,43 +25,20 @@ constexpr std::size_t words_of_nothing = 20;
 // One text in this many is held out for the calibration.
 constexpr std::size_t one_in = 5;
 
-// The least share of an utterance that examples must have. A few letters in
-// common ("foo" and "for") stay below it; another form of a word ("renting" for
-// "rent") is above.
-constexpr float min_known = 0.3F;
+// Whether a text is held out. Texts that differ in their values only, made from
+// one template, are held out together: a text whose like was learnt tells
+// nothing of those that people will say.
+bool held_out(const std::vector<Feature>& features) {
+  Feature sum = 0;
+  for (const auto feature : features)
+    if (class_of(feature) != FeatureClass::word_of_value)
+      sum = (sum ^ feature) * 0x100000001b3;
+  return (sum >> 32) % one_in == 0;
+}
 
 // Whether the span is a known value, without titles and determiners before it.
 bool is_certain(const Span& span) {
   return !span.weak && !span.unmatched && span.begin == span.core;
-}
-
-// The probability of the most likely label at this calibration.
-float highest(std::vector<float> scores, float calibration) {
-  for (auto& score : scores)
-    score *= calibration;
-  const auto probabilities = softmax(std::move(scores));
-  return *std::ranges::max_element(probabilities);
-}
-
-// Finds the smallest calibration at which 97 of 100 texts that were held out
-// reach the threshold, by bisection between 1 and 8 on a logarithmic scale.
-// Texts that were not learnt score lower than those that were; without
-// calibration too many would miss the threshold.
-float calibration_of(const std::vector<std::vector<float>>& held_out,
-                     double threshold) {
-  const auto reaches = [&](float calibration) {
-    std::size_t count = 0;
-    for (const auto& scores : held_out)
-      count += highest(scores, calibration) >= threshold ? 1U : 0U;
-    return count * 100 >= held_out.size() * 97;
-  };
-  float low = 1;
-  float high = 8;
-  for (int step = 0; step < 12; ++step) {
-    const auto middle = std::sqrt(low * high);
-    (reaches(middle) ? high : low) = middle;
-  }
-  return high;
 }
 
 } // namespace
@@ -106,6 +83,7 @@ public:
     if (topic.examples.empty())
       return {};
     learned_.topics_.push_back(schema_.topic(topic.name));
+    learned_.negates_.push_back(false);
     for (const auto& example : topic.examples)
       if (const auto marked = read_marks(example)) {
         add(*marked);
@@ -140,7 +118,7 @@ private:
                       "or write one topic for several");
     learned_.classifier_ = std::move(*classifier);
     if (texts_.size() >= many_texts)
-      learned_.calibration_ = find_calibration(labels, threshold);
+      settle(labels, threshold);
     // Frees the memory before the tagger needs it.
     texts_ = {};
     return {};
@@ -176,6 +154,8 @@ private:
 
   void add(const MarkedText& marked) {
     const Read read(marked.text, schema_, automaton_);
+    if (is_negated_order(read.utterance.tokens, read.utterance.negates))
+      learned_.negates_.back() = true;
     texts_.push_back({text_features(read.words),
                       static_cast<std::uint32_t>(learned_.topics_.size())});
     features_ += texts_.back().features.size();
@@ -245,18 +225,20 @@ private:
 
   // Trains a second classifier without the texts that are held out. Moves the
   // texts, so that none is in memory twice.
-  float find_calibration(std::uint32_t labels, double threshold) {
+  void settle(std::uint32_t labels, double threshold) {
     std::vector<LabelledText> learnt;
-    std::vector<LabelledText> held_out;
+    std::vector<LabelledText> others;
     for (std::size_t at = 0; at < texts_.size(); ++at) {
-      const bool out = at % one_in == 0 && texts_[at].label != nothing;
-      (out ? held_out : learnt).push_back(std::move(texts_[at]));
+      const bool out =
+          held_out(texts_[at].features) && texts_[at].label != nothing;
+      (out ? others : learnt).push_back(std::move(texts_[at]));
     }
     const auto trial = Classifier::train(learnt, labels);
-    std::vector<std::vector<float>> scores;
-    for (const auto& text : held_out)
-      scores.push_back(trial->scores(text.features));
-    return calibration_of(scores, threshold);
+    std::vector<HeldOutText> read;
+    for (const auto& text : others)
+      read.push_back({trial->read(text.features), text.label});
+    learned_.certainty_ = Certainty(read, threshold);
+    learned_.least_known_ = 0;
   }
 
   TrainedModel& learned_;
@@ -285,16 +267,13 @@ TrainedModel::train(const std::vector<TopicModel>& topics, const Schema& schema,
 
 std::vector<TopicHypothesis>
 TrainedModel::topics(const std::vector<LearningWord>& words) const {
-  const auto features = text_features(words);
-  if (classifier_.known_share(features) < min_known)
+  const auto reading = classifier_.read(text_features(words));
+  if (reading.known < least_known_)
     return {};
-  auto scores = classifier_.scores(features);
-  for (auto& score : scores)
-    score *= calibration_;
-  const auto probabilities = softmax(std::move(scores));
+  const auto probabilities = certainty_.probabilities(reading);
   std::vector<TopicHypothesis> made;
   for (std::size_t at = 0; at < topics_.size(); ++at)
-    made.push_back({topics_[at], probabilities[at + 1]});
+    made.push_back({topics_[at], probabilities[at + 1], negates_[at]});
   std::ranges::stable_sort(made, std::greater(), &TopicHypothesis::probability);
   return made;
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "adapters/nlu/grammar/utterance.hpp"
+#include "adapters/nlu/learning/certainty.hpp"
 #include "adapters/nlu/learning/classifier.hpp"
 #include "adapters/nlu/learning/tagger.hpp"
 #include "adapters/nlu/parse/spans.hpp"
@@ -17,6 +18,9 @@ namespace parlour::adapters::nlu {
 struct TopicHypothesis {
   TopicNumber topic = no_topic;
   double probability = 0;
+  // Whether some of its examples are negated orders, so that one is no refusal:
+  // "do not disturb me".
+  bool negates = false;
 };
 
 struct SlotHypothesis {
@@ -44,9 +48,9 @@ struct LearningLimits {
 class TrainedModel {
 public:
   // Trains classifier and tagger. Examples whose marks do not fit are left out.
-  // With many examples, probabilities are calibrated so that 97 of 100 texts
-  // that were not learnt reach `threshold`. The error, of kind Limit, says what
-  // there is too much of.
+  // With many examples, probabilities are calibrated by texts that are held
+  // out, so that those which are told right reach `threshold`. The error, of
+  // kind Limit, says what there is too much of.
   static Expected<TrainedModel> train(const std::vector<TopicModel>& topics,
                                       const Schema& schema,
                                       const Automaton& automaton,
@@ -75,14 +79,18 @@ private:
 
   // The topic of each label from 1 on; label 0 means no topic.
   std::vector<TopicNumber> topics_;
+  // By label - 1: whether examples are negated orders.
+  std::vector<bool> negates_;
   std::vector<std::string> slots_;
   // By topic: its slots, as numbers of the tagger.
   std::vector<std::vector<std::uint32_t>> slots_of_;
   Classifier classifier_;
   Tagger tagger_;
-  // The calibration: a factor for the classifier's scores. Above 1 it makes the
-  // probabilities more decided.
-  float calibration_ = 1;
+  Certainty certainty_;
+  // The least share of an utterance that examples must have, if there are too
+  // few of them for more. A few letters in common ("foo" and "for") stay below
+  // it; another form of a word ("renting" for "rent") is above.
+  float least_known_ = 0.3F;
 };
 
 } // namespace parlour::adapters::nlu

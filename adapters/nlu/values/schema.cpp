@@ -30,13 +30,18 @@ const Schema::Slot* Schema::Topic::find(std::string_view slot) const {
   return found == slots.end() ? nullptr : &*found;
 }
 
+bool Schema::Topic::takes_many(std::string_view slot) const {
+  const auto* found = find(slot);
+  return found && found->many;
+}
+
 Schema::Schema(const UnderstandingModel& model, const ColumnReader& reader,
                std::vector<Error>& errors)
     : reader_(reader) {
   for (const auto& topic : model.topics) {
-    Topic made{topic.name, topic.enquiry, {}};
+    Topic made{topic.name, topic.enquiry, topic.part, {}};
     for (const auto& slot : topic.slots)
-      made.slots.push_back({slot.name, entity_of(slot, {}, errors)});
+      made.slots.push_back({slot.name, entity_of(slot, {}, errors), slot.many});
     topics_.push_back(std::move(made));
   }
 }
@@ -46,7 +51,7 @@ Schema::Schema(const UnderstandingModel& model, const ColumnReader& reader,
 EntityId Schema::entity_of(const SlotModel& slot, const SourceLocation& place,
                            std::vector<Error>& errors) {
   // The order matters: a slot of a set or column may have a type as well.
-  if (!slot.values.empty())
+  if (!slot.values.empty() || slot.type == "boolean" || slot.type == "part")
     return add_set(slot.values);
   if (!slot.source.empty())
     return column(slot.source, place, errors);

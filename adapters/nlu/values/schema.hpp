@@ -47,13 +47,16 @@ public:
   struct Slot {
     std::string name;
     EntityId entity = words_entity;
+    bool many = false; // several values of it may be said in one act
   };
   struct Topic {
     std::string name;
     bool enquiry = false;
+    bool part = false; // spoken about only while it goes on
     std::vector<Slot> slots;
 
     const Slot* find(std::string_view slot) const;
+    bool takes_many(std::string_view slot) const;
   };
   // What `@…` in a grammar stands for.
   struct Reference {

@@ -31,6 +31,33 @@ std::vector<std::string> value_words(const std::string& text) {
   return words;
 }
 
+// Whether the set looks like a list of people: enough values, nearly all of
+// two to six words that begin with a capital letter (but for "bin" and "s/o"),
+// without digits.
+constexpr std::size_t least_people = 10;
+
+bool is_persons_name(const std::string& text) {
+  std::size_t words = 0;
+  std::size_t capitals = 0;
+  bool begins = true;
+  for (const char letter : text) {
+    if (letter >= '0' && letter <= '9')
+      return false;
+    if (begins && letter != ' ')
+      ++words;
+    if (begins && letter >= 'A' && letter <= 'Z')
+      ++capitals;
+    begins = letter == ' ';
+  }
+  return words >= 2 && words <= 6 && capitals + 1 >= words;
+}
+
+bool are_people(const std::vector<std::string>& values) {
+  const auto named =
+      static_cast<std::size_t>(std::ranges::count_if(values, is_persons_name));
+  return values.size() >= least_people && named * 10 >= values.size() * 9;
+}
+
 std::uint16_t bit(std::size_t position) {
   return static_cast<std::uint16_t>(1U << position);
 }
@@ -39,7 +66,8 @@ std::uint16_t bit(std::size_t position) {
 
 SetId ValueIndex::add(const std::vector<std::string>& values) {
   const auto set = static_cast<SetId>(sets_.size());
-  sets_.push_back(static_cast<std::uint32_t>(values_.size()));
+  sets_.push_back(
+      {static_cast<std::uint32_t>(values_.size()), are_people(values)});
   std::unordered_set<std::string_view> seen;
   for (const auto& value : values)
     if (seen.insert(value).second)

@@ -7,6 +7,7 @@
 //  "ho jeffery"      Dr. Jeffery Ho
 //  "jeffery"         candidates: Dr. Jeffery Ho, Jeffery Lim
 //  "the cofee shop"  Coffee Shop, with a lower confidence
+//  "kelvin ho"       nobody, though "Ho" is known: a name must be covered
 //
 // It is an inverted index: each word has a list of the values in which it
 // occurs.
@@ -52,7 +53,7 @@ public:
                                const std::vector<bool>& plain) const;
 
   const std::string& value(SetId set, std::uint32_t number) const {
-    return values_[sets_[set] + number].text;
+    return values_[sets_[set].first + number].text;
   }
 
 private:
@@ -74,12 +75,19 @@ private:
     std::uint16_t mask = 0;
   };
 
+  struct Set {
+    // The index in values_ of its first value.
+    std::uint32_t first = 0;
+    // Its values look like names of people, so a word beside one that is left
+    // over means somebody else.
+    bool of_people = false;
+  };
+
   void add_value(const std::string& text, SetId set);
   void post(std::string_view word, std::uint32_t value, std::uint16_t mask);
 
   std::vector<Entry> values_;
-  // The index in values_ of the first value of each set.
-  std::vector<std::uint32_t> sets_;
+  std::vector<Set> sets_;
   WordIndex words_;
   // The lists, by number of the word.
   std::vector<std::vector<Posting>> postings_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <utility>
 
 #include "adapters/nlu/text/words.hpp"
@@ -11,15 +12,23 @@ namespace parlour::adapters::nlu {
 namespace {
 
 // How far a match may reach, in tokens.
-constexpr std::size_t widest_window = 10;
+constexpr std::size_t widest_window = 16;
 constexpr std::size_t max_candidates = 50;
 // A match with a lower confidence is dropped. Values whose quality is this
 // close to the best one's are candidates, too.
 constexpr double min_confidence = 0.6;
 constexpr double equally_good = 0.03;
-// Two words written as one must be almost correct: "jeffery" is not
+// The same for names of people, and what each word beside one costs that is
+// left over.
+constexpr double min_of_people = 0.7;
+constexpr double stranger_cost = 0.5;
+// A single word of a longer name must be more like it: "market" is no author.
+constexpr double single_word = 0.95;
+// Two words written as one must be nearly correct: "jeffery" is not
 // "jefferyho".
-constexpr double joined_similarity = 0.92;
+constexpr double joined_similarity = 0.9;
+// How many words may be skipped within a value: "son of", "er".
+constexpr std::size_t most_skipped = 3;
 
 int count(std::uint16_t mask) {
   return std::popcount(mask);
@@ -27,6 +36,16 @@ int count(std::uint16_t mask) {
 
 bool has_digit(std::string_view word) {
   return word.find_first_of("0123456789") != std::string_view::npos;
+}
+
+bool is_letter(std::string_view word) {
+  return word.size() == 1 && !has_digit(word);
+}
+
+// A word with another meaning that may be a name as well, since it is said like
+// one: "joanna so", "kelvin go".
+bool may_be_name(std::string_view word) {
+  return word == "so" || word == "go" || !is_function_word(word);
 }
 
 } // namespace
@@ -46,37 +65,78 @@ std::vector<ValueMatch> ValueSearch::run() {
 // Finds the values that each token fits, sorted by value, so that extend() can
 // walk through partial matches and fits together.
 void ValueSearch::collect_fits() {
-  for (std::size_t position = 0; position < fits_.size(); ++position) {
+  for (std::size_t position = 0; position < fits_.size(); ++position)
     add_fits(position);
-    std::ranges::stable_sort(fits_[position], {}, &Fit::value);
-  }
+  for (std::size_t position = 0; position < fits_.size(); ++position)
+    add_joined(position);
+  for (std::size_t position = 1; position < fits_.size(); ++position)
+    add_said_alike(position);
+  for (auto& fits : fits_)
+    std::ranges::stable_sort(fits, {}, &Fit::value);
 }
 
-// A plain word, or one with digits, is only looked up exactly. Two tokens
-// together may be one word of a value that was split ("coffee shop" for
-// "coffeeshop").
+// A plain word, or one with digits, is only looked up exactly.
 void ValueSearch::add_fits(std::size_t position) {
   const auto& word = tokens_.list[position].word;
   const bool misspelt = !plain_[position] && !has_digit(word);
   for (const auto& hit : index_.words_.find(word, misspelt))
     add_hit(position, hit, 1);
+  if (is_letter(word) &&
+      (position == 0 || !is_letter(tokens_.list[position - 1].word)))
+    add_spelt(position);
+}
+
+// Two tokens together may be one word of a value that was split ("coffee shop"
+// for "coffeeshop"), or two words that were split elsewhere.
+void ValueSearch::add_joined(std::size_t position) {
   const auto next = position + 1;
   if (next >= fits_.size() || tokens_.list[next].before != Break::none)
     return;
-  const bool joined = misspelt && !plain_[next] && fits_[position].empty();
+  const auto& word = tokens_.list[position].word;
+  const bool joined = !plain_[position] && !has_digit(word) && !plain_[next] &&
+                      (fits_[position].empty() || fits_[next].empty());
   for (const auto& hit :
        index_.words_.find(word + tokens_.list[next].word, joined))
     add_hit(position, hit, 2);
 }
 
+// "T A N": letters one by one, from three on.
+void ValueSearch::add_spelt(std::size_t position) {
+  std::string word;
+  auto at = position;
+  while (at < fits_.size() && is_letter(tokens_.list[at].word))
+    word += tokens_.list[at++].word;
+  const auto length = at - position;
+  if (length < 2 || length > widest_window)
+    return;
+  for (const auto& hit : index_.words_.find(word, length > 3))
+    add_hit(position, hit, static_cast<std::uint8_t>(length), true);
+}
+
+// Behind a word of a name, a word with a meaning of its own may be a name, too.
+void ValueSearch::add_said_alike(std::size_t position) {
+  const auto& word = tokens_.list[position].word;
+  auto before = position - 1;
+  while (before > 0 && is_hesitation(tokens_.list[before].word))
+    --before;
+  if (!plain_[position] || plain_[before] || fits_[before].empty() ||
+      !fits_[position].empty() || !may_be_name(word) || has_digit(word) ||
+      is_title(word) || is_light(word))
+    return;
+  for (const auto& hit : index_.words_.find_said_alike(word))
+    add_hit(position, hit, 1);
+}
+
 void ValueSearch::add_hit(std::size_t position, const WordIndex::Hit& hit,
-                          std::uint8_t length) {
+                          std::uint8_t length, bool spelt) {
   const auto similarity = static_cast<float>(hit.similarity);
   for (const auto& posting : index_.postings_[hit.word]) {
-    if (count(posting.mask) > 1 && hit.similarity < joined_similarity)
+    const auto set = index_.values_[posting.value].set;
+    if ((count(posting.mask) > 1 && hit.similarity < joined_similarity) ||
+        (hit.only_said && !index_.sets_[set].of_people))
       continue;
     fits_[position].push_back(
-        {posting.value, posting.mask, length, similarity});
+        {posting.value, posting.mask, length, similarity, spelt});
   }
 }
 
@@ -89,40 +149,41 @@ void ValueSearch::search_from(std::size_t begin) {
   const bool light = is_light(tokens_.list[begin].word);
   for (const auto& fit : fits_[begin]) {
     const auto heavy = index_.values_[fit.value].heavy;
-    if (light && (fit.mask & heavy) == 0)
+    // "do" is no part of "Bhavani d/o Letchumanan".
+    if ((fit.mask & heavy) == 0 && (light || heavy != 0))
       continue;
     ends_[begin + fit.length].push_back({fit.value, fit.mask, fit.length,
-                                         fit.similarity * fit.length,
-                                         !plain_[begin]});
+                                         fit.similarity * float(fit.length),
+                                         fit.similarity, !plain_[begin]});
   }
   // ends_[end] is complete here: partial matches only grow to the right.
-  // extend() is called a second time to skip a light word or a title inside of
-  // the value.
+  // extend() is called again to skip light words, titles and hesitations inside
+  // of the value.
   for (auto end = begin + 1; end <= last; ++end) {
     auto partials = std::exchange(ends_[end], {});
     if (partials.empty())
       continue;
     tidy(partials);
     emit(begin, end, partials);
-    extend(partials, begin, end, end);
-    if (end + 1 < last && may_skip(end))
-      extend(partials, begin, end + 1, end + 1);
+    extend(partials, begin, end);
+    for (auto skip = end;
+         skip < end + most_skipped && skip + 1 < last && may_skip(skip); ++skip)
+      extend(partials, begin, skip + 1);
   }
   // Clears what reached beyond the window.
-  for (auto end = last; end < ends_.size() && end <= last + 2; ++end)
+  for (auto end = last; end < ends_.size(); ++end)
     ends_[end].clear();
 }
 
 bool ValueSearch::may_skip(std::size_t position) const {
   const auto& word = tokens_.list[position].word;
-  return is_light(word) || is_title(word);
+  return is_light(word) || is_title(word) || is_hesitation(word);
 }
 
 // Extends each partial match by the fits at `position` that belong to the same
-// value and to words not yet found. `target` is the position behind which the
-// result ends.
+// value.
 void ValueSearch::extend(const Partials& partials, std::size_t begin,
-                         std::size_t position, std::size_t target) {
+                         std::size_t position) {
   if (position >= tokens_.list.size() ||
       tokens_.list[position].before == Break::sentence ||
       position - begin >= widest_window)
@@ -133,17 +194,27 @@ void ValueSearch::extend(const Partials& partials, std::size_t begin,
     while (fit != fits.end() && fit->value < partial.value)
       ++fit;
     for (auto same = fit; same != fits.end() && same->value == partial.value;
-         ++same) {
-      if ((same->mask & partial.mask) != 0)
-        continue;
-      auto longer = partial;
-      longer.mask |= same->mask;
-      longer.count = static_cast<std::uint8_t>(longer.count + same->length);
-      longer.similarity += same->similarity * same->length;
-      longer.own_word = longer.own_word || !plain_[position];
-      ends_[target + same->length].push_back(longer);
-    }
+         ++same)
+      extend_by(partial, *same, position);
   }
+}
+
+// By words not yet found, or by one that is said again letter by letter.
+void ValueSearch::extend_by(const Partial& partial, const Fit& fit,
+                            std::size_t position) {
+  const auto both = fit.mask & partial.mask;
+  if (both != 0 && !(fit.spelt && both == fit.mask))
+    return;
+  auto longer = partial;
+  longer.own_word = longer.own_word || !plain_[position];
+  if (both == 0) {
+    const int words = fit.spelt ? 1 : fit.length;
+    longer.mask |= fit.mask;
+    longer.count = static_cast<std::uint8_t>(longer.count + words);
+    longer.similarity += fit.similarity * static_cast<float>(words);
+    longer.fidelity *= fit.similarity;
+  }
+  ends_[position + fit.length].push_back(longer);
 }
 
 // Sorts by value and keeps the best partial match of each: the one with most
@@ -190,37 +261,82 @@ bool ValueSearch::whole(const Partial& partial) const {
   return (partial.mask & heavy) == heavy;
 }
 
-// Compares values: the average similarity of the words, with a bonus for a
-// value that was said completely.
-double ValueSearch::quality(const Partial& partial) const {
-  return double(partial.similarity) / partial.count +
-         (whole(partial) ? 0.2 : 0.0);
+bool ValueSearch::of_people(const Partial& partial) const {
+  return index_.sets_[index_.values_[partial.value].set].of_people;
 }
 
-// Counts unknown words beside the window that may belong to a name which is not
-// in the set: "Jeffery Smith" is not Jeffery Ho. At most two before and two
-// behind.
-std::size_t ValueSearch::strangers(std::size_t begin, std::size_t end) const {
-  std::size_t found = 0;
-  const auto is_stranger = [&](std::size_t position) {
-    const auto& word = tokens_.list[position].word;
-    return !plain_[position] && !is_light(word) && !is_title(word) &&
-           !has_digit(word);
+// Compares values: how similar the words are, with a bonus for a value that was
+// said completely. Each word of a person's name counts, not their average.
+double ValueSearch::quality(const Partial& partial) const {
+  const auto alike = of_people(partial)
+                         ? double(partial.fidelity)
+                         : double(partial.similarity) / partial.count;
+  return alike + (whole(partial) ? 0.2 : 0.0);
+}
+
+// Unknown words, and with people words of other names.
+bool ValueSearch::is_stranger(std::size_t position, SetId set) const {
+  const auto& word = tokens_.list[position].word;
+  if (is_title(word) || is_letter(word) || is_light(word) || has_digit(word))
+    return false;
+  if (!plain_[position])
+    return true;
+  return index_.sets_[set].of_people && !is_light(word) &&
+         std::ranges::any_of(fits_[position], [&](const Fit& fit) {
+           return index_.values_[fit.value].set == set && count(fit.mask) == 1;
+         });
+}
+
+// Counts words beside the window that may belong to a name which is not in the
+// set: "Jeffery Smith" is not Jeffery Ho. At most two before and two behind.
+// Connectors ("bin", "son of") and hesitations are passed over.
+std::size_t ValueSearch::strangers(std::size_t begin, std::size_t end,
+                                   SetId set) const {
+  const auto& list = tokens_.list;
+  const bool people = index_.sets_[set].of_people;
+  const auto is_link = [&](std::size_t at) {
+    const auto& word = list[at].word;
+    return is_hesitation(word) ||
+           (people && (is_connector(word) || word == "of" || is_title(word)));
   };
-  for (auto at = begin; at > 0 && tokens_.list[at].before == Break::none &&
-                        is_stranger(at - 1) && found < 2;
+  std::size_t found = 0;
+  for (auto at = begin; at > 0 && list[at].before == Break::none && found < 2;
        --at)
-    ++found;
+    if (is_stranger(at - 1, set))
+      ++found;
+    else if (!is_link(at - 1))
+      break;
   // The words after "of" count too: "a glass of water" does not mean one of the
   // glasses.
   auto at = end;
-  if (at + 1 < tokens_.list.size() && tokens_.list[at].word == "of")
+  if (at + 1 < list.size() && list[at].word == "of")
     ++at;
-  for (; at < tokens_.list.size() && tokens_.list[at].before == Break::none &&
-         is_stranger(at) && found < 4;
-       ++at)
-    ++found;
+  for (; at < list.size() && list[at].before == Break::none && found < 4; ++at)
+    if (is_stranger(at, set))
+      ++found;
+    else if (!is_link(at))
+      break;
   return found;
+}
+
+// A value that was said in part must be spelt better, and unknown words beside
+// it count against it: "Changi" is not the money changer. Beside the name of a
+// person, they mean another person.
+double ValueSearch::confidence(const Partial& partial, std::size_t begin,
+                               std::size_t end) const {
+  const auto set = index_.values_[partial.value].set;
+  const auto used = double(partial.count);
+  const auto mean = double(partial.similarity) / used;
+  if (of_people(partial)) {
+    const auto others = double(strangers(begin, end, set));
+    const bool is_single = partial.count == 1 && !whole(partial);
+    return double(partial.fidelity) * (0.9 + 0.1 * recall(partial)) *
+           (is_single ? single_word : 1) * std::pow(stranger_cost, others);
+  }
+  if (whole(partial))
+    return mean;
+  return mean * mean * (0.9 + 0.1 * recall(partial)) * used /
+         (used + double(strangers(begin, end, set)));
 }
 
 void ValueSearch::emit_set(std::size_t begin, std::size_t end,
@@ -229,27 +345,21 @@ void ValueSearch::emit_set(std::size_t begin, std::size_t end,
   for (const auto& partial : partials)
     if (quality(partial) > quality(*best))
       best = &partial;
-  const auto used = double(best->count);
-  auto confidence = double(best->similarity) / used;
-  // A value that was said in part must be spelt better, and unknown words
-  // beside it count against it: "Changi" is not the money changer.
-  if (!whole(*best))
-    confidence *= confidence * (0.9 + 0.1 * recall(*best)) * used /
-                  (used + double(strangers(begin, end)));
-  if (confidence < min_confidence)
+  const auto sure = confidence(*best, begin, end);
+  if (sure < (of_people(*best) ? min_of_people : min_confidence))
     return;
   ValueMatch match{index_.values_[best->value].set,
                    static_cast<std::uint32_t>(begin),
                    static_cast<std::uint32_t>(end),
                    {},
-                   confidence,
+                   sure,
                    whole(*best),
                    false};
   match.stands_alone = match.whole || (best->own_word && recall(*best) >= 0.5);
   for (const auto& partial : partials)
     if (quality(partial) >= quality(*best) - equally_good &&
         match.values.size() < max_candidates)
-      match.values.push_back(partial.value - index_.sets_[match.set]);
+      match.values.push_back(partial.value - index_.sets_[match.set].first);
   matches_.push_back(std::move(match));
 }
 

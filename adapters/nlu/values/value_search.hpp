@@ -30,6 +30,8 @@ private:
     // In tokens.
     std::uint8_t length = 1;
     float similarity = 1;
+    // Letter by letter, which may repeat a word: "Tan, T A N".
+    bool spelt = false;
   };
 
   // A value of which some words were found since the window began.
@@ -39,6 +41,8 @@ private:
     // The tokens used, and the sum of their similarities.
     std::uint8_t count = 0;
     float similarity = 0;
+    // The product of the similarities.
+    float fidelity = 1;
     // One of the tokens has no other meaning.
     bool own_word = false;
   };
@@ -47,12 +51,16 @@ private:
 
   void collect_fits();
   void add_fits(std::size_t position);
+  void add_joined(std::size_t position);
+  void add_spelt(std::size_t position);
+  void add_said_alike(std::size_t position);
   void add_hit(std::size_t position, const WordIndex::Hit& hit,
-               std::uint8_t length);
+               std::uint8_t length, bool spelt = false);
 
   void search_from(std::size_t begin);
-  void extend(const Partials& partials, std::size_t begin, std::size_t position,
-              std::size_t target);
+  void extend(const Partials& partials, std::size_t begin,
+              std::size_t position);
+  void extend_by(const Partial& partial, const Fit& fit, std::size_t position);
   bool may_skip(std::size_t position) const;
   void tidy(Partials& partials) const;
 
@@ -62,7 +70,11 @@ private:
   double recall(const Partial& partial) const;
   bool whole(const Partial& partial) const;
   double quality(const Partial& partial) const;
-  std::size_t strangers(std::size_t begin, std::size_t end) const;
+  double confidence(const Partial& partial, std::size_t begin,
+                    std::size_t end) const;
+  bool of_people(const Partial& partial) const;
+  bool is_stranger(std::size_t position, SetId set) const;
+  std::size_t strangers(std::size_t begin, std::size_t end, SetId set) const;
 
   const ValueIndex& index_;
   const Tokens& tokens_;

@@ -4,7 +4,8 @@
 
 #include "script/compiler/code/body_compiler.hpp"
 
-#include "script/compiler/code/statements.hpp"
+#include "script/compiler/code/statements/branch_statements.hpp"
+#include "script/compiler/code/statements/statements.hpp"
 #include "script/values/objects.hpp"
 
 namespace parlour::script {
@@ -40,6 +41,17 @@ CodeId BodyCompiler::body(const Element& parent, const BodyContext& context,
   builder.at(parent.position);
   declare(builder, parameters);
   StatementCompiler(builder).block(parent, except);
+  return add(program_, builder.finish());
+}
+
+CodeId BodyCompiler::after_summary(const Element& topic, bool only_if_unsure,
+                                   const BodyContext& context) {
+  CodeBuilder builder(program_, names_, findings_, context);
+  builder.at(topic.position);
+  StatementCompiler statements(builder);
+  BranchStatements(statements).summary(topic.child("refused"), only_if_unsure);
+  if (const auto* filled = topic.child("filled"))
+    statements.block(*filled);
   return add(program_, builder.finish());
 }
 

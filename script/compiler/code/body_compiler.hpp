@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "script/compiler/code/declared_names.hpp"
+#include "script/compiler/code/expressions/declared_names.hpp"
 #include "script/program/program.hpp"
 #include "script/source/findings.hpp"
 
@@ -31,6 +31,11 @@ public:
   CodeId body(const Element& parent, const BodyContext& context,
               const std::vector<std::string>& parameters = {},
               ElementNames except = {});
+  // Compiles the <filled> of a topic, which need not be there, behind the
+  // question whether all that was said is right (engine rule 5.13), and its
+  // <refused>.
+  CodeId after_summary(const Element& topic, bool only_if_unsure,
+                       const BodyContext& context);
   // Compiles a <function>, its <param>s and statements, into the code that was
   // reserved for it.
   void function(const Element& element, CodeId reserved,

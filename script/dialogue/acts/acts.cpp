@@ -9,8 +9,8 @@ namespace parlour::dialogue {
 
 namespace {
 
-constexpr const char* unmatched_key = "unmatched";
-
+// Reads one frame list. All problems are collected, as one act that is wrong
+// must not hide another.
 class Parser {
 public:
   ParsedActs parse(const Value& frames) {
@@ -29,7 +29,7 @@ private:
   }
 
   // A list of maps, one map, or what <getlist> makes of FrameInfo: a list with
-  // the list in it.
+  // the list in it. Deeper lists are none: `depth` ends the recursion.
   void add(const Value& frames, int depth) {
     if (const auto* list = frames.if_list(); list && depth < 2) {
       for (const auto& entry : *list)
@@ -45,6 +45,8 @@ private:
       parsed_.acts.push_back(std::move(*parsed));
   }
 
+  // Alternatives are other readings of the utterance as a whole, so only its
+  // first act has them, and they have none themselves.
   std::optional<Act> act(const Value& frame, bool with_alternatives) {
     Act result;
     auto kind = this->kind(frame[act_key::act]);
@@ -105,6 +107,7 @@ private:
     return {};
   }
 
+  // `items` are several values of one slot: a SlotValue each, in their order.
   void slots(const Value& map, std::vector<SlotValue>& slots) {
     if (map.is_unknown())
       return;
@@ -113,10 +116,21 @@ private:
       return;
     }
     for (const auto& [name, value] : map.if_map()->entries())
-      if (auto parsed = slot(name, value))
-        slots.push_back(std::move(*parsed));
+      if (const auto* items = value[act_key::items].if_list())
+        for (const auto& item : *items)
+          add_slot(name, item, slots);
+      else
+        add_slot(name, value, slots);
   }
 
+  void add_slot(const std::string& name, const Value& value,
+                std::vector<SlotValue>& slots) {
+    if (auto parsed = slot(name, value))
+      slots.push_back(std::move(*parsed));
+  }
+
+  // Words alone are enough: the slot's cardinality may still make a value of
+  // them.
   std::optional<SlotValue> slot(const std::string& name, const Value& given) {
     SlotValue slot;
     slot.slot = name;
@@ -133,11 +147,19 @@ private:
     return slot;
   }
 
+  // A value with what is known about it. A wrong entry is left out by itself,
+  // the rest counts.
   void described(const Value& given, SlotValue& slot) {
     slot.value = given[act_key::value];
     slot.confidence = confidence(given[act_key::confidence]);
     slot.text = string(given, act_key::text);
-    slot.unmatched = flag(given, unmatched_key);
+    slot.unmatched = flag(given, act_key::unmatched);
+    slot.more = flag(given, act_key::more);
+    if (const auto& amount = given[act_key::amount];
+        amount.if_integer() || amount.if_number())
+      slot.amount = amount;
+    else if (!amount.is_unknown())
+      wrong_type(act_key::amount, amount);
     const auto& candidates = given[act_key::candidates];
     if (candidates.if_list())
       slot.candidates = *candidates.if_list();
@@ -145,6 +167,7 @@ private:
       wrong_type(act_key::candidates, candidates);
   }
 
+  // Rows of a database and bytes are no value that anybody can have said.
   void check_value(SlotValue& slot) {
     auto type = slot.value.type();
     if (type != ValueType::result && type != ValueType::binary)
@@ -170,9 +193,13 @@ private:
   ParsedActs parsed_;
 };
 
+// A value of which nothing else is known stands for itself: 'Time': '10:30'. A
+// value that is a map must be described, or its keys would be taken for a
+// description.
 Value to_value(const SlotValue& slot) {
   const bool plain = slot.confidence.is_unknown() && slot.text.empty() &&
                      slot.candidates.empty() && !slot.unmatched &&
+                     slot.amount.is_unknown() && !slot.more &&
                      !slot.value.if_map();
   if (plain)
     return slot.value;
@@ -182,8 +209,29 @@ Value to_value(const SlotValue& slot) {
   if (!slot.candidates.empty())
     map.set(act_key::candidates, slot.candidates);
   if (slot.unmatched)
-    map.set(unmatched_key, true);
+    map.set(act_key::unmatched, true);
+  if (!slot.amount.is_unknown())
+    map.set(act_key::amount, slot.amount);
+  if (slot.more)
+    map.set(act_key::more, true);
   return map;
+}
+
+// Several values of one slot are its items.
+Value to_value(const std::vector<SlotValue>& said) {
+  Map slots;
+  for (const auto& slot : said) {
+    const auto* known = slots.find(slot.slot);
+    if (!known) {
+      slots.set(slot.slot, to_value(slot));
+      continue;
+    }
+    const auto* items = (*known)[act_key::items].if_list();
+    auto all = items ? *items : List{*known};
+    all.push_back(to_value(slot));
+    slots.set(slot.slot, Map{{act_key::items, std::move(all)}});
+  }
+  return slots;
 }
 
 } // namespace
@@ -210,10 +258,7 @@ Value to_value(const Act& act) {
   map.set(act_key::topic, act.topic.empty() ? Value() : Value(act.topic));
   map.set(act_key::act, name_of(act.kind));
   map.set(act_key::confidence, act.confidence);
-  Map slots;
-  for (const auto& slot : act.slots)
-    slots.set(slot.slot, to_value(slot));
-  map.set(act_key::slots, std::move(slots));
+  map.set(act_key::slots, to_value(act.slots));
   map.set(act_key::text, act.text);
   map.set(act_key::elliptical, act.elliptical);
   List alternatives;

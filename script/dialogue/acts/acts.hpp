@@ -16,6 +16,9 @@ namespace parlour::dialogue {
 
 using parlour::ActKind;
 
+// What an act says about one slot. An act may have several of the same slot, if
+// that takes several values. Either a value or candidates is known, or at least
+// the words are.
 struct SlotValue {
   std::string slot;
   Value value;
@@ -23,13 +26,17 @@ struct SlotValue {
   std::string text;
   List candidates;
   bool unmatched = false;
+  Value amount = {}; // of a slot with several values; unknown: not said
+  bool more = false; // so many in addition
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(slot, value, confidence, text, candidates, unmatched);
+    archive(slot, value, confidence, text, candidates, unmatched, amount, more);
   }
 };
 
+// One thing that the user did with an utterance. Immutable once it is parsed:
+// steps and questions share it.
 struct Act {
   ActKind kind = ActKind::inform;
   std::string topic; // empty: for the classifier to choose
@@ -41,7 +48,7 @@ struct Act {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive.up_to(kind, ActKind::person);
+    archive.up_to(kind, last_act_kind);
     archive(topic, confidence, slots, text, elliptical, alternatives);
   }
 };
@@ -64,14 +71,19 @@ bool is_generic(const Act& act);
 
 using ActPointer = std::shared_ptr<const Act>;
 
+// The acts in the order in which they were said, and what was left out.
 struct ParsedActs {
   std::vector<Act> acts;
   std::vector<std::string> problems; // a sentence each
 };
 
+// `frames` comes from a script, so it may be anything. An act is left out whole
+// if its kind or its topic makes no sense, as it might be taken for another
+// one; of slots and confidences only what is wrong is.
 ParsedActs parse_acts(const Value& frames);
 
 // The same act as a map, for messages of source Dialogue and for NLU contexts.
+// parse_acts() of it gives the act again.
 Value to_value(const Act& act);
 
 } // namespace parlour::dialogue

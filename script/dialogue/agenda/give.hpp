@@ -5,8 +5,9 @@
 
 namespace parlour::dialogue {
 
-// To the first of the parts that takes steps of this kind; where none does, it
-// does not compile.
+// To the first of the parts that takes steps of this kind. Where none does, it
+// does not compile: a new kind in steps.def needs a taker. The order of the
+// parts matters only if two of them take the same kind.
 template <class Kind, class Part, class... Parts>
 void give(Kind&& step, Part& part, Parts&... others) {
   if constexpr (requires { part.take(std::forward<Kind>(step)); })

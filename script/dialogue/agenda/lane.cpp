@@ -5,6 +5,8 @@
 
 namespace parlour::dialogue {
 
+// An item that finds the lane at rest goes into the agenda directly, which
+// saves the way through the queue.
 void Lane::queue(StepList item) {
   if (item.empty())
     return;
@@ -30,6 +32,8 @@ Lane::Context& Lane::running() {
   return contexts_.back();
 }
 
+// Contexts that are done are left, and what waits to run is brought up, until
+// there is a step or nothing can be taken.
 Step* Lane::next() {
   running_ = true;
   taken_.reset();
@@ -42,7 +46,9 @@ Step* Lane::next() {
   return &taken_->step;
 }
 
-// Something that can run, or at least one context less, on top.
+// Something that can run, or at least one context less, on top. The order is
+// the one of engine rule 2.4: a wait that holds the lane comes before all, then
+// what was woken, then the next item.
 bool Lane::bring_up_next() {
   if (contexts_.size() > 1 && contexts_.back().waiting == 0) {
     contexts_.pop_back(); // it is done
@@ -58,7 +64,8 @@ bool Lane::bring_up_next() {
   return true;
 }
 
-// The latest that no longer waits.
+// The latest that no longer waits. It moves above all others, which wait:
+// contexts need not end in the order in which they began, as calls do.
 bool Lane::bring_up_woken() {
   const auto woken =
       std::find_if(contexts_.rbegin(), contexts_.rend(),
@@ -69,15 +76,24 @@ bool Lane::bring_up_woken() {
   return true;
 }
 
-// Both conclude.
+StepList Lane::take_acts() {
+  return acts_of(contexts_.back());
+}
+
+// The acts that are still to be taken become the next item.
 void Lane::part_with_acts(Context& context) {
+  if (auto item = acts_of(context); !item.empty())
+    queue_.push_front(std::move(item));
+}
+
+// Both items conclude, as each may lead to a question of its own.
+StepList Lane::acts_of(Context& context) {
   auto item = context.agenda.take_if(is<steps::TakeAct>);
-  if (item.empty())
-    return;
   if (const auto& remaining = context.agenda;
-      !remaining.empty() && is<steps::Conclude>(remaining.back()))
+      !item.empty() && !remaining.empty() &&
+      is<steps::Conclude>(remaining.back()))
     item.add(remaining.back());
-  queue_.push_front(std::move(item));
+  return item;
 }
 
 void Lane::wait(WaitId wait, Others others) {
@@ -94,6 +110,9 @@ Lane::Contexts::iterator Lane::waiting_so(WaitId wait) {
       [&](const Context& context) { return context.waits_so(wait); });
 }
 
+// The context is moved above those behind it that wait without holding the
+// lane. It stays below one that runs, which goes on first, and below one that
+// holds the lane.
 bool Lane::wake(WaitId wait, StepList steps) {
   const auto woken = waiting_so(wait);
   if (woken == contexts_.end())
@@ -130,6 +149,8 @@ StepList Lane::take_out(WaitId wait) {
   return agenda;
 }
 
+// A context that has no wait is dropped with its steps, the running one
+// included: what the user wants out of has nothing more to do.
 std::vector<WaitId> Lane::abandon(const std::vector<WaitId>& but) {
   const auto stays = [&](const Context& context) {
     return context.waiting != 0 &&
@@ -177,6 +198,7 @@ bool Lane::waits(WaitId wait) const {
       [&](const Context& context) { return context.waits_so(wait); });
 }
 
+// The last context is the running one.
 bool Lane::returning() const {
   return std::any_of(contexts_.begin(), contexts_.end() - 1,
                      [](const Context& context) { return context.can_run(); });

@@ -50,6 +50,8 @@ std::vector<Output> OutputQueue::withdraw_questions() {
   return withdraw([](const Output&) { return true; });
 }
 
+// The order of what stays is kept, and so is the order of what is withdrawn, in
+// which the trace shows it.
 std::vector<Output> OutputQueue::withdraw(const Which& which) {
   const auto first = std::stable_partition(
       entries_.begin(), entries_.end(), [&](const Output& output) {
@@ -63,6 +65,8 @@ std::vector<Output> OutputQueue::withdraw(const Which& which) {
   return withdrawn;
 }
 
+// Everything up to the first entry that waits for its words. The first release
+// of a robot turn forgets the turn before: "repeat" says what was said since.
 std::span<const Output> OutputQueue::release_pending() {
   const auto waits =
       std::find_if(entries_.begin(), entries_.end(), [](const Output& output) {
@@ -87,6 +91,8 @@ bool OutputQueue::empty() const {
   return entries_.empty();
 }
 
+// "The lift is over there, behind the …" (the visitor coughs) is repeated as
+// far as it was heard.
 std::vector<std::string> OutputQueue::last_turn() const {
   std::vector<std::string> texts;
   for (const auto& output : last_turn_) {

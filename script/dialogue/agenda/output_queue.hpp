@@ -1,5 +1,7 @@
-// OutputQueue: what the robot wants to say, until it is heard or withdrawn
-// (engine rule 3). Plain data with rules; who speaks is not its business.
+// OutputQueue: what the robot wants to say, until it is released or withdrawn
+// (engine rule 3). Plain data with rules; who speaks is not its business. The
+// order in which outputs are pushed is the order in which they leave, so one
+// that waits for its words blocks the others.
 #pragma once
 
 #include <cstdint>
@@ -16,8 +18,11 @@
 
 namespace parlour::dialogue {
 
+// Counted in each session from 1; 0: none.
 using OutputId = std::uint64_t;
 
+// What an output is (engine rule 3.3 has the table). Questions, reprompts and
+// resumes can be withdrawn.
 enum class OutputAct : std::uint8_t {
   answer,
   question,
@@ -26,6 +31,8 @@ enum class OutputAct : std::uint8_t {
   chat
 };
 
+// The stages of an output, in order. An output leaves the queue when it is
+// released; the queue then remembers it as a part of the robot's last turn.
 enum class OutputState : std::uint8_t {
   worded,  // waits for its words (an NLG component is asked)
   pending, // has its words; waits for release
@@ -34,10 +41,13 @@ enum class OutputState : std::uint8_t {
   withdrawn,
 };
 
+// One thing that the robot says. The OutputManager makes it; the port and the
+// seat get it when it is released.
 struct Output {
   OutputId id = 0;
   OutputAct act = OutputAct::answer;
   OutputState state = OutputState::pending;
+  // Empty while it waits for its words.
   std::string text;
   script::TopicId topic = script::no_id; // of a question, reprompt or resume
   script::SlotId slot = script::no_id;
@@ -56,12 +66,16 @@ struct Output {
 
 class OutputQueue {
 public:
-  // Returns the entry's id; a `worded` one blocks those behind it until
-  // `word` gives its text (an empty text drops it).
+  // Gives the entry an id, rising, and returns it. A `worded` one blocks those
+  // behind it until `word` gives its text (an empty text drops it).
   OutputId push(Output output);
+  // The words have come. Nothing happens where the entry was withdrawn
+  // meanwhile.
   void word(OutputId id, std::string text);
+  // Whether it is still queued: neither released nor withdrawn.
   bool has(OutputId id) const;
 
+  // Decides for one output.
   using Which = std::function<bool(const Output&)>;
   struct Released {
     std::span<const Output> released; // in order; until the next call
@@ -69,24 +83,29 @@ public:
   };
   // Releases what can be released now. Questions, reprompts and resumes are
   // withdrawn where a user turn has begun, as `begun` tells of an entry;
-  // answers never are.
+  // answers never are. An entry that waits for its words can be withdrawn, too;
+  // it is never released.
   Released release(const Which& begun);
   Released release(bool begun) { // for all alike
     return release([=](const Output&) { return begun; });
   }
 
-  // Withdraws pending questions (a transit, a cancel, another topic).
+  // Withdraws all questions, whoever talks (a transit, a cancel, another
+  // topic), and returns them.
   std::vector<Output> withdraw_questions();
 
   bool empty() const; // nothing waits for words or release
   // The texts of the last robot turn as far as they were heard, for "repeat".
+  // Nothing of an output that was not heard at all.
   std::vector<std::string> last_turn() const;
   // An output of that turn; null where it is none of them.
   const Output* released(OutputId id) const;
   // Of an output of that turn only these words were heard. Returns it as it
-  // was released; nothing where it is no longer known.
+  // was released; nothing where it is no longer known. Called again for the
+  // same output, the later words count.
   std::optional<Output> cut(OutputId id, std::string heard);
-  void turn_begins(); // the next release starts a new robot turn
+  // The next release starts a new robot turn; the last one is known until then.
+  void turn_begins();
 
   template <class Archive>
   void serialize(Archive& archive) {

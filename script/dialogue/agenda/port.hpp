@@ -3,7 +3,11 @@
 // implement it by noting the calls down. A call returns at once; outcomes come
 // back through Conversation's inputs, with the id given here. A conversation
 // that goes on with another port asks that one for what it still needs
-// (Conversation::resume).
+// (Conversation::resume). The session's actor calls a conversation and its port
+// on one thread only. A port must not call the conversation back from within a
+// call. What a port returns at once is noted with the input, so that a replay
+// can give it again (inputs/recording_port.hpp): a new function that answers at
+// once needs a letter there.
 #pragma once
 
 #include <cstdint>
@@ -12,8 +16,8 @@
 #include <vector>
 
 #include "runtime/base/clock.hpp"
-#include "runtime/base/files.hpp"
-#include "runtime/base/sockets.hpp"
+#include "runtime/base/outside/files.hpp"
+#include "runtime/base/outside/sockets.hpp"
 #include "runtime/message/inspection.hpp"
 #include "runtime/message/message.hpp"
 #include "runtime/message/roles.hpp"
@@ -23,47 +27,60 @@
 
 namespace parlour::dialogue {
 
+// Ids that the conversation chooses; unique within a session, and kept when it
+// goes on elsewhere. 0: none.
 using TimerId = std::uint64_t;
 using QueryId = std::uint64_t;
 using SocketId = std::uint64_t; // a session's own
 
+// A statement of a script or topic, or an end of a transaction, for a database
+// component. Conversation::query_answered brings the outcome.
 struct QueryRequest {
   enum class Kind : std::uint8_t { query, begin, commit, rollback };
 
   QueryId id = 0;
   Kind kind = Kind::query;
   std::string database; // a connection's name; empty: the first Database
+  // Of kind `query` only, as are the values.
   std::string sql;
   List values; // bound to its `?` in order
+  // Whether it may change data; else the database refuses a statement that does
+  // (language rule 11.12).
   bool write = false;
 };
 
+// A <load> or <unload>.
 struct ComponentRequest {
   QueryId id = 0;
   bool load = true; // else unload
+  // Of a load only.
   std::string plugin;
   std::string name; // the component's; of load, empty: the plug-in's
 };
 
+// A <socket> (language rule 11.9).
 struct SocketRequest {
   SocketId id = 0;
   std::string name; // the source of its messages
   SocketOrder order;
 };
 
+// Owned by whoever owns the conversation, which it outlives.
 class Port {
 public:
   virtual ~Port() = default;
 
   // A message of this session through the message centre's table: stamped,
   // routed, counted. What components that are called inline answer comes back
-  // at once.
+  // at once, in order; all other answers come as messages. A message of another
+  // session returns nothing.
   virtual std::vector<Message> post(Message message) = 0;
 
-  // From now on the session hears these of the events that belong to none.
+  // From now on the session hears these of the events that belong to none, and
+  // no others: `all` takes the place of what was said before.
   virtual void subscribe(const std::vector<Subscription>& all) = 0;
 
-  // Whether some component fills this role or has this name.
+  // Whether some component fills this role or has this name, and is up now.
   virtual bool reachable(const std::string& module) const = 0;
 
   // Whether a message's source is meant by `module`: the same name, or a role
@@ -81,7 +98,10 @@ public:
 
   // Conversation::timer_fired follows at that time; at once where it is over.
   virtual void start_timer(TimerId id, Timestamp due) = 0;
+  // It may ring all the same where it has rung already: Timers ignores that.
   virtual void cancel_timer(TimerId id) = 0;
+  // Conversation::query_answered follows, at the latest when `request-timeout`
+  // is over.
   virtual void query(QueryRequest request) = 0;
   // Conversation::file_answered follows.
   virtual void file(QueryId id, FileRequest request) = 0;
@@ -93,8 +113,10 @@ public:
   // the last one Conversation::socket_closed, if it was not closed here.
   virtual void open_socket(SocketRequest request) = 0;
   virtual Expected<void> send_socket(SocketId id, const std::string& text) = 0;
-  // A text of it was dealt with.
+  // A text of it was dealt with. While too many are not, the adapter reads no
+  // more of them (language rule 11.10).
   virtual void socket_taken(SocketId id) = 0;
+  // No message of it follows.
   virtual void close_socket(SocketId id) = 0;
 
   // Whether filling events are computed by others, the topics' actors. Else the
@@ -110,15 +132,18 @@ public:
   // No state and no handler took it: to be counted and logged.
   virtual void unhandled(const Message& message) = 0;
 
-  virtual bool inspected() const = 0; // else inspect need not be called
+  // Whether anybody watches; else inspect need not be called, but for errors
+  // and logs.
+  virtual bool inspected() const = 0;
   virtual void inspect(Inspection inspection) = 0;
 
   // What is private (private="true"): these texts, and what the user is just
-  // saying. Nobody who watches is shown them.
+  // saying. Nobody who watches is shown them (engine rule 7.6).
   virtual void conceal(const std::vector<std::string>&) {}
   virtual void conceal_turn() {}
   // Nothing that was received, up to the message of that number, waits for
-  // being understood.
+  // being understood: those that watch may be shown what was held back because
+  // it might have turned out to be private.
   virtual void settled(std::uint64_t /*received*/) {}
 
   // The session is over; nothing else will be wanted.

@@ -1,6 +1,7 @@
 // How a step is saved (saved/archive.hpp): the place of its kind in steps.def,
 // then its fields in the table's order. What the step's taker relies on is
-// checked when it is read.
+// checked when it is read. Bytes may be made up by anybody: a step that names a
+// rule of a topic that has none must fail here and not when the step is taken.
 #pragma once
 
 #include <algorithm>
@@ -14,6 +15,7 @@
 
 namespace parlour::dialogue {
 
+// Whether Kind is one of Kinds.
 template <class Kind, class... Kinds>
 inline constexpr bool is_one_of = (std::same_as<Kind, Kinds> || ...);
 
@@ -55,6 +57,7 @@ void check_topic(Archive& archive, const Kind& step) {
       check_lookup(archive, step.topic, *step.lookup);
 }
 
+// What steps of several kinds have in common, by the names of their fields.
 template <class Archive, class Kind>
 void check_step(Archive& archive, const Kind& step) {
   const auto& program = archive.program();
@@ -81,6 +84,14 @@ void check_kind(Archive& archive, const steps::Rule& step) {
   archive.check(step.topic < topics.size() &&
                     step.index < topics[step.topic].rules.size(),
                 "there is no such rule");
+}
+template <class Archive>
+void check_kind(Archive& archive, const steps::Part& step) {
+  const auto& topics = archive.program().topics;
+  archive.check(step.topic < topics.size() &&
+                    step.slot < topics[step.topic].slots.size() &&
+                    topics[step.topic].slots[step.slot].part != script::no_id,
+                "no topic fills that slot");
 }
 template <class Archive>
 void check_kind(Archive& archive, const steps::Report& step) {

@@ -1,6 +1,8 @@
 // StateStack: the active state, and those beneath it that pushed one as a
 // subtask (engine rules 2 and 4). The bottom level may hold no state. Each
-// entering of a state begins a visit, which ends when the state is left.
+// entering of a state begins a visit, which ends when the state is left. For
+// example, with <push state="Ringing"/> in the state "Welcome" there are two
+// levels, and what is waited for with the upper one is the <push>.
 #pragma once
 
 #include <algorithm>
@@ -13,9 +15,13 @@ namespace parlour::dialogue {
 
 using script::StateId;
 using script::TopicId;
+// The same state that is entered again is another visit: what the scripts of
+// the first one have started is over.
 using VisitId = std::uint64_t; // 0: none
 using WaitId = std::uint64_t;  // 0: none
 
+// Plain data, owned by the DialogueContext. The StateMachine changes it;
+// whoever wants to know where the conversation is reads it.
 class StateStack {
 public:
   struct Push { // an activation that pushed
@@ -28,6 +34,7 @@ public:
       archive.topic(topic);
     }
   };
+  // A state with its visit, and the <push> that it was entered by.
   struct Level {
     StateId state = script::no_id;
     VisitId visit = 0;
@@ -65,6 +72,7 @@ public:
     levels_.pop_back();
     return by;
   }
+  // Whether the active level is a subtask. Only then may pop() be called.
   bool pushed() const {
     return levels_.size() > 1;
   }

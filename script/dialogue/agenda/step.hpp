@@ -27,7 +27,8 @@ using OfferId =
     std::uint64_t; // of what reactions may keep; 0: nobody was asked
 using ResultPointer = std::shared_ptr<const FrameResult>;
 
-// Where a piece of script stands: what it starts may end with that.
+// Where a piece of script stands: what it starts (timers, waits) may end with
+// that (engine rule 4.7).
 struct Origin {
   VisitId visit = 0;              // of the state that it is of; 0: of none
   CodeId timer = script::no_code; // of the timer that it is of
@@ -39,7 +40,9 @@ struct Origin {
   }
 };
 
-// What a body of script is given, beside where it stands.
+// What a body of script is given, beside where it stands. Kept apart from the
+// Body, which stays small: most bodies are given nothing, and the reactions to
+// one act share one.
 struct BodyInput {
   std::vector<Value> arguments;
   std::shared_ptr<const Message> message; // null: it handles none
@@ -68,9 +71,12 @@ struct Body {
 };
 
 // A timer that rang, as long as anything of its statements is still to come.
+// Timers knows it by a weak pointer, the steps RunTimer and Conclude own it: it
+// is gone when the timer's item is done, and a repeating timer may ring again.
 struct Ring {
   std::string name;
   VisitId visit = 0;
+  // The timer was cancelled since it rang: its statements do not run.
   bool stopped = false;
 
   template <class Archive>
@@ -79,7 +85,8 @@ struct Ring {
   }
 };
 
-// A topic's queries on their way.
+// A topic's queries on their way: of several, those that come after the one
+// that is asked now may still be asked (engine rule 6.3).
 struct Lookup {
   KnowledgeQuery query;
   Statement statement;    // that is asked now
@@ -118,6 +125,9 @@ template <class None, class... Kinds>
 using OneOf = std::variant<Kinds...>;
 } // namespace steps
 
+// A variant of all kinds, in the table's order. The order is a part of the
+// saved form: a kind that is put in between others needs another
+// conversation_version (saved/archive.hpp).
 using Step = steps::OneOf<void
 #define STEP(kind, fields, sentence) , steps::kind
 #include "script/dialogue/agenda/steps.def"
@@ -129,7 +139,7 @@ bool is(const Step& step) {
   return std::holds_alternative<Kind>(step);
 }
 
-// The user turn that it works for; 0: none.
+// The user turn that it works for; 0: none. Of a step with a body, the body's.
 inline TurnId turn_of(const Step& step) {
   return std::visit(
       [](const auto& kind) -> TurnId {
@@ -153,7 +163,8 @@ inline std::shared_ptr<const BodyInput> input_of(std::vector<Value> arguments) {
       BodyInput{std::move(arguments), nullptr});
 }
 
-// A step that tells an outcome.
+// A step that gives the activation which waits so its outcome. The outcome is
+// moved out when the step is taken, so it is given once.
 inline steps::ResumeWait outcome_step(WaitId wait, Expected<Value> outcome) {
   return {wait, std::make_shared<Expected<Value>>(std::move(outcome))};
 }

@@ -1,5 +1,7 @@
 // StepList: steps in their order. A step is made once and stays where it is:
 // lists are put in front of one another, and steps taken, by pointers alone.
+// Most lists are short and live for a moment, so the nodes come from the
+// thread's BlockCache.
 #pragma once
 
 #include <concepts>
@@ -13,7 +15,9 @@
 
 namespace parlour::dialogue {
 
+// Owns its steps; can be moved, not copied. Not thread-safe.
 class StepList {
+  // One step and the next one. The list owns it, or whoever has taken it.
   struct Node {
     template <class Kind>
     explicit Node(std::in_place_t, Kind&& kind)
@@ -62,7 +66,7 @@ class StepList {
   };
 
 public:
-  // A step that was taken out.
+  // A step that was taken out; whoever holds it owns it.
   using Taken = std::unique_ptr<Node>;
 
   StepList() = default;
@@ -74,6 +78,7 @@ public:
   StepList(StepList&& other) noexcept
       : first_(std::exchange(other.first_, nullptr)),
         last_(std::exchange(other.last_, nullptr)) {}
+  // What this list had is with the other one afterwards, and is freed with it.
   StepList& operator=(StepList&& other) noexcept {
     std::swap(first_, other.first_);
     std::swap(last_, other.last_);
@@ -87,6 +92,7 @@ public:
   bool empty() const {
     return first_ == nullptr;
   }
+  // The list must not be empty.
   const Step& back() const {
     return last_->step;
   }
@@ -110,6 +116,7 @@ public:
     append(node, node);
     return node->step;
   }
+  // In constant time, and the other list is empty afterwards; prepend, too.
   void append(StepList&& other) {
     if (!other.empty())
       append(std::exchange(other.first_, nullptr),
@@ -126,7 +133,8 @@ public:
     *this = std::move(other);
   }
 
-  Taken take() { // the first one
+  // The first one; there must be one.
+  Taken take() {
     auto* node = std::exchange(first_, first_->next);
     if (!first_)
       last_ = nullptr;

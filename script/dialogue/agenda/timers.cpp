@@ -28,7 +28,8 @@ void Timers::resume() {
     port_->start_timer(id, timer.due);
 }
 
-// The latest are the likeliest.
+// From the end: the timers that come and go with each input, such as that of
+// silence, are the latest.
 Timers::Entries::iterator Timers::find(TimerId id) {
   const auto found =
       std::find_if(timers_.rbegin(), timers_.rend(),
@@ -44,6 +45,8 @@ void Timers::cancel(TimerId id) {
   port_->cancel_timer(id);
 }
 
+// A timer whose statements are queued already has no entry any more, only a
+// ring: stop_scripts stops both.
 void Timers::cancel_named(const std::string& name) {
   stop_scripts([&](const auto& timer) { return timer.name == name; });
 }
@@ -54,6 +57,9 @@ void Timers::cancel_wait(WaitId wait) {
   });
 }
 
+// The repeating one starts before its statements run, so that they can stop it.
+// It counts from now and not from when it was due: after a long pause it rings
+// once, and not as often as it would have.
 std::optional<Timer> Timers::fired(TimerId id, Timestamp now) {
   const auto found = find(id);
   if (found == timers_.end())
@@ -65,7 +71,8 @@ std::optional<Timer> Timers::fired(TimerId id, Timestamp now) {
   return timer;
 }
 
-// One that repeats is told by its name: another of that name takes its place.
+// One that repeats is told by its name: another of that name takes its place. A
+// ring that was stopped does not count, as its statements never run.
 std::shared_ptr<Ring> Timers::ring(const Timer& timer) {
   std::erase_if(rings_, [](const auto& ring) { return ring.expired(); });
   const bool goes_on =
@@ -93,6 +100,8 @@ bool Timers::any(Timer::Purpose purpose) const {
   });
 }
 
+// A <wait> always keeps the session open, and a <timer> as it says; the
+// engine's own timers do not (engine rule 3.8).
 bool Timers::keep_open() const {
   return std::any_of(timers_.begin(), timers_.end(), [](const auto& entry) {
     const auto& timer = entry.second;
@@ -116,6 +125,7 @@ std::vector<const Timer*> Timers::pending() const {
   return scripts;
 }
 
+// Only what scripts start counts: the engine's own timers are few.
 std::optional<Error> Timers::refuse(const Timer& timer,
                                     std::size_t limit) const {
   std::size_t count = 1;

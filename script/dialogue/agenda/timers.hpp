@@ -1,5 +1,8 @@
 // Timers: what a session waits for by the clock. The actor that rings only
-// knows an id; what it means is kept here, as plain data.
+// knows an id; what it means is kept here, as plain data. Who owns them is the
+// conversation; each wait for time, each deadline and the silence that it
+// watches is one of these, so that a saved conversation knows all of them by
+// the times when they are due.
 #pragma once
 
 #include <memory>
@@ -14,6 +17,8 @@
 
 namespace parlour::dialogue {
 
+// What one id means. Each purpose uses only some of the fields; the others stay
+// empty.
 struct Timer {
   // clang-format off
   enum class Purpose : std::uint8_t {
@@ -27,6 +32,7 @@ struct Timer {
   };
   // clang-format on
   Purpose purpose = Purpose::script;
+  // In milliseconds since 1970; the port rings at once where it is over.
   Timestamp due = 0;
   // Of a <timer>.
   std::string name{};
@@ -39,6 +45,9 @@ struct Timer {
   TopicId topic = script::no_id;
   // Of the others.
   WaitId wait = 0;
+  // Of a <request> and the like: what was asked, so that its ringing is a
+  // time-out and no end of a <wait>; 0: it is a <wait>. Of purpose `wording`:
+  // the Generate that NLG does not answer.
   Correlation correlation = 0;
 
   template <class Archive>
@@ -53,16 +62,22 @@ struct Timer {
   }
 };
 
+// Owned by ConversationImplementation. No call does anything to scripts: who
+// calls fired() acts on what it returns.
 class Timers {
 public:
   explicit Timers(Port& port) : port_(&port) {}
 
+  // Starts it with the port as well, and returns its id.
   TimerId start(Timestamp due, Timer timer);
   TimerId start(Timestamp due, Timer::Purpose purpose); // and no more
-  // Another port is to ring, at the same times.
+  // Another port is to ring, at the same times (engine rule 7.9).
   void resume();
   void cancel(TimerId id);
-  void cancel_named(const std::string& name); // scripts' ones
+  // Scripts' ones of that name, rung ones included whose statements have not
+  // run yet (language rule 10.3).
+  void cancel_named(const std::string& name);
+  // The deadline of a wait that was answered or given up.
   void cancel_wait(WaitId wait);
   // Scripts' ones that end with a visit of a state that is over.
   template <class IsOver>
@@ -90,6 +105,7 @@ public:
   // Takes a fired timer out; a repeating one starts again from `now`. Nothing
   // where it was cancelled meanwhile.
   std::optional<Timer> fired(TimerId id, Timestamp now);
+  // The session is over.
   void cancel_all();
   bool any(Timer::Purpose purpose) const;
   // Whether a session must not close yet.
@@ -101,7 +117,8 @@ public:
 
   std::vector<const Timer*> pending() const; // scripts' ones
   // Why one more of a script, a <timer> or <wait>, after those there are, is
-  // too much (language rule 9.6).
+  // too much (language rule 9.6). `limit` is in bytes, of what all of them
+  // remember. Nothing: it may be started.
   std::optional<Error> refuse(const Timer& timer, std::size_t limit) const;
 
   template <class Archive>

@@ -7,7 +7,10 @@ namespace parlour::dialogue {
 
 namespace {
 
-// Answers that come later than this many questions are strangers.
+// So many of the latest questions are remembered, answered ones included; an
+// answer to an older one belongs to no turn. Fewer would lose the turn of a
+// slow answer where a script posts a lot, more would only make saved sessions
+// larger.
 constexpr std::size_t remembered_questions = 256;
 
 } // namespace
@@ -30,6 +33,7 @@ void Turns::let_go(TurnId turn) {
   }
 }
 
+// Correlations rise, so the first entry of the map is the oldest question.
 void Turns::asked(Correlation correlation, TurnId turn, Timestamp until,
                   bool meaning) {
   if (!find(turn))
@@ -66,6 +70,9 @@ void Turns::taken_up(TurnId turn) {
   }
 }
 
+// Only a turn whose meaning was asked for counts as not understood: a component
+// that was told something by the way and never answers takes nothing from what
+// the user said.
 std::vector<TurnId> Turns::expire(Timestamp now) {
   std::vector<TurnId> without_meaning;
   for (auto& [correlation, question] : questions_) {
@@ -97,6 +104,8 @@ bool Turns::waits(const Turn& turn, Timestamp now) const {
   return !turn.taken && (turn.holders > 0 || asked_until(turn.id, now) > now);
 }
 
+// While a script or a queued message holds a turn, no time can be told: its
+// work ends by itself.
 std::optional<Timestamp> Turns::open_until(Timestamp now) const {
   Timestamp latest = speech_until_;
   for (const auto& turn : turns_) {
@@ -117,6 +126,7 @@ Timestamp Turns::asked_until(TurnId turn, Timestamp now) const {
   return latest;
 }
 
+// A turn is forgotten when nobody holds it and no answer on its behalf is due.
 void Turns::close_if_idle(TurnId turn) {
   const auto* found = find(turn);
   if (!found || found->holders > 0)

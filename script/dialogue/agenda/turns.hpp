@@ -2,7 +2,11 @@
 // (engine rule 3: a question waits for nobody who is already talking). A turn
 // begins when a recogniser's result, or a typed line, enters the session; it
 // stays open while a message of it is queued, a component is asked on its
-// behalf, or a script works for it.
+// behalf, or a script works for it. For example, the visitor says something
+// while a topic is about to ask for the time. His words begin turn 7; the
+// handler posts them to NLU, which holds the turn until its answer is there;
+// the answer's act is taken up, and turn 7 is done. A question that was to be
+// released in between was withdrawn.
 #pragma once
 
 #include <algorithm>
@@ -20,10 +24,14 @@ namespace parlour::dialogue {
 
 using TurnId = std::uint64_t; // 0: none
 
+// Plain data, owned by the DialogueContext; it is told the time and asks no
+// clock. All times are in milliseconds since 1970.
 class Turns {
 public:
-  // `heard`: what the recogniser may have heard, the likeliest text first; a
-  // list, or unknown where there is no choice.
+  // A user turn begins; returns its id, rising from 1. Whoever works for it
+  // calls hold(): a turn that nobody holds is not open. `heard`: what the
+  // recogniser may have heard, the likeliest text first; a list, or unknown
+  // where there is no choice.
   TurnId begin(Value heard = {});
   // The same; unknown once the turn is over.
   Value heard(TurnId turn) const;
@@ -44,7 +52,8 @@ public:
     return speech_until_ > now;
   }
 
-  // Something works for the turn; nothing happens for turn 0.
+  // Something works for the turn: a queued message, a script, a step. Each hold
+  // needs one let_go; nothing happens for turn 0, or for one that is over.
   void hold(TurnId turn) {
     if (auto* found = find(turn))
       ++found->holders;
@@ -57,9 +66,12 @@ public:
              bool meaning = false);
   // The turn that an answer belongs to; 0 where it answers nothing we know.
   TurnId of(Correlation correlation) const;
+  // The first answer ends the waiting; the turn of later ones can still be
+  // asked for by of().
   void answered(Correlation correlation);
 
-  // The dialogue took up what the turn said.
+  // The dialogue took up what the turn said: from now on it withdraws no
+  // question, whatever still works for it.
   void taken_up(TurnId turn);
 
   // Forgets questions whose time is over, and turns that hang on nothing else.
@@ -94,8 +106,11 @@ public:
   }
 
 private:
+  // Open, in the sense of engine rule 3.1, while it is not taken and anybody
+  // holds it or is asked.
   struct Turn {
     TurnId id = 0;
+    // How many hold it (hold).
     int holders = 0;
     bool taken = false;
     Value heard = {};
@@ -105,9 +120,12 @@ private:
       archive(id, holders, taken, heard);
     }
   };
+  // A component that was asked on a turn's behalf.
   struct Question {
     TurnId turn = 0;
     Timestamp until = 0;
+    // Neither answered nor expired. A closed one is kept, so that a late answer
+    // finds its turn.
     bool open = true;
     bool meaning = false;
 

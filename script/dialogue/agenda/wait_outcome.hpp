@@ -1,4 +1,7 @@
 // WaitOutcome: a script's wait is over: what it is given for it. Plain data.
+// Parts that keep waits (requests, queries, sockets) return it; the
+// conversation hands it on (ConversationImplementation::end_wait), so none of
+// them needs the ActivationRunner.
 #pragma once
 
 #include "runtime/base/error.hpp"
@@ -7,6 +10,8 @@
 
 namespace parlour::dialogue {
 
+// The activation that waits so goes on with this value, or with this error,
+// which its <catch> may take.
 struct WaitOutcome {
   WaitId wait = 0;
   Expected<Value> outcome;

@@ -15,6 +15,8 @@ ActivationRunner::start(CodeId code, const std::vector<Value>& arguments,
                  : Ran();
 }
 
+// The entry goes before the script runs: what the script does may end other
+// waits, and this one may wait again under another id.
 ActivationRunner::Ran ActivationRunner::resume(WaitId wait,
                                                Expected<Value> outcome) {
   auto found = waiting_.find(wait);
@@ -42,6 +44,10 @@ TurnId ActivationRunner::turn_of(WaitId wait) const {
   return found == waiting_.end() ? 0 : found->second.activation->context().turn;
 }
 
+// A handler that asks "Did you say 5?" and then gets other words asks about
+// these. The earlier question of the same statements is given up then (engine
+// rule 2.4). A topic's scripts are left alone: theirs are ended by
+// Confirmations.
 std::vector<WaitId> ActivationRunner::asked_before(WaitId wait) const {
   std::vector<WaitId> waits;
   const auto asking = waiting_.find(wait);
@@ -56,6 +62,9 @@ std::vector<WaitId> ActivationRunner::asked_before(WaitId wait) const {
   return waits;
 }
 
+// A script that waits for a component still gets its answer. One that waits for
+// the user or for time has no more use for it. The origin is forgotten, so that
+// none is told twice.
 std::vector<WaitId> ActivationRunner::take_those_of_left_states() {
   std::vector<WaitId> waits;
   for (auto& [id, waiting] : waiting_)
@@ -113,6 +122,9 @@ bool ActivationRunner::waits_for_others() const {
   });
 }
 
+// The error is shown with the stack of calls, and raised as Script.Error unless
+// the script that failed handles a Script.Error itself: it would be called for
+// ever.
 bool ActivationRunner::report(const script::ActivationContext& context,
                               const script::RunResult& result) {
   auto detail = to_string(result.error);

@@ -22,6 +22,10 @@
 
 namespace parlour::dialogue {
 
+// One for each conversation, owned by ConversationImplementation and called in
+// the session's turn. It knows the activations that wait, not where they wait:
+// an activation of the dialogue lane has a context there (Lane), one of the
+// pipeline lane an item (Pipeline), under the same WaitId.
 class ActivationRunner {
 public:
   ActivationRunner(DialogueContext& context, script::Interpreter& interpreter,
@@ -30,37 +34,46 @@ public:
       : context_(context), interpreter_(interpreter), messenger_(messenger),
         timers_(timers), running_(running), host_(host) {}
 
-  // What became of an activation that ran until it ended or waits.
+  // What became of an activation that ran until it ended or waits. Steps that
+  // the activation has handed over are not in it (RunningScript::hand_over).
   struct Ran {
     WaitId wait = 0; // for which it waits; 0: it has ended,
     // and of which topic it was, where no <catch> took its error.
     TopicId failed = script::no_id;
   };
-  // The steps that it asked for are then taken from the RunningScript.
+  // The steps that it asked for are then taken from the RunningScript. `origin`
+  // says which state's visit or which timer the body belongs to.
   Ran start(CodeId code, const std::vector<Value>& arguments,
             script::ActivationContext context, Origin origin = {});
+  // Goes on with an activation that waits: its effect gives the script this
+  // value, or throws this error there. A deadline of the wait is cancelled.
+  // Nothing happens where nothing waits so.
   Ran resume(WaitId wait, Expected<Value> outcome);
 
+  // Whether an activation, in either lane, waits so.
   bool waiting(WaitId wait) const {
     return waiting_.count(wait) > 0;
   }
+  // `answer` where nothing waits so.
   WaitFor waits_for(WaitId wait) const;
   // The user turn that the activation which waits works for.
   TurnId turn_of(WaitId wait) const;
   // Others that wait for the user in the same statements, outside of topics.
   std::vector<WaitId> asked_before(WaitId wait) const;
   // Waits for the user, or for time, of scripts whose state was left; each is
-  // told once.
+  // told once. The caller ends them as cancelled (engine rule 4.7).
   std::vector<WaitId> take_those_of_left_states();
   // Whether a <wait> of a topic's script goes on.
   bool topic_waits() const;
   bool anything_waits() const {
     return !waiting_.empty();
   }
-  // Whether anything waits that is not for the user.
+  // Whether anything waits that is not for the user. The end of a session waits
+  // for these.
   bool waits_for_others() const;
 
-  // A wait whose activation only used up its slice; 0: there is none.
+  // A wait whose activation only used up its slice (engine rule 2.7); 0: there
+  // is none. It is to be resumed with any value, which the script does not see.
   WaitId take_slice();
   bool has_slices() const {
     return !slices_.empty();
@@ -74,8 +87,11 @@ public:
   }
 
 private:
+  // An activation that is suspended, with what the engine has to know to go on
+  // with it.
   struct Waiting {
     std::unique_ptr<script::Activation> activation;
+    // The body that was started, of which the activation may run a function.
     CodeId code = script::no_code;
     WaitFor what = WaitFor::answer;
     Origin origin;
@@ -91,6 +107,7 @@ private:
     }
   };
 
+  // Keeps an activation that waits or has yielded, and reports one that failed.
   Ran dispose(std::unique_ptr<script::Activation> activation,
               const script::RunResult& result);
   // Whether it is a fault of the script.

@@ -1,4 +1,10 @@
-// Asked: a question that waits for the user's answer. Plain data.
+// Asked: a question that waits for the user's answer. Plain data. OpenQuestion
+// keeps the one that is asked now, Confirmations those of all scripts that
+// wait.
+//
+// Its words go through three stages: `pending` while the output queue has them,
+// then `heard` when they were released, or neither when they were withdrawn.
+// Only one that was heard can be answered.
 #pragma once
 
 #include <cstdint>
@@ -11,6 +17,7 @@
 
 namespace parlour::dialogue {
 
+// The field `purpose` says what it is about, and so which other fields count.
 struct Asked {
   enum class For : std::uint8_t {
     value,        // of a slot
@@ -19,6 +26,9 @@ struct Asked {
     yes_or_no,    // a script's <confirm>
     resume,       // whether to go on with a topic
     which_topic,  // that an act is about
+    truth,        // of a slot that is yes or no
+    more,         // whether there are further values of a slot
+    change,       // what of the topic is to be another
   };
   For purpose = For::value;
   TopicId topic = script::no_id;
@@ -30,39 +40,56 @@ struct Asked {
   std::string question;
   SlotId about = script::no_id;
   bool anew = false;
+  bool summary = false; // of all slots; its words are made when it is asked
 
   // Of a handler that asks about what the user said: the question before, which
   // that may answer.
   std::shared_ptr<const Asked> before;
 
-  std::shared_ptr<const Act> act; // which_topic: what was said
-  TurnId turn = 0;                // in which it was asked
-  std::size_t level = 0;          // of pushed states, then
+  // Of which_topic: what the user said before, which the answer completes.
+  std::shared_ptr<const Act> act;
+  TurnId turn = 0; // in which it was asked
+  // How many levels of states there were when it was asked: below a pushed
+  // state it is not answered.
+  std::size_t level = 0;
   OutputId output = 0;
-  std::string words;        // that were heard
+  // The words as they were released; for a yes or no, the understanding gets
+  // them, too.
+  std::string words;
   bool pending = true;      // still in the output queue
   bool heard = false;       // released; with neither, it was withdrawn
   bool repeats = false;     // the same words again: not another question
   bool interrupted = false; // something else was said since
-  std::uint32_t missed = 0; // times in a row, where there is no slot to count
+  // Times in a row that it was not answered, where there is no slot to count
+  // at.
+  std::uint32_t missed = 0;
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive.up_to(purpose, For::which_topic);
+    archive.up_to(purpose, For::change);
     archive.slot(topic, slot);
     archive.slot_of(topic, about);
     archive.code(body);
-    archive(wait, question, anew, before, act, turn, level, output, words,
-            pending, heard, repeats, interrupted, missed);
+    archive(wait, question, anew, summary, before, act, turn, level, output,
+            words, pending, heard, repeats, interrupted, missed);
   }
 
+  // Whether "yes" and "no" are answers to it.
   bool wants_yes_or_no() const {
     return purpose == For::yes_or_no || purpose == For::confirmation ||
-           purpose == For::resume;
+           purpose == For::resume || purpose == For::truth ||
+           purpose == For::more;
+  }
+  // Whether a slot is asked for, in wordings that take turns: its release is
+  // counted at the slot.
+  bool asks_for_value() const {
+    return purpose == For::value || purpose == For::truth ||
+           purpose == For::more;
   }
 };
 
-// One that words asked which others have said.
+// One that words asked which others have said, such as the <speak> of a slot's
+// <ambiguous>: it counts as heard.
 inline Asked asked_by_others(Asked::For purpose, TopicId topic, SlotId slot,
                              TurnId turn = 0) {
   Asked asked;

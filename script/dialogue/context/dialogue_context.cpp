@@ -11,6 +11,8 @@ DialogueContext::DialogueContext(
     : program(std::move(the_program)), options(std::move(the_options)),
       port(the_port), privacy(*program, interpreter, port) {}
 
+// The port must know what is private before it is shown a text that may hold
+// it.
 void DialogueContext::inspect(InspectionKind kind, std::string subject,
                               std::string detail) {
   privacy.note_variables(now);

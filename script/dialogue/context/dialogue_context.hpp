@@ -22,6 +22,8 @@ namespace parlour::dialogue {
 using script::SlotId;
 using script::TopicId;
 
+// Made by ConversationImplementation before all parts that refer to it, and so
+// outlives them. Not thread-safe.
 struct DialogueContext {
   // The port and the interpreter must outlive it.
   DialogueContext(const script::Interpreter& interpreter,
@@ -32,23 +34,29 @@ struct DialogueContext {
   const ConversationOptions options;
   Port& port;
 
-  Timestamp now = 0; // constant within one event
+  // Milliseconds since 1970, as the last input told it; constant within one
+  // event, so that a replay sees the same.
+  Timestamp now = 0;
   Ending ending;
   Turns turns;
   StateStack states;
   Lane lane;
   Privacy privacy;
 
+  // For correlations, waits, queries and sockets alike, so that none of these
+  // can be taken for another. Rising from 1.
   std::uint64_t next_id() {
     return ++last_id_;
   }
-  // Numbers go on where another conversation's have ended.
+  // Numbers go on where another conversation's have ended, as answers to that
+  // one's may still come.
   void number_after(const DialogueContext& before) {
     last_id_ = before.last_id_;
   }
   const script::Topic& topic(TopicId id) const {
     return program->topics[id];
   }
+  // The time when so much has passed.
   Timestamp in(Milliseconds time) const {
     return now + time.count();
   }
@@ -58,7 +66,8 @@ struct DialogueContext {
                                             : &program->states[states.active()];
   }
 
-  // Errors and logs are told even where nobody watches.
+  // Errors and logs are told even where nobody watches. Whoever makes a long
+  // text for it asks port.inspected() before.
   void inspect(InspectionKind kind, std::string subject, std::string detail);
   // A statement that a test's coverage counts is about to run.
   void reached(script::Position position) {

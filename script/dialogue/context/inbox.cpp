@@ -9,6 +9,7 @@ namespace parlour::dialogue {
 
 namespace {
 
+// The first message that counts.
 template <class Inputs>
 auto find_next(Inputs& inputs, Inbox::Of whom) {
   return whom == Inbox::Of::all ? inputs.begin()
@@ -55,6 +56,8 @@ void Inbox::external_event_begins() {
   is_told_ = false;
 }
 
+// A handler that fires the event which it handles would never end. Its events
+// are dropped, not the messages from outside: the user is still heard.
 Inbox::Count Inbox::count_internal() {
   if (++internal_count_ <= defaults::internal_events)
     return Count::within;

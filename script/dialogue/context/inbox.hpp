@@ -1,7 +1,10 @@
 // Inbox: what has come to a conversation and is not taken yet: messages from
 // outside in the order in which they arrived, and internal events, which come
 // before them and are limited (engine rules 2.1 and 2.6). All that is in it
-// holds its user turn. Plain data: it knows no script and no port.
+// holds its user turn. Plain data: it knows no script and no port. For example,
+// two typed lines arrive together; while the first is dealt with, the second is
+// known to be here, so that no question to the first is released (engine rule
+// 3.5).
 #pragma once
 
 #include <algorithm>
@@ -14,6 +17,8 @@
 
 namespace parlour::dialogue {
 
+// Owned by ConversationImplementation, which decides in which order the inbox,
+// outputs and slices are served.
 class Inbox {
 public:
   // `turns` must outlive the inbox.
@@ -27,7 +32,8 @@ public:
   // Whose messages count: not the user's while the conversation ends.
   enum class Of : std::uint8_t { all, all_but_user };
   bool has_message(Of whom) const;
-  // The next; nothing where there is none.
+  // The next; nothing where there is none. Whoever takes it lets its turn go
+  // when it is dealt with; the same holds for take_internal.
   std::optional<Input> take_message(Of whom);
   // All, without their turns: for another conversation.
   Fifo<Input> take_unread();
@@ -35,7 +41,8 @@ public:
   std::uint64_t received() const {
     return received_;
   }
-  // Those to come are numbered by another message centre.
+  // Those to come are numbered by another message centre, whose numbers may be
+  // lower.
   void number_anew() {
     received_ = 0;
   }
@@ -55,7 +62,8 @@ public:
     return std::any_of(internal_.begin(), internal_.end(), fits) ||
            std::any_of(messages_.begin(), messages_.end(), fits);
   }
-  // Whether something in it answers this.
+  // Whether something in it answers this. A wait whose answer is here needs
+  // neither a deadline nor to be asked for again.
   bool has_answer_to(Correlation correlation) const {
     return any([=](const Message& message) {
       return message.correlation == correlation;
@@ -76,6 +84,8 @@ public:
   bool has_dropped() const {
     return !dropped_.empty();
   }
+  // The caller settles what hangs on them, such as an output that waits for its
+  // words. Their turns were let go.
   Fifo<Input> take_dropped();
 
   // How far from outside the message is that is being handled (engine rule

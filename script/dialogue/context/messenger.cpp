@@ -8,6 +8,9 @@
 
 namespace parlour::dialogue {
 
+// An event that is raised is as far from outside as the message that led to it:
+// without that, two components that answer each other by way of a script would
+// never reach the limit (engine rule 1.6).
 void Messenger::raise(const char* source, std::string command,
                       std::vector<Value> params, TurnId turn) {
   context_.privacy.note_variables(context_.now);
@@ -33,6 +36,9 @@ void Messenger::raise(const char* source, std::string command,
   inbox_.add_internal(std::move(input));
 }
 
+// The turn is noted as asked before the port is called, as an inline component
+// has answered when that returns. Whether the meaning was asked for (DoNLU of
+// NLU) decides what becomes of the turn if no answer comes.
 Correlation Messenger::post(std::string module, std::string command,
                             std::vector<Value> params, TurnId turn) {
   context_.privacy.note_variables(context_.now);

@@ -13,20 +13,24 @@
 
 namespace parlour::dialogue {
 
+// Keeps nothing; the inbox has what it raises, the port sends what it posts.
 class Messenger {
 public:
   // Both must outlive the messenger.
   Messenger(DialogueContext& context, Inbox& inbox)
       : context_(context), inbox_(inbox) {}
 
-  // An event of a reserved source, raised in this session.
+  // An event of a reserved source, raised in this session. It is queued, and
+  // taken before any message from outside.
   void raise(const char* source, std::string command, std::vector<Value> params,
              TurnId turn = 0);
   // Sends a message on behalf of a turn; what inline components answer is
-  // queued before any external event. Returns its correlation.
+  // queued before any external event. Returns its correlation. The turn stays
+  // open until the answer comes, or until `request-timeout` is over.
   Correlation post(std::string module, std::string command,
                    std::vector<Value> params, TurnId turn);
-  // One of another session, which gets the answers.
+  // One of another session, which gets the answers; its correlation means
+  // nothing here.
   void post_for_another(Message message);
   // Whether something that is not taken yet answers this.
   bool is_answered(Correlation correlation) const {
@@ -39,12 +43,14 @@ public:
              context_.port.reply_to_request(message) != Reply::none;
     });
   }
-  // False where there were too many of them without an external one (Inbox):
-  // Script.Error is raised then, once.
+  // Counts one. False where there were too many of them without an external one
+  // (Inbox): Script.Error is raised then, once, and the caller drops what it
+  // was about to do.
   bool one_more_internal_event();
   // Script.Error (language rule 12.19).
   void raise_error(const Error& error, TurnId turn);
-  // Shown, and raised.
+  // Shown as an error, and raised. For those that no activation of a script
+  // reports itself.
   void script_failed(const Error& error, TurnId turn);
 
 private:

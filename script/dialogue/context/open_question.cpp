@@ -6,6 +6,8 @@
 
 namespace parlour::dialogue {
 
+// The slot counts as asked for when its question leaves, not when it is made:
+// one that was withdrawn comes again in the same wording (engine rule 3.5).
 void OpenQuestion::released(const Output& output) {
   if (output.topic != script::no_id)
     unmark(output.topic);
@@ -15,7 +17,7 @@ void OpenQuestion::released(const Output& output) {
   asked_->heard = true;
   asked_->words = output.text;
   if (asked_->slot == script::no_id || asked_->repeats ||
-      asked_->purpose != Asked::For::value)
+      !asked_->asks_for_value())
     return;
   frames_.count_question(asked_->topic, asked_->slot);
 }
@@ -40,6 +42,7 @@ void OpenQuestion::broken_off(const Output& output, const std::string& heard) {
     asked_->heard = false;
 }
 
+// One that was heard well enough stays as it is: it can be answered already.
 void OpenQuestion::said_again(OutputId before, OutputId now) {
   if (!asked_ || asked_->output != before || asked_->heard)
     return;
@@ -68,7 +71,8 @@ bool OpenQuestion::asked_here() const {
 }
 
 // Also where others have said something since: of a topic that was begun, the
-// slot that it would ask for now.
+// slot that it would ask for now. A topic of system initiative takes this slot
+// only (engine rule 5.3).
 SlotId OpenQuestion::slot_asked_for(TopicId topic) const {
   if (asked_ && asked_->topic == topic)
     return asked_->slot;

@@ -15,6 +15,9 @@
 
 namespace parlour::dialogue {
 
+// At most one question waits. It may be asked (`pending`), heard, or withdrawn
+// and still to be asked again; what silence leads to depends on that (engine
+// rule 3.8).
 class OpenQuestion {
 public:
   OpenQuestion(DialogueContext& context, TopicFrames& frames)
@@ -31,7 +34,7 @@ public:
   // Whether what the user says now is private in any case.
   bool asks_in_private() const;
   bool asked_here() const; // not below a pushed state
-  // Of that topic; or no_id.
+  // The slot that a question about that topic is for; or no_id.
   SlotId slot_asked_for(TopicId topic) const;
 
   explicit operator bool() const { // whether there is one
@@ -43,6 +46,7 @@ public:
   const Asked& operator*() const {
     return *asked_;
   }
+  // Another question takes the place of the one before.
   void set(Asked asked) {
     asked_ = std::move(asked);
   }
@@ -56,11 +60,13 @@ public:
   Asked take() {
     return *std::exchange(asked_, {});
   }
-  // Something else was said since.
+  // Something else was said since: there must be a question. A yes that comes
+  // now is not sure to be meant for it, so it is asked again (engine rule 5.8).
   void interrupt() {
     asked_->interrupted = true;
   }
-  // Without a slot to count at.
+  // One more time that it was not answered; the count. There must be a
+  // question, and one without a slot to count at.
   std::uint32_t count_miss() {
     return ++asked_->missed;
   }
@@ -72,6 +78,7 @@ public:
   }
 
 private:
+  // The marks of implicit values (engine rule 5.5) were used.
   void unmark(TopicId topic);
 
   DialogueContext& context_;

@@ -8,6 +8,7 @@ namespace parlour::dialogue {
 
 namespace {
 
+// A number, also one that is written in a text; nothing for all else.
 std::optional<Decimal> decimal(const Value& value) {
   if (const auto* integer = value.if_integer())
     return decimal_of(*integer);
@@ -21,7 +22,8 @@ std::optional<Decimal> decimal(const Value& value) {
 // A text as it was heard that is too short tells nothing, and would hide much.
 constexpr std::size_t min_heard = 4;
 
-// Every value in it, as it is printed and as it is spoken.
+// Every value in it, as it is printed and as it is spoken: of 4711 also "four
+// seven one one", as a phrase or a voice may say it in that way.
 void collect(const Value& value, const std::string& kind, Timestamp now,
              std::vector<std::string>& texts) {
   if (const auto* list = value.if_list())
@@ -54,6 +56,7 @@ Privacy::Privacy(const script::Program& program,
   known_.resize(variables_.size());
 }
 
+// The values are compared, as scripts change lists and maps in place.
 void Privacy::note_variables(Timestamp now) {
   for (std::size_t i = 0; i < variables_.size(); ++i) {
     auto value = interpreter_.variable(variables_[i]);
@@ -71,6 +74,8 @@ void Privacy::note(TopicId topic, SlotId slot, const Value& value,
     conceal(value, slots[slot].cardinality.type, now);
 }
 
+// What is offered is hidden before it is known whether the slot takes it: a PIN
+// that was refused is private, too.
 void Privacy::note(TopicId topic, std::span<const FrameChange> changes,
                    Timestamp now) {
   if (!is_needed_)

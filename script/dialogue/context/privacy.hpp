@@ -1,6 +1,8 @@
 // Privacy: tells the port what is private="true" of variables and slots, as it
 // is printed and as it is spoken, before anybody who watches could see it. An
-// internal header of this folder.
+// internal header of this folder. What is once told stays hidden, also when the
+// variable has another value later. Where a program has nothing private, it
+// costs next to nothing.
 #pragma once
 
 #include <span>
@@ -14,6 +16,8 @@
 
 namespace parlour::dialogue {
 
+// A part of the DialogueContext. Its errors are on the safe side: a text that
+// also occurs elsewhere is hidden there, too.
 class Privacy {
 public:
   Privacy(const script::Program& program,
@@ -23,7 +27,8 @@ public:
   bool is_needed() const {
     return is_needed_;
   }
-  // Private variables that have changed.
+  // Private variables that have changed. Called before anything is shown,
+  // raised or posted, as a script may have set them since.
   void note_variables(Timestamp now);
   // A slot's value, where it is private.
   void note(TopicId topic, SlotId slot, const Value& value, Timestamp now);
@@ -33,7 +38,8 @@ public:
   void hear(bool is_asked_in_private);
   // Another port is told of the private variables.
   void resume(Timestamp now);
-  // Everything that was received is understood.
+  // Everything that was received, up to that number, is understood: whoever
+  // watches may see it now.
   void settle(std::uint64_t received);
 
   template <class Archive>
@@ -52,7 +58,8 @@ private:
   Port& port_;
   const bool is_needed_;
   std::vector<std::size_t> variables_; // the private ones
-  std::vector<Value> known_;           // as they were last
+  // Their values when they were told last, in the same order.
+  std::vector<Value> known_;
 };
 
 } // namespace parlour::dialogue

@@ -28,6 +28,8 @@ bool Reactions::visit_each(const std::vector<script::Reaction>& reactions,
   return true;
 }
 
+// A state with capture="all" hides the handlers also where it has no reaction
+// itself (engine rule 4.4).
 template <class Visit>
 void Reactions::visit_matches(const std::string& source,
                               const std::string& event, Visit visit) const {
@@ -44,6 +46,7 @@ void Reactions::visit_matches(const std::string& source,
       return;
 }
 
+// The names are compared first, as the port has to look a role up.
 bool Reactions::is_source(const std::string& wanted,
                           const std::string& source) const {
   return wanted == source || wanted == any ||

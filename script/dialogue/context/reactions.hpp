@@ -12,15 +12,19 @@
 
 namespace parlour::dialogue {
 
+// Finds reactions and runs none. It reads the program and the active state, and
+// keeps which handlers are unregistered.
 class Reactions {
 public:
   explicit Reactions(const DialogueContext& context) : context_(context) {}
 
   struct Match {
     const script::Reaction* reaction = nullptr;
-    VisitId visit = 0;     // of the state that it is of
-    bool captures = false; // ends the search by itself
-    bool named() const;    // it names the source and the event, no '*'
+    // Of the state that it is of; 0: it is a handler's.
+    VisitId visit = 0;
+    // It is of a state with `capture`: it ends the search by itself.
+    bool captures = false;
+    bool named() const; // it names the source and the event, no '*'
 
     template <class Archive>
     void serialize(Archive& archive) {
@@ -28,7 +32,8 @@ public:
       archive(visit, captures);
     }
   };
-  // Appended to what is there.
+  // Those that fit, in order, are appended to what is there: with a list that
+  // is used again, a message costs no allocation.
   void find(const std::string& source, const std::string& event,
             std::vector<Match>& found) const;
   std::vector<Match> matches(const std::string& source,
@@ -38,6 +43,8 @@ public:
   // Whether the active state has any, or keeps every event for itself.
   bool state_listens(const std::string& source, std::string_view event) const;
 
+  // <register> and <unregister>; all are registered at first. A name that no
+  // handler has changes nothing.
   void register_handler(const std::string& name, bool registered);
 
   template <class Archive>

@@ -6,7 +6,7 @@ namespace parlour::dialogue {
 
 namespace {
 
-// Of several transits in one activation the last counts (engine rule 2).
+// Of several transits in one activation the last counts (engine rule 2.3).
 void keep_last_transit(StepList& steps) {
   const auto is_transit = is<steps::Transit>;
   auto transits = std::count_if(steps.begin(), steps.end(), is_transit);
@@ -41,6 +41,9 @@ bool RunningScript::leaves_its_state() const {
   });
 }
 
+// The turn of an act is held here and let go by who takes the act: between the
+// two the pipeline may be done with the message, and the turn must not count as
+// over.
 StepList RunningScript::take_over() {
   keep_last_transit(later_);
   StepList steps;

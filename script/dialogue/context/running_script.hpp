@@ -1,7 +1,8 @@
 // RunningScript: the piece of script that runs, as the statements in it see it:
 // where it stands, what it waits for from now on, the steps that it asks for,
 // and what it has done. Who starts and resumes it is the ActivationRunner,
-// which no statement needs to know.
+// which no statement needs to know. No statement starts another piece: it asks
+// for a step, which is taken later, so there is only one to know.
 #pragma once
 
 #include <algorithm>
@@ -21,6 +22,7 @@ enum class WaitFor : std::uint8_t {
   user,   // <confirm>, <push>
 };
 
+// What begin_wait has noted; an id of 0: it does not wait.
 struct Wait {
   WaitId id = 0;
   WaitFor what = WaitFor::answer;
@@ -32,7 +34,8 @@ struct Wait {
   }
 };
 
-// Bodies of which something is known: few, and asked for with each that starts.
+// Bodies of which something is known: few, and asked for with each that starts,
+// so a list without order is quicker than a set.
 class Bodies {
 public:
   void insert(CodeId body) {
@@ -56,27 +59,33 @@ private:
   std::vector<CodeId> all_; // in no order; keeps its memory
 };
 
+// Owned by ConversationImplementation. What it knows of bodies (whether one has
+// redirected or acted) outlives their activations: the topic engine asks for it
+// when the activation has ended.
 class RunningScript {
 public:
   RunningScript(DialogueContext& context, Messenger& messenger)
       : context_(context), messenger_(messenger) {}
 
   // -- what its statements do --
-  // That it waits from now on, for what comes with that id.
+  // That it waits from now on, for what comes with that id. The effect that
+  // calls it returns Waits.
   WaitId begin_wait(WaitFor what);
   // A step that they ask for; taken when it ends or waits.
   template <class Kind>
   void later(Kind&& kind) {
     later_.add(std::forward<Kind>(kind));
   }
-  // Its clear, ask or transit: the body leads elsewhere than to its end.
+  // Its clear, ask or transit: the body leads elsewhere than to its end. A
+  // topic whose <filled> did so is not completed by its end (engine rule 5.4).
   void redirect() {
     redirect(body_);
   }
   void redirect(CodeId body) {
     redirected_.insert(body);
   }
-  // It has done something that cannot be taken back, or was heard.
+  // It has done something that cannot be taken back, or was heard: a topic
+  // whose <completed> has acted is done (engine rule 5.8).
   void acts() {
     acted_.insert(body_);
     ++deeds_;
@@ -119,7 +128,8 @@ public:
     return std::exchange(later_, {});
   }
   // The same, when it has ended or waits. Each is an internal event (engine
-  // rule 2); acts hold their turn until taken.
+  // rule 2.6); those beyond the limit are dropped. Acts hold their turn until
+  // they are taken.
   StepList hand_over() {
     return later_.empty() ? StepList() : take_over();
   }

@@ -26,6 +26,7 @@ Value ScriptView::slot(TopicId topic, SlotId slot) const {
   return value;
 }
 
+// A handler has no topic of its own: there _TOPIC means the current one.
 Value ScriptView::system(const script::ActivationContext& context,
                          script::SystemVariable variable) const {
   using enum script::SystemVariable;

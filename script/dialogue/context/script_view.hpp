@@ -12,12 +12,17 @@
 
 namespace parlour::dialogue {
 
+// Keeps where the random numbers stand, and nothing else.
 class ScriptView {
 public:
   ScriptView(DialogueContext& context, TopicFrames& frames)
       : context_(context), frames_(frames), random_(context.options.seed) {}
 
+  // `this.X`: unknown outside of topics. A private value is reported before the
+  // script has it.
   Value slot(TopicId topic, SlotId slot) const;
+  // _SESSION, _STATE and the like (language rule 5.9); those about the message
+  // come from the activation itself.
   Value system(const script::ActivationContext& context,
                script::SystemVariable variable) const;
   bool online(const std::string& agent) const {
@@ -26,6 +31,7 @@ public:
   Timestamp now() const {
     return context_.now;
   }
+  // At least 0 and below 1; the next one of the session's seed.
   double random() {
     return random_.fraction();
   }

@@ -59,6 +59,7 @@ Expected<Value> TextEvaluator::evaluate(CodeId code,
   return interpreter_.evaluate(code, arguments, std::move(context), host);
 }
 
+// Most texts are constants: for these nothing has to run.
 std::string TextEvaluator::text_of(CodeId code, TopicId topic) {
   if (code == script::no_code)
     return {};
@@ -69,6 +70,15 @@ std::string TextEvaluator::text_of(CodeId code, TopicId topic) {
     return text->text();
   context_.inspect(InspectionKind::error, context_.topic(topic).name,
                    to_string(text.error()));
+  return {};
+}
+
+Value TextEvaluator::value_of(CodeId code, TopicId topic) {
+  auto value = evaluate(code, {}, topic);
+  if (value)
+    return *value;
+  context_.inspect(InspectionKind::error, context_.topic(topic).name,
+                   to_string(value.error()));
   return {};
 }
 

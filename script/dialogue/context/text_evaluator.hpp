@@ -14,6 +14,8 @@
 
 namespace parlour::dialogue {
 
+// Used by questions and topics. It runs nothing that waits: text and condition
+// are there when the call returns.
 class TextEvaluator {
 public:
   TextEvaluator(DialogueContext& context, script::Interpreter& interpreter,
@@ -21,11 +23,17 @@ public:
       : context_(context), interpreter_(interpreter), messenger_(messenger),
         view_(view) {}
 
-  // What a text of the topic comes to; empty where it fails, which is told.
+  // What a text of the topic comes to; empty where there is no code, or where
+  // it fails, which is told.
   std::string text_of(CodeId code, TopicId topic);
-  // The values of a set; a range's bounds, as far as it has them.
+  // What an expression of the topic comes to; unknown where it fails, which is
+  // told.
+  Value value_of(CodeId code, TopicId topic);
+  // The values of a set as {choices}; a range's bounds as {from, to}, as far as
+  // it has them.
   Value choices_of(TopicId topic, SlotId slot);
-  // Whether a condition holds. One that fails does not, and is told.
+  // Whether a condition holds. One that fails does not, and is told as
+  // Script.Error, for that turn.
   bool holds(CodeId condition, const std::vector<Value>& arguments,
              TopicId topic, TurnId turn);
 

@@ -1,5 +1,6 @@
 #include "script/dialogue/context/topic_frames.hpp"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -29,12 +30,23 @@ bool TopicFrames::may_ask(TopicId topic) const {
   return context_.topic(topic).initiative != script::Initiative::user;
 }
 
+// A filling event without changes computes the slots' `if` anew; topics without
+// any are left as they are.
+void TopicFrames::refresh(TopicId topic) {
+  const auto& slots = context_.topic(topic).slots;
+  if (std::ranges::any_of(slots, [](const script::Slot& slot) {
+        return slot.condition != script::no_code;
+      }))
+    frames_.apply(topic, {}, context_.now);
+}
+
 void TopicFrames::change(TopicId topic, const FrameChange& change) {
   context_.conceal(topic, {&change, 1});
   for (const auto& report : frames_.change(topic, change, context_.now))
     inspect_report(topic, report);
 }
 
+// A topic that has the status already is not changed, and nothing is shown.
 void TopicFrames::set_status(TopicId topic, TopicStatus status) {
   if ((*this)[topic].status == status)
     return;
@@ -90,6 +102,8 @@ void TopicFrames::answered(TopicId topic) {
   order_.answered(topic, context_.now);
 }
 
+// Topics that were never touched need no reset, which would show as a change.
+// The order forgets what was unregistered.
 void TopicFrames::restart() {
   for (TopicId topic = 0; topic < context_.program->topics.size(); ++topic)
     if ((*this)[topic].status != TopicStatus::untouched)

@@ -14,11 +14,15 @@
 
 namespace parlour::dialogue {
 
+// Owned by ConversationImplementation. Changes for scripts are made at once;
+// those of the user go to the topic's actor where the port has one (engine rule
+// 5.12).
 class TopicFrames {
 public:
   // Both must outlive it.
   TopicFrames(DialogueContext& context, script::Interpreter& interpreter);
 
+  // The frame as it is now; the reference lasts until the next change.
   const TopicFrame& operator[](TopicId topic) const {
     return frames_.get(topic, context_.now);
   }
@@ -31,18 +35,27 @@ public:
   // no_id.
   SlotId missing(TopicId topic) const;
   SlotId doubtful(TopicId topic) const;
-  // Whether a slot may be asked for because it is missing.
+  // Whether a slot may be asked for because it is missing. What is in doubt is
+  // asked for in any case.
   bool may_ask(TopicId topic) const;
+
+  // Judges anew which slots apply: variables may have changed since.
+  void refresh(TopicId topic);
 
   // At once.
   void change(TopicId topic, const FrameChange& change);
   void set_status(TopicId topic, TopicStatus status);
+  // The question for the slot was released: the next one is its <help> (engine
+  // rule 5.9).
   void count_question(TopicId topic, SlotId slot);
   // One filling event: at once, or by the topic's actor, whose answer is
   // stored. `changes` may be moved from.
   FrameResult apply(TopicId topic, std::span<const FrameChange> changes);
   FrameRequest request(TopicId topic, std::vector<FrameChange> changes);
+  // The frame that the actor has made takes the place of the one that it was
+  // sent.
   void store(FramePointer frame);
+  // Shows what became of a slot; a private value as ***.
   void inspect_report(TopicId topic, const SlotReport& report);
 
   // Another port is told of all slots that are private.

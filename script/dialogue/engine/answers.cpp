@@ -4,7 +4,7 @@
 #include <string_view>
 #include <utility>
 
-#include "script/dialogue/engine/heard_texts.hpp"
+#include "script/dialogue/engine/effects/heard_texts.hpp"
 
 namespace parlour::dialogue {
 
@@ -16,6 +16,9 @@ const std::string understanding = "NLU";
 
 } // namespace
 
+// The user's own words are understood with the present question as their
+// context. A meaning that the application asked for itself is looked at as it
+// is.
 std::optional<StepList> Answers::take(Input& input) {
   if (is_meaning(*input.message))
     return answer(input);
@@ -33,6 +36,9 @@ std::optional<StepList> Answers::take(Input& input) {
   return StepList();
 }
 
+// Words that turn out to be no answer are put back as the next message and
+// marked, so that they are not sent to the understanding a second time from
+// here.
 std::optional<StepList> Answers::take_meaning(Input& input) {
   const auto found = words_.find(input.message->correlation);
   if (found == words_.end() ||
@@ -60,6 +66,8 @@ bool Answers::is_meaning(const Message& message) const {
          context_.port.is_source(understanding, message.source);
 }
 
+// All or nothing: of "yes, and is there a lift?" only the first half is an
+// answer. Taken apart here, the second half would reach no handler.
 std::optional<StepList> Answers::answer(const Input& input) {
   auto parsed = parse_acts(Value(List(input.message->params)));
   if (parsed.acts.empty() ||

@@ -13,8 +13,8 @@ Conversation::Conversation(std::shared_ptr<const script::Program> program,
 
 Conversation::~Conversation() = default;
 
-// Scripts are run before what carries out their effects is made: none runs
-// before the first input.
+// The runner gets `effects` before that is made. It only keeps the reference:
+// no script runs before the first input.
 ConversationImplementation::ConversationImplementation(
     std::shared_ptr<const script::Program> program, ConversationOptions options,
     Port& port)
@@ -76,6 +76,8 @@ bool Conversation::awaiting_frame() const {
   return implementation_->topics.awaiting_frame();
 }
 
+// The time is set even where there is nothing to do: whoever looks at the
+// conversation then sees it as of now.
 bool Conversation::step(Timestamp now) {
   implementation_->context.now = now;
   if (has_work())
@@ -91,6 +93,8 @@ void Conversation::frame_applied(FrameResult result, Timestamp now) {
   implementation_->go_on();
 }
 
+// The query may be a topic's own (<query>), which the topic engine knows, or a
+// script's <querydb>. Ids of both come from one counter.
 void Conversation::query_answered(QueryId id, Expected<Value> outcome,
                                   Timestamp now) {
   if (ended())
@@ -140,6 +144,8 @@ void Conversation::timer_fired(TimerId id, Timestamp now) {
   implementation_->timer_fired(id);
 }
 
+// A seat says that it has shown the words when they may still be spoken, so a
+// loudspeaker is the one that counts.
 void Conversation::output_finished(OutputId id, bool played, Timestamp now) {
   if (ended())
     return;
@@ -167,6 +173,8 @@ bool Conversation::waits_for_answer() const {
          parts.outside.waits_for_answer() || parts.output.waits_for_words();
 }
 
+// Turns that somebody may have begun without words do not count: nothing has
+// been said yet that could be answered.
 bool Conversation::has_answered(Timestamp now) const {
   const auto& parts = *implementation_;
   return !parts.has_work() && !waits_for_answer() && !parts.output.plays() &&

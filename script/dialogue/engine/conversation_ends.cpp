@@ -6,6 +6,8 @@
 
 namespace parlour::dialogue {
 
+// Session.Started is queued before the start state is entered, and taken behind
+// it, as the lane runs first.
 void ConversationImplementation::open() {
   if (auto ready = interpreter.initialise(effects); !ready) {
     context.inspect(InspectionKind::error, "variables",
@@ -36,6 +38,10 @@ StepList ConversationImplementation::beginning() const {
   return beginning;
 }
 
+// Everything that waits is ended, in both lanes, then the Exit of each level
+// runs. The lane is cleared a second time, as the pipeline's scripts have
+// handed over steps when their waits ended: nobody is to be asked any more. A
+// timer limits what Exit and the handlers of Session.Ended may wait for.
 void ConversationImplementation::close() {
   if (!context.ending.begin())
     return;
@@ -54,7 +60,9 @@ void ConversationImplementation::close() {
   leave();
 }
 
-// Exit runs, then Session.Ended is told; each may wait for a component.
+// Exit runs, then Session.Ended is told; each may wait for a component. Called
+// after each input until all is done, so it begins where it stopped: Ending
+// knows what has been told.
 void ConversationImplementation::leave() {
   run_lane();
   take_internal();
@@ -68,6 +76,8 @@ void ConversationImplementation::leave() {
     finish();
 }
 
+// The internal events that there are, all at once: nothing else has to come in
+// between at the end.
 void ConversationImplementation::take_internal() {
   while (inbox.has_internal() && messenger.one_more_internal_event()) {
     process(inbox.take_internal());
@@ -81,6 +91,8 @@ bool ConversationImplementation::is_quiescent() const {
          !runner.waits_for_others() && !topics.awaiting_frame();
 }
 
+// What can still be said is released, but no question. After ended() nothing is
+// wanted of the port.
 void ConversationImplementation::finish() {
   output.withdraw_questions();
   output.release();

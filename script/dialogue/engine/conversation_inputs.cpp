@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "script/dialogue/engine/conversation_implementation.hpp"
-#include "script/dialogue/engine/heard_texts.hpp"
+#include "script/dialogue/engine/effects/heard_texts.hpp"
 
 namespace parlour::dialogue {
 
@@ -73,6 +73,8 @@ bool ends_speech(const Port& port, const Message& message) {
 
 // -- inputs -------------------------------------------------------------------
 
+// A message is only put into its turn here. Whatever arrives together is so
+// known before any of it is dealt with.
 void ConversationImplementation::receive(
     std::shared_ptr<const Message> message) {
   const bool heard = is_heard(*message);
@@ -153,6 +155,8 @@ void ConversationImplementation::take_input() {
   go_on();
 }
 
+// First what the engine itself hears in it, then a request that waits for it,
+// then the reactions of scripts.
 void ConversationImplementation::process(Input&& input) {
   const auto& message = *input.message;
   if (context.port.is_source(recogniser, message.source)) {
@@ -238,6 +242,8 @@ void ConversationImplementation::timer_fired(TimerId id) {
   go_on();
 }
 
+// `patience` needs no deed: go_on(), which follows, gives up the turns whose
+// time is over.
 void ConversationImplementation::act_on(Timer timer) {
   switch (timer.purpose) {
   case Timer::Purpose::script:
@@ -296,6 +302,9 @@ void ConversationImplementation::ring(Timer timer) {
       {steps::RunTimer{std::move(body), ring}, steps::Conclude{.ring = ring}});
 }
 
+// The order matters: words that never came are given up before the lane runs; a
+// yes that waited for its breath to end is taken when the lane is idle; silence
+// is watched last.
 void ConversationImplementation::go_on() {
   if (context.ending.has_begun()) {
     if (!context.ending.is_over())
@@ -332,6 +341,9 @@ void ConversationImplementation::give_up_turns() {
 
 // -- silence ------------------------------------------------------------------
 
+// Silence counts only where nothing goes on (engine rule 3.8). While a turn is
+// open, what is watched is not silence but how long the turn may still stay
+// open.
 void ConversationImplementation::watch_silence() {
   if (context.ending.is_wished() || !context.lane.idle() || !output.silent() ||
       topics.awaiting_frame()) {

@@ -8,6 +8,10 @@
 
 namespace parlour::dialogue {
 
+// The lane stops where a frame is with its actor: the steps that follow need
+// the values (engine rule 5.12). Steps are taken until the lane is idle or
+// held, however many come from scripts: their limit is the fuel of the event
+// and the count of what they hand over.
 void ConversationImplementation::run_lane() {
   while (!topics.awaiting_frame()) {
     auto* step = context.lane.next();
@@ -19,11 +23,16 @@ void ConversationImplementation::run_lane() {
     drop_what_was_too_much();
 }
 
+// An output whose Speak event was among the dropped ones must not wait for its
+// words for ever.
 void ConversationImplementation::drop_what_was_too_much() {
   for (const auto& input : inbox.take_dropped())
     output.handled(*input.message, false);
 }
 
+// The conversation, the state machine and the topic engine are asked in this
+// order whether they take steps of that kind; which one does is known when it
+// is compiled.
 void ConversationImplementation::carry_out(Step&& step) {
   std::visit([&](auto& kind) { give(std::move(kind), *this, machine, topics); },
              step);
@@ -37,24 +46,32 @@ void ConversationImplementation::take(steps::RunLeaving&& step) {
   run_body(std::move(step));
 }
 
+// A <cancel timer="…"/> may have come between ringing and running (language
+// rule 10.3).
 void ConversationImplementation::take(steps::RunTimer&& step) {
   if (!step.ring->stopped)
     run_body(std::move(step));
 }
 
+// The reactions to one act are queued together; the first that says <consume/>
+// keeps the act from those behind it (engine rule 2.8).
 void ConversationImplementation::take(steps::React&& step) {
   if (!questions.offers.consumed(step.body.input->message->number))
     run_body(std::move(step));
 }
 
+// The end itself comes when all is said (go_on): "Goodbye." still leaves.
 void ConversationImplementation::take(const steps::End&) {
   context.ending.wish();
   output.withdraw_questions();
 }
 
-// What waits is ended first, so that a <catch> still sees its topic.
+// What waits is ended first, so that a <catch> still sees its topic. The waits
+// of other topics go on, unless all is to be cancelled (engine rule 2.5).
+// What else was said is done: "never mind, where is the library?"
 void ConversationImplementation::take(const steps::Cancel& step) {
   const auto ended = topics.meant_by(step);
+  context.lane.set_acts_aside();
   topics.withdraw_question();
   auto steps =
       waits.cancel(pipeline.waits(), step.all ? std::vector<WaitId>()
@@ -68,13 +85,21 @@ void ConversationImplementation::take(const steps::Restart&) {
   start_over();
 }
 
+// Variables stay, and so do timers that do not end with a state. The beginning
+// is queued behind the steps that end the waits.
+// What else was said counts behind the beginning.
 void ConversationImplementation::start_over() {
+  auto said = context.lane.take_acts();
   context.lane.now(waits.cancel(pipeline.waits()));
   machine.clear();
   topics.restart();
   context.lane.queue(beginning());
+  context.lane.queue(std::move(said));
 }
 
+// A topic's <filled> that asked "A taxi at 3?" begins anew when the time was
+// changed to 4. The earlier run is ended before that: its steps are put in
+// front, and this one comes again behind them.
 template <class Kind>
 void ConversationImplementation::run_body(Kind&& step) {
   static const BodyInput none;
@@ -95,7 +120,9 @@ void ConversationImplementation::run_body(Kind&& step) {
                    body.origin));
 }
 
-// An activation goes on in the lane where it was started.
+// An activation goes on in the lane where it was started. For one whose context
+// still waits in the dialogue lane, the step comes twice: it wakes the context,
+// and is taken again when that has come to the top.
 void ConversationImplementation::take(steps::ResumeWait&& step) {
   const auto wait = step.wait;
   if (pipeline.waits(wait))
@@ -111,7 +138,8 @@ void ConversationImplementation::take(steps::ResumeWait&& step) {
 
 // What it asked for so far does not wait, and neither does the question that
 // this leads to where the script waits for time. Who asks again has dropped
-// what he asked before.
+// what he asked before. A wait for an answer holds the lane, one for the user
+// or for time lets it go on (engine rule 2.4).
 void ConversationImplementation::ran(ActivationRunner::Ran what) {
   using enum WaitFor;
   if (what.failed != script::no_id)

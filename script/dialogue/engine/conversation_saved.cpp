@@ -10,6 +10,8 @@
 
 namespace parlour::dialogue {
 
+// The interpreter's state comes first in the bytes but is written last, as the
+// parts tell the writer which activations belong to it.
 std::string Conversation::save() const {
   const auto& parts = *implementation_;
   Writer writer(*parts.context.program);
@@ -38,6 +40,8 @@ void Conversation::resume(Timestamp now) {
   implementation_->resume();
 }
 
+// After a crash, whoever talks may not know any more what he was asked. Where
+// something is still to come or to be said, that leads on by itself.
 void Conversation::ask_again() {
   if (!ended() && !has_work() && !awaiting_frame() && !expects_outcome())
     implementation_->topics.ask_again();
@@ -53,7 +57,8 @@ bool Conversation::awaits_reply(Correlation correlation) const {
 }
 
 // What is lost is handed out by the next steps: no script runs here, so that a
-// frame may be awaited meanwhile.
+// frame may be awaited meanwhile. The port is told of what is private before it
+// is shown anything.
 void ConversationImplementation::resume() {
   inbox.number_anew();
   context.privacy.resume(context.now);
@@ -69,6 +74,8 @@ void ConversationImplementation::resume() {
   output.resume();
 }
 
+// No deadline may ring for it before its step comes: the script would be told
+// twice.
 void ConversationImplementation::lose(WaitOutcome over) {
   waits.forget_request(over.wait);
   timers.cancel_wait(over.wait);

@@ -15,7 +15,8 @@ namespace {
 // What a part names, and the other program has not.
 enum class Missing : bool { keeps_it_out, is_left_out };
 
-// False: nothing was taken.
+// Writes the part as the other program names things, and reads it back there.
+// False: it names something that is missing there, and nothing was taken.
 template <class Part>
 bool take_part(Part& part, const Part& before, const Renames& renames,
                Missing missing = Missing::keeps_it_out) {
@@ -33,21 +34,41 @@ std::string quoted(const char* kind, const std::string& name) {
   return std::string(kind) + " '" + name + "'";
 }
 
-FrameChange fill_with(SlotId slot, const SlotState& was) {
+// As sure as can be: it was accepted once, and is not to be asked for again.
+FrameChange fill_with(SlotId slot, Value value) {
   FrameChange change{.kind = FrameChange::Kind::fill, .slot = slot};
-  change.value = was.value;
+  change.value = std::move(value);
   change.confidence = 1.0;
-  if (was.status == SlotStatus::ambiguous)
-    change.candidates = was.candidates;
   return change;
 }
 
-// What was said for it stays said, as the other program's slot reads it.
+// What to say to the other program's slot so that it gets the same value: of
+// several values each with its amount; of several candidates all of them.
+void refill(SlotId slot, const SlotState& was, bool many,
+            std::vector<FrameChange>& fills) {
+  const auto* items = many ? was.value.if_list() : nullptr;
+  if (!items) {
+    fills.push_back(fill_with(slot, was.value));
+    if (was.status == SlotStatus::ambiguous)
+      fills.back().candidates = was.candidates;
+    return;
+  }
+  for (const auto& item : *items) {
+    fills.push_back(fill_with(slot, item["value"]));
+    fills.back().amount = item["amount"];
+  }
+}
+
+// What was said for it stays said, as the other program's slot reads it: its
+// value is the newly checked one, all else about it is as before. False: the
+// value is lost, because the slot does not take it. A slot that nobody has
+// filled keeps the counts of its questions.
 bool take_slot(SlotState& slot, const SlotState& was) {
   if (was.status == SlotStatus::empty || was.by_default) {
     slot.asked = was.asked;
     slot.no_input = was.no_input;
     slot.no_match = was.no_match;
+    slot.offered = was.offered;
     return true;
   }
   const auto fits = [](const SlotState& one) {
@@ -59,6 +80,7 @@ bool take_slot(SlotState& slot, const SlotState& was) {
       was.status != SlotStatus::ambiguous) {
     auto taken = was;
     taken.value = std::move(slot.value);
+    taken.applies = slot.applies;
     slot = std::move(taken);
   }
   return true;
@@ -93,6 +115,9 @@ Conversation::TakenOver Conversation::take_over(const Conversation& before,
   return taken;
 }
 
+// What is listed here has no counterpart in another program: activations, and
+// what they or the topics wait for. Timers, the question that was asked and
+// silence have.
 bool ConversationImplementation::is_at_rest() const {
   return !has_work() && !topics.awaiting_frame() &&
          !topics.waits_for_answer() && context.lane.idle() &&
@@ -102,6 +127,8 @@ bool ConversationImplementation::is_at_rest() const {
          !context.ending.is_wished();
 }
 
+// Waits::cancel leaves what the pipeline lane's handlers want of components;
+// that is given up here, too.
 void ConversationImplementation::end_scripts() {
   auto steps = waits.cancel(pipeline.waits());
   for (auto wait : pipeline.waits())
@@ -133,10 +160,13 @@ ConversationImplementation::take_over(const ConversationImplementation& before,
   take_part(heard_grammar, before.heard_grammar, renames);
   take_part(output, before.output, renames, Missing::is_left_out);
   frames.conceal();
-  messenger.raise("System", "Reloaded", {List(lost.begin(), lost.end())});
+  messenger.raise("System", "Reloaded",
+                  {Value(List(lost.begin(), lost.end()))});
   return lost;
 }
 
+// Initial values are computed first, as those of new variables and of constants
+// count; then the old values take their places.
 void ConversationImplementation::take_variables(
     const ConversationImplementation& before, const Renames& renames,
     Losses& lost) {
@@ -168,6 +198,8 @@ void ConversationImplementation::take_frames(
 
 // What was said is heard again: a value has to fit the slot and the constraints
 // that the other program has. It is asked for, confirmed and counted as before.
+// First all values are filled in one event, so that constraints see them
+// together; then what the event cannot know is copied over.
 void ConversationImplementation::take_frame(const TopicFrame& before,
                                             TopicId topic,
                                             const Renames& renames,
@@ -179,12 +211,15 @@ void ConversationImplementation::take_frame(const TopicFrame& before,
     const auto here = renames.slot(before.topic, slot);
     if (was.status != SlotStatus::empty && !was.by_default &&
         here != script::no_id)
-      fills.push_back(fill_with(here, was));
+      refill(here, was, context.topic(topic).slots[here].many, fills);
   }
   frames.apply(topic, fills);
   auto frame = std::make_shared<TopicFrame>(frames[topic]);
   frame->status = before.status;
   frame->done = before.done;
+  frame->sure = before.sure;
+  frame->certain = before.certain;
+  frame->last = before.last;
   frame->rows = before.rows;
   frame->asked = before.asked;
   frame->relaxed = before.relaxed;
@@ -200,7 +235,9 @@ void ConversationImplementation::take_frame(const TopicFrame& before,
   frames.store(std::move(frame));
 }
 
-// A state that is not there any more falls back to the one below it.
+// A state that is not there any more falls back to the one below it. Visits
+// keep their numbers, so that timers still end with them. Where all states are
+// gone, the conversation begins anew.
 void ConversationImplementation::take_states(
     const ConversationImplementation& before, const Renames& renames,
     Losses& lost) {
@@ -223,6 +260,9 @@ void ConversationImplementation::take_states(
     context.lane.queue(beginning());
 }
 
+// Of the engine's own timers only silence and the closing of the session can be
+// due while a conversation rests. A <timer> is kept where its statements, its
+// topic and its state are there.
 void ConversationImplementation::take_timers(
     const ConversationImplementation& before, const Renames& renames,
     Losses& lost) {
@@ -245,11 +285,14 @@ void ConversationImplementation::take_timers(
     watch_ = before.watch_;
 }
 
+// The parts that ask are taken with the question: what they have counted is
+// about it. A question that was asked on another level of states would never be
+// answered.
 void ConversationImplementation::take_question(
     const ConversationImplementation& before, const Renames& renames,
     Losses& lost) {
-  if (!take_part(questions, before.questions, renames) ||
-      !take_part(topics, before.topics, renames))
+  const bool asked = take_part(questions, before.questions, renames);
+  if (!take_part(topics, before.topics, renames) || !asked)
     lost.push_back("what the topics have counted");
   if (!before.question)
     return;

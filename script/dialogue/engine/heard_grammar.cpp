@@ -24,6 +24,8 @@ HeardGrammar::HeardGrammar(DialogueContext& context, Messenger& messenger,
     : context_(context), messenger_(messenger), whereabouts_(whereabouts),
       is_used_(uses_grammars(*context.program)) {}
 
+// A list with one name, or an empty list for all. It belongs to no turn, as
+// nobody waits for its answer.
 void HeardGrammar::tell() {
   if (!is_used_)
     return;
@@ -34,7 +36,7 @@ void HeardGrammar::tell() {
   List names;
   if (!told_.empty())
     names.emplace_back(told_);
-  messenger_.post(recogniser, "SetGrammar", {std::move(names)}, 0);
+  messenger_.post(recogniser, "SetGrammar", {Value(std::move(names))}, 0);
 }
 
 } // namespace parlour::dialogue

@@ -11,6 +11,8 @@
 
 namespace parlour::dialogue {
 
+// Called after each input (go_on), so that several changes during one input
+// post one message.
 class HeardGrammar {
 public:
   // All must outlive it.
@@ -32,8 +34,12 @@ private:
   DialogueContext& context_;
   Messenger& messenger_;
   const Whereabouts& whereabouts_;
+  // Whether any state or slot of the program names a grammar; else nothing is
+  // ever posted.
   bool is_used_;
-  std::string told_; // empty: all
+  // What the recogniser was told last; empty: all grammars, which it expects at
+  // first.
+  std::string told_;
 };
 
 } // namespace parlour::dialogue

@@ -7,6 +7,8 @@ namespace parlour::dialogue {
 
 using namespace std::string_view_literals;
 
+// What means nothing leads to NoMatch also where a handler took it: that one
+// counts as having apologised, but the question still has to come again.
 void MessageEnd::handled(const Handled& what) {
   if (output_.waits_for_words())
     output_.handled(what.message, what.worded);
@@ -37,8 +39,8 @@ void MessageEnd::unhandled(const Handled& what) {
     context_.port.unhandled(message);
 }
 
-// The understanding gave up, or broke. Words that nobody takes are not
-// understood either.
+// The understanding gave up, or broke while it worked for the user. Where it
+// broke at something else, the user has said nothing that is not understood.
 bool MessageEnd::means_nothing(const Handled& what) const {
   const auto& event = what.message;
   const bool broke = event.command == "Failed"sv && what.turn != 0;

@@ -10,6 +10,7 @@ using namespace std::string_view_literals;
 
 namespace {
 
+// Cancel, cancel everything, start over.
 bool is_in_front(const Step& step) {
   const auto* taken = std::get_if<steps::TakeAct>(&step);
   return taken && passes_waits(*taken->act);
@@ -17,6 +18,9 @@ bool is_in_front(const Step& step) {
 
 } // namespace
 
+// The order is: a meaning that Answers has asked for, then a handler that holds
+// such messages, then words that may answer a handler which waits for the user,
+// then the reactions.
 void Pipeline::take(Input&& input) {
   const auto turn = input.turn;
   if (auto acts = answers_.take_meaning(input)) {
@@ -57,6 +61,8 @@ bool Pipeline::holds(const Item& item, const Input& input) {
          (item.what == answer || (item.what == time && input.turn == 0));
 }
 
+// The same reaction of another visit of its state does not count: what it asked
+// ended with that visit.
 bool Pipeline::asks_again(const Item& item) const {
   return std::any_of(waiting_.begin(), waiting_.end(), [&](const auto& other) {
     return other->what == WaitFor::user &&
@@ -68,6 +74,8 @@ bool Pipeline::asks_again(const Item& item) const {
   });
 }
 
+// The first that is dropped is raised as Script.Error, the others are only
+// shown: an error for each would be as many events again.
 void Pipeline::hold(Item& item, Input input) {
   if (item.behind.size() < max_held) {
     item.behind.push_back(std::move(input));
@@ -89,6 +97,9 @@ void Pipeline::hold(Item& item, Input input) {
   message_end_.dropped(input);
 }
 
+// A reaction of a state with capture takes the message whatever it does, so
+// `consumed` is set before it runs. When one waits, the item moves into
+// `waiting_`, and what comes behind it runs in resume().
 void Pipeline::go_on(Item& item) {
   while (item.next < item.reactions.size() && !item.consumed) {
     const auto& match = item.reactions[item.next++];
@@ -111,7 +122,8 @@ void Pipeline::go_on(Item& item) {
   finish(item);
 }
 
-// It ended, or waits; what it asked before is given up then.
+// It ended, or waits; what it asked before is given up then: nobody could tell
+// which of two such questions an answer is for.
 void Pipeline::started(Item& item, WaitId wait) {
   if (handled_.ends())
     item.consumed = true;
@@ -124,7 +136,8 @@ void Pipeline::started(Item& item, WaitId wait) {
 }
 
 // Who wants out, or to start over, does not wait for what waits there (engine
-// rule 2.5).
+// rule 2.5). Only where the lane is held: else the act is taken soon, and its
+// own step (Cancel, Restart) ends what it is about.
 void Pipeline::hand_over(StepList steps, TurnId turn) {
   if (steps.empty())
     return;
@@ -137,7 +150,8 @@ void Pipeline::hand_over(StepList steps, TurnId turn) {
   context_.lane.queue(std::move(steps));
 }
 
-// Only what a component works for holds back the questions to the user.
+// Only what a component works for holds back the questions to the user. What is
+// behind an item that does not wait for an answer may go on, too.
 void Pipeline::keep(Item&& item) {
   if (item.what != WaitFor::answer) {
     if (std::exchange(item.holds_turn, false))
@@ -147,7 +161,8 @@ void Pipeline::keep(Item&& item) {
   waiting_.push_back(std::make_unique<Item>(std::move(item)));
 }
 
-// Those that need not wait go first, before what came after them.
+// Those that need not wait go first, before what came after them: they are put
+// back in front of the inbox, the last one first.
 void Pipeline::let_go_of_held(Item& item) {
   auto& held = item.behind;
   const auto free =
@@ -159,6 +174,9 @@ void Pipeline::let_go_of_held(Item& item) {
   held.erase(free, held.end());
 }
 
+// The item is taken out before the script runs, which may wait again or end
+// other waits. A script that was cancelled sees its error, but the message goes
+// to no further handler (language rule 12.16).
 bool Pipeline::resume(WaitId wait, Expected<Value> outcome) {
   auto found =
       std::find_if(waiting_.begin(), waiting_.end(),
@@ -181,6 +199,8 @@ bool Pipeline::resume(WaitId wait, Expected<Value> outcome) {
   return true;
 }
 
+// The list of reactions is kept for the next message, so that most messages
+// cost no allocation for it.
 void Pipeline::finish(Item& item) {
   message_end_.handled({.message = *item.message,
                         .turn = item.turn,

@@ -12,6 +12,8 @@ using namespace std::string_view_literals;
 
 namespace {
 
+// Levels above the bottom one (engine rule 4.3). A script that pushes from each
+// Entrance runs into it; conversations need two or three.
 constexpr std::size_t max_pushed = 100;
 
 tl::unexpected<Error> was_given_up() {
@@ -24,6 +26,9 @@ std::string name_of(const DialogueContext& context, StateId state) {
 
 } // namespace
 
+// The steps are put in front of the lane in reverse order. Where neither an
+// Exit nor children of <transit> have to run, the new state is entered at once,
+// and nothing can come in between.
 void StateMachine::take(steps::Transit&& step) {
   if (comes_later(step))
     return;
@@ -54,6 +59,8 @@ bool StateMachine::comes_later(Kind& step) {
   return true;
 }
 
+// The steps that had to wait become items at the end of the lane, each with a
+// conclusion of its own.
 void StateMachine::end_passage() {
   passage_.reset();
   for (auto& step : std::exchange(later_, {})) {
@@ -74,6 +81,9 @@ void StateMachine::take(const steps::Enter& step) {
   enter(step.state);
 }
 
+// The stack changes before the Entrance is queued, as it runs for the new
+// visit. What the scripts of the state before wait for is ended last: these
+// steps are then in front of the Entrance.
 void StateMachine::enter(StateId state) {
   const auto& entered = context_.program->states[state];
   if (context_.port.inspected())
@@ -89,6 +99,8 @@ void StateMachine::enter(StateId state) {
   forget_what_was_left();
 }
 
+// The activation that pushed has waited since its <push>, so a push that is
+// refused ends that wait with an error.
 void StateMachine::take(steps::Push&& step) {
   if (comes_later(step))
     return;
@@ -108,6 +120,8 @@ void StateMachine::take(steps::Pop&& step) {
     begin_way_out(false);
 }
 
+// The state below becomes the active one without its Entrance. The topic whose
+// script pushed becomes the current one again before that script goes on.
 void StateMachine::take(const steps::ComeBack& step) {
   end_passage();
   if (!context_.states.pushed())
@@ -128,7 +142,8 @@ void StateMachine::begin_way_out(bool given_up) {
   context_.lane.now({steps::Leave{context_.states.active()}, back});
 }
 
-// Of those that were pushed one after the other, the innermost first.
+// Of those that were pushed one after the other, the innermost first: the step
+// is put back until its own level is the uppermost.
 void StateMachine::take(steps::GiveUp&& step) {
   if (comes_later(step))
     return;
@@ -141,6 +156,7 @@ void StateMachine::take(steps::GiveUp&& step) {
   begin_way_out(true);
 }
 
+// See engine rule 2.4: who asks again has given up what he asked before.
 StepList StateMachine::dropped_by(WaitId wait) const {
   StepList dropped;
   for (const auto earlier : runner_.asked_before(wait))
@@ -148,12 +164,16 @@ StepList StateMachine::dropped_by(WaitId wait) const {
   return dropped;
 }
 
+// The wait may be a <push>, a <confirm> or a <request> that waits for time: all
+// are forgotten alike by those that know them.
 void StateMachine::end_wait(WaitId wait, Expected<Value> outcome) {
   waits_.forget_request(wait);
   topics_.forget_confirm(wait);
   context_.lane.at_once(outcome_step(wait, std::move(outcome)));
 }
 
+// Timers and waits belong to a visit, so the visit's end is all that has to be
+// looked at: a state below a pushed one still lasts (engine rule 4.7).
 void StateMachine::forget_what_was_left() {
   timers_.end_with(
       [&](VisitId visit) { return !context_.states.lasts(visit); });
@@ -161,6 +181,7 @@ void StateMachine::forget_what_was_left() {
     end_wait(wait, fail(ErrorKind::cancelled, "its state was left"));
 }
 
+// Reactions to all agents ("*") and to this one run in the order of the file.
 bool StateMachine::agent_changed(const Message& event) {
   const auto* state = context_.active_state();
   if (!state || event.source != "System"sv || event.params.empty())
@@ -189,6 +210,9 @@ void StateMachine::react(const script::Reaction& reaction,
                        steps::Conclude{}});
 }
 
+// At the beginning the events are made here, as the agents came before the
+// session did. A reaction to any agent ("*") does not run then: the port is
+// asked for names and roles only.
 void StateMachine::take(const steps::GreetAgents&) {
   const auto* state = context_.active_state();
   if (!state)
@@ -207,7 +231,8 @@ void StateMachine::take(const steps::GreetAgents&) {
 }
 
 // A state whose Exit has run is left all the same; those who pushed were
-// cancelled.
+// cancelled. So a transit on the bottom level goes on to its Enter, and later
+// transits still count; pushes and pops make no sense any more.
 void StateMachine::clear_pushed() {
   std::erase_if(later_, std::not_fn(is<steps::Transit>));
   if (passage_ && !context_.states.pushed())
@@ -227,7 +252,9 @@ void StateMachine::clear() {
   forget_what_was_left();
 }
 
-// One that is being left has had its Exit.
+// One that is being left has had its Exit. After each Exit the level below
+// becomes the active one (ComeBack, which does nothing at the bottom), as its
+// own Exit runs in its own state.
 StepList StateMachine::exits() const {
   StepList all;
   const auto& levels = context_.states.levels();

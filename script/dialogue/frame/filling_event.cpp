@@ -12,13 +12,6 @@ namespace {
 
 using Kind = FrameChange::Kind;
 
-// What counts as said before: a default does not.
-const Value& accepted_value(const SlotState& slot) {
-  if (slot.status == SlotStatus::filled && !slot.by_default)
-    return slot.value;
-  return slot.previous;
-}
-
 // A refused value leaves the old one; but who says a day, though a wrong one,
 // does not mean the day that was taken by default.
 void drop_default(SlotState& slot) {
@@ -33,6 +26,14 @@ bool has(const std::vector<T>& all, const T& one) {
 
 } // namespace
 
+// A slot in doubt has its accepted value in `previous`.
+const Value& accepted_value(const SlotState& slot) {
+  if (slot.status == SlotStatus::filled && !slot.by_default)
+    return slot.value;
+  return slot.previous;
+}
+
+// `value` may be the slot's own `previous` (take_back), so it comes as a copy.
 void accept_value(SlotState& slot, Value value) {
   slot.value = std::move(value);
   slot.status = SlotStatus::filled;
@@ -42,11 +43,16 @@ void accept_value(SlotState& slot, Value value) {
   slot.no_input = slot.no_match = 0;
 }
 
+// What was asked, offered and counted is about the slot, not about its value,
+// so it stays: the next question is the next wording.
 void empty_slot(SlotState& slot) {
   SlotState empty;
   empty.asked = slot.asked;
   empty.no_input = slot.no_input;
   empty.no_match = slot.no_match;
+  empty.offered = slot.offered;
+  empty.applies = slot.applies;
+  empty.closed = slot.closed;
   slot = std::move(empty);
 }
 
@@ -86,11 +92,19 @@ CardinalityEvaluator FillingEvent::cardinalities() const {
   return {[this](CodeId code) { return evaluate(code); }, &program_};
 }
 
-// (1) corrections and denials
+// (1) corrections and denials. Denials change the frame here, before any value
+// is matched: "not the blue one, the red one" and the other way round come to
+// the same. Of several values for a slot that takes one, the last wins, but
+// none against a correction. A slot with many values needs all that was said,
+// in order, and is dealt with in (2).
 void FillingEvent::take(const FrameChange& change) {
   if (change.slot >= frame_.slots.size())
     return;
   auto& offer = this->offer(change.slot);
+  if (topic_.slots[change.slot].many) {
+    offer.items.push_back(&change);
+    return;
+  }
   const bool corrects = change.kind == Kind::correct;
   if (change.kind == Kind::deny) {
     deny(change);
@@ -105,6 +119,9 @@ bool FillingEvent::denies(const FrameChange& denial, const Value& value) const {
   return !value.is_unknown() && denied.value == value;
 }
 
+// "At three … no, not at three": the denial takes back what the same event
+// says, and what the slot has. A denial of a value that is not there has no
+// effect, and no report.
 void FillingEvent::deny(const FrameChange& denial) {
   auto& slot = frame_.slots[denial.slot];
   auto& offer = this->offer(denial.slot);
@@ -143,9 +160,17 @@ void FillingEvent::narrow(Offer& offer, const FrameChange& denial) {
   offer.change = &left_by_no_.front();
 }
 
+// The slots are matched in slot order, whatever the order of words, since a
+// cardinality may read slots before it. The state before is kept only where a
+// constraint might want it back.
 SlotReports FillingEvent::run(std::vector<Error>& errors) {
   for (auto& offer : offers_) // (2)
-    if (offer.change) {
+    if (!offer.items.empty()) {
+      const auto& slot = frame_.slots[offer.slot];
+      if (!topic_.constraints.empty())
+        offer.unfilled = std::make_unique<SlotState>(slot);
+      fill_many(offer);
+    } else if (offer.change) {
       const auto& slot = frame_.slots[offer.slot];
       if (slot.status == SlotStatus::unconfirmed)
         offer.doubted = slot.value;
@@ -184,6 +209,8 @@ void FillingEvent::match_offer(SlotId id, const FrameChange& change) {
   }
 }
 
+// For now the value counts as accepted: constraints read it. Grounding in (4)
+// has the last word, and `previous` is what a no goes back to.
 void FillingEvent::put_value(SlotId id, const FrameChange& change,
                              const Value& value) {
   auto& slot = frame_.slots[id];
@@ -194,6 +221,7 @@ void FillingEvent::put_value(SlotId id, const FrameChange& change,
   slot.text = change.text;
   slot.candidates.clear();
   slot.by_default = false;
+  slot.certain = !change.unmatched && is_certain_confidence(change.confidence);
   report(id, SlotOutcome::accepted).offered = value;
 }
 
@@ -210,7 +238,9 @@ void FillingEvent::put_candidates(SlotId id, const FrameChange& change,
   report(id, SlotOutcome::ambiguous).offered = said(change);
 }
 
-// (3) A failing constraint refuses what this event filled.
+// (3) A failing constraint refuses what this event filled. Which slots it reads
+// is only known when it has run. One that ends with an error counts as failing,
+// without a message: a value must not pass because its check is broken.
 void FillingEvent::check(const script::Constraint& constraint,
                          std::vector<Error>& errors) {
   std::vector<SlotId> reads;
@@ -222,10 +252,13 @@ void FillingEvent::check(const script::Constraint& constraint,
     refuse(reads, {});
     return;
   }
-  auto reason = constraint.message == script::no_code
-                    ? Value()
-                    : evaluate(constraint.message).value_or(Value());
-  refuse(reads, reason.is_unknown() ? std::string() : reason.text());
+  Expected<Value> reason = Value();
+  if (constraint.message != script::no_code)
+    reason = evaluate(constraint.message);
+  if (!reason)
+    errors.push_back(reason.error());
+  refuse(reads,
+         reason && !reason->is_unknown() ? reason->text() : std::string());
 }
 
 bool FillingEvent::judged(const std::vector<SlotId>& reads) const {
@@ -248,15 +281,15 @@ void FillingEvent::refuse(const std::vector<SlotId>& reads,
   }
 }
 
-// (4)
+// (4) To say a value again is to confirm it, whether it was accepted before or
+// waits for a yes.
 void FillingEvent::ground_value(SlotReport& report) {
   auto& slot = frame_.slots[report.slot];
   report.outcome = outcome_of_change(slot.previous, slot.value);
   // To say it again is to say yes.
   const bool known = report.outcome == SlotOutcome::unchanged ||
                      offer(report.slot).doubted == slot.value;
-  const auto grounding =
-      ground(topic_.slots[report.slot].confirm, slot.confidence);
+  const auto grounding = this->grounding(report.slot);
   if (grounding == Grounding::explicitly && !known) {
     slot.status = SlotStatus::unconfirmed;
     slot.implicit = false;
@@ -265,6 +298,22 @@ void FillingEvent::ground_value(SlotReport& report) {
   }
   accept_value(slot, std::move(slot.value));
   slot.implicit = grounding == Grounding::implicitly && !known;
+}
+
+// What cannot be taken back is confirmed unless it is certain. What a summary
+// confirms is not confirmed before as well, but for what must be.
+Grounding FillingEvent::grounding(SlotId id) const {
+  const auto& definition = topic_.slots[id];
+  const auto grounding =
+      ground(definition.confirm, frame_.slots[id].confidence);
+  if (definition.commits && !frame_.slots[id].certain)
+    return Grounding::explicitly;
+  const bool summarised =
+      topic_.summary != script::Summary::never &&
+      definition.confirm == script::ConfirmPolicy::automatic;
+  return summarised && grounding == Grounding::explicitly
+             ? Grounding::implicitly
+             : grounding;
 }
 
 SlotReport& FillingEvent::report(SlotId slot, SlotOutcome outcome) {

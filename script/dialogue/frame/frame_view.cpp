@@ -10,6 +10,8 @@ Value read_slot(const TopicFrame& frame, SlotId slot) {
     return frame.asked;
   case script::slot_relaxed:
     return List(frame.relaxed.begin(), frame.relaxed.end());
+  case script::slot_last:
+    return frame.last;
   default:
     return slot < frame.slots.size() ? frame.slots[slot].value : Value();
   }

@@ -6,6 +6,8 @@
 
 namespace parlour::dialogue {
 
+// `slot` may be one of the program's numbers for rows, asked, relaxed and last.
+// Unknown where the slot has no value, or the topic no such slot.
 Value read_slot(const TopicFrame& frame, SlotId slot);
 
 } // namespace parlour::dialogue

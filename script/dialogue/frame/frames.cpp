@@ -37,6 +37,7 @@ bool is_computed(const script::Program& program, CodeId code) {
 bool is_computed(const script::Program& program, const script::Slot& slot) {
   const auto& takes = slot.cardinality;
   return is_computed(program, slot.initial) ||
+         is_computed(program, slot.condition) ||
          is_computed(program, takes.minimum) ||
          is_computed(program, takes.maximum) ||
          std::any_of(takes.values.begin(), takes.values.end(),
@@ -60,6 +61,7 @@ Frames::Frames(const script::Program& program, script::Interpreter& interpreter)
     : program_(&program), interpreter_(&interpreter),
       entries_(program.topics.size()) {}
 
+// Copy on write: `own` is null while the frame is shared.
 TopicFrame& Frames::own(TopicId topic, Timestamp now) {
   auto& mine = entry(topic, now);
   if (!mine.own)
@@ -69,8 +71,16 @@ TopicFrame& Frames::own(TopicId topic, Timestamp now) {
 
 FrameResult Frames::apply(TopicId topic, std::span<const FrameChange> changes,
                           Timestamp now) {
-  return apply_in_place(*program_, own(topic, now), changes,
-                        make_frame_evaluator(*interpreter_, now));
+  return apply_in_place(*program_, own(topic, now), changes, evaluator(now));
+}
+
+// A frame whose initial values are being made has none yet.
+FrameEvaluator Frames::evaluator(Timestamp now) const {
+  if (program_->read_elsewhere.empty())
+    return make_frame_evaluator(*interpreter_, now);
+  return make_frame_evaluator(*interpreter_, now, [this, now](TopicId topic) {
+    return entries_[topic].is_made ? nullptr : entry(topic, now).frame.get();
+  });
 }
 
 FrameRequest Frames::request(TopicId topic, std::vector<FrameChange> changes,
@@ -83,6 +93,12 @@ FrameRequest Frames::request(TopicId topic, std::vector<FrameChange> changes,
   request.changes = std::move(changes);
   if (reads_variables(*program_, program_->topics[topic]))
     request.variables = variables_of(*interpreter_);
+  for (auto other : program_->read_elsewhere)
+    if (other != topic) {
+      auto& read = entry(other, now);
+      read.own.reset();
+      request.others.push_back(read.frame);
+    }
   return request;
 }
 
@@ -92,11 +108,17 @@ void Frames::store(FramePointer frame) {
   mine.frame = std::move(frame);
 }
 
+// Made when first looked at, since most topics of an application are not spoken
+// of. An initial value may read another topic, whose initial value reads this
+// one; `is_made` ends that ring.
 Frames::Entry& Frames::entry(TopicId topic, Timestamp now) const {
   auto& mine = entries_[topic];
-  if (!mine.frame)
-    mine.frame = mine.own = make_short_lived<TopicFrame>(
-        new_frame(*program_, topic, make_frame_evaluator(*interpreter_, now)));
+  if (mine.frame)
+    return mine;
+  mine.is_made = true;
+  mine.frame = mine.own =
+      make_short_lived<TopicFrame>(new_frame(*program_, topic, evaluator(now)));
+  mine.is_made = false;
   return mine;
 }
 

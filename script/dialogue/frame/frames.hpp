@@ -12,6 +12,9 @@
 
 namespace parlour::dialogue {
 
+// A frame is copied only when it is to be changed and somebody else may hold
+// it: an actor, a query that waits. One that nobody else has is changed in
+// place.
 class Frames {
 public:
   Frames(const script::Program& program, script::Interpreter& interpreter);
@@ -22,7 +25,7 @@ public:
     return mine.frame ? *mine.frame : *entry(topic, now).frame;
   }
 
-  // Null where it was not looked at.
+  // Null where it was not looked at. Makes nothing.
   const TopicFrame* find(TopicId topic) const {
     return entries_[topic].frame.get();
   }
@@ -42,7 +45,8 @@ public:
   }
 
   // What the actor is told: the frame, which it shares from now on, and
-  // `changes`.
+  // `changes`; variables and other topics' frames only where the program may
+  // read them.
   FrameRequest request(TopicId topic, std::vector<FrameChange> changes,
                        Timestamp now);
   // The actor's answer: the topic's frame from now on.
@@ -52,7 +56,7 @@ public:
   void serialize(Archive& archive) {
     archive.without(program_, interpreter_);
     for (TopicId topic = 0; topic < entries_.size(); ++topic) {
-      const auto& [frame, own] = entries_[topic];
+      const auto& [frame, own, is_made] = entries_[topic];
       archive(entries_[topic]);
       archive.check((!own || own == frame) && (!frame || frame->topic == topic),
                     "a frame is another topic's");
@@ -63,13 +67,16 @@ private:
   struct Entry {
     FramePointer frame;              // null: not touched
     std::shared_ptr<TopicFrame> own; // the same one, while nobody else has it
+    bool is_made = false;            // now: it cannot be read yet
 
     template <class Archive>
     void serialize(Archive& archive) {
+      archive.without(is_made);
       archive(frame, own);
     }
   };
 
+  FrameEvaluator evaluator(Timestamp now) const;
   Entry& entry(TopicId topic, Timestamp now) const;
   TopicFrame& own(TopicId topic, Timestamp now); // to be changed
 

@@ -6,6 +6,8 @@ namespace parlour::dialogue {
 
 namespace {
 
+// The limits of engine rule 5.5: 0.4, 0.7 and 0.9. An understanding that tells
+// no confidence is believed, and its values are echoed.
 Grounding by_confidence(const Value& confidence) {
   if (confidence.is_unknown())
     return Grounding::implicitly;
@@ -19,6 +21,10 @@ Grounding by_confidence(const Value& confidence) {
 }
 
 } // namespace
+
+bool is_certain_confidence(const Value& confidence) {
+  return by_confidence(confidence) == Grounding::accept;
+}
 
 Grounding ground(script::ConfirmPolicy policy, const Value& confidence) {
   switch (policy) {

@@ -13,6 +13,10 @@ enum class Grounding : std::uint8_t {
   accept,
 };
 
+// Whether it is so sure that what cannot be taken back may be done: known, and
+// 0.9 or more.
+bool is_certain_confidence(const Value& confidence);
+
 // `confidence`: 0..1, or unknown.
 Grounding ground(script::ConfirmPolicy policy, const Value& confidence);
 

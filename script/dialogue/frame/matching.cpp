@@ -17,6 +17,7 @@ bool contains(const List& list, const Value& value) {
   return std::find(list.begin(), list.end(), value) != list.end();
 }
 
+// One value is the value; several are candidates; none does not fit.
 Matched one_of(List values) {
   if (values.size() == 1)
     return {std::move(values.front()), {}};
@@ -72,6 +73,8 @@ std::optional<List> same_constants(const Value& said,
 }
 
 // The options nearest in spelling; of equally near ones all.
+// What is the same but for case and spaces wins against everything that is only
+// near, so that a long set need not be compared letter by letter.
 List nearest(const Value& said, const List& options) {
   auto found = same(said, options);
   if (!found.empty())
@@ -114,6 +117,8 @@ Value bound(CodeId code, const CardinalityEvaluator& evaluate) {
 }
 
 // What a range's bounds are tells what its values are.
+// The first type of which both bounds have the normal form; a bound that is
+// left out fits any. Empty: there is none, and no value is in the range.
 std::string_view range_type(const Value& low, const Value& high) {
   for (const auto* type : {"number", "time", "date"})
     if ((low.is_unknown() || !normal_form(type, low).is_unknown()) &&
@@ -122,6 +127,8 @@ std::string_view range_type(const Value& low, const Value& high) {
   return {};
 }
 
+// Normal forms of times and dates have a fixed length, so they are in order as
+// texts. A bound that is unknown is no bound.
 bool in_order(const Value& low, const Value& high) {
   if (low.is_unknown() || high.is_unknown())
     return true;
@@ -142,6 +149,7 @@ Value in_range(const script::Cardinality& cardinality, const Value& said,
   return inside ? value : Value();
 }
 
+// A pattern that RE2 cannot read takes nothing.
 Value by_pattern(const std::string& pattern, const Value& said) {
   RE2 expression(pattern, RE2::Quiet);
   return expression.ok() && RE2::FullMatch(said.text(), expression) ? said
@@ -153,6 +161,9 @@ bool is_empty(const Value& value) {
          (value.if_string() && folds_to(*value.if_string(), {}));
 }
 
+// Most sets are constant texts and most answers one of them, so these are
+// compared first, without a value for each. Only then are the values computed,
+// and spellings compared.
 Matched match_set(const script::Cardinality& cardinality, const Value& said,
                   const CardinalityEvaluator& evaluate) {
   auto found = same_constants(said, cardinality, evaluate);

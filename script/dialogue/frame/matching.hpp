@@ -44,15 +44,18 @@ private:
   const script::Program* program_; // may be null
 };
 
-// What the user said for the slot: the change's value, else its words.
+// What the user said for the slot: the change's value, else its words; unknown
+// where there is neither.
 Value said(const FrameChange& change);
 
 // The slot's cardinality decides; its candidates are matched one by one.
+// "purpl" for a set of red and purple -> purple; "10:30am" for a time -> 10:30.
 Matched match(const script::Slot& slot, const FrameChange& change,
               const CardinalityEvaluator& evaluate);
 
-// The same where one of `candidates` was asked for ("Do you mean A or B?"):
-// what narrows them down comes first, words that are part of one included.
+// The same where one of `candidates` was asked for ("Do you mean Ann Lee or Ann
+// Ho?"): what narrows them down comes first, words that are part of one
+// included ("Lee"). What is none of them is matched like any other value.
 Matched match_choice(const script::Slot& slot, const FrameChange& change,
                      const List& candidates,
                      const CardinalityEvaluator& evaluate);

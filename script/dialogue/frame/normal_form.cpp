@@ -31,6 +31,8 @@ Value number(const Value& value) {
   return value.if_string() ? parse_number(*value.if_string()) : Value();
 }
 
+// `half`: "a", "p", or empty on the clock of 24 hours. 12am is 00:00, 12pm is
+// 12:00; 0pm and 13pm are no times.
 Value clock_time(int hour, int minute, const std::string& half) {
   if (minute > 59 || hour > (half.empty() ? 23 : 12) ||
       (!half.empty() && hour == 0))
@@ -79,6 +81,8 @@ Value date(const Value& value) {
   return all.ok() ? Value(padded("%04d-%02d-%02d", year, month, day)) : Value();
 }
 
+// Whole seconds are integers. What is negative, endless or above 1e15 is no
+// duration.
 Value seconds(double amount) {
   if (!std::isfinite(amount) || amount < 0 || amount > 1e15)
     return {};
@@ -87,6 +91,7 @@ Value seconds(double amount) {
   return amount;
 }
 
+// The first letter tells the units of duration() apart; it has none for months.
 double unit_in_seconds(char unit) {
   return unit == 'd' ? 86400 : unit == 'h' ? 3600 : unit == 'm' ? 60 : 1;
 }
@@ -151,6 +156,16 @@ Value email(const Value& value) {
                                                             : Value();
 }
 
+Value boolean(const Value& value) {
+  if (value.if_boolean())
+    return value;
+  static const RE2 yes(R"((?i)\s*(yes|true)\s*)"),
+      no(R"((?i)\s*(no|false)\s*)");
+  if (RE2::FullMatch(value.text(), yes))
+    return true;
+  return RE2::FullMatch(value.text(), no) ? Value(false) : Value();
+}
+
 struct Form {
   std::string_view type;
   Convert convert;
@@ -159,7 +174,7 @@ struct Form {
 constexpr std::array forms = {
     Form{"number", number}, Form{"date", date},         Form{"time", time},
     Form{"level", level},   Form{"duration", duration}, Form{"phone", phone},
-    Form{"email", email},
+    Form{"email", email},   Form{"boolean", boolean},
 };
 
 const Form* form_of(std::string_view type) {

@@ -10,9 +10,11 @@
 
 namespace parlour::dialogue {
 
+// `type`: a cardinality's.
 bool has_normal_form(std::string_view type);
 
-// Unknown where the value is none of that type.
+// Unknown where the value is none of that type, and where the type has no
+// normal form. A value in normal form stays as it is.
 Value normal_form(std::string_view type, const Value& value);
 
 } // namespace parlour::dialogue

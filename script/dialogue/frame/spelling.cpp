@@ -15,6 +15,8 @@ namespace parlour::dialogue {
 
 namespace {
 
+// The distance of the same words in another order or number. Wrong letters
+// count on top of it, so a plural is nearer than any misspelling.
 constexpr int same_words = 1;
 
 bool has_digit(std::string_view text) {
@@ -22,11 +24,15 @@ bool has_digit(std::string_view text) {
                      [](char c) { return c >= '0' && c <= '9'; });
 }
 
-// Letters that may differ in so long a word or name.
+// Letters that may differ in so long a word or name; the length is in letters
+// of the shorter one. In short words one letter makes another word ("tea",
+// "ten"); with more in long ones, different names would meet.
 int tolerance(std::size_t length) {
   return length < 4 ? 0 : length < 8 ? 1 : length < 13 ? 2 : 3;
 }
 
+// In bytes; what is longer is near only to itself. It bounds the memory and
+// time of one comparison.
 constexpr std::size_t longest = 200;
 
 // Letters as they are compared.
@@ -35,10 +41,17 @@ std::u16string letters_of(const std::string& text) {
   return {unicode.getBuffer(), static_cast<std::size_t>(unicode.length())};
 }
 
+// Of UTF-8: the bytes that begin one.
+std::size_t letter_count(std::string_view text) {
+  return static_cast<std::size_t>(std::count_if(
+      text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+}
+
+// With digits, one letter is another thing: room 201 is not room 210.
 std::optional<int> near(const std::string& a, const std::string& b) {
   if (a == b)
     return 0;
-  const auto allowed = tolerance(std::min(a.size(), b.size()));
+  const auto allowed = tolerance(std::min(letter_count(a), letter_count(b)));
   if (allowed == 0 || has_digit(a) || has_digit(b) ||
       std::max(a.size(), b.size()) > longest)
     return std::nullopt;
@@ -50,6 +63,8 @@ bool ends_with(std::string_view word, std::string_view end) {
   return word.size() > end.size() + 1 && word.ends_with(end);
 }
 
+// A rough rule of English, applied to both sides: what it does to a word need
+// not be right, only equal.
 std::string singular(std::string word) {
   if (ends_with(word, "ies"))
     return word.substr(0, word.size() - 3) + "y";
@@ -76,7 +91,8 @@ std::string joined(const std::vector<std::string>& words) {
   return std::accumulate(words.begin(), words.end(), std::string());
 }
 
-// Each word to the nearest one that is left, in any order.
+// Each word to the nearest one that is left, in any order. Greedy: a better
+// assignment of later words is not looked for.
 std::optional<int> word_by_word(const std::vector<std::string>& said,
                                 std::vector<std::string> canonical) {
   int sum = 0;

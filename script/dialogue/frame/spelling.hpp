@@ -9,7 +9,8 @@
 
 namespace parlour::dialogue {
 
-// Lower case by Unicode; punctuation and white space become one space.
+// Lower case by Unicode; punctuation and white space become one space, none at
+// the ends. Apostrophes go: "Jeffery's" is one word.
 std::string folded(std::string_view text);
 
 // Whether folded(text) == words.

@@ -37,6 +37,8 @@ SlotState new_slot(const script::Slot& slot, const TopicFrame& frame,
   return state;
 }
 
+// Slots are made in file order, so an initial value may read slots before it.
+// Conditions come last, as they may read any slot.
 TopicFrame new_frame(const script::Program& program, TopicId topic,
                      const FrameEvaluator& evaluate) {
   const auto& slots = program.topics[topic].slots;
@@ -46,13 +48,34 @@ TopicFrame new_frame(const script::Program& program, TopicId topic,
   for (std::size_t i = 0; i < slots.size(); ++i)
     if (slots[i].initial != script::no_code)
       frame.slots[i] = new_slot(slots[i], frame, evaluate);
+  judge_conditions(program.topics[topic], frame, evaluate, nullptr);
   return frame;
+}
+
+void judge_conditions(const script::Topic& topic, TopicFrame& frame,
+                      const FrameEvaluator& evaluate,
+                      std::vector<Error>* errors) {
+  for (SlotId slot = 0; slot < topic.slots.size(); ++slot) {
+    const auto condition = topic.slots[slot].condition;
+    if (condition == script::no_code)
+      continue;
+    const auto holds = evaluate(condition, frame, nullptr);
+    frame.slots[slot].applies = holds && *holds;
+    if (!holds && errors)
+      errors->push_back(holds.error());
+  }
+}
+
+bool is_open(const script::Slot& slot, const SlotState& state) {
+  return slot.more != script::no_code && !state.closed &&
+         state.status == SlotStatus::filled && !state.by_default;
 }
 
 SlotId missing_slot(const script::Topic& topic, const TopicFrame& frame) {
   for (SlotId slot = 0; slot < topic.slots.size(); ++slot)
-    if (topic.slots[slot].functional &&
-        frame.slots[slot].status != SlotStatus::filled)
+    if (topic.slots[slot].functional && frame.slots[slot].applies &&
+        (frame.slots[slot].status != SlotStatus::filled ||
+         is_open(topic.slots[slot], frame.slots[slot])))
       return slot;
   return script::no_id;
 }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "script/dialogue/frame/filling_event.hpp"
+#include "script/dialogue/frame/matching.hpp"
 #include "script/dialogue/frame/topic_frame.hpp"
 
 namespace parlour::dialogue {
@@ -24,10 +25,21 @@ void settle(const script::Topic& topic, TopicFrame& frame) {
   frame.done = begun && missing_slot(topic, frame) == script::no_id;
 }
 
+// For `this.last`.
+Value values_of(const script::Topic& topic, const TopicFrame& frame) {
+  Map values;
+  for (SlotId slot = 0; slot < frame.slots.size(); ++slot)
+    if (frame.slots[slot].status == SlotStatus::filled)
+      values.set(topic.slots[slot].name, frame.slots[slot].value);
+  return values;
+}
+
 bool is_filling(Kind kind) {
   return kind == Kind::fill || kind == Kind::correct || kind == Kind::deny;
 }
 
+// One event of a frame, in place. Reports of all its changes are put together,
+// one a slot, so that scripts run once for what the user said once.
 class Event {
 public:
   Event(const script::Program& program, TopicFrame& frame,
@@ -35,6 +47,9 @@ public:
       : program_(program), topic_(program.topics[frame.topic]), frame_(frame),
         evaluate_(evaluate) {}
 
+  // A row of fills, corrections and denials is taken as a whole, because a
+  // later one may change what an earlier one means. Which slots apply, and
+  // whether the frame is done, is found at the end, once.
   void run(std::span<const FrameChange> changes) {
     for (auto at = changes.begin(); at != changes.end();) {
       if (!is_filling(at->kind)) {
@@ -45,8 +60,12 @@ public:
       for (; at != changes.end() && is_filling(at->kind); ++at)
         filling.take(*at);
       add(filling.run(errors_));
+      told_ = true;
     }
+    judge_conditions(topic_, frame_, evaluate_, &errors_);
     settle(topic_, frame_);
+    if (told_)
+      frame_.certain = frame_.sure && is_certain();
   }
 
   SlotReports reports() {
@@ -117,6 +136,10 @@ private:
     case Kind::echoed:
       echoed(change.slot);
       break;
+    case Kind::said:
+      frame_.sure = bool(change.value);
+      told_ = true;
+      break;
     default:
       if (change.slot < frame_.slots.size())
         change_slot(change, frame_.slots[change.slot]);
@@ -137,6 +160,15 @@ private:
     case Kind::disconfirmed:
       disconfirmed(change.slot, slot);
       break;
+    case Kind::offer:
+      offer(change, slot);
+      break;
+    case Kind::close:
+      slot.closed = true;
+      break;
+    case Kind::reopen:
+      slot.wants_more = true;
+      break;
     case Kind::asked:
       ++slot.asked;
       break;
@@ -151,13 +183,18 @@ private:
     }
   }
 
+  // The topic begins anew, but `this.last` stays: it is about the time before.
   void reset() {
     for (SlotId slot = 0; slot < frame_.slots.size(); ++slot)
       if (!frame_.slots[slot].value.is_unknown())
         add(slot, SlotOutcome::cleared, frame_.slots[slot].value);
+    auto last = std::move(frame_.last);
     frame_ = new_frame(program_, frame_.topic, evaluate_);
+    frame_.last = std::move(last);
   }
 
+  // An enquiry forgets what its next question does not inherit (engine rule
+  // 6.5).
   void inherit(const std::vector<SlotId>& keep) {
     for (SlotId slot = 0; slot < frame_.slots.size(); ++slot)
       if (std::find(keep.begin(), keep.end(), slot) == keep.end())
@@ -175,6 +212,8 @@ private:
     slot = std::move(fresh);
   }
 
+  // By a script, or by a topic that begins with values: neither matched nor
+  // grounded. Unknown empties the slot.
   void set(const FrameChange& change, SlotState& slot) {
     if (change.value.is_unknown()) {
       clear(change.slot);
@@ -195,6 +234,7 @@ private:
       add(id, SlotOutcome::cleared, std::move(before));
   }
 
+  // A yes that comes when nothing is in doubt any more has no effect.
   void confirmed(SlotId id, SlotState& slot) {
     if (slot.status != SlotStatus::unconfirmed)
       return;
@@ -211,12 +251,50 @@ private:
     add(id, SlotOutcome::cleared, std::move(offered));
   }
 
+  // Once, and only what the slot takes.
+  void offer(const FrameChange& change, SlotState& slot) {
+    slot.offered = true;
+    const auto matched =
+        match(topic_.slots[change.slot], change,
+              {[this](CodeId code) { return evaluate_(code, frame_, nullptr); },
+               &program_});
+    if (matched.value.is_unknown())
+      return;
+    slot.value = matched.value;
+    slot.status = SlotStatus::unconfirmed;
+    slot.confidence = {};
+    slot.text.clear();
+    add(change.slot, SlotOutcome::unconfirmed, {});
+  }
+
+  // Whether this event said all that is asked for, and whatever it said for
+  // certain.
+  bool is_certain() const {
+    for (SlotId slot = 0; slot < frame_.slots.size(); ++slot) {
+      const bool is_said = was_said(slot);
+      const bool is_wanted =
+          topic_.slots[slot].functional && frame_.slots[slot].applies;
+      if ((is_wanted && !is_said) || (is_said && !frame_.slots[slot].certain))
+        return false;
+    }
+    return true;
+  }
+
+  bool was_said(SlotId slot) const {
+    return std::ranges::any_of(reports_, [&](const SlotReport& report) {
+      return report.slot == slot && (report.outcome == SlotOutcome::accepted ||
+                                     report.outcome == SlotOutcome::corrected ||
+                                     report.outcome == SlotOutcome::unchanged);
+    });
+  }
+
   void echoed(SlotId slot) {
     for (SlotId id = 0; id < frame_.slots.size(); ++id)
       if (slot == script::no_id || slot == id)
         frame_.slots[id].implicit = false;
   }
 
+  // Whether the slot was given a value that a <by> of the topic uses.
   bool asks_query(const SlotReport& report) const {
     const bool has_value = report.outcome == SlotOutcome::accepted ||
                            report.outcome == SlotOutcome::corrected ||
@@ -238,6 +316,7 @@ private:
   const FrameEvaluator& evaluate_;
   SlotReports reports_;
   std::vector<Error> errors_;
+  bool told_ = false; // by the user
 };
 
 } // namespace
@@ -261,6 +340,8 @@ FrameResult apply(const script::Program& program, const FrameRequest& request,
 void set_status(const script::Topic& topic, TopicFrame& frame,
                 TopicStatus status) {
   frame.status = status;
+  if (status == TopicStatus::completed)
+    frame.last = values_of(topic, frame);
   settle(topic, frame);
 }
 

@@ -4,6 +4,8 @@
 
 namespace parlour::dialogue {
 
+// The hash is begun anew as well: that of an input does not depend on those
+// before it, so a difference is told at the input where it is.
 PortAnswers RecordingPort::take_answers() {
   answers_.wishes = std::exchange(wishes_, {}).hash();
   return std::exchange(answers_, {});

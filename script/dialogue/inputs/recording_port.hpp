@@ -10,6 +10,8 @@
 
 namespace parlour::dialogue {
 
+// Stands between a conversation and its port while a journal is kept. Lives on
+// the session's thread; the owner takes the answers after each input.
 class RecordingPort : public Port {
 public:
   // The other port outlives this one.
@@ -18,7 +20,8 @@ public:
   // Each output that leaves; may be empty.
   std::function<void(const Output&)> on_output;
 
-  // What was noted since the last call.
+  // What was noted since the last call. Called once after each input, as what
+  // was noted is one input's.
   PortAnswers take_answers();
 
   std::vector<Message> post(Message message) override;

@@ -10,6 +10,8 @@ namespace {
 
 using Program = std::shared_ptr<const script::Program>;
 
+// A session while it is repeated: counts its inputs, and gathers what its seat
+// and the components may not have got.
 class Recovered {
 public:
   Recovered(const SessionHistory& history, Replay& replay)
@@ -25,6 +27,9 @@ public:
       };
   }
 
+  // One input, with the answers that it met. The turns are noted in the order
+  // in which the session noted them when it was alive: input, outputs, dealt
+  // with.
   Expected<void> take(const Program& program, const InputTaken& taken) {
     auto input = read_input(program, taken.input);
     if (!input)
@@ -44,7 +49,9 @@ public:
     return input_;
   }
 
-  // The outcome of a request is in doubt, and it is not asked again.
+  // The session as it is now, once. The outcome of a request is in doubt, and
+  // it is not asked again: what a <request> has posted is left out of what is
+  // posted anew.
   SavedSession saved() {
     const auto& conversation = replay_.conversation();
     std::erase_if(posts_, [&](const Message& message) {
@@ -74,6 +81,8 @@ replay_of(const Program& program,
   return Replay::from(program, std::move(options), history.state);
 }
 
+// The end shows in two ways: by its record, or, where a crash came between the
+// end and that record, by the conversation itself.
 Expected<std::unique_ptr<SavedSession>>
 recover(const Program& program,
         const std::shared_ptr<const PhraseEvaluator>& phrases,

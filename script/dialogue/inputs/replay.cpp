@@ -16,6 +16,7 @@ std::string part_to_bytes(const script::Program& program, const Part& part) {
   return writer.take();
 }
 
+// Nothing may be left over: bytes of another form would else pass.
 template <class Part>
 Expected<Part> read_part(std::shared_ptr<const script::Program> program,
                          std::string_view bytes) {
@@ -79,6 +80,8 @@ void Replay::take(TimedInput input, Port& live) {
   take(std::move(input));
 }
 
+// A frame's result is not kept, as it follows from the request: the port has
+// computed it when the conversation asked.
 void Replay::take(TimedInput input) {
   if (auto* applied = std::get_if<input::FrameApplied>(&input.what))
     applied->result = port_.take_frame();

@@ -23,6 +23,9 @@ Expected<PortAnswers>
 read_answers(std::shared_ptr<const script::Program> program,
              std::string_view bytes);
 
+// Owns the conversation that is repeated and the port which stands for its
+// surroundings. For `parlour replay`, and for a session after a crash. Not
+// thread-safe.
 class Replay {
 public:
   // A session that has not begun; its first input is Begun.
@@ -36,12 +39,15 @@ public:
   // An error, of kind File, says how this differs from what was noted; the
   // session has taken the input all the same.
   Expected<void> take(TimedInput input, PortAnswers answers);
-  // An input whose answers nobody has noted: `live` is asked.
+  // An input whose answers nobody has noted: `live` is asked. For who goes on
+  // with a repeated session by hand. Whatever else the session wants goes
+  // nowhere.
   void take(TimedInput input, Port& live);
 
   const Conversation& conversation() const {
     return *conversation_;
   }
+  // To hear what is said and posted, and to watch.
   ReplayPort& port() {
     return port_;
   }

@@ -23,6 +23,8 @@ void ReplayPort::ask(Port& port) {
   asked_ = &port;
 }
 
+// The hash is looked at last, as it only says that something is different,
+// while letters say whether the surroundings were asked.
 std::optional<std::string> ReplayPort::difference() const {
   if (asked_)
     return {};
@@ -39,6 +41,8 @@ FrameResult ReplayPort::take_frame() {
   return std::exchange(frame_, {}).value_or(FrameResult());
 }
 
+// After the first letter that does not fit, none is given any more: what
+// follows could fit by chance only.
 char ReplayPort::next(const char* letters) const {
   if (!strayed_ && at_ < noted_.letters.size() &&
       std::strchr(letters, noted_.letters[at_]))
@@ -49,6 +53,8 @@ char ReplayPort::next(const char* letters) const {
 
 // -- what is answered at once -------------------------------------------------
 
+// What an inline component answered at once was done by that; only other
+// messages may still have to leave after a crash (on_post).
 std::vector<Message> ReplayPort::post(Message message) {
   wishes_.post(message);
   if (asked_)
@@ -129,11 +135,12 @@ void ReplayPort::close_socket(SocketId id) {
   wishes_.close_socket(id);
 }
 
-// As the topic's actor does it.
+// As the topic's actor does it. The next input is FrameApplied, for which
+// Replay takes the result.
 void ReplayPort::apply(TopicId, std::shared_ptr<const FrameRequest> request) {
-  frame_ = dialogue::apply(
-      *program_, *request,
-      make_frame_evaluator(program_, request->variables, request->now));
+  frame_ = dialogue::apply(*program_, *request,
+                           make_frame_evaluator(program_, request->variables,
+                                                request->now, request->others));
 }
 
 // -- watching -----------------------------------------------------------------

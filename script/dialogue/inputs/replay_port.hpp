@@ -16,16 +16,21 @@
 
 namespace parlour::dialogue {
 
+// Owned by a Replay. Nothing leaves it: timers do not ring, queries are not
+// asked; all outcomes are inputs that were noted. Not thread-safe.
 class ReplayPort : public Port {
 public:
   explicit ReplayPort(std::shared_ptr<const script::Program> program);
 
-  // The answers to what the next input asks.
+  // The answers to what the next input asks. To be called before each input.
   void expect(PortAnswers answers);
-  // Nobody has noted them: this port is asked what is answered at once, and
-  // told nothing else. Until expect() is called.
+  // Nobody has noted them: this port, which must outlive the input, is asked
+  // what is answered at once, and told nothing else; what is sent by a socket
+  // counts as sent. Until expect() is called.
   void ask(Port& port);
   // After the input: how what happened differs from what was noted, if it does.
+  // A phrase for people; nothing where both are the same, or where a port was
+  // asked.
   std::optional<std::string> difference() const;
   // The result of the frame that is awaited; empty where none is.
   FrameResult take_frame();
@@ -70,12 +75,16 @@ private:
   const std::shared_ptr<const script::Program> program_;
   Port* asked_ = nullptr; // null: what was noted counts
   PortAnswers noted_;
-  // Questions are asked of a port that is const.
-  mutable std::size_t at_ = 0; // of the letters
+  // The next of the letters. Mutable, like `strayed_`, as questions are asked
+  // of a port that is const.
+  mutable std::size_t at_ = 0;
+  // Something was asked to which the next letter is no answer: from there on
+  // the notes fit nothing.
   mutable bool strayed_ = false;
   std::size_t posts_ = 0;
   std::size_t failures_ = 0;
   Wishes wishes_;
+  // What apply() has computed, until the next input brings it.
   std::optional<FrameResult> frame_;
 };
 

@@ -6,6 +6,9 @@ namespace parlour::dialogue {
 
 namespace {
 
+// True: the record follows what is known. A record of a session of which
+// nothing came before, such as an input whose beginning was removed with an old
+// part, does not; a state always does.
 struct Taker {
   SessionHistory& history;
   HistoryFrom from;
@@ -19,7 +22,9 @@ struct Taker {
     history.inputs.push_back(std::move(taken));
     return known;
   }
-  // Where it goes on from what is known, that is longer, and shows more.
+  // Where it goes on from what is known, that is longer, and shows more: a
+  // replay from the beginning leaves it out. Behind a gap, or where only the
+  // last state is wanted, all before it is forgotten.
   bool operator()(StateKept& kept) {
     const bool follows = known && kept.inputs == history.count();
     if (follows && from == HistoryFrom::beginning)

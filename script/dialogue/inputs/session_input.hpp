@@ -1,6 +1,9 @@
 // SessionInput: everything that may enter a conversation, as data (engine rule
 // 7.2). Whoever keeps the inputs of a session, each with its time, can repeat
-// the session: equal inputs lead to equal states and words.
+// the session: equal inputs lead to equal states and words. The list is closed:
+// what can change a conversation and is no alternative here would be missing in
+// a replay. An alternative that is added goes to the end, as its place in the
+// variant is what the bytes tell it by.
 #pragma once
 
 #include <cstddef>
@@ -32,13 +35,15 @@ struct Received {
   }
 };
 
-// What is queued is taken one further.
+// One of what is queued is taken, or outputs are released (Conversation::step).
+// Kept, too, as it says in which order things were taken.
 struct Stepped {
   template <class Archive>
   void serialize(Archive&) {}
 };
 
-// The result follows from what was asked: a replay computes it again.
+// The result of a filling event. It follows from what was asked: a replay
+// computes it again, so it is not kept.
 struct FrameApplied {
   FrameResult result;
 
@@ -48,6 +53,8 @@ struct FrameApplied {
   }
 };
 
+// The outcomes below belong to what was wanted under the same id
+// (agenda/port.hpp).
 struct QueryAnswered {
   QueryId id = 0;
   Expected<Value> outcome;
@@ -68,6 +75,7 @@ struct FileAnswered {
   }
 };
 
+// Of a <load> or <unload>: no value, only whether it was done.
 struct ComponentAnswered {
   QueryId id = 0;
   Expected<void> outcome;
@@ -88,6 +96,7 @@ struct SocketOpened {
   }
 };
 
+// By the other side; its last message is another input.
 struct SocketClosed {
   SocketId id = 0;
 
@@ -106,6 +115,8 @@ struct TimerFired {
   }
 };
 
+// An output was shown; `played` false: it was broken off before a word was
+// heard.
 struct OutputFinished {
   OutputId id = 0;
   bool played = true;
@@ -148,7 +159,8 @@ inline SessionInput received(Message message) {
 // "message", "step", "timer" …: as pages and tools name them.
 std::string_view name_of(const SessionInput& input);
 
-// Hands the input to the conversation.
+// Hands the input to the function of the conversation that is meant for it.
+// `now`: milliseconds since 1970, not earlier than with the input before.
 void take(Conversation& conversation, SessionInput input, Timestamp now);
 
 // An input and when it came, as it is kept.
@@ -168,6 +180,7 @@ struct TimedInput {
   }
 
 private:
+  // The alternative of that number, to be read into.
   template <std::size_t... Kinds>
   static SessionInput empty(std::uint64_t kind, std::index_sequence<Kinds...>) {
     SessionInput one;

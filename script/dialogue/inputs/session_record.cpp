@@ -9,6 +9,7 @@ namespace parlour::dialogue {
 
 namespace {
 
+// Writes one field; Reading, its counterpart, reads it.
 struct Writing {
   ByteWriter& bytes;
 
@@ -59,7 +60,8 @@ struct Reading {
   }
 };
 
-// Writes and reads, so that both have one form.
+// Writes and reads, so that both have one form: the fields of each kind, in the
+// order that session_record.hpp says.
 template <class Visit, class What>
 void each(Visit visit, What& it) {
   using Kind = std::remove_const_t<What>;
@@ -101,6 +103,8 @@ std::string to_bytes(const SessionRecord& record) {
   return bytes.take();
 }
 
+// After the first failure the reader gives zeros, so it goes on to its end, and
+// the error is that first one.
 Expected<SessionRecord> read_record(std::string_view bytes) {
   ByteReader reader(bytes);
   if (const auto version = reader.byte();

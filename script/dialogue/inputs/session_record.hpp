@@ -13,6 +13,8 @@
 //             its turn and its number; a byte, its act; text, its words
 //   posted    fixed, how many inputs
 //   closed    nothing
+// A tool can list sessions, inputs and ends without the program that the blocks
+// need to be read.
 #pragma once
 
 #include <cstdint>
@@ -26,6 +28,8 @@
 
 namespace parlour::dialogue {
 
+// To be raised with each change of the form above; records of another version
+// are refused.
 inline constexpr std::uint8_t session_record_version = 2;
 
 // The session was made; its inputs follow, between those of others.
@@ -35,7 +39,7 @@ struct SessionOpened {
   bool strict = false; // its effects waited for the journal
 };
 
-// One input, with what was answered at once.
+// One input, with what was answered at once; both as the bytes of replay.hpp.
 struct InputTaken {
   std::string input;
   std::string answers;
@@ -50,14 +54,16 @@ struct StateKept {
 };
 
 // The messages that the session posted during its first inputs, so many, are
-// with those that they are for.
+// with those that they are for: after a crash they are not posted again. Of
+// strict journals only.
 struct EffectsDone {
   std::uint64_t inputs = 0;
 };
 
-// It is over.
+// It is over: nothing of it goes on after a crash.
 struct SessionClosed {};
 
+// One entry of a journal: of which session, and what.
 struct SessionRecord {
   SessionId session;
   std::variant<SessionOpened, InputTaken, StateKept, EffectsDone, SessionClosed>

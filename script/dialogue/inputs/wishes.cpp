@@ -13,6 +13,8 @@ void Wishes::add(char call, std::initializer_list<std::uint64_t> numbers,
     hash_.add(text);
 }
 
+// The values as bytes (value_bytes.hpp), so that type and place of each of them
+// count.
 void Wishes::add(const List& values) {
   ByteWriter bytes;
   for (const auto& value : values)
@@ -20,7 +22,7 @@ void Wishes::add(const List& values) {
   hash_.add(bytes.take());
 }
 
-// The message centre stamps it later.
+// The message centre stamps it later, so time and number are left out.
 void Wishes::post(const Message& message) {
   add('p', {message.correlation, message.sinks.size()},
       {message.source, message.command, message.session});

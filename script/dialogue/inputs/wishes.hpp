@@ -1,15 +1,21 @@
-// Wishes: a hash of what a conversation wants of its port, call by call.
+// Wishes: a hash of what a conversation wants of its port, call by call. Two
+// runs with the same wishes have said and asked the same. What only shows
+// (inspections), what only reads (reachable), and what a replay computes itself
+// (frames) is not in it. Numbers that the message centre gives later are not,
+// either.
 #pragma once
 
 #include <cstdint>
 #include <initializer_list>
 #include <string_view>
 
-#include "runtime/base/word_hash.hpp"
+#include "runtime/base/text/word_hash.hpp"
 #include "script/dialogue/agenda/port.hpp"
 
 namespace parlour::dialogue {
 
+// Used by both ports, so that their hashes can be compared. Journals keep the
+// hash: to change what goes into it makes older ones differ.
 class Wishes {
 public:
   void post(const Message& message);

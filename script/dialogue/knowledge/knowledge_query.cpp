@@ -21,11 +21,14 @@ bool is_filled(const TopicFrame& frame, SlotId slot) {
          frame.slots[slot].status == SlotStatus::filled;
 }
 
+// A <by> without a match of its own has the slot's.
 Match match_of(const script::Topic& topic, const QueryBy& by) {
   return by.match == Match::equal ? topic.slots[by.slot].match : by.match;
 }
 
-// Text is compared without regard to case in every database.
+// Text is compared without regard to case in every database, so both sides are
+// made lower case. Values are bound, never pasted in (engine rule 6.2); a
+// pattern of `like` as well, with its own signs escaped.
 std::string condition(const QueryBy& by, Match match, const Value& value,
                       List& values) {
   if (match == Match::equal && !value.if_string()) {
@@ -76,6 +79,8 @@ SlotId KnowledgeQuery::next_relaxed() const {
   return lowest ? lowest->slot : script::no_id;
 }
 
+// `asked` has the relaxed slots too: the answer may say what was asked for and
+// not found. Facts need no text; query_facts() reads `asked` and `relaxed`.
 Statement KnowledgeQuery::statement() const {
   const auto& source = topic_->queries[source_];
   Statement statement;

@@ -27,12 +27,16 @@ struct Statement {
   }
 };
 
+// Made by Enquiries for one answer; it keeps the frame as it was then, and
+// where it is in the queries and their relaxed forms. The program must outlive
+// it.
 class KnowledgeQuery {
 public:
   KnowledgeQuery() = default; // to be read from bytes
   KnowledgeQuery(const script::Topic& topic, FramePointer frame);
 
-  // The first statement, or nothing where the topic has no query.
+  // The first statement, or nothing where the topic has no query. Slots without
+  // an accepted value take no part.
   std::optional<Statement> first();
   // After an answer without rows: with the <by> of lowest `relax` left out,
   // then the next one; after those the next source, whole again; else nothing.
@@ -53,6 +57,7 @@ public:
   }
 
 private:
+  // The current source with all conditions but the relaxed ones.
   Statement statement() const;
   SlotId next_relaxed() const; // no_id where nothing is left to relax
 

@@ -22,12 +22,14 @@ struct Condition {
   Value value;
 };
 
+// Texts as they are heard: case, punctuation and spaces aside.
 bool equal(const Value& cell, const Value& value) {
   if (cell.if_string() && value.if_string())
     return folded(*cell.if_string()) == folded(*value.if_string());
   return cell == value;
 }
 
+// An empty cell fits nothing, as null does in SQL.
 bool holds(const Condition& condition, const Value& cell) {
   if (cell.is_unknown())
     return false;
@@ -83,6 +85,8 @@ void sort_rows(const ResultSet& rows, const std::string& order,
 
 } // namespace
 
+// Tables in scripts are small, so each condition walks through all rows that
+// are left. Rows that are equal for `order` keep the order of the file.
 ResultSet query_facts(const script::Program& program,
                       const script::Topic& topic, const Statement& statement) {
   const auto& source = topic.queries[statement.source];

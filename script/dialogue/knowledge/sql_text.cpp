@@ -24,6 +24,8 @@ struct Word {
   std::string text;
 };
 
+// What stands in parentheses belongs to a subquery or a function, and is left
+// out; so are quoted names, texts and comments, which the scanner knows.
 std::vector<Word> words_of(std::string_view sql) {
   std::vector<Word> words;
   int depth = 0;
@@ -46,6 +48,7 @@ bool is_one_of(const Word& word,
 
 constexpr std::array<std::string_view, 3> unions{"union", "intersect",
                                                  "except"};
+// The clauses that may follow a where; the condition must come before them.
 constexpr std::array<std::string_view, 6> after_where{
     "group", "having", "window", "order", "limit", "offset"};
 constexpr std::array<std::string_view, 3> after_order{"limit", "offset",
@@ -84,6 +87,9 @@ std::string between(const std::string& text, std::size_t at,
   return head + " " + part + (tail.empty() ? "" : " " + tail);
 }
 
+// The statement's own condition is put in parentheses if it has an `or`, which
+// would otherwise let rows past the new one: "a or b and c" is "a or (b and
+// c)".
 std::string add_condition(std::string sql, const std::string& condition) {
   const auto words = words_of(sql);
   const auto* where = find_word(words, "where");
@@ -102,6 +108,7 @@ std::string add_condition(std::string sql, const std::string& condition) {
          (remaining.empty() ? "" : " " + remaining);
 }
 
+// The author's own order comes first.
 std::string add_order(std::string sql, const std::string& order) {
   const auto words = words_of(sql);
   const auto* own = find_word(words, "order");

@@ -10,7 +10,8 @@ namespace parlour::dialogue {
 
 // `condition` (may be empty) joined to the statement's own where, and `order`
 // (may be empty) to its own order by. The conditions of a union are put around
-// it, so that they hold for all of its parts.
+// it, so that they hold for all of its parts. Nothing is checked: what is no
+// SQL is refused by the database.
 std::string with_condition(std::string_view statement,
                            std::string_view condition, std::string_view order);
 

@@ -14,6 +14,8 @@ namespace {
 
 const std::string language_generation = "NLG";
 
+// Times in a row (engine rule 3.7): a door that bangs again and again must not
+// keep the robot at the same sentence for ever.
 constexpr int max_taken_up = 3;
 
 // Told of in one robot turn.
@@ -21,6 +23,9 @@ constexpr std::size_t max_failed_phrases = 100;
 
 } // namespace
 
+// The parameter of Generate: a text as it is, or the map that phrases see.
+// `rotation` begins at another wording for each seed and goes on by one with
+// each use, so that two sessions differ and a replay does not.
 Value OutputManager::generate_params(const Say& what) {
   if (!what.text.empty())
     return what.text;
@@ -55,6 +60,8 @@ OutputId OutputManager::say(Say&& what) {
   return id;
 }
 
+// An inline NLG component has answered by the time that post() returns; then
+// there is nothing to wait for, and no timer.
 void OutputManager::ask_for_words(OutputId id, Value params, TurnId turn) {
   const auto& settings = context_.program->settings.sessions;
   const auto correlation =
@@ -116,12 +123,16 @@ OutputId OutputManager::push(OutputAct as, std::string text, const Say& what,
   output.turn = what.turn;
   output.state = state;
   output.awaited = what.awaited;
+  output.interruptible = what.interruptible;
   ++made_;
   told_ += as == OutputAct::answer ? 1 : 0;
   changed_ = true;
   return queue_.push(std::move(output));
 }
 
+// `handled` is the correlation of the message that the script handles: if that
+// is the answer to a Generate, the text words its entry and is no output of its
+// own.
 OutputId OutputManager::speak(std::string text, Correlation handled,
                               TurnId turn, bool interruptible) {
   if (auto found = wording_.find(handled); found != wording_.end()) {
@@ -149,6 +160,9 @@ void OutputManager::word(OutputId id, std::string text) {
     question_.unspoken(id);
 }
 
+// A handler's <speak> has removed the entry from `wording_` already. If it is
+// still there, the event's own words count, or none if a handler took the event
+// without speaking.
 void OutputManager::handled(const Message& event, bool taken) {
   if (wording_.empty() || !wording_.contains(event.correlation))
     return;
@@ -174,6 +188,8 @@ void OutputManager::give_up_wording(Correlation correlation) {
   speak(std::move(text), correlation, 0, true);
 }
 
+// The seat before may have shown the words or not, so they are shown again; to
+// hear a question twice is better than never.
 void OutputManager::resume() {
   ask_again_for_words();
   for (const auto& [id, interruptible] : std::exchange(playing_, {}))
@@ -185,7 +201,9 @@ void OutputManager::resume() {
     }
 }
 
-// Who worded them does not know of it any more, unless the answer has come.
+// Who worded them does not know of it any more, unless the answer has come. A
+// new correlation takes the old one's place, and the turn is asked for under
+// the new one only.
 void OutputManager::ask_again_for_words() {
   std::vector<Correlation> asked;
   for (const auto& [correlation, wording] : wording_)
@@ -204,6 +222,8 @@ void OutputManager::ask_again_for_words() {
   }
 }
 
+// A question of a <confirm> (`awaited`) is asked in the turn that its script
+// works for: only other turns withdraw it (engine rule 3.5).
 bool OutputManager::release() {
   changed_ = false;
   const bool begun = context_.turns.any_open(context_.now);
@@ -269,6 +289,9 @@ void OutputManager::no_longer_playing(OutputId id) {
                 [&](const Playing& output) { return output.id == id; });
 }
 
+// Of several outputs that were broken off, the first is taken up again. An
+// answer goes on behind the words that were heard; what was heard to its end
+// needs no more.
 void OutputManager::interrupted(OutputId id, const std::string& heard) {
   no_longer_playing(id);
   auto cut = queue_.cut(id, heard);
@@ -284,6 +307,8 @@ void OutputManager::interrupted(OutputId id, const std::string& heard) {
     interrupted_ = std::move(cut);
 }
 
+// It is another output with the rest of the words, and begins another robot
+// turn. A question that is said again is the one that waits (said_again).
 void OutputManager::take_up_interrupted() {
   auto again = std::exchange(interrupted_, {});
   if (!again || taken_up_ == max_taken_up)
@@ -291,7 +316,11 @@ void OutputManager::take_up_interrupted() {
   ++taken_up_;
   Say what;
   what.as = again->act;
+  what.topic = again->topic;
+  what.slot = again->slot;
   what.turn = again->turn;
+  what.awaited = again->awaited;
+  what.interruptible = again->interruptible;
   turn_begins();
   question_.said_again(again->id, push(what.as, std::move(again->text), what,
                                        OutputState::pending));

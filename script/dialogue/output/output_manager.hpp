@@ -4,6 +4,11 @@
 // back, by a handler's <speak> or by itself; if not, the phrase is spoken
 // directly. What is released goes to the session's seat, and to a TTS component
 // if one is there.
+//
+// For example, the topic Appointment misses its time: say({question,
+// "question", Appointment, Time, …}) makes an entry that waits for its words.
+// NLG.Speak brings "What's the time of your appointment?". With the next input
+// the entry leaves, or, if the visitor has begun to speak, is withdrawn.
 #pragma once
 
 #include <cstdint>
@@ -24,17 +29,26 @@
 namespace parlour::dialogue {
 
 // What the engine wants to say: a phrase by act, topic and slot, or a text.
+// Made by whoever asks or answers; the manager makes an Output of it.
 struct Say {
   OutputAct as = OutputAct::answer;
-  std::string act; // of the phrase; unused where `text` is given
+  // Of the phrase, such as "question" or "answer"; unused where `text` is
+  // given.
+  std::string act;
   TopicId topic = script::no_id;
   SlotId slot = script::no_id;
+  // What the phrase may use, as `data`.
   Value data;
   std::string text;
+  // The user turn that it answers; 0: none.
   TurnId turn = 0;
   bool awaited = false; // a script waits for the answer
+  bool interruptible = true;
 };
 
+// Owned by ConversationImplementation. It words, releases and withdraws;
+// whether a question is open is known by OpenQuestion, which is told what
+// became of its words.
 class OutputManager {
 public:
   OutputManager(DialogueContext& context, const Reactions& reactions,
@@ -42,7 +56,8 @@ public:
       : context_(context), reactions_(reactions), messenger_(messenger),
         timers_(timers), question_(question) {}
 
-  // Returns the entry's id; 0 where there are no words for it.
+  // Returns the entry's id; 0 where there are no words for it (no phrase fits,
+  // which is shown). With NLG the words may still turn out to be missing later.
   OutputId say(Say&& what);
   // A <speak>. Where it handles the Speak event of a `say`, it words that
   // entry, else it is an answer.
@@ -57,9 +72,10 @@ public:
   // An event that nobody is to handle any more; what hangs on it goes on.
   void drop(const Input& input);
   // Where the event tells of a phrase that could not be computed: shown, and
-  // raised as Script.Error for who listens to it.
+  // raised as Script.Error for who listens to it. False: the event is another
+  // one.
   bool hear_failure(const Message& event, TurnId turn);
-  // The NLG component did not answer in time.
+  // The NLG component did not answer in time. The phrase is used then.
   void give_up_wording(Correlation correlation);
 
   // Whether one more apology is due; then it counts as made.
@@ -74,9 +90,12 @@ public:
   // an earlier turn of the robot counts as heard.
   void resume();
 
-  // Releases what can go; returns whether anything was.
+  // Releases what can go, and withdraws questions where a user turn is open;
+  // returns whether anything was released.
   bool release();
+  // Also those that still wait for their words (engine rule 3.5).
   void withdraw_questions();
+  // What was heard of the robot's last turn, again.
   void repeat_last(TurnId turn);
   // The user has spoken, or been silent: what is released from now on is
   // another robot turn.
@@ -87,13 +106,15 @@ public:
   bool said_anything() const {
     return !queue_.last_turn().empty();
   }
+  // An output was played to its end, or shown where there is no voice.
   void finished(OutputId id);
   // Voice or loudspeaker has given up: nothing is being played any more.
   void voice_failed();
   // Whether outputs are played by a loudspeaker, which tells when it has
   // finished.
   bool is_voiced() const;
-  // The user broke in: of this output only these words were heard.
+  // The user broke in: of this output only these words were heard; an empty
+  // text: none of it.
   void interrupted(OutputId id, const std::string& heard);
   // The user has said something after all: what was broken off stays so.
   void give_up_interrupted() {
@@ -108,9 +129,11 @@ public:
   // Whether something is being played that the user may break in on.
   bool can_be_interrupted() const;
 
+  // Something has changed in the queue since the last release().
   bool wants_release() const {
     return changed_;
   }
+  // The queue is empty: nothing waits for words or release.
   bool all_released() const {
     return queue_.empty();
   }
@@ -122,10 +145,13 @@ public:
   }
   // Nothing waits for words or release, and nothing is being played.
   bool silent() const;
-  std::uint64_t spoken() const { // how many outputs were made so far
+  // How many outputs were made so far: who compares two counts knows whether
+  // anything was said in between.
+  std::uint64_t spoken() const {
     return made_;
   }
-  std::uint64_t told() const { // of these, how many were answers
+  // Of these, how many were answers.
+  std::uint64_t told() const {
     return told_;
   }
 
@@ -141,6 +167,7 @@ private:
   struct Wording {
     OutputId output = 0;
     Value params; // to word it ourselves after all
+    // The TimerId of its time-out; 0: the answer had come at once.
     std::uint64_t timer = 0;
 
     template <class Archive>
@@ -168,7 +195,9 @@ private:
   OpenQuestion& question_;
   OutputQueue queue_;
   std::map<Correlation, Wording> wording_;
-  std::map<std::string, std::int64_t> uses_; // of each phrase, for rotation
+  // How often each act was said about each topic ("question/Appointment"), for
+  // the rotation of wordings.
+  std::map<std::string, std::int64_t> uses_;
   std::uint64_t made_ = 0;
   std::uint64_t told_ = 0;
   // Told of in this robot turn: who listens may have said them himself.
@@ -182,9 +211,13 @@ private:
       archive(id, interruptible);
     }
   };
+  // What has left and was not told to be finished.
   ShortLivedList<Playing> playing_;
+  // What was broken off and may be said again, with the words that are then
+  // said.
   std::optional<Output> interrupted_;
   int taken_up_ = 0; // since something was played to its end
+  // A release is worth while.
   bool changed_ = false;
   Apologies apologies_;
 };

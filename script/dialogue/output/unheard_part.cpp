@@ -7,9 +7,14 @@ namespace parlour::dialogue {
 
 namespace {
 
+// After so few words nobody knows yet what the answer is about (engine rule
+// 3.7).
 constexpr std::size_t too_few_words = 3;
 constexpr std::string_view space = " \t\r\n";
 
+// ASCII letters and digits, and all bytes of other characters in UTF-8, as
+// without tables it is not known which of these are letters: a long dash that
+// stands alone counts as a word.
 bool is_letter(char character) {
   const auto byte = static_cast<unsigned char>(character);
   return byte >= 0x80 || (byte >= '0' && byte <= '9') ||
@@ -51,6 +56,9 @@ std::string next_plain_word(std::string_view& rest) {
 
 } // namespace
 
+// What a speaker reports as spoken has other marks and spaces than the text, so
+// words are compared: of "It is on the left - behind the lift." and "it is on
+// the" it returns "left - behind the lift.".
 std::string unheard_part(std::string_view text, std::string_view heard) {
   auto rest = text;
   std::size_t words = 0;

@@ -21,6 +21,9 @@ const Act* reading(const script::Program& program, const Act& said,
   return found == said.alternatives.end() ? nullptr : &*found;
 }
 
+// "To the airport." "Do you mean Taxi or Bus?" "The bus, at three.": the answer
+// has topic and time, the earlier words the goal. What the answer says itself
+// wins. The topic is settled now, so no alternatives are left to ask about.
 void complete_from(const script::Program& program, const Act& said, Act& act) {
   const auto topic = program.topic(act.topic);
   const auto* meant =
@@ -54,9 +57,14 @@ void Clarification::ask_which_again(Asked asked, OutputAct as, TurnId turn) {
   List names;
   for (auto topic : clarify(*context_.program, *asked.act,
                             whereabouts_.classifier_context()))
-    names.emplace_back(context_.topic(topic).name);
+    names.push_back(called(topic));
   asking_.put(std::move(asked), "clarify", Map{{"topics", std::move(names)}},
               {}, as, turn);
+}
+
+Value Clarification::called(TopicId topic) const {
+  auto label = words_.label_of(topic);
+  return label.is_unknown() ? Value(context_.topic(topic).name) : label;
 }
 
 bool Clarification::asks_which() const {

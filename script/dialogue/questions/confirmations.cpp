@@ -13,7 +13,8 @@ namespace {
 template <class Kind, class... Kinds>
 constexpr bool is_any_of = (std::same_as<Kind, Kinds> || ...);
 
-// What comes of the topic when its scripts have run.
+// What comes of the topic when its scripts have run. A script that is ended as
+// cancelled still has to clean up, but the topic must not be completed by it.
 bool concludes(const Step& step, TopicId topic) {
   return std::visit(
       [&]<class Kind>(const Kind& kind) {
@@ -30,23 +31,39 @@ bool concludes(const Step& step, TopicId topic) {
 
 void Confirmations::confirm(std::string question, TopicId topic, SlotId slot,
                             WaitId wait, TurnId turn) {
-  Asked asked;
-  asked.purpose = Asked::For::yes_or_no;
-  asked.topic = topic;
+  auto asked = waiting(topic, wait);
   asked.about = slot;
-  asked.wait = wait;
-  asked.body = running_.body();
   asked.question = question;
-  asked.level = context_.states.levels().size();
-  asked.pending = false;
-  asked.heard = true; // as soon as it comes to that
   note_question_before(asked, turn);
   confirms_.push_back(asked);
   asking_.put(std::move(asked), "confirm", {}, std::move(question),
               OutputAct::question, turn);
 }
 
-// Who asks about the same words again has not answered that either.
+void Confirmations::summarise(TopicId topic, WaitId wait, TurnId turn) {
+  auto asked = waiting(topic, wait);
+  asked.summary = true;
+  confirms_.push_back(asked);
+  asking_.ask_summary(std::move(asked), OutputAct::question, turn);
+}
+
+// Heard as soon as it comes to that.
+Asked Confirmations::waiting(TopicId topic, WaitId wait) const {
+  Asked asked;
+  asked.purpose = Asked::For::yes_or_no;
+  asked.topic = topic;
+  asked.wait = wait;
+  asked.body = running_.body();
+  asked.level = context_.states.levels().size();
+  asked.pending = false;
+  asked.heard = true;
+  return asked;
+}
+
+// A handler asks "Did you say four?" about the answer to "For how many?". After
+// the yes, "four" must be understood as that answer, so the question before is
+// kept. Who asks about the same words again has not answered that either: then
+// the question before the first <confirm> is meant.
 void Confirmations::note_question_before(Asked& asked, TurnId turn) const {
   if (asked.topic != script::no_id || turn == 0 || !question_ ||
       !question_->heard)
@@ -56,7 +73,9 @@ void Confirmations::note_question_before(Asked& asked, TurnId turn) const {
       again ? question_->before : std::make_shared<const Asked>(*question_);
 }
 
-// A handler's, as the words that it asked about may answer that.
+// A handler's, as the words that it asked about may answer that. A question for
+// a value is marked as interrupted: if the words are no answer, silence brings
+// it again. One of yes or no is not, as the words may be its yes.
 void Confirmations::back_to_question_before(const Asked& asked) {
   if (!asked.before || context_.lane.waits(asked.wait) ||
       !may_be_answered(*asked.before))
@@ -66,6 +85,9 @@ void Confirmations::back_to_question_before(const Asked& asked) {
     question_.interrupt(); // it comes again
 }
 
+// A <confirm> as long as it waits; whether to resume a topic, while that is
+// suspended; a slot, while its topic is the current one and the slot empty or
+// in doubt.
 bool Confirmations::may_be_answered(const Asked& asked) const {
   if (asked.wait != 0)
     return std::ranges::any_of(confirms_, [&](const Asked& confirm) {
@@ -92,8 +114,11 @@ bool Confirmations::wants_a_yes(TopicId topic) const {
       confirms_, [&](const Asked& confirm) { return confirm.topic == topic; });
 }
 
-// What would come of the topic comes when it has been answered: the question
-// is made anew, as there may be other values now.
+// What would come of the topic comes when it has been answered: the question is
+// made anew, as there may be other values now. The step follows the <confirm>'s
+// activation. That is woken with an unknown outcome, neither yes nor no, by
+// which the compiled loop around a <confirm> asks once more; `anew` sees to it
+// that this happens once.
 bool Confirmations::confirms_first(const steps::Settle& step) {
   bool any = false;
   for (auto& confirm : confirms_) {
@@ -117,6 +142,10 @@ void Confirmations::forget_question(const Asked& confirm) {
   asking_.withdraw();
 }
 
+// What the agenda of such a wait still had to do comes with the steps, but for
+// what would complete the topic or conclude: that follows from whatever ends
+// the wait. The body counts as redirected, so that a topic whose <filled> is
+// cancelled does not finish by it.
 StepList Confirmations::end_confirms(const ConfirmPredicate& wanted) {
   StepList steps;
   for (const auto& confirm : std::exchange(confirms_, {})) {
@@ -159,8 +188,9 @@ StepList Confirmations::overtaken_by(const Body& body) {
   });
 }
 
-// What was asked about the topic as it was; and values that wait for an
-// answer, which were said before.
+// What was asked about the topic as it was; and values that wait for an answer,
+// which were said before: they are filled first, in the order in which they
+// were said.
 StepList Confirmations::overtaken_by_filling(TopicId id) {
   if (confirms_.empty())
     return {};
@@ -199,6 +229,8 @@ Confirmations::confirms_but_of(const std::vector<TopicId>& topics) const {
   return waits;
 }
 
+// The script's own deeds decide: as soon as <completed> has sent, spoken or set
+// anything, the topic is done, whatever its later <confirm>s are answered.
 bool Confirmations::is_completing(TopicId topic) const {
   const auto body = context_.topic(topic).completed;
   return frames_[topic].status == TopicStatus::completed &&

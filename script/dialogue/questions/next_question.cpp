@@ -19,6 +19,7 @@ void NextQuestion::ask_what_misses(OutputAct as, TurnId turn) {
   auto current = frames_.order().current();
   if (context_.ending.is_wished() || !current || waits_for_user(*current))
     return;
+  frames_.refresh(*current);
   if (auto slot = to_ask(*current); slot != script::no_id)
     reprompts_.ask_slot(*current, slot, as, turn);
 }
@@ -45,6 +46,8 @@ SlotId NextQuestion::to_ask(TopicId topic) const {
              : script::no_id;
 }
 
+// Only where the robot has said nothing at all since the turn began, and the
+// topic still misses something that it will not ask for.
 void NextQuestion::acknowledge_unasked(TurnId turn) {
   const auto current = frames_.order().current();
   if (turn == 0 || turn != turn_ || output_.spoken() != said_before_ ||

@@ -16,6 +16,9 @@
 
 namespace parlour::dialogue {
 
+// Engine rule 5.9. It asks at most once for each utterance, and never in the
+// middle of one: the Conclude step is the last of an utterance's item. It keeps
+// what the latest utterance was about, and how much had been said before it.
 class NextQuestion {
 public:
   NextQuestion(DialogueContext& context, OutputManager& output,
@@ -25,17 +28,24 @@ public:
         question_(question), confirmations_(confirmations),
         reprompts_(reprompts) {}
 
+  // All acts of the utterance are dealt with. Nothing is asked while a question
+  // waits that was heard or will be.
   void take(const steps::Conclude& step);
+  // A topic was begun or resumed without an utterance; a question that waits
+  // does not hinder.
   void take(const steps::AskNext& step);
-  // Which slot the topic asks for now; or no_id.
+  // Which slot the topic asks for now; or no_id: nothing is in doubt or
+  // missing, it is not active, or it leaves the lead to the user.
   SlotId to_ask(TopicId topic) const;
 
-  // The user turn that acts come from now.
+  // The user turn that acts come from now. Outputs are counted from its first
+  // act on.
   void turn_begins(TurnId turn) {
     if (std::exchange(turn_, turn) != turn)
       said_before_ = output_.spoken();
   }
-  // That turn gives values for this topic.
+  // That turn gives values for this topic, which may therefore ask in a pushed
+  // state, too (engine rule 4.3).
   void speaks_of(TopicId topic, TurnId turn) {
     spoken_of_ = {topic, turn};
   }

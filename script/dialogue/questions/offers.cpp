@@ -7,7 +7,9 @@ namespace parlour::dialogue {
 
 namespace {
 
-// Remembered, of what is never asked for again: its utterance was dropped.
+// How many numbers are remembered. Each is asked for soon after it is noted, so
+// what piles up belongs to utterances that were dropped; the oldest is
+// forgotten then.
 constexpr std::size_t max_consumed = 1000;
 
 } // namespace

@@ -15,16 +15,18 @@
 
 namespace parlour::dialogue {
 
+// The conversation makes it, before the topic engine. Each part keeps
+// references to those before it, so it stays where it was made.
 struct QuestionParts {
   QuestionParts(DialogueContext& context, TopicFrames& frames,
                 RunningScript& running, TextEvaluator& texts,
                 const Reactions& reactions, OpenQuestion& question,
                 OutputManager& output)
-      : offers(context, reactions), words(context, frames, output),
+      : offers(context, reactions), words(context, frames, texts, output),
         asking(context, output, frames, texts, words, question),
         confirmations(context, frames, running, question, asking),
         whereabouts(context, frames, question, confirmations),
-        clarification(context, question, asking, whereabouts),
+        clarification(context, question, words, asking, whereabouts),
         repairs(context, frames, texts, question, whereabouts),
         reprompts(context, running, offers, frames, texts, words, question,
                   asking, clarification, repairs),

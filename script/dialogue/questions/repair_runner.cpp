@@ -9,6 +9,7 @@
 
 namespace parlour::dialogue {
 
+// `holds` refers to `data`, which is filled before it is called.
 bool RepairRunner::repair(const Trouble& trouble) {
   Value data;
   auto holds = [&](CodeId condition) {
@@ -58,7 +59,7 @@ Value RepairRunner::data_of(const std::string& act, TopicId topic,
     return texts_.choices_of(topic, slot);
   if (act == "bye")
     return Map{{"unfinished", whereabouts_.unfinished_names()}};
-  if (act == "greet" && question_)
+  if ((act == "greet" || act == "refuse") && question_)
     return Map{{"asked", true}};
   return {};
 }

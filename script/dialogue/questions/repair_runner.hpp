@@ -25,6 +25,9 @@ struct Trouble {
   bool refused = false; // understood, and does not fit
 };
 
+// RepairActs and Reprompts tell it what has happened; which <repair> that means
+// is the pure choose_repair (topics/repairs.hpp). The <repair> itself is
+// script, run by a step, so it may ask, wait or leave like any other.
 class RepairRunner {
 public:
   RepairRunner(DialogueContext& context, TopicFrames& frames,
@@ -33,9 +36,11 @@ public:
       : context_(context), frames_(frames), texts_(texts), question_(question),
         whereabouts_(whereabouts) {}
 
-  // The <repair> that is due for it is run; false where there is none.
+  // The <repair> that is due for it is run, in front of all other steps; false
+  // where there is none. Its condition is computed now, with `data`.
   bool repair(const Trouble& trouble);
-  // What a phrase of that act sees where a script's <say> gives no data.
+  // What a phrase of that act sees where a script's <say> gives no data;
+  // unknown where the act needs none.
   Value data_of(const std::string& act, TopicId topic, SlotId slot);
 
   // Without a question being asked, what was said made sense, or did not.
@@ -53,6 +58,7 @@ public:
   }
 
 private:
+  // Made for each trouble: its conditions read it, and its body as `data`.
   Value situation(const Trouble& trouble);
 
   DialogueContext& context_;

@@ -11,7 +11,7 @@ namespace parlour::dialogue {
 
 namespace {
 
-// What a <repair> is for.
+// What a <repair> is for; also the names of the events that Dialogue raises.
 constexpr std::string_view not_matched = "no_match";
 
 constexpr std::string_view not_said = "no_input";
@@ -19,6 +19,8 @@ constexpr std::string_view not_said = "no_input";
 } // namespace
 
 // Of what is said in one breath the last counts: that is what is dealt with.
+// "Uhm … a taxi" would be answered by an apology otherwise, and then by the
+// taxi.
 void Reprompts::misunderstood(TurnId turn, std::string heard, bool apologised) {
   if (context_.turns.said_since(turn, context_.now))
     return;
@@ -27,6 +29,8 @@ void Reprompts::misunderstood(TurnId turn, std::string heard, bool apologised) {
                 steps::NotUnderstood{turn, apologised, number});
 }
 
+// A question that was withdrawn, or still waits for its release, was not
+// answered badly: it only counts if it was heard.
 void Reprompts::take(const steps::NotUnderstood& step) {
   if (offers_.was_consumed(step.offer))
     return;
@@ -46,9 +50,17 @@ void Reprompts::take(const steps::NoInput& step) {
 }
 
 void Reprompts::take(const steps::Ask& step) {
+  if (step.slot == script::no_id) {
+    Asked asked;
+    asked.topic = step.topic;
+    asking_.ask_change(std::move(asked), step.as, step.turn);
+    return;
+  }
   ask_slot(step.topic, step.slot, step.as, step.turn);
 }
 
+// The step of the ladder may have led elsewhere: by <clear>, <ask>, <transit>
+// or <end/>, or to another topic. Then this question has had its time.
 void Reprompts::take(const steps::AskStill& step) {
   if (!running_.redirected(step.rung) && !context_.ending.is_wished() &&
       frames_[step.topic].status == TopicStatus::active &&
@@ -59,7 +71,7 @@ void Reprompts::take(const steps::AskStill& step) {
 void Reprompts::take(const steps::AskAgain& step) {
   if (!question_)
     return;
-  if (step.same_words || question_->purpose != Asked::For::value)
+  if (step.same_words || !question_->asks_for_value())
     repeat_question(step.turn);
   else
     ask_slot(question_->topic, question_->slot, OutputAct::reprompt, step.turn);
@@ -75,10 +87,18 @@ void Reprompts::ask_slot(TopicId topic, SlotId slot, OutputAct as,
     asking_.ask_slot(topic, slot, as, turn);
 }
 
+// The question keeps what it is about, above all the wait of its script, and
+// only its words are made anew. How often the slot was asked for chooses the
+// wording, so that count is set back for this once; `repeats` says later that
+// the release is no further question either.
 void Reprompts::repeat_question(TurnId turn) {
   auto asked = *question_;
   asked.interrupted = false;
   if (asked.purpose == Asked::For::yes_or_no) {
+    if (asked.summary) {
+      asking_.ask_summary(std::move(asked), OutputAct::reprompt, turn);
+      return;
+    }
     auto text = asked.question;
     asking_.put(std::move(asked), "confirm", {}, std::move(text),
                 OutputAct::reprompt, turn);
@@ -92,15 +112,20 @@ void Reprompts::repeat_question(TurnId turn) {
     asking_.put(std::move(asked), "resume", {}, {}, OutputAct::reprompt, turn);
     return;
   }
-  if (asked.slot != script::no_id && asked.purpose == Asked::For::value) {
+  if (asked.purpose == Asked::For::change) {
+    asking_.ask_change(std::move(asked), OutputAct::reprompt, turn);
+    return;
+  }
+  if (asked.slot != script::no_id && asked.asks_for_value()) {
     auto state = frames_[asked.topic].slots[asked.slot];
     asked.repeats = true;
     state.asked = state.asked > 0 ? state.asked - 1 : 0; // the same wording
     auto code =
         question_wording(context_.topic(asked.topic).slots[asked.slot], state);
     const auto topic = asked.topic;
-    asking_.put(std::move(asked), "question", {}, texts_.text_of(code, topic),
-                OutputAct::reprompt, turn);
+    auto data = asking_.question_data(asked);
+    asking_.put(std::move(asked), "question", std::move(data),
+                texts_.text_of(code, topic), OutputAct::reprompt, turn);
     return;
   }
   ask_slot(asked.topic, asked.slot, OutputAct::reprompt, turn);
@@ -116,7 +141,8 @@ void Reprompts::reprompt(TurnId turn, bool heard_something) {
 }
 
 // The slot's own <nomatch> or <noinput>, the settings' <ladder>, else the
-// <repair> for it.
+// <repair> for it; the question as it was where there is none of them, or the
+// robot would be silent.
 void Reprompts::climb(const Trouble& trouble) {
   const bool of_slot = trouble.slot != script::no_id;
   if (of_slot && run_own_words(trouble))
@@ -147,6 +173,9 @@ void Reprompts::count_refusal(TopicId topic, SlotId slot) {
 }
 
 // The first time, what does not fit was told, and the question comes as ever.
+// From the second time on the ladder is climbed, which asks by itself. The
+// question is set as one that was heard, since a <repair> asks about the open
+// one.
 bool Reprompts::climb_after_refusal(TopicId topic, SlotId slot, TurnId turn) {
   const bool refused =
       refused_ && refused_->topic == topic && refused_->slot == slot;
@@ -178,7 +207,8 @@ bool Reprompts::run_own_words(const Trouble& trouble) {
 }
 
 // A step of the application's own ladder, then the question once more, unless
-// the step has asked, cleared or left.
+// the step has asked, cleared or left. Beyond the last step, the last one is
+// taken again.
 void Reprompts::climb_own(const Trouble& trouble) {
   const auto& ladder = context_.program->ladder;
   const auto last = ladder.size() - 1;

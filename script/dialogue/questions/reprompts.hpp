@@ -22,6 +22,8 @@
 
 namespace parlour::dialogue {
 
+// Engine rule 5.10. The count of misses is kept with the slot in its frame, or,
+// for a question without a slot, with the question.
 class Reprompts {
 public:
   Reprompts(DialogueContext& context, RunningScript& running, Offers& offers,
@@ -34,21 +36,36 @@ public:
 
   // Nothing was understood: offered to who listens to Dialogue.no_match; else
   // it counts on the question that was asked, which comes again; without one an
-  // apology, unless somebody else made it.
+  // apology, unless somebody else made it (`apologised`). `heard`: the words,
+  // or empty. Nothing happens if the user has said more since that turn.
   void misunderstood(TurnId turn, std::string heard, bool apologised = false);
+  // Nobody kept the no_match.
   void take(const steps::NotUnderstood& step);
+  // Nobody kept the silence.
   void take(const steps::NoInput& step);
+  // By a script's <ask>, or a topic that settles. Without a slot: what to
+  // change.
   void take(const steps::Ask& step);
+  // Behind a step of the application's ladder.
   void take(const steps::AskStill& step);
+  // A script's <ask/> in a <repair>: the question that waits, if one does.
   void take(const steps::AskAgain& step);
-  // A slot that was refused again leads up the ladder instead.
+  // As Asking does; but a slot whose answer was refused for the second time or
+  // more leads up the ladder instead.
   void ask_slot(TopicId topic, SlotId slot, OutputAct as, TurnId turn);
-  // In the words that were heard.
+  // In the words that were heard. There must be an open question; this is no
+  // miss of it.
   void repeat_question(TurnId turn);
-  // An answer that does not fit counts as one that was not understood.
+  // The user has not answered, but said why not; returns how often in a row.
+  std::uint32_t count_evasion() {
+    return count_miss(true);
+  }
+  // An answer that does not fit counts as one that was not understood. A slot
+  // that was never asked for has no answer, so nothing is counted.
   void count_refusal(TopicId topic, SlotId slot);
 
-  // The user has said something else.
+  // The user has said something else: what was refused before belongs to the
+  // past.
   void act_begins() {
     refused_.reset();
   }
@@ -71,10 +88,15 @@ private:
     }
   };
 
+  // There must be an open question, which was heard.
   void reprompt(TurnId turn, bool heard_something);
   void climb(const Trouble& trouble);
+  // Returns the count after it: 1 for the first time in a row.
   std::uint32_t count_miss(bool heard_something);
+  // Whether the ladder asks, in place of the question.
   bool climb_after_refusal(TopicId topic, SlotId slot, TurnId turn);
+  // The slot's <nomatch> or <noinput> that holds for the count; false: it has
+  // none.
   bool run_own_words(const Trouble& trouble);
   void climb_own(const Trouble& trouble);
 

@@ -39,6 +39,52 @@ Value TopicWords::with_type(Map data, TopicId topic, SlotId slot) const {
   return data;
 }
 
+Value TopicWords::label_of(TopicId topic, SlotId slot) const {
+  if (topic == script::no_id)
+    return {};
+  const auto& definition = context_.topic(topic);
+  const auto code =
+      slot == script::no_id ? definition.label : definition.slots[slot].label;
+  return code == script::no_code ? Value() : Value(texts_.text_of(code, topic));
+}
+
+Map TopicWords::with_label(Map data, TopicId topic, SlotId slot) const {
+  if (auto label = label_of(topic, slot); !label.is_unknown())
+    data.set("label", std::move(label));
+  return data;
+}
+
+namespace {
+
+// Of what a topic of its own has filled, the values are said.
+Value to_say(const Value& value) {
+  const auto* map = value.if_map();
+  if (!map)
+    return value;
+  List values;
+  for (const auto& [name, one] : map->entries())
+    values.push_back(one);
+  return values;
+}
+
+} // namespace
+
+Value TopicWords::told(TopicId topic) const {
+  const auto& slots = context_.topic(topic).slots;
+  List told;
+  for (SlotId slot = 0; slot < slots.size(); ++slot) {
+    const auto& state = frames_[topic].slots[slot];
+    if (state.status == SlotStatus::filled && state.applies &&
+        (slots[slot].functional || !state.by_default))
+      told.emplace_back(
+          with_type(with_label(Map{{"slot", slots[slot].name},
+                                   {"value", to_say(state.value)}},
+                               topic, slot),
+                    topic, slot));
+  }
+  return told;
+}
+
 void TopicWords::repeat(TurnId turn) {
   if (output_.said_anything())
     output_.repeat_last(turn);

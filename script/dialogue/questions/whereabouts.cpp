@@ -22,6 +22,8 @@ bool is_doubtful(SlotOutcome outcome) {
 
 } // namespace
 
+// A <confirm> asks for no slot, so no topic counts as asking then. A topic that
+// is being completed counts as current where there is no other.
 ClassifierContext Whereabouts::classifier_context() const {
   ClassifierContext context;
   if (question_ && question_->heard &&
@@ -33,19 +35,20 @@ ClassifierContext Whereabouts::classifier_context() const {
       frames_.order().current().value_or(confirmations_.completing());
   context.resting = frames_.resting().value_or(script::no_id);
   context.unfinished = frames_.order().suspended();
-  context.unregistered = frames_.order().unregistered();
+  context.unregistered = frames_.order().deaf();
   return context;
 }
 
 TopicId Whereabouts::topic_of(const Act& act) const {
   const auto named = context_.program->topic(act.topic);
-  return named != script::no_id && frames_.order().registered(named)
+  return named != script::no_id && frames_.order().takes_acts(named)
              ? named
              : classify(*context_.program, act, classifier_context());
 }
 
-// The latest last. None where the last turn has answered what is asked, though
-// not well: a correction is of that.
+// The latest last, for "no, four": the slot that was said last is the likeliest
+// one to be corrected. None where the last turn has answered what is asked,
+// though not well: a correction is of that.
 List Whereabouts::names_said_before(SlotId asked) const {
   List names;
   if (said_.slots.empty() || said_.slots.back() == asked)
@@ -89,6 +92,10 @@ Value Whereabouts::understanding_context() const {
     const auto& slot = context_.topic(context.asked).slots[context.asked_slot];
     result.set("asked",
                Map{{"topic", name(context.asked)}, {"slot", slot.name}});
+    if (const auto& offered =
+            frames_[context.asked].slots[context.asked_slot].candidates;
+        !offered.empty())
+      result.set("choices", offered);
     if (said_.topic == context.asked)
       result.set("said", names_said_before(context.asked_slot));
   }
@@ -106,6 +113,9 @@ Value Whereabouts::understanding_context() const {
   return result;
 }
 
+// Slots that are in doubt go behind the others of the same act: they will be
+// asked for, and a correction is most likely about them. Acts about the same
+// topic add up; another topic begins anew.
 void Whereabouts::note_what_was_said(const steps::Fill& step,
                                      const FrameResult& result) {
   if (!step.act) // a yes or no
@@ -120,6 +130,8 @@ void Whereabouts::note_what_was_said(const steps::Fill& step,
       }
 }
 
+// A topic whose <completed> still waits counts as unfinished, although the
+// order of topics has forgotten it.
 std::vector<TopicId> Whereabouts::unfinished() const {
   auto topics = frames_.order().suspended();
   if (auto current = frames_.order().current();

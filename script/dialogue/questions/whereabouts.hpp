@@ -14,6 +14,8 @@
 
 namespace parlour::dialogue {
 
+// It only reads what other parts know, at the moment when it is asked; of its
+// own it keeps which slots the user spoke about last.
 class Whereabouts {
 public:
   Whereabouts(DialogueContext& context, TopicFrames& frames,
@@ -21,16 +23,22 @@ public:
       : context_(context), frames_(frames), question_(question),
         confirmations_(confirmations) {}
 
+  // For classify() and its like. The context refers to the order of topics, and
+  // is good until that changes.
   ClassifierContext classifier_context() const;
   // The topic that the act names, if it is registered; else the one that it is
   // about, as things stand; or no_id.
   TopicId topic_of(const Act& act) const;
-  // The context of DoNLU (runtime/message/understanding.hpp).
+  // The context of DoNLU (runtime/message/understanding.hpp), a map: what is
+  // asked, choices between candidates, topics by their status, the grammar to
+  // try, the words of a question of yes or no, the time.
   Value understanding_context() const;
-  // The only grammar that is tried now; empty: all.
+  // The only grammar that is tried now (language rule 12.18); empty: all.
   const std::string& narrowing_grammar() const {
     return narrowing_grammar(classifier_context());
   }
+  // After each filling event. The answer to a value in doubt has no act, and
+  // says nothing new.
   void note_what_was_said(const steps::Fill& step, const FrameResult& result);
   // The current topic first, then those that were suspended.
   std::vector<TopicId> unfinished() const;
@@ -50,6 +58,7 @@ public:
   }
 
 private:
+  // The slots that a correction may be about, beside the one that is asked for.
   List names_said_before(SlotId asked) const;
   const std::string& narrowing_grammar(const ClassifierContext& context) const;
   const std::string* yes_or_no_asked() const;

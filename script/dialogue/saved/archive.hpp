@@ -57,10 +57,13 @@
 
 namespace parlour::dialogue {
 
-inline constexpr std::uint8_t conversation_version = 6;
+// To be raised with each change of what a part writes. Bytes of another version
+// are refused; there is no way to read older ones.
+inline constexpr std::uint8_t conversation_version = 7;
 
 // `Self` moves numbers, texts, values and shared objects; the rest is made of
-// these.
+// these. It is Writer, Reader or RenamingWriter, which know what is not the
+// same in both directions. Not for several threads.
 template <class Self>
 class Archive {
 public:
@@ -69,9 +72,13 @@ public:
     (one(fields), ...);
   }
 
+  // Does nothing: it says that these fields were not forgotten
+  // (tools/check/saved).
   template <class... Fields>
   void without(const Fields&...) {}
 
+  // What a part relies on. A reader fails with this text where it does not
+  // hold.
   void check(bool holds, const char* otherwise) {
     if (!holds)
       self().fail(otherwise);
@@ -360,6 +367,7 @@ private:
     one(*field);
   }
 
+  // Keys must rise, so that equal states have equal bytes and none comes twice.
   template <class Keyed, class Add>
   void read_keys(Keyed& keyed, Add add) {
     keyed.clear();

@@ -1,5 +1,6 @@
 // Every reaction of a program, in an order that follows from it: handlers in
-// file order, then states.
+// file order, then states. Saved conversations tell a reaction by its place in
+// this list; both sides have the same program, so the places agree.
 #pragma once
 
 #include <vector>

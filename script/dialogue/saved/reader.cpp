@@ -9,7 +9,9 @@ namespace parlour::dialogue {
 
 namespace {
 
-// Parts within parts: a question before a question, an act of that.
+// Parts within parts: a question before a question, an act of that. Made-up
+// bytes could nest them until the stack is full; what is written by a
+// conversation is far from that.
 constexpr int deepest = 1000;
 
 } // namespace
@@ -18,6 +20,8 @@ Reader::Reader(std::shared_ptr<const script::Program> program,
                std::string_view bytes)
     : Archive(*program), program_(std::move(program)), bytes_(bytes) {}
 
+// The identity of the program is checked by the interpreter's state. The
+// activations come with it, in the order in which the parts ask for them.
 void Reader::begin(script::Interpreter& interpreter) {
   const auto version = bytes_.byte();
   if (version != conversation_version)
@@ -47,6 +51,7 @@ void Reader::reaction(const script::Reaction*& field) {
   field = ok() ? all[place] : nullptr;
 }
 
+// An activation without a wait would never go on.
 Expected<void> Reader::finish() {
   check(next_ == activations_.size(), "an activation waits for nothing");
   if (ok() && !bytes_.at_end())

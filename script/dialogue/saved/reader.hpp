@@ -14,6 +14,8 @@
 
 namespace parlour::dialogue {
 
+// For one conversation or part, once: begin() where an interpreter's state
+// comes first, then the parts, then finish().
 class Reader : public Archive<Reader> {
 public:
   static constexpr bool reads = true;
@@ -26,13 +28,18 @@ public:
   void begin(script::Interpreter& interpreter);
   // The next of the activations that wait.
   void activation(std::unique_ptr<script::Activation>& field);
+  // By its number among all of the program (reactions_of.hpp).
   void reaction(const script::Reaction*& field);
-  // Whether all was read, and nothing else is there.
+  // Whether all was read, and nothing else is there; the first failure
+  // otherwise. What was read may be used only after this.
   Expected<void> finish();
 
+  // Whether nothing has failed so far: to be asked before what was read leads
+  // to work or to memory.
   bool ok() const {
     return bytes_.ok();
   }
+  // Only the first failure is kept.
   void fail(const char* what) {
     bytes_.fail(what);
   }
@@ -40,6 +47,7 @@ public:
 private:
   friend class Archive<Reader>;
 
+  // An object that was read, for later places that share it.
   struct Shared {
     std::shared_ptr<void> object;
     const char* type; // type_of it
@@ -58,6 +66,7 @@ private:
     field = bytes_.text();
   }
   void value(Value& field);
+  // Not more than the bytes that are left: each element takes one at least.
   std::size_t count(std::size_t) {
     return bytes_.count("elements");
   }
@@ -91,6 +100,7 @@ private:
   std::shared_ptr<const script::Program> program_;
   ByteReader bytes_;
   std::vector<Shared> shared_; // by their places
+  // Of the part that is read, within others.
   int depth_ = 0;
   std::vector<std::unique_ptr<script::Activation>> activations_;
   std::size_t next_ = 0; // of these

@@ -11,6 +11,7 @@ namespace {
 
 using script::no_id;
 
+// Of equal names the first counts.
 template <class T>
 std::map<std::string_view, std::uint32_t> by_name(const std::vector<T>& all) {
   std::map<std::string_view, std::uint32_t> ids;
@@ -19,6 +20,7 @@ std::map<std::string_view, std::uint32_t> by_name(const std::vector<T>& all) {
   return ids;
 }
 
+// For each of the first program its id in the other one.
 template <class T>
 std::vector<std::uint32_t> matches(const std::vector<T>& from,
                                    const std::vector<T>& to) {
@@ -51,6 +53,8 @@ bool takes_the_same(const script::Code& one, const script::Code& other) {
 
 } // namespace
 
+// A variable that is a constant in either program is not renamed: its value is
+// what the other program says.
 Renames::Renames(Program from, Program to)
     : from_(std::move(from)), to_(std::move(to)),
       topics_(matches(from_->topics, to_->topics)),
@@ -70,7 +74,11 @@ Renames::Renames(Program from, Program to)
   match_codes();
 }
 
-// Of several in one place the first is the first there, and so on.
+// A body has no name of its own; the compiler names it by the place where it
+// stands, as in "timer 'lunch' in …". Of several in one place the first is the
+// first there, and so on. A timer that has moved to another place is found by
+// its own name. One with other local variables is not the same: its arguments
+// would go astray.
 void Renames::match_codes() {
   using Place = std::pair<std::string_view, std::size_t>;
   std::map<Place, script::CodeId> places;

@@ -11,6 +11,8 @@
 
 namespace parlour::dialogue {
 
+// Immutable once made, so sessions of several threads can share it. Keeps both
+// programs alive.
 class Renames {
 public:
   using Program = std::shared_ptr<const script::Program>;
@@ -24,7 +26,8 @@ public:
   // A variable that keeps its value; constants do not.
   std::uint32_t variable(std::uint32_t id) const;
   // A body by the name of the place where it stands; a timer's by the timer's
-  // name, wherever it is started. It takes the same arguments.
+  // name, wherever it is started. It takes the same arguments. So a timer that
+  // was moved to another file still rings.
   script::CodeId code(script::CodeId id) const;
 
   const script::Program& from() const {
@@ -35,10 +38,12 @@ public:
   }
 
 private:
+  // Fills codes_, from the names of the bodies.
   void match_codes();
 
   const Program from_;
   const Program to_;
+  // By the id in the first program: the id in the other one, or no_id.
   std::vector<script::TopicId> topics_;
   std::vector<std::vector<script::SlotId>> slots_; // by topic
   std::vector<script::StateId> states_;

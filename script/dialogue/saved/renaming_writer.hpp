@@ -17,6 +17,9 @@
 
 namespace parlour::dialogue {
 
+// For one part of a conversation that another program takes over; a Reader of
+// the other program reads it (engine/conversation_taken_over.cpp). What it
+// cannot name it writes as none, and notes that.
 class RenamingWriter : public Archive<RenamingWriter> {
 public:
   static constexpr bool reads = false;
@@ -49,6 +52,7 @@ public:
     misses_ = true;
     Archive::topic(field);
   }
+  // `of` is the topic in the first program, whose slots have their ids there.
   void slot_of(script::TopicId of, script::SlotId& id) {
     put(id, renames_.slot(of, id));
   }
@@ -71,6 +75,8 @@ public:
   void codes(std::vector<script::CodeId>& ids) {
     put_all(ids, [&](auto id) { return renames_.code(id); });
   }
+  // Nothing is written in place of an activation or a reaction: what has one is
+  // not at rest, and so is not taken over.
   void activation(std::unique_ptr<script::Activation>&) {
     misses_ = true;
   }
@@ -81,10 +87,13 @@ public:
 private:
   friend class Archive<RenamingWriter>;
 
+  // As Archive writes an id: plus one, 0 for none.
   void put(std::uint32_t before, std::uint32_t id) {
     misses_ |= before != script::no_id && id == script::no_id;
     bytes_.number(static_cast<std::uint32_t>(id + 1));
   }
+  // Of a list, those that are missing there are left out: a reader takes no
+  // gaps.
   template <class Rename>
   void put_all(const std::vector<std::uint32_t>& ids, Rename rename) {
     std::vector<std::uint32_t> there;
@@ -124,6 +133,7 @@ private:
     bytes_.number(size);
     return size;
   }
+  // As Writer does it: what is shared stays shared within this one part.
   template <class T>
   void shared(const std::shared_ptr<T>& object) {
     if (!object)
@@ -139,6 +149,7 @@ private:
   const Renames& renames_;
   ByteWriter bytes_;
   std::map<const void*, std::uint64_t> places_; // of what is shared
+  // An id, activation or reaction was met that has no counterpart.
   bool misses_ = false;
 };
 

@@ -12,6 +12,8 @@
 
 namespace parlour::dialogue {
 
+// For one conversation or part, once: write() the parts, then finish() with the
+// interpreter, or take() without one. Nothing can fail.
 class Writer : public Archive<Writer> {
 public:
   static constexpr bool reads = false;
@@ -33,7 +35,8 @@ public:
   std::string take() {
     return bytes_.take();
   }
-  // Behind the interpreter's state and its activations.
+  // All of a conversation: behind the interpreter's state and its activations
+  // come the parts that were written.
   std::string finish(const script::Interpreter& interpreter);
 
 private:
@@ -50,6 +53,7 @@ private:
   void number(std::uint64_t value) {
     bytes_.number(value);
   }
+  // In the same form as number(): the end is only for who reads.
   void below(std::uint64_t value, std::uint64_t, const char*) {
     bytes_.number(value);
   }
@@ -65,6 +69,8 @@ private:
     return size;
   }
 
+  // An object is numbered when it is complete, behind those that it holds, as
+  // the reader does it.
   template <class T>
   void shared(const std::shared_ptr<T>& object) {
     if (!object)
@@ -78,7 +84,10 @@ private:
   }
 
   ByteWriter bytes_;
-  std::map<const void*, std::uint64_t> places_; // of what is shared
+  // Of what is shared: where each object stands, from 2. Addresses are keys
+  // only and leave no trace in the bytes.
+  std::map<const void*, std::uint64_t> places_;
+  // Those that were met, in order; the interpreter saves them.
   std::vector<const script::Activation*> activations_;
 };
 

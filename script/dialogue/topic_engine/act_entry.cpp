@@ -5,6 +5,10 @@
 
 namespace parlour::dialogue {
 
+// The order matters. Breath comes first: it may put a kept answer in front, and
+// this step is then taken once more. Private values are noted before anybody is
+// shown the act. In a pushed state the reactions come before the question, as
+// the state may listen to "yes" for itself (engine rule 2.8).
 void ActEntry::take(steps::TakeAct&& step) {
   if (breath_.joins(step))
     return;
@@ -28,6 +32,8 @@ void ActEntry::take(const steps::NoMatch& step) {
   reprompts_.misunderstood(step.turn, {}, step.apologised);
 }
 
+// The act becomes a map for the listeners alone. What the offer ends in, the
+// act itself, travels as the step `otherwise`.
 void ActEntry::offer_act(steps::TopicAct&& step) {
   const auto command = std::string(name_of(step.act->kind));
   const auto* state = context_.active_state();
@@ -47,7 +53,8 @@ void ActEntry::offer_act(steps::TopicAct&& step) {
 }
 
 // Before anybody is told of them, whatever becomes of the act. Where it names
-// no topic, they may be any one's.
+// no topic, they may be any one's: the value counts as private if one topic has
+// a private slot of that name. Rather too much is hidden than too little.
 void ActEntry::conceal_values(const Act& act) {
   const auto& topics = context_.program->topics;
   for (TopicId id = 0; id < topics.size(); ++id)
@@ -67,6 +74,8 @@ void ActEntry::conceal_values(const Act& act) {
     conceal_values(other);
 }
 
+// "Yes" while a <confirm> waits; "cancel" always, as a wish to get out passes
+// every wait (engine rule 2.5).
 bool ActEntry::is_waited_for(const Act& act) const {
   if (passes_waits(act))
     return true;

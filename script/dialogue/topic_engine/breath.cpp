@@ -23,6 +23,9 @@ bool Breath::waits_for_more(const ActPointer& act, TurnId turn) {
 }
 
 // An act of a further turn: the yes or no before it is read together with it.
+// "Yes" … "but at three" becomes "yes, but at three". The answer takes the
+// later turn. With its own, it would wait again, for the very words that have
+// come.
 bool Breath::joins(steps::TakeAct& step) {
   if (!unsettled_ || unsettled_->turn == step.turn)
     return false;
@@ -33,6 +36,8 @@ bool Breath::joins(steps::TakeAct& step) {
   return true;
 }
 
+// The utterance of the answer has concluded long since, while its question
+// still stood. A further Conclude asks for what is due now.
 bool Breath::nothing_followed() {
   if (!unsettled_ || !context_.lane.idle() ||
       context_.turns.any_open(context_.now, unsettled_->turn))

@@ -26,17 +26,26 @@ struct Unsettled {
   }
 };
 
+// The lane never waits for the user's next words: the answer is kept here, and
+// everything else goes on. At most one is kept, as a question is answered once.
+// It belongs to the question that was open then: if another one is open when
+// the rest has come, the answer is dropped.
 class Breath {
 public:
   Breath(DialogueContext& context, OpenQuestion& question)
       : context_(context), question_(question) {}
 
-  // Whether more is being said: then the answer is kept.
+  // Whether more is being said: somebody speaks, or another turn is open. Then
+  // the answer is kept, and the caller does nothing with it. A question must
+  // wait.
   bool waits_for_more(const ActPointer& act, TurnId turn);
   // An act of a further turn: read together with the answer that was kept.
+  // True: the step was moved from, and comes again behind the answer, both as
+  // the acts of one utterance. False: the step is the caller's, as it was.
   bool joins(steps::TakeAct& step);
   // A yes or no waited for what else might follow in the same breath, and
-  // nothing did: it is queued.
+  // nothing did: it is queued. To be called when the lane has nothing more to
+  // do.
   bool nothing_followed();
 
   bool holds_an_answer() const {
@@ -53,10 +62,12 @@ public:
   }
 
 private:
+  // By output and wait: a question that was asked anew has another output.
   bool still_asked(const Unsettled& answer) const;
 
   DialogueContext& context_;
   OpenQuestion& question_;
+  // Empty: no answer is kept.
   std::optional<Unsettled> unsettled_;
 };
 

@@ -5,6 +5,10 @@
 
 namespace parlour::dialogue {
 
+// The refusal is noted before the slot is emptied: it remembers the slot's
+// value. A topic that was suspended becomes the current one before its script
+// goes on: a wait of the dialogue lane that is woken comes when the running
+// agenda is done. A handler's <confirm> has no topic to go back to.
 void ConfirmAnswers::answer_confirm(const Asked& asked, bool yes) {
   if (!yes)
     refusals_.note_no(asked.topic, asked.body);

@@ -3,9 +3,23 @@
 #include <algorithm>
 #include <utility>
 
+#include "script/dialogue/frame/grounding.hpp"
+#include "script/dialogue/topic_engine/said_beside.hpp"
 #include "script/support/short_lived.hpp"
 
 namespace parlour::dialogue {
+
+namespace {
+
+// What cannot be taken back may follow from it.
+bool is_certain_and_complete(const Act& act) {
+  const bool asks_anew =
+      act.kind == ActKind::inform || act.kind == ActKind::request;
+  return asks_anew && is_certain_confidence(act.confidence) &&
+         !act.elliptical && act.alternatives.empty();
+}
+
+} // namespace
 
 void Filling::take(steps::Fill&& step) {
   if (auto before = confirmations_.overtaken_by_filling(step.topic);
@@ -20,6 +34,8 @@ void Filling::take(steps::Fill&& step) {
   changes_.clear();
 }
 
+// Private values are noted first, before anybody can be shown what the slot has
+// become.
 void Filling::request(steps::Fill&& step, std::vector<FrameChange>& changes) {
   context_.conceal(step.topic, changes);
   if (!context_.port.applies_changes()) {
@@ -44,11 +60,21 @@ void Filling::frame_applied(FrameResult result) {
   tell_filled(step, std::move(result));
 }
 
+// Everything about the event is said in changes, since the actor sees nothing
+// of the session. The changes about the whole frame come first: an enquiry must
+// forget before it is filled, and whether the act is certain must be known when
+// its values are judged. A slot name that the topic does not have is skipped;
+// an act that names its topic was checked before, one without a topic may have
+// slots of others.
 void Filling::note_changes(const steps::Fill& step,
                            std::vector<FrameChange>& changes) const {
   const auto& topic = context_.topic(step.topic);
   if (topic.kind == script::TopicKind::enquiry)
     changes.push_back(inherit(step));
+  if (topic.summary == script::Summary::unless_certain)
+    changes.push_back({.kind = FrameChange::Kind::said,
+                       .value = is_certain_and_complete(*step.act) &&
+                                !has_wish(context_.lane.ahead())});
   for (const auto& value : step.act->slots) {
     const auto slot = topic.slot(value.slot);
     if (slot == script::no_id)
@@ -64,6 +90,8 @@ void Filling::note_changes(const steps::Fill& step,
     change.text = value.text;
     change.candidates = value.candidates;
     change.unmatched = value.unmatched;
+    change.amount = value.amount;
+    change.more = value.more;
   }
 }
 
@@ -86,6 +114,7 @@ FrameChange Filling::inherit(const steps::Fill& step) const {
   return change;
 }
 
+// The result is shared from here on: each report is a step of its own.
 void Filling::tell_filled(steps::Fill& step, FrameResult result) {
   for (const auto& error : result.errors) // of constraints
     messenger_.script_failed(error, step.turn);

@@ -17,6 +17,10 @@
 
 namespace parlour::dialogue {
 
+// It begins filling events and waits for their frames (engine rules 5.4 and
+// 5.12). At most one is awaited. Who calls it: ActDelivery with an act, the
+// lane with a Fill step, and YesOrNoOutcome with the answer to a value in
+// doubt.
 class Filling {
 public:
   Filling(DialogueContext& context, Messenger& messenger, TopicFrames& frames,
@@ -26,13 +30,20 @@ public:
         confirmations_(confirmations), whereabouts_(whereabouts),
         next_question_(next_question), outcome_(outcome) {}
 
+  // `step.act` must not be null. <confirm>s of the topic's <filled> and rules
+  // ask about the topic as it was: they are ended first, with an error of kind
+  // Cancelled, and the step is taken again.
   void take(steps::Fill&& step);
   // One event of the topic's frame; a step without act is a yes or no to a
-  // value. `changes` may be moved from.
+  // value. `changes` may be moved from. Either the outcome is dealt with before
+  // this returns, or awaits_frame() holds, and frame_applied() goes on.
   void request(steps::Fill&& step, std::vector<FrameChange>& changes);
+  // The actor's answer. awaits_frame() must hold; the frame replaces the one
+  // that the session has.
   void frame_applied(FrameResult result);
 
-  // Another port is asked for the frame.
+  // Another port is asked for the frame; nothing where none is awaited. A
+  // filling event is pure, so it may be asked for twice (engine rule 7.9).
   void resume() const;
 
   bool awaits_frame() const {
@@ -64,6 +75,8 @@ private:
   NextQuestion& next_question_;
   FillingOutcome& outcome_;
   std::vector<FrameChange> changes_; // empty between two steps: its memory
+  // The step whose frame is awaited, and the request, in case that another port
+  // has to be asked.
   struct Awaited {
     steps::Fill step;
     std::shared_ptr<const FrameRequest> request;

@@ -9,7 +9,10 @@ namespace parlour::dialogue {
 
 namespace {
 
-// A constraint that refuses several slots says so once.
+// A constraint that refuses several slots says so once: "The end is before the
+// beginning." is the reason of both. Equal reasons are taken for the same
+// constraint. Without a reason, the cardinality refused it, which is said for
+// each slot.
 bool told_before(const SlotReports& reports, const SlotReport& report) {
   if (report.reason.empty())
     return false;
@@ -21,7 +24,8 @@ bool told_before(const SlotReports& reports, const SlotReport& report) {
   return first != reports.end() && first->slot != report.slot;
 }
 
-// Whether anything is done about what became of the slot.
+// Whether anything is done about what became of the slot. Where not, no step is
+// made for it.
 bool leads_on(const script::Slot& slot, SlotOutcome outcome) {
   switch (outcome) {
   case SlotOutcome::accepted:
@@ -38,6 +42,10 @@ bool leads_on(const script::Slot& slot, SlotOutcome outcome) {
 
 } // namespace
 
+// A denial that emptied a slot may also be the no to a <confirm> of that slot's
+// <filled>: "Really the blue one?" "Not the blue one." That is heeded here, as
+// a cleared slot has no report step. Where nothing leads on, the topic settles
+// at once.
 void FillingOutcome::filled(const steps::Fill& step, ResultPointer result) {
   const auto& topic = context_.topic(step.topic);
   const auto& reports = result->reports;
@@ -70,6 +78,9 @@ void FillingOutcome::take(const steps::Rule& step) {
   context_.lane.now(std::move(steps));
 }
 
+// A slot's <ambiguous> words the question itself, so what it says is noted as
+// the question that waits, with the candidates as answers. A refusal counts
+// even where <invalid> runs: the ladder is about answers, whoever words them.
 void FillingOutcome::take(const steps::Report& step) {
   const auto& report = step.result->reports[step.index];
   const auto& slot = context_.topic(step.topic).slots[report.slot];

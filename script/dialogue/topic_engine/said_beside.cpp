@@ -25,6 +25,8 @@ bool is_courtesy(const Act& act) {
   return act.kind == ActKind::greet || act.kind == ActKind::thank;
 }
 
+// What is no wish of its own beside a yes or no: "yes, yes", "yes, sorry", "yes
+// … well". Whether it contradicts is another question.
 bool is_further_answer(const Act& act) {
   return is_answer(act) || takes_back(act) || says_nothing(act);
 }
@@ -36,12 +38,20 @@ bool is_wish(const Step& step) {
 
 } // namespace
 
+bool has_wish(const StepList& ahead) {
+  return std::ranges::any_of(ahead, is_wish);
+}
+
 SaidBeside::Reading SaidBeside::read(const Act& answer) {
   const auto reading = judge(answer);
   drop(is_further_answer);
   return reading;
 }
 
+// After a no, a value of the topic is always a wish: "no, three nights" fills
+// the slot, and the question is made anew. After a yes it is one only where it
+// differs from what the topic has. An act about another topic does not hinder
+// the answer; set_wishes_aside() keeps it for later.
 SaidBeside::Reading SaidBeside::judge(const Act& answer) const {
   Reading reading;
   const bool yes = answer.kind == ActKind::confirm;
@@ -64,8 +74,10 @@ void SaidBeside::drop_echoes() {
   drop([&](const Act& other) { return echoes(other) || is_about_it(other); });
 }
 
+// Such acts become the lane's next item: the answer may end the topic or leave
+// the state, and what is to be done about them is decided after that.
 void SaidBeside::set_wishes_aside() {
-  if (std::ranges::any_of(context_.lane.ahead(), is_wish))
+  if (has_wish(context_.lane.ahead()))
     context_.lane.set_acts_aside(); // which would leave what is asked about
 }
 

@@ -11,6 +11,8 @@ namespace parlour::dialogue {
 
 namespace {
 
+// Whether the utterance has further acts. "Yes. The first one." is no
+// misunderstanding: the second act may name what the first leaves open.
 bool says_more(const DialogueContext& context) {
   const auto& ahead = context.lane.ahead();
   return std::any_of(ahead.begin(), ahead.end(), is<steps::TakeAct>);
@@ -18,6 +20,9 @@ bool says_more(const DialogueContext& context) {
 
 } // namespace
 
+// The steps of engine rule 5.3, in its order. An act that answers a question is
+// gone before its topic is looked for. Acts are shared, so a step that changes
+// one makes a copy.
 void TopicActs::take(steps::TopicAct&& step) {
   if (offers_.was_consumed(step.offer))
     return;
@@ -48,21 +53,41 @@ void TopicActs::prefer_resting_topic(steps::TopicAct& step) const {
   step.act = std::make_shared<const Act>(std::move(act));
 }
 
+// "Help" in the middle of a topic is about the conversation. "Help" with a
+// topic named is about that one; only "cancel" and "abandon" may name what they
+// end.
 bool TopicActs::take_about_conversation(const steps::TopicAct& step) {
   const auto& act = *step.act;
   const auto named = context_.program->topic(act.topic);
   if (is_generic(act) && (named == script::no_id || wants_out(act))) {
-    repair_acts_.generic_act(step, named);
+    repair_acts_.generic_act(step, named, late_corrections_.taken_back());
     return true;
   }
-  return late_corrections_.take(step);
+  const auto late = late_corrections_.take(step);
+  if (late == LateCorrections::Outcome::says_again)
+    acknowledge(step.turn);
+  return late != LateCorrections::Outcome::no_concern;
 }
 
+// The rest of the utterance gets an answer of its own.
+void TopicActs::acknowledge(TurnId turn) {
+  repairs_.understood();
+  if (!says_more(context_))
+    words_.say("acknowledge", script::no_id, script::no_id, {}, turn);
+}
+
+// A bare yes or no begins no topic. Where nothing is asked, it is acknowledged,
+// as people say "ok" to what they were told. After "What should I change?" it
+// changes nothing, so the topic settles again, which asks for the whole once
+// more (engine rule 5.13). To any other question it is not understood.
 void TopicActs::find_topic(steps::TopicAct&& step) {
   const auto& act = *step.act;
   if (is_answer(act) && !question_) { // "ok", and nobody had asked
-    repairs_.understood();
-    words_.say("acknowledge", script::no_id, script::no_id, {}, step.turn);
+    acknowledge(step.turn);
+    return;
+  }
+  if (is_answer(act) && question_->purpose == Asked::For::change) {
+    context_.lane.at_once(steps::Settle{question_.take().topic, step.turn});
     return;
   }
   const auto topic = whereabouts_.topic_of(act);

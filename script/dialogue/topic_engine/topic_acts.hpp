@@ -14,12 +14,15 @@
 #include "script/dialogue/questions/topic_words.hpp"
 #include "script/dialogue/questions/whereabouts.hpp"
 #include "script/dialogue/topic_engine/act_delivery.hpp"
-#include "script/dialogue/topic_engine/late_corrections.hpp"
+#include "script/dialogue/topic_engine/course/late_corrections.hpp"
 #include "script/dialogue/topic_engine/repair_acts.hpp"
 #include "script/dialogue/topic_engine/yes_or_no.hpp"
 
 namespace parlour::dialogue {
 
+// ActEntry calls it, or the lane when reactions were offered the act and kept
+// it not. It carries out engine rule 5.3 step by step, up to the filling event,
+// which ActDelivery begins. It keeps nothing.
 class TopicActs {
 public:
   TopicActs(DialogueContext& context, Messenger& messenger, Offers& offers,
@@ -33,13 +36,20 @@ public:
         yes_or_no_(yes_or_no), repair_acts_(repair_acts),
         late_corrections_(late_corrections), delivery_(delivery) {}
 
+  // What leads to no topic counts as not understood. An act that names a topic
+  // or slot that does not exist becomes the event Script.Error (language rule
+  // 12.23).
   void take(steps::TopicAct&& step);
 
 private:
+  // Replaces the act by its reading for the enquiry that rests, where that is
+  // near enough (engine rule 5.3).
   void prefer_resting_topic(steps::TopicAct& step) const;
   // Whether the act is about the conversation, or about what is done; then it
   // is dealt with.
   bool take_about_conversation(const steps::TopicAct& step);
+  void acknowledge(TurnId turn);
+  // The act is about some topic, or about none.
   void find_topic(steps::TopicAct&& step);
 
   DialogueContext& context_;

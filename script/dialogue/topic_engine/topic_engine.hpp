@@ -14,6 +14,15 @@
 
 namespace parlour::dialogue {
 
+// Each conversation has one. Only that conversation's own thread of work calls
+// it, one input at a time (engine rule 2.1), so nothing here locks. What a
+// script does wrong becomes the event Script.Error; nothing is returned for it.
+// The references must outlive it; the conversation makes them all.
+//
+// Two ways lead out of a part: it puts steps in front of what the lane still
+// has to do, or it changes a frame at once. A part never waits. Where an answer
+// must come first (a frame, a query) it keeps what it needs, and the lane rests
+// until the answer arrives as an input of its own.
 class TopicEngine {
 public:
   TopicEngine(DialogueContext& context, Messenger& messenger,
@@ -21,34 +30,42 @@ public:
               const ActivationRunner& runner, OpenQuestion& question,
               OutputManager& output, QuestionParts& questions);
 
-  // A step that belongs to topics; it may put further ones in front.
+  // A step that belongs to topics; it may put further ones in front. `give`
+  // finds the part by the step's type when this is compiled: of the parts
+  // listed, the one that has a `take` for it.
   template <class Kind>
   void take(Kind&& step) {
     give(std::forward<Kind>(step), questions_.reprompts,
          questions_.next_question, changes_, enquiries_, settling_, outcome_,
          filling_, yes_or_no_, silence_, ends_, acts_, entry_);
   }
+  // The conversation starts over: all topics are untouched, no question waits.
+  // The caller ends the scripts that wait.
   void restart();
 
-  // -- acts --
-  // Whether a script waits for this act.
+  // Whether a script waits for this act. A handler in the pipeline lane that
+  // waits for the user asks it before it is given the words (engine rule 2.4).
   bool is_waited_for(const Act& act) const {
     return entry_.is_waited_for(act);
   }
-  // A yes or no waited for what else might follow in the same breath, and
-  // nothing did: it is queued.
+  // To be called when the lane has run as far as it can. A yes or no waited for
+  // what else might follow in the same breath, and nothing did: true, it is
+  // queued, and the lane has to run again.
   bool nothing_followed() {
     return breath_.nothing_followed();
   }
-  // Silence has lasted: the next question, resume or reprompt.
+  // The timer that silence_wanted() has asked for rang: the next question, a
+  // resumed topic or a reprompt. It only queues steps or outputs.
   void silence() {
     silence_.silence();
   }
-  // The question that was heard last, if it is still open.
+  // The question that was heard last comes again, if it is still open; else
+  // nothing.
   void ask_again() {
     silence_.repeat();
   }
-  // How long silence must last now; nothing where it leads nowhere.
+  // How long silence must last now, in milliseconds; nothing where it leads
+  // nowhere. It changes with every input, so it is asked after each.
   std::optional<Milliseconds> silence_wanted() const {
     return silence_.silence_wanted();
   }
@@ -57,8 +74,8 @@ public:
     return questions_.whereabouts.understanding_context();
   }
 
-  // -- what waits --
-  // The <confirm> that waits so is being ended.
+  // The <confirm> that waits so is being ended by others than the topic engine:
+  // its state was left, or its handler asks again.
   void forget_confirm(WaitId wait) {
     questions_.confirmations.forget_confirm(wait);
   }
@@ -67,7 +84,8 @@ public:
   confirms_but_of(const std::vector<TopicId>& topics) const {
     return questions_.confirmations.confirms_but_of(topics);
   }
-  // What the body that begins puts an end to, before it runs.
+  // What the body that begins puts an end to, before it runs: an earlier run of
+  // the same body that still waits for a yes. Empty: it can run at once.
   StepList overtaken_by(const Body& body) {
     return questions_.confirmations.overtaken_by(body);
   }
@@ -101,6 +119,8 @@ public:
   StepList back_to(TopicId topic) {
     return changes_.back_to(topic);
   }
+  // While a frame is awaited the session takes no other input, and no further
+  // step (engine rule 5.12).
   bool awaiting_frame() const {
     return filling_.awaits_frame();
   }
@@ -116,6 +136,8 @@ public:
     filling_.resume();
     enquiries_.resume();
   }
+  // False: the query is none of a topic's, and `outcome` is untouched. True:
+  // `outcome` was moved from, and the lane goes on with it.
   bool query_answered(QueryId id, Expected<Value>& outcome) {
     return enquiries_.query_answered(id, outcome);
   }
@@ -138,7 +160,9 @@ private:
   TopicFrames& frames_;
   QuestionParts& questions_;
 
-  // The parts, each of which knows those before it.
+  // The parts, each of which knows only those before it. The order is that of
+  // construction, so a part's references are good when it is made; it also
+  // keeps calls in one direction.
   Refusals refusals_;
   TopicChanges changes_;
   Enquiries enquiries_;

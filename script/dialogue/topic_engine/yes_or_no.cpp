@@ -1,12 +1,27 @@
 #include "script/dialogue/topic_engine/yes_or_no.hpp"
 
+#include <memory>
 #include <utility>
 
 namespace parlour::dialogue {
 
-// A yes or no to the question that waits for one: a <confirm> of the topic
-// that the act names, else the question that was heard last.
+namespace {
+
+ActPointer no_instead_of(const Act& act) {
+  auto no = act;
+  no.kind = ActKind::deny;
+  return std::make_shared<const Act>(std::move(no));
+}
+
+} // namespace
+
+// A yes or no to the question that waits for one. The tests are the lines of
+// the table in engine rule 5.8, from top to bottom. A yes too few costs a
+// question; a yes too many may call a taxi.
 bool YesOrNo::answer_to_question(const ActPointer& act, TurnId turn) {
+  if (question_ && question_->purpose == Asked::For::more &&
+      act->kind == ActKind::thank) // "Anything else?" "That is all."
+    return answer_to_question(no_instead_of(*act), turn);
   if (!is_answer(*act))
     return false;
   confirmations_.prefer_named_confirm(context_.program->topic(act->topic));
@@ -34,6 +49,7 @@ bool YesOrNo::ask_confirm_again() {
   return confirmations_.any();
 }
 
+// It may have been ended since the step was made; then nothing is asked.
 void YesOrNo::take(const steps::AskConfirm& step) {
   if (const auto* confirm = confirmations_.latest_confirm()) {
     question_.set(*confirm);
@@ -41,7 +57,10 @@ void YesOrNo::take(const steps::AskConfirm& step) {
   }
 }
 
-// What the same utterance says besides decides whether it is an answer.
+// What the same utterance says besides decides whether it is an answer. "Yes,
+// cancel" answers nothing: the cancel is the next act, and the question comes
+// again unless that has ended it. "Yes. No!" is not understood. What is left
+// then is waited for, if somebody still speaks; only then it counts.
 void YesOrNo::read_answer(const ActPointer& act, TurnId turn) {
   const auto reading = beside_.read(*act);
   if (reading.wishes) // it follows, and the question comes again
@@ -54,7 +73,7 @@ void YesOrNo::read_answer(const ActPointer& act, TurnId turn) {
   if (breath_.waits_for_more(act, turn))
     return;
   beside_.set_wishes_aside();
-  outcome_.answer(question_.take(), act->kind == ActKind::confirm, turn);
+  outcome_.answer(question_.take(), *act, turn);
 }
 
 } // namespace parlour::dialogue

@@ -6,12 +6,15 @@
 #include "script/dialogue/context/asked.hpp"
 #include "script/dialogue/context/dialogue_context.hpp"
 #include "script/dialogue/topic_engine/confirm_answers.hpp"
+#include "script/dialogue/topic_engine/course/refusals.hpp"
+#include "script/dialogue/topic_engine/course/topic_changes.hpp"
 #include "script/dialogue/topic_engine/filling.hpp"
-#include "script/dialogue/topic_engine/refusals.hpp"
-#include "script/dialogue/topic_engine/topic_changes.hpp"
 
 namespace parlour::dialogue {
 
+// The second half of engine rule 5.8. The question has been taken from
+// OpenQuestion already, so that what follows may ask the next one. It keeps
+// nothing.
 class YesOrNoOutcome {
 public:
   YesOrNoOutcome(DialogueContext& context, Refusals& refusals,
@@ -20,9 +23,13 @@ public:
       : context_(context), refusals_(refusals), topic_changes_(topic_changes),
         confirm_answers_(confirm_answers), filling_(filling) {}
 
-  void answer(const Asked& asked, bool yes, TurnId turn);
+  // `act` is a yes or a no without slots, and answers `asked`, whose purpose is
+  // one that wants a yes or no.
+  void answer(const Asked& asked, const Act& act, TurnId turn);
 
 private:
+  void fill_slot(const Asked& asked, const Act& act, TurnId turn);
+  void close_or_reopen(const Asked& asked, bool yes, TurnId turn);
   void confirm_slot(TopicId topic, SlotId slot, bool yes, TurnId turn);
   void answer_resume(TopicId topic, bool yes, TurnId turn);
 

@@ -7,7 +7,9 @@ namespace parlour::dialogue {
 
 namespace {
 
-// How much worse than the best an alternative may be (understanding).
+// How much worse than the best an alternative may be (understanding, "Score").
+// With less, the robot decides by chance between equals; with more, it asks
+// about readings that nobody meant.
 constexpr double clarify_within = 0.1;
 
 bool may_be_chosen(const script::Program& program, TopicId topic,
@@ -17,12 +19,14 @@ bool may_be_chosen(const script::Program& program, TopicId topic,
          std::find(out.begin(), out.end(), topic) == out.end();
 }
 
+// The topic that the act names; no_id: none, or one that takes no part now.
 TopicId named(const script::Program& program, const Act& act,
               const ClassifierContext& context) {
   auto topic = act.topic.empty() ? script::no_id : program.topic(act.topic);
   return may_be_chosen(program, topic, context) ? topic : script::no_id;
 }
 
+// How many of the act's slots the topic has, by name.
 std::size_t slots_of(const script::Topic& topic, const Act& act) {
   return static_cast<std::size_t>(std::count_if(
       act.slots.begin(), act.slots.end(), [&](const SlotValue& value) {
@@ -30,6 +34,9 @@ std::size_t slots_of(const script::Topic& topic, const Act& act) {
       }));
 }
 
+// Only a topic with more slots than the best so far takes its place, so the
+// order of asking decides between equals. A topic that has all of them ends the
+// search.
 TopicId by_slots(const script::Program& program, const Act& act,
                  const ClassifierContext& context) {
   auto best = script::no_id;
@@ -53,12 +60,16 @@ TopicId by_slots(const script::Program& program, const Act& act,
   return best;
 }
 
+// Without confidences nothing is near: there is nothing to compare. The 1e-9 is
+// for 0.8 and 0.7, whose difference is a little more than 0.1 in binary.
 bool is_near(const Act& best, const Act& other) {
   return !best.confidence.is_unknown() && !other.confidence.is_unknown() &&
          best.confidence.number_or(0) - other.confidence.number_or(0) <=
              clarify_within + 1e-9;
 }
 
+// A whole sentence without slots ("what is that?") is no follow-up, so only the
+// topic that asks may have it.
 TopicId without_slots(const script::Program& program, const Act& act,
                       const ClassifierContext& context) {
   std::array topics{context.asked, script::no_id, script::no_id};

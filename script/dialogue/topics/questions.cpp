@@ -12,7 +12,13 @@ CodeId in_turn(const std::vector<CodeId>& texts, std::uint32_t turn) {
 
 } // namespace
 
+bool asks_for_more(const script::Slot& slot, const SlotState& state) {
+  return is_open(slot, state) && !state.wants_more;
+}
+
 CodeId question_wording(const script::Slot& slot, const SlotState& state) {
+  if (asks_for_more(slot, state))
+    return slot.more;
   if (slot.question == no_code)
     return in_turn(slot.help, state.asked);
   if (state.asked == 0 || slot.help.empty())

@@ -9,8 +9,13 @@
 
 namespace parlour::dialogue {
 
-// The slot's question the first time, then its <help> wordings in turn;
-// no_code where the slot has no words at all.
+// Whether it is asked for further values of the slot now ("Anything else?").
+// Not after a yes to that: then the next wording asks which (engine rule 5.14).
+bool asks_for_more(const script::Slot& slot, const SlotState& state);
+
+// The slot's question the first time, then its <help> wordings in turn; no_code
+// where the slot has no words at all. The first time is `state.asked` 0: how
+// often its question was released.
 CodeId question_wording(const script::Slot& slot, const SlotState& state);
 
 // The next of the <explain> texts; no_code where there is none.

@@ -10,7 +10,8 @@ using script::no_code;
 using script::no_id;
 using script::Repair;
 
-// A count of none is for what is not counted.
+// A count of none is for what is not counted: it holds while nothing is asked,
+// and never for the third miss.
 bool reached(const Repair& repair, const RepairWanted& wanted) {
   return repair.count == 0 ? wanted.count == 0 : repair.count <= wanted.count;
 }
@@ -21,6 +22,9 @@ bool fits(const Repair& repair, const RepairWanted& wanted) {
          (repair.slot == no_id || repair.slot == wanted.slot);
 }
 
+// Tuples compare from left to right, which is the order of engine rule 5.10:
+// the slot's, the topic's, the application's, one with a condition, the highest
+// count.
 auto rank(const Repair& repair) {
   return std::tuple(repair.slot != no_id, repair.topic != no_id,
                     !repair.of_platform, repair.condition != no_code,

@@ -8,6 +8,8 @@
 
 namespace parlour::dialogue {
 
+// What has happened, as far as it chooses a <repair>. no_id: it happened at no
+// topic, or no slot.
 struct RepairWanted {
   std::string_view act; // of the user; no_match, no_input
   script::TopicId topic = script::no_id;

@@ -24,10 +24,16 @@ bool TopicOrder::registered(TopicId topic) const {
   return topic < registered_.size() && registered_[topic];
 }
 
-std::vector<TopicId> TopicOrder::unregistered() const {
+// A part of another topic only while it goes on.
+bool TopicOrder::takes_acts(TopicId topic) const {
+  return registered(topic) && (!program_->topics[topic].is_part ||
+                               current_ == topic || unfinished(topic));
+}
+
+std::vector<TopicId> TopicOrder::deaf() const {
   std::vector<TopicId> topics;
   for (TopicId topic = 0; topic < registered_.size(); ++topic)
-    if (!registered_[topic])
+    if (!takes_acts(topic))
       topics.push_back(topic);
   return topics;
 }
@@ -40,6 +46,8 @@ std::optional<TopicId> TopicOrder::latest() const {
   return latest_;
 }
 
+// A current enquiry that the user leaves is not suspended: it would come back
+// after silence, unasked. It is, though, if it waits for the new topic.
 std::optional<TopicId> TopicOrder::activate(TopicId topic) {
   std::optional<TopicId> left;
   if (current_ && *current_ != topic &&
@@ -80,8 +88,9 @@ const std::vector<TopicId>& TopicOrder::suspended() const {
 
 bool TopicOrder::needs(TopicId topic, TopicId other) const {
   const auto& names = program_->topics[topic].needs;
-  return std::find(names.begin(), names.end(), program_->topics[other].name) !=
-         names.end();
+  return program_->topics[topic].has_part(other) ||
+         std::find(names.begin(), names.end(), program_->topics[other].name) !=
+             names.end();
 }
 
 // Enquiries are never unfinished (engine rule 5, "Kinds"), except while they
@@ -94,6 +103,8 @@ bool TopicOrder::unfinished(TopicId topic) const {
          program_->topics[topic].kind == script::TopicKind::task;
 }
 
+// Suspended topics come first, since the user has begun them. "user" as
+// initiative leaves the lead to the user here, too, whatever `resume` says.
 std::optional<TopicOrder::Next> TopicOrder::next() const {
   for (auto topic : suspended_) {
     const auto& definition = program_->topics[topic];
@@ -103,6 +114,7 @@ std::optional<TopicOrder::Next> TopicOrder::next() const {
   }
   for (TopicId topic = 0; topic < registered_.size(); ++topic)
     if (registered_[topic] && !started_[topic] &&
+        !program_->topics[topic].is_part &&
         program_->topics[topic].initiative == script::Initiative::system)
       return Next{topic, false};
   return std::nullopt;

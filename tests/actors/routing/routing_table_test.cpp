@@ -169,7 +169,7 @@ TEST_F(RoutingTableTest, ConditionsAndParametersSeeConstants) {
 TEST_F(RoutingTableTest, TellsOfAConditionThatFails) {
   make(R"(<routes><filter source="*" command="Sound" if="_LPARAM1 lt 3"
           drop="true"/></routes>)");
-  EXPECT_TRUE(table->route(event("Mic", "Sound", {List{}})).for_session);
+  EXPECT_TRUE(table->route(event("Mic", "Sound", {Value(List{})})).for_session);
   EXPECT_EQ(table->counters().failed_conditions, 1u);
   EXPECT_THAT(complaints, ElementsAre(HasSubstr("Sound: ")));
   EXPECT_THAT(complaints, ElementsAre(HasSubstr("test.xml:")));

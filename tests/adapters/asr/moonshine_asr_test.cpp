@@ -115,12 +115,12 @@ protected:
 TEST_F(MoonshineASRTest, NarrowsTheTurnsOfOneSession) {
   host.model->grammars = {{"size", "public <size> = small | large;", {}}};
   ASSERT_TRUE(start("behaves", {{"one-by-one", "true"}}));
-  send("one", "SetGrammar", {List{"size"}});
+  send("one", "SetGrammar", {Value(List{"size"})});
   speak("two", 1);
   speak("one", 1);
   EXPECT_THAT(log_with("narrow:"), HasSubstr("large;Large;"));
   send("one", "Finish");
-  send("one", "SetGrammar", {List{}});
+  send("one", "SetGrammar", {Value(List{})});
   speak("one", 1);
   send("one", "Finish");
   EXPECT_TRUE(host.take_logs().empty());

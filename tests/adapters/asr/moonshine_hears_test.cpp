@@ -7,7 +7,7 @@
 
 #include "adapters/asr/moonshine_asr.hpp"
 #include "adapters/audio/pcm.hpp"
-#include "runtime/base/file_bytes.hpp"
+#include "runtime/base/outside/file_bytes.hpp"
 #include "runtime/plugin/test_host.hpp"
 #include "tests/support/paths.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -135,7 +135,7 @@ TEST_F(MoonshineHears, ANewNameInTheNextTurn) {
 }
 
 TEST_F(MoonshineHears, TheWordsOfAGrammarWhereItIsNarrowed) {
-  send("SetGrammar", {List{"size"}});
+  send("SetGrammar", {Value(List{"size"})});
   speak("A chai.");
   send("Finish");
   EXPECT_THAT(answer().params.at(0).text(), HasSubstr("chai"));

@@ -66,7 +66,7 @@ const std::vector<Asked>& refused_alike() {
                                       {"begin", {}},
                                       {"select ?", {}},
                                       {"select ?", List{1, 2}},
-                                      {"select ?", List{List{}}},
+                                      {"select ?", List{Value(List{})}},
                                       {"select ?", "one"},
                                       {"select :a", Map{{"b", 1}}},
                                       {"select :a", Map{{"a", 1}, {"b", 1}}},

@@ -56,7 +56,7 @@ TYPED_TEST(EachDatabaseTest, DescribesWhatAllHaveAlike) {
 TYPED_TEST(EachDatabaseTest, AnswersQueries) {
   ASSERT_TRUE(this->start(this->options()));
   EXPECT_EQ(this->query("select name from staff where level = ? order by id",
-                        List{13}),
+                        List{Value(13)}),
             "Result([Dr. Jeffery Ho, Lim])");
   EXPECT_EQ(this->query("select level from staff where name = :n",
                         Map{{"n", "Tan Ah Kow"}}),
@@ -113,7 +113,7 @@ TYPED_TEST(EachDatabaseTest, AnswersErrorsByKind) {
   ASSERT_TRUE(this->start(this->options()));
   EXPECT_THAT(this->query("select nam from staff"),
               StartsWith("Error(Database, "));
-  EXPECT_THAT(this->query("select ?", List{List{}}),
+  EXPECT_THAT(this->query("select ?", List{Value(List{})}),
               StartsWith("Error(Type, "));
   EXPECT_THAT(this->query("select 1; select 2"), StartsWith("Error(Refused, "));
   EXPECT_THAT(this->write("insert into staff (name) values ('Lim')"),

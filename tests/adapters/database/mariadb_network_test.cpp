@@ -1,6 +1,6 @@
 // A server as on another machine: reached through a port, with TLS, a user name
 // and a password.
-#include "adapters/database/mariadb/mariadb_connection.hpp"
+#include "adapters/database/mariadb/connection/mariadb_connection.hpp"
 #include "tests/adapters/database/mariadb_fixture.hpp"
 #include "tests/support/paths.hpp"
 

@@ -8,7 +8,7 @@
 
 #include "adapters/journal/journal_folder.hpp"
 #include "adapters/journal/journal_format.hpp"
-#include "runtime/base/file_bytes.hpp"
+#include "runtime/base/outside/file_bytes.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace parlour::adapters {

@@ -2,7 +2,7 @@
 
 #include "adapters/journal/journal_format.hpp"
 #include "adapters/journal/journal_part.hpp"
-#include "runtime/base/file_bytes.hpp"
+#include "runtime/base/outside/file_bytes.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace parlour::adapters {

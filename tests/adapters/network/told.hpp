@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/base/sockets.hpp"
+#include "runtime/base/outside/sockets.hpp"
 
 namespace parlour::test {
 

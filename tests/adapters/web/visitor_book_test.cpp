@@ -210,6 +210,16 @@ TEST_F(VisitorBookTest, LastWordsCanBeFetched) {
   EXPECT_EQ(book.next_expiry(), std::nullopt);
 }
 
+// Who was away already when the session ended has the whole time from then on.
+TEST_F(VisitorBookTest, LastWordsStayAsLongForWhoWasAway) {
+  const auto visitor = book.come(first, Hello());
+  book.lose(visitor, first, host.now);
+  pass(Milliseconds(60));
+  book.ended(visitor, "session-1", host.now);
+  pass(Milliseconds(60));
+  EXPECT_EQ(book.come(second, {"session-1", 0, 0}), visitor);
+}
+
 TEST_F(VisitorBookTest, LastWordsOfFewSessionsAreKept) {
   for (int i = 0; i < 5; ++i)
     book.take(book.come(first, Hello()), turn(1, "end"));

@@ -48,7 +48,7 @@ TEST_F(WyomingWakeTest, finds_a_word) {
 
 TEST_F(WyomingWakeTest, counts_by_itself_and_looks_for_others) {
   use(finding());
-  send("SetKeywords", {List{"robot"}});
+  send("SetKeywords", {Value(List{"robot"})});
   for (int i = 0; i < 3; ++i)
     send("Process", {frame()}, "s2");
   const auto found = answer("Keyword");

@@ -28,12 +28,12 @@ TEST(Message, ShowsEveryParameterWhateverItsText) {
 }
 
 TEST(Message, IsEqualByContent) {
-  auto first = sent({List{1}});
-  auto second = sent({List{1}});
+  auto first = sent({Value(List{1})});
+  auto second = sent({Value(List{1})});
   EXPECT_EQ(first, second);
   second.correlation = 3;
   EXPECT_NE(first, second);
-  EXPECT_NE(first, sent({List{2}}));
+  EXPECT_NE(first, sent({Value(List{2})}));
 }
 
 } // namespace

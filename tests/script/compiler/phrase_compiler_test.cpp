@@ -38,7 +38,7 @@ TEST(PhraseCompiler, refuses_braces_that_would_be_said) {
   EXPECT_THAT(lines_of("Hi {{data.name}} {data.name}"), testing::IsEmpty());
 }
 
-TEST(PhraseCompiler, the_platform_has_words_for_every_act) {
+TEST(PhraseCompiler, the_platform_has_words_for_every_act_and_no_other) {
   const auto outcome = test::compile_declarations("");
   ASSERT_TRUE(outcome.program);
   std::vector<std::string> worded;
@@ -46,6 +46,8 @@ TEST(PhraseCompiler, the_platform_has_words_for_every_act) {
     worded.push_back(phrase.act);
   for (const auto& act : say_acts())
     EXPECT_THAT(worded, testing::Contains(act));
+  for (const auto& act : worded)
+    EXPECT_THAT(say_acts(), testing::Contains(act));
 }
 
 } // namespace parlour::script

@@ -33,9 +33,10 @@ TEST(RepairCompiler, the_platform_has_one_for_every_act_about_itself) {
   std::vector<std::string> acts;
   for (const auto& repair : outcome.program->repairs)
     acts.push_back(repair.act);
-  for (const auto* act : {"help", "explain", "options", "rephrase", "repeat",
-                          "cancel", "abandon", "restart", "person", "greet",
-                          "thank", "bye", "correct", "no_match", "no_input"})
+  for (const auto* act :
+       {"help", "explain", "options", "rephrase", "repeat", "cancel", "abandon",
+        "restart", "person", "greet", "thank", "bye", "correct", "no_match",
+        "no_input", "wait", "protest", "refuse"})
     EXPECT_THAT(acts, Contains(act));
 }
 

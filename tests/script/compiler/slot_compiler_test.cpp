@@ -48,6 +48,35 @@ TEST(SlotCompiler, has_the_defaults_of_the_language) {
   EXPECT_EQ(slot.cardinality.type, "");
 }
 
+TEST(SlotCompiler, takes_what_forms_need) {
+  const auto outcome = test::compile_declarations(
+      "<topic name='a' part='true'><slot name='x'/></topic>"
+      "<topic name='t'><slot name='s' if='true' offer='1' label='the s' "
+      "commit='true' many='true' more='More?'/>"
+      "<slot name='p' topic='a' with='{x: 1}'/></topic>");
+  ASSERT_TRUE(outcome.program) << outcome.lines.at(0);
+  const auto& slot = outcome.program->topics.at(1).slots.at(0);
+  EXPECT_TRUE(slot.commits);
+  EXPECT_TRUE(slot.many);
+  for (const auto code : {slot.condition, slot.offer, slot.label, slot.more})
+    EXPECT_NE(code, no_code);
+  EXPECT_EQ(slot.part, no_id);
+  const auto& part = outcome.program->topics.at(1).slots.at(1);
+  EXPECT_EQ(part.part, 0u);
+  EXPECT_NE(part.with, no_code);
+}
+
+TEST(SlotCompiler, refuses_what_goes_with_something_else) {
+  const auto outcome = test::compile_declarations(
+      "<topic name='t'><slot name='a' more='More?'/><slot name='b' with='{}'/>"
+      "<slot name='c' topic='Tee'/></topic>");
+  ASSERT_EQ(outcome.lines.size(), 3u);
+  EXPECT_THAT(outcome.lines.at(0), testing::HasSubstr("write many=\"true\""));
+  EXPECT_THAT(outcome.lines.at(1), testing::HasSubstr("name it by 'topic'"));
+  EXPECT_THAT(outcome.lines.at(2),
+              testing::HasSubstr("there is no topic 'Tee'"));
+}
+
 TEST(SlotCompiler, takes_a_column_as_cardinality) {
   const auto outcome = test::compile_declarations(
       "<topic name='t'><slot name='s'><cardinality type='query' "

@@ -44,6 +44,41 @@ TEST(TopicCompiler, has_the_defaults_of_the_language) {
   EXPECT_EQ(topic.filled, no_code);
 }
 
+TEST(TopicCompiler, takes_what_confirms_the_whole) {
+  const auto outcome = test::compile_declarations(
+      "<topic name='a' confirm='summary' label='the a' part='true'/>"
+      "<topic name='b' commit='true'><refused><print param='a'/></refused>"
+      "</topic><topic name='c' confirm='never'/>");
+  ASSERT_TRUE(outcome.program) << outcome.lines.at(0);
+  const auto& topics = outcome.program->topics;
+  EXPECT_EQ(topics.at(0).summary, Summary::always);
+  EXPECT_TRUE(topics.at(0).is_part);
+  EXPECT_NE(topics.at(0).label, no_code);
+  EXPECT_NE(topics.at(0).filled, no_code); // the question itself
+  EXPECT_EQ(topics.at(1).summary, Summary::unless_certain);
+  EXPECT_EQ(topics.at(2).summary, Summary::never);
+  EXPECT_EQ(topics.at(2).filled, no_code);
+}
+
+TEST(TopicCompiler, refuses_a_summary_of_what_is_not_done) {
+  const auto outcome = test::compile_declarations(
+      "<topic name='a' kind='enquiry' confirm='summary'><filled/></topic>"
+      "<topic name='b'><refused/></topic>");
+  ASSERT_EQ(outcome.lines.size(), 2u);
+  EXPECT_THAT(outcome.lines.at(0),
+              testing::HasSubstr("does nothing that could be confirmed"));
+  EXPECT_THAT(outcome.lines.at(1),
+              testing::HasSubstr("<refused> runs after a no to the summary"));
+}
+
+TEST(TopicCompiler, refuses_topics_that_are_part_of_themselves) {
+  const auto outcome = test::compile_declarations(
+      "<topic name='a'><slot name='B' topic='b'/></topic>"
+      "<topic name='b' needs='a'/>");
+  ASSERT_EQ(outcome.lines.size(), 1u);
+  EXPECT_THAT(outcome.lines.at(0), testing::HasSubstr("needs itself"));
+}
+
 TEST(TopicCompiler, keeps_functions_to_themselves) {
   const auto outcome = test::compile_declarations(
       "<topic name='t'><functions><function name='f'/></functions>"

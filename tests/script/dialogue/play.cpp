@@ -162,6 +162,8 @@ private:
     for (std::size_t i = 2; i < words.size(); ++i)
       if (words[i] == "elliptical")
         act.set("elliptical", true);
+      else if (words[i] == "sure")
+        act.set("confidence", 1);
       else
         add_slot(slots, words[i]);
     act.set("slots", std::move(slots));
@@ -173,13 +175,32 @@ private:
     std::replace(word.begin(), word.end(), '_', ' ');
     const auto equals = word.find('=');
     const auto sure = std::min(word.find('~'), word.size());
-    const auto said = word.substr(equals + 1, sure - equals - 1);
+    auto said = word.substr(equals + 1, sure - equals - 1);
+    const auto name = word.substr(0, equals);
+    if (const auto times = said.find('*'); times != std::string::npos) {
+      add_item(slots, name, said.substr(0, times), said.substr(times + 1));
+      return;
+    }
     auto value = slot_value(
         said, sure < word.size() ? std::stod(word.substr(sure + 1)) : 1);
     if (said.find('|') != std::string::npos)
       value = Map{{"text", said},
                   {"candidates", values_of(words_of(said, '|'), 0)}};
-    slots.set(word.substr(0, equals), std::move(value));
+    slots.set(name, std::move(value));
+  }
+
+  // "Items=tea*2", "Items=tea*1more": one of several values.
+  static void add_item(Map& slots, const std::string& name,
+                       const std::string& said, const std::string& amount) {
+    Map item{{"value", said}, {"confidence", 1}};
+    if (amount.find_first_of("0123456789") != std::string::npos)
+      item.set("amount", std::stoi(amount));
+    if (amount.ends_with("more"))
+      item.set("more", true);
+    const auto* known = slots.find(name);
+    auto items = known ? *(*known)["items"].if_list() : List();
+    items.emplace_back(std::move(item));
+    slots.set(name, Map{{"items", std::move(items)}});
   }
 
   void event(const std::vector<std::string>& words, Correlation correlation) {

@@ -6,8 +6,9 @@
 //   <!-- component: Exchange Telephone --> a component and its roles
 //   <!-- say: inform Taxi Time=3pm --> an act of the user, its topic (- where
 //   it does not say), its slots; Time=3pm~0.5 is not sure, _ stands for a
-//   blank, Person=Ann|Ben may be either, the word `elliptical` says that it is;
-//   further acts of the same utterance after a + each
+//   blank, Person=Ann|Ben may be either, the words `elliptical` and `sure` say
+//   that it is; Items=tea*2 is one of several values, Items=tea*1more one more
+//   of it; further acts of the same utterance after a + each
 //   <!-- breath: confirm -->          the same, and the next `say` or `breath`
 //   follows before anything is made of it
 //   <!-- event: Bell.Rings a b -->    an event; parameters are texts

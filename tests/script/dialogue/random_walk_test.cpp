@@ -66,7 +66,7 @@ public:
     case 3:
       world.say(pick({"help", "repeat", "cancel", "restart", "greet", "thank",
                       "confirm", "deny", "explain", "options", "rephrase",
-                      "abandon", "person"}));
+                      "abandon", "person", "wait", "protest", "refuse"}));
       break;
     case 5: // somebody is heard, who may say nothing
       world.event("Keyboard", pick({"Partial", "Rejected"}), {"er"});

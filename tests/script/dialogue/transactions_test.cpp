@@ -2,7 +2,7 @@
 // if the body fails or is cancelled.
 #include <gtest/gtest.h>
 
-#include "script/dialogue/engine/effect_handler.hpp"
+#include "script/dialogue/engine/effects/effect_handler.hpp"
 #include "tests/script/dialogue/conversation_world.hpp"
 
 namespace parlour::dialogue {

@@ -53,7 +53,8 @@ class Soak:
 
     def run(self):
         """The figures, with the reasons why they are not well."""
-        with tempfile.TemporaryDirectory() as folder:
+        with tempfile.TemporaryDirectory() as folder, \
+                tempfile.TemporaryFile("w+") as self.said:
             self.store = pathlib.Path(folder) / "store"
             self.platform = start(
                 self.options.programs / "soak_platform",
@@ -73,7 +74,8 @@ class Soak:
                 watch.cancel()
                 self.platform.kill()
                 self.platform.wait()
-        self.figures["wrong"] = list(self.complaints())
+            self.said.seek(0)
+            self.figures["wrong"] = list(self.complaints())
         return self.figures
 
     def cut_again_and_again(self, port):
@@ -116,13 +118,13 @@ class Soak:
         options = self.options
         if options.agent == "cpp":
             return start(options.programs / "soak_agent", port,
-                         options.messages, stderr=subprocess.DEVNULL)
+                         options.messages, stderr=self.said)
         scheme = "zmq" if options.transport == "zeromq" else "lines"
         python = python_with("zmq") if scheme == "zmq" else sys.executable
         program = ["node", HERE / "agent.mjs"] if options.agent == "node" \
             else [python, "-B", HERE / "agent.py"]
         return start(*program, f"{scheme}://127.0.0.1:{port}", options.messages,
-                     options.pause, *store, stderr=subprocess.DEVNULL)
+                     options.pause, *store, stderr=self.said)
 
     def kill_again_and_again(self, port):
         """Each process of the agent goes on where the former was killed."""
@@ -148,6 +150,7 @@ class Soak:
                     yield f"{side}: {name}"
         if "platform" not in self.figures:
             yield f"not done after {self.options.patience} s"
+            yield from self.said.read().splitlines()[-20:]
             return
         if self.figures["platform"]["out_of_order"]:
             yield "platform: out of order"

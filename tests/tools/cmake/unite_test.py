@@ -7,7 +7,7 @@ import unittest
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[3] / "tools/cmake"))
-from unite import united
+from unite import choice, united
 
 
 def helper(code, rest=""):
@@ -92,6 +92,17 @@ class Unite(unittest.TestCase):
         self.assertEqual([[0, 1]],
                          self.pieces("int x();", "int y();",
                                      folders=["a", "b"]))
+
+    def test_each_target_has_pieces_of_its_own(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for name in "abcde":
+                Path(folder, f"{name}.cpp").write_text(f"int {name}();")
+            listed = [f"{target} {folder}/{name}.cpp"
+                      for target, name in zip("xyxyz", "abcde")]
+            self.assertEqual(
+                [f"x 0 {folder}/a.cpp", f"x 0 {folder}/c.cpp",
+                 f"y 0 {folder}/b.cpp", f"y 0 {folder}/d.cpp"],
+                choice(listed, limit=8))
 
 
 if __name__ == "__main__":

@@ -99,7 +99,7 @@ class Input(Hostile):
         self.assertIn(b"the rest is left out", ended.stderr)
 
     def test_names_that_are_sql_or_script(self):
-        self.said(b"I am Robert'); drop table rr_visitor;-- from {date()} to "
+        self.said(b"I am Robert'--drop table rr_visitor from {date()} to "
                   b"meet Jeffery Ho at 10:30\n")
         self.assertIn("drop table rr_visitor", self.visitors()[-1])
         self.still_usable()

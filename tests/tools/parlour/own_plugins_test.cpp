@@ -29,8 +29,8 @@ TEST_P(OwnPluginsTest, conform) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Applications, OwnPluginsTest,
-                         testing::Values("receptionist", "butler",
-                                         "smart-home"));
+                         testing::Values("receptionist", "butler", "smart-home",
+                                         "hotel", "library", "hospital"));
 
 } // namespace
 } // namespace parlour::tools

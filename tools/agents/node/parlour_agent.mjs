@@ -32,6 +32,7 @@ export const MAX_ATTRIBUTE_BYTES = 1024;
 const MAX_LINE_BYTES = 2 * MAX_MESSAGE_BYTES + 2 * MAX_ATTRIBUTE_BYTES;
 const MAX_MALFORMED = 10; // in a row
 const MAX_NUMBER = (1n << 63n) - 1n;
+const NEVER = 2 ** 30; // milliseconds: longer than any connection waits
 // Of the protocol, that this file speaks.
 const NEWEST_VERSION = 1;
 const OLDEST_VERSION = 1;
@@ -714,9 +715,10 @@ class Frames {
     });
     if (!this.#events) return;
     const [publicKey, secretKey, serverKey] = keys ?? [];
-    // By itself ZeroMQ would connect again without a hello.
+    // By itself ZeroMQ would connect again without a hello. Told never to (-1),
+    // it ends its pipe while a message is half read, and aborts the process.
     this.#dealer = new Dealer({
-      linger: 500, sendTimeout: 0, reconnectInterval: -1,
+      linger: 500, sendTimeout: 0, reconnectInterval: NEVER,
       ipv6: host.includes(":"),
       ...(keys && { curvePublicKey: publicKey, curveSecretKey: secretKey,
                     curveServerKey: serverKey }),

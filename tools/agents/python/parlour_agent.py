@@ -50,6 +50,7 @@ MAX_ATTRIBUTE_BYTES = 1024
 MAX_LINE_BYTES = 2 * MAX_MESSAGE_BYTES + 2 * MAX_ATTRIBUTE_BYTES
 MAX_MALFORMED = 10  # in a row
 MAX_NUMBER = (1 << 63) - 1
+NEVER_MS = 1 << 30  # 12 days: longer than any connection waits
 NEWEST_VERSION = OLDEST_VERSION = 1  # of the protocol, that this file speaks
 KINDS = ("text", "binary", "hello", "welcome", "ack", "beat", "error", "bye")
 PROTOCOL = b"parlour/1"
@@ -885,8 +886,10 @@ class _Frames:
         self._dealer = zmq.Context.instance().socket(zmq.DEALER)
         try:
             self._dealer.linger = 500
-            # By itself ZeroMQ would connect again without a hello.
-            self._dealer.reconnect_ivl = -1
+            # By itself ZeroMQ would connect again without a hello. Told never
+            # to (-1), it ends its pipe while a message is half read, and
+            # aborts the process ("!_more").
+            self._dealer.reconnect_ivl = NEVER_MS
             self._monitor = self._dealer.get_monitor_socket(
                 zmq.EVENT_DISCONNECTED | zmq.EVENT_CLOSED)
             self._dealer.ipv6 = ":" in host
@@ -920,7 +923,10 @@ class _Frames:
 
     def read(self):
         while self.has_more:
-            frames = self._dealer.recv_multipart(self._zmq.DONTWAIT)
+            try:
+                frames = self._dealer.recv_multipart(self._zmq.DONTWAIT)
+            except self._zmq.ZMQError as error:
+                raise ConnectionError(str(error)) from error
             try:
                 message = read_frames(frames)
             except WireError as error:

@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "runtime/base/clock.hpp"
 #include "tools/bench/support/measure.hpp"
 
 namespace parlour::tools {
@@ -68,9 +69,11 @@ double SlotCount::f1() const {
 
 void DataTrial::add(const std::vector<NluText>& all, const NluEngine& engine,
                     const NearestExample& baseline) {
+  // A session always tells its time; without it, "tomorrow" is no date.
+  const Value context(Map{{"now", *parse_timestamp(data_trial_time)}});
   const auto start = cpu_nanoseconds();
   for (const auto& text : all)
-    add(text, engine.understand(text.text));
+    add(text, engine.understand(text.text, context));
   seconds += (cpu_nanoseconds() - start) / 1e9;
   texts += all.size();
   for (const auto& text : all)

@@ -11,6 +11,9 @@
 
 namespace parlour::tools {
 
+// When everything is said.
+inline constexpr const char* data_trial_time = "2026-11-21 09:00";
+
 // `part` of `whole` in percent; 0 if there is no whole.
 double percent(std::size_t part, std::size_t whole);
 

@@ -63,7 +63,7 @@ public:
     for (std::size_t at = 0; at < names.size(); ++at) {
       const auto& words = names_[at];
       auto turned = words;
-      std::ranges::rotate(turned, turned.begin() + 1);
+      std::rotate(turned.begin(), turned.begin() + 1, turned.end());
       add(turned, names[at]);
       auto part = words;
       part.erase(part.begin() + pick(part.size()));

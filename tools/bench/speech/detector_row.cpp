@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "tools/bench/speech/figures.hpp"
-#include "tools/parlour/application/plugin_calls.hpp"
+#include "tools/parlour/application/plugins/plugin_calls.hpp"
 #include "tools/parlour/speech/application_host.hpp"
 
 namespace parlour::tools {

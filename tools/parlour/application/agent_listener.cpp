@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "runtime/base/host_and_port.hpp"
+#include "runtime/base/text/host_and_port.hpp"
 
 namespace parlour::tools {
 

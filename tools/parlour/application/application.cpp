@@ -6,15 +6,15 @@
 #include <cstdlib>
 #include <tuple>
 
-#include "runtime/base/file_bytes.hpp"
-#include "script/compiler/application_loader.hpp"
-#include "script/compiler/settings_reader.hpp"
+#include "runtime/base/outside/file_bytes.hpp"
+#include "script/compiler/application/application_loader.hpp"
+#include "script/compiler/application/settings_reader.hpp"
 #include "script/lint/lint.hpp"
 #include "tools/parlour/application/agent_listener.hpp"
-#include "tools/parlour/application/load_check.hpp"
+#include "tools/parlour/application/plugins/load_check.hpp"
+#include "tools/parlour/application/plugins/shipped_plugin.hpp"
 #include "tools/parlour/application/resource_check.hpp"
-#include "tools/parlour/application/shipped_plugin.hpp"
-#include "tools/parlour/application/sql_lint.hpp"
+#include "tools/parlour/application/sql/sql_lint.hpp"
 
 namespace parlour::tools {
 

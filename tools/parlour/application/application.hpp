@@ -18,8 +18,8 @@
 #include "script/compiler/compiler.hpp"
 #include "script/program/program.hpp"
 #include "script/source/findings.hpp"
-#include "tools/parlour/application/column_reader.hpp"
-#include "tools/parlour/application/composition.hpp"
+#include "tools/parlour/application/plugins/composition.hpp"
+#include "tools/parlour/application/sql/column_reader.hpp"
 #include "tools/parlour/console/places.hpp"
 
 namespace parlour::tools {

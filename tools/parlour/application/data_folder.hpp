@@ -10,6 +10,7 @@
 
 namespace parlour::tools {
 
+// Owned by the command that runs the node, and outlives it.
 class DataFolder {
 public:
   // Creates the folder if needed and locks it. Errors of kind File: it cannot

@@ -66,6 +66,8 @@ std::set<std::string> broken_files(const Findings& findings) {
 
 // One run of correct(). `done_` is the best state so far: its texts, the
 // corrections made and the findings that remain.
+// All of it is bounded by `max_checks`, as a check takes the time of a
+// compilation.
 class Correcting {
 public:
   Correcting(Findings findings, const Check& check, const fs::path& folder)

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "runtime/base/error.hpp"
-#include "script/compiler/application_loader.hpp"
+#include "script/compiler/application/application_loader.hpp"
 #include "script/source/findings.hpp"
 
 namespace parlour::tools {

@@ -9,9 +9,9 @@
 #include "adapters/files/data_files.hpp"
 #include "adapters/network/tcp_sockets.hpp"
 #include "script/run/phrase_evaluator.hpp"
-#include "tools/parlour/application/module_names.hpp"
-#include "tools/parlour/application/process_isolation.hpp"
-#include "tools/parlour/application/shipped_plugin.hpp"
+#include "tools/parlour/application/plugins/module_names.hpp"
+#include "tools/parlour/application/plugins/process_isolation.hpp"
+#include "tools/parlour/application/plugins/shipped_plugin.hpp"
 
 namespace parlour::tools {
 
@@ -50,6 +50,8 @@ Owners owners_of(const Application& application,
                                           : std::vector<std::string>());
 }
 
+// Where agents can connect, an agent's own plug-in stands in the place of its
+// stand-in; the stand-in's options are not for it.
 actors::ComponentOrder order_of(const ChosenComponent& component,
                                 const RunWishes& wishes, const Owners& owners) {
   actors::ComponentOrder order{component.name, component.factory,

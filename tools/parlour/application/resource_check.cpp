@@ -5,7 +5,7 @@
 #include <set>
 #include <utility>
 
-#include "tools/parlour/application/shipped_plugin.hpp"
+#include "tools/parlour/application/plugins/shipped_plugin.hpp"
 
 namespace parlour::tools {
 

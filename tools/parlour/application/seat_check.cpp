@@ -5,8 +5,8 @@
 #include <string_view>
 
 #include "runtime/plugin/test_host.hpp"
-#include "tools/parlour/application/plugin_calls.hpp"
-#include "tools/parlour/application/shipped_plugin.hpp"
+#include "tools/parlour/application/plugins/plugin_calls.hpp"
+#include "tools/parlour/application/plugins/shipped_plugin.hpp"
 
 namespace parlour::tools {
 
@@ -25,6 +25,8 @@ bool is_at_seat(const ChosenComponent& component) {
 
 } // namespace
 
+// One after the other, as two may want the same device; the next run starts
+// them anew.
 std::vector<Error> seat_errors(const Composition& composition,
                                const std::filesystem::path& application,
                                const std::filesystem::path& data) {

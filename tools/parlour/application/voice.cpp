@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "tools/parlour/application/shipped_plugin.hpp"
+#include "tools/parlour/application/plugins/shipped_plugin.hpp"
 
 namespace parlour::tools {
 
@@ -141,6 +141,8 @@ Expected<std::optional<ComponentSettings>> choose(const Link& link,
 
 // What is done to the settings: components that leave, and those that come
 // before the others, which are preferred.
+// Copied into the adjustment of the settings, which is applied each time that
+// the application is compiled.
 struct Changes {
   std::vector<std::string> out;
   std::vector<ComponentSettings> in;
@@ -208,6 +210,9 @@ std::string library_of(bool sleeps, bool is_enhanced) {
 
 } // namespace
 
+//
+// Role by role: what the command line wants replaces what is there; a role that
+// is open gets the best plug-in; a role that the settings fill stays as it is.
 Expected<VoiceSources> add_voice(const fs::path& folder,
                                  const fs::path& platform, Catalogue& plugins,
                                  const VoiceWishes& wishes) {

@@ -9,13 +9,13 @@
 
 #include <CLI/CLI.hpp>
 
-#include "runtime/base/file_bytes.hpp"
+#include "runtime/base/outside/file_bytes.hpp"
 #include "script/lint/lints.hpp"
 #include "script/source/findings.hpp"
 #include "tools/parlour/cli/agent_flags.hpp"
 #include "tools/parlour/cli/commands.hpp"
 #include "tools/parlour/cli/number_option.hpp"
-#include "tools/parlour/cli/plugin_commands.hpp"
+#include "tools/parlour/cli/plugins/plugin_commands.hpp"
 #include "tools/parlour/cli/run_flags.hpp"
 #include "tools/parlour/cli/serve_flags.hpp"
 #include "tools/parlour/cli/speech_flags.hpp"

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "runtime/base/clock.hpp"
-#include "runtime/base/host_and_port.hpp"
+#include "runtime/base/text/host_and_port.hpp"
 #include "tools/parlour/console/console.hpp"
 #include "tools/parlour/console/places.hpp"
 #include "tools/parlour/status/tail_filter.hpp"

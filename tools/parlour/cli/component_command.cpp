@@ -6,7 +6,7 @@
 #include "adapters/process/child_process.hpp"
 #include "adapters/process/component_server.hpp"
 #include "script/source/findings.hpp"
-#include "tools/parlour/application/catalogue.hpp"
+#include "tools/parlour/application/plugins/catalogue.hpp"
 #include "tools/parlour/cli/commands.hpp"
 #include "tools/parlour/console/exit_code.hpp"
 

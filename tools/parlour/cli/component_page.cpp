@@ -1,6 +1,6 @@
 #include "tools/parlour/cli/component_page.hpp"
 
-#include "tools/parlour/application/catalogue.hpp"
+#include "tools/parlour/application/plugins/catalogue.hpp"
 #include "tools/parlour/reference/entry_page.hpp"
 #include "tools/parlour/reference/pages.hpp"
 

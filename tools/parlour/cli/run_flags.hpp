@@ -11,7 +11,7 @@
 #include "tools/parlour/cli/component_page.hpp"
 #include "tools/parlour/cli/journal_commands.hpp"
 #include "tools/parlour/cli/number_option.hpp"
-#include "tools/parlour/cli/plugin_commands.hpp"
+#include "tools/parlour/cli/plugins/plugin_commands.hpp"
 #include "tools/parlour/cli/watch_flags.hpp"
 
 namespace parlour::tools {

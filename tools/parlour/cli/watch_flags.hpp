@@ -7,7 +7,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "runtime/base/host_and_port.hpp"
+#include "runtime/base/text/host_and_port.hpp"
 #include "tools/parlour/cli/commands.hpp"
 
 namespace parlour::tools {

@@ -7,7 +7,7 @@
 
 #include <unistd.h>
 
-#include "runtime/base/file_bytes.hpp"
+#include "runtime/base/outside/file_bytes.hpp"
 
 namespace parlour::tools {
 

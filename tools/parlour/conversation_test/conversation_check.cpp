@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "runtime/base/names.hpp"
+#include "runtime/base/text/names.hpp"
 
 namespace parlour::tools {
 

@@ -8,8 +8,8 @@
 
 #include <re2/re2.h>
 
-#include "runtime/base/file_bytes.hpp"
-#include "runtime/base/utf8.hpp"
+#include "runtime/base/outside/file_bytes.hpp"
+#include "runtime/base/text/utf8.hpp"
 #include "tools/parlour/conversation_test/directive_reader.hpp"
 
 namespace parlour::tools {

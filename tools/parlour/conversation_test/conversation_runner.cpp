@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "tools/parlour/application/data_folder.hpp"
-#include "tools/parlour/application/module_names.hpp"
 #include "tools/parlour/application/node_options.hpp"
+#include "tools/parlour/application/plugins/module_names.hpp"
 #include "tools/parlour/conversation_test/directive_reader.hpp"
 #include "tools/parlour/conversation_test/expectation.hpp"
 #include "tools/parlour/conversation_test/report.hpp"
@@ -17,8 +17,7 @@ namespace parlour::tools {
 
 namespace {
 
-// The session of `expect sql` messages. It does not exist, so only watch() sees
-// the answers.
+// The session of `expect sql` messages: only watch() sees the answers.
 const SessionId asking = "parlour test";
 
 class Runner {
@@ -40,8 +39,8 @@ public:
       hide_in(result_,
               [this](const auto& text) { return node_->masked(text); });
     node_ = nullptr;
-    const auto end = std::chrono::steady_clock::now();
-    result_.seconds = std::chrono::duration<double>(end - begin).count();
+    const auto took = std::chrono::steady_clock::now() - begin;
+    result_.seconds = std::chrono::duration<double>(took).count();
     return std::move(result_);
   }
 
@@ -232,10 +231,8 @@ private:
   }
 
   void enter_row() {
-    if (row_.empty())
-      return;
-    node_->enter(seat_, row_);
-    row_.clear();
+    if (!row_.empty())
+      node_->enter(seat_, std::exchange(row_, {}));
     remember_session();
   }
 
@@ -252,14 +249,13 @@ private:
   }
 
   bool robot(const Step& step) {
-    const auto said = next_output();
+    const auto said = next_output(step);
     if (!said)
       return fail_at(step.line, step.written,
                      "nothing was said within " +
                          std::to_string(longest_silence.count() / 1000) + " s");
-    result_.said.push_back("R: " + *said);
     return is_as_expected(step, *said) || accept(step, *said) ||
-           fail_at(step.line, step.written, "R: " + *said);
+           fail_at(step.line, step.written, result_.said.back());
   }
 
   bool accept(const Step& step, const std::string& said) {
@@ -270,7 +266,7 @@ private:
     return true;
   }
 
-  std::optional<std::string> next_output() {
+  std::optional<std::string> next_output(const Step& step) {
     const auto deadline = node_->now() + longest_silence.count();
     node_->run_until_quiet();
     while (outputs_.empty() &&
@@ -278,16 +274,20 @@ private:
     }
     if (outputs_.empty())
       return std::nullopt;
-    auto said = std::move(outputs_.front());
-    outputs_.pop_front();
-    return said;
+    const auto taken =
+        outputs_for({&step, &conversation_.steps.back() + 1}, outputs_);
+    for (const auto& output : taken) {
+      result_.said.push_back("R: " + output);
+      outputs_.pop_front();
+    }
+    return as_lines(taken);
   }
 
   bool nothing_left(std::uint32_t line, const std::string& before) {
     if (outputs_.empty())
       return true;
-    result_.said.push_back("R: " + outputs_.front());
-    return fail_at(line, before, "R: " + outputs_.front());
+    const auto& said = result_.said.emplace_back("R: " + outputs_.front());
+    return fail_at(line, before, said);
   }
 
   bool pass(Milliseconds time) {

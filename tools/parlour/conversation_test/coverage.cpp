@@ -7,8 +7,8 @@
 #include <ostream>
 #include <utility>
 
-#include "runtime/base/names.hpp"
-#include "runtime/base/paths.hpp"
+#include "runtime/base/text/names.hpp"
+#include "runtime/base/text/paths.hpp"
 #include "script/program/host.hpp"
 #include "script/program/instruction.hpp"
 

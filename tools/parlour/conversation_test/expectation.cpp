@@ -30,6 +30,33 @@ bool is_as_expected(const Step& step, const std::string& said) {
                                       : RE2::FullMatch(said, RE2(step.text));
 }
 
+std::string as_lines(const std::vector<std::string>& outputs) {
+  std::string lines;
+  for (const auto& output : outputs)
+    lines += (lines.empty() ? "" : "\n") + output;
+  return lines;
+}
+
+std::vector<std::string> outputs_for(std::span<const Step> lines,
+                                     const std::deque<std::string>& outputs) {
+  const auto other =
+      std::ranges::find_if_not(lines.subspan(1), [](const Step& step) {
+        return step.kind == StepKind::robot ||
+               step.kind == StepKind::robot_pattern;
+      });
+  const auto following = static_cast<std::size_t>(other - lines.begin()) - 1;
+  auto taken = outputs.size() - std::min(following, outputs.size() - 1);
+  while (taken > 1) {
+    const auto end = outputs.begin() + static_cast<std::ptrdiff_t>(taken);
+    const std::vector all(outputs.begin(), end);
+    if (lines[0].kind == StepKind::robot_pattern &&
+        is_as_expected(lines[0], as_lines(all)))
+      return all;
+    --taken;
+  }
+  return {outputs.front()};
+}
+
 Message sql_question(const std::string& query) {
   Message question;
   question.source = "Session";

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "runtime/base/file_bytes.hpp"
+#include "runtime/base/outside/file_bytes.hpp"
 #include "tools/parlour/conversation_test/conversation_check.hpp"
 
 namespace parlour::tools {

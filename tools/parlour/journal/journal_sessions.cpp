@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "adapters/journal/journal_format.hpp"
-#include "runtime/base/file_bytes.hpp"
+#include "runtime/base/outside/file_bytes.hpp"
 
 namespace parlour::tools {
 
@@ -14,6 +14,7 @@ using dialogue::SessionRecord;
 
 } // namespace
 
+// A damage ends the part: where the next record would begin is not known.
 void JournalSessionsReader::take(const std::string& name,
                                  std::string_view bytes) {
   auto reader = adapters::JournalReader::over(bytes);
@@ -38,6 +39,8 @@ void JournalSessionsReader::damaged(const std::string& what) {
     known.broken |= !known.history.closed;
 }
 
+// An id that is opened again is another session, of a later run with the same
+// seed.
 void JournalSessionsReader::take(SessionRecord record) {
   const bool opens =
       std::holds_alternative<dialogue::SessionOpened>(record.what);
@@ -58,6 +61,8 @@ void JournalSessionsReader::take(SessionRecord record) {
   }
 }
 
+// A session that is broken but closed is of no use and needs no notice: nobody
+// wants to go on with it.
 JournalSessions JournalSessionsReader::finish() {
   for (auto& known : all_)
     if (known.broken && !known.history.closed)
@@ -67,6 +72,8 @@ JournalSessions JournalSessionsReader::finish() {
   return std::move(read_);
 }
 
+// A recovery leaves out the parts that no open session needs, a replay reads
+// all.
 Expected<JournalSessions> read_sessions(const std::filesystem::path& folder,
                                         HistoryFrom from) {
   const auto parts = adapters::parts_of(folder);

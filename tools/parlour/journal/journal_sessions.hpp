@@ -11,6 +11,7 @@
 
 namespace parlour::tools {
 
+// All of it in memory: a recovery needs little, a replay what was kept.
 struct JournalSessions {
   // In the order in which they were opened. An id may come twice, where runs
   // with the same seed share a journal.
@@ -24,6 +25,7 @@ struct JournalSessions {
 };
 
 // What a journal has to say, part by part.
+// Parts have to come in order. A session's records may be in several of them.
 class JournalSessionsReader {
 public:
   explicit JournalSessionsReader(dialogue::HistoryFrom from) : from_(from) {}
@@ -33,6 +35,7 @@ public:
   JournalSessions finish();
 
 private:
+  // `broken`: a record of it is missing, and no state has come since.
   struct Known {
     dialogue::SessionHistory history;
     bool broken = false;

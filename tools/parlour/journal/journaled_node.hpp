@@ -8,11 +8,13 @@
 
 namespace parlour::tools {
 
+// The options `--journal` and `--strict` of the command line.
 struct JournalWishes {
   std::filesystem::path folder; // empty: there is none
   bool strict = false;          // NodeOptions::strict_journal
 };
 
+// What a tool starts a node with, and what it hands to NodeHost or go_on().
 struct JournaledNode {
   actors::NodeOptions options;
   RecoveredSessions recovered; // of the run before, if it was killed

@@ -17,6 +17,7 @@ constexpr const char* masked = "***";
 // Shorter pauses are the machine's.
 constexpr Timestamp shortest_wait = 500; // milliseconds
 
+// `key` and `text`: one member more, such as "robot" and its words.
 std::string object(const std::string& session, const LinePlace& place,
                    std::string_view kind, const char* key = nullptr,
                    const std::string& text = {}) {
@@ -31,6 +32,7 @@ std::string object(const std::string& session, const LinePlace& place,
 }
 
 // As conversation files write a value.
+// With quotes where it has blanks or is empty, as the reader of tests wants it.
 std::string written(const Value& value) {
   const auto text = to_string(value);
   return text.find_first_of(" \t\"") == std::string::npos && !text.empty()
@@ -38,6 +40,7 @@ std::string written(const Value& value) {
              : Json(text).dump();
 }
 
+// 'event Speaker Finished 4 "" true': what a conversation file has for it.
 std::string event_line(const Message& message) {
   auto line = "event " + message.source + " " + message.command;
   for (const auto& param : message.params)
@@ -70,6 +73,7 @@ SessionLines::heading(const dialogue::SessionHistory& history,
   return {};
 }
 
+// In a test time does not pass by itself: a pause becomes a `wait`.
 SessionLines::Lines SessionLines::with_wait(const LinePlace& place,
                                             std::string line) {
   Lines lines;
@@ -81,6 +85,7 @@ SessionLines::Lines SessionLines::with_wait(const LinePlace& place,
   return lines;
 }
 
+// The words come last, as hidden() may take their line's place.
 SessionLines::Lines SessionLines::user(const LinePlace& place,
                                        const std::string& words) {
   if (form_ == LineForm::json)
@@ -103,6 +108,7 @@ SessionLines::Lines SessionLines::robot(const LinePlace& place,
   return {"R: " + as_one_line(words)};
 }
 
+// A transcript is what people say and hear: events are left out.
 SessionLines::Lines SessionLines::event(const LinePlace& place,
                                         const Message& message) {
   switch (form_) {

@@ -20,17 +20,27 @@ enum class LineForm : std::uint8_t {
 };
 
 // What a line tells of.
+// Times in milliseconds of the session's own clock.
 struct LinePlace {
   std::uint64_t input = 0; // its number, from 1
   Timestamp now = 0;
 };
 
+// Called by a replay for each input and output, in order; it prints nothing
+// itself. What is private, the caller masks.
+//
+// The same turn in the three forms:
+//
+//   transcript   U: 10:30am.
+//   test         wait 2000ms, then U: 10:30am.
+//   json         {"session": ..., "kind": "message", "user": "10:30am."}
 class SessionLines {
 public:
   using Lines = std::vector<std::string>;
 
   explicit SessionLines(LineForm form) : form_(form) {}
 
+  // `begins`: the time of the first input that is left.
   Lines heading(const dialogue::SessionHistory& history, Timestamp begins);
   // What the user said; the last line has the words, so that it may be hidden.
   Lines user(const LinePlace& place, const std::string& words);

@@ -10,6 +10,8 @@
 
 namespace parlour::tools {
 
+// Each session is repeated by itself, so that they share the cores; one that
+// has ended has an outcome without a session, and is passed over.
 Expected<RecoveredSessions>
 recover_sessions(const std::filesystem::path& folder,
                  const std::shared_ptr<const script::Program>& program,

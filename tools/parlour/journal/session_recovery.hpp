@@ -14,6 +14,7 @@
 
 namespace parlour::tools {
 
+// Given to Node::go_on() or Node::begin_visit(), each at a seat.
 struct RecoveredSessions {
   // In the order in which they were opened.
   std::vector<dialogue::SavedSession> sessions;
@@ -22,6 +23,7 @@ struct RecoveredSessions {
 };
 
 // Of the journal in that folder; none where it has none. On all cores.
+// Reads only: the sessions go on when their owner says so.
 Expected<RecoveredSessions>
 recover_sessions(const std::filesystem::path& folder,
                  const std::shared_ptr<const script::Program>& program,

@@ -19,6 +19,14 @@ namespace {
 using dialogue::InputTaken;
 using dialogue::SessionHistory;
 
+// One session's repetition. Lines are held back until the session has settled,
+// as only then all of what is private in them is known; then they are printed
+// with `***`.
+//
+//   take()     the kept input goes to the conversation, with the kept answers
+//   note()     what the user said becomes a line that may still be hidden
+//   on_output  what the robot says becomes a line
+//   show()     the session has settled: secrets are known, lines are printed
 class SessionReplay {
 public:
   SessionReplay(const SessionHistory& kept, dialogue::Replay& replay,
@@ -43,6 +51,8 @@ public:
   }
 
   // Whether it was the same.
+  // The first input that leads to something else ends it: what follows would
+  // differ because of that.
   bool run() {
     const auto count =
         std::min(kept_.inputs.size(), wishes_.until.value_or(~std::size_t{0}));
@@ -72,6 +82,7 @@ private:
     lines_.insert(lines_.end(), lines.begin(), lines.end());
   }
 
+  // The time of each input is the kept one: the conversation asks no clock.
   Expected<void> take(const InputTaken& taken) {
     auto input = dialogue::read_input(program_, taken.input);
     if (!input)
@@ -91,6 +102,8 @@ private:
     return same;
   }
 
+  // A message that answers something, or that the platform raised, follows from
+  // others: in a test it would come by itself, so it is no line there.
   void note(const dialogue::SessionInput& what) {
     const auto* got = std::get_if<dialogue::input::Received>(&what);
     if (!got)
@@ -111,6 +124,7 @@ private:
 
   // Where the session has not dealt with a turn yet, nobody knows whether it is
   // private.
+  // Words of a turn that is private are secrets for the lines after it, too.
   void show() {
     const bool hides = std::exchange(hides_turn_, false) || !is_settled();
     for (const auto& turn : turns_)
@@ -123,6 +137,8 @@ private:
       print_(secrets_.masked(line));
   }
 
+  // While an answer is to come, the script may still say that the turn is
+  // private.
   bool is_settled() const {
     const auto& conversation = replay_.conversation();
     return !conversation.has_work() && !conversation.waits_for_answer();

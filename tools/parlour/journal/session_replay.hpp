@@ -16,6 +16,7 @@
 
 namespace parlour::tools {
 
+// The options of `parlour replay`.
 struct ReplayWishes {
   std::string session;              // empty: all
   std::optional<std::size_t> until; // inputs of each; nothing: all
@@ -23,6 +24,7 @@ struct ReplayWishes {
   LineForm form = LineForm::transcript;
 };
 
+// Sessions are the same if all inputs led to the same wishes.
 struct ReplayOutcome {
   std::size_t sessions = 0; // that were repeated
   std::size_t inputs = 0;   // of all of them

@@ -6,6 +6,8 @@
 
 namespace parlour::tools {
 
+// The soft limit may be raised up to the hard one without any privilege; what
+// came of it is read again.
 std::size_t room_for_connections(std::size_t wanted, std::size_t others) {
   rlimit limit{};
   if (getrlimit(RLIMIT_NOFILE, &limit) != 0)

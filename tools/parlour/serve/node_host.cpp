@@ -8,6 +8,7 @@ namespace parlour::tools {
 
 namespace {
 
+// The words of adapters/web/PROTOCOL.md for an output's act.
 const char* name_of(dialogue::OutputAct act) {
   switch (act) {
   case dialogue::OutputAct::answer:
@@ -59,10 +60,13 @@ actors::SeatCallbacks NodeHost::calls_of(web::TextServer* server,
   return calls;
 }
 
+// The seat is noted when begin_visit() returns; the first word of the session
+// may be on its way to the server by then, which takes it later.
 void NodeHost::open(web::VisitorId visitor) {
   seats_[visitor] = ends().node->begin_visit(calls_of(ends().server, visitor));
 }
 
+// A visitor who was closed meanwhile has no seat.
 void NodeHost::take(web::VisitorId visitor, const web::Turn& turn) {
   auto* const node = ends().node;
   const auto found = seats_.find(visitor);

@@ -14,6 +14,11 @@ namespace parlour::tools {
 
 namespace web = adapters::web;
 
+//
+// Two threads meet here: the server's calls open(), take(), close() and
+// clock(), and the node's threads call the server with what is said. `seats_`
+// belongs to the server's thread; connect() fills it before that thread may use
+// it.
 class NodeHost : public web::Host {
 public:
   // Once. Both must live until the server has been destroyed and the node has
@@ -46,9 +51,12 @@ private:
 };
 
 // What a text server counts.
+// With the names of docs/operations.md.
 Metrics metrics_of(const web::TextServer::Counts& counts);
 
 // As the server knows them.
+// `left` in the same order as NodeHost::connect() gets it, as visitors are
+// numbered by it.
 std::vector<web::LeftVisitor>
 visitors_of(const std::vector<dialogue::SavedSession>& left);
 

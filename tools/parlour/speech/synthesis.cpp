@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "runtime/plugin/test_host.hpp"
-#include "tools/parlour/application/plugin_calls.hpp"
+#include "tools/parlour/application/plugins/plugin_calls.hpp"
 #include "tools/parlour/speech/spoken.hpp"
 
 namespace parlour::tools {

@@ -11,7 +11,7 @@
 
 #include "actors/node/node.hpp"
 #include "adapters/web/page_server.hpp"
-#include "runtime/base/host_and_port.hpp"
+#include "runtime/base/text/host_and_port.hpp"
 #include "tools/parlour/status/metrics_report.hpp"
 #include "tools/parlour/status/status_server.hpp"
 #include "tools/parlour/status/tail_hub.hpp"

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "runtime/base/descriptor.hpp"
 #include "runtime/base/error.hpp"
+#include "runtime/base/outside/descriptor.hpp"
 #include "tools/parlour/console/places.hpp"
 
 namespace parlour::tools {

@@ -9,8 +9,8 @@
 #include <string>
 #include <thread>
 
-#include "runtime/base/descriptor.hpp"
 #include "runtime/base/error.hpp"
+#include "runtime/base/outside/descriptor.hpp"
 
 namespace parlour::tools {
 

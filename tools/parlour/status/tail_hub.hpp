@@ -13,7 +13,7 @@
 #include <string>
 #include <thread>
 
-#include "runtime/base/descriptor.hpp"
+#include "runtime/base/outside/descriptor.hpp"
 #include "tools/parlour/status/tail_filter.hpp"
 
 namespace parlour::tools {

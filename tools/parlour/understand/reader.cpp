@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "runtime/text/json_text.hpp"
-#include "tools/parlour/application/column_reader.hpp"
+#include "tools/parlour/application/sql/column_reader.hpp"
 #include "tools/parlour/application/understanding.hpp"
 
 namespace parlour::tools {

@@ -208,7 +208,7 @@ std::vector<Message> forgetting_of_recognisers() {
   cancel.command = "Cancel";
   Message grammar;
   grammar.command = "SetGrammar";
-  grammar.params = {List{}};
+  grammar.params = {Value(List())};
   return {cancel, grammar};
 }
 

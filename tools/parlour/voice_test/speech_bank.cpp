@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <span>
 
-#include "tools/parlour/application/plugin_calls.hpp"
+#include "tools/parlour/application/plugins/plugin_calls.hpp"
 #include "tools/parlour/speech/spoken.hpp"
 #include "tools/parlour/voice_test/read_aloud.hpp"
 

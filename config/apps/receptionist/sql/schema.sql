@@ -37,7 +37,7 @@ create table rr_facility (
   facility_id integer primary key,
   name        varchar(80)  not null unique,
   category    varchar(40)  not null,  -- lower case, singular: coffee shop
-  tags        varchar(120) not null,  -- products and services: tea, toast
+  tags        varchar(400) not null,  -- products and services: tea, toast
   unit        varchar(16)  not null,  -- #01-05, #B1-02
   level       integer      not null,  -- first floor 1, basement one -1, no 0
   description varchar(255) not null,  -- one sentence to be spoken
@@ -45,6 +45,13 @@ create table rr_facility (
 ) /*! character set utf8mb4 collate utf8mb4_nopad_bin */;
 
 create index rr_facility_by_category on rr_facility (category, level);
+
+-- What visitors look for by other words than a name or a category: the tags of
+-- rr_facility that stand in no other sentences, once each.
+create table rr_offer (
+  offer_id integer primary key,
+  offer    varchar(40) not null unique
+) /*! character set utf8mb4 collate utf8mb4_nopad_bin */;
 
 -- When a facility is open: on these days of the week, from a time until another
 -- of the same day. It has several rows where it closes in between or where days

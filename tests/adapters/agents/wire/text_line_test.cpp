@@ -2,7 +2,7 @@
 
 #include "adapters/agents/wire/text_line.hpp"
 #include "runtime/base/random.hpp"
-#include "runtime/base/utf8.hpp"
+#include "runtime/base/text/utf8.hpp"
 #include "tests/adapters/agents/vectors.hpp"
 
 namespace parlour::adapters::agents {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "adapters/asr/words/language.hpp"
-#include "runtime/base/file_bytes.hpp"
+#include "runtime/base/outside/file_bytes.hpp"
 #include "tests/support/audio/voices.hpp"
 #include "tests/support/fake_plugin_host.hpp"
 #include "tests/support/paths.hpp"

@@ -221,11 +221,11 @@ TEST_F(SphinxAsrTest, StopsWhileItPreparesNewValues) {
 
 TEST_F(SphinxAsrTest, NarrowsForOneSession) {
   ASSERT_TRUE(start());
-  send("SetGrammar", {List{"Order.Drink"}});
+  send("SetGrammar", {Value(List{"Order.Drink"})});
   say("Lemon tea.");
   send("Finish");
   EXPECT_EQ(last().params[0].text(), "lemon tea");
-  send("SetGrammar", {List{}});
+  send("SetGrammar", {Value(List{})});
   say("Call Jeffery Ho.");
   send("Finish");
   EXPECT_EQ(last().params[0].text(), "call Jeffery Ho");

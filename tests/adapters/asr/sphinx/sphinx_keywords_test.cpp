@@ -102,15 +102,15 @@ TEST_F(SphinxKeywordsTest, TakesOtherPhrases) {
   ASSERT_TRUE(start({}));
   say("computer");
   EXPECT_THAT(found(), IsEmpty());
-  send("SetKeywords", {List{"computer"}});
+  send("SetKeywords", {Value(List{"computer"})});
   say("computer");
   EXPECT_THAT(found(), ElementsAre("s1: computer"));
-  send("SetKeywords", {List{"?"}});
+  send("SetKeywords", {Value(List{"?"})});
   EXPECT_THAT(host.take_events(),
               ElementsAre("Failed(a keyword has no words)"));
   say("computer");
   EXPECT_THAT(found(), ElementsAre("s1: computer"));
-  send("SetKeywords", {List{}});
+  send("SetKeywords", {Value(List{})});
   say("computer");
   EXPECT_THAT(found(), IsEmpty());
 }

@@ -106,7 +106,7 @@ TEST_F(LanguageTest, IsWrittenForTheRecogniser) {
   const auto fsg = language.fsg(language.sentences());
   EXPECT_THAT(fsg, HasSubstr("FSG_BEGIN"));
   EXPECT_THAT(fsg, HasSubstr(" lemon\n"));
-  const auto arpa = language.arpa(language.sentences(), 200);
+  const auto arpa = language.arpa(200);
   EXPECT_THAT(arpa, HasSubstr(" ya kun"));
   EXPECT_THAT(arpa, HasSubstr(" two teas"));
   EXPECT_THAT(arpa, Not(HasSubstr("nobody")));

@@ -26,7 +26,8 @@ TEST(Utterance, KnowsTheKindsOfWords) {
     const char* expected;
   } const cases[] = {
       {"", ""},
-      {"er the toilet", "fup"},
+      {"please the toilet", "fup"},
+      {"er", "f"}, // nothing else is said
       {"by the way David", "fff?"},
       {"by the toilet", "uup"},
       {"Dr. Ho", "p?"},
@@ -40,13 +41,45 @@ TEST(Utterance, KnowsTheKindsOfWords) {
 TEST(Utterance, CountsNoWordsThatMeanNothing) {
   Automaton automaton;
   automaton.vocabulary = {{"toilet", 7}};
-  const auto made = make_utterance("um the toilet there", automaton);
+  const auto made = make_utterance("well the toilet there", automaton);
   EXPECT_EQ(made.words, (std::vector<WordNumber>{unknown_word, unknown_word, 7,
                                                  unknown_word}));
   EXPECT_EQ(made.weight_of(0, 1), 0);
   EXPECT_EQ(made.weight_of(0, 4), 2);
   EXPECT_EQ(made.weight_of(1, 99), 2); // to the end
   EXPECT_EQ(made.weight_of(3, 3), 0);
+}
+
+std::string words(const char* text) {
+  Automaton automaton;
+  automaton.vocabulary = {{"food", 1}, {"court", 2}};
+  std::string all;
+  for (const auto& token : make_utterance(text, automaton).tokens.list)
+    all += (all.empty() ? "" : " ") + token.word;
+  return all;
+}
+
+TEST(Utterance, LeavesOutHesitations) {
+  EXPECT_EQ(words("next um friday"), "next friday");
+  EXPECT_EQ(words("two ah o clock"), "two o clock");
+  EXPECT_EQ(words("jeffery, er, ho"), "jeffery ho");
+  EXPECT_EQ(words("ah meng"), "ah meng"); // a name
+  EXPECT_EQ(words("um"), "um");
+}
+
+TEST(Utterance, LeavesOutWhatIsSaidTwice) {
+  EXPECT_EQ(words("the food, the food court"), "the food court");
+  EXPECT_EQ(words("the the food food court"), "the food court");
+  EXPECT_EQ(words("we want we want a taxi"), "we want a taxi");
+  EXPECT_EQ(words("ting ting"), "ting ting"); // a name
+  EXPECT_EQ(words("five five one"), "five five one");
+  EXPECT_EQ(words("to the food. the food court"), "to the food the food court");
+}
+
+TEST(Utterance, KeepsPunctuationOfHesitations) {
+  const auto made = make_utterance("jeffery, er ho", Automaton());
+  ASSERT_EQ(made.size(), 2U);
+  EXPECT_EQ(made.tokens.list[1].before, Break::comma);
 }
 
 } // namespace

@@ -33,40 +33,45 @@ std::size_t best(const std::vector<float>& scores) {
 TEST(Classifier, LearnsItsExamples) {
   const auto classifier = *Classifier::train(texts(), 3);
   for (const auto& text : texts())
-    EXPECT_EQ(best(classifier.scores(text.features)), text.label);
+    EXPECT_EQ(best(classifier.read(text.features).scores), text.label);
 }
 
 TEST(Classifier, TellsWhatIsLikeThem) {
   const auto classifier = *Classifier::train(texts(), 3);
-  EXPECT_EQ(best(classifier.scores(features({"taxis", "please"}))), 0U);
-  EXPECT_EQ(best(classifier.scores(features({"which", "bank", "is", "it"}))),
-            1U);
+  EXPECT_EQ(best(classifier.read(features({"taxis", "please"})).scores), 0U);
+  EXPECT_EQ(
+      best(classifier.read(features({"which", "bank", "is", "it"})).scores),
+      1U);
 }
 
 TEST(Classifier, IsTheSameEachTime) {
   const auto asked = features({"a", "cab", "to", "the", "bank"});
-  EXPECT_EQ(Classifier::train(texts(), 3)->scores(asked),
-            Classifier::train(texts(), 3)->scores(asked));
+  EXPECT_EQ(Classifier::train(texts(), 3)->read(asked).scores,
+            Classifier::train(texts(), 3)->read(asked).scores);
 }
 
 TEST(Classifier, IsLessSureOfWhatItDoesNotKnow) {
   const auto classifier = *Classifier::train(texts(), 3);
-  const auto known = softmax(classifier.scores(features({"a", "taxi"})));
-  const auto strange = softmax(classifier.scores(
-      features({"a", "taxi", "quotes", "philosophical", "poetry"})));
-  EXPECT_GT(known[0], strange[0]);
+  const auto known = classifier.read(features({"a", "taxi"}));
+  const auto strange = classifier.read(
+      features({"a", "taxi", "quotes", "philosophical", "poetry"}));
+  EXPECT_GT(known.scores[0], strange.scores[0]);
+  EXPECT_GT(known.known, 0.8F);
+  EXPECT_LT(strange.known, 0.5F);
+}
+
+TEST(Classifier, PullsLabelsApart) {
+  const auto classifier = *Classifier::train(texts(), 3);
+  for (const auto& text : texts()) {
+    const auto scores = classifier.read(text.features).scores;
+    for (std::uint32_t label = 0; label < 3; ++label)
+      EXPECT_EQ(scores[label] > 0, label == text.label) << label;
+  }
 }
 
 TEST(Classifier, KeepsToItsWeights) {
   EXPECT_FALSE(Classifier::train(texts(), 3, 100));
   EXPECT_TRUE(Classifier::train(texts(), 3, 1000));
-}
-
-TEST(Softmax, SumsUpToOne) {
-  const auto made = softmax({1, 2, 3});
-  EXPECT_NEAR(made[0] + made[1] + made[2], 1, 1e-5);
-  EXPECT_GT(made[2], made[1]);
-  EXPECT_TRUE(softmax({}).empty());
 }
 
 } // namespace

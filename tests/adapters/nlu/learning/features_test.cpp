@@ -19,11 +19,24 @@ TEST(TextFeatures, StandOnceEach) {
   EXPECT_EQ(std::ranges::adjacent_find(features), features.end());
 }
 
-TEST(TextFeatures, LookAtTheKindOfAValueOnly) {
-  EXPECT_EQ(text_features({{"meet", 0}, {"jeffery", 9}, {"ho", 9}}),
-            text_features({{"meet", 0}, {"tan", 9}}));
-  EXPECT_NE(text_features({{"meet", 0}, {"tan", 9}}),
-            text_features({{"meet", 0}, {"tan", 8}}));
+std::vector<Feature> of_class(FeatureClass wanted,
+                              std::vector<Feature> features) {
+  std::erase_if(features, [&](Feature one) { return class_of(one) != wanted; });
+  return features;
+}
+
+TEST(TextFeatures, HaveTheKindOfAValueAndItsWords) {
+  const auto ho = text_features({{"meet", 0}, {"jeffery", 9}, {"ho", 9}});
+  const auto tan = text_features({{"meet", 0}, {"tan", 9}});
+  const auto bank = text_features({{"meet", 0}, {"tan", 8}});
+  for (const auto one : {FeatureClass::plain, FeatureClass::kind_of_value}) {
+    EXPECT_EQ(of_class(one, ho), of_class(one, tan));
+    EXPECT_NE(of_class(one, tan), of_class(one, bank));
+  }
+  EXPECT_EQ(of_class(FeatureClass::kind_of_value, ho).size(), 1U);
+  EXPECT_EQ(of_class(FeatureClass::word_of_value, ho).size(), 2U);
+  EXPECT_EQ(of_class(FeatureClass::word_of_value, tan),
+            of_class(FeatureClass::word_of_value, bank));
 }
 
 TEST(WordFeatures, AreForEachWordAndTellItsNeighbours) {

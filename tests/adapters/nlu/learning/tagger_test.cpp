@@ -58,6 +58,17 @@ TEST(Tagger, KeepsToTheSlotsAllowed) {
             std::vector<TagLabel>(4, outside));
 }
 
+TEST(Tagger, PutsInARowWhatItSawInARow) {
+  // In no text does one firm follow another, but in each label "x" is likely.
+  const auto tagger =
+      *Tagger::train({{features({"x"}), {begins(firm)}, {firm}},
+                      {features({"x", "to"}), {begins(firm), outside}, {firm}},
+                      {features({"x"}), {begins(firm)}, {firm}}},
+                     2);
+  EXPECT_EQ(tagger.tag(features({"x", "x"}), {firm}).front(), begins(firm));
+  EXPECT_NE(tagger.tag(features({"x", "x"}), {firm}).back(), begins(firm));
+}
+
 TEST(Tagger, KeepsToItsWeights) {
   EXPECT_FALSE(Tagger::train(texts(), 2, 500));
   EXPECT_TRUE(Tagger::train(texts(), 2, 5000));

@@ -17,6 +17,25 @@ std::string understood(const Turn& turn) {
   return summary(engine.understand(turn.text, sample_context(turn.asked)).acts);
 }
 
+TEST(Doubt, LetsCourtesyStandBesideAnAnswer) {
+  for (const auto* text :
+       {"yes dear", "yeah go ahead please", "that would be lovely",
+        "yes I will", "sure thing boss", "okay sounds good to me"})
+    EXPECT_EQ(understood({"", text, ""}), "confirm") << text;
+  for (const auto* text : {"no that's all thank you", "no it's fine thank you",
+                           "thanks but no thanks", "no need lah"})
+    EXPECT_EQ(understood({"", text, ""}), "deny") << text;
+  // Behind a yes, but not as a question.
+  EXPECT_EQ(understood({"", "sure are you", ""}), "");
+  EXPECT_EQ(understood({"", "are you sure", ""}), "");
+}
+
+TEST(Doubt, CancelsNothingOfTheApplication) {
+  EXPECT_EQ(understood({"", "cancel that please", ""}), "cancel");
+  EXPECT_EQ(understood({"", "cancel the taxi", ""}), "");
+  EXPECT_EQ(understood({"", "stop", ""}), "cancel");
+}
+
 // A refusal, in whatever words, is never read as a yes.
 TEST(Doubt, TakesNoRefusalForAYes) {
   for (const auto* text : {"absolutely not",
@@ -102,6 +121,55 @@ TEST(Doubt, TakesAYesInManyWords) {
     EXPECT_EQ(understood({"", text, ""}), "confirm") << text;
 }
 
+// Instead of an answer; the slot that is asked for stays as it is.
+TEST(Doubt, TakesNoExcuseForAnAnswer) {
+  for (const auto* text :
+       {"hold on a moment", "just a second, my phone is ringing",
+        "let me look it up", "wait a minute please", "one moment",
+        "hang on a second", "I have to think about it"})
+    EXPECT_EQ(understood({"Appointment.Visitor", text, ""}), "wait") << text;
+  for (const auto* text :
+       {"I said that already", "I just told you", "I already told you that",
+        "you asked me that already", "how many times do I have to say it",
+        "did you not listen"})
+    EXPECT_EQ(understood({"Appointment.Visitor", text, ""}), "protest") << text;
+  for (const auto* text :
+       {"I'd rather not say", "I don't want to tell you",
+        "that's none of your business", "it is private",
+        "I would prefer not to say where I'm from", "no comment"})
+    EXPECT_EQ(understood({"Appointment.Visitor", text, ""}), "refuse") << text;
+  for (const auto* text :
+       {"what do you need that for", "why do you want to know that",
+        "why do you need my phone number", "do you really need to know that",
+        "is that really necessary"})
+    EXPECT_EQ(understood({"Appointment.Visitor", text, ""}), "explain") << text;
+}
+
+// Courtesy is no answer and begins nothing, alone or beside a request.
+TEST(Doubt, KnowsCourtesyWhereverItStands) {
+  for (const auto* text :
+       {"thanks, that's all", "got it, thanks so much", "that's all thank you",
+        "bless you", "super, thank you"})
+    EXPECT_EQ(understood({"", text, ""}), "thank") << text;
+  for (const auto* text :
+       {"hello hello, lovely morning isn't it?", "hi there robot",
+        "good morning, how are you today?", "did you sleep well"})
+    EXPECT_EQ(understood({"", text, ""}), "greet") << text;
+  for (const auto* text :
+       {"yes dear", "that would be lovely", "yes, that's right, thank you",
+        "yes exactly", "yes yes, go on", "perfect", "yes, him", "go ahead"})
+    EXPECT_EQ(understood({"", text, ""}), "confirm") << text;
+  EXPECT_EQ(understood({"", "I need a taxi. Goodbye!", ""}), "inform Taxi");
+}
+
+TEST(Doubt, TakesNoYesThatIsTurnedRound) {
+  for (const auto* text : {"yes I can not", "of course you can't",
+                           "okay cannot", "yes you may not"}) {
+    const auto acts = understood({"", text, ""});
+    EXPECT_EQ(acts.find("confirm"), std::string::npos) << text << ": " << acts;
+  }
+}
+
 TEST(Doubt, LetsAQuestionGoBeforeAYes) {
   EXPECT_EQ(understood({"", "ok, what do you mean?", ""}), "rephrase");
   EXPECT_EQ(understood({"", "right, help me please", ""}), "help");
@@ -127,12 +195,14 @@ TEST(Doubt, CarriesOutNoOrderThatIsTurnedRound) {
 
 TEST(Doubt, TakesNoYesWithANegatedOrder) {
   EXPECT_EQ(understood({"", "yes, don't book a taxi", ""}), "");
-  EXPECT_EQ(understood({"", "ok, never book a taxi", ""}), "");
+  EXPECT_EQ(understood({"", "ok, never book a taxi", ""}), "deny");
 }
 
 TEST(Doubt, CancelsNothingThatIsNotToBeCancelled) {
-  for (const auto* text : {"do not cancel it", "please don't start over",
-                           "don't cancel everything", "never stop"})
+  for (const auto* text :
+       {"do not cancel it", "please don't start over",
+        "don't cancel everything", "never stop", "I don't want to cancel",
+        "no need to cancel", "I do not want to start over"})
     EXPECT_EQ(understood({"", text, ""}), "") << text;
   EXPECT_EQ(understood({"", "no, cancel it", ""}), "deny + cancel");
 }

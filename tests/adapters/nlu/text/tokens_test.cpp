@@ -57,5 +57,16 @@ TEST(Tokens, AreLimited) {
   EXPECT_TRUE(tokenize(text).truncated);
 }
 
+TEST(Tokens, StandInClausesAndSentences) {
+  const auto tokens = tokenize("Well, where is it? Tell me, please.");
+  const auto clause = stretch_of(tokens, {2, 3}, Break::comma);
+  EXPECT_EQ(clause.begin, 1U);
+  EXPECT_EQ(clause.end, 4U);
+  const auto sentence = stretch_of(tokens, {2, 3}, Break::sentence);
+  EXPECT_EQ(sentence.begin, 0U);
+  EXPECT_EQ(sentence.end, 4U);
+  EXPECT_EQ(stretch_of(tokens, {4, 5}, Break::sentence).end, 7U);
+}
+
 } // namespace
 } // namespace parlour::adapters::nlu

@@ -25,10 +25,21 @@ TEST(WordIndex, FindsWordsOfTheSameSound) {
   const auto hits = index.find("geoffrey", true);
   ASSERT_EQ(hits.size(), 1U);
   EXPECT_EQ(hits[0].word, jeffery);
-  EXPECT_LT(hits[0].similarity, 0.9);
+  EXPECT_LT(hits[0].similarity, 0.95);
   ASSERT_EQ(index.find("low", true).size(), 1U);
   EXPECT_EQ(index.find("low", true)[0].word, loh);
   EXPECT_TRUE(index.find("geoffrey", false).empty());
+}
+
+TEST(WordIndex, FindsWordsThatAreSaidTheSame) {
+  WordIndex index;
+  const auto soh = index.add("soh");
+  index.add("seah");
+  const auto hits = index.find_said_alike("so");
+  ASSERT_EQ(hits.size(), 1U);
+  EXPECT_EQ(hits[0].word, soh);
+  EXPECT_LT(hits[0].similarity, 1);
+  EXPECT_TRUE(index.find_said_alike("b1").empty());
 }
 
 TEST(WordIndex, TakesOneForMany) {

@@ -17,6 +17,11 @@ TEST(Words, AreInTheirSets) {
   EXPECT_FALSE(is_function_word("comptec"));
   EXPECT_EQ(contraction("i'm"), "i am");
   EXPECT_EQ(contraction("ho"), "");
+  EXPECT_EQ(contraction("you've"), "you have");
+  EXPECT_EQ(contraction("there'll"), "there will");
+  EXPECT_EQ(contraction("didn't"), "did not");
+  EXPECT_EQ(contraction("can't"), "can not");
+  EXPECT_EQ(contraction("'ve"), "");
 }
 
 } // namespace

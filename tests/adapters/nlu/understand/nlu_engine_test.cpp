@@ -57,6 +57,23 @@ INSTANTIATE_TEST_SUITE_P(
         Turn{"", "please book a ride to Orchard Road at 5pm",
              "inform Taxi Destination=Orchard Road Time=17:00"}));
 
+// What is said beside an answer speaks against it.
+INSTANTIATE_TEST_SUITE_P(
+    Beside, Turns,
+    testing::Values(Turn{"Appointment.Visitor", "no, not three, four",
+                         "~correct Appointment Time=16:00"},
+                    Turn{"", "no, it is near, I mean Margaret Sim",
+                         "~correct Appointment Host=Margaret Sim"},
+                    Turn{"Appointment.Visitor", "I'm Anouk, Windmolen Energy",
+                         "inform Appointment Visitor=Anouk"},
+                    Turn{"Taxi.Time", "not Zorkville, book a taxi to Bedok",
+                         "correct Taxi Destination=Bedok"},
+                    Turn{"", "Bank, please?",
+                         "~request Facility Category=bank"},
+                    Turn{"", "four", ""},
+                    Turn{"", "What a big house this is! Where is the bank?",
+                         "request Facility Category=bank"}));
+
 // A number that the asked slot cannot take is said of that slot.
 INSTANTIATE_TEST_SUITE_P(
     WrongNumbers, Turns,

@@ -76,5 +76,46 @@ TEST_F(ValueSearchTest, KeepsNoMoreCandidatesThanFifty) {
   EXPECT_EQ(match.values.size(), 50U);
 }
 
+// From ten names on, a set is one of people: then a word that is left over
+// means somebody else.
+class PeopleTest : public ValueSearchTest {
+protected:
+  std::string name(const std::string& text,
+                   std::initializer_list<std::size_t> plain = {}) {
+    const auto match = best(text, plain);
+    return match.set == people && match.values.size() == 1
+               ? index.value(people, match.values[0])
+               : "";
+  }
+
+  SetId people = index.add({"Kelvin Tan", "Joanna Soh", "Grace Lim Xiu Ying",
+                            "Chua Zhi Hao", "Quek Mei Ling", "Arun s/o Kumar",
+                            "Nora binte Ahmad", "Edwin Goh",
+                            "Patrick Ng Wei Ming", "Alan Shaw"});
+};
+
+TEST_F(PeopleTest, AreFoundByTheirSound) {
+  EXPECT_EQ(name("joana so", {1}), "Joanna Soh");
+  EXPECT_EQ(name("grace lim shew ying"), "Grace Lim Xiu Ying");
+  EXPECT_EQ(name("kweck may ling"), "Quek Mei Ling");
+  EXPECT_EQ(name("edween goh"), "Edwin Goh");
+  EXPECT_EQ(name("patrick ung waiming"), "Patrick Ng Wei Ming");
+}
+
+TEST_F(PeopleTest, AreFoundInPartsAndWithNoise) {
+  EXPECT_EQ(name("zhi hao chua"), "Chua Zhi Hao");
+  EXPECT_EQ(name("arun son of er kumar"), "Arun s/o Kumar");
+  EXPECT_EQ(name("kelvin tan t a n"), "Kelvin Tan");
+  EXPECT_EQ(name("missus grace xiu ying"), "Grace Lim Xiu Ying");
+}
+
+TEST_F(PeopleTest, AreNotTakenForSomebodyElse) {
+  EXPECT_EQ(name("alvin mueller"), "");
+  EXPECT_EQ(name("kelvin mueller"), "");
+  EXPECT_EQ(name("nora binte kassim"), "");
+  EXPECT_EQ(name("daniel chua zhi hao"), "");
+  EXPECT_EQ(name("arun son of perumal"), "");
+}
+
 } // namespace
 } // namespace parlour::adapters::nlu

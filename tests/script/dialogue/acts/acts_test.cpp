@@ -39,8 +39,8 @@ TEST(Acts, AreReadFromAFrameList) {
 
 TEST(Acts, MayComeAsOneMapOrAListInAList) {
   EXPECT_EQ(parse_acts(Map{{"act", "help"}}).acts.size(), 1u);
-  auto nested =
-      parse_acts(List{List{Map{{"act", "greet"}}, Map{{"act", "request"}}}});
+  auto nested = parse_acts(
+      List{Value(List{Map{{"act", "greet"}}, Map{{"act", "request"}}})});
   ASSERT_EQ(nested.acts.size(), 2u);
   EXPECT_EQ(nested.acts[0].kind, ActKind::greet);
   EXPECT_EQ(nested.acts[1].kind, ActKind::request);
@@ -48,9 +48,10 @@ TEST(Acts, MayComeAsOneMapOrAListInAList) {
 
 TEST(Acts, KnowEveryKindByItsName) {
   for (const auto* name :
-       {"inform", "request", "confirm", "deny", "correct", "help", "repeat",
-        "cancel", "restart", "greet", "bye", "thank", "explain", "options",
-        "rephrase", "abandon", "person"}) {
+       {"inform",  "request", "confirm", "deny",    "correct",
+        "help",    "repeat",  "cancel",  "restart", "greet",
+        "bye",     "thank",   "explain", "options", "rephrase",
+        "abandon", "person",  "wait",    "protest", "refuse"}) {
     auto parsed = parse_acts(one({{"act", name}}));
     ASSERT_EQ(parsed.acts.size(), 1u) << name;
     EXPECT_EQ(name_of(parsed.acts[0].kind), name);
@@ -120,7 +121,8 @@ INSTANTIATE_TEST_SUITE_P(
                  one({{"slots", Map{{"A", Map{{"candidates", "x"}}}}}}), 1, 2},
         Nonsense{"elliptical_text", one({{"elliptical", "yes"}}), 1, 1},
         Nonsense{"alternatives_text", one({{"alternatives", "x"}}), 1, 1},
-        Nonsense{"too_deep", List{List{List{List{Map{}}}}}, 0, 1}),
+        Nonsense{"too_deep", List{Value(List{Value(List{Value(List{Map{}})})})},
+                 0, 1}),
     [](const auto& test) { return test.param.name; });
 
 TEST(Acts, AreTheSameAfterAWayThroughAValue) {

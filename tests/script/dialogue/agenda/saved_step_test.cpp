@@ -39,6 +39,7 @@ std::shared_ptr<const script::Program> program() {
   auto program = std::make_shared<script::Program>(*small_program());
   program->code.resize(1);
   program->topics[0].rules.resize(1);
+  program->topics[0].slots[1].part = 0;
   return program;
 }
 

@@ -60,7 +60,7 @@ Part full() {
   part.random = Random(99);
   part.pair = {5, {"VAD", "*"}};
   Act act;
-  act.kind = ActKind::person;
+  act.kind = ActKind::refuse;
   act.slots.resize(1);
   act.alternatives.resize(1);
   part.first = part.second = std::make_shared<const Act>(act);
@@ -91,7 +91,7 @@ TEST(Archive, WhatIsSharedStaysShared) {
   const auto again = round_trip(full());
   ASSERT_TRUE(again.first);
   EXPECT_EQ(again.first, again.second);
-  EXPECT_EQ(again.first->kind, ActKind::person);
+  EXPECT_EQ(again.first->kind, ActKind::refuse);
   EXPECT_EQ(again.none, nullptr);
 }
 

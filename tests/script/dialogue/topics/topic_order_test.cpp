@@ -120,7 +120,7 @@ TEST_F(Order, UnregisteredTopicsTakeNoPart) {
   order.activate(app.facility);
   order.unregister_topic(app.appointment);
   order.unregister_topic(app.taxi);
-  EXPECT_EQ(order.unregistered(), (std::vector{app.appointment, app.taxi}));
+  EXPECT_EQ(order.deaf(), (std::vector{app.appointment, app.taxi}));
   EXPECT_FALSE(order.next());
   order.unregister_topic(app.facility);
   EXPECT_FALSE(order.current());

@@ -84,7 +84,8 @@ std::string written(const Row& row, const std::string& value) {
 }
 
 void print(std::ostream& out, const script::Topic& topic) {
-  out << int(topic.kind) << int(topic.initiative) << int(topic.resume);
+  out << int(topic.kind) << int(topic.initiative) << int(topic.resume)
+      << int(topic.summary);
   for (const auto& slot : topic.slots) {
     out << slot.functional << int(slot.confirm) << int(slot.match);
     for (const auto* bodies : {&slot.no_input, &slot.no_match})

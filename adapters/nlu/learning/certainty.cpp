@@ -1,0 +1,73 @@
+#include "adapters/nlu/learning/certainty.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace parlour::adapters::nlu {
+
+namespace {
+
+// How decided probabilities are: what the difference of two scores is worth.
+constexpr float sharpness = 4;
+// The score of being about nothing that was learnt.
+constexpr float score_of_nothing = -0.4F;
+// How much words that no example has count against all labels.
+constexpr float weight_of_known = 0.3F;
+
+// The share of the texts told right that may miss the threshold.
+constexpr double may_miss = 0.025;
+constexpr float least_odds = 1;
+constexpr float most_odds = 40;
+
+float strength(float score) {
+  return std::exp(sharpness * score);
+}
+
+// Probabilities as the scores tell them, before the odds are better.
+std::vector<float> plain(const TextReading& reading) {
+  auto sum = strength(score_of_nothing);
+  for (const auto score : reading.scores)
+    sum += strength(score);
+  const auto factor = std::pow(reading.known, weight_of_known) / sum;
+  std::vector<float> made;
+  for (const auto score : reading.scores)
+    made.push_back(strength(score) * factor);
+  return made;
+}
+
+// The plain probabilities of the texts that are told right, sorted.
+std::vector<float> told_right(const std::vector<HeldOutText>& texts) {
+  std::vector<float> made;
+  for (const auto& text : texts) {
+    const auto all = plain(text.reading);
+    if (const auto most = std::ranges::max(all); all[text.label] == most)
+      made.push_back(most);
+  }
+  std::ranges::sort(made);
+  return made;
+}
+
+} // namespace
+
+Certainty::Certainty(const std::vector<HeldOutText>& texts, double threshold) {
+  const auto right = told_right(texts);
+  if (right.empty())
+    return;
+  const auto place =
+      static_cast<std::size_t>(may_miss * static_cast<double>(right.size()));
+  const auto lowest = std::clamp(right[place], 0.01F, 0.99F);
+  const auto wanted = static_cast<float>(threshold / (1 - threshold));
+  odds_ = std::clamp(wanted * (1 - lowest) / lowest, least_odds, most_odds);
+}
+
+std::vector<float> Certainty::probabilities(const TextReading& reading) const {
+  auto made = plain(reading);
+  const auto most = made.empty() ? 0 : std::ranges::max(made);
+  // All are raised alike, so that they sum up to 1 at most.
+  const auto factor = odds_ / (1 - most + odds_ * most);
+  for (auto& one : made)
+    one *= factor;
+  return made;
+}
+
+} // namespace parlour::adapters::nlu

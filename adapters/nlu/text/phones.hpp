@@ -1,0 +1,25 @@
+// The sounds of a word as its spelling suggests, and how alike two words sound.
+// Unlike sound_of() it keeps the vowels, and it knows how names of Singapore
+// are written: "zhang" and "jang", "xiu" and "shew", "hui" and "hooey".
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace parlour::adapters::nlu {
+
+// One letter for each sound: "xiu" gives "Siu", "quek" gives "kwek". Empty if
+// the word has other letters than a to z. The word must be in lower case.
+std::string phones_of(std::string_view word);
+
+// 1 for equal sounds, 0 for sounds with nothing in common. Sounds that are
+// mistaken for each other (t and d, n and ng, a and e) cost less than others.
+// Only the first 32 sounds count.
+double sounds_alike(std::string_view left, std::string_view right);
+
+// The kinds of consonants of these sounds, without vowels and without sounds
+// that come and go (h, w, y): equal for words that may be written for each
+// other. "jang" and "zhang" have "sn", and so has "shin".
+std::string outline_of(std::string_view phones);
+
+} // namespace parlour::adapters::nlu

@@ -69,9 +69,9 @@ private:
 };
 
 // A handler that shows what it is given first.
-template <class Handler, class Result, class Argument>
 // CAF reads the message's type from the call operator, so that the wrapper has
 // the same argument and result as the handler.
+template <class Handler, class Result, class Argument>
 struct TracedHandler {
   Handler handler;
   std::shared_ptr<const ActorTrace> trace; // null: nobody asked

@@ -21,9 +21,9 @@ inline std::string exception_text(const std::exception_ptr& thrown) {
 }
 
 // What `action` threw, in words; nothing where it did not.
-template <class Action>
 // For calls of plug-ins, callbacks and adapters: no exception crosses their
 // border.
+template <class Action>
 std::optional<std::string> catch_to_string(Action&& action) {
   try {
     action();

@@ -46,9 +46,9 @@ struct LifeRow {
 };
 
 // All rows by state, then by event, as the two enumerations count them.
-template <class Row, std::size_t states, std::size_t events>
 // A lookup is one multiplication; the order of the rows makes up for the
 // search.
+template <class Row, std::size_t states, std::size_t events>
 struct LifeTable {
   std::array<Row, states * events> rows;
 

@@ -1,6 +1,7 @@
 // Any bytes as a service's file of rules and, behind a zero byte, as what the
 // service sends. What is accepted makes requests whose address can be read and
-// whose headers have one line.
+// whose headers have one line, unless the rules name a variable that the
+// environment lacks: such a service answers from its samples alone.
 #include <cstdlib>
 #include <string>
 #include <string_view>
@@ -31,11 +32,21 @@ void check(const HttpRequest& request) {
       std::abort();
 }
 
-void use(const ServiceRules& rules, const std::string& bytes) {
-  const auto parameters = parameters_from(bytes);
-  for (const auto& command : rules.commands) {
+std::string environment(const std::string& name) {
+  if (name.ends_with("URL"))
+    return "http://127.0.0.1:1";
+  return name.ends_with("KEY") || name.ends_with("TOKEN") ? "secret" : "";
+}
+
+void ask(const ServiceRules& rules, const List& parameters) {
+  for (const auto& command : rules.commands)
     if (const auto request = make_request(command, parameters, "1"))
       check(*request);
+}
+
+void answer(const ServiceRules& rules, const List& parameters,
+            const std::string& bytes) {
+  for (const auto& command : rules.commands) {
     for (const auto status : {200, 404})
       static_cast<void>(read_answer(command.answers, rules.file,
                                     command.who_answered(), {status, bytes},
@@ -67,12 +78,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
   const auto end = all.find('\0');
   const std::string sent(end == std::string_view::npos ? ""
                                                        : all.substr(end + 1));
-  const auto read = read_service_rules(
-      all.substr(0, end), "rules.xml",
-      [](const std::string& name) { return name == "KEY" ? "secret" : ""; },
-      "http://127.0.0.1:1/v1");
+  const auto read = read_service_rules(all.substr(0, end), "rules.xml",
+                                       environment, "http://127.0.0.1:1/v1");
+  const auto parameters = parameters_from(sent);
+  if (read && read->missing.empty())
+    ask(read->rules, parameters);
   if (read)
-    use(read->rules, sent);
+    answer(read->rules, parameters, sent);
   hear(sent);
   return 0;
 }

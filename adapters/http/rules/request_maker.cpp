@@ -48,9 +48,9 @@ struct Filling {
   }
 };
 
-// The template with each value passed through `escape`; its own text stays.
+// The template with each value passed through `escape`; its own text is the
+// application's, and is written as it stands.
 template <class Escape>
-// The template's own text is the application's, and is written as it stands.
 std::string filled(const TextTemplate& text, const Filling& filling,
                    Escape escape) {
   std::string result;

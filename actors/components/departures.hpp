@@ -11,7 +11,6 @@
 
 namespace parlour::actors {
 
-//
 // A replaced component hands its mailbox on: its successors begin as soon as
 // its own instances have all stopped taking messages, so that what was said
 // first is answered first. An unloaded one has nobody to hand on to: what waits

@@ -10,7 +10,6 @@
 
 namespace parlour::actors {
 
-//
 // A component with scope="session" has an instance for each session, one with
 // scope="seat" for each seat. They come with the seat or session, or with the
 // component if that is loaded later (settle), and go with the first of them.

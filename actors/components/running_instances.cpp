@@ -240,10 +240,14 @@ RunningInstances::host_for(const std::shared_ptr<Instance>& instance) {
 
 // -- instances ----------------------------------------------------------------
 
-//
-// A remote agent that goes away is no failure: it is not counted, and the
-// plug-in that stands for it stays. But what it was asked is answered at once,
-// as is what waits in its mailbox.
+bool RunningInstances::has_read_language(const Service& service) const {
+  return std::ranges::any_of(service.instances, [this](auto id) {
+    return entries_.at(id).instance->context->has_read_language();
+  });
+}
+
+// A remote agent that goes away is no failure: the plug-in that stands for it
+// stays. What it was asked and what waits in its mailbox is answered at once.
 void RunningInstances::available(InstanceId id, bool is_available) {
   const auto found = entries_.find(id);
   if (found == entries_.end())
@@ -387,7 +391,6 @@ void RunningInstances::watch(const watch_instance& what) {
     self_->delayed_send(self_, *left, watch_instance{what.instance, false});
 }
 
-// The reminder itself is sent by the caller; the ticket only makes it known.
 DueTicket RunningInstances::ticket(Milliseconds delay) const {
   const auto due = parts_.time.now() + delay.count();
   return {parts_.time.due_times,

@@ -31,7 +31,6 @@ struct ServiceReport {
   Error error; // that it does not start
 };
 
-//
 // An instance and its host's thread are made here, and here alone they are told
 // to stop. What a plug-in does in the meantime is the host's concern; what its
 // component means for others, the caller's (Supervision, Placements,
@@ -74,6 +73,8 @@ public:
   ServicePointer service_of(InstanceId id) const;
   // Whether it owes no answer, is in no call, and nothing waits for it.
   bool has_finished(InstanceId id) const;
+  // Whether one of its instances knows what the scripts say of language.
+  bool has_read_language(const Service& service) const;
   // Those that work take messages from now on.
   void begin(const std::vector<InstanceId>& instances);
   // What the plug-in of an instance says of itself: its component, also a pool,

@@ -235,6 +235,18 @@ void Supervision::idle(const instance_idle& what) {
   take_reports();
 }
 
+// Whoever has read nothing yet will read the new one.
+environment_changed Supervision::change(const change_environment& what) {
+  parts_.environment.change(what.environment);
+  environment_changed changed;
+  for (const auto& [name, deployment] : deployments_.serving)
+    if (std::ranges::any_of(deployment->all(), [this](const auto& service) {
+          return running_.has_read_language(*service);
+        }))
+      changed.readers[name] = deployment->order.factory.description.name;
+  return changed;
+}
+
 // The component may have been unloaded or replaced during the pause, or its
 // session may be over.
 void Supervision::try_again(const actors::try_again& what) {

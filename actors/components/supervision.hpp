@@ -18,7 +18,6 @@
 
 namespace parlour::actors {
 
-//
 // Every function does its part and then takes the reports of RunningInstances:
 // these say what has become of whole components, and may lead to more.
 class Supervision {
@@ -47,6 +46,8 @@ public:
   void closed(const seat_closed& what);
   void begins(const session_begins& what);
   void ended(const session_ended& what);
+  // Returned are those to be loaded again: they have read the one before.
+  environment_changed change(const change_environment& what);
 
   // -- for who asks how it is "3 components, 1 coming; City is down".
   std::string doing() const;

@@ -35,7 +35,7 @@ struct SupervisionParts {
   Observer& observer;
   const SessionDirectory& sessions;
   InstanceDirectory& instances;
-  const PluginEnvironment& environment; // of the plug-ins
+  SharedEnvironment& environment; // of the plug-ins
   ComponentSettings settings = {};
 };
 

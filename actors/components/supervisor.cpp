@@ -49,6 +49,7 @@ supervisor(supervisor_actor::stateful_pointer<supervisor_state> self,
         return session_settled{};
       },
       [=](const session_ended& what) { all->ended(what); },
+      [=](const change_environment& what) { return all->change(what); },
       [=](const get_status& what) {
         return tell_status(self, what, {{}, all->doing(), all->last_error()});
       });

@@ -206,6 +206,10 @@ Expected<void> Node::unload(const std::string& name) {
   return implementation_->runtime.unload(name);
 }
 
+Expected<ReloadOutcome> Node::reload(ChangedApplication to, ReloadMode mode) {
+  return implementation_->runtime.reloader().reload(std::move(to), mode);
+}
+
 void Node::end(const SessionId& session) {
   if (!session.empty())
     implementation_->runtime.end_session(session);

@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "actors/node/changed_application.hpp"
 #include "actors/node/node_options.hpp"
 #include "actors/protocol/actor_status.hpp"
 #include "runtime/base/clock.hpp"
@@ -137,6 +138,14 @@ public:
   Expected<void> load(const std::string& plugin, const std::string& name = {});
   // An error where no component has the name; returns when it has stopped.
   Expected<void> unload(const std::string& name);
+
+  // The application is changed (engine rule 7.13): components whose settings
+  // are others, or who know the scripts, are loaded again; then conversations
+  // go over as `mode` says. An error leaves all as it was: a component does not
+  // start, or the program has private values where none had any. One change at
+  // a time. In real time this may be called from any thread, as long as the
+  // node is not stopped.
+  Expected<ReloadOutcome> reload(ChangedApplication to, ReloadMode mode);
 
   // Asks it to end, and does not wait; an unknown or empty session is ignored.
   void end(const SessionId& session);

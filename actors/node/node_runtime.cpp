@@ -13,6 +13,7 @@
 #include "actors/components/instance/component_host.hpp"
 #include "actors/components/supervisor.hpp"
 #include "actors/node/metrics_collector.hpp"
+#include "actors/node/reloader.hpp"
 #include "actors/routing/message_centre.hpp"
 #include "actors/sessions/file_keeper.hpp"
 #include "actors/sessions/session.hpp"
@@ -56,6 +57,12 @@ NodeRuntime::NodeRuntime(NodeOptions options)
   system_ = std::make_unique<caf::actor_system>(config_);
   scheduler_->attach(*system_, time_);
   spawn_actors();
+  reloader_ = std::make_unique<Reloader>(
+      Reloader::Parts{*system_, *scheduler_, time_, bus_, plugin_environment_,
+                      supervisor_, manager_},
+      ChangedApplication{options_.program, options_.components,
+                         options_.phrases, options_.understanding,
+                         options_.columns});
 }
 
 NodeRuntime::~NodeRuntime() {
@@ -110,17 +117,13 @@ SupervisionParts NodeRuntime::supervision_parts() {
 }
 
 SessionParts NodeRuntime::session_parts() {
-  SessionParts parts{time_,
-                     bus_,
-                     observer_,
-                     options_.program,
-                     options_.phrases,
-                     options_.sockets,
-                     options_.journal,
-                     options_.journal && options_.strict_journal,
-                     {},
-                     supervisor_,
-                     file_keeper_};
+  SessionParts parts{time_, bus_, observer_, options_.program};
+  parts.phrases = options_.phrases;
+  parts.sockets = options_.sockets;
+  parts.journal = options_.journal;
+  parts.strict_journal = options_.journal && options_.strict_journal;
+  parts.supervisor = supervisor_;
+  parts.file_keeper = file_keeper_;
   if (options_.restores_after_each_input)
     parts.after_input = [](SessionDialogue& dialogue, Timestamp now) {
       return dialogue.renew(now);
@@ -142,13 +145,11 @@ Expected<void> NodeRuntime::start_components() {
   return {};
 }
 
-// Others read from the databases when they start.
 std::vector<std::size_t> NodeRuntime::in_starting_order() const {
   std::vector<std::size_t> order(options_.components.size());
   std::iota(order.begin(), order.end(), 0);
   std::stable_partition(order.begin(), order.end(), [this](std::size_t rank) {
-    const auto& roles = options_.components[rank].factory.description.roles;
-    return std::ranges::find(roles, "Database") != roles.end();
+    return starts_first(options_.components[rank]);
   });
   return order;
 }
@@ -390,6 +391,7 @@ void NodeRuntime::stop_actors() {
   scheduler_->run_until_quiet();
   bus_.take_down();
   sessions_.clear();
+  reloader_.reset(); // which holds handles, too
   supervisor_ = nullptr;
   file_keeper_ = nullptr;
   centre_ = nullptr;

@@ -16,6 +16,7 @@
 #include "actors/components/instance/plugin_environment.hpp"
 #include "actors/components/supervision.hpp"
 #include "actors/node/node_options.hpp"
+#include "actors/node/reloader.hpp"
 #include "actors/node/scheduler.hpp"
 #include "actors/node/status_collector.hpp"
 #include "actors/routing/message_bus.hpp"
@@ -39,6 +40,10 @@ public:
   // Cancelled when interrupted.
   Expected<void> load(const std::string& plugin, const std::string& name);
   Expected<void> unload(const std::string& name);
+  // From any thread in real time, until stop() is called.
+  Reloader& reloader() {
+    return *reloader_;
+  }
   seat_actor open_seat(const std::string& name, SeatCalls calls);
   // With `saved`: one that goes on.
   SessionId
@@ -119,7 +124,7 @@ private:
   Observer observer_;
   SessionDirectory sessions_;
   InstanceDirectory instances_;
-  const PluginEnvironment plugin_environment_;
+  SharedEnvironment plugin_environment_;
   MessageBus bus_;
   caf::actor_system_config config_;
   std::unique_ptr<caf::actor_system> system_;
@@ -127,6 +132,7 @@ private:
   session_manager_actor manager_;
   supervisor_actor supervisor_;
   file_keeper_actor file_keeper_;
+  std::unique_ptr<Reloader> reloader_; // until it stops
   // By name, and the manager's handle: other threads may ask how they are, and
   // visit.
   mutable std::mutex seats_mutex_;

@@ -17,6 +17,14 @@ struct ComponentOrder {
   PluginFactory factory;
   Options options;
   ComponentPolicy policy = {};
+
+  // Whether the settings say the same of both. What makes the plug-in cannot be
+  // compared: its name stands for it.
+  bool same_as(const ComponentOrder& other) const {
+    return name == other.name && options == other.options &&
+           policy == other.policy &&
+           factory.description.name == other.factory.description.name;
+  }
 };
 
 } // namespace parlour::actors

@@ -20,6 +20,7 @@
 #include "actors/protocol/component_order.hpp"
 #include "actors/protocol/due_times.hpp"
 #include "actors/protocol/in_flight.hpp"
+#include "actors/protocol/reload.hpp"
 #include "actors/protocol/session_questions.hpp"
 #include "actors/protocol/visits.hpp"
 #include "runtime/base/clock.hpp"
@@ -106,7 +107,9 @@ using session_actor = caf::typed_actor<
     caf::reacts_to<socket_told>, caf::reacts_to<output_done>,
     caf::replies_to<get_slot>::with<slot_told>,
     caf::replies_to<get_state>::with<state_told>, caf::reacts_to<end_session>,
-    caf::reacts_to<record_written>, caf::reacts_to<leave>, tells_status>;
+    caf::reacts_to<record_written>,
+    caf::replies_to<change_program>::with<program_changed>,
+    caf::reacts_to<scripts_over>, caf::reacts_to<leave>, tells_status>;
 
 // -- files --------------------------------------------------------------------
 
@@ -117,7 +120,6 @@ struct file_order {
   session_actor session;
   InFlight work;
 };
-
 using file_keeper_actor =
     caf::typed_actor<caf::reacts_to<file_order>, tells_status>;
 
@@ -153,7 +155,6 @@ struct frame_changed {
   std::shared_ptr<const dialogue::FrameResult> result;
   InFlight work;
 };
-
 using topic_frame_actor =
     caf::typed_actor<caf::replies_to<apply_changes>::with<frame_changed>,
                      tells_status>;
@@ -164,7 +165,6 @@ struct timer_expired {};
 struct cancel_timer {
   InFlight work;
 };
-
 using timer_actor =
     caf::typed_actor<caf::reacts_to<timer_expired>,
                      caf::reacts_to<cancel_timer>, tells_status>;
@@ -176,7 +176,6 @@ struct component_event {
 };
 // The query's time is over; it sends this to itself.
 struct give_up {};
-
 using query_actor = caf::typed_actor<caf::reacts_to<component_event>,
                                      caf::reacts_to<give_up>, tells_status>;
 
@@ -205,7 +204,6 @@ struct run_now {
 };
 // Stop the plug-in and end; instance_stopped follows.
 struct stop_component {};
-
 using component_host_actor =
     caf::typed_actor<caf::reacts_to<start_component>,
                      caf::reacts_to<mailbox_ready>, caf::reacts_to<run_after>,
@@ -346,7 +344,9 @@ using supervisor_actor = caf::typed_actor<
     caf::reacts_to<drain_over>, caf::reacts_to<seat_opened>,
     caf::reacts_to<seat_closed>,
     caf::replies_to<session_begins>::with<session_settled>,
-    caf::reacts_to<session_ended>, tells_status>;
+    caf::reacts_to<session_ended>,
+    caf::replies_to<change_environment>::with<environment_changed>,
+    tells_status>;
 
 // -- sessions of a node -------------------------------------------------------
 
@@ -391,6 +391,7 @@ using session_manager_actor =
                      caf::reacts_to<close_session>,
                      caf::reacts_to<session_gone>, caf::reacts_to<seat_opened>,
                      caf::reacts_to<begin_visit>, caf::reacts_to<end_visit>,
+                     caf::replies_to<reload_program>::with<program_reloaded>,
                      tells_status>;
 
 } // namespace parlour::actors

@@ -91,6 +91,14 @@ void MessageBus::set_targets(std::vector<Target> targets) {
     store(std::move(targets));
 }
 
+// Targets stay: whom a route leads to is found by name in each table.
+void MessageBus::set_program(std::shared_ptr<const script::Program> program) {
+  const std::lock_guard lock(storing_);
+  parts_.program = std::move(program);
+  if (!down_)
+    store(table()->targets());
+}
+
 void MessageBus::store(std::vector<Target> targets) {
   auto parts = parts_;
   parts.targets = std::move(targets);

@@ -82,6 +82,8 @@ public:
   // Who fills which role from now on, in order of preference; the supervisor
   // says so. Nobody does when the node is down.
   void set_targets(std::vector<Target> targets);
+  // Whose routes and openings count from now on.
+  void set_program(std::shared_ptr<const script::Program> program);
   // What senders apply; never null.
   SharedTable::Pointer table() const {
     return table_.load();
@@ -170,8 +172,9 @@ private:
 
   NodeTime& time_;
   Observer& observer_;
-  // What every table has in common; without targets.
-  const RoutingTable::Parts parts_;
+  // What every table has in common; without targets. `program` alone changes,
+  // with `storing_` held.
+  RoutingTable::Parts parts_;
   SharedTable table_;
   ReplyRegistry replies_;
   SharedByThreads<message_centre_actor> centre_; // null: none

@@ -6,11 +6,11 @@
 
 #include <caf/send.hpp>
 #include <caf/typed_event_based_actor.hpp>
+#include <fmt/format.h>
 
 #include "actors/support/actor_trace.hpp"
 #include "actors/support/exception_text.hpp"
 #include "actors/support/tell_status.hpp"
-#include "runtime/message/typed_turn.hpp"
 
 namespace parlour::actors {
 
@@ -30,6 +30,9 @@ const dialogue::Conversation& conversation_of(Self self) {
 // Nothing else changes the conversation: what comes by a message, a timer or an
 // answer is an input with its time (engine rule 7.2).
 void take(Self self, dialogue::SessionInput input) {
+  assert(!conversation_of(self).awaiting_frame() ||
+         std::holds_alternative<input::FrameApplied>(input) ||
+         std::holds_alternative<input::Resumed>(input));
   self->state.dialogue->take(std::move(input), now(self));
 }
 
@@ -42,26 +45,11 @@ ActorTrace trace_of(Self self) {
   return {self->state.parts->observer, session_state::name, id, id};
 }
 
-// "waits for an answer in state Welcome".
-std::string doing_of(const session_state& state) {
-  const auto& conversation = state.dialogue->conversation();
-  if (conversation.ended())
-    return "has ended";
-  const std::string at =
-      conversation.state().empty() ? "" : " in state " + conversation.state();
-  if (conversation.awaiting_frame())
-    return "waits for a topic's frame" + at;
-  if (conversation.has_work())
-    return "takes what has come" + at;
-  return (conversation.waits_for_answer() ? "waits for an answer" : "waits") +
-         at;
-}
-
 status_told tell_session_status(Self self, const get_status& what) {
   const auto& port = port_of(self);
-  return tell_status(
-      self, what,
-      {port.id(), doing_of(self->state), port.last_error(), port.children()});
+  return tell_status(self, what,
+                     {port.id(), self->state.dialogue->doing(),
+                      port.last_error(), port.children()});
 }
 
 slot_told tell_slot(Self self, const get_slot& what) {
@@ -90,21 +78,20 @@ session_actor::behavior_type over(Self self) {
       [=](const record_written& what) {
         self->state.dialogue->written(what.record);
       },
-      [=](const leave&) { self->quit(); },
+      [](const change_program&) { return program_changed(); },
+      [](const scripts_over&) {}, [=](const leave&) { self->quit(); },
       [=](const get_status& what) { return tell_session_status(self, what); });
 }
 
-// Only a change is told: the tracker counts sessions that wait.
-// A node with a session that waits is not quiet in real time: the answer is
-// still to come (RealTime::quiet).
+// Only a change is told: the tracker counts sessions that wait, and in real
+// time a node with one is not quiet (RealTime::quiet).
 void tell_waiting(session_state& state, bool waits) {
   if (std::exchange(state.waits, waits) != waits)
     state.time->work.session_waits(waits);
 }
 
-// False where that ends the session.
-// A strict session that cannot write its journal ends here: whatever it said
-// next could not be taken back by a crash (engine rule 7.11).
+// False where that ends the session, as it does a strict one that cannot write
+// its journal: a crash could undo what it said next (engine rule 7.11).
 bool finish_input(Self self) {
   auto& state = self->state;
   Expected<void> outcome;
@@ -123,17 +110,35 @@ bool finish_input(Self self) {
 void tell_turns_done(Self self) {
   auto& state = self->state;
   const auto answered = state.meter.take_answered();
-  const bool are_numbered = state.turns_done != state.turns_taken;
-  state.turns_done = state.turns_taken;
-  if (are_numbered || answered.turns > 0)
-    state.dialogue->turns_done(answered, are_numbered ? state.turns_done : 0);
+  const auto number = state.meter.take_done();
+  if (number != 0 || answered.turns > 0)
+    state.dialogue->turns_done(answered, number);
+}
+
+// -- another program ----------------------------------------------------------
+
+// What scripts still do may take that long when their program is changed. A
+// shorter time would cut off answers that are on their way; a longer one would
+// let a kiosk say for longer what was just corrected.
+constexpr Milliseconds time_for_scripts{30'000};
+
+std::vector<std::string> go_over(Self self) {
+  auto& state = self->state;
+  state.scripts_due = {};
+  state.parts = state.dialogue->change()->parts();
+  return state.dialogue->go_over(now(self));
+}
+
+// Nobody waits to be told of what is lost any more.
+void go_over_late(Self self) {
+  if (const auto lost = go_over(self); !lost.empty())
+    self->state.parts->observer.log(
+        fmt::format("session {} goes on with the changed scripts without {}",
+                    port_of(self).id(), fmt::join(lost, ", ")));
 }
 
 // After each input: steps are taken one at a time through the mailbox, so that
 // whatever has arrived is queued before the next (engine rule 3).
-//
-//   a message comes    it is queued; take_step is sent, behind what has come
-//   take_step          one step; again take_step, until nothing is left to do
 void go_on(Self self) {
   auto& state = self->state;
   if (!finish_input(self))
@@ -148,28 +153,61 @@ void go_on(Self self) {
     return;
   }
   tell_waiting(state, conversation.waits_for_answer());
-  if (state.stepping || conversation.awaiting_frame() ||
-      !conversation.has_work()) {
+  const bool rests = state.stepping || conversation.awaiting_frame() ||
+                     !conversation.has_work();
+  if (rests) {
     if (!state.stepping && conversation.has_answered(now(self)))
       tell_turns_done(self);
-    return;
+    if (!state.dialogue->may_go_over(now(self)))
+      return;
+    go_over_late(self);
+    return go_on(self);
   }
   state.stepping = true;
   self->send(self, take_step{state.time->work.begin()});
 }
 
+// At once where it is at rest; else what it does comes to its end first. The
+// one that came last counts.
+program_changed change_programs(Self self, const change_program& what) {
+  auto& state = self->state;
+  state.dialogue->change_to(what.change);
+  if (!state.dialogue->may_go_over(now(self))) {
+    auto& due_times = state.time->due_times;
+    state.scripts_due = {due_times,
+                         due_times.add(now(self) + time_for_scripts.count(),
+                                       DueTimes::Of::session)};
+    self->delayed_send(self, time_for_scripts, scripts_over{what.change});
+    return {.later = true};
+  }
+  auto lost = go_over(self);
+  go_on(self);
+  return {.lost = std::move(lost)};
+}
+
+// What still waits in scripts ends with an error; what their <catch> begins
+// then, or what is being said, ends in its own time.
+void end_scripts(Self self, const scripts_over& what) {
+  auto& state = self->state;
+  if (state.dialogue->change() != what.change)
+    return;
+  const auto work = state.time->work.begin();
+  state.scripts_due = {};
+  state.dialogue->end_scripts(now(self));
+  go_on(self);
+}
+
 // Session.Started is handled, up to the opening prompt; or it goes on after a
-// crash.
-// What the session had posted before the crash, and may not have reached
-// anybody, leaves after it has resumed.
+// crash. What it had posted before, and may not have reached anybody, leaves
+// after it has resumed.
 void begin(Self self) {
   const auto saved = std::exchange(self->state.saved, nullptr);
-  if (!saved)
-    take(self, input::Begun());
-  else
+  if (saved) {
     take(self, input::Resumed{.after_crash = true});
-  if (saved)
     port_of(self).post_again(saved->posts);
+  } else {
+    take(self, input::Begun());
+  }
   go_on(self);
 }
 
@@ -197,47 +235,20 @@ void take_one_step(Self self) {
   go_on(self);
 }
 
-// Lines without a number are turns of their own only where no line of the row
-// has one (TurnMeter::take).
-void note_turns(Self self, const deliver& what) {
-  auto& state = self->state;
-  std::uint64_t lines = 0;
-  std::uint64_t numbered = 0;
-  for (const auto& message : what.messages) {
-    const auto number = number_of_turn(message);
-    state.turns_taken = std::max(state.turns_taken, number);
-    if (number != 0)
-      ++numbered;
-    else if (message.command == "RecognitionResult" &&
-             state.parts->bus.table()->begins_turn(message))
-      ++lines;
-  }
-  if (lines == 0 && numbered == 0)
-    return;
-  state.meter.take(lines, numbered, state.turns_taken,
-                   what.arrived != 0 ? what.arrived : NodeMetrics::now());
-  port_of(self).turn_begins(state.meter.number());
-}
-
 // Messages are queued and not handled here: the conversation decides at its
 // next step which one is its turn (engine rule 3).
 void queue(Self self, const deliver& what) {
-  note_turns(self, what);
+  auto& state = self->state;
+  if (state.meter.take(what.messages, *state.parts->bus.table(),
+                       what.arrived != 0 ? what.arrived : NodeMetrics::now()))
+    port_of(self).turn_begins(state.meter.number());
   for (const auto& message : what.messages)
     take(self, dialogue::received(message));
   go_on(self);
 }
 
-// The frame's answer is awaited: CAF keeps all other messages back until then.
-void expect_input(Self self) {
-  assert(!conversation_of(self).awaiting_frame());
-  (void)self;
-}
-
-// A timer that was cancelled a moment ago may still arrive: the conversation
-// does not know its number any more.
+// The conversation does not know the number of one that was just cancelled.
 void hear_timer(Self self, const timer_due& what) {
-  expect_input(self);
   port_of(self).timer_is_over(what.id);
   take(self, input::TimerFired{what.id});
   go_on(self);
@@ -245,7 +256,6 @@ void hear_timer(Self self, const timer_due& what) {
 
 // The outcome is a result set, or an error that the script may catch.
 void hear_query(Self self, const query_outcome& what) {
-  expect_input(self);
   port_of(self).query_is_over(what.id);
   take(self, input::QueryAnswered{what.id, what.outcome});
   go_on(self);
@@ -265,9 +275,8 @@ void hear_component(Self self, dialogue::QueryId id, Expected<void> outcome) {
   go_on(self);
 }
 
-// Its messages go the way of all others: by the routes, then queued.
-//
-// That it is closed is told twice: the event `Closed` is for the scripts, the
+// Its messages go by the routes, then are queued. That it is closed is told
+// twice: the event `Closed` is for the scripts, the
 // input SocketClosed lets the conversation forget it.
 void hear_socket(Self self, const socket_told& what) {
   using enum SocketEvent::Kind;
@@ -287,7 +296,6 @@ void hear_socket(Self self, const socket_told& what) {
 }
 
 void hear_seat(Self self, const output_done& what) {
-  expect_input(self);
   take(self, input::OutputFinished{what.id, what.played});
   go_on(self);
 }
@@ -339,7 +347,7 @@ void set_up(Self self, std::shared_ptr<const SessionParts> parts,
   };
   state.saved = std::move(order.saved);
   if (state.saved)
-    state.meter.go_on(state.turns_taken = state.saved->turns.taken);
+    state.meter.go_on(state.saved->turns.taken);
   state.dialogue = std::make_unique<SessionDialogue>(
       state.parts->program,
       dialogue::ConversationOptions{std::move(order.id), order.seed,
@@ -383,6 +391,8 @@ session(session_actor::stateful_pointer<session_state> self,
       [=](const record_written& what) {
         self->state.dialogue->written(what.record);
       },
+      [=](const change_program& what) { return change_programs(self, what); },
+      [=](const scripts_over& what) { end_scripts(self, what); },
       [](const leave&) {},
       [=](const get_status& what) { return tell_session_status(self, what); });
 }

@@ -28,9 +28,7 @@ struct session_state {
   std::unique_ptr<SessionDialogue> dialogue;
   // Until it begins; null: it is a new one.
   std::shared_ptr<const dialogue::SavedSession> saved;
-  // The highest numbers of turns that were received, and told as answered.
-  std::uint64_t turns_taken = 0;
-  std::uint64_t turns_done = 0;
+  DueTicket scripts_due; // when it no longer waits to change its program
   TurnMeter meter;
   bool stepping = false;     // a take_step is in the mailbox
   bool waits = false;        // as the work count knows it

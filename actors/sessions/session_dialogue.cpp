@@ -150,4 +150,60 @@ Expected<void> SessionDialogue::renew(Timestamp now) {
   return {};
 }
 
+// -- another program ----------------------------------------------------------
+
+// Counted, but not written: a replay begins at the state.
+void SessionDialogue::keep_state_behind_gap() {
+  ++inputs_;
+  if (!kept_.journal)
+    return;
+  recording_->take_answers();
+  keep_state();
+}
+
+void SessionDialogue::end_scripts(Timestamp now) {
+  conversation_->end_scripts(now);
+  keep_state_behind_gap();
+}
+
+// The recording port of the conversation before lives as long as that one.
+std::vector<std::string> SessionDialogue::go_over(Timestamp now) {
+  const auto change = std::exchange(change_, nullptr);
+  const auto& parts = change->parts();
+  const auto before = std::exchange(program_, parts->program);
+  const auto recording = std::move(recording_);
+  options_.phrases = parts->phrases;
+  dialogue::Conversation::TakenOver taken;
+  if (change->mode() == ReloadMode::keep) {
+    port_->go_over(parts);
+    taken = dialogue::Conversation::take_over(*conversation_,
+                                              *change->renames_from(before),
+                                              options_, seen(*port_), now);
+  } else {
+    taken.conversation = dialogue::Conversation::begin_instead(
+        *conversation_, program_, options_, seen(*port_));
+    port_->begin_again(parts);
+  }
+  conversation_ = std::move(taken.conversation);
+  keep_state_behind_gap();
+  if (change->mode() == ReloadMode::restart)
+    take(dialogue::input::Begun(), now);
+  return std::move(taken.lost);
+}
+
+std::string SessionDialogue::doing() const {
+  if (conversation_->ended())
+    return "has ended";
+  const auto state = conversation_->state();
+  const std::string at = state.empty() ? "" : " in state " + state;
+  if (conversation_->awaiting_frame())
+    return "waits for a topic's frame" + at;
+  if (conversation_->has_work())
+    return "takes what has come" + at;
+  if (change_)
+    return "ends what it does before it takes the changed scripts" + at;
+  const bool waits = conversation_->waits_for_answer();
+  return (waits ? "waits for an answer" : "waits") + at;
+}
+
 } // namespace parlour::actors

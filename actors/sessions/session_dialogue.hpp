@@ -1,12 +1,14 @@
 // SessionDialogue: the conversation of a session, the port by which it reaches
 // others, and what of it is kept in a journal. The conversation can be renewed:
 // it is written, and another one goes on from the bytes with a port of its own,
-// as it would in another process. Lives on the session's thread.
+// as it would in another process; or it goes over to another program. Lives on
+// the session's thread.
 #pragma once
 
 #include <functional>
 #include <memory>
 
+#include "actors/sessions/program_change.hpp"
 #include "actors/sessions/session_port.hpp"
 #include "runtime/base/outside/journal.hpp"
 #include "script/dialogue/engine/conversation.hpp"
@@ -26,7 +28,6 @@ struct JournalUse {
   std::function<std::function<void()>(std::uint64_t record)> when_written = {};
 };
 
-//
 // With a journal each input leads to one record: the input, and what the port
 // answered at once while it was dealt with. Now and then a state follows, from
 // which a replay or a recovery begins (engine rule 7.10).
@@ -72,6 +73,28 @@ public:
   // stays. An error leaves all as it was.
   Expected<void> renew(Timestamp now);
 
+  // -- another program (engine rule 7.13)
+
+  // It is to go over to this as soon as it may; the last one counts.
+  void change_to(std::shared_ptr<const ProgramChange> change) {
+    change_ = std::move(change);
+  }
+  // Null: it is to stay as it is.
+  const std::shared_ptr<const ProgramChange>& change() const {
+    return change_;
+  }
+  // There is a change, and nothing is going on that has no counterpart there.
+  bool may_go_over(Timestamp now) const {
+    return change_ && conversation_->is_at_rest(now);
+  }
+  // What keeps it from that, as far as it waits in scripts, ends with an error.
+  void end_scripts(Timestamp now);
+  // What is lost of the dialogue, a phrase each. Only where may_go_over().
+  std::vector<std::string> go_over(Timestamp now);
+
+  // "waits for an answer in state Welcome".
+  std::string doing() const;
+
   // What it has not read when it has ended.
   std::vector<Message> take_unread() {
     return conversation_->take_unread();
@@ -88,9 +111,11 @@ private:
   void bind_effects();
   // What each state begins with, so that it can be read alone.
   dialogue::SessionOpened opened() const;
+  // What was just done is no input that the journal knows.
+  void keep_state_behind_gap();
 
-  const std::shared_ptr<const script::Program> program_;
-  const dialogue::ConversationOptions options_;
+  std::shared_ptr<const script::Program> program_;
+  dialogue::ConversationOptions options_;
   const MakePort make_port_;
   const JournalUse kept_;
   std::uint64_t inputs_ = 0; // that it has taken
@@ -100,6 +125,7 @@ private:
   std::shared_ptr<const Journal::Part> part_;
   bool has_moved_ = false; // the journal has gone on to another part
   bool has_gap_ = false;   // a record was lost
+  std::shared_ptr<const ProgramChange> change_; // null: none
   // Both before the conversation, which they outlive.
   std::unique_ptr<SessionPort> port_;
   std::unique_ptr<dialogue::RecordingPort> recording_; // null: no journal

@@ -5,6 +5,7 @@
 
 #include <caf/typed_event_based_actor.hpp>
 
+#include "actors/sessions/program_change.hpp"
 #include "actors/sessions/seat.hpp"
 #include "actors/sessions/session.hpp"
 #include "actors/support/actor_trace.hpp"
@@ -295,6 +296,57 @@ void end(Self self, const end_visit& what) {
   self->send(state.sessions[session].session, end_session{what.work});
 }
 
+// -- another program ----------------------------------------------------------
+
+using reload_promise = caf::typed_response_promise<program_reloaded>;
+
+// What the sessions say when they are told of a change; the last of them keeps
+// the promise.
+struct Reloading {
+  reload_promise promise;
+  std::size_t left = 0; // sessions that have not answered
+  ReloadedSessions told = {};
+
+  void take(const program_changed& what) {
+    ++(what.later ? told.later : told.gone_over);
+    for (const auto& one : what.lost)
+      ++told.lost[one];
+  }
+  void one_less() {
+    if (--left == 0)
+      promise.deliver(program_reloaded{std::move(told)});
+  }
+};
+
+// Who opens from now on has the new program. A session that ends before it has
+// answered is counted nowhere.
+reload_promise reload(Self self, const reload_program& what) {
+  auto& state = self->state;
+  auto parts = std::make_shared<SessionParts>(*state.parts);
+  parts->program = what.program;
+  parts->phrases = what.phrases;
+  state.parts = std::move(parts);
+  auto reloading = std::make_shared<Reloading>(
+      Reloading{self->make_response_promise<program_reloaded>(), 1});
+  if (what.mode != ReloadMode::new_only) {
+    reloading->left += state.sessions.size();
+    const auto change =
+        std::make_shared<const ProgramChange>(state.parts, what.mode);
+    for (const auto& [id, entry] : state.sessions)
+      self->request(entry.session, caf::infinite,
+                    change_program{change, what.work})
+          .then(
+              [=](const program_changed& told) {
+                reloading->take(told);
+                reloading->one_less();
+              },
+              [=](const caf::error&) { reloading->one_less(); });
+  }
+  auto promise = reloading->promise;
+  reloading->one_less();
+  return promise;
+}
+
 std::vector<ActorHandle> visitors_of(const session_manager_state& state) {
   std::vector<ActorHandle> all;
   for (const auto& [name, seat] : state.visits)
@@ -328,6 +380,7 @@ session_manager_actor::behavior_type session_manager(
       },
       [=](const begin_visit& what) { begin(self, what); },
       [=](const end_visit& what) { end(self, what); },
+      [=](const reload_program& what) { return reload(self, what); },
       [=](const get_status& what) {
         const auto& state = self->state;
         return tell_status(self, what,

@@ -1,6 +1,7 @@
 // The session manager: opens sessions at seats, knows them all, and notices
 // when one is gone. A user turn that its session did not come to, or that came
-// when it had ended, is taken to the seat's next session.
+// when it had ended, is taken to the seat's next session. Brings the sessions
+// over to changed scripts.
 #pragma once
 
 #include <deque>

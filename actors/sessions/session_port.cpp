@@ -295,6 +295,19 @@ void SessionPort::apply(script::TopicId topic,
   ask_frame_(frame_of(topic), std::move(request));
 }
 
+// -- another program ----------------------------------------------------------
+
+void SessionPort::go_over(std::shared_ptr<const SessionParts> parts) {
+  end_frames();
+  parts_ = std::move(parts);
+}
+
+void SessionPort::begin_again(std::shared_ptr<const SessionParts> parts) {
+  end_all();
+  subscribe({});
+  parts_ = std::move(parts);
+}
+
 // -- watching, ending ---------------------------------------------------------
 
 void SessionPort::unhandled(const Message& message) {
@@ -365,6 +378,10 @@ void SessionPort::end_all() {
     caf::anon_send_exit(query.actor, caf::exit_reason::user_shutdown);
   }
   sockets_.close_all();
+  end_frames();
+}
+
+void SessionPort::end_frames() {
   for (const auto& [topic, frame] : std::exchange(frames_, {}))
     caf::anon_send_exit(frame, caf::exit_reason::user_shutdown);
 }

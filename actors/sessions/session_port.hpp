@@ -93,6 +93,10 @@ public:
   void turn_begins(std::uint64_t number) {
     turn_ = number;
   }
+  // The session goes over to another program: its topics' frames are others.
+  void go_over(std::shared_ptr<const SessionParts> parts);
+  // The same for one that begins again: nothing works for the one before.
+  void begin_again(std::shared_ptr<const SessionParts> parts);
   // After a crash: what was posted, and may not have left.
   // With the session and correlation that they had.
   void post_again(std::vector<Message> messages);
@@ -132,13 +136,14 @@ private:
   void end_timer(const Timer& timer);
   // Ends timers, queries, sockets and frames.
   void end_all();
+  void end_frames();
   // Valid until end_all().
   const topic_frame_actor& frame_of(script::TopicId topic);
   Timestamp due_at(Milliseconds after) const;
   ActorTrace trace_of(const char* kind, const std::string& name) const;
 
   const session_actor::pointer self_;
-  const std::shared_ptr<const SessionParts> parts_;
+  std::shared_ptr<const SessionParts> parts_;
   NodeTime& time_;
   MessageBus& bus_;
   const SessionId id_;

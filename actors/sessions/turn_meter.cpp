@@ -3,7 +3,28 @@
 #include <algorithm>
 #include <utility>
 
+#include "runtime/message/typed_turn.hpp"
+
 namespace parlour::actors {
+
+// Lines without a number are turns of their own only where no line of the row
+// has one.
+bool TurnMeter::take(const std::vector<Message>& messages,
+                     const RoutingTable& table, Nanoseconds arrived) {
+  std::uint64_t lines = 0;
+  std::uint64_t numbered = 0;
+  for (const auto& message : messages) {
+    const auto number = number_of_turn(message);
+    numbered_taken_ = std::max(numbered_taken_, number);
+    if (number != 0)
+      ++numbered;
+    else if (message.command == "RecognitionResult" &&
+             table.begins_turn(message))
+      ++lines;
+  }
+  take(lines, numbered, numbered_taken_, arrived);
+  return lines != 0 || numbered != 0;
+}
 
 // The time counts from the first turn that has no answer yet: turns that came
 // while it was worked for are answered with it.
@@ -20,6 +41,11 @@ void TurnMeter::take(std::uint64_t lines, std::uint64_t numbered,
 
 TurnMeter::Answered TurnMeter::take_answered() {
   return std::exchange(open_, {});
+}
+
+std::uint64_t TurnMeter::take_done() {
+  const auto before = std::exchange(numbered_done_, numbered_taken_);
+  return before == numbered_done_ ? 0 : numbered_done_;
 }
 
 } // namespace parlour::actors

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "actors/routing/routing_table.hpp"
 #include "runtime/base/metrics.hpp"
 #include "runtime/message/message.hpp"
 
@@ -16,8 +17,12 @@ class TurnMeter {
 public:
   // One that goes on after a crash.
   void go_on(std::uint64_t taken) {
-    number_ = taken;
+    number_ = numbered_taken_ = taken;
   }
+  // What came together; `table` says what a recogniser is. False where no turn
+  // of a user is in it.
+  bool take(const std::vector<Message>& messages, const RoutingTable& table,
+            Nanoseconds arrived);
   // Lines of the user that came together. Lines without a number belong to the
   // turn of the one that has one.
   void take(std::uint64_t lines, std::uint64_t numbered, std::uint64_t highest,
@@ -34,9 +39,15 @@ public:
   // Called when the session has nothing left to do for them; none are open
   // afterwards.
   Answered take_answered();
+  // The highest number of a turn that was taken since the last call, which is
+  // answered now; 0: none had one.
+  std::uint64_t take_done();
 
 private:
   std::uint64_t number_ = 0;
+  // As whoever numbers turns knows them.
+  std::uint64_t numbered_taken_ = 0;
+  std::uint64_t numbered_done_ = 0;
   Answered open_;
 };
 

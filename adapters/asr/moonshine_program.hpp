@@ -41,7 +41,6 @@ struct ProgramCalls {
   std::function<void(const std::string& line)> print;
 };
 
-//
 // The program has three debts, each with its own time: to be ready, to answer
 // what was asked, and to read. It is ended when it owes one too long, and then
 // over() is called.

@@ -113,7 +113,6 @@ std::size_t first_rule(const std::string& jsgf) {
 
 } // namespace
 
-//
 // "<ask> = where is [the] @Place {act=request};" gives "where is" and "the": no
 // parser is needed for that, and a grammar with a mistake gives words, too.
 std::vector<std::string> grammar_words(const std::string& jsgf) {

@@ -59,7 +59,6 @@ void DevicePolicy::end() {
 
 // -- messages of the server ---------------------------------------------------
 
-//
 // Several devices may read one topic: each takes its part of the payload by its
 // template. A broken JSON is told once, and only if one of them needed it.
 void DevicePolicy::received(const std::string& topic, std::string text,

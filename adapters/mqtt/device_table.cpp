@@ -172,7 +172,6 @@ bool DeviceTable::is_listed(const Words& device) const {
   });
 }
 
-//
 // Only the best ones are found: a thing whose kind is "light" comes before one
 // that is called "night light". A name of the list means what is listed and
 // nothing else.

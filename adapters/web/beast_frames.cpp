@@ -31,7 +31,6 @@ std::string text_of(beast::string_view text) {
   return {text.data(), text.size()};
 }
 
-//
 // The request for the WebSocket is read first and judged; then each text frame
 // is one message of PROTOCOL.md.
 class FrameVisit : public SocketVisit {

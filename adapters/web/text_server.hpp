@@ -32,7 +32,6 @@ struct ServerOptions {
   Milliseconds idle{60'000};
 };
 
-//
 // It does not know the conversations: `host` is told what visitors want, and
 // tells what the robot says by began(), said(), done() and ended().
 class TextServer {

@@ -119,6 +119,8 @@ public:
                 self->quit();
               },
               [](const record_written&) {},
+              [](const change_program&) { return program_changed(); },
+              [](const scripts_over&) {},
               [=](const leave&) { self->quit(); },
               no_status,
           };

@@ -265,26 +265,29 @@ void ComponentContext::log(const std::string& text) {
 
 std::shared_ptr<const UnderstandingModel>
 ComponentContext::understanding() const {
-  return environment_.understanding;
+  has_read_language_ = true;
+  return environment_.now()->understanding;
 }
 
 std::shared_ptr<const PhraseEvaluator> ComponentContext::phrases() const {
-  return environment_.phrases;
+  has_read_language_ = true;
+  return environment_.now()->phrases;
 }
 
 Expected<std::vector<std::string>>
 ComponentContext::column(const std::string& name) const {
-  if (environment_.columns)
-    return environment_.columns(name);
+  const auto environment = environment_.now();
+  if (environment->columns)
+    return environment->columns(name);
   return fail(ErrorKind::database, "nobody reads the column " + name);
 }
 
 std::string ComponentContext::data_folder() const {
-  return environment_.data_folder;
+  return environment_.now()->data_folder;
 }
 
 std::string ComponentContext::application_folder() const {
-  return environment_.application_folder;
+  return environment_.now()->application_folder;
 }
 
 } // namespace parlour::actors

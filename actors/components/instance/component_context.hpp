@@ -1,6 +1,7 @@
 // ComponentContext: the platform as one instance of a plug-in sees it.
 #pragma once
 
+#include <atomic>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -23,7 +24,7 @@ struct ContextParts {
   NodeTime& time;
   MessageBus& bus;
   Observer& observer;
-  const PluginEnvironment& environment;
+  const SharedEnvironment& environment;
   supervisor_actor supervisor = {};
 };
 
@@ -61,6 +62,11 @@ public:
   std::vector<Message> take_pending();
   // The same, and it says nothing from now on.
   std::vector<Message> close();
+  // Whether its plug-in has asked for what the scripts say of language: it will
+  // not notice that they have changed.
+  bool has_read_language() const {
+    return has_read_language_;
+  }
 
   // -- the plug-in -----------------------------------------------------------
 
@@ -100,12 +106,13 @@ private:
   NodeTime& time_;
   MessageBus& bus_;
   Observer& observer_;
-  const PluginEnvironment& environment_;
+  const SharedEnvironment& environment_;
   const supervisor_actor supervisor_;
   const std::string name_;
   const InstanceId instance_;
   const std::shared_ptr<const InstanceScope> scope_; // null: the node
   caf::weak_actor_ptr host_; // weak: the actor holds the plug-in
+  mutable std::atomic<bool> has_read_language_ = false;
   mutable std::mutex mutex_; // of what follows
   bool closed_ = false;
   bool draining_ = false;

@@ -108,7 +108,6 @@ Expected<void> bring_up(Instance& instance) {
                                 instance.component->order.options);
 }
 
-//
 // Making the plug-in counts as part of its start, and one exception of either
 // is told as a start that failed.
 void start(Self self) {

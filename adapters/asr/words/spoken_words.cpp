@@ -126,7 +126,6 @@ private:
     return std::string_view(text_).substr(at_);
   }
 
-  //
   // "2026" is a number, "64785056" a row of digits, and so is "007": what has
   // more than four digits or a leading zero is read out.
   void number() {

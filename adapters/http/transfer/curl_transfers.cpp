@@ -221,7 +221,6 @@ TryOutcome outcome_of(Transfer& transfer, CURLcode code) {
   return answer;
 }
 
-//
 // libcurl calls on_socket and on_timer within its own functions: these only set
 // watches and the alarm.
 class CurlTransfers : public Transfers {

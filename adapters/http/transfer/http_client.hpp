@@ -32,7 +32,6 @@ struct ClientOptions {
   std::size_t queue = 100;
 };
 
-//
 // A submitted request may have to wait for its own pause (not_before) and for a
 // free connection; the breaker of its server refuses it at once.
 class HttpClient {

@@ -149,6 +149,14 @@ public:
   };
   static TakenOver take_over(const Conversation& before, const Renames& renames,
                              Options options, Port& port, Timestamp now);
+  // Another program's dialogue from its beginning in the place of `before`,
+  // which is at rest and must take no further input; open() comes next. Its
+  // timers are cancelled at the port; nothing that is still on its way to
+  // `before` is taken for an answer to this one.
+  static std::unique_ptr<Conversation>
+  begin_instead(const Conversation& before,
+                std::shared_ptr<const script::Program> program, Options options,
+                Port& port);
 
   // Whether a <request> waits for what answers this message.
   bool awaits_reply(Correlation correlation) const;

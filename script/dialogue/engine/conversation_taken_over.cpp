@@ -115,6 +115,19 @@ Conversation::TakenOver Conversation::take_over(const Conversation& before,
   return taken;
 }
 
+std::unique_ptr<Conversation>
+Conversation::begin_instead(const Conversation& before,
+                            std::shared_ptr<const script::Program> program,
+                            Options options, Port& port) {
+  auto next = std::make_unique<Conversation>(std::move(program),
+                                             std::move(options), port);
+  auto& parts = *next->implementation_;
+  const auto& parts_before = *before.implementation_;
+  parts.context.number_after(parts_before.context);
+  parts.timers.take_over(parts_before.timers, [](Timer&) { return false; });
+  return next;
+}
+
 // What is listed here has no counterpart in another program: activations, and
 // what they or the topics wait for. Timers, the question that was asked and
 // silence have.

@@ -23,10 +23,12 @@ struct Taker {
     return known;
   }
   // Where it goes on from what is known, that is longer, and shows more: a
-  // replay from the beginning leaves it out. Behind a gap, or where only the
-  // last state is wanted, all before it is forgotten.
+  // replay from the beginning leaves it out. Behind a gap, with another
+  // program, or where only the last state is wanted, all before it is
+  // forgotten.
   bool operator()(StateKept& kept) {
-    const bool follows = known && kept.inputs == history.count();
+    const bool follows = known && kept.inputs == history.count() &&
+                         kept.opened.program == history.opened.program;
     if (follows && from == HistoryFrom::beginning)
       return true;
     history.opened = kept.opened;

@@ -22,7 +22,7 @@ protected:
 
   Bench bench;
   InstanceDirectory instances;
-  const PluginEnvironment environment;
+  SharedEnvironment environment;
   const SupervisionParts parts{bench.time,     bench.bus, bench.observer,
                                bench.sessions, instances, environment};
   ComponentNews news{parts};

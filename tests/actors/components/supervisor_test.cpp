@@ -11,7 +11,7 @@ TEST(Supervisor, AnswersWhatIsRequested) {
   Bench bench;
   bench.bus.connect(bench.centre_probe());
   InstanceDirectory instances;
-  const PluginEnvironment environment;
+  SharedEnvironment environment;
   const auto actor = bench.spawn(
       supervisor, SupervisionParts{bench.time, bench.bus, bench.observer,
                                    bench.sessions, instances, environment});

@@ -129,6 +129,54 @@ TEST_F(JournaledSessionTest, NothingIsPostedBeforeItIsWritten) {
   EXPECT_THAT(recovered()->posts, IsEmpty());
 }
 
+// What follows a change is repeated with the other program, from a state.
+class ChangedSessionTest : public JournaledSessionTest {
+protected:
+  static std::string counter(const std::string& words) {
+    return "<var name='tally' expr='0'/>"
+           "<handler name='Pipeline'><messages><component>"
+           "<ASR><RecognitionResult><set name='tally' expr='tally + 1'/>"
+           "<speak param='" +
+           words +
+           " {tally}.'/></RecognitionResult></ASR></component></messages>"
+           "</handler>";
+  }
+  void change_to(const std::string& words, ReloadMode mode) {
+    script = counter(words);
+    ChangedApplication to;
+    to.program = compile(script);
+    ASSERT_TRUE(node->reload(to, mode));
+    node->run_until_quiet();
+  }
+};
+
+TEST_F(ChangedSessionTest, GoesOnAfterACrash) {
+  script = counter("One");
+  start_again();
+  say({"a"});
+  change_to("Two", ReloadMode::keep);
+  EXPECT_THAT(say({"b"}), ElementsAre("Two 2."));
+  const auto saved = recovered();
+  ASSERT_TRUE(saved);
+  EXPECT_EQ(saved->turns.said.size(), 1U);
+  start_again();
+  EXPECT_EQ(node->go_on(seat, *saved), saved->id);
+  EXPECT_THAT(say({"c"}), ElementsAre("Two 3."));
+}
+
+TEST_F(ChangedSessionTest, ThatBeganAgainDoesToo) {
+  script = counter("One");
+  start_again();
+  say({"a"});
+  change_to("Two", ReloadMode::restart);
+  EXPECT_THAT(say({"b"}), ElementsAre("Two 1."));
+  const auto saved = recovered();
+  ASSERT_TRUE(saved);
+  start_again();
+  EXPECT_EQ(node->go_on(seat, *saved), saved->id);
+  EXPECT_THAT(say({"c"}), ElementsAre("Two 2."));
+}
+
 TEST_F(JournaledSessionTest, GoesOnWhereItWas) {
   script = "<var name='tally' expr='0'/>"
            "<handler name='Pipeline'><messages><component>"

@@ -51,6 +51,8 @@ protected:
               [](const get_state&) { return state_told{}; },
               [self](const end_session&) { self->quit(); },
               [](const record_written&) {},
+              [](const change_program&) { return program_changed(); },
+              [](const scripts_over&) {},
               [](const leave&) {},
               no_status,
           };
@@ -81,7 +83,7 @@ protected:
 
   Bench bench;
   InstanceDirectory instances;
-  PluginEnvironment environment;
+  SharedEnvironment environment;
   SessionParts parts{bench.time, bench.bus, bench.observer, bench.program};
   session_actor user;
   std::vector<std::string> heard;

@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
 #include "actors/sessions/turn_meter.hpp"
+#include "runtime/message/typed_turn.hpp"
+#include "tests/actors/bench.hpp"
 
 namespace parlour::actors {
 namespace {
@@ -28,6 +30,21 @@ TEST(TurnMeter, LinesBelongToTheTurnWithTheNumber) {
   EXPECT_EQ(meter.take_answered().turns, 1u);
   meter.take(0, 0, 7, 200); // nobody said anything
   EXPECT_EQ(meter.take_answered().turns, 0u);
+}
+
+// Whoever numbers turns is told once that they are answered.
+TEST(TurnMeter, TellsTheHighestNumberOnce) {
+  Bench bench;
+  const auto table = bench.bus.table();
+  TurnMeter meter;
+  meter.go_on(6);
+  EXPECT_EQ(meter.take_done(), 6u); // it is asked again after a crash
+  EXPECT_FALSE(meter.take({Message{}}, *table, 1));
+  EXPECT_TRUE(meter.take({typed_turn("a", 0), typed_turn("b", 7)}, *table, 2));
+  EXPECT_EQ(meter.number(), 7u);
+  EXPECT_EQ(meter.take_answered().turns, 1u);
+  EXPECT_EQ(meter.take_done(), 7u);
+  EXPECT_EQ(meter.take_done(), 0u);
 }
 
 } // namespace

@@ -217,6 +217,15 @@ Texts World::change_script(const std::string& script,
   return lost;
 }
 
+void World::begin_instead(const std::string& script,
+                          const WorldOptions& options) {
+  program = compile(test::TemporaryFolder(), script, options);
+  conversation =
+      Conversation::begin_instead(*conversation, program, options_, port_);
+  take(input::Begun());
+  run();
+}
+
 Texts World::take_over(std::shared_ptr<const script::Program> other) {
   repeats = false; // nobody notes the other program
   auto taken = Conversation::take_over(*conversation, Renames(program, other),

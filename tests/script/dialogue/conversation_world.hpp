@@ -100,6 +100,10 @@ public:
   void socket_taken(SocketId id) override;
   void close_socket(SocketId id) override;
 
+  // Another script's dialogue begins in the place of this one.
+  void begin_instead(const std::string& script,
+                     const WorldOptions& options = {});
+
 private:
   World(const test::TemporaryFolder& folder, const std::string& script,
         const WorldOptions& options);

@@ -210,7 +210,6 @@ std::string library_of(bool sleeps, bool is_enhanced) {
 
 } // namespace
 
-//
 // Role by role: what the command line wants replaces what is there; a role that
 // is open gets the best plug-in; a role that the settings fill stays as it is.
 Expected<VoiceSources> add_voice(const fs::path& folder,

@@ -108,6 +108,17 @@ struct ServeOptions {
 int serve_command(const Places& places, const ServeOptions& options,
                   const Console& console);
 
+// `parlour reload`: takes a running application over to its changed files, or
+// back (docs/operations.md).
+struct ReloadOptions {
+  std::string app; // a name or folder; empty: the only one that runs
+  bool restart = false;
+  bool new_only = false;
+  bool undo = false;
+};
+int reload_command(const Places& places, const ReloadOptions& options,
+                   const Console& console);
+
 // `parlour load`: plays an application's conversations as visitors of `parlour
 // serve`, checks the answers and tells how fast they come (docs/operations.md).
 struct LoadOptions {

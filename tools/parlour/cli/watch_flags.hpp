@@ -1,5 +1,5 @@
-// The options of commands that watch a running application: `status`, `top`,
-// `tail`; and of those that let themselves be watched.
+// The options of commands that concern a running application: `status`, `top`,
+// `tail`, `reload`; and of those that let themselves be watched.
 #pragma once
 
 #include <optional>
@@ -43,11 +43,26 @@ inline void add_tail_flags(CLI::App& command, TailOptions& options) {
       ->type_name("COMPONENT");
 }
 
-// The three, by the names on the command line.
+inline void add_reload_flags(CLI::App& command, ReloadOptions& options) {
+  command.add_option("APP", options.app,
+                     "A name or folder; else the only one that runs");
+  auto* const restart = command.add_flag("--restart", options.restart,
+                                         "Conversations begin again");
+  command
+      .add_flag("--new-only", options.new_only,
+                "Conversations that are going on keep the scripts that they "
+                "have")
+      ->excludes(restart);
+  command.add_flag("--undo", options.undo,
+                   "Back to the scripts before the last reload");
+}
+
+// The four, by the names on the command line.
 struct WatchOptions {
   StatusOptions status;
   TopOptions top;
   TailOptions tail;
+  ReloadOptions reload;
 };
 struct WatchCommand {
   const char* name;
@@ -79,6 +94,14 @@ inline constexpr WatchCommand watch_commands[] = {
      },
      [](CLI::App& command, WatchOptions& options) {
        add_tail_flags(command, options.tail);
+     }},
+    {"reload", "Take a running application over to its changed files",
+     [](const Places& places, const WatchOptions& options,
+        const Console& console) {
+       return reload_command(places, options.reload, console);
+     },
+     [](CLI::App& command, WatchOptions& options) {
+       add_reload_flags(command, options.reload);
      }}};
 
 // "9464", or "0.0.0.0:9464".

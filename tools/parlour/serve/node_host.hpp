@@ -14,7 +14,6 @@ namespace parlour::tools {
 
 namespace web = adapters::web;
 
-//
 // Two threads meet here: the server's calls open(), take(), close() and
 // clock(), and the node's threads call the server with what is said. `seats_`
 // belongs to the server's thread; connect() fills it before that thread may use

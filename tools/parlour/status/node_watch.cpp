@@ -51,7 +51,9 @@ void NodeWatch::see(const Inspection& seen) {
     tails_.see(seen, node->now());
 }
 
-void NodeWatch::connect(actors::Node& node, std::function<Metrics()> more) {
+void NodeWatch::connect(actors::Node& node, Reload reload,
+                        std::function<Metrics()> more) {
+  reload_ = std::move(reload);
   more_ = std::move(more);
   tails_.connect([&node](bool wanted) { node.watch_all(wanted); });
   node_ = &node;
@@ -60,10 +62,15 @@ void NodeWatch::connect(actors::Node& node, std::function<Metrics()> more) {
 Expected<void> NodeWatch::serve_commands(const std::filesystem::path& sockets) {
   auto server = StatusServer::open(
       sockets, [this](const std::string& question) { return answer(question); },
-      [this](Descriptor reader, const std::string& filter) {
-        if (auto wanted = filter_from_json(filter))
-          tails_.add(std::move(reader), std::move(*wanted));
-      });
+      {{questions::tail,
+        [this](Descriptor reader, const std::string& filter) {
+          if (auto wanted = filter_from_json(filter))
+            tails_.add(std::move(reader), std::move(*wanted));
+        }},
+       {questions::reload,
+        [this](Descriptor connection, const std::string& request) {
+          reload(std::move(connection), request);
+        }}});
   if (!server)
     return tl::make_unexpected(server.error());
   commands_ = std::move(*server);
@@ -74,7 +81,7 @@ Expected<void> NodeWatch::serve(const std::filesystem::path& sockets,
                                 const std::optional<HostAndPort>& pages,
                                 const Tell& log, const Tell& note) {
   if (auto served = serve_commands(sockets); !served)
-    log("parlour status, top and tail cannot ask this run: " +
+    log("parlour status, top, tail and reload cannot ask this run: " +
         to_string(served.error()));
   if (!pages)
     return {};
@@ -101,6 +108,8 @@ Expected<std::string> NodeWatch::serve_pages(const HostAndPort& address) {
 void NodeWatch::end() {
   pages_.reset();
   commands_.reset();
+  if (reloading_.valid())
+    reloading_.wait();
   tails_.close();
   node_ = nullptr;
 }
@@ -116,6 +125,33 @@ std::string NodeWatch::answer(const std::string& question) {
   return to_json(StatusReport{of_.application, of_.folder, getpid(), node.now(),
                               node.status()});
 }
+
+// -- changes ------------------------------------------------------------------
+
+void NodeWatch::reload(Descriptor connection, const std::string& request) {
+  if (reloading_.valid() &&
+      reloading_.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
+    return send_all(connection,
+                    to_json(ReloadReply{{"another reload is going on"}, {}}));
+  // Closed at the end of its answer; the future would keep it for longer.
+  reloading_ =
+      std::async(std::launch::async,
+                 [this, request, held = std::move(connection)]() mutable {
+                   const auto to = std::move(held);
+                   send_all(to, to_json(carry_out(request)));
+                 });
+}
+
+ReloadReply NodeWatch::carry_out(const std::string& request) {
+  const auto wanted = reload_request_from_json(request);
+  if (!wanted)
+    return {{wanted.error().message}, {}};
+  if (!reload_)
+    return {{"this run cannot be changed while it runs"}, {}};
+  return reload_(*wanted);
+}
+
+// -- metrics and health -------------------------------------------------------
 
 MetricsReport NodeWatch::metrics() {
   auto& node = *node_.load();

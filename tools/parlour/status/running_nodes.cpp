@@ -23,9 +23,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Longer than a node waits for its actors.
-constexpr timeval patience{3, 0};
-
 // All until the other end closes; nothing where that does not come in time.
 std::optional<std::string> read_all(const Descriptor& socket) {
   std::string text;
@@ -87,7 +84,8 @@ std::string also_running(const std::vector<std::string>& applications) {
   return text;
 }
 
-Expected<Descriptor> ask(const fs::path& path, const std::string& question) {
+Expected<Descriptor> ask(const fs::path& path, const std::string& question,
+                         Milliseconds patience) {
   Descriptor made(socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0));
   sockaddr_un address{};
   address.sun_family = AF_UNIX;
@@ -99,15 +97,18 @@ Expected<Descriptor> ask(const fs::path& path, const std::string& question) {
       unlink(path.c_str());
     return fail(ErrorKind::network, path.string() + ": " + std::strerror(why));
   }
-  setsockopt(made.get(), SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof patience);
+  const timeval limit{patience.count() / 1'000,
+                      patience.count() % 1'000 * 1'000};
+  setsockopt(made.get(), SOL_SOCKET, SO_RCVTIMEO, &limit, sizeof limit);
   const auto line = question + "\n";
   send(made.get(), line.data(), line.size(), MSG_NOSIGNAL);
   return made;
 }
 
 Expected<std::string> answer_to(const fs::path& path,
-                                const std::string& question) {
-  return ask(path, question)
+                                const std::string& question,
+                                Milliseconds patience) {
+  return ask(path, question, patience)
       .and_then([&](const Descriptor& socket) -> Expected<std::string> {
         if (auto text = read_all(socket))
           return *std::move(text);

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "runtime/base/clock.hpp"
 #include "runtime/base/error.hpp"
 #include "runtime/base/outside/descriptor.hpp"
 #include "tools/parlour/console/places.hpp"
@@ -17,7 +18,9 @@ namespace questions {
 inline constexpr const char* who = "who";
 inline constexpr const char* status = "status";
 inline constexpr const char* metrics = "metrics";
-inline constexpr const char* tail = "tail"; // a blank and a filter follow
+// Of these a blank and JSON follow: a filter, a reload_request.
+inline constexpr const char* tail = "tail";
+inline constexpr const char* reload = "reload";
 } // namespace questions
 
 struct RunningNode {
@@ -40,12 +43,17 @@ std::string also_running(const std::vector<std::string>& applications);
 // several.
 Expected<RunningNode> the_node(const Places& places, const std::string& app);
 
+// Longer than a node waits for its actors.
+inline constexpr Milliseconds usual_patience{3'000};
+
 // Connects and asks. The error has the kind Network.
 Expected<Descriptor> ask(const std::filesystem::path& socket,
-                         const std::string& question);
+                         const std::string& question,
+                         Milliseconds patience = usual_patience);
 // Waits for all of the answer. The error has the kind Timeout.
 Expected<std::string> answer_to(const std::filesystem::path& socket,
-                                const std::string& question);
+                                const std::string& question,
+                                Milliseconds patience = usual_patience);
 // Of each whose socket is in the folder, in the order of their processes. A
 // socket that nobody listens at is removed: its process was killed.
 std::vector<Expected<std::string>>

@@ -69,7 +69,7 @@ std::string question_of(const Descriptor& connection) {
 } // namespace
 
 Expected<std::unique_ptr<StatusServer>>
-StatusServer::open(const fs::path& folder, Tell tell, Follow follow) {
+StatusServer::open(const fs::path& folder, Tell tell, TakenWords taken) {
   if (auto made = make_runtime_folder(folder); !made)
     return tl::make_unexpected(made.error());
   auto path = folder / (std::to_string(getpid()) + ".sock");
@@ -82,13 +82,13 @@ StatusServer::open(const fs::path& folder, Tell tell, Follow follow) {
     return tl::make_unexpected(listener.error());
   }
   return std::unique_ptr<StatusServer>(new StatusServer(
-      std::move(path), *listener, stop, std::move(tell), std::move(follow)));
+      std::move(path), *listener, stop, std::move(tell), std::move(taken)));
 }
 
 StatusServer::StatusServer(fs::path path, int listener, int stop, Tell tell,
-                           Follow follow)
+                           TakenWords taken)
     : path_(std::move(path)), listener_(listener), stop_(stop),
-      tell_(std::move(tell)), follow_(std::move(follow)),
+      tell_(std::move(tell)), taken_(std::move(taken)),
       thread_([this] { serve(); }) {}
 
 StatusServer::~StatusServer() {
@@ -125,16 +125,20 @@ void StatusServer::answer(Descriptor connection) const {
   for (const int what : {SO_SNDTIMEO, SO_RCVTIMEO})
     setsockopt(connection.get(), SOL_SOCKET, what, &patience, sizeof patience);
   const auto question = question_of(connection);
-  const std::string follow = std::string(questions::tail) + " ";
-  if (follow_ && question.starts_with(follow))
-    return follow_(std::move(connection), question.substr(follow.size()));
-  const auto text = tell_(question);
-  for (std::string_view left = text; !left.empty();) {
+  const auto blank = question.find(' ');
+  const auto word = taken_.find(question.substr(0, blank));
+  if (blank != std::string::npos && word != taken_.end())
+    return word->second(std::move(connection), question.substr(blank + 1));
+  send_all(connection, tell_(question));
+}
+
+void send_all(const Descriptor& connection, std::string_view text) {
+  while (!text.empty()) {
     const auto sent =
-        send(connection.get(), left.data(), left.size(), MSG_NOSIGNAL);
+        send(connection.get(), text.data(), text.size(), MSG_NOSIGNAL);
     if (sent <= 0)
       return;
-    left.remove_prefix(static_cast<std::size_t>(sent));
+    text.remove_prefix(static_cast<std::size_t>(sent));
   }
 }
 

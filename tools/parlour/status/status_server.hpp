@@ -5,8 +5,10 @@
 
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <thread>
 
 #include "runtime/base/error.hpp"
@@ -19,14 +21,16 @@ public:
   // Both are called on the server's thread, once for each who connects. Who
   // asks nothing is told, too.
   using Tell = std::function<std::string(const std::string& question)>;
-  // Takes the connection of who asks to follow, with what follows that word.
-  using Follow =
-      std::function<void(Descriptor connection, const std::string& filter)>;
+  // Takes the connection of who asks by a word that needs time, with what
+  // follows that word.
+  using Take =
+      std::function<void(Descriptor connection, const std::string& rest)>;
+  using TakenWords = std::map<std::string, Take>;
 
   // Binds PROCESS.sock in the folder, which is made where it is missing. Errors
   // have the kind File, or Limit where no descriptor is left.
   static Expected<std::unique_ptr<StatusServer>>
-  open(const std::filesystem::path& folder, Tell tell, Follow follow = {});
+  open(const std::filesystem::path& folder, Tell tell, TakenWords taken = {});
   StatusServer(const StatusServer&) = delete;
   StatusServer& operator=(const StatusServer&) = delete;
   // Waits for a call of `tell` that is going on.
@@ -34,7 +38,7 @@ public:
 
 private:
   StatusServer(std::filesystem::path path, int listener, int stop, Tell tell,
-               Follow follow);
+               TakenWords taken);
   void serve();
   void pause() const;
   void answer(Descriptor connection) const;
@@ -43,8 +47,11 @@ private:
   const int listener_;
   const int stop_; // an eventfd
   const Tell tell_;
-  const Follow follow_; // may be empty
-  std::thread thread_;  // last: it uses the others
+  const TakenWords taken_;
+  std::thread thread_; // last: it uses the others
 };
+
+// Who does not read for a second gets no more.
+void send_all(const Descriptor& connection, std::string_view text);
 
 } // namespace parlour::tools

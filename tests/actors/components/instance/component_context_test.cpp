@@ -43,6 +43,7 @@ protected:
               [](const seat_closed&) {},
               [](const session_begins&) { return session_settled{}; },
               [](const session_ended&) {},
+              [](const change_environment&) { return environment_changed(); },
               no_status,
           };
         },
@@ -50,7 +51,7 @@ protected:
   }
 
   Bench bench;
-  PluginEnvironment environment;
+  SharedEnvironment environment;
   ComponentContext context{{bench.time, bench.bus, bench.observer, environment},
                            "Ear",
                            {"Ear", {"ASR"}, "hears"}};
@@ -177,18 +178,34 @@ TEST_F(PluginDoorTest, TellsWhatAnInstanceSaidThatIsGone) {
 }
 
 TEST_F(PluginDoorTest, ShowsWhatThePlatformShares) {
-  environment.data_folder = "/data";
-  environment.application_folder = "/app";
+  PluginEnvironment shared;
+  shared.data_folder = "/data";
+  shared.application_folder = "/app";
+  environment.change(std::make_shared<const PluginEnvironment>(shared));
   EXPECT_EQ(context.data_folder(), "/data");
   EXPECT_EQ(context.application_folder(), "/app");
   EXPECT_EQ(context.clock().now(), nine_o_clock);
   EXPECT_EQ(context.column("db:t.c").error().kind, ErrorKind::database);
-  environment.columns = [](const std::string& name) {
+  shared.columns = [](const std::string& name) {
     return Expected<std::vector<std::string>>({name, "x"});
   };
+  environment.change(std::make_shared<const PluginEnvironment>(shared));
   EXPECT_THAT(*context.column("db:t.c"), ElementsAre("db:t.c", "x"));
   context.log("is deaf");
   EXPECT_THAT(bench.logs, ElementsAre("Ear: is deaf"));
+}
+
+// Who has read what the scripts say of language has to be made anew when they
+// change; whoever asks later is given what counts then.
+TEST_F(PluginDoorTest, RemembersThatLanguageWasRead) {
+  EXPECT_FALSE(context.has_read_language());
+  context.data_folder();
+  EXPECT_FALSE(context.has_read_language());
+  PluginEnvironment changed;
+  changed.understanding = std::make_shared<const UnderstandingModel>();
+  environment.change(std::make_shared<const PluginEnvironment>(changed));
+  EXPECT_EQ(context.understanding(), changed.understanding);
+  EXPECT_TRUE(context.has_read_language());
 }
 
 } // namespace

@@ -184,6 +184,23 @@ TEST(ConversationTakenOver, WhatIsLostIsAnEvent) {
   EXPECT_EQ(world.said(), Texts{"Lost: [the timer 'knock', the timer 'gone']"});
 }
 
+// Its timers are over, and what they were to ring is not taken for its own.
+TEST(ConversationTakenOver, CanBeginInstead) {
+  World world(knocks);
+  world.event("Bell", "Rings");
+  world.repeats = false;
+  world.begin_instead(R"(
+    <state name="Hall"><Entrance><speak param="Welcome."/>
+      <timer name="own" after="9s"><speak param="Own."/></timer>
+    </Entrance></state>)",
+                      from("Hall"));
+  EXPECT_EQ(world.said(), Texts{"Welcome."});
+  world.advance(4s);
+  EXPECT_EQ(world.said(), Texts{});
+  world.advance(5s);
+  EXPECT_EQ(world.said(), Texts{"Own."});
+}
+
 TEST(ConversationTakenOver, ScriptsThatWaitCanBeEnded) {
   World world(R"(
     <handler name="Bell"><messages><component><Bell><Rings>

@@ -56,6 +56,17 @@ TEST_F(SessionHistoryTest, BeginsWithTheSessionWhereNothingIsMissing) {
   EXPECT_TRUE(history.inputs.empty());
 }
 
+// What came before was held with other scripts.
+TEST_F(SessionHistoryTest, BeginsAtAChangeOfTheProgram) {
+  take(opened, HistoryFrom::beginning);
+  take(input, HistoryFrom::beginning);
+  EXPECT_TRUE(take({"s", StateKept{{9, 8, true}, 1, "other", {}}},
+                   HistoryFrom::beginning));
+  EXPECT_EQ(history.opened.program, 9u);
+  EXPECT_EQ(history.before, 1u);
+  EXPECT_TRUE(history.inputs.empty());
+}
+
 TEST_F(SessionHistoryTest, WhatFollowsNothingIsNoHistory) {
   EXPECT_FALSE(take(input));
   EXPECT_FALSE(SessionHistoryTest::take({"s", EffectsDone{1}}) &&

@@ -37,7 +37,7 @@ protected:
     options.inspect_all = false;
     options.on_inspection = [this](const auto& seen) { watch.see(seen); };
     node = std::move(*actors::Node::start(std::move(options)));
-    watch.connect(*node, [] {
+    watch.connect(*node, {}, [] {
       return Metrics{metric("visitors", MetricKind::gauge, "Here.", 7)};
     });
     seat = node->open_seat({});

@@ -11,14 +11,14 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include "adapters/database/sqlite/sqlite_origin.hpp"
 #include "tools/parlour/application/agent_listener.hpp"
 #include "tools/parlour/application/data_folder.hpp"
+#include "tools/parlour/application/live_application.hpp"
 #include "tools/parlour/application/node_options.hpp"
-#include "tools/parlour/application/opening.hpp"
-#include "tools/parlour/application/plugins/shipped_plugin.hpp"
 #include "tools/parlour/application/seat_check.hpp"
 #include "tools/parlour/cli/commands.hpp"
+#include "tools/parlour/cli/reload.hpp"
+#include "tools/parlour/cli/run/run_preparation.hpp"
 #include "tools/parlour/console/descriptor_source.hpp"
 #include "tools/parlour/console/exit_code.hpp"
 #include "tools/parlour/console/notes.hpp"
@@ -38,42 +38,6 @@ namespace parlour::tools {
 
 namespace {
 
-// --fresh: renames the databases of the SQLite components, so that they are
-// made anew from schema and seed. A server's database is never dropped.
-Expected<void> put_databases_aside(const Application& application,
-                                   const std::filesystem::path& data) {
-  for (const auto& component : application.composition.components) {
-    const auto kept =
-        shipped_plugin(component.factory.description.name).kept_file;
-    const auto file =
-        kept ? kept(component.options, application.folder, data.string())
-             : std::filesystem::path();
-    if (file.empty())
-      continue; // what is wrong is reported when the component starts
-    if (auto done = adapters::put_aside(file); !done)
-      return done;
-  }
-  return {};
-}
-
-// What hears and speaks must be there when a run begins; later it may go and
-// come back. False: the errors were printed.
-bool can_talk(const Application& application, const RunOptions& options,
-              const std::filesystem::path& data, const Console& console) {
-  const auto errors =
-      seat_errors(application.composition, application.folder, data);
-  for (const auto& error : errors)
-    say_error(console, error.message);
-  if (!errors.empty())
-    say_error(console,
-              fmt::format("{} is not started: it cannot talk by voice. "
-                          "parlour devices lists what there is; sound files "
-                          "can take the place of devices: --microphone "
-                          "FILE.wav --speaker FILE.wav (docs/speech.md)",
-                          options.app));
-  return errors.empty();
-}
-
 VoiceProgress::Roles roles_of(const Composition& composition) {
   VoiceProgress::Roles roles;
   for (const auto& component : composition.components)
@@ -86,11 +50,11 @@ VoiceProgress::Roles roles_of(const Composition& composition) {
 // members that callbacks use (printer_, notes_, screen_) outlive the node.
 class Run {
 public:
-  Run(const Application& application, const RunOptions& options,
-      const Console& console, const std::filesystem::path& data,
-      const std::filesystem::path& sockets, SignalWatch& signals)
-      : application_(application), options_(options), console_(console),
-        data_(data), sockets_(sockets), signals_(signals),
+  Run(const Application& application, const Places& places,
+      const RunOptions& options, const Console& console,
+      const std::filesystem::path& data, SignalWatch& signals)
+      : application_(application), places_(places), options_(options),
+        console_(console), data_(data), signals_(signals),
         printer_(console.out, console.err, [this] { signals_.raise_closed(); }),
         notes_(console, printer_, data / "log"),
         hearing_(names_of_role(application.composition, "Microphone")),
@@ -107,6 +71,7 @@ public:
     auto agents = listen();
     if (!agents)
       return give_up(agents.error());
+    agents_ = std::move(*agents);
     auto tap = open_tap(application_.program->settings.agents, options_.taps);
     if (!tap)
       return give_up(tap.error());
@@ -114,7 +79,7 @@ public:
     if (tap_)
       notes_.show("taps connect at " + tap_->address());
     progress(voice_.line());
-    auto journaled = with_journal(options(std::move(*agents)),
+    auto journaled = with_journal(options(application_),
                                   {options_.journal, options_.strict});
     if (!journaled)
       return give_up(journaled.error());
@@ -176,12 +141,12 @@ private:
   }
 
   // Options of the node; its callbacks come from threads of the node.
-  actors::NodeOptions options(Agents agents) {
-    auto made = node_options(application_, application_.composition,
+  actors::NodeOptions options(const Application& application) {
+    auto made = node_options(application, application.composition,
                              {.data_folder = data_.string(),
                               .virtual_start = options_.clock,
                               .seed = options_.seed,
-                              .agents = std::move(agents)});
+                              .agents = agents_});
     made.inspect_all = options_.trace || tap_ || options_.voice;
     made.trace_actors = options_.trace_actors;
     made.on_inspection = [this](const Inspection& seen) { watch(seen); };
@@ -251,9 +216,11 @@ private:
   }
 
   Expected<void> let_watch(actors::Node& node) {
-    watch_.connect(node);
+    watch_.connect(node, [this, &node](const ReloadRequest& request) {
+      return reload(live_, node, request);
+    });
     return watch_.serve(
-        sockets_, options_.metrics,
+        runtime_folder(places_), options_.metrics,
         [this](const std::string& line) { log(line); },
         [this](const std::string& line) { note(line); });
   }
@@ -337,10 +304,10 @@ private:
   }
 
   const Application& application_;
+  const Places& places_;
   const RunOptions& options_;
   const Console& console_;
   std::filesystem::path data_;
-  std::filesystem::path sockets_; // of who can be asked
   SignalWatch& signals_;
   Printer printer_;
   Notes notes_;
@@ -350,7 +317,15 @@ private:
   std::unique_ptr<adapters::agents::MessageTap> tap_; // null: nobody taps
   std::vector<dialogue::SavedSession> left_; // by a run that was killed
   std::atomic<Screen*> screen_ = nullptr;    // set while a terminal is used
-  NodeWatch watch_;
+  Agents agents_;                            // null: none can connect
+  LiveApplication live_{
+      application_,
+      [this](const Console& console) {
+        return open_for_run(places_, options_, application_.folder.string(),
+                            console);
+      },
+      [this](const Application& changed) { return options(changed); }};
+  NodeWatch watch_;                // ends before what it calls
   int ended_ = exit_code::success; // exit status, from a signal
   bool has_stopped_ = true;        // whether node.stop() succeeded
 };
@@ -366,12 +341,7 @@ int run_command(const Places& places, const RunOptions& options,
   SignalWatch signals;
   // Before the conversation starts, a signal may end the process at once.
   signals.on_interrupt([&] { end_now(signals.status()); });
-  auto opened = options.voice
-                    ? open_application(places, options.app, console,
-                                       {options.microphone, options.speaker,
-                                        options.push_to_talk, options.talk_key,
-                                        options.wake})
-                    : open_application(places, options.app, console);
+  auto opened = open_for_run(places, options, options.app, console);
   if (const auto* status = std::get_if<int>(&opened))
     return *status;
   const auto& application = std::get<Application>(opened);
@@ -392,8 +362,7 @@ int run_command(const Places& places, const RunOptions& options,
     }
   if (options.voice && !can_talk(application, options, data->path(), console))
     return exit_code::wrong;
-  return Run(application, options, console, data->path(),
-             runtime_folder(places), signals)
+  return Run(application, places, options, console, data->path(), signals)
       .run();
 }
 

@@ -11,9 +11,11 @@
 
 #include "adapters/loop/wait_until_ready.hpp"
 #include "tools/parlour/application/data_folder.hpp"
+#include "tools/parlour/application/live_application.hpp"
 #include "tools/parlour/application/node_options.hpp"
 #include "tools/parlour/application/opening.hpp"
 #include "tools/parlour/cli/commands.hpp"
+#include "tools/parlour/cli/reload.hpp"
 #include "tools/parlour/console/exit_code.hpp"
 #include "tools/parlour/console/signal_watch.hpp"
 #include "tools/parlour/console/terminal_mode.hpp"
@@ -35,19 +37,19 @@ constexpr Milliseconds drain_time{30'000};
 
 class Service {
 public:
-  Service(const Application& application, const ServeOptions& options,
-          const Console& console, const std::filesystem::path& data,
-          const std::filesystem::path& sockets, SignalWatch& signals)
-      : application_(application), options_(options), console_(console),
-        data_(data), sockets_(sockets), signals_(signals),
+  Service(const Application& application, const Places& places,
+          const ServeOptions& options, const Console& console,
+          const std::filesystem::path& data, SignalWatch& signals)
+      : application_(application), places_(places), options_(options),
+        console_(console), data_(data), signals_(signals),
         watch_({application.name(), application.folder.string(),
                 roles_by_component(application.composition)}) {}
 
   int run() {
     for (const auto& notice : application_.composition.notices)
       say_warning(console_, notice);
-    auto journaled =
-        with_journal(node_options(), {options_.journal, options_.strict});
+    auto journaled = with_journal(node_options(application_),
+                                  {options_.journal, options_.strict});
     if (!journaled)
       return give_up(journaled.error());
     for (const auto& notice : journaled->recovered.notices)
@@ -85,11 +87,11 @@ private:
     console_.err << text << std::endl;
   }
 
-  actors::NodeOptions node_options() {
+  actors::NodeOptions node_options(const Application& application) {
     const auto composition = options_.rehearsed
-                                 ? rehearsed(application_.composition)
-                                 : application_.composition;
-    auto made = tools::node_options(application_, composition,
+                                 ? rehearsed(application.composition)
+                                 : application.composition;
+    auto made = tools::node_options(application, composition,
                                     {.data_folder = data_.string(),
                                      .virtual_start = {},
                                      .seed = options_.seed});
@@ -159,19 +161,30 @@ private:
 
   Expected<void> let_watch(actors::Node& node, web::TextServer& server) {
     const auto tell = [this](const std::string& line) { note(line); };
-    watch_.connect(node, [&server] { return metrics_of(server.counts()); });
-    return watch_.serve(sockets_, options_.metrics, tell, tell);
+    watch_.connect(
+        node,
+        [this, &node](const ReloadRequest& request) {
+          return reload(live_, node, request);
+        },
+        [&server] { return metrics_of(server.counts()); });
+    return watch_.serve(runtime_folder(places_), options_.metrics, tell, tell);
   }
 
   const Application& application_;
+  const Places& places_;
   const ServeOptions& options_;
   const Console& console_;
   const std::filesystem::path data_;
-  const std::filesystem::path sockets_; // of who can be asked
   SignalWatch& signals_;
   std::mutex mutex_; // of what is noted
   std::size_t sessions_ = 0;
-  NodeWatch watch_;
+  LiveApplication live_{
+      application_,
+      [this](const Console& console) {
+        return open_application(places_, application_.folder.string(), console);
+      },
+      [this](const Application& changed) { return node_options(changed); }};
+  NodeWatch watch_; // ends before what it calls
 };
 
 // With --rehearsed nothing is kept.
@@ -203,8 +216,7 @@ int serve_command(const Places& places, const ServeOptions& options,
     return exit_code::wrong;
   }
   signals.on_interrupt(nullptr);
-  return Service(application, options, console, data->path(),
-                 runtime_folder(places), signals)
+  return Service(application, places, options, console, data->path(), signals)
       .run();
 }
 

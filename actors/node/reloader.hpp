@@ -1,0 +1,73 @@
+// Reloader: takes a running node over to a changed application (engine rule
+// 7.13).
+#pragma once
+
+#include <map>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include <caf/actor_system.hpp>
+
+#include "actors/components/instance/plugin_environment.hpp"
+#include "actors/node/changed_application.hpp"
+#include "actors/node/scheduler.hpp"
+#include "actors/protocol/interfaces.hpp"
+#include "actors/routing/message_bus.hpp"
+
+namespace parlour::actors {
+
+// First the components, as one that does not start must leave all as it was;
+// then the routes, then the conversations.
+class Reloader {
+public:
+  // What is referred to belongs to the node, which outlives this.
+  struct Parts {
+    caf::actor_system& system;
+    Scheduler& scheduler;
+    NodeTime& time;
+    MessageBus& bus;
+    const SharedEnvironment& environment;
+    supervisor_actor supervisor;
+    session_manager_actor manager;
+  };
+  // `first`: what the node was started with.
+  Reloader(Parts parts, ChangedApplication first);
+
+  // As Node says.
+  Expected<ReloadOutcome> reload(ChangedApplication to, ReloadMode mode);
+
+private:
+  // A plug-in by the name of the component that it was loaded as.
+  using Readers = std::map<std::string, std::string>;
+
+  // Nothing where the node stops before there is an answer.
+  template <class Answer, class Actor, class What>
+  std::optional<Answer> ask(const Actor& actor, What what);
+  // Asks the supervisor; the error is that the component does not start.
+  template <class What>
+  Expected<void> order(What what);
+  Readers change_environment(SharedEnvironment::Pointer to);
+  // One component of the settings; its name goes to `loaded`.
+  Expected<void> load(const ComponentOrder& order,
+                      std::vector<std::string>& loaded);
+  Expected<void> load_changed(const ChangedApplication& to,
+                              const Readers& readers,
+                              std::vector<std::string>& loaded);
+  // What was loaded is as before.
+  void take_back(const SharedEnvironment::Pointer& environment,
+                 const std::vector<std::string>& loaded);
+
+  const Parts parts_;
+  std::mutex mutex_; // of what follows: one change at a time
+  ChangedApplication current_;
+  const bool hides_; // what is private
+};
+
+// Those that others read from when they start.
+bool starts_first(const ComponentOrder& order);
+// By their names; null where there is none.
+const ComponentOrder* find_order(const std::vector<ComponentOrder>& all,
+                                 const std::string& name);
+
+} // namespace parlour::actors

@@ -1,0 +1,44 @@
+// ProgramChange: the scripts that the sessions of a node go over to (engine
+// rule 7.13), made once for all of them.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <mutex>
+
+#include "actors/protocol/reload.hpp"
+#include "actors/sessions/session_parts.hpp"
+#include "script/dialogue/saved/renames.hpp"
+
+namespace parlour::actors {
+
+// Sessions use it on their own threads.
+class ProgramChange {
+public:
+  // `mode` is not new_only.
+  ProgramChange(std::shared_ptr<const SessionParts> parts, ReloadMode mode)
+      : parts_(std::move(parts)), mode_(mode) {}
+
+  // What a session is made with from then on.
+  const std::shared_ptr<const SessionParts>& parts() const {
+    return parts_;
+  }
+  ReloadMode mode() const {
+    return mode_;
+  }
+  // From the program that a session has: not the same for all, where an earlier
+  // change has not reached some. Made for the first session that asks.
+  std::shared_ptr<const dialogue::Renames>
+  renames_from(const std::shared_ptr<const script::Program>& program) const;
+
+private:
+  const std::shared_ptr<const SessionParts> parts_;
+  const ReloadMode mode_;
+  mutable std::mutex mutex_;
+  // Each keeps its program alive.
+  mutable std::map<const script::Program*,
+                   std::shared_ptr<const dialogue::Renames>>
+      renames_;
+};
+
+} // namespace parlour::actors

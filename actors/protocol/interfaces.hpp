@@ -19,6 +19,7 @@
 #include "actors/protocol/actor_status.hpp"
 #include "actors/protocol/component_order.hpp"
 #include "actors/protocol/due_times.hpp"
+#include "actors/protocol/host_calls.hpp"
 #include "actors/protocol/in_flight.hpp"
 #include "actors/protocol/reload.hpp"
 #include "actors/protocol/session_questions.hpp"
@@ -139,9 +140,17 @@ struct retire {
   InFlight work;
 };
 
+// A timer of a session is due: the session hears of it behind all that had come
+// before. Else silence would seem to be over while words wait to be passed on.
+struct ring {
+  session_actor session;
+  timer_due what;
+};
+
 using message_centre_actor =
     caf::typed_actor<caf::reacts_to<publish>, caf::reacts_to<distribute>,
-                     caf::reacts_to<retire>, tells_status>;
+                     caf::reacts_to<retire>, caf::reacts_to<ring>,
+                     tells_status>;
 
 // -- what a session spawns ----------------------------------------------------
 
@@ -184,26 +193,6 @@ using query_actor = caf::typed_actor<caf::reacts_to<component_event>,
 // Identifies one instance of a component; never used again. 0: none.
 using InstanceId = std::uint64_t;
 
-// Make and start the plug-in; instance_started follows.
-struct start_component {};
-// The component_mailbox is no longer empty: take messages from it.
-struct mailbox_ready {};
-// The plug-in wants to be called back after a delay. `action` is its own code,
-// which only the host's thread may run, so it has to be a function. `due` goes
-// with the message if no host takes it.
-struct run_after {
-  Milliseconds delay;
-  std::shared_ptr<const DueTicket> due;
-  std::function<void()> action;
-  InFlight work;
-};
-// The delay of a run_after is over; the host sends this to itself.
-struct run_now {
-  std::shared_ptr<const DueTicket> due;
-  std::function<void()> action;
-};
-// Stop the plug-in and end; instance_stopped follows.
-struct stop_component {};
 using component_host_actor =
     caf::typed_actor<caf::reacts_to<start_component>,
                      caf::reacts_to<mailbox_ready>, caf::reacts_to<run_after>,

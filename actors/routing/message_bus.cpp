@@ -171,8 +171,21 @@ void MessageBus::carry(Message&& message, Way& way, int depth,
   unreached(routed);
   for (auto& delivery : routed.deliveries)
     deliver(delivery, way, depth, answers);
+  if (routed.deliveries.empty() && answers == Answers::yes)
+    answer_for_nobody(routed.unreached, way, depth);
   if (routed.for_session)
     way.for_sessions.push_back(std::move(*routed.for_session));
+}
+
+// Whoever asks has made sure that somebody is there; but he may have gone
+// since.
+void MessageBus::answer_for_nobody(const std::vector<Unreached>& unreached,
+                                   Way& way, int depth) {
+  if (unreached.empty())
+    return;
+  const auto& [sink, message] = unreached.front();
+  if (auto answer = answer_for_failed(sink, *message, "nobody is there for it"))
+    carry(std::move(*answer), way, depth + 1, Answers::no);
 }
 
 // Each message is answered once: by its component, or for it.
@@ -215,6 +228,14 @@ std::optional<Message> MessageBus::hand_over(const Target& target,
   const auto reason = target.name + " " + why;
   unhandled(*job.message, reason);
   return answer_for_failed(target.name, *job.message, reason);
+}
+
+// Without a centre nothing else can be on its way to the session.
+void MessageBus::ring(const session_actor& session, timer_due what) {
+  if (const auto centre = centre_.load())
+    caf::anon_send(*centre, actors::ring{session, std::move(what)});
+  else
+    caf::anon_send(session, std::move(what));
 }
 
 void MessageBus::retire(session_actor session, InFlight work) {

@@ -118,6 +118,8 @@ public:
   // it waits for one.
   std::optional<Message> hand_over(const Target& target,
                                    ComponentMailbox::Job job);
+  // A timer of the session is due: the centre tells it.
+  void ring(const session_actor& session, timer_due what);
   // The centre lets a session go that nobody finds any more, once it has what
   // was sent to it before.
   void retire(session_actor session, InFlight work);
@@ -168,6 +170,8 @@ private:
   void carry(Message&& message, Way& way, int depth = 0,
              Answers answers = Answers::yes);
   void deliver(Delivery& delivery, Way& way, int depth, Answers answers);
+  void answer_for_nobody(const std::vector<Unreached>& unreached, Way& way,
+                         int depth);
   void pass_to_centre(std::vector<Message> messages);
 
   NodeTime& time_;

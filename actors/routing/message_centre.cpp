@@ -84,6 +84,7 @@ message_centre_actor::behavior_type message_centre(
         give(self, std::move(what.messages), what.work);
       },
       [=](const retire& what) { self->send(what.session, leave{what.work}); },
+      [=](const ring& what) { self->send(what.session, what.what); },
       [=](const get_status& what) {
         return tell_status(self, what, {{}, counted(bus->counters())});
       });

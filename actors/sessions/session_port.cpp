@@ -154,7 +154,7 @@ void SessionPort::start_timer(dialogue::TimerId id, Timestamp due) {
   const auto after = std::max(due - time_.now(), Timestamp{0});
   auto entry = time_.due_times.add(due, DueTimes::Of::session);
   auto actor =
-      self_->spawn(timer, &time_, session_actor(self_),
+      self_->spawn(timer, &time_, &bus_, session_actor(self_),
                    TimerOrder{id, Milliseconds(after), entry,
                               trace_of(timer_state::name, std::to_string(id))});
   timers_.emplace(id, Timer{std::move(actor), entry});

@@ -9,7 +9,7 @@ namespace parlour::actors {
 
 timer_actor::behavior_type
 timer(timer_actor::stateful_pointer<timer_state> self, NodeTime* time,
-      session_actor session, TimerOrder order) {
+      MessageBus* bus, session_actor session, TimerOrder order) {
   self->state.ticket = DueTicket(time->due_times, order.due);
   if (order.after > Milliseconds::zero())
     self->delayed_send(self, order.after, timer_expired{});
@@ -19,7 +19,7 @@ timer(timer_actor::stateful_pointer<timer_state> self, NodeTime* time,
       order.trace,
       [=](const timer_expired&) {
         // The session's work begins before the due time goes with this actor.
-        self->send(session, timer_due{order.id, time->work.begin()});
+        bus->ring(session, {order.id, time->work.begin()});
         self->quit();
       },
       [=](const cancel_timer&) { self->quit(); },

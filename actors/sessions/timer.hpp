@@ -3,6 +3,7 @@
 #pragma once
 
 #include "actors/protocol/interfaces.hpp"
+#include "actors/routing/message_bus.hpp"
 #include "actors/support/actor_trace.hpp"
 #include "actors/support/node_time.hpp"
 
@@ -23,6 +24,6 @@ struct TimerOrder {
 
 timer_actor::behavior_type
 timer(timer_actor::stateful_pointer<timer_state> self, NodeTime* time,
-      session_actor session, TimerOrder order);
+      MessageBus* bus, session_actor session, TimerOrder order);
 
 } // namespace parlour::actors

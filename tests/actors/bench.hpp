@@ -182,6 +182,7 @@ public:
               [=](const retire& what) {
                 self->send(what.session, leave{what.work});
               },
+              [=](const ring& what) { self->send(what.session, what.what); },
               no_status,
           };
         },

@@ -55,6 +55,21 @@ TEST(MessageBus, AnswerOnceForComponentsThatAreDown) {
   EXPECT_EQ(bench.bus.counters().unhandled, 2u);
 }
 
+// It was there when the sender looked.
+TEST(MessageBus, AnswerForWhomNobodyFillsAnyMore) {
+  Bench bench;
+  bench.bus.connect(bench.centre_probe());
+  auto book = event("Bell", "Book");
+  book.sinks = {"Taxi", "Robot"};
+  bench.bus.publish({book}); // nobody waits for an answer
+  bench.run();
+  EXPECT_THAT(bench.seen, testing::IsEmpty());
+  book.correlation = 7;
+  bench.bus.publish({book});
+  bench.run();
+  EXPECT_THAT(bench.seen, ElementsAre("Taxi.Failed(nobody is there for it)"));
+}
+
 TEST(MessageBus, AnswersAtOnceForAMailboxThatIsClosed) {
   Bench bench;
   const auto target = bench.target("City", {"Taxi"});

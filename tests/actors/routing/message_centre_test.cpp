@@ -1,4 +1,5 @@
 #include "actors/routing/message_centre.hpp"
+#include "tests/actors/bench.hpp"
 #include "tests/actors/node_fixture.hpp"
 
 namespace parlour::actors {
@@ -38,6 +39,25 @@ TEST_F(MessageCentreTest, GivesWhatHasNoSessionToThoseWhoSubscribed) {
   node->run_until_quiet();
   EXPECT_THAT(said(), ElementsAre("touched"));
   EXPECT_EQ(node->counters().unhandled, 0u);
+}
+
+// Words that came before a timer's moment are heard before it rings, however
+// late the centre comes to them: silence is not over while somebody's words
+// wait.
+TEST(MessageCentre, TellsOfTimersBehindWhatHasComeBefore) {
+  Bench bench;
+  SessionDirectory sessions;
+  const auto session = bench.session_probe("visitor");
+  sessions.add("s", session, bench.seat_probe());
+  bench.bus.connect(bench.system->spawn(message_centre, &bench.bus, &sessions,
+                                        session_manager_actor()));
+  auto words = from("Ear", "RecognitionResult");
+  words.session = "s";
+  bench.bus.bring_in({words});
+  bench.bus.ring(session, {7, bench.time.work.begin()});
+  bench.run();
+  EXPECT_THAT(bench.seen, ElementsAre("visitor gets Ear.RecognitionResult()",
+                                      "visitor rings 7"));
 }
 
 TEST_F(MessageCentreTest, RelaysToComponents) {

@@ -125,7 +125,8 @@ TEST_F(SessionPortTest, AnswersForAnInlineComponentThatThrows) {
 }
 
 TEST_F(SessionPortTest, CountsAndLogsOnceWhatNobodyTakes) {
-  EXPECT_THAT(post(), IsEmpty());
+  EXPECT_THAT(post(),
+              ElementsAre("s1 NLG.Failed(nobody is there for it) to 4"));
   with_port([](SessionPort& port) { port.unhandled(event("Bell", "Rings")); });
   EXPECT_EQ(bench.bus.counters().unhandled, 2u);
   EXPECT_THAT(bench.logs, ElementsAre(HasSubstr("nobody is there for NLG"),

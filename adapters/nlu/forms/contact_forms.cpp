@@ -27,7 +27,8 @@ std::string written_digits(std::string_view word) {
   return digits;
 }
 
-// Reads "double five", "nine" or "9123"; empty if no digit follows.
+// Reads "double five", "nine", "ninety one" or "9123"; empty if no digit
+// follows.
 std::string next_digits(FormReader& reader) {
   const auto start = reader.position();
   if (reader.skip("plus"))
@@ -42,6 +43,9 @@ std::string next_digits(FormReader& reader) {
     reader.advance();
     return digits;
   }
+  reader.go_back(start);
+  if (const auto pair = two_digits(reader); pair != 0)
+    return std::to_string(pair);
   reader.go_back(start);
   return {};
 }

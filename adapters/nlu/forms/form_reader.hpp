@@ -118,6 +118,10 @@ private:
 // Reads "double" or "triple" before a digit. Returns 1 if there is neither.
 std::size_t repeats(FormReader& reader);
 
+// Reads a number from 10 to 99 in words, such as people say for two digits; 0
+// if there is none.
+std::int64_t two_digits(FormReader& reader);
+
 // Reads a number that is said as digits: one by one ("four seven one one",
 // "double four seven") or two by two ("forty seven eleven"). Two digits are
 // enough only if nothing else is said. Nothing if it is an ordinary number,

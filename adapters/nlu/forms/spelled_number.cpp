@@ -17,6 +17,7 @@ struct Spelled {
   bool sure = false;
 };
 
+// Behind the first digits there may be pairs: "two one oh, thirty six".
 Spelled one_by_one(FormReader& reader) {
   Spelled made;
   while (made.digits.size() < max_digits) {
@@ -25,21 +26,19 @@ Spelled one_by_one(FormReader& reader) {
     const auto digit = digit_of(reader.word());
     if (!digit) {
       reader.go_back(start);
-      break;
+      const auto pair = made.digits.size() < 2 ? 0 : two_digits(reader);
+      if (pair == 0) {
+        reader.go_back(start);
+        break;
+      }
+      made.digits += std::to_string(pair);
+      continue;
     }
     reader.advance();
     made.digits.append(count, static_cast<char>('0' + *digit));
     made.sure = made.sure || count > 1;
   }
   return made;
-}
-
-// Reads a number from 10 to 99 in words; 0 if there is none.
-std::int64_t two_digits(FormReader& reader) {
-  const auto number = reader.number();
-  const bool fits = number && !number->ordinal && !number->digits &&
-                    number->value >= 10 && number->value < 100;
-  return fits ? number->value : 0;
 }
 
 // Whether the number goes on in a way that makes it an ordinary one, whose
@@ -59,6 +58,13 @@ std::size_t repeats(FormReader& reader) {
   if (reader.skip("double"))
     return 2;
   return reader.skip("triple") ? 3 : 1;
+}
+
+std::int64_t two_digits(FormReader& reader) {
+  const auto number = reader.number();
+  const bool fits = number && !number->ordinal && !number->digits &&
+                    number->value >= 10 && number->value < 100;
+  return fits ? number->value : 0;
 }
 
 std::optional<std::int64_t> spelled_number(FormReader& reader) {

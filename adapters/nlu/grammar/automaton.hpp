@@ -90,6 +90,10 @@ struct RuleInfo {
 // Built by AutomatonBuilder, then only read, by any number of threads.
 struct Automaton {
   TextMap<WordNumber> vocabulary;
+  // The words of the vocabulary as which a word may be read besides itself
+  // (synonyms.hpp), whether it is in the vocabulary or not.
+  using Synonyms = std::vector<WordNumber>;
+  TextMap<Synonyms> synonyms;
   // State 0 is the start of every rule.
   std::vector<State> states;
   // Lists of actions, to which arcs refer by number. List 0 is empty.
@@ -102,6 +106,11 @@ struct Automaton {
   WordNumber word(std::string_view text) const {
     const auto found = vocabulary.find(text);
     return found == vocabulary.end() ? unknown_word : found->second;
+  }
+  // Null where it has none.
+  const Synonyms* synonyms_of(std::string_view text) const {
+    const auto found = synonyms.find(text);
+    return found == synonyms.end() ? nullptr : &found->second;
   }
 };
 

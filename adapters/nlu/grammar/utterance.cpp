@@ -171,6 +171,7 @@ Utterance make_utterance(std::string_view text, const Automaton& automaton) {
   for (std::size_t at = 0; at < size; ++at) {
     const auto& word = made.tokens.list[at].word;
     made.words.push_back(automaton.word(word));
+    made.synonyms.push_back(automaton.synonyms_of(word));
     made.function.push_back(is_function_word(word));
     // A word that a grammar uses is not part of a name that is unknown.
     made.plain.push_back(made.filler[at] || made.function[at] ||

@@ -18,6 +18,8 @@ struct Utterance {
   std::string_view text;
   Tokens tokens;
   std::vector<WordNumber> words;
+  // As which other words they may be read; of the automaton, null for none.
+  std::vector<const Automaton::Synonyms*> synonyms;
   // Has no meaning: "er", "by the way".
   std::vector<bool> filler;
   // Has no meaning by itself: "to", "the".

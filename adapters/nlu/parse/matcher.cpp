@@ -121,11 +121,20 @@ void Matcher::skip(std::size_t position, const Item& item) {
   items_[position + 1].push_back(next);
 }
 
-// Follows the arcs that take this word.
+// A synonym is worth a little less than the word that the rule has.
+constexpr float synonym_cost = 0.1F;
+
 void Matcher::take_word(std::size_t position, const Item& item) {
-  const auto word = utterance_.words[position];
-  if (word == unknown_word)
-    return;
+  if (const auto word = utterance_.words[position]; word != unknown_word)
+    follow_word(position, item, word, 0);
+  if (const auto* synonyms = utterance_.synonyms[position])
+    for (const auto word : *synonyms)
+      follow_word(position, item, word, synonym_cost);
+}
+
+// Follows the arcs that take this word.
+void Matcher::follow_word(std::size_t position, const Item& item,
+                          WordNumber word, float cost) {
   const auto here = static_cast<std::uint32_t>(position);
   for (const auto& arc : arcs_of(automaton_.states[item.state].words, word)) {
     ++work_;
@@ -137,7 +146,7 @@ void Matcher::take_word(std::size_t position, const Item& item) {
     next.weak = false;
     next.words = static_cast<std::uint8_t>(std::min(item.words + 1, 250));
     const auto weight = utterance_.weight[position];
-    next.score += std::max(weight, filler_gain) + arc.weight;
+    next.score += std::max(weight, filler_gain) + arc.weight - cost;
     next.covered += weight;
     // Punctuation before the first word of a match costs nothing.
     if (position > item.begin)

@@ -93,6 +93,8 @@ private:
   void step(std::size_t position, const Item& item);
   void skip(std::size_t position, const Item& item);
   void take_word(std::size_t position, const Item& item);
+  void follow_word(std::size_t position, const Item& item, WordNumber word,
+                   float cost);
   void take_entities(std::size_t position, const Item& item);
   void take_entity(std::size_t position, const Item& item, const Arc& arc);
   void take_span(const Item& item, const Arc& arc, std::uint32_t index,

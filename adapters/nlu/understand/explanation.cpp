@@ -73,7 +73,8 @@ std::string Explanation::tokens() const {
     line += ' ' + utterance_.tokens.list[at].word;
     if (utterance_.filler[at])
       line += "(filler)";
-    else if (utterance_.words[at] == unknown_word && !utterance_.function[at])
+    else if (utterance_.words[at] == unknown_word && !utterance_.synonyms[at] &&
+             !utterance_.function[at])
       line += "(?)";
   }
   if (utterance_.tokens.truncated)

@@ -172,6 +172,19 @@ void read_threshold(const Options& options, double& threshold,
          {}});
 }
 
+// None where an application has a generic grammar of its own and no platform.
+std::vector<SynonymGroup> platform_synonyms(const Options& options,
+                                            std::vector<Error>& errors) {
+  const auto platform = option(options, "platform");
+  if (platform.empty())
+    return {};
+  const auto text = read_file(platform + "/synonyms.txt");
+  if (text)
+    return read_synonyms(*text);
+  errors.push_back(text.error());
+  return {};
+}
+
 // Adds the examples of a file to those of the topics.
 void read_examples(const Options& options,
                    const std::string& application_folder,
@@ -201,6 +214,7 @@ build_engine(const Options& options, UnderstandingModel model,
     wanted.generic = {std::move(*generic)};
   else
     errors.push_back(generic.error());
+  wanted.synonyms = platform_synonyms(options, errors);
   read_examples(options, application_folder, model, errors);
   auto built = NluEngine::build(model, columns, std::move(wanted));
   if (!built)

@@ -261,6 +261,10 @@ NluEngine::build(const UnderstandingModel& model, const ColumnReader& columns,
       TrainedModel::train(model.topics, schema, automaton, options.threshold);
   if (!learned)
     return tl::make_unexpected(std::vector{learned.error()});
+  // Not before: what is learnt is learnt of the words of the examples.
+  add_synonyms(
+      options.synonyms,
+      [&](auto word) { return schema.values().has_word(word); }, automaton);
   return NluEngine(std::unique_ptr<const Implementation>(
       new Implementation{std::move(schema), std::move(automaton),
                          std::move(*learned), options.threshold}));

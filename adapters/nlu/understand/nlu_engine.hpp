@@ -14,6 +14,7 @@
 
 #include <tl/expected.hpp>
 
+#include "adapters/nlu/grammar/synonyms.hpp"
 #include "adapters/nlu/understand/understood.hpp"
 #include "runtime/message/understanding.hpp"
 
@@ -26,6 +27,8 @@ public:
     double threshold = 0.4;
     // The platform's grammars: yes, no, help …
     std::vector<GrammarModel> generic;
+    // By which words that no grammar has are understood.
+    std::vector<SynonymGroup> synonyms = {};
   };
 
   // Compiles grammars, reads columns and learns examples, which may take

@@ -52,6 +52,11 @@ public:
   std::vector<ValueMatch> find(const Tokens& tokens,
                                const std::vector<bool>& plain) const;
 
+  // Whether some value has this word, as it is or in the other number.
+  bool has_word(std::string_view word) const {
+    return !words_.find(word, false).empty();
+  }
+
   const std::string& value(SetId set, std::uint32_t number) const {
     return values_[sets_[set].first + number].text;
   }

@@ -95,14 +95,34 @@ void Visitor::welcome(std::uint64_t process) {
   go_on();
 }
 
+// An `R~` line is about as many outputs as its pattern matches, a line each
+// (docs/test.md). What comes belongs to the next line, if that is what it says;
+// else to the pattern before; else the next pattern may want more.
 void Visitor::said(const std::string& text) {
   const auto& answers = turn().answers;
-  if (heard_ == answers.size())
-    return is_wrong(nullptr, text);
-  const auto* expected = answers[heard_++];
-  if (!is_as_expected(*expected, text))
-    return is_wrong(expected, text);
-  go_on();
+  waiting_.push_back(text);
+  if (heard_ < answers.size() &&
+      is_as_expected(*answers[heard_], as_lines(waiting_))) {
+    ++heard_;
+    taken_ = std::exchange(waiting_, {});
+    return go_on();
+  }
+  if (waiting_.size() == 1 && belongs_to_last(text)) {
+    taken_.push_back(std::exchange(waiting_, {}).front());
+    return;
+  }
+  const auto* expected = heard_ < answers.size() ? answers[heard_] : nullptr;
+  if (!expected || expected->kind != StepKind::robot_pattern)
+    is_wrong(expected, text);
+}
+
+bool Visitor::belongs_to_last(const std::string& text) const {
+  const auto& answers = turn().answers;
+  if (heard_ == 0 || answers[heard_ - 1]->kind != StepKind::robot_pattern)
+    return false;
+  auto more = taken_;
+  more.push_back(text);
+  return is_as_expected(*answers[heard_ - 1], as_lines(more));
 }
 
 void Visitor::done(std::uint64_t turn) {
@@ -143,6 +163,8 @@ void Visitor::go_on() {
 void Visitor::say() {
   ++at_;
   heard_ = 0;
+  taken_.clear();
+  waiting_.clear();
   is_done_ = false;
   due_ = std::chrono::steady_clock::now();
   link_->send(
@@ -156,7 +178,8 @@ void Visitor::look(Moment now) {
   if (is_leaving_)
     leave();
   else if (is_done_ && heard_ < turn().answers.size())
-    is_wrong(turn().answers[heard_], "nothing");
+    is_wrong(turn().answers[heard_],
+             waiting_.empty() ? "nothing" : waiting_.front());
   else
     fail("the server does not answer");
 }

@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "adapters/web/text_client.hpp"
 #include "tools/parlour/load/load_figures.hpp"
@@ -54,6 +55,7 @@ private:
   void connect();
   void welcome(std::uint64_t process);
   void said(const std::string& text);
+  bool belongs_to_last(const std::string& text) const;
   void done(std::uint64_t turn);
   void ended();
   void go_on();
@@ -70,12 +72,14 @@ private:
   const Played& conversation_;
   std::function<void()> over_;
   std::unique_ptr<web::ClientLink> link_;
-  std::size_t at_ = 0;       // of the turns
-  std::size_t heard_ = 0;    // of its answers
-  std::uint64_t number_ = 0; // of the turn in this session
-  bool is_done_ = true;      // the server has told so
-  bool has_ended_ = false;   // the session; the next turn begins another
-  bool is_leaving_ = false;  // it has said so; the server's end is awaited
+  std::size_t at_ = 0;               // of the turns
+  std::size_t heard_ = 0;            // of its answers
+  std::vector<std::string> taken_;   // what the last of these was about
+  std::vector<std::string> waiting_; // of which the next pattern wants more
+  std::uint64_t number_ = 0;         // of the turn in this session
+  bool is_done_ = true;              // the server has told so
+  bool has_ended_ = false;  // the session; the next turn begins another
+  bool is_leaving_ = false; // it has said so; the server's end is awaited
   bool is_over_ = false;
   bool is_idle_ = false;
   Moment due_;  // when it was to begin, or the turn was to be said

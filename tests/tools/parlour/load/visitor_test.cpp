@@ -17,6 +17,15 @@ TEST_F(VisitorTest, ChecksEachAnswer) {
   EXPECT_TRUE(figures.all_right());
 }
 
+// As in a test, a pattern may be about several outputs.
+TEST_F(VisitorTest, APatternTakesAllThatItMatches) {
+  add("R: Hello.\nU: one\nU: two\nR~ (?s).*two.*\nU: three\nU: four\n"
+      "R~ (?s)echo: three.*\n");
+  run({});
+  EXPECT_EQ(figures.turns(), 2);
+  EXPECT_TRUE(figures.all_right());
+}
+
 TEST_F(VisitorTest, TellsWhereAnAnswerIsWrong) {
   add("R: Hello.\nU: one\nR: echo: two\n");
   EXPECT_THAT(run({}), Contains("1 times: one.txt:3: expected R: echo: two, "

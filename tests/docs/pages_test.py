@@ -38,7 +38,7 @@ OTHERS = ("trang ", "git clone ", "tools/run", "tools/test", "tools/install",
           "export ", "parlour status", "parlour agent", "python3 tools/",
           "parlour tap", "parlour replay", "parlour journal", "parlour run butler",
           "parlour devices", "parlour serve", "parlour load", "parlour top",
-          "parlour tail", "nc ")
+          "parlour tail", "parlour reload", "nc ")
 
 
 class Pages(PageCase):

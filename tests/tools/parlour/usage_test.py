@@ -35,8 +35,8 @@ PRINTING = (
 # one that depends on the machine's sound card (devices_test.py), one that hears
 # (speech_commands_test.py), those that need a journal (replay_test.py), one that
 # needs a server, and one that ends when it is told to (serve_test.py).
-NOT_TRIED = {"agent", "bench", "devices", "journal", "listen", "load", "replay",
-             "serve", "status", "tail", "tap", "top"}
+NOT_TRIED = {"agent", "bench", "devices", "journal", "listen", "load", "reload",
+             "replay", "serve", "status", "tail", "tap", "top"}
 
 # Arguments, status, and what is said about it.
 MISTAKES = (

@@ -62,7 +62,7 @@ MessageBus::parts(std::shared_ptr<const script::Program> program,
   };
   parts.is_tapped = &observer_.follows_messages();
   if (observer_.may_follow())
-    parts.taps.push_back(
+    parts.taps.emplace_back(
         [this](const Message& message, const std::string& way) {
           observer_.follow(message, way);
         });

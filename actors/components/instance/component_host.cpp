@@ -161,9 +161,12 @@ bool handle(Self self, ComponentMailbox::Job job, InFlight& recycled) {
   if (instance.context->gives(message, now, recycled))
     called =
         call(self, now, job.work, [&] { instance.plugin->receive(message); });
-  if (called.how == Called::How::refused)
+  if (called.how == Called::How::refused) {
     instance.component->mailbox->put_back(std::move(job));
-  recycled = std::move(job.work);
+    recycled = {};
+  } else {
+    recycled = std::move(job.work);
+  }
   judge(self, called);
   return called.ok();
 }

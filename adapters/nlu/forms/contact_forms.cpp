@@ -17,9 +17,9 @@ constexpr std::size_t max_digits = 15;
 std::string written_digits(std::string_view word) {
   std::string digits;
   for (const char letter : word) {
-    if (letter >= '0' && letter <= '9')
-      digits += letter;
-    else if (letter == '+' && digits.empty())
+    const bool counts =
+        (letter >= '0' && letter <= '9') || (letter == '+' && digits.empty());
+    if (counts)
       digits += letter;
     else if (letter != '-')
       return {};

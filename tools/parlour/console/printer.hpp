@@ -18,8 +18,8 @@ namespace parlour::tools {
 
 // Limits of the bytes that wait to be written. Above room_to_write,
 // wait_for_room() blocks; above max_to_write, the reader is treated as gone.
-inline constexpr std::size_t room_to_write = 64 * 1024;
-inline constexpr std::size_t max_to_write = 16 * 1024 * 1024;
+inline constexpr std::size_t room_to_write = 65'536;
+inline constexpr std::size_t max_to_write = 16'777'216;
 // The time that finish() still grants after give_up().
 inline constexpr Milliseconds last_lines_time{1'000};
 

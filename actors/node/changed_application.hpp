@@ -2,7 +2,6 @@
 // what that has led to (engine rule 7.13).
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <string>
 #include <vector>

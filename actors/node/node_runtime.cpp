@@ -178,10 +178,8 @@ Expected<void> NodeRuntime::ask_supervisor(What what) {
     return self->await_data(std::chrono::high_resolution_clock::now() +
                             patience);
   };
-  // What departs may take its time.
-  while (scheduler_->run_until_quiet() && !answered(Milliseconds(0)) &&
-         scheduler_->step_to_next_due(options_.drain_time)) {
-  }
+  scheduler_->run_until_answered([&] { return answered(Milliseconds(0)); },
+                                 options_.drain_time);
   Expected<void> outcome = fail(ErrorKind::cancelled, "interrupted");
   if (!time_.work.interrupted() && answered(options_.drain_time))
     answer.receive(

@@ -19,6 +19,13 @@ bool runs(const ComponentOrder& order) {
   return order.policy.scope.instances != 0;
 }
 
+// Null where there is none of that name.
+const ComponentOrder* find_order(const std::vector<ComponentOrder>& all,
+                                 const std::string& name) {
+  const auto found = std::ranges::find(all, name, &ComponentOrder::name);
+  return found == all.end() ? nullptr : &*found;
+}
+
 } // namespace
 
 bool starts_first(const ComponentOrder& order) {
@@ -26,22 +33,16 @@ bool starts_first(const ComponentOrder& order) {
   return std::ranges::find(roles, "Database") != roles.end();
 }
 
-const ComponentOrder* find_order(const std::vector<ComponentOrder>& all,
-                                 const std::string& name) {
-  const auto found = std::ranges::find(all, name, &ComponentOrder::name);
-  return found == all.end() ? nullptr : &*found;
-}
-
 Reloader::Reloader(Parts parts, ChangedApplication first)
-    : parts_(std::move(parts)), current_(std::move(first)),
-      hides_(script::has_private(*current_.program)) {}
+    : parts_(std::move(parts)), current_(std::move(first)) {}
 
 // Whether anything is hidden is decided when a node starts: what nobody hides
 // from watchers is shown to them at once (Observer).
 Expected<ReloadOutcome> Reloader::reload(ChangedApplication to,
                                          ReloadMode mode) {
   const std::lock_guard lock(mutex_);
-  if (!hides_ && script::has_private(*to.program))
+  if (!parts_.bus.observer().discretion().hides() &&
+      script::has_private(*to.program))
     return fail(ErrorKind::refused,
                 "the changed scripts have private values, which this run does "
                 "not hide from who watches it: start it again");
@@ -150,9 +151,7 @@ std::optional<Answer> Reloader::ask(const Actor& actor, What what) {
     auto answered = [&] {
       return self->await_data(std::chrono::high_resolution_clock::now());
     };
-    while (scheduler.run_until_quiet() && !answered() &&
-           scheduler.step_to_next_due(next_due)) {
-    }
+    scheduler.run_until_answered(answered, next_due);
     if (!answered())
       return std::nullopt; // interrupted
   }

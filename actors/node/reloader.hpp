@@ -59,15 +59,11 @@ private:
                  const std::vector<std::string>& loaded);
 
   const Parts parts_;
-  std::mutex mutex_; // of what follows: one change at a time
+  std::mutex mutex_; // one change at a time
   ChangedApplication current_;
-  const bool hides_; // what is private
 };
 
 // Those that others read from when they start.
 bool starts_first(const ComponentOrder& order);
-// By their names; null where there is none.
-const ComponentOrder* find_order(const std::vector<ComponentOrder>& all,
-                                 const std::string& name);
 
 } // namespace parlour::actors

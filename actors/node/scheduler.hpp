@@ -32,6 +32,13 @@ public:
   virtual bool run_until_quiet() = 0;
   virtual bool step_to_next_due(Milliseconds at_most) = 0;
   virtual void advance(Milliseconds time) = 0;
+  // Until quiet, and on to the next due times, if they are at most this far,
+  // until there is an answer: what departs may take its time.
+  void run_until_answered(const std::function<bool()>& answered,
+                          Milliseconds at_most) {
+    while (run_until_quiet() && !answered() && step_to_next_due(at_most)) {
+    }
+  }
   // Until `done`, or at most so long in real time. False if it did not come.
   virtual bool run_until(const std::function<bool()>& done,
                          Milliseconds at_most) = 0;

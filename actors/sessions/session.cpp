@@ -239,8 +239,7 @@ void take_one_step(Self self) {
 // next step which one is its turn (engine rule 3).
 void queue(Self self, const deliver& what) {
   auto& state = self->state;
-  if (state.meter.take(what.messages, *state.parts->bus.table(),
-                       what.arrived != 0 ? what.arrived : NodeMetrics::now()))
+  if (state.meter.take(what.messages, state.parts->bus, what.arrived))
     port_of(self).turn_begins(state.meter.number());
   for (const auto& message : what.messages)
     take(self, dialogue::received(message));

@@ -8,9 +8,9 @@
 namespace parlour::actors {
 
 // Lines without a number are turns of their own only where no line of the row
-// has one.
+// has one. Most messages are no turns: neither table nor time is read for them.
 bool TurnMeter::take(const std::vector<Message>& messages,
-                     const RoutingTable& table, Nanoseconds arrived) {
+                     const MessageBus& bus, Nanoseconds arrived) {
   std::uint64_t lines = 0;
   std::uint64_t numbered = 0;
   for (const auto& message : messages) {
@@ -19,11 +19,14 @@ bool TurnMeter::take(const std::vector<Message>& messages,
     if (number != 0)
       ++numbered;
     else if (message.command == "RecognitionResult" &&
-             table.begins_turn(message))
+             bus.table()->begins_turn(message))
       ++lines;
   }
-  take(lines, numbered, numbered_taken_, arrived);
-  return lines != 0 || numbered != 0;
+  if (lines == 0 && numbered == 0)
+    return false;
+  take(lines, numbered, numbered_taken_,
+       arrived != 0 ? arrived : NodeMetrics::now());
+  return true;
 }
 
 // The time counts from the first turn that has no answer yet: turns that came

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "actors/routing/routing_table.hpp"
+#include "actors/routing/message_bus.hpp"
 #include "runtime/base/metrics.hpp"
 #include "runtime/message/message.hpp"
 
@@ -19,9 +19,9 @@ public:
   void go_on(std::uint64_t taken) {
     number_ = numbered_taken_ = taken;
   }
-  // What came together; `table` says what a recogniser is. False where no turn
-  // of a user is in it.
-  bool take(const std::vector<Message>& messages, const RoutingTable& table,
+  // What came together, at that time, or just now (0); `bus` knows what a
+  // recogniser is. False where no turn of a user is in it.
+  bool take(const std::vector<Message>& messages, const MessageBus& bus,
             Nanoseconds arrived);
   // Lines of the user that came together. Lines without a number belong to the
   // turn of the one that has one.

@@ -263,14 +263,20 @@ void ComponentContext::log(const std::string& text) {
   observer_.log(name_ + ": " + text);
 }
 
+// Written once: several threads may ask for phrases, again and again.
+void ComponentContext::reads_language() const {
+  if (!has_read_language_)
+    has_read_language_ = true;
+}
+
 std::shared_ptr<const UnderstandingModel>
 ComponentContext::understanding() const {
-  has_read_language_ = true;
+  reads_language();
   return environment_.now()->understanding;
 }
 
 std::shared_ptr<const PhraseEvaluator> ComponentContext::phrases() const {
-  has_read_language_ = true;
+  reads_language();
   return environment_.now()->phrases;
 }
 

@@ -96,6 +96,7 @@ private:
   std::uint32_t rounds_of_event(Timestamp now) const;
   std::uint32_t rounds_now() const;
   bool is_closed() const;
+  void reads_language() const;
   // Also after it was closed: the supervisor ignores what comes of an instance
   // that is gone.
   template <class What>

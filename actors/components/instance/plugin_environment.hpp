@@ -3,11 +3,11 @@
 // scripts are changed (engine rule 7.13).
 #pragma once
 
-#include <atomic>
 #include <memory>
 #include <string>
 #include <utility>
 
+#include "actors/routing/shared_table.hpp"
 #include "runtime/message/phrases.hpp"
 #include "runtime/message/understanding.hpp"
 #include "runtime/plugin/plugin.hpp"
@@ -22,25 +22,26 @@ struct PluginEnvironment {
   std::string application_folder = {};
 };
 
-// From any thread. Plug-ins that are rarely asked read it, so that one place is
-// enough for all threads.
+// From any thread; changed by one at a time. Sessions read it with each phrase,
+// so that threads count their pointers apart.
 class SharedEnvironment {
 public:
   using Pointer = std::shared_ptr<const PluginEnvironment>;
 
-  explicit SharedEnvironment(PluginEnvironment first = {})
-      : now_(std::make_shared<const PluginEnvironment>(std::move(first))) {}
+  explicit SharedEnvironment(PluginEnvironment first = {}) {
+    change(std::make_shared<const PluginEnvironment>(std::move(first)));
+  }
 
   // Never null.
   Pointer now() const {
     return now_.load();
   }
-  void change(Pointer to) {
-    now_.store(std::move(to));
+  void change(const Pointer& to) {
+    now_.store(to);
   }
 
 private:
-  std::atomic<Pointer> now_;
+  SharedByThreads<PluginEnvironment> now_;
 };
 
 } // namespace parlour::actors

@@ -35,12 +35,12 @@ TEST(TurnMeter, LinesBelongToTheTurnWithTheNumber) {
 // Whoever numbers turns is told once that they are answered.
 TEST(TurnMeter, TellsTheHighestNumberOnce) {
   Bench bench;
-  const auto table = bench.bus.table();
   TurnMeter meter;
   meter.go_on(6);
   EXPECT_EQ(meter.take_done(), 6u); // it is asked again after a crash
-  EXPECT_FALSE(meter.take({Message{}}, *table, 1));
-  EXPECT_TRUE(meter.take({typed_turn("a", 0), typed_turn("b", 7)}, *table, 2));
+  EXPECT_FALSE(meter.take({Message{}}, bench.bus, 1));
+  EXPECT_TRUE(
+      meter.take({typed_turn("a", 0), typed_turn("b", 7)}, bench.bus, 2));
   EXPECT_EQ(meter.number(), 7u);
   EXPECT_EQ(meter.take_answered().turns, 1u);
   EXPECT_EQ(meter.take_done(), 7u);

@@ -33,7 +33,7 @@ endif()
 # Null and misaligned pointers are not looked for at each access, which is a third
 # of the code: the first ends the process anyway, the second is harmless here.
 # Checked types of functions are too much for clang 14's assembler.
-if(PARLOUR_SANITIZE)
+if(PARLOUR_SANITIZE STREQUAL "address")
   add_compile_options(-fsanitize=address,undefined
     -fno-sanitize=alignment,function,null,vptr
     -fno-sanitize-recover=all -fno-omit-frame-pointer)
@@ -42,6 +42,12 @@ if(PARLOUR_SANITIZE)
   if(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
     add_compile_definitions(__SANITIZE_ADDRESS__=1)
   endif()
+elseif(PARLOUR_SANITIZE STREQUAL "thread")
+  add_compile_options(-fsanitize=thread -O1 -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=thread)
+elseif(PARLOUR_SANITIZE)
+  message(FATAL_ERROR
+    "PARLOUR_SANITIZE is address, thread or OFF, not '${PARLOUR_SANITIZE}'")
 endif()
 
 # clang++ only: coverage instrumentation for libFuzzer in every library. The

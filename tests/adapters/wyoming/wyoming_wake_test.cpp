@@ -1,4 +1,9 @@
 #include "adapters/wyoming/wyoming_wake.hpp"
+
+#include <map>
+#include <memory>
+#include <mutex>
+
 #include "tests/adapters/wyoming/wyoming_fixture.hpp"
 
 namespace parlour::adapters {
@@ -14,15 +19,20 @@ protected:
     more.merge(server->options());
     connect(wyoming_wake_factory(), more);
   }
-  // Finds the first of the names it was told, in the third frame.
+  // Finds the first of the names it was told, in the third frame. Connections
+  // are served by threads of their own.
   static test::WyomingServer::Serve finding() {
     struct Heard {
       std::string name;
       int frames = 0;
     };
-    return [heard = std::make_shared<std::map<void*, Heard>>()](
-               Peer& peer, const Event& event) {
-      auto& own = (*heard)[&peer];
+    struct Table {
+      std::mutex mutex;
+      std::map<const Peer*, Heard> by_peer;
+    };
+    return [table = std::make_shared<Table>()](Peer& peer, const Event& event) {
+      const std::lock_guard lock(table->mutex);
+      auto& own = table->by_peer[&peer];
       if (event.type == "detect")
         own.name =
             event.data.value("names", std::vector<std::string>{"any"})[0];

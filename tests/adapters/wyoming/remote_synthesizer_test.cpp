@@ -1,4 +1,7 @@
 #include "adapters/wyoming/remote_synthesizer.hpp"
+
+#include <atomic>
+
 #include "adapters/wyoming/wyoming_tts.hpp"
 #include "tests/adapters/wyoming/wyoming_fixture.hpp"
 
@@ -29,7 +32,7 @@ TEST_F(RemoteSynthesizerTest, says_what_the_server_complains_of) {
 }
 
 TEST_F(RemoteSynthesizerTest, fails_where_audio_is_cut_or_strange) {
-  int times = 0;
+  std::atomic<int> times = 0; // connections have threads of their own
   use([&](Peer& peer, const Event&) {
     if (++times == 1)
       peer.write("{\"type\": \"audio-chunk\", \"payload_length\": 100}\nxx");

@@ -19,23 +19,20 @@ protected:
     send("Finish", {}, session);
   }
   // Tells how much it has heard.
-  static test::WyomingServer::Serve counting() {
-    return [heard = std::make_shared<std::map<void*, std::size_t>>()](
-               Peer& peer, const Event& event) {
-      if (event.type == "audio-chunk")
-        (*heard)[&peer] += event.payload.size();
-      if (event.type == "audio-stop")
-        peer.send(
-            {"transcript", {{"text", " " + std::to_string((*heard)[&peer])}}});
-      return true;
-    };
+  static bool count(Peer& peer, const Event& event) {
+    auto& heard = peer.own<std::size_t>();
+    if (event.type == "audio-chunk")
+      heard += event.payload.size();
+    if (event.type == "audio-stop")
+      peer.send({"transcript", {{"text", " " + std::to_string(heard)}}});
+    return true;
   }
 
   std::unique_ptr<test::WyomingServer> server;
 };
 
 TEST_F(WyomingAsrTest, has_a_turn_recognised) {
-  use(counting());
+  use(count);
   speak();
   EXPECT_EQ(answer("RecognitionResult").at(0), Value("1920"));
   speak();
@@ -43,7 +40,7 @@ TEST_F(WyomingAsrTest, has_a_turn_recognised) {
 }
 
 TEST_F(WyomingAsrTest, drops_what_was_cancelled) {
-  use(counting());
+  use(count);
   send("DoRecognition", {frame()});
   send("Cancel");
   send("Finish");
@@ -108,7 +105,7 @@ TEST_F(WyomingAsrTest, answers_when_it_is_stopped) {
 }
 
 TEST_F(WyomingAsrTest, refuses_what_is_no_audio) {
-  use(counting());
+  use(count);
   send("DoRecognition", {Binary{"mp3", {}}});
   EXPECT_THAT(answer("Failed").at(0).text(), HasSubstr("no audio"));
   EXPECT_THAT(
@@ -117,7 +114,7 @@ TEST_F(WyomingAsrTest, refuses_what_is_no_audio) {
 }
 
 TEST_F(WyomingAsrTest, conforms) {
-  const test::WyomingServer own("asr", counting());
+  const test::WyomingServer own("asr", count);
   EXPECT_THAT(
       conformance_errors(wyoming_asr_factory(),
                          {own.options(), Milliseconds(5'000), {}, {}, {}}),

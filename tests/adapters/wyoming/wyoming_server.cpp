@@ -108,7 +108,7 @@ WyomingServer::WyomingServer(std::string service, Serve serve, int port)
   address.sin_port = htons(static_cast<std::uint16_t>(port));
   socklen_t size = sizeof address;
   if (bind(state_->listener, reinterpret_cast<sockaddr*>(&address), size) ||
-      listen(state_->listener, 16))
+      listen(state_->listener, SOMAXCONN))
     std::abort();
   getsockname(state_->listener, reinterpret_cast<sockaddr*>(&address), &size);
   state_->port = ntohs(address.sin_port);

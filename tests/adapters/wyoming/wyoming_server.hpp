@@ -3,6 +3,7 @@
 // behave or not.
 #pragma once
 
+#include <any>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -28,11 +29,20 @@ public:
     void wait_for_end();
     // The same for one that takes nothing of what the client sends.
     void stall() const;
+    // What the server keeps for this connection: the one place that its thread
+    // shares with no other.
+    template <class T>
+    T& own() {
+      if (!own_.has_value())
+        own_ = T{};
+      return std::any_cast<T&>(own_);
+    }
 
   private:
     int socket_;
     adapters::wyoming::EventReader reader_;
     std::vector<adapters::wyoming::Event> waiting_;
+    std::any own_;
   };
   // Serves an event; false ends the connection.
   using Serve =

@@ -1,9 +1,4 @@
 #include "adapters/wyoming/wyoming_wake.hpp"
-
-#include <map>
-#include <memory>
-#include <mutex>
-
 #include "tests/adapters/wyoming/wyoming_fixture.hpp"
 
 namespace parlour::adapters {
@@ -19,36 +14,26 @@ protected:
     more.merge(server->options());
     connect(wyoming_wake_factory(), more);
   }
-  // Finds the first of the names it was told, in the third frame. Connections
-  // are served by threads of their own.
-  static test::WyomingServer::Serve finding() {
+  // Finds the first of the names it was told, in the third frame.
+  static bool find(Peer& peer, const Event& event) {
     struct Heard {
       std::string name;
       int frames = 0;
     };
-    struct Table {
-      std::mutex mutex;
-      std::map<const Peer*, Heard> by_peer;
-    };
-    return [table = std::make_shared<Table>()](Peer& peer, const Event& event) {
-      const std::lock_guard lock(table->mutex);
-      auto& own = table->by_peer[&peer];
-      if (event.type == "detect")
-        own.name =
-            event.data.value("names", std::vector<std::string>{"any"})[0];
-      else if (event.type == "audio-chunk" && ++own.frames == 3)
-        peer.send(
-            {"detection",
-             {{"name", own.name}, {"timestamp", event.data["timestamp"]}}});
-      return true;
-    };
+    auto& own = peer.own<Heard>();
+    if (event.type == "detect")
+      own.name = event.data.value("names", std::vector<std::string>{"any"})[0];
+    else if (event.type == "audio-chunk" && ++own.frames == 3)
+      peer.send({"detection",
+                 {{"name", own.name}, {"timestamp", event.data["timestamp"]}}});
+    return true;
   }
 
   std::unique_ptr<test::WyomingServer> server;
 };
 
 TEST_F(WyomingWakeTest, finds_a_word) {
-  use(finding(), {{"keywords", " computer, robot"}});
+  use(find, {{"keywords", " computer, robot"}});
   for (int i = 0; i < 3; ++i)
     send("Process", {frame(), 1'000 + 20 * i});
   const auto found = answer("Keyword");
@@ -57,7 +42,7 @@ TEST_F(WyomingWakeTest, finds_a_word) {
 }
 
 TEST_F(WyomingWakeTest, counts_by_itself_and_looks_for_others) {
-  use(finding());
+  use(find);
   send("SetKeywords", {Value(List{"robot"})});
   for (int i = 0; i < 3; ++i)
     send("Process", {frame()}, "s2");
@@ -67,7 +52,7 @@ TEST_F(WyomingWakeTest, counts_by_itself_and_looks_for_others) {
 }
 
 TEST_F(WyomingWakeTest, tells_once_that_too_many_sessions_listen) {
-  use(finding());
+  use(find);
   for (int i = 0; i < 65; ++i)
     send("Process", {frame()}, "s" + std::to_string(i));
   for (int i = 1; i < 10; ++i) {
@@ -82,13 +67,13 @@ TEST_F(WyomingWakeTest, tells_once_that_too_many_sessions_listen) {
 }
 
 TEST_F(WyomingWakeTest, refuses_what_is_no_audio) {
-  use(finding());
+  use(find);
   send("Process", {Binary{"mp3", {}}});
   EXPECT_THAT(answer("Failed").at(0).text(), HasSubstr("no audio"));
 }
 
 TEST_F(WyomingWakeTest, conforms) {
-  const test::WyomingServer own("wake", finding());
+  const test::WyomingServer own("wake", find);
   EXPECT_THAT(
       conformance_errors(wyoming_wake_factory(),
                          {own.options(), Milliseconds(5'000), {}, {}, {}}),

@@ -42,6 +42,12 @@ public:
     waiting_.push_back(std::move(message));
     write();
   }
+  // The client hears it once; it may destroy its link in the call.
+  void over(const ErrorCode& error) {
+    close();
+    if (auto* client = std::exchange(client_, nullptr))
+      client->closed(error.message());
+  }
 
 protected:
   virtual void write_some(const std::string& message) = 0;
@@ -54,12 +60,6 @@ protected:
   void hear(const std::string& message) {
     if (client_)
       client_->heard(message);
-  }
-  // The client hears it once; it may destroy its link in the call.
-  void over(const ErrorCode& error) {
-    close();
-    if (auto* client = std::exchange(client_, nullptr))
-      client->closed(error.message());
   }
   void wrote(const ErrorCode& error) {
     is_sending_ = false;
@@ -221,9 +221,14 @@ public:
       talk = std::make_shared<LineTalk>(context_, client);
     else
       talk = std::make_shared<FrameTalk>(context_, client);
-    ErrorCode error;
-    const tcp::endpoint end(net::ip::make_address(address, error), port);
-    net::post(context_, [talk, end] { talk->connect(end); });
+    net::post(context_, [this, talk, address, port] {
+      ErrorCode error;
+      const auto found = find(address, error);
+      if (error)
+        talk->over(error);
+      else
+        talk->connect({found, port});
+    });
     return std::make_unique<Link>(talk);
   }
 
@@ -235,6 +240,20 @@ public:
   }
 
 private:
+  // Looked up once for all visitors, who wait meanwhile.
+  net::ip::address find(const std::string& name, ErrorCode& error) {
+    const auto known = addresses_.find(name);
+    if (known != addresses_.end())
+      return known->second;
+    auto address = net::ip::make_address(name, error);
+    if (error) {
+      const auto found = tcp::resolver(context_).resolve(name, "", error);
+      if (error)
+        return {};
+      address = found.begin()->endpoint().address();
+    }
+    return addresses_.emplace(name, address).first->second;
+  }
   void await() {
     timer_.expires_at(due_.begin()->first);
     timer_.async_wait([this](ErrorCode error) {
@@ -253,6 +272,7 @@ private:
   net::io_context context_{1};
   Timer timer_{context_};
   std::multimap<Moment, std::function<void()>> due_;
+  std::map<std::string, net::ip::address> addresses_;
 };
 
 } // namespace

@@ -55,7 +55,9 @@ Expected<Vocabulary> make_vocabulary(const LanguageSources& sources,
     return tl::make_unexpected(sounds.error());
   Vocabulary made;
   made.dictionary = dictionary_text(*sounds);
-  made.grammar = language->fsg(language->sentences());
+  auto grammar = language->fsg(language->sentences());
+  made.grammar = std::move(grammar.text);
+  made.is_whole = grammar.is_whole;
   made.domain = language->arpa(drawn_sentences);
   made.language = std::move(language);
   return made;
@@ -107,7 +109,7 @@ std::string Hearing::search_for(const std::vector<std::string>& names) {
   auto search = narrow_.size() < most_narrow
                     ? "narrow" + std::to_string(narrow_.size())
                     : narrow_.front().search;
-  if (!grammar_.add_grammar(search, vocabulary_->language->fsg(*graph)))
+  if (!grammar_.add_grammar(search, vocabulary_->language->fsg(*graph).text))
     return everything;
   if (narrow_.size() == most_narrow)
     narrow_.erase(narrow_.begin());

@@ -35,8 +35,9 @@ std::vector<std::string> split_text(const std::string& text);
 struct Vocabulary {
   std::shared_ptr<const Language> language;
   std::string dictionary;
-  std::string grammar; // FSG
-  std::string domain;  // ARPA
+  std::string grammar;  // FSG
+  bool is_whole = true; // the grammar: else it has more than can be heard
+  std::string domain;   // ARPA
 };
 
 // Makes it, with the sounds that the dictionary of the model has, and those of

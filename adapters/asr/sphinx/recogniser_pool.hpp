@@ -34,6 +34,10 @@ public:
   bool is_deaf() const {
     return is_deaf_;
   }
+  // Whether all sentences of the application can be heard in a turn.
+  bool is_whole() const {
+    return vocabulary_->is_whole;
+  }
   // Nothing if all are busy, or one more cannot be made.
   std::optional<Hearing> take();
   void give_back(Hearing hearing);

@@ -83,7 +83,7 @@ protected:
     if (!pool)
       return tl::make_unexpected(pool.error());
     pool_ = std::move(*pool);
-    tell_deaf();
+    tell_limits();
     return {};
   }
 
@@ -310,14 +310,19 @@ private:
       return host().log("The new values are not heard: " +
                         outcome->error().message);
     pool_->use(std::move(**outcome));
-    tell_deaf();
+    tell_limits();
     serve_waiting(); // what is new is free
   }
 
-  void tell_deaf() {
+  void tell_limits() {
     if (pool_->is_deaf())
       host().log("The application has no grammars, values or examples, so "
                  "nothing can be heard.");
+    else if (!pool_->is_whole())
+      host().log("The application's grammars and values are more than the "
+                 "grammar of the recogniser can hold: some sentences are heard "
+                 "by its domain model alone. Fewer values in one sentence, or "
+                 "grammars for states and slots, help.");
   }
 
   double least_agreement_ = 0;

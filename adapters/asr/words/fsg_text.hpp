@@ -21,7 +21,7 @@ struct FsgOptions {
   std::size_t most_transitions = 200'000;
 };
 
-// Language takes the text alone; the rest is for tests.
+// The figures are for tests.
 struct FsgText {
   std::string text;
   std::size_t states = 0;

@@ -5,7 +5,6 @@
 #include <iterator>
 #include <utility>
 
-#include "adapters/asr/words/fsg_text.hpp"
 #include "adapters/asr/words/sentences.hpp"
 #include "adapters/asr/words/spoken_words.hpp"
 #include "adapters/asr/words/trigrams.hpp"
@@ -191,8 +190,8 @@ Language::sentences(const std::vector<std::string>& names) const {
   return joined(found);
 }
 
-std::string Language::fsg(const WordGraph& graph) const {
-  return fsg_text(graph, symbols_, sets_).text;
+FsgText Language::fsg(const WordGraph& graph) const {
+  return fsg_text(graph, symbols_, sets_);
 }
 
 // Drawn with a fixed seed: equal sources give the same model.

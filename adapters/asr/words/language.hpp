@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "adapters/asr/words/conversations.hpp"
+#include "adapters/asr/words/fsg_text.hpp"
 #include "adapters/asr/words/grammar_reader.hpp"
 #include "adapters/asr/words/value_sets.hpp"
 #include "adapters/asr/words/word_graph.hpp"
@@ -55,7 +56,8 @@ public:
   std::optional<WordGraph>
   sentences(const std::vector<std::string>& names) const;
 
-  std::string fsg(const WordGraph& graph) const;
+  // What is more than the decoder can hold is left out (FsgText::is_whole).
+  FsgText fsg(const WordGraph& graph) const;
   // The domain model, counted from `count` of all sentences, as many of the
   // application's own, and the conversations.
   std::string arpa(std::size_t count) const;

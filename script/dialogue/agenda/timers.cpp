@@ -125,7 +125,8 @@ std::vector<const Timer*> Timers::pending() const {
   return scripts;
 }
 
-// Only what scripts start counts: the engine's own timers are few.
+// Only what scripts start counts: the engine's own timers are few. A timer
+// whose place the new one takes does not count.
 std::optional<Error> Timers::refuse(const Timer& timer,
                                     std::size_t limit) const {
   std::size_t count = 1;
@@ -133,6 +134,9 @@ std::optional<Error> Timers::refuse(const Timer& timer,
   for (const auto& [id, other] : timers_) {
     if (other.purpose != Timer::Purpose::script &&
         other.purpose != Timer::Purpose::wait)
+      continue;
+    if (timer.purpose == Timer::Purpose::script &&
+        other.purpose == Timer::Purpose::script && other.name == timer.name)
       continue;
     ++count;
     bytes += other.bytes;

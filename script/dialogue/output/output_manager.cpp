@@ -289,8 +289,7 @@ void OutputManager::no_longer_playing(OutputId id) {
                 [&](const Playing& output) { return output.id == id; });
 }
 
-// Of several outputs that were broken off, the first is taken up again. An
-// answer goes on behind the words that were heard; what was heard to its end
+// An answer goes on behind the words that were heard; what was heard to its end
 // needs no more.
 void OutputManager::interrupted(OutputId id, const std::string& heard) {
   no_longer_playing(id);
@@ -299,31 +298,31 @@ void OutputManager::interrupted(OutputId id, const std::string& heard) {
     return;
   inspect(*cut, "broken off");
   question_.broken_off(*cut, heard);
-  if (interrupted_) // what comes after it was not heard either
-    return;
   if (cut->act == OutputAct::answer) // a question is asked again as a whole
     cut->text = unheard_part(cut->text, heard);
   if (!cut->text.empty())
-    interrupted_ = std::move(cut);
+    interrupted_.push_back(std::move(*cut));
 }
 
-// It is another output with the rest of the words, and begins another robot
-// turn. A question that is said again is the one that waits (said_again).
+// Each is another output with the rest of the words; together they are another
+// robot turn. A question that is said again is the one that waits (said_again).
 void OutputManager::take_up_interrupted() {
   auto again = std::exchange(interrupted_, {});
-  if (!again || taken_up_ == max_taken_up)
+  if (again.empty() || taken_up_ == max_taken_up)
     return;
   ++taken_up_;
-  Say what;
-  what.as = again->act;
-  what.topic = again->topic;
-  what.slot = again->slot;
-  what.turn = again->turn;
-  what.awaited = again->awaited;
-  what.interruptible = again->interruptible;
   turn_begins();
-  question_.said_again(again->id, push(what.as, std::move(again->text), what,
-                                       OutputState::pending));
+  for (auto& output : again) {
+    Say what;
+    what.as = output.act;
+    what.topic = output.topic;
+    what.slot = output.slot;
+    what.turn = output.turn;
+    what.awaited = output.awaited;
+    what.interruptible = output.interruptible;
+    question_.said_again(output.id, push(what.as, std::move(output.text), what,
+                                         OutputState::pending));
+  }
 }
 
 bool OutputManager::can_be_interrupted() const {

@@ -118,10 +118,10 @@ public:
   void interrupted(OutputId id, const std::string& heard);
   // The user has said something after all: what was broken off stays so.
   void give_up_interrupted() {
-    interrupted_.reset();
+    interrupted_.clear();
   }
   bool was_interrupted() const {
-    return interrupted_.has_value();
+    return !interrupted_.empty();
   }
   // Nothing came of it: what was broken off is said again, a few times in a
   // row at most, as what breaks in may be a noise that does not end.
@@ -215,8 +215,8 @@ private:
   ShortLivedList<Playing> playing_;
   // What was broken off and may be said again, with the words that are then
   // said.
-  std::optional<Output> interrupted_;
-  int taken_up_ = 0; // since something was played to its end
+  std::vector<Output> interrupted_; // in the order in which they were said
+  int taken_up_ = 0;                // since something was played to its end
   // A release is worth while.
   bool changed_ = false;
   Apologies apologies_;

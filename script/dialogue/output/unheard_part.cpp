@@ -13,8 +13,7 @@ constexpr std::size_t too_few_words = 3;
 constexpr std::string_view space = " \t\r\n";
 
 // ASCII letters and digits, and all bytes of other characters in UTF-8, as
-// without tables it is not known which of these are letters: a long dash that
-// stands alone counts as a word.
+// without tables it is not known which of these are letters.
 bool is_letter(char character) {
   const auto byte = static_cast<unsigned char>(character);
   return byte >= 0x80 || (byte >= '0' && byte <= '9') ||
@@ -35,12 +34,20 @@ std::string_view next_word(std::string_view& rest) {
   return word;
 }
 
+// Long dashes, curled quotation marks, dots in threes: U+2000 to U+203F.
+bool begins_with_mark(std::string_view rest) {
+  return rest.size() >= 3 && rest.starts_with("\xE2\x80");
+}
+
 // Letters and digits, in small letters.
 std::string plain(std::string_view word) {
   std::string letters;
-  for (const auto character : word)
-    if (is_letter(character))
-      letters += lower(character);
+  while (!word.empty()) {
+    const bool is_mark = begins_with_mark(word);
+    if (!is_mark && is_letter(word.front()))
+      letters += lower(word.front());
+    word.remove_prefix(is_mark ? 3 : 1);
+  }
   return letters;
 }
 

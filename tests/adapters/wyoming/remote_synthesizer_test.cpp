@@ -1,7 +1,6 @@
-#include "adapters/wyoming/remote_synthesizer.hpp"
-
 #include <atomic>
 
+#include "adapters/wyoming/remote_synthesizer.hpp"
 #include "adapters/wyoming/wyoming_tts.hpp"
 #include "tests/adapters/wyoming/wyoming_fixture.hpp"
 

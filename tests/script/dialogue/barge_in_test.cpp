@@ -67,6 +67,36 @@ TEST_F(BargeIn, WhatNobodyHeardCannotBeRepeated) {
   EXPECT_EQ(world_->said(), Texts{"[repeat_nothing]"});
 }
 
+TEST_F(BargeIn, AfterANoiseAllIsSaidThatWasBrokenOff) {
+  WorldOptions options;
+  options.start = "Welcome";
+  options.open = false;
+  world_ = std::make_unique<World>(R"xml(
+    <state name="Welcome"><Entrance>
+      <speak param="The lift is on the left." interrupt="true"/>
+      <speak param="The stairs are on the right." interrupt="true"/>
+    </Entrance></state>)xml",
+                                   options);
+  world_->components["Loudspeaker"] = {"Speaker"};
+  world_->components["Ears"] = {"VAD"};
+  world_->hold_outputs = true;
+  world_->open();
+  const auto playing = world_->playing;
+  ASSERT_EQ(playing.size(), 2u);
+  world_->said();
+  world_->playing.clear();
+  world_->event("Ears", "SpeechStarted");
+  world_->event(
+      "Loudspeaker", "Finished",
+      {static_cast<std::int64_t>(playing[0]), 0, true, "The lift is on"});
+  world_->event("Loudspeaker", "Finished",
+                {static_cast<std::int64_t>(playing[1]), 0, true, ""});
+  world_->hold_outputs = false;
+  world_->advance(2s);
+  EXPECT_EQ(world_->said(),
+            (Texts{"the left.", "The stairs are on the right."}));
+}
+
 TEST_F(BargeIn, ANoiseWithoutEndIsGivenUp) {
   begin();
   const auto noise = [&] {

@@ -3,6 +3,9 @@
 
 #include <array>
 #include <cctype>
+#include <map>
+
+#include "runtime/text/sql_scanner.hpp"
 
 namespace parlour::script {
 
@@ -70,39 +73,39 @@ void QueryStatements::impure_sql(std::string_view name, const Source& source) {
 }
 
 // Each {expr} and each `?` becomes a bound value, in the order of the text
-// (language rule 11.1). Quotes are followed through the literal pieces, because
-// a placeholder in quotes would be a plain question mark.
+// (language rule 11.1). A placeholder in quotes or in a comment would be a
+// plain question mark, so the text is read as the database reads it.
 void QueryStatements::bound_sql(const Source& source,
                                 std::vector<NodePointer> arguments,
                                 const Source& arguments_source, Register target,
                                 Register values) {
   std::string sql;
+  std::map<std::size_t, TextPart> embedded; // by its place
+  for (auto& part : expressions_.split_text(source))
+    if (part.node) {
+      const auto at = sql.size();
+      sql += '?';
+      embedded.emplace(at, std::move(part));
+    } else {
+      sql += part.literal;
+    }
   std::vector<std::pair<NodePointer, Source>> bound;
   std::size_t used = 0;
-  // The quote in which the current piece of the text is; null outside of
-  // quotes.
-  char quote = '\0';
-  for (auto& part : expressions_.split_text(source)) {
-    if (part.node) {
-      if (quote)
-        b_.findings.add({Severity::error, part.source.spot(),
-                         "{…} is a bound value; leave out the quotes around "
-                         "it",
-                         "expression"});
-      sql += '?';
-      bound.emplace_back(std::move(part.node), part.source);
+  for (SqlScanner scanner(sql); !scanner.at_end();) {
+    const auto token = scanner.next();
+    if (token.kind != SqlTokenKind::placeholder || token.text != "?")
       continue;
-    }
-    for (char c : part.literal) {
-      if (quote)
-        quote = c == quote ? '\0' : quote;
-      else if (c == '\'' || c == '"' || c == '`')
-        quote = c;
-      else if (c == '?' && used++ < arguments.size())
-        bound.emplace_back(std::move(arguments[used - 1]), arguments_source);
-    }
-    sql += part.literal;
+    const auto at = static_cast<std::size_t>(token.text.data() - sql.data());
+    if (auto part = embedded.extract(at); !part.empty())
+      bound.emplace_back(std::move(part.mapped().node), part.mapped().source);
+    else if (used++ < arguments.size())
+      bound.emplace_back(std::move(arguments[used - 1]), arguments_source);
   }
+  for (const auto& [at, part] : embedded)
+    b_.findings.add({Severity::error, part.source.spot(),
+                     "{…} is a bound value; leave out the quotes or the "
+                     "comment around it",
+                     "expression"});
   if (used != arguments.size())
     error(source.start, "the statement has " + std::to_string(used) +
                             " placeholders '?', but args has " +

@@ -23,11 +23,9 @@ script::Performed TimeEffects::wait(const script::Effect& effect) {
 // state was left while its script went on is not started at all.
 script::Performed TimeEffects::start_timer(TopicId topic,
                                            const script::Effect& effect) {
-  auto name = effect.text(0);
-  timers_.cancel_named(name); // a timer replaces one of its name
   const auto& origin = running_.origin();
   Timer timer;
-  timer.name = std::move(name);
+  timer.name = effect.text(0);
   timer.code = effect.body;
   timer.arguments = effect.captured();
   timer.bytes = script::remembered(timer.arguments);
@@ -43,6 +41,7 @@ script::Performed TimeEffects::start_timer(TopicId topic,
   if (auto full =
           timers_.refuse(timer, context_.program->settings.limits.bytes))
     return std::move(*full);
+  timers_.cancel_named(timer.name); // a timer replaces one of its name
   if (timer.visit == 0 || context_.states.lasts(timer.visit))
     timers_.start(context_.in(after), std::move(timer));
   return Value();

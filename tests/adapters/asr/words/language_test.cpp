@@ -103,7 +103,7 @@ TEST_F(LanguageTest, TellsValuesAndWordsOfSentences) {
 
 TEST_F(LanguageTest, IsWrittenForTheRecogniser) {
   const Language language(sources);
-  const auto fsg = language.fsg(language.sentences());
+  const auto fsg = language.fsg(language.sentences()).text;
   EXPECT_THAT(fsg, HasSubstr("FSG_BEGIN"));
   EXPECT_THAT(fsg, HasSubstr(" lemon\n"));
   const auto arpa = language.arpa(200);
@@ -131,7 +131,7 @@ TEST_F(LanguageTest, DoesWithoutWhatIsMissing) {
   EXPECT_EQ(ends(language, {"i", "want", "tea"}), true);
   const Language nothing{LanguageSources()};
   EXPECT_EQ(ends(nothing, {"yes"}), std::nullopt);
-  EXPECT_THAT(nothing.fsg(nothing.sentences()), HasSubstr("FSG_END"));
+  EXPECT_THAT(nothing.fsg(nothing.sentences()).text, HasSubstr("FSG_END"));
 }
 
 } // namespace

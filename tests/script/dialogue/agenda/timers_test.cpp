@@ -102,16 +102,19 @@ TEST(Timers, NamesAreScriptsOnly) {
 TEST(Timers, ASessionHasSoManyOfScripts) {
   Ports ports;
   Timers timers(ports);
-  const Timer timer{.name = "t", .bytes = 10};
+  const auto timer = [](int number) {
+    return Timer{.name = std::to_string(number), .bytes = 10};
+  };
   for (int i = 0; i < 1000; ++i) {
-    EXPECT_FALSE(timers.refuse(timer, 10'000));
-    timers.start(1'000, timer);
+    EXPECT_FALSE(timers.refuse(timer(i), 10'000));
+    timers.start(1'000, timer(i));
   }
-  EXPECT_TRUE(timers.refuse(timer, 1'000'000)); // too many
-  timers.cancel_named("t");
-  timers.start(1'000, timer);
-  EXPECT_FALSE(timers.refuse(timer, 20));
-  EXPECT_TRUE(timers.refuse(timer, 19)); // too much
+  EXPECT_TRUE(timers.refuse(timer(1000), 1'000'000)); // too many
+  EXPECT_FALSE(timers.refuse(timer(7), 10'000));      // takes the other's place
+  for (int i = 1; i < 1000; ++i)
+    timers.cancel_named(std::to_string(i));
+  EXPECT_FALSE(timers.refuse(timer(1), 20));
+  EXPECT_TRUE(timers.refuse(timer(1), 19)); // too much
 }
 
 TEST(Timers, ThoseOfAVisitEndWithIt) {

@@ -23,6 +23,13 @@ TEST(UnheardPartTest, NothingIsLeftWhereAllWasHeard) {
   EXPECT_EQ(unheard_part("One two three -", "one two three"), "");
 }
 
+TEST(UnheardPartTest, LongDashesAndCurledMarksAreNoLetters) {
+  EXPECT_EQ(
+      unheard_part("It’s on level one — behind the lift.", "it's on level one"),
+      "— behind the lift.");
+  EXPECT_EQ(unheard_part("One two three …", "one two three"), "");
+}
+
 TEST(UnheardPartTest, AFewWordsAreSaidAgain) {
   EXPECT_EQ(unheard_part(text, ""), text);
   EXPECT_EQ(unheard_part(text, "The food"), text);

@@ -4,6 +4,9 @@
 
 #include "tools/parlour/application/sql/sql_statements.hpp"
 
+#include <algorithm>
+#include <iterator>
+
 #include "script/compiler/code/expressions/expression_compiler.hpp"
 #include "script/lint/lint_context.hpp"
 
@@ -91,7 +94,8 @@ script::Spot SqlStatement::spot(std::size_t offset, std::size_t length) const {
 // After a <connectdb> without a name it is not known which database a <querydb>
 // asks.
 std::vector<SqlStatement> sql_statements(const script::Compiled& compiled) {
-  std::vector<SqlStatement> all;
+  std::vector<SqlStatement> asked;  // by scripts
+  std::vector<SqlStatement> topics; // whose queries have the component itself
   bool connects = false;
   const script::lint::Options options;
   const script::lint::LintContext context{*compiled.program, compiled.documents,
@@ -101,14 +105,13 @@ std::vector<SqlStatement> sql_statements(const script::Compiled& compiled) {
       [&](const Element& element, const script::ElementRule& rule) {
         connects |= element.is("connectdb") && !element.attribute("name");
         if (element.is("querydb") && script::lint::is_statement(rule))
-          add_querydb(element, all);
+          add_querydb(element, asked);
         else if (element.is("query"))
-          add_query(element, all);
+          add_query(element, topics);
       });
-  if (connects) // others may be of another database
-    std::erase_if(all,
-                  [](const SqlStatement& one) { return one.columns.empty(); });
-  return all;
+  if (!connects)
+    std::ranges::move(asked, std::back_inserter(topics));
+  return topics;
 }
 
 } // namespace parlour::tools

@@ -41,4 +41,17 @@ TEST(SqlStatements, of_other_databases_and_computed_ones_are_left_out) {
   EXPECT_TRUE(sql_statements(compiled).empty());
 }
 
+TEST(SqlStatements, of_topics_are_known_whatever_scripts_connect) {
+  test::TemporaryFolder folder;
+  const auto compiled = compile(
+      "<dialogue><topic name='Staff'><slot name='Name'/><query source='db' "
+      "param='select name from staff'/></topic><function name='f'><connectdb "
+      "param='x'/><querydb param='select 1'/></function></dialogue>",
+      folder);
+  ASSERT_TRUE(compiled.program);
+  const auto all = sql_statements(compiled);
+  ASSERT_EQ(all.size(), 1u);
+  EXPECT_EQ(all[0].sql, "select name from staff");
+}
+
 } // namespace parlour::tools

@@ -1,4 +1,5 @@
 // Barge-in: the user interrupts the robot (engine rule 3).
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "tests/script/dialogue/conversation_world.hpp"

@@ -23,12 +23,14 @@ std::string_view name_of(SlotOutcome outcome) {
   return names[static_cast<std::size_t>(outcome)];
 }
 
-SlotState new_slot(const script::Slot& slot, const TopicFrame& frame,
+SlotState new_slot(const script::Slot& slot, TopicFrame& frame,
                    const FrameEvaluator& evaluate) {
   SlotState state;
   if (slot.initial == script::no_code)
     return state;
   auto value = evaluate(slot.initial, frame, nullptr);
+  if (!value)
+    frame.errors.push_back(value.error());
   if (!value || value->is_unknown())
     return state;
   state.value = *value;

@@ -83,12 +83,14 @@ struct TopicFrame {
   Value rows;           // of the last answered query
   Value asked;          // map of the conditions it was asked with
   std::vector<std::string> relaxed; // slots that its answer left out
+  // Of initial values: the next event with values reports them.
+  std::vector<Error> errors;
 
   template <class Archive>
   void serialize(Archive& archive) {
     archive.topic(topic);
     archive.up_to(status, TopicStatus::cancelled);
-    archive(slots, done, sure, certain, last, rows, asked, relaxed);
+    archive(slots, done, sure, certain, last, rows, asked, relaxed, errors);
     archive.has_slots(topic, slots.size());
   }
 };
@@ -223,8 +225,9 @@ struct FrameResult {
 using FrameEvaluator = std::function<Expected<Value>(
     CodeId code, const TopicFrame& frame, std::vector<SlotId>* reads)>;
 
-// The slot with its initial value (its `expr`); an expr that fails is unknown.
-SlotState new_slot(const script::Slot& slot, const TopicFrame& frame,
+// The slot with its initial value (its `expr`). An expr that fails is unknown,
+// and an error of the frame.
+SlotState new_slot(const script::Slot& slot, TopicFrame& frame,
                    const FrameEvaluator& evaluate);
 
 // A new frame with the slots' initial values.

@@ -1,6 +1,7 @@
 // The event that changes a frame: changes in order, of which rows of fills,
 // corrections and denials are one filling event each (filling_event.hpp).
 #include <algorithm>
+#include <iterator>
 #include <span>
 #include <utility>
 
@@ -64,8 +65,11 @@ public:
     }
     judge_conditions(topic_, frame_, evaluate_, &errors_);
     settle(topic_, frame_);
-    if (told_)
+    if (told_) {
       frame_.certain = frame_.sure && is_certain();
+      std::ranges::move(std::exchange(frame_.errors, {}),
+                        std::back_inserter(errors_));
+    }
   }
 
   SlotReports reports() {

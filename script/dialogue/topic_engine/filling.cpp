@@ -116,7 +116,7 @@ FrameChange Filling::inherit(const steps::Fill& step) const {
 
 // The result is shared from here on: each report is a step of its own.
 void Filling::tell_filled(steps::Fill& step, FrameResult result) {
-  for (const auto& error : result.errors) // of constraints
+  for (const auto& error : result.errors) // of what the slots compute
     messenger_.script_failed(error, step.turn);
   whereabouts_.note_what_was_said(step, result);
   outcome_.filled(step, make_short_lived<const FrameResult>(std::move(result)));

@@ -24,6 +24,8 @@ TEST(TopicFrame, BeginsWithTheInitialValues) {
   EXPECT_EQ(frame.slots[1].status, SlotStatus::empty);
   EXPECT_EQ(frame.slots[2].value, Value(2));
   EXPECT_EQ(frame.slots[3].status, SlotStatus::empty);
+  ASSERT_EQ(frame.errors.size(), 1u);
+  EXPECT_EQ(frame.errors[0].message, "no");
 }
 
 TEST(TopicFrame, MissesTheFirstFunctionalSlotThatIsNotAccepted) {

@@ -28,6 +28,7 @@ struct ShortLived {
     return static_cast<T*>(script::BlockCache::take(count * sizeof(T)));
   }
   void deallocate(T* first, std::size_t count) {
+    // NOLINTNEXTLINE(bugprone-sizeof-expression): T may be a pointer
     script::BlockCache::give(first, count * sizeof(T));
   }
   bool operator==(const ShortLived&) const = default;

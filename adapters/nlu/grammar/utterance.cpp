@@ -56,13 +56,22 @@ void mark_fillers(Utterance& utterance) {
 
 // -- noise within what is said ------------------------------------------------
 
+// "mm hm" and "uh huh" say yes, and each of their sounds alone means nothing.
+bool says_yes(const std::vector<Token>& list, std::size_t at) {
+  if (at + 1 >= list.size())
+    return false;
+  const auto& second = list[at + 1].word;
+  return (list[at].word == "mm" || list[at].word == "uh") &&
+         (second == "hm" || second == "hmm" || second == "huh");
+}
+
 // "ah" and "eh" are names, too, so they count as noise only beside numbers,
 // days and hours: "two ah o'clock".
 bool is_noise(const std::vector<Token>& list, std::size_t at) {
   const auto& word = list[at].word;
   const auto* next = at + 1 < list.size() ? &list[at + 1].word : nullptr;
   if (is_hesitation(word))
-    return !next || (*next != "huh" && *next != "hmm");
+    return !says_yes(list, at) && !(at > 0 && says_yes(list, at - 1));
   return word == "ah" && at > 0 && next &&
          (is_number_word(list[at - 1].word) || is_number_word(*next) ||
           weekday_of(*next) || month_of(*next) != 0);

@@ -65,6 +65,9 @@ TEST(Utterance, LeavesOutHesitations) {
   EXPECT_EQ(words("jeffery, er, ho"), "jeffery ho");
   EXPECT_EQ(words("ah meng"), "ah meng"); // a name
   EXPECT_EQ(words("um"), "um");
+  EXPECT_EQ(words("mm-hm"), "mm hm"); // a yes
+  EXPECT_EQ(words("mm hmm"), "mm hmm");
+  EXPECT_EQ(words("mm, hall"), "hall");
 }
 
 TEST(Utterance, LeavesOutWhatIsSaidTwice) {

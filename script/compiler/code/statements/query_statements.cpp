@@ -93,7 +93,7 @@ void QueryStatements::bound_sql(const Source& source,
   std::size_t used = 0;
   for (SqlScanner scanner(sql); !scanner.at_end();) {
     const auto token = scanner.next();
-    if (token.kind != SqlTokenKind::placeholder || token.text != "?")
+    if (token.kind != SqlTokenKind::placeholder || token.text.front() != '?')
       continue;
     const auto at = static_cast<std::size_t>(token.text.data() - sql.data());
     if (auto part = embedded.extract(at); !part.empty())

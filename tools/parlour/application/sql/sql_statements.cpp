@@ -94,8 +94,8 @@ script::Spot SqlStatement::spot(std::size_t offset, std::size_t length) const {
 // After a <connectdb> without a name it is not known which database a <querydb>
 // asks.
 std::vector<SqlStatement> sql_statements(const script::Compiled& compiled) {
-  std::vector<SqlStatement> asked;  // by scripts
-  std::vector<SqlStatement> topics; // whose queries have the component itself
+  std::vector<SqlStatement> of_topics; // always of the application's database
+  std::vector<SqlStatement> of_scripts;
   bool connects = false;
   const script::lint::Options options;
   const script::lint::LintContext context{*compiled.program, compiled.documents,
@@ -105,13 +105,13 @@ std::vector<SqlStatement> sql_statements(const script::Compiled& compiled) {
       [&](const Element& element, const script::ElementRule& rule) {
         connects |= element.is("connectdb") && !element.attribute("name");
         if (element.is("querydb") && script::lint::is_statement(rule))
-          add_querydb(element, asked);
+          add_querydb(element, of_scripts);
         else if (element.is("query"))
-          add_query(element, topics);
+          add_query(element, of_topics);
       });
   if (!connects)
-    std::ranges::move(asked, std::back_inserter(topics));
-  return topics;
+    std::ranges::move(of_scripts, std::back_inserter(of_topics));
+  return of_topics;
 }
 
 } // namespace parlour::tools

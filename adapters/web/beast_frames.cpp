@@ -27,7 +27,7 @@ namespace beast = boost::beast;
 namespace http = beast::http;
 namespace websocket = beast::websocket;
 
-std::string text_of(beast::string_view text) {
+std::string copy_of(beast::string_view text) {
   return {text.data(), text.size()};
 }
 
@@ -103,7 +103,7 @@ private:
                     "This port speaks WebSocket, and lines: nc HOST PORT\n");
     const auto origin = request.find(http::field::origin);
     if (origin != request.end() &&
-        !is_allowed_origin(text_of(origin->value()), parts_.options.origins))
+        !is_allowed_origin(copy_of(origin->value()), parts_.options.origins))
       return answer(http::status::forbidden,
                     "Pages of this origin may not connect; the option "
                     "--origin allows it\n");

@@ -8,8 +8,10 @@ at most LIMIT, are one piece. One process serves all targets, so that it reads
 each header once. Two sources come into one piece
 only if neither, nor a header that it includes, mentions what the other keeps to
 itself: names in unnamed namespaces, macros, and namespaces that it opens for all
-that follows. So each means the same as if it were compiled alone, and may have
-helpers called like those of another source.
+that follows. A function counts where its name is declared or called: a variable or
+a member of that name hides it anyway. So each means the same as if it were compiled
+alone, and may have helpers called like those of another source. One that opens an
+enumeration for all that follows has no company.
 """
 
 import re
@@ -21,18 +23,22 @@ ROOT = Path(__file__).resolve().parents[2]
 TEXT = re.compile(
     r"""R"(\w*)\(.*?\)\1" | //[^\n]* | /\*.*?\*/
       | "(?:\\.|[^"\\\n])*" | '(?:\\.|[^'\\\n])+'""", re.S | re.X)
-WORD = re.compile(r"[A-Za-z_]\w*")
+# Not a member, nor a name of a class or a namespace that is given.
+WORD = re.compile(r"(?<![\w.:])(?<!->)[A-Za-z_]\w*")
+CALL = re.compile(WORD.pattern + r"(?=\s*\()")
 BRACE = re.compile(r"[{}]")
 INCLUDE = re.compile(r'^#include "(.*\.hpp)"', re.M)
 NAMESPACE = re.compile(r"\bnamespace [\w:]+\s*\{")
 UNNAMED = re.compile(r"\bnamespace\s*\{")
 MACRO = re.compile(r"#\s*define\s+(\w+)")
 OPENED = re.compile(r"^using namespace (\S+);", re.M)
+OPENED_ENUM = re.compile(r"^using enum ", re.M)
 TYPE = re.compile(r"\b(?:struct|class|enum|union|concept)\s+(?:class\s+)?(\w+)")
 ALIAS = re.compile(r"\busing (\w+) =")
 NOTHING_NEW = re.compile(r"\s*(using|static_assert|namespace|friend)\b")
 FUNCTION = re.compile(r"(?<![\w:~])(\w+)\s*\(")
 VARIABLE = re.compile(r"(\w+)\s*(\[[^\]]*\]\s*)*(=.*)?$", re.S)
+MEMBER = re.compile(r"\)\s*(const|noexcept)\b")
 TEMPLATE = re.compile(r"template\s*<[^<>]*>")
 OPERATOR = re.compile(r"\boperator\b")
 # Macros of GoogleTest, which look like functions.
@@ -58,26 +64,44 @@ def statements(code, begin):
     return ";".join(outer).split(";")
 
 
+class Names:
+    """Functions, and all else that has a name."""
+
+    def __init__(self, functions=(), others=()):
+        self.functions, self.others = set(functions), set(others)
+
+    def add(self, names):
+        self.functions |= names.functions
+        self.others |= names.others
+
+    def all(self):
+        return self.functions | self.others
+
+
 def declared(statement):
     """The names that a statement of a namespace declares."""
     statement = TEMPLATE.sub("", statement)
     kind = TYPE.search(statement) or ALIAS.search(statement)
     if kind:
-        return [kind[1]]
+        return Names(others=[kind[1]])
     if NOTHING_NEW.match(statement):
-        return []
+        return Names()
     if OPERATOR.search(statement):
-        return ["operator"]
-    function = FUNCTION.search(statement)
+        return Names(others=["operator"])
+    names = Names(functions=FUNCTION.findall(statement))
     variable = VARIABLE.search(statement.strip())
-    return [found[1] for found in (function, variable) if found]
+    if variable and not MEMBER.search(statement):
+        names.others.add(variable[1])
+    return names
 
 
 def names_in(kind, code):
     """What the namespaces of this kind declare."""
-    return {name for namespace in kind.finditer(code)
-            for statement in statements(code, namespace.end())
-            for name in declared(statement)}
+    names = Names()
+    for namespace in kind.finditer(code):
+        for statement in statements(code, namespace.end()):
+            names.add(declared(statement))
+    return names
 
 
 @cache
@@ -100,36 +124,47 @@ def with_theirs(headers):
 
 @cache
 def header_names(path):
-    """What the header declares for all, and the types within."""
+    """What the header declares for all. A class hides what is outside of it by what
+    it declares itself."""
     if not (ROOT / path).exists():
         return set()
     code = bare((ROOT / path).read_text("utf-8"))
-    return names_in(NAMESPACE, code) | set(TYPE.findall(code))
+    return names_in(NAMESPACE, code).all()
 
 
 def own_names(code):
     """What the source keeps to itself."""
-    names = set(MACRO.findall(code))
-    names.update(name for name in OPENED.findall(code)
-                 if not name.endswith("literals"))
-    names |= names_in(UNNAMED, code)
-    return {name for name in names if not SHARED.match(name)}
+    names = names_in(UNNAMED, code)
+    names.others.update(MACRO.findall(code))
+    names.others.update(name for name in OPENED.findall(code)
+                        if not name.endswith("literals"))
+    names.functions = {name for name in names.functions
+                       if not SHARED.match(name)}
+    return names
 
 
 class Piece:
-    def __init__(self, sources=(), own=(), words=()):
-        self.sources, self.own = list(sources), set(own)
-        self.words = set(words)
+    """Sources, what they keep to themselves, and what they mention and call."""
+
+    def __init__(self, source, own, words, calls):
+        self.sources = [source]
+        self.own, self.words, self.calls = own, words, calls
+        self.is_alone = False
 
     def add(self, other):
         self.sources += other.sources
-        self.own |= other.own
+        self.own.add(other.own)
         self.words |= other.words
+        self.calls |= other.calls
+
+    def hides_from(self, other):
+        return (self.own.others.isdisjoint(other.words)
+                and self.own.functions.isdisjoint(other.calls))
 
     def takes(self, other, limit):
-        return (len(self.sources) + len(other.sources) <= limit
-                and self.own.isdisjoint(other.words)
-                and self.words.isdisjoint(other.own))
+        return (not self.is_alone and not other.is_alone
+                and len(self.sources) + len(other.sources) <= limit
+                and self.hides_from(other) and other.hides_from(self))
 
 
 def joined(pieces, limit):
@@ -148,10 +183,13 @@ def joined(pieces, limit):
 def read(source):
     text = Path(source).read_text("utf-8")
     code = bare(text)
-    words = {*WORD.findall(code), *OPENED.findall(code)}
-    headers = with_theirs(INCLUDE.findall(text))
-    return Piece([source], own_names(code),
-                 words.union(*map(header_names, headers)))
+    own = own_names(code)
+    given = set().union(*map(header_names, with_theirs(INCLUDE.findall(text))))
+    piece = Piece(source, own,
+                  {*WORD.findall(code), *OPENED.findall(code), *own.all()} | given,
+                  {*CALL.findall(code), *TYPE.findall(code), *own.all()} | given)
+    piece.is_alone = OPENED_ENUM.search(code) is not None
+    return piece
 
 
 def united(sources, limit):

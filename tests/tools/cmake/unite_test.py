@@ -51,8 +51,29 @@ class Unite(unittest.TestCase):
 
     def test_a_helper_stays_away_from_sources_that_mention_its_name(self):
         source = "int far(int run) { return run; }"
-        self.assert_apart(helper("int run();"), source)
-        self.assert_apart(source, helper("int run();"))
+        for code in ("struct run { int x; };", "constexpr int run = 3;",
+                     "const int run = made();", "const int run{made()};",
+                     "enum class run { a, b };", "using run = int;"):
+            self.assert_apart(helper(code), source)
+            self.assert_apart(source, helper(code))
+
+    def test_a_function_stays_away_from_sources_that_call_its_name(self):
+        for source in ("int far() { return run(1); }", "int run(int);",
+                       "struct run { int x; };\nint x(run y);",
+                       helper("struct run { int x; };")):
+            self.assert_apart(helper("int run();"), source)
+            self.assert_apart(source, helper("int run();"))
+        self.assert_together(helper("int run();"),
+                             "int far(int run) { return run; }")
+
+    def test_members_and_what_is_in_classes_are_other_names(self):
+        for source in ("int far(X& x) { return x.run(); }",
+                       "int far(X* x) { return x->run(); }",
+                       "int far() { return X::run; }"):
+            self.assert_together(helper("int run();"), source)
+            self.assert_together(helper("constexpr int run = 3;"), source)
+        code = helper("int X::run(int x) const { return x; }")
+        self.assert_together(code, code.replace("X", "Y"))
 
     def test_what_stands_in_texts_comments_and_bodies_does_not_count(self):
         for source in ('const char* text = "run";', "// run\nint x();",
@@ -74,6 +95,10 @@ class Unite(unittest.TestCase):
         self.assert_together(opened, "int x();")
         literals = "using namespace std::chrono_literals;\n"
         self.assert_together(literals, literals)
+
+    def test_what_opens_an_enumeration_is_compiled_alone(self):
+        self.assert_apart("using enum X;\n", "int x();")
+        self.assert_together("void f() {\n  using enum X;\n}\n", "int x();")
 
     def test_operators_are_kept_apart(self):
         code = helper("bool operator==(A, A) { return true; }")

@@ -19,7 +19,7 @@ namespace parlour::adapters::web {
 
 namespace {
 
-constexpr std::string_view request_line = "GET ";
+constexpr std::string_view request_begin = "GET ";
 // Who sends more of one line than this is no person.
 constexpr std::size_t max_skipped = 1 << 20;
 // How long the other side may take to read its last words.
@@ -127,9 +127,9 @@ private:
   // While what has come may still become "GET ", nothing is decided.
   void take(std::string_view bytes) {
     in_ += bytes;
-    if (!has_begun() && in_.starts_with(request_line))
+    if (!has_begun() && in_.starts_with(request_begin))
       return become_frames();
-    if (!has_begun() && request_line.starts_with(in_))
+    if (!has_begun() && request_begin.starts_with(in_))
       return read();
     take_lines();
     read();

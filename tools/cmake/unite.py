@@ -146,10 +146,10 @@ def own_names(code):
 class Piece:
     """Sources, what they keep to themselves, and what they mention and call."""
 
-    def __init__(self, source, own, words, calls):
+    def __init__(self, source, own, words, calls, is_alone):
         self.sources = [source]
         self.own, self.words, self.calls = own, words, calls
-        self.is_alone = False
+        self.is_alone = is_alone
 
     def add(self, other):
         self.sources += other.sources
@@ -184,12 +184,12 @@ def read(source):
     text = Path(source).read_text("utf-8")
     code = bare(text)
     own = own_names(code)
-    given = set().union(*map(header_names, with_theirs(INCLUDE.findall(text))))
-    piece = Piece(source, own,
-                  {*WORD.findall(code), *OPENED.findall(code), *own.all()} | given,
-                  {*CALL.findall(code), *TYPE.findall(code), *own.all()} | given)
-    piece.is_alone = OPENED_ENUM.search(code) is not None
-    return piece
+    headers = with_theirs(INCLUDE.findall(text))
+    known = own.all().union(*map(header_names, headers))
+    return Piece(source, own,
+                 known.union(WORD.findall(code), OPENED.findall(code)),
+                 known.union(CALL.findall(code), TYPE.findall(code)),
+                 is_alone=OPENED_ENUM.search(code) is not None)
 
 
 def united(sources, limit):

@@ -11,8 +11,9 @@ namespace {
 constexpr float sharpness = 4;
 // The score of being about nothing that was learnt.
 constexpr float score_of_nothing = -0.4F;
-// How much words that no example has count against all labels.
-constexpr float weight_of_known = 0.3F;
+// How much words that no example has count against all labels, where examples
+// are many.
+constexpr float weight_among_many = 0.6F;
 
 // The share of the texts told right that may miss the threshold.
 constexpr double may_miss = 0.025;
@@ -23,20 +24,21 @@ float strength(float score) {
   return std::exp(sharpness * score);
 }
 
-// Probabilities as the scores tell them, before the odds are better.
-std::vector<float> plain(const TextReading& reading) {
+} // namespace
+
+std::vector<float> Certainty::plain(const TextReading& reading) const {
   auto sum = strength(score_of_nothing);
   for (const auto score : reading.scores)
     sum += strength(score);
-  const auto factor = std::pow(reading.known, weight_of_known) / sum;
+  const auto factor = std::pow(reading.known, weight_of_known_) / sum;
   std::vector<float> made;
   for (const auto score : reading.scores)
     made.push_back(strength(score) * factor);
   return made;
 }
 
-// The plain probabilities of the texts that are told right, sorted.
-std::vector<float> told_right(const std::vector<HeldOutText>& texts) {
+std::vector<float>
+Certainty::told_right(const std::vector<HeldOutText>& texts) const {
   std::vector<float> made;
   for (const auto& text : texts) {
     const auto all = plain(text.reading);
@@ -47,9 +49,8 @@ std::vector<float> told_right(const std::vector<HeldOutText>& texts) {
   return made;
 }
 
-} // namespace
-
-Certainty::Certainty(const std::vector<HeldOutText>& texts, double threshold) {
+Certainty::Certainty(const std::vector<HeldOutText>& texts, double threshold)
+    : weight_of_known_(weight_among_many) {
   const auto right = told_right(texts);
   if (right.empty())
     return;

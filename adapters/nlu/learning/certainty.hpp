@@ -28,10 +28,18 @@ public:
   std::vector<float> probabilities(const TextReading& reading) const;
 
 private:
+  // As the scores tell them, before the odds are better.
+  std::vector<float> plain(const TextReading& reading) const;
+  // The plain probabilities of the texts that are told right, sorted.
+  std::vector<float> told_right(const std::vector<HeldOutText>& texts) const;
+
   // By how much the odds of a label ("three to one") are better than its score
   // says. The more labels and examples there are, the lower are the scores of
   // texts that were not learnt.
   float odds_ = 2;
+  // How much words that no example has count against all labels. With few
+  // examples, most words of other people are such.
+  float weight_of_known_ = 0.3F;
 };
 
 } // namespace parlour::adapters::nlu

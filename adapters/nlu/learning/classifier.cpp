@@ -21,6 +21,8 @@ constexpr float small_step = 1e-4F;
 constexpr float bias_input = 0.1F;
 // How much the kind of a value counts beside a word as frequent.
 constexpr float weight_of_kind = 3;
+// How much a text's meaning counts beside all its features.
+constexpr float weight_of_meaning = 0.7F;
 // With so many texts, features that occur in only one of them are left out.
 constexpr std::size_t many_texts = 2000;
 // Labels that are worked on at once.
@@ -39,13 +41,12 @@ public:
         scores_(made.stride_) {
     for (const auto& text : texts) {
       inputs_.push_back(made.inputs(text.features));
-      inputs_.back().push_back(
-          {static_cast<FeatureNumber>(made.table_.size()), bias_input});
+      inputs_.back().push_back(made.bias());
     }
   }
 
   void run() {
-    made_.weights_.assign((made_.table_.size() + 1) * made_.stride_, 0);
+    made_.weights_.assign(made_.rows() * made_.stride_, 0);
     ShuffledOrder order(texts_.size());
     for (int round = 0; round < rounds; ++round)
       for (const auto at : order.next())
@@ -111,7 +112,7 @@ Classifier::train(const std::vector<LabelledText>& texts, std::uint32_t labels,
   made.labels_ = labels;
   made.stride_ = (labels + lanes - 1) / lanes * lanes;
   made.number_features(texts);
-  if ((made.table_.size() + 1) * made.stride_ > max_weights)
+  if (made.rows() * made.stride_ > max_weights)
     return {};
   ClassifierTraining(made, texts).run();
   return made;
@@ -122,10 +123,12 @@ Classifier::train(const std::vector<LabelledText>& texts, std::uint32_t labels,
 void Classifier::number_features(const std::vector<LabelledText>& texts) {
   const std::uint32_t needed = texts.size() < many_texts ? 1 : 2;
   std::unordered_map<Feature, std::uint32_t> counts;
-  for (const auto& text : texts)
-    for (const auto feature : text.features)
+  for (const auto& text : texts) {
+    for (const auto feature : text.features.features)
       if (++counts[feature] == needed)
         table_.add(feature);
+    meanings_ = std::max(meanings_, text.features.meaning.size());
+  }
   const auto all = static_cast<float>(texts.size() + 1);
   rarity_.assign(table_.size() + 1, 1 + std::log(all));
   for (const auto& [feature, count] : counts)
@@ -135,12 +138,12 @@ void Classifier::number_features(const std::vector<LabelledText>& texts) {
 
 // The features as a vector of length 1, weighted by rarity. Unknown features
 // count for the length but have no entry, so that a text full of them scores
-// low everywhere.
+// low everywhere. The meaning is a vector beside it.
 std::vector<Classifier::Input>
-Classifier::inputs(const std::vector<Feature>& features) const {
+Classifier::inputs(const TextFeatures& text) const {
   std::vector<Input> made;
   float sum = 0;
-  for (const auto feature : features) {
+  for (const auto feature : text.features) {
     const auto number = table_.find(feature);
     const auto kind = class_of(feature);
     if (number == no_feature && kind == FeatureClass::word_of_value)
@@ -154,7 +157,14 @@ Classifier::inputs(const std::vector<Feature>& features) const {
   }
   for (auto& input : made)
     input.value /= std::sqrt(sum);
+  for (std::size_t at = 0; at < std::min(meanings_, text.meaning.size()); ++at)
+    made.push_back({static_cast<FeatureNumber>(table_.size() + at),
+                    weight_of_meaning * text.meaning[at]});
   return made;
+}
+
+Classifier::Input Classifier::bias() const {
+  return {static_cast<FeatureNumber>(rows() - 1), bias_input};
 }
 
 void Classifier::add_scores(const std::vector<Input>& inputs,
@@ -171,12 +181,13 @@ void Classifier::add_scores(const std::vector<Input>& inputs,
   }
 }
 
-TextReading Classifier::read(const std::vector<Feature>& features) const {
+TextReading Classifier::read(const TextFeatures& features) const {
   TextReading made;
   auto all = inputs(features);
   for (const auto& input : all)
-    made.known += input.value * input.value;
-  all.push_back({static_cast<FeatureNumber>(table_.size()), bias_input});
+    if (input.feature < table_.size())
+      made.known += input.value * input.value;
+  all.push_back(bias());
   made.scores.resize(stride_);
   add_scores(all, made.scores.data());
   made.scores.resize(labels_);

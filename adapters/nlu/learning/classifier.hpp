@@ -17,7 +17,7 @@ namespace parlour::adapters::nlu {
 
 struct LabelledText {
   // Made by text_features().
-  std::vector<Feature> features;
+  TextFeatures features;
   std::uint32_t label = 0;
 };
 
@@ -42,7 +42,7 @@ public:
                                          std::uint32_t labels,
                                          std::size_t max_weights = no_limit);
 
-  TextReading read(const std::vector<Feature>& features) const;
+  TextReading read(const TextFeatures& features) const;
 
 private:
   friend class ClassifierTraining;
@@ -53,9 +53,13 @@ private:
   };
 
   void number_features(const std::vector<LabelledText>& texts);
-  std::vector<Input> inputs(const std::vector<Feature>& features) const;
+  std::vector<Input> inputs(const TextFeatures& text) const;
   // Adds to `scores`, which has `stride_` entries.
   void add_scores(const std::vector<Input>& inputs, float* scores) const;
+  std::size_t rows() const {
+    return table_.size() + meanings_ + 1;
+  }
+  Input bias() const;
   float* row(std::size_t number) {
     return &weights_[number * stride_];
   }
@@ -67,8 +71,10 @@ private:
   // The weight of each feature by how few texts have it (inverse document
   // frequency); the last one is that of features which no text has.
   std::vector<float> rarity_;
-  // One row for each feature with a weight for each label; the last row is the
-  // bias.
+  // The numbers of a meaning; 0 if no text has one.
+  std::size_t meanings_ = 0;
+  // One row for each feature with a weight for each label, then one for each
+  // number of the meaning; the last row is the bias.
   std::vector<float> weights_;
 };
 

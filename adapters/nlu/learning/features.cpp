@@ -1,8 +1,11 @@
 #include "adapters/nlu/learning/features.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
+
+#include "adapters/nlu/learning/hash.hpp"
 
 namespace parlour::adapters::nlu {
 
@@ -13,16 +16,9 @@ constexpr std::size_t shortest_piece = 3;
 constexpr std::size_t longest_piece = 4;
 constexpr std::size_t longest_affix = 4;
 
-// 64-bit FNV-1a, continued from `hash`.
-constexpr Feature hash_of(std::string_view bytes, Feature hash) {
-  for (const char byte : bytes)
-    hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001b3;
-  return hash;
-}
-
 // `kind` is a letter that separates features which are made of the same words.
 constexpr Feature feature(char kind, std::string_view first) {
-  return hash_of(first, hash_of({&kind, 1}, 0xcbf29ce484222325));
+  return hash_of(first, hash_of({&kind, 1}));
 }
 
 constexpr Feature feature(char kind, std::string_view first,
@@ -84,6 +80,7 @@ public:
     add_neighbours();
     add_affixes(word(0));
     add_kinds();
+    add_groups();
     return std::move(made_);
   }
 
@@ -133,14 +130,51 @@ private:
     made_.push_back(feature('t', kind(-1), kind(0)));
   }
 
+  // The words up to two positions away, as far as they have a meaning.
+  void add_groups() {
+    for (int away = -2; away <= 2; ++away) {
+      if (place(away) >= words_.size())
+        continue;
+      const auto& meaning = words_[place(away)].meaning;
+      if (meaning.group == 0)
+        continue;
+      made_.push_back(feature(static_cast<char>('C' + away),
+                              std::to_string(meaning.group)));
+      made_.push_back(feature(static_cast<char>('H' + away),
+                              std::to_string(meaning.smaller_group)));
+    }
+  }
+
   const std::vector<LearningWord>& words_;
   std::size_t at_ = 0;
   std::vector<Feature> made_;
 };
 
+// The sum of what the words mean, made to a vector of length 1.
+std::vector<float> meaning_of(const std::vector<LearningWord>& words) {
+  std::vector<float> sum;
+  for (const auto& [word, kind, meaning] : words) {
+    if (kind != 0)
+      continue;
+    sum.resize(std::max(sum.size(), meaning.steps.size()));
+    for (std::size_t at = 0; at < meaning.steps.size(); ++at)
+      sum[at] +=
+          meaning.step *
+          static_cast<float>(static_cast<signed char>(meaning.steps[at]));
+  }
+  float length = 0;
+  for (const auto number : sum)
+    length += number * number;
+  if (length == 0)
+    return {};
+  for (auto& number : sum)
+    number /= std::sqrt(length);
+  return sum;
+}
+
 } // namespace
 
-std::vector<Feature> text_features(const std::vector<LearningWord>& words) {
+TextFeatures text_features(const std::vector<LearningWord>& words) {
   std::vector<Feature> made;
   std::string before = "^";
   for (const auto& word : without_values(words)) {
@@ -160,7 +194,7 @@ std::vector<Feature> text_features(const std::vector<LearningWord>& words) {
           of_class(FeatureClass::word_of_value, feature('v', word.word)));
   std::ranges::sort(made);
   made.erase(std::unique(made.begin(), made.end()), made.end());
-  return made;
+  return {std::move(made), meaning_of(words)};
 }
 
 std::vector<std::vector<Feature>>

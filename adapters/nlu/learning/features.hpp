@@ -9,6 +9,8 @@
 #include <unordered_map>
 #include <vector>
 
+#include "adapters/nlu/learning/word_vectors.hpp"
+
 namespace parlour::adapters::nlu {
 
 using Feature = std::uint64_t;
@@ -56,16 +58,27 @@ struct LearningWord {
   // What the word is known to be part of (a normal form, a set of values); 0:
   // nothing.
   std::uint32_t kind = 0;
+  WordMeaning meaning = {};
+};
+
+struct TextFeatures {
+  // Each once, sorted.
+  std::vector<Feature> features;
+  // What its words mean together, as a vector of length 1; empty if no word has
+  // a meaning.
+  std::vector<float> meaning;
+
+  bool operator==(const TextFeatures&) const = default;
 };
 
 // The features of a text: its words, pairs of adjacent words, and pieces of
-// words of three and four letters; each once, sorted. In pairs, words of a
-// value are replaced by its kind, so that one name in the examples stands for
-// all.
-std::vector<Feature> text_features(const std::vector<LearningWord>& words);
+// words of three and four letters. In pairs, words of a value are replaced by
+// its kind, so that one name in the examples stands for all; such words have no
+// part in the meaning.
+TextFeatures text_features(const std::vector<LearningWord>& words);
 
 // The features of each word: the word, its neighbours, how it begins and ends,
-// kinds.
+// kinds, groups of meaning.
 std::vector<std::vector<Feature>>
 word_features(const std::vector<LearningWord>& words);
 

@@ -49,7 +49,7 @@ std::vector<std::string>
 Explanation::learnt(const TrainedModel& learned) const {
   if (learned.empty() || utterance_.size() == 0)
     return {};
-  const auto words = learning_words(utterance_, spans_);
+  const auto words = learned.words(utterance_, spans_);
   const auto hypotheses = learned.topics(words);
   if (hypotheses.empty())
     return {"learnt nothing of these words"};

@@ -144,6 +144,9 @@ Expected<GrammarModel> read_grammar(const std::string& path) {
       name.substr(0, name.find('.')), std::move(*text), {path, 1, 1}};
 }
 
+namespace {
+
+// The grammar of generic acts.
 Expected<GrammarModel> read_generic(const Options& options,
                                     const std::string& application_folder) {
   const auto own = option(options, "generic");
@@ -156,8 +159,6 @@ Expected<GrammarModel> read_generic(const Options& options,
                                      "'platform' nor 'generic' is set");
   return read_grammar(platform + "/generic-acts.jsgf");
 }
-
-namespace {
 
 void read_threshold(const Options& options, double& threshold,
                     std::vector<Error>& errors) {
@@ -185,6 +186,20 @@ std::vector<SynonymGroup> platform_synonyms(const Options& options,
   return {};
 }
 
+// None where `tools/dependencies words` has not been called.
+std::shared_ptr<const WordVectors>
+platform_vectors(const Options& options, std::vector<Error>& errors) {
+  const auto platform = option(options, "platform");
+  const auto path = platform + "/words.vectors";
+  if (platform.empty() || !is_there(path))
+    return {};
+  auto vectors = WordVectors::read(path);
+  if (vectors)
+    return *vectors;
+  errors.push_back(vectors.error());
+  return {};
+}
+
 // Adds the examples of a file to those of the topics.
 void read_examples(const Options& options,
                    const std::string& application_folder,
@@ -201,6 +216,22 @@ void read_examples(const Options& options,
 
 } // namespace
 
+tl::expected<NluEngine::Options, std::vector<Error>>
+read_platform(const Options& options, const std::string& application_folder) {
+  std::vector<Error> errors;
+  NluEngine::Options read;
+  read_threshold(options, read.threshold, errors);
+  if (auto generic = read_generic(options, application_folder))
+    read.generic = {std::move(*generic)};
+  else
+    errors.push_back(generic.error());
+  read.synonyms = platform_synonyms(options, errors);
+  read.vectors = platform_vectors(options, errors);
+  if (!errors.empty())
+    return tl::make_unexpected(std::move(errors));
+  return read;
+}
+
 tl::expected<NluEngine, std::vector<Error>>
 build_engine(const Options& options, UnderstandingModel model,
              const ColumnReader& columns,
@@ -208,15 +239,12 @@ build_engine(const Options& options, UnderstandingModel model,
   // Everything is read even after an error, so that all errors are reported at
   // once.
   std::vector<Error> errors;
-  NluEngine::Options wanted;
-  read_threshold(options, wanted.threshold, errors);
-  if (auto generic = read_generic(options, application_folder))
-    wanted.generic = {std::move(*generic)};
-  else
-    errors.push_back(generic.error());
-  wanted.synonyms = platform_synonyms(options, errors);
+  auto platform = read_platform(options, application_folder);
+  if (!platform)
+    errors = platform.error();
   read_examples(options, application_folder, model, errors);
-  auto built = NluEngine::build(model, columns, std::move(wanted));
+  auto built = NluEngine::build(
+      model, columns, platform ? std::move(*platform) : NluEngine::Options());
   if (!built)
     errors.insert(errors.end(), built.error().begin(), built.error().end());
   if (!errors.empty())

@@ -25,10 +25,11 @@ namespace nlu {
 // Reads a grammar from a file; its name is that of the file.
 Expected<GrammarModel> read_grammar(const std::string& path);
 
-// Reads the grammar of generic acts that the options choose. The application's
-// folder is an absolute path.
-Expected<GrammarModel> read_generic(const Options& options,
-                                    const std::string& application_folder);
+// Reads what the options choose of the platform: the grammar of generic acts,
+// synonyms, word vectors. The application's folder is an absolute path. Returns
+// all errors if there are any.
+tl::expected<NluEngine::Options, std::vector<Error>>
+read_platform(const Options& options, const std::string& application_folder);
 
 // Builds the engine for an application, or returns all errors.
 tl::expected<NluEngine, std::vector<Error>>

@@ -246,7 +246,7 @@ std::vector<BuiltAct> hypothesised_acts(const TrainedModel& learned,
   std::vector<BuiltAct> acts;
   if (learned.empty())
     return acts;
-  const auto words = learning_words(utterance, spans);
+  const auto words = learned.words(utterance, spans);
   const auto makeup = makeup_of(utterance, words);
   if (tells_nothing(makeup))
     return acts;

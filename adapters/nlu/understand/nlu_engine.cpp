@@ -258,7 +258,8 @@ NluEngine::build(const UnderstandingModel& model, const ColumnReader& columns,
   if (!errors.empty())
     return tl::make_unexpected(std::move(errors));
   auto learned =
-      TrainedModel::train(model.topics, schema, automaton, options.threshold);
+      TrainedModel::train(model.topics, schema, automaton, options.threshold,
+                          {}, std::move(options.vectors));
   if (!learned)
     return tl::make_unexpected(std::vector{learned.error()});
   // Not before: what is learnt is learnt of the words of the examples.

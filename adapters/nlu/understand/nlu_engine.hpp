@@ -15,6 +15,7 @@
 #include <tl/expected.hpp>
 
 #include "adapters/nlu/grammar/synonyms.hpp"
+#include "adapters/nlu/learning/word_vectors.hpp"
 #include "adapters/nlu/understand/understood.hpp"
 #include "runtime/message/understanding.hpp"
 
@@ -29,6 +30,8 @@ public:
     std::vector<GrammarModel> generic;
     // By which words that no grammar has are understood.
     std::vector<SynonymGroup> synonyms = {};
+    // By which what is learnt is more than the words of the examples.
+    std::shared_ptr<const WordVectors> vectors = {};
   };
 
   // Compiles grammars, reads columns and learns examples, which may take

@@ -43,11 +43,12 @@ bool is_certain(const Span& span) {
 
 } // namespace
 
-std::vector<LearningWord> learning_words(const Utterance& utterance,
-                                         const Spans& spans) {
+std::vector<LearningWord> TrainedModel::words(const Utterance& utterance,
+                                              const Spans& spans) const {
   std::vector<LearningWord> words;
   for (const auto& token : utterance.tokens.list)
-    words.push_back({token.word, 0});
+    words.push_back(
+        {token.word, 0, vectors_ ? vectors_->find(token.word) : WordMeaning()});
   std::vector<const Span*> known;
   for (const auto& span : spans.all())
     if (is_certain(span))
@@ -141,11 +142,11 @@ private:
 
   // An example's text with its values found.
   struct Read {
-    explicit Read(std::string_view text, const Schema& schema,
-                  const Automaton& automaton)
+    Read(std::string_view text, const Schema& schema,
+         const Automaton& automaton, const TrainedModel& learned)
         : utterance(make_utterance(text, automaton)),
           spans(schema, utterance, automaton.entities, Timestamp{0}),
-          words(learning_words(utterance, spans)) {}
+          words(learned.words(utterance, spans)) {}
 
     Utterance utterance;
     Spans spans;
@@ -153,12 +154,12 @@ private:
   };
 
   void add(const MarkedText& marked) {
-    const Read read(marked.text, schema_, automaton_);
+    const Read read(marked.text, schema_, automaton_, learned_);
     if (is_negated_order(read.utterance.tokens, read.utterance.negates))
       learned_.negates_.back() = true;
     texts_.push_back({text_features(read.words),
                       static_cast<std::uint32_t>(learned_.topics_.size())});
-    features_ += texts_.back().features.size();
+    features_ += texts_.back().features.features.size();
     const auto topic = learned_.topics_.back();
     if (schema_.at(topic).slots.empty())
       return;
@@ -220,7 +221,8 @@ private:
 
   void add_nothing(const std::string& text) {
     texts_.push_back(
-        {text_features(Read(text, schema_, automaton_).words), nothing});
+        {text_features(Read(text, schema_, automaton_, learned_).words),
+         nothing});
   }
 
   // Trains a second classifier without the texts that are held out. Moves the
@@ -230,7 +232,7 @@ private:
     std::vector<LabelledText> others;
     for (std::size_t at = 0; at < texts_.size(); ++at) {
       const bool out =
-          held_out(texts_[at].features) && texts_[at].label != nothing;
+          held_out(texts_[at].features.features) && texts_[at].label != nothing;
       (out ? others : learnt).push_back(std::move(texts_[at]));
     }
     const auto trial = Classifier::train(learnt, labels);
@@ -254,8 +256,9 @@ private:
 Expected<TrainedModel>
 TrainedModel::train(const std::vector<TopicModel>& topics, const Schema& schema,
                     const Automaton& automaton, double threshold,
-                    LearningLimits limits) {
+                    LearningLimits limits, Vectors vectors) {
   TrainedModel learned;
+  learned.vectors_ = std::move(vectors);
   Trainer trainer(learned, schema, automaton, limits);
   for (const auto& topic : topics)
     if (auto added = trainer.add(topic); !added)

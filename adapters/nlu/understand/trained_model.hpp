@@ -3,6 +3,7 @@
 // (understanding, "Examples").
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -30,10 +31,6 @@ struct SlotHypothesis {
   std::uint32_t end = 0;
 };
 
-// The words of an utterance; those of a known value have its kind.
-std::vector<LearningWord> learning_words(const Utterance& utterance,
-                                         const Spans& spans);
-
 // How much memory learning may use. An application that needs more cannot be
 // trained.
 struct LearningLimits {
@@ -47,15 +44,22 @@ struct LearningLimits {
 // Immutable; any number of threads may use it.
 class TrainedModel {
 public:
+  using Vectors = std::shared_ptr<const WordVectors>;
+
   // Trains classifier and tagger. Examples whose marks do not fit are left out.
   // With many examples, probabilities are calibrated by texts that are held
   // out, so that those which are told right reach `threshold`. The error, of
-  // kind Limit, says what there is too much of.
-  static Expected<TrainedModel> train(const std::vector<TopicModel>& topics,
-                                      const Schema& schema,
-                                      const Automaton& automaton,
-                                      double threshold,
-                                      LearningLimits limits = {});
+  // kind Limit, says what there is too much of. With vectors, other words that
+  // mean the same are understood.
+  static Expected<TrainedModel>
+  train(const std::vector<TopicModel>& topics, const Schema& schema,
+        const Automaton& automaton, double threshold,
+        LearningLimits limits = {}, Vectors vectors = {});
+
+  // The words of an utterance as the model sees them: those of a known value
+  // have its kind. They refer to the utterance and the model.
+  std::vector<LearningWord> words(const Utterance& utterance,
+                                  const Spans& spans) const;
 
   // The topics with examples, the most likely first. What is missing to 1 is
   // the probability that the utterance is about none of them. Empty if examples
@@ -84,6 +88,7 @@ private:
   std::vector<std::string> slots_;
   // By topic: its slots, as numbers of the tagger.
   std::vector<std::vector<std::uint32_t>> slots_of_;
+  Vectors vectors_; // may be none
   Classifier classifier_;
   Tagger tagger_;
   Certainty certainty_;

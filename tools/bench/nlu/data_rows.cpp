@@ -83,7 +83,7 @@ bool data_row(const std::string& name, const DataRowOptions& options,
   DataTrial trial;
   double milliseconds = 0, mebibytes = 0;
   for (const auto& set : *sets) {
-    const auto trained = train(set.model, set.columns, {0.4, options.generic});
+    const auto trained = train(set.model, set.columns, options.platform);
     if (!trained) {
       say(to_string(trained.error()));
       return false;

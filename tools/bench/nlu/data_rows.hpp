@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/message/understanding.hpp"
+#include "adapters/nlu/understand/nlu_engine.hpp"
 #include "tools/bench/nlu/nlu_data.hpp"
 
 namespace parlour::tools {
@@ -14,7 +14,8 @@ namespace parlour::tools {
 struct DataRowOptions {
   std::filesystem::path folder; // empty: they are not measured
   DataPart part = DataPart::test;
-  std::vector<GrammarModel> generic; // the platform's
+  // Every row runs the component as an application loads it.
+  adapters::nlu::NluEngine::Options platform;
 };
 
 std::vector<std::string> data_row_names();

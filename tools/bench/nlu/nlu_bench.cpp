@@ -50,12 +50,12 @@ bool names_row(const NluApplication& application, std::ostream& out) {
                    {}}};
   model.grammars = {
       {"visit", "public <meet> = to meet @Visit.Host;", {"bench", 1, 1}}};
-  const auto trained =
-      train(model,
-            [&](const std::string&) {
-              return Expected<std::vector<std::string>>(application.names);
-            },
-            {0.4, application.generic});
+  const auto trained = train(
+      model,
+      [&](const std::string&) {
+        return Expected<std::vector<std::string>>(application.names);
+      },
+      application.platform);
   if (!trained) {
     out << "names        " << to_string(trained.error()) << '\n';
     return false;
@@ -110,7 +110,7 @@ constexpr std::size_t frames_tried = 2000;
 // The same sentences are measured as they are and misheard.
 bool frames_row(const NluApplication& application, std::ostream& out) {
   const auto trained =
-      train(application.model, application.columns, {0.4, application.generic});
+      train(application.model, application.columns, application.platform);
   const auto trials =
       frame_trials(application.model, application.columns, frames_tried);
   if (!trained || trials.empty()) {
@@ -134,14 +134,14 @@ constexpr std::size_t speed_rounds = 5;
 // Measures the speed with what visitors have said.
 bool application_row(const NluApplication& application, std::ostream& out) {
   // The first build reads the columns, the second one is measured.
-  if (const auto first = train(application.model, application.columns,
-                               {0.4, application.generic});
+  if (const auto first =
+          train(application.model, application.columns, application.platform);
       !first) {
     out << "application  " << to_string(first.error()) << '\n';
     return false;
   }
   const auto trained =
-      train(application.model, application.columns, {0.4, application.generic});
+      train(application.model, application.columns, application.platform);
   if (!trained || application.said.empty()) {
     out << "application  nothing was said to it\n";
     return false;
@@ -178,7 +178,7 @@ bool nlu_bench(const NluBenchOptions& options,
   };
   const DataRowOptions data{
       options.data, options.validation ? DataPart::validation : DataPart::test,
-      application.generic};
+      application.platform};
   bool ok = true;
   for (const auto& row : data_row_names())
     if (wanted(row))

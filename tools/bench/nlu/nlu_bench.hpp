@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "adapters/nlu/understand/nlu_engine.hpp"
 #include "runtime/message/understanding.hpp"
 
 namespace parlour::tools {
@@ -19,7 +20,8 @@ namespace parlour::tools {
 struct NluApplication {
   UnderstandingModel model;
   ColumnReader columns;
-  std::vector<GrammarModel> generic;
+  // What it has of the platform.
+  adapters::nlu::NluEngine::Options platform;
   // Names of people in its database.
   std::vector<std::string> names;
   // What visitors have said to it.

@@ -51,9 +51,9 @@ NluApplication measured_part(const Application& application) {
   if (const auto names = measured.columns(staff_names))
     measured.names = *names;
   if (const auto* component = first_of_role(application.composition, "NLU"))
-    if (auto generic = adapters::nlu::read_generic(component->options,
-                                                   application.folder.string()))
-      measured.generic = {std::move(*generic)};
+    if (auto platform = adapters::nlu::read_platform(
+            component->options, application.folder.string()))
+      measured.platform = std::move(*platform);
   measured.said = said_to(application.folder / "dialogues");
   return measured;
 }

@@ -3,11 +3,12 @@
 #include <gtest/gtest.h>
 
 #include "adapters/nlu/learning/classifier.hpp"
+#include "tests/adapters/nlu/learning/small_vectors.hpp"
 
 namespace parlour::adapters::nlu {
 namespace {
 
-std::vector<Feature> features(std::initializer_list<std::string_view> words) {
+TextFeatures features(std::initializer_list<std::string_view> words) {
   std::vector<LearningWord> made;
   for (const auto word : words)
     made.push_back({word, 0});
@@ -67,6 +68,22 @@ TEST(Classifier, PullsLabelsApart) {
     for (std::uint32_t label = 0; label < 3; ++label)
       EXPECT_EQ(scores[label] > 0, label == text.label) << label;
   }
+}
+
+TEST(Classifier, TellsOtherWordsByWhatTheyMean) {
+  const auto vectors = test::small_vectors();
+  const auto text = [&](std::initializer_list<std::string_view> words) {
+    std::vector<LearningWord> made;
+    for (const auto word : words)
+      made.push_back({word, 0, vectors->find(word)});
+    return text_features(made);
+  };
+  const auto classifier = *Classifier::train(
+      {{text({"a", "taxi"}), 0}, {text({"the", "bank"}), 1}}, 2);
+  EXPECT_GT(classifier.read(text({"cab"})).scores[0], 0);
+  EXPECT_LT(classifier.read(text({"cab"})).scores[1], 0);
+  EXPECT_LT(classifier.read(features({"cab"})).scores[0],
+            classifier.read(text({"cab"})).scores[0]);
 }
 
 TEST(Classifier, KeepsToItsWeights) {

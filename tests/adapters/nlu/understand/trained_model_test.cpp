@@ -30,7 +30,7 @@ std::size_t topics_of(const std::string& text) {
   Stages stages("public <x> = hello;", text);
   const auto learned =
       *TrainedModel::train(lessons(), stages.schema, stages.automaton, 0.4);
-  return learned.topics(learning_words(stages.utterance, stages.spans)).size();
+  return learned.topics(learned.words(stages.utterance, stages.spans)).size();
 }
 
 // What is learnt says of a text: the topic, then its slots.
@@ -38,7 +38,7 @@ std::string said_of(const std::string& text) {
   Stages stages("public <x> = @Facility.Category | @Appointment.Host;", text);
   const auto learned =
       *TrainedModel::train(lessons(), stages.schema, stages.automaton, 0.4);
-  const auto words = learning_words(stages.utterance, stages.spans);
+  const auto words = learned.words(stages.utterance, stages.spans);
   const auto hypotheses = learned.topics(words);
   const auto hypothesis =
       hypotheses.empty() ? TopicHypothesis() : hypotheses.front();

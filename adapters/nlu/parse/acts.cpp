@@ -222,6 +222,8 @@ private:
     act.is_declared = !group_.act.empty();
     act.fills = group_.fills.empty() ? group_.denied : group_.fills;
     act.elliptical = is_elliptical();
+    act.is_aside = group_.only_bare && !group_.leads_in &&
+                   act.act != "correct" && act.act != "deny";
     acts_.push_back(std::move(act));
   }
 
@@ -324,6 +326,22 @@ bool is_something_else(const BuiltAct& act, const BuiltAct& before,
          act.score - bonus_of(act, context) < further_value;
 }
 
+// In "an appointment with Dr. Roth on Wednesday", nobody asks for the visiting
+// hours of Wednesday: a value that another topic would take, unasked, in a
+// sentence that says what is wanted.
+bool is_explained(const BuiltAct& act, const std::vector<BuiltAct>& acts,
+                  const Utterance& utterance, const Context& context) {
+  if (!act.is_aside || context.bonus(act.topic) > 0 ||
+      act.topic == context.asked_topic)
+    return false;
+  const auto sentence =
+      stretch_of(utterance.tokens, {act.begin, act.end}, Break::sentence);
+  return std::ranges::any_of(acts, [&](const BuiltAct& other) {
+    return other.is_declared && other.topic != act.topic &&
+           other.begin < sentence.end && sentence.begin < other.end;
+  });
+}
+
 // An act is scored on the tokens from its begin to the begin of the next one;
 // one that a rule declares, within its clauses: "What a big house. Where do I
 // find Kelvin Ho?" asks a clear question. A mere value among much that is not
@@ -363,6 +381,7 @@ std::vector<BuiltAct> build_acts(const Chain& chain, const Utterance& utterance,
     // A further value that is mostly not understood is left out rather than
     // taken for more of the same.
     if (act.score >= threshold &&
+        !is_explained(act, acts, utterance, context) &&
         (kept.empty() || !is_something_else(act, kept.back(), context)))
       kept.push_back(act);
   return kept;

@@ -22,6 +22,8 @@ struct BuiltAct {
   // One for each slot.
   std::vector<Fill> fills;
   bool elliptical = false;
+  // A value alone, without words that lead in ("and …").
+  bool is_aside = false;
   // A rule says which act it is, so it has a sentence of its own.
   bool is_declared = false;
   // A "deny" that stands for a negated order.

@@ -182,7 +182,7 @@ private:
   // left over ("not bad").
   bool is_unsure(const BuiltAct& act) const {
     if (is_plain(act, "confirm"))
-      return leaves_words(act.begin) || is_asked(act) || is_turned_round(act);
+      return is_right_now(act) || leaves_words(act.begin) || is_asked(act) || is_turned_round(act);
     if (is_plain(act, "cancel") || is_plain(act, "abandon"))
       return word(act.begin) != "stop" && leaves_known_words(act);
     return is_plain(act, "deny") && !act.negated && has(denials_, act.begin) &&
@@ -220,6 +220,14 @@ private:
 
   bool may_follow(std::size_t token, std::size_t yes) const {
     return token > yes && is_harmless(word(token), word(token - 1));
+  }
+
+  // "is it open right now"
+  bool is_right_now(const BuiltAct& act) const {
+    static constexpr std::array<std::string_view, 4> behind{"now", "away",
+                                                            "here", "then"};
+    return act.end == act.begin + 1 && word(act.begin) == "right" &&
+           act.end < utterance_.size() && has(behind, word(act.end));
   }
 
   // Whether a question mark follows the act.

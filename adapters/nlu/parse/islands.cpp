@@ -1,6 +1,9 @@
 #include "adapters/nlu/parse/islands.hpp"
 
 #include <algorithm>
+#include <functional>
+
+#include "adapters/nlu/text/words.hpp"
 
 namespace parlour::adapters::nlu {
 
@@ -160,7 +163,7 @@ private:
 template <class Predicate>
 bool fits(const Fill& fill, const Spans& spans, Predicate is_such) {
   return fill.span && !is_form(spans[*fill.span].entity) &&
-         is_such(spans[*fill.span]);
+         std::invoke(is_such, spans[*fill.span]);
 }
 
 bool is_certain(const Span& span) {
@@ -253,6 +256,85 @@ void leave_out_strangers(std::vector<Island>& islands,
         }))
       kept.push_back(island);
   islands = std::move(kept);
+}
+
+namespace {
+
+// "postponed": a participle, unless it is written as a name or comes after "a".
+constexpr std::size_t shortest_participle = 6;
+
+bool names_nothing(const Utterance& utterance, const Fill& fill) {
+  const auto& tokens = utterance.tokens.list;
+  const auto word = [&](std::uint32_t at) -> const std::string& {
+    return tokens[at].word;
+  };
+  const auto& first = word(fill.begin);
+  bool vague = true;
+  for (auto at = fill.begin; at < fill.end; ++at)
+    vague = vague && (is_vague(word(at)) || utterance.function[at]);
+  if (vague || fill.begin == 0)
+    return vague;
+  const auto& before = word(fill.begin - 1);
+  const bool infinitive = before == "to" && fill.begin > 1 &&
+                          is_before_infinitive(word(fill.begin - 2));
+  const bool participle =
+      first.size() >= shortest_participle && first.ends_with("ed") &&
+      !is_determiner(before) &&
+      utterance.text[tokens[fill.begin].begin] == first[0];
+  return infinitive || participle || is_before_verb(before);
+}
+
+} // namespace
+
+void leave_out_unnamed(std::vector<Island>& islands, const Utterance& utterance,
+                       const Spans& spans) {
+  std::erase_if(islands, [&](const Island& island) {
+    return std::ranges::any_of(island.fills, [&](const Fill& fill) {
+      return fits(fill, spans, &Span::unmatched) &&
+             names_nothing(utterance, fill);
+    });
+  });
+}
+
+void leave_out_stories(std::vector<Island>& islands, const Utterance& utterance,
+                       const Spans& spans, const Context& context) {
+  const auto says_what = [&](const Island& island) {
+    return island.is_content() && !island.rule->bare && !island.act.empty() &&
+           std::ranges::none_of(island.fills, [&](const Fill& fill) {
+             return fits(fill, spans, &Span::unmatched);
+           });
+  };
+  const auto is_alike = [&](const Fill& fill) {
+    return fits(fill, spans, [](const Span& span) {
+      return !span.unmatched && span.confidence < certain;
+    });
+  };
+  const auto is_expected = [&](const Island& island) {
+    return std::ranges::any_of(island.topics, [&](TopicNumber topic) {
+      return context.bonus(topic) > 0 || topic == context.asked_topic;
+    });
+  };
+  // The sentences of what is wanted.
+  std::vector<TokenRange> wanted;
+  for (const auto& island : islands)
+    if (says_what(island))
+      wanted.push_back(stretch_of(utterance.tokens, {island.begin, island.end},
+                                  Break::sentence));
+  const auto is_guessed = [&](const Fill& fill) {
+    return fits(fill, spans, is_guess);
+  };
+  const bool asks_for_yes = !context.confirms.empty();
+  std::erase_if(islands, [&](const Island& island) {
+    if (!island.rule->bare || island.fills.empty() || is_expected(island) ||
+        !std::ranges::all_of(island.fills, is_alike))
+      return false;
+    const bool guess = std::ranges::all_of(island.fills, is_guessed);
+    return (guess && asks_for_yes) ||
+           std::ranges::any_of(wanted, [&](TokenRange sentence) {
+             return guess || island.end <= sentence.begin ||
+                    sentence.end <= island.begin;
+           });
+  });
 }
 
 void trust_whole_values(std::vector<Island>& islands,

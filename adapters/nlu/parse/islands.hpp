@@ -75,6 +75,18 @@ void leave_out_guesses(std::vector<Island>& islands, const Spans& spans,
 void leave_out_strangers(std::vector<Island>& islands,
                          const Utterance& utterance, const Spans& spans);
 
+// Takes out what names something unknown that no name is: a verb ("is there
+// anywhere I could buy some"), or a word such as "moment" or "way".
+void leave_out_unnamed(std::vector<Island>& islands, const Utterance& utterance,
+                       const Spans& spans);
+
+// Takes out values that are only alike, or named in part, where another
+// sentence says what is wanted: in "we left home at six. Where is the bank?",
+// nobody asks for the shop Star Home. What only sounds like a value goes
+// wherever it stands, and also where a yes or no was asked for.
+void leave_out_stories(std::vector<Island>& islands, const Utterance& utterance,
+                       const Spans& spans, const Context& context);
+
 // A value that is all that was said means something, though its words are plain
 // ones: "Coffee?". Not a number or time: without a question they are anything.
 void trust_whole_values(std::vector<Island>& islands,

@@ -4,6 +4,7 @@
 #include "adapters/nlu/text/tokens.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <utility>
 
 #include "adapters/nlu/text/characters.hpp"
@@ -207,12 +208,32 @@ private:
       push(std::string(expanded.substr(blank + 1)), middle, at_);
       return;
     }
-    // "Ho's" is Ho.
-    if (raw_.size() > 2 && raw_.ends_with("'s"))
+    // "Ho's" is Ho. Before "the" it is no possessive: "what floor's the bank
+    // on".
+    if (raw_.size() > 2 && raw_.ends_with("'s")) {
       raw_.resize(raw_.size() - 2);
+      if (is_followed_by_subject()) {
+        const auto middle = middle_of_contraction();
+        push(raw_, begin_, middle);
+        break_ = Break::none;
+        return push("is", middle, at_);
+      }
+    }
     std::erase(raw_, '\'');
     if (!raw_.empty())
       push(raw_, begin_, at_);
+  }
+
+  // Whether the next word is "the", "it" or the like.
+  bool is_followed_by_subject() const {
+    const auto begin = text_.find_first_not_of(' ', at_);
+    if (begin == std::string_view::npos || begin == at_)
+      return false;
+    auto end = begin;
+    while (end < text_.size() && std::isalpha(static_cast<unsigned char>(
+                                     text_[end])) != 0)
+      ++end;
+    return is_subject(text_.substr(begin, end - begin));
   }
 
   // \xE2 is the first byte of a typographic apostrophe.

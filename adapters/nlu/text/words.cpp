@@ -56,7 +56,9 @@ const Words& function_words() {
       "hungry", "thirsty", "tired", "fine", "sorry", "sure", "good", "nice",
       "nearest", "closest", "next", "other", "another", "all", "more",
       "interested", "afraid", "available", "ready", "wrong", "right", "new",
-      "called", "named", "finally", "exactly", "obviously", "certainly",
+      "easier", "better", "best", "worse", "cheaper", "quicker", "faster",
+      "enough", "great", "perfect", "lovely", "funny", "strange", "odd",
+      "weird", "called", "named", "finally", "exactly", "obviously", "certainly",
       "probably", "possibly", "usually", "normally", "unfortunately", "luckily",
       "hopefully", "honestly", "seriously", "literally", "totally",
       "absolutely", "completely", "definitely", "immediately", "quickly",
@@ -125,6 +127,41 @@ bool is_title(std::string_view word) {
 
 bool is_determiner(std::string_view word) {
   return determiners().contains(word);
+}
+
+bool is_subject(std::string_view word) {
+  static const Words words{"the", "a",  "an",  "this", "that", "your",
+                           "my",  "it", "he",  "she",  "they", "these"};
+  return words.contains(word);
+}
+
+bool is_vague(std::string_view word) {
+  static const Words words{
+      "moment", "minute", "second", "while",    "meantime", "time",   "times",
+      "way",    "thing",  "things", "stuff",    "bit",      "lot",    "lots",
+      "kind",   "sort",   "idea",   "question", "problem",  "matter", "reason",
+      "case",   "end",    "rest",   "same",     "kinds",    "sorts",  "bits"};
+  return words.contains(word);
+}
+
+bool is_before_infinitive(std::string_view word) {
+  static const Words words{"anything", "something", "nothing",  "everything",
+                           "anywhere", "somewhere", "nowhere",  "place",
+                           "places",   "room",      "time",     "like",
+                           "want",     "wants",     "need",     "needs",
+                           "have",     "has",       "how",      "where",
+                           "what",     "able",      "allowed",  "try",
+                           "going",    "love",      "hoping",   "ready",
+                           "possible", "supposed"};
+  return words.contains(word);
+}
+
+bool is_before_verb(std::string_view word) {
+  static const Words words{"i",     "you",   "we",     "they", "he",    "she",
+                           "can",   "could", "would",  "will", "shall", "should",
+                           "might", "must",  "cannot", "us",   "not",   "do",
+                           "does",  "did"};
+  return words.contains(word);
 }
 
 bool is_connector(std::string_view word) {

@@ -16,6 +16,19 @@ bool is_title(std::string_view word);
 // "the", "any", "this" …: may stand before any value.
 bool is_determiner(std::string_view word);
 
+// "the", "this", "it", "she" …: may be the subject of a question, and follow no
+// possessive.
+bool is_subject(std::string_view word);
+
+// "moment", "way", "thing" …: name no thing by themselves.
+bool is_vague(std::string_view word);
+
+// "anything", "somewhere", "where", "like" …: a verb follows them and "to".
+bool is_before_infinitive(std::string_view word);
+
+// "i", "you", "can", "could" …: a verb follows them.
+bool is_before_verb(std::string_view word);
+
 // "bin", "s/o" …: connect a person's name with the father's; may be omitted.
 bool is_connector(std::string_view word);
 

@@ -55,10 +55,26 @@ private:
     const auto* slot = schema_.at(topic_).find(hypothesis.slot);
     if (!slot)
       return;
-    if (slot->entity == words_entity)
+    if (slot->entity != words_entity) {
+      if (const auto span = span_of(slot->entity, hypothesis))
+        add(slot->name, *span);
+    } else if (!is_value_of_another(hypothesis)) {
       add({slot->name, topic_, {}, {}, hypothesis.begin, hypothesis.end});
-    else if (const auto span = span_of(slot->entity, hypothesis))
-      add(slot->name, *span);
+    }
+  }
+
+  // "the toilet" is the thing that is looked for, not the day of the visit.
+  bool is_value_of_another(const SlotHypothesis& words) const {
+    return std::ranges::any_of(
+        schema_.at(topic_).slots, [&](const Schema::Slot& slot) {
+          if (slot.entity == words_entity)
+            return false;
+          const auto known = spans_.at(slot.entity, words.begin);
+          return std::ranges::any_of(known, [&](std::uint32_t index) {
+            return !spans_[index].weak && spans_[index].end == words.end &&
+                   spans_[index].confidence == 1;
+          });
+        });
   }
 
   // The longest value that begins in these words. If there is none, the words
@@ -229,8 +245,11 @@ bool is_replaceable(const BuiltAct& act) {
 // it, the words around it decide.
 bool is_better(const BuiltAct& act, const BuiltAct& hypothesis,
                const Context& context) {
+  // What is broken off is what goes on: "never mind, I can walk".
+  const bool breaks_off = act.act == "cancel" || act.act == "abandon";
   if (act.topic == no_topic)
-    return is_replaceable(act) && hypothesis.score > act.score;
+    return is_replaceable(act) && hypothesis.score > act.score &&
+           !(breaks_off && max_bonus(hypothesis.topic, context) > 0);
   return act.elliptical && act.act != "correct" &&
          (act.score < hypothesis.score ||
           (max_bonus(act.topic, context) == 0 && has_all(hypothesis, act)));

@@ -304,7 +304,9 @@ Understanding NluEngine::read(std::string_view text, const Value& context_value,
   auto islands = read_islands(matcher.run(), matcher.traces(), spans,
                               self.automaton, schema, context);
   leave_out_guesses(islands, spans, schema);
+  leave_out_unnamed(islands, utterance, spans);
   leave_out_strangers(islands, utterance, spans);
+  leave_out_stories(islands, utterance, spans, context);
   trust_whole_values(islands, utterance, spans);
   leave_out_parts(islands, schema, context);
   prefer_answers(islands, context);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "adapters/nlu/forms/number_words.hpp"
 #include "adapters/nlu/text/words.hpp"
 
 namespace parlour::adapters::nlu {
@@ -339,12 +340,27 @@ double ValueSearch::confidence(const Partial& partial, std::size_t begin,
          (used + double(strangers(begin, end, set)));
 }
 
+// "to" is no "Journey to the Centre of the Earth", nor "three" the musketeers.
+bool ValueSearch::is_plain_part(const Partial& partial, std::size_t begin,
+                                std::size_t end) const {
+  if (whole(partial) || of_people(partial))
+    return false;
+  for (auto at = begin; at < end; ++at)
+    if (const auto& word = tokens_.list[at].word;
+        !is_function_word(word) && !is_light(word) &&
+        !is_number_word(word))
+      return false;
+  return true;
+}
+
 void ValueSearch::emit_set(std::size_t begin, std::size_t end,
                            std::span<const Partial> partials) {
   const auto* best = &partials[0];
   for (const auto& partial : partials)
     if (quality(partial) > quality(*best))
       best = &partial;
+  if (is_plain_part(*best, begin, end))
+    return;
   const auto sure = confidence(*best, begin, end);
   if (sure < (of_people(*best) ? min_of_people : min_confidence))
     return;

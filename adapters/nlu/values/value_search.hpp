@@ -69,6 +69,8 @@ private:
                 std::span<const Partial> partials);
   double recall(const Partial& partial) const;
   bool whole(const Partial& partial) const;
+  bool is_plain_part(const Partial& partial, std::size_t begin,
+                     std::size_t end) const;
   double quality(const Partial& partial) const;
   double confidence(const Partial& partial, std::size_t begin,
                     std::size_t end) const;

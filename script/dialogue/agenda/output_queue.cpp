@@ -80,11 +80,25 @@ std::span<const Output> OutputQueue::release_pending() {
   }
   const auto before = last_turn_.size();
   for (auto entry = entries_.begin(); entry != waits; ++entry) {
+    if (was_answered(*entry))
+      continue;
     entry->state = OutputState::playing;
     last_turn_.push_back(std::move(*entry));
   }
   entries_.erase(entries_.begin(), waits);
   return std::span(last_turn_).subspan(before);
+}
+
+// Who says a wish twice in one turn hears its answer once.
+bool OutputQueue::was_answered(const Output& output) const {
+  return output.act == OutputAct::answer && output.topic != script::no_id &&
+         output.turn != 0 &&
+         std::any_of(last_turn_.begin(), last_turn_.end(),
+                     [&](const Output& other) {
+                       return other.turn == output.turn &&
+                              other.topic == output.topic &&
+                              other.text == output.text;
+                     });
 }
 
 bool OutputQueue::empty() const {

@@ -83,7 +83,8 @@ public:
   };
   // Releases what can be released now. Questions, reprompts and resumes are
   // withdrawn where a user turn has begun, as `begun` tells of an entry;
-  // answers never are. An entry that waits for its words can be withdrawn, too;
+  // answers never are, but one of a topic that was given in the same user turn
+  // with the same words is forgotten. An entry that waits for its words can be withdrawn, too;
   // it is never released.
   Released release(const Which& begun);
   Released release(bool begun) { // for all alike
@@ -115,6 +116,7 @@ public:
 private:
   std::vector<Output> withdraw(const Which& which); // of the questions
   std::span<const Output> release_pending();
+  bool was_answered(const Output& output) const;
 
   ShortLivedList<Output> entries_;
   ShortLivedList<Output> last_turn_; // of the robot, as they were released

@@ -164,12 +164,12 @@ private:
   }
 
   // "Cancel the six o'clock alarm" is about the application, whether or not it
-  // knows such an order. To stop is always understood. Another sentence is
-  // about something else: "Cancel that! I have a meeting."
+  // knows such an order. To stop is always understood. Another clause is
+  // about something else: "never mind, I can walk".
   bool leaves_known_words(const BuiltAct& act) const {
-    const auto sentence = stretch_of(
-        utterance_.tokens, {act.begin, act.begin + 1}, Break::sentence);
-    for (auto token = sentence.begin; token < sentence.end; ++token)
+    const auto clause =
+        stretch_of(utterance_.tokens, {act.begin, act.begin + 1}, Break::comma);
+    for (auto token = clause.begin; token < clause.end; ++token)
       if (!understood_[token] && utterance_.weight[token] >= full_weight &&
           utterance_.words[token] != unknown_word &&
           !has(context_.confirms, word(token)))
@@ -182,7 +182,8 @@ private:
   // left over ("not bad").
   bool is_unsure(const BuiltAct& act) const {
     if (is_plain(act, "confirm"))
-      return is_right_now(act) || leaves_words(act.begin) || is_asked(act) || is_turned_round(act);
+      return is_right_now(act) || leaves_words(act.begin) || is_asked(act) ||
+             is_turned_round(act);
     if (is_plain(act, "cancel") || is_plain(act, "abandon"))
       return word(act.begin) != "stop" && leaves_known_words(act);
     return is_plain(act, "deny") && !act.negated && has(denials_, act.begin) &&

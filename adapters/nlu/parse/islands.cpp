@@ -277,10 +277,9 @@ bool names_nothing(const Utterance& utterance, const Fill& fill) {
   const auto& before = word(fill.begin - 1);
   const bool infinitive = before == "to" && fill.begin > 1 &&
                           is_before_infinitive(word(fill.begin - 2));
-  const bool participle =
-      first.size() >= shortest_participle && first.ends_with("ed") &&
-      !is_determiner(before) &&
-      utterance.text[tokens[fill.begin].begin] == first[0];
+  const bool participle = first.size() >= shortest_participle &&
+                          first.ends_with("ed") && !is_determiner(before) &&
+                          utterance.text[tokens[fill.begin].begin] == first[0];
   return infinitive || participle || is_before_verb(before);
 }
 

@@ -153,7 +153,8 @@ bool Spans::inside_name(std::size_t position) const {
 
 // Whether open words may begin or end with this token.
 bool Spans::can_stand(std::size_t position) const {
-  return !utterance_.filler[position] && !utterance_.function[position];
+  return !utterance_.filler[position] && !utterance_.function[position] &&
+         !is_comment(utterance_.tokens.list[position].word);
 }
 
 // What a token adds to the gain of open words. Unknown words are likelier to be

@@ -230,8 +230,8 @@ private:
     if (begin == std::string_view::npos || begin == at_)
       return false;
     auto end = begin;
-    while (end < text_.size() && std::isalpha(static_cast<unsigned char>(
-                                     text_[end])) != 0)
+    while (end < text_.size() &&
+           std::isalpha(static_cast<unsigned char>(text_[end])) != 0)
       ++end;
     return is_subject(text_.substr(begin, end - begin));
   }

@@ -56,9 +56,7 @@ const Words& function_words() {
       "hungry", "thirsty", "tired", "fine", "sorry", "sure", "good", "nice",
       "nearest", "closest", "next", "other", "another", "all", "more",
       "interested", "afraid", "available", "ready", "wrong", "right", "new",
-      "easier", "better", "best", "worse", "cheaper", "quicker", "faster",
-      "enough", "great", "perfect", "lovely", "funny", "strange", "odd",
-      "weird", "called", "named", "finally", "exactly", "obviously", "certainly",
+      "called", "named", "finally", "exactly", "obviously", "certainly",
       "probably", "possibly", "usually", "normally", "unfortunately", "luckily",
       "hopefully", "honestly", "seriously", "literally", "totally",
       "absolutely", "completely", "definitely", "immediately", "quickly",
@@ -130,8 +128,8 @@ bool is_determiner(std::string_view word) {
 }
 
 bool is_subject(std::string_view word) {
-  static const Words words{"the", "a",  "an",  "this", "that", "your",
-                           "my",  "it", "he",  "she",  "they", "these"};
+  static const Words words{"the", "a",  "an", "this", "that", "your",
+                           "my",  "it", "he", "she",  "they", "these"};
   return words.contains(word);
 }
 
@@ -144,23 +142,29 @@ bool is_vague(std::string_view word) {
   return words.contains(word);
 }
 
+bool is_comment(std::string_view word) {
+  static const Words words{
+      "easier", "better",  "best",  "worse",   "cheaper",   "quicker",
+      "faster", "enough",  "great", "perfect", "lovely",    "funny",
+      "weird",  "strange", "odd",   "fine",    "wonderful", "marvellous"};
+  return words.contains(word);
+}
+
 bool is_before_infinitive(std::string_view word) {
-  static const Words words{"anything", "something", "nothing",  "everything",
-                           "anywhere", "somewhere", "nowhere",  "place",
-                           "places",   "room",      "time",     "like",
-                           "want",     "wants",     "need",     "needs",
-                           "have",     "has",       "how",      "where",
-                           "what",     "able",      "allowed",  "try",
-                           "going",    "love",      "hoping",   "ready",
-                           "possible", "supposed"};
+  static const Words words{
+      "anything", "something", "nothing", "everything", "anywhere", "somewhere",
+      "nowhere",  "place",     "places",  "room",       "time",     "like",
+      "want",     "wants",     "need",    "needs",      "have",     "has",
+      "how",      "where",     "what",    "able",       "allowed",  "try",
+      "going",    "love",      "hoping",  "ready",      "possible", "supposed"};
   return words.contains(word);
 }
 
 bool is_before_verb(std::string_view word) {
-  static const Words words{"i",     "you",   "we",     "they", "he",    "she",
-                           "can",   "could", "would",  "will", "shall", "should",
-                           "might", "must",  "cannot", "us",   "not",   "do",
-                           "does",  "did"};
+  static const Words words{"i",     "you",    "we",    "they",  "he",
+                           "she",   "can",    "could", "would", "will",
+                           "shall", "should", "might", "must",  "cannot",
+                           "us",    "not",    "do",    "does",  "did"};
   return words.contains(word);
 }
 

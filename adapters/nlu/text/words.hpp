@@ -23,6 +23,9 @@ bool is_subject(std::string_view word);
 // "moment", "way", "thing" …: name no thing by themselves.
 bool is_vague(std::string_view word);
 
+// "easier", "funny" …: say what one thinks of something, and are no answer.
+bool is_comment(std::string_view word);
+
 // "anything", "somewhere", "where", "like" …: a verb follows them and "to".
 bool is_before_infinitive(std::string_view word);
 

@@ -347,8 +347,7 @@ bool ValueSearch::is_plain_part(const Partial& partial, std::size_t begin,
     return false;
   for (auto at = begin; at < end; ++at)
     if (const auto& word = tokens_.list[at].word;
-        !is_function_word(word) && !is_light(word) &&
-        !is_number_word(word))
+        !is_function_word(word) && !is_light(word) && !is_number_word(word))
       return false;
   return true;
 }

@@ -93,12 +93,11 @@ std::span<const Output> OutputQueue::release_pending() {
 bool OutputQueue::was_answered(const Output& output) const {
   return output.act == OutputAct::answer && output.topic != script::no_id &&
          output.turn != 0 &&
-         std::any_of(last_turn_.begin(), last_turn_.end(),
-                     [&](const Output& other) {
-                       return other.turn == output.turn &&
-                              other.topic == output.topic &&
-                              other.text == output.text;
-                     });
+         std::any_of(
+             last_turn_.begin(), last_turn_.end(), [&](const Output& other) {
+               return other.turn == output.turn &&
+                      other.topic == output.topic && other.text == output.text;
+             });
 }
 
 bool OutputQueue::empty() const {

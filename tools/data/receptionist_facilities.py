@@ -51,6 +51,10 @@ OFFERS = {
 }
 
 NO_OFFERS = {
+    "something to eat", "something to drink", "somewhere to sit",
+    "somewhere to work", "somewhere to relax", "see a doctor", "make a copy",
+    "print something", "change a nappy", "feed a baby", "work out",
+    "look around", "a quiet place",
     "first aid", "read", "study", "view",
     "help", "delivery", "collection", "parcel", "counter", "taxi", "cab",
     "pick up", "meeting", "course", "class", "workshop", "robot", "research",

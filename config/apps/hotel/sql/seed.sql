@@ -122,5 +122,5 @@ insert into fact (thing, answer) values
   ('noise', 'From ten in the evening it should be quiet. If it is not, please ring extension 9 and we see to it.'),
   ('payment', 'You pay on departure, in cash or by card.'),
   ('locked out', 'If your card does not open the door, the reception makes a new one.'),
-  ('room cleaning', 'Your room is made up between nine and two. Hang the red card at the door if you do not want that.'),
+  ('cleaning', 'Your room is made up between nine and two. Hang the red card at the door if you do not want that.'),
   ('bus', 'The bus to the harbour and the station stops in front of the house, every ten minutes.');

@@ -328,17 +328,17 @@ bool is_something_else(const BuiltAct& act, const BuiltAct& before,
 
 // In "an appointment with Dr. Roth on Wednesday", nobody asks for the visiting
 // hours of Wednesday: a value that another topic would take, unasked, in a
-// sentence that says what is wanted.
+// clause that says what is wanted.
 bool is_explained(const BuiltAct& act, const std::vector<BuiltAct>& acts,
                   const Utterance& utterance, const Context& context) {
   if (!act.is_aside || context.bonus(act.topic) > 0 ||
       act.topic == context.asked_topic)
     return false;
-  const auto sentence =
-      stretch_of(utterance.tokens, {act.begin, act.end}, Break::sentence);
+  const auto clause =
+      stretch_of(utterance.tokens, {act.begin, act.end}, Break::comma);
   return std::ranges::any_of(acts, [&](const BuiltAct& other) {
     return other.is_declared && other.topic != act.topic &&
-           other.begin < sentence.end && sentence.begin < other.end;
+           other.begin < clause.end && clause.begin < other.end;
   });
 }
 

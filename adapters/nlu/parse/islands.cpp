@@ -280,7 +280,8 @@ bool names_nothing(const Utterance& utterance, const Fill& fill) {
   const bool participle = first.size() >= shortest_participle &&
                           first.ends_with("ed") && !is_determiner(before) &&
                           utterance.text[tokens[fill.begin].begin] == first[0];
-  return infinitive || participle || is_before_verb(before);
+  const bool verb = infinitive || is_before_verb(before);
+  return participle || (verb && utterance.plain[fill.begin]);
 }
 
 } // namespace
@@ -297,6 +298,9 @@ void leave_out_unnamed(std::vector<Island>& islands, const Utterance& utterance,
 
 void leave_out_stories(std::vector<Island>& islands, const Utterance& utterance,
                        const Spans& spans, const Context& context) {
+  // "No, B. 2B."
+  if (std::ranges::any_of(islands, &Island::is_marker))
+    return;
   const auto says_what = [&](const Island& island) {
     return island.is_content() && !island.rule->bare && !island.act.empty() &&
            std::ranges::none_of(island.fills, [&](const Fill& fill) {

@@ -75,8 +75,8 @@ void leave_out_guesses(std::vector<Island>& islands, const Spans& spans,
 void leave_out_strangers(std::vector<Island>& islands,
                          const Utterance& utterance, const Spans& spans);
 
-// Takes out what names something unknown that no name is: a verb ("is there
-// anywhere I could buy some"), or a word such as "moment" or "way".
+// Takes out what names something unknown that no name is: a verb that rules
+// know ("is there anywhere I could buy some"), or a word such as "moment".
 void leave_out_unnamed(std::vector<Island>& islands, const Utterance& utterance,
                        const Spans& spans);
 

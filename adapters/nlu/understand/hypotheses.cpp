@@ -12,8 +12,8 @@ namespace {
 constexpr double well_understood = 0.9;
 // How close to the best score an alternative is.
 constexpr double alternative_range = 0.1;
-// For how many topics slots are looked for: the context may prefer one that is
-// not the most likely.
+// For how many topics slots are looked for, beside those that the context
+// prefers.
 constexpr std::size_t max_topics = 4;
 
 // Whether the fill uses one of these tokens.
@@ -271,9 +271,11 @@ std::vector<BuiltAct> hypothesised_acts(const TrainedModel& learned,
     return acts;
   auto topics = learned.topics(words);
   const ValueEvidence evidence(utterance, words, schema, topics);
-  topics.resize(std::min(topics.size(), max_topics));
   std::vector<std::vector<Feature>> features;
-  for (const auto& hypothesis : topics) {
+  for (std::size_t at = 0; at < topics.size(); ++at) {
+    const auto& hypothesis = topics[at];
+    if (at >= max_topics && max_bonus(hypothesis.topic, context) == 0)
+      continue;
     // Topics that cannot reach the threshold are skipped before the slots,
     // which are the expensive part, are looked for.
     const auto& topic = schema.at(hypothesis.topic);

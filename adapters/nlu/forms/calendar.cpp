@@ -102,7 +102,10 @@ std::int64_t month_of(std::string_view word) {
 
 std::optional<std::chrono::weekday> weekday_of(std::string_view word) {
   for (std::size_t index = 0; index < std::size(weekdays); ++index)
-    if (word.size() >= 3 && weekdays[index].starts_with(word))
+    if (word.size() >= 3 &&
+        (weekdays[index].starts_with(word) ||
+         (word.ends_with('s') &&
+          word.substr(0, word.size() - 1) == weekdays[index])))
       return std::chrono::weekday(static_cast<unsigned>(index));
   return {};
 }

@@ -47,8 +47,7 @@ public:
     for (const auto& link : chain.links)
       add(link);
     close();
-    if (marker_)
-      add_generic(*marker_);
+    add_held();
     drop_negated();
     drop_doubtful(acts_, chain, utterance_, context_);
     drop_courtesies();
@@ -78,11 +77,23 @@ private:
       marker_ = &island;
   }
 
+  // In "no, wait, the bedroom", nobody is to wait.
   void add_other(const Island& island) {
+    if (marker_ && island.act == "wait") {
+      wait_ = &island;
+      return;
+    }
     close();
-    if (marker_)
-      add_generic(*std::exchange(marker_, nullptr));
+    add_held();
     add_generic(island);
+  }
+
+  // A marker that nothing followed is an act of its own.
+  void add_held() {
+    for (const auto* held :
+         {std::exchange(marker_, nullptr), std::exchange(wait_, nullptr)})
+      if (held)
+        add_generic(*held);
   }
 
   void add_generic(const Island& island) {
@@ -97,6 +108,10 @@ private:
   // earlier one.
   void add_content(const ChainLink& link) {
     const auto& island = *link.island;
+    if (wait_ && !island.act.empty()) {
+      close();
+      add_held();
+    }
     if (!open_ || is_negated(island) != group_.negated || !continues(link))
       begin_group(link);
     if (!island.act.empty() && group_.act.empty())
@@ -110,6 +125,7 @@ private:
         put(fills, fill, link.topic);
     group_.end = island.end;
     marker_ = nullptr;
+    wait_ = nullptr;
     lead_in_ = nullptr;
   }
 
@@ -291,6 +307,8 @@ private:
   Group group_;
   bool open_ = false;
   const Island* marker_ = nullptr;
+  // Behind the marker.
+  const Island* wait_ = nullptr;
   const Island* lead_in_ = nullptr;
 };
 

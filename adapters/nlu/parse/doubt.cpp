@@ -4,6 +4,7 @@
 #include <array>
 #include <string_view>
 
+#include "adapters/nlu/forms/number_words.hpp"
 #include "adapters/nlu/text/words.hpp"
 
 namespace parlour::adapters::nlu {
@@ -181,6 +182,8 @@ private:
   // a safer reading, so it is in doubt only if it is a bare "not" with words
   // left over ("not bad").
   bool is_unsure(const BuiltAct& act) const {
+    if (is_plain(act, "help"))
+      return knows_nobody(act);
     if (is_plain(act, "confirm"))
       return is_right_now(act) || leaves_words(act.begin) || is_asked(act) ||
              is_turned_round(act);
@@ -188,6 +191,25 @@ private:
       return word(act.begin) != "stop" && leaves_known_words(act);
     return is_plain(act, "deny") && !act.negated && has(denials_, act.begin) &&
            leaves_words(utterance_.size());
+  }
+
+  // "I don't know him" asks for no help.
+  bool knows_nobody(const BuiltAct& act) const {
+    static constexpr std::array<std::string_view, 6> people{
+        "him", "her", "them", "you", "anybody", "anyone"};
+    return word(act.end - 1) == "know" && act.end < utterance_.size() &&
+           has(people, word(act.end));
+  }
+
+  // Whether the word says a number of the question: "eight" of "8am".
+  bool is_number_of_question(std::size_t token) const {
+    const auto number = number_at(utterance_.tokens, token);
+    return number &&
+           std::ranges::any_of(context_.confirms, [&](const auto& asked) {
+             const auto digits =
+                 std::min(asked.find_first_not_of("0123456789"), asked.size());
+             return digits_of(asked.substr(0, digits)) == number->value;
+           });
   }
 
   // Whether words are left that nothing has understood. Fillers and the words
@@ -200,7 +222,8 @@ private:
         continue;
       const bool turns = is_turning_word(word(token));
       const bool means_nothing = utterance_.weight[token] < min_weight ||
-                                 has(context_.confirms, word(token));
+                                 has(context_.confirms, word(token)) ||
+                                 is_number_of_question(token);
       if (turns || (!means_nothing && !may_follow(token, yes)))
         return true;
       small += means_nothing ? 0U : 1U;

@@ -309,7 +309,7 @@ void leave_out_stories(std::vector<Island>& islands, const Utterance& utterance,
   };
   const auto is_alike = [&](const Fill& fill) {
     return fits(fill, spans, [](const Span& span) {
-      return !span.unmatched && span.confidence < certain;
+      return !span.unmatched && span.confidence < 1;
     });
   };
   const auto is_expected = [&](const Island& island) {

@@ -208,11 +208,11 @@ private:
       push(std::string(expanded.substr(blank + 1)), middle, at_);
       return;
     }
-    // "Ho's" is Ho. Before "the" it is no possessive: "what floor's the bank
-    // on".
+    // "Ho's" is Ho. "What floor's the bank on" and "the toilet's blocked" have
+    // no possessive.
     if (raw_.size() > 2 && raw_.ends_with("'s")) {
       raw_.resize(raw_.size() - 2);
-      if (is_followed_by_subject()) {
+      if (is_asked_for() || follows_is(next_word())) {
         const auto middle = middle_of_contraction();
         push(raw_, begin_, middle);
         break_ = Break::none;
@@ -224,16 +224,26 @@ private:
       push(raw_, begin_, at_);
   }
 
-  // Whether the next word is "the", "it" or the like.
-  bool is_followed_by_subject() const {
+  // "what time's dinner"
+  bool is_asked_for() const {
+    return !tokens_.list.empty() && break_ == Break::none &&
+           (tokens_.list.back().word == "what" ||
+            tokens_.list.back().word == "which");
+  }
+
+  // In small letters; empty at a full stop, a comma or the like.
+  std::string next_word() const {
     const auto begin = text_.find_first_not_of(' ', at_);
     if (begin == std::string_view::npos || begin == at_)
-      return false;
-    auto end = begin;
-    while (end < text_.size() &&
-           std::isalpha(static_cast<unsigned char>(text_[end])) != 0)
-      ++end;
-    return is_subject(text_.substr(begin, end - begin));
+      return {};
+    std::string word;
+    for (auto at = begin; at < text_.size(); ++at) {
+      const auto letter = static_cast<unsigned char>(text_[at]);
+      if (std::isalpha(letter) == 0)
+        break;
+      word += static_cast<char>(std::tolower(letter));
+    }
+    return word;
   }
 
   // \xE2 is the first byte of a typographic apostrophe.

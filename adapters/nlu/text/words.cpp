@@ -114,8 +114,11 @@ constexpr Contraction contractions[] = {
     {"theyre", "they are"},   {"weve", "we have"},
 };
 // Of any word: "there'll", "you've", "didn't".
-constexpr Contraction endings[] = {
-    {"'ll", " will"}, {"'ve", " have"}, {"'re", " are"}, {"n't", " not"}};
+constexpr Contraction endings[] = {{"'ll", " will"},
+                                   {"'ve", " have"},
+                                   {"'re", " are"},
+                                   {"n't", " not"},
+                                   {"'d", " would"}};
 
 } // namespace
 
@@ -127,10 +130,15 @@ bool is_determiner(std::string_view word) {
   return determiners().contains(word);
 }
 
-bool is_subject(std::string_view word) {
-  static const Words words{"the", "a",  "an", "this", "that", "your",
-                           "my",  "it", "he", "she",  "they", "these"};
-  return words.contains(word);
+bool follows_is(std::string_view word) {
+  static const Words words{
+      "the",  "a",    "an",    "this",   "that",  "your",   "my",    "it",
+      "he",   "she",  "they",  "these",  "not",   "been",   "gone",  "broken",
+      "free", "open", "there", "here",   "on",    "off",    "out",   "in",
+      "at",   "too",  "very",  "so",     "still", "always", "never", "already",
+      "no",   "like", "what",  "called", "going", "getting"};
+  return words.contains(word) ||
+         (word.size() > 4 && word.ends_with("ed") && !word.ends_with("eed"));
 }
 
 bool is_vague(std::string_view word) {

@@ -16,9 +16,8 @@ bool is_title(std::string_view word);
 // "the", "any", "this" …: may stand before any value.
 bool is_determiner(std::string_view word);
 
-// "the", "this", "it", "she" …: may be the subject of a question, and follow no
-// possessive.
-bool is_subject(std::string_view word);
+// "the", "it", "not", "open", "blocked" …: follow "is" and no possessive.
+bool follows_is(std::string_view word);
 
 // "moment", "way", "thing" …: name no thing by themselves.
 bool is_vague(std::string_view word);

@@ -41,7 +41,9 @@ TEST(Calendar, KnowsNames) {
   EXPECT_EQ(month_of("sept"), 9);
   EXPECT_EQ(month_of("ma"), 0);
   EXPECT_EQ(weekday_of("tues"), std::chrono::Tuesday);
+  EXPECT_EQ(weekday_of("tuesdays"), std::chrono::Tuesday);
   EXPECT_FALSE(weekday_of("someday"));
+  EXPECT_FALSE(weekday_of("tuess"));
 }
 
 } // namespace

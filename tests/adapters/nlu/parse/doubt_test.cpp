@@ -33,6 +33,7 @@ TEST(Doubt, LetsCourtesyStandBesideAnAnswer) {
 TEST(Doubt, CancelsNothingOfTheApplication) {
   EXPECT_EQ(understood({"", "cancel that please", ""}), "cancel");
   EXPECT_EQ(understood({"", "cancel the taxi", ""}), "");
+  EXPECT_EQ(understood({"", "never mind, I can take a taxi", ""}), "cancel");
   EXPECT_EQ(understood({"", "stop", ""}), "cancel");
 }
 
@@ -205,6 +206,25 @@ TEST(Doubt, CancelsNothingThatIsNotToBeCancelled) {
         "no need to cancel", "I do not want to start over"})
     EXPECT_EQ(understood({"", text, ""}), "") << text;
   EXPECT_EQ(understood({"", "no, cancel it", ""}), "deny + cancel");
+}
+
+TEST(Doubt, TakesNoOtherWordsForAYesOrACallForHelp) {
+  EXPECT_EQ(understood({"", "is the bank open right now", ""}),
+            "~request Facility Category=bank");
+  EXPECT_EQ(understood({"", "I don't know him", ""}), "");
+  EXPECT_EQ(understood({"Taxi.Phone", "I don't know my number", ""}), "help");
+}
+
+TEST(Doubt, TakesAYesBesideTheNumberOfTheQuestion) {
+  static const auto engine = sample();
+  const auto asked = [](const char* text) {
+    auto context = *sample_context("").if_map();
+    context.set("confirms", "A call at 8am: shall I set it?");
+    return summary(engine.understand(text, Value(context)).acts);
+  };
+  EXPECT_THAT(asked("yes, eight, that's fine"), testing::HasSubstr("confirm"));
+  EXPECT_THAT(asked("yes, nine, that's fine"),
+              testing::Not(testing::HasSubstr("confirm")));
 }
 
 // A topic that takes yes and no as values.

@@ -25,6 +25,15 @@ TEST(Tokens, ExpandContractions) {
             "i am here what is that it is");
 }
 
+TEST(Tokens, TellAPossessiveFromAVerb) {
+  EXPECT_EQ(words("what floor's the bank on"), "what floor is the bank on");
+  EXPECT_EQ(words("what time's dinner"), "what time is dinner");
+  EXPECT_EQ(words("the toilet's blocked"), "the toilet is blocked");
+  EXPECT_EQ(words("That'd be nice"), "that would be nice");
+  EXPECT_EQ(words("the children's ward"), "the children ward");
+  EXPECT_EQ(words("what, Ho's. The bank"), "what ho the bank");
+}
+
 TEST(Tokens, KnowTheirPlace) {
   const std::string text = "to meet  Dr. Ho!";
   const auto tokens = tokenize(text);

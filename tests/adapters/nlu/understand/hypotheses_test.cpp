@@ -91,6 +91,22 @@ TEST(Guesses, RefuseNothingThatTheLikeliestTopicIsAbout) {
   }
 }
 
+// The tagger would have it that the words behind "meeting with" are the firm.
+TEST(Guesses, LeaveAValueToItsOwnSlot) {
+  Stages stages("public <x> = @Appointment.Host;", "a meeting with Priya Nair");
+  auto topics = sample_model().topics;
+  topics[0].examples = {"a meeting with [Comptec](Organisation)",
+                        "I have a meeting with [Initech](Organisation)"};
+  const auto learned =
+      *TrainedModel::train(topics, stages.schema, stages.automaton, 0.4);
+  const auto hypotheses =
+      hypothesised_acts(learned, stages.utterance, stages.spans, stages.schema,
+                        stages.context, 0.4);
+  ASSERT_FALSE(hypotheses.empty());
+  ASSERT_EQ(hypotheses[0].fills.size(), 1U);
+  EXPECT_EQ(hypotheses[0].fills[0].slot, "Host");
+}
+
 TEST(Guesses, HaveSlotsOfTheirTopic) {
   Stages stages("public <x> = @Appointment.Host | @time;",
                 "a meeting with Priya Nair at ten o'clock");

@@ -74,6 +74,21 @@ INSTANTIATE_TEST_SUITE_P(
                     Turn{"", "What a big house this is! Where is the bank?",
                          "request Facility Category=bank"}));
 
+// Not everything that could be a value is one.
+INSTANTIATE_TEST_SUITE_P(
+    NoValues, Turns,
+    testing::Values(
+        // A verb, a word for nothing, a participle.
+        Turn{"", "is there anywhere I could need", ""},
+        Turn{"", "is there a way", ""}, Turn{"", "where is postponed", ""},
+        // Beside what another sentence wants: a part of "Sky garden".
+        Turn{"", "It was dark in the sky. Is there a bank?",
+             "request Facility Category=bank"},
+        // A name, which another topic would take, in the same clause.
+        Turn{"", "book a taxi Jeffery Ho", "inform Taxi"},
+        Turn{"", "book a taxi, Jeffery Ho",
+             "inform Taxi + ~inform Appointment Host=Jeffery Ho"}));
+
 // A number that the asked slot cannot take is said of that slot.
 INSTANTIATE_TEST_SUITE_P(
     WrongNumbers, Turns,

@@ -46,6 +46,14 @@ TEST_F(ValueSearchTest, NeedsNoLightWords) {
   EXPECT_EQ(best("of").confidence, 0);
 }
 
+TEST_F(ValueSearchTest, TakesNoPlainWordForAPartOfAValue) {
+  index.add({"Journey to the Centre", "The Three Musketeers"});
+  EXPECT_EQ(best("to").confidence, 0);
+  EXPECT_EQ(best("three").confidence, 0);
+  EXPECT_GT(best("journey").confidence, 0);
+  EXPECT_TRUE(best("the three musketeers").whole);
+}
+
 TEST_F(ValueSearchTest, IsLessSureOfMisspeltWords) {
   const auto match = best("jefery ho");
   EXPECT_EQ(match.set, staff);

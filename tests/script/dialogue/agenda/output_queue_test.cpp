@@ -72,6 +72,31 @@ TEST(OutputQueue, WhatWaitsForWordsHoldsUpTheRest) {
   EXPECT_EQ(texts(queue.release(false).released), (Texts{"first", "second"}));
 }
 
+TEST(OutputQueue, AnAnswerIsGivenOnceInATurn) {
+  OutputQueue queue;
+  const auto answer = [](std::string text, script::TopicId topic,
+                         std::uint64_t turn) {
+    auto output = make(OutputAct::answer, std::move(text));
+    output.topic = topic;
+    output.turn = turn;
+    return output;
+  };
+  for (const auto topic : {0U, 0U, 1U})
+    queue.push(answer("over there", topic, 1));
+  queue.push(answer("over there", script::no_id, 1)); // of a <speak>
+  queue.push(answer("over there", 0, 2));
+  queue.push(answer("somewhere else", 0, 1));
+  EXPECT_EQ(texts(queue.release(false).released),
+            (Texts{"over there", "over there", "over there", "over there",
+                   "somewhere else"}));
+  queue.push(answer("over there", 0, 2));
+  EXPECT_TRUE(queue.release(false).released.empty());
+  EXPECT_TRUE(queue.empty());
+  queue.turn_begins();
+  queue.push(answer("over there", 0, 3));
+  EXPECT_EQ(texts(queue.release(false).released), Texts{"over there"});
+}
+
 TEST(OutputQueue, NoWordsDropAnEntry) {
   OutputQueue queue;
   auto id = queue.push(make(OutputAct::answer, "", OutputState::worded));

@@ -1,7 +1,7 @@
 // What an act says as a value, for the message that carries it to the session.
 #pragma once
 
-#include "adapters/nlu/parse/acts.hpp"
+#include "adapters/nlu/parse/built_act.hpp"
 
 namespace parlour::adapters::nlu {
 

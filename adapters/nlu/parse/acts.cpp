@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "adapters/nlu/parse/asides.hpp"
 #include "adapters/nlu/parse/doubt.hpp"
 
 namespace parlour::adapters::nlu {
@@ -312,11 +313,6 @@ private:
   const Island* lead_in_ = nullptr;
 };
 
-// How much of the words of a further value must be understood: "… and in the
-// bedroom" is more of the same, "… and close the blinds in the bedroom" is
-// something else.
-constexpr double further_value = 0.6;
-
 // How much of each token is understood, from 0 to its weight. An island's
 // coverage is spread evenly over its tokens.
 std::vector<double> coverage(const Chain& chain, std::size_t size) {
@@ -336,28 +332,6 @@ double bonus_of(const BuiltAct& act, const Context& context) {
   const bool asked =
       act.topic == context.asked_topic && find(act.fills, context.asked_slot);
   return context.bonus(act.topic) + (asked ? asked_bonus : 0);
-}
-
-bool is_something_else(const BuiltAct& act, const BuiltAct& before,
-                       const Context& context) {
-  return act.elliptical && act.act != "correct" && act.topic == before.topic &&
-         act.score - bonus_of(act, context) < further_value;
-}
-
-// In "an appointment with Dr. Roth on Wednesday", nobody asks for the visiting
-// hours of Wednesday: a value that another topic would take, unasked, in a
-// clause that says what is wanted.
-bool is_explained(const BuiltAct& act, const std::vector<BuiltAct>& acts,
-                  const Utterance& utterance, const Context& context) {
-  if (!act.is_aside || context.bonus(act.topic) > 0 ||
-      act.topic == context.asked_topic)
-    return false;
-  const auto clause =
-      stretch_of(utterance.tokens, {act.begin, act.end}, Break::comma);
-  return std::ranges::any_of(acts, [&](const BuiltAct& other) {
-    return other.is_declared && other.topic != act.topic &&
-           other.begin < clause.end && clause.begin < other.end;
-  });
 }
 
 // An act is scored on the tokens from its begin to the begin of the next one;
@@ -382,8 +356,8 @@ void set_scores(std::vector<BuiltAct>& acts, const Chain& chain,
     double sum = 0;
     for (auto token = first; token < last; ++token)
       sum += covered[token];
-    acts[at].score = (whole > 0 ? std::min(1.0, sum / whole) : 1.0) +
-                     bonus_of(acts[at], context);
+    acts[at].understood = whole > 0 ? std::min(1.0, sum / whole) : 1.0;
+    acts[at].score = acts[at].understood + bonus_of(acts[at], context);
   }
 }
 
@@ -394,15 +368,10 @@ std::vector<BuiltAct> build_acts(const Chain& chain, const Utterance& utterance,
                                  double threshold) {
   auto acts = ActBuilder(schema, utterance, context).run(chain);
   set_scores(acts, chain, utterance, context);
-  std::vector<BuiltAct> kept;
-  for (const auto& act : acts)
-    // A further value that is mostly not understood is left out rather than
-    // taken for more of the same.
-    if (act.score >= threshold &&
-        !is_explained(act, acts, utterance, context) &&
-        (kept.empty() || !is_something_else(act, kept.back(), context)))
-      kept.push_back(act);
-  return kept;
+  std::erase_if(acts,
+                [&](const BuiltAct& act) { return act.score < threshold; });
+  drop_asides(acts, utterance, context);
+  return acts;
 }
 
 } // namespace parlour::adapters::nlu

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "adapters/nlu/grammar/utterance.hpp"
-#include "adapters/nlu/parse/acts.hpp"
+#include "adapters/nlu/parse/built_act.hpp"
 
 namespace parlour::adapters::nlu {
 

@@ -2,7 +2,7 @@
 // has been asked already.
 #pragma once
 
-#include "adapters/nlu/parse/acts.hpp"
+#include "adapters/nlu/parse/built_act.hpp"
 
 namespace parlour::adapters::nlu {
 

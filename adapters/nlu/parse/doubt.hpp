@@ -6,7 +6,9 @@
 
 #include <vector>
 
-#include "adapters/nlu/parse/acts.hpp"
+#include "adapters/nlu/grammar/utterance.hpp"
+#include "adapters/nlu/parse/built_act.hpp"
+#include "adapters/nlu/parse/chain.hpp"
 
 namespace parlour::adapters::nlu {
 

@@ -149,6 +149,14 @@ Value Whereabouts::status_of(TopicId topic) const {
                                                      : frames_[topic].status);
 }
 
+bool Whereabouts::goes_on(TopicId topic) const {
+  if (confirmations_.is_completing(topic))
+    return true;
+  const auto status = frames_[topic].status;
+  return status == TopicStatus::active || status == TopicStatus::suspended ||
+         status == TopicStatus::resting;
+}
+
 List Whereabouts::unfinished_names() const {
   List names;
   for (auto topic : unfinished())

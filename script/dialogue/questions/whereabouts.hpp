@@ -47,6 +47,9 @@ public:
   // it is still active. Unknown for no_id.
   Value status_of(TopicId topic) const;
 
+  // Neither ended nor untouched.
+  bool goes_on(TopicId topic) const;
+
   void forget() {
     said_ = {};
   }

@@ -79,7 +79,9 @@ void TopicActs::acknowledge(TurnId turn) {
 // A bare yes or no begins no topic. Where nothing is asked, it is acknowledged,
 // as people say "ok" to what they were told. After "What should I change?" it
 // changes nothing, so the topic settles again, which asks for the whole once
-// more (engine rule 5.13). To any other question it is not understood.
+// more (engine rule 5.13). To any other question it is not understood. Who does
+// not want something of a topic that nobody speaks of ("not the wheelchair") is
+// acknowledged, too.
 void TopicActs::find_topic(steps::TopicAct&& step) {
   const auto& act = *step.act;
   if (is_answer(act) && !question_) { // "ok", and nobody had asked
@@ -95,6 +97,10 @@ void TopicActs::find_topic(steps::TopicAct&& step) {
       act.topic.empty() && act.slots.empty() && !act.elliptical;
   if (topic == script::no_id || says_nothing || is_answer(act)) {
     reprompts_.misunderstood(step.turn, act.text);
+    return;
+  }
+  if (act.kind == ActKind::deny && !whereabouts_.goes_on(topic)) {
+    acknowledge(step.turn);
     return;
   }
   repairs_.understood();

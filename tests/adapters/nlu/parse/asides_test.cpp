@@ -1,0 +1,61 @@
+#include <gtest/gtest.h>
+
+#include "adapters/nlu/parse/asides.hpp"
+#include "tests/adapters/nlu/stages.hpp"
+
+namespace parlour::adapters::nlu::test {
+namespace {
+
+constexpr TopicNumber facility = 1;
+constexpr TopicNumber taxi = 2;
+
+// "book a taxi", understood, and "the bank", a mere value.
+std::vector<BuiltAct> acts() {
+  BuiltAct sentence;
+  sentence.act = "inform";
+  sentence.topic = taxi;
+  sentence.is_declared = true;
+  sentence.end = 3;
+  sentence.understood = sentence.score = 1;
+  BuiltAct value;
+  value.act = "request";
+  value.topic = facility;
+  value.elliptical = value.is_aside = true;
+  value.begin = 3;
+  value.end = 5;
+  value.understood = value.score = 1;
+  return {sentence, value};
+}
+
+std::size_t kept(std::vector<BuiltAct> acts,
+                 const std::string& text = "book a taxi the bank",
+                 const std::string& asked = "") {
+  const Stages stages("public <x> = hello;", text, sample_context(asked));
+  drop_asides(acts, stages.utterance, stages.context);
+  return acts.size();
+}
+
+TEST(Asides, AreValuesInAClauseThatWantsSomethingElse) {
+  EXPECT_EQ(kept(acts()), 1U);
+  EXPECT_EQ(kept(acts(), "book a taxi, the bank"), 2U);
+  EXPECT_EQ(kept(acts(), "book a taxi the bank", "Facility"), 2U);
+  auto meant = acts();
+  meant[1].is_aside = false;
+  EXPECT_EQ(kept(meant), 2U);
+  auto vague = acts();
+  vague[0].is_declared = false;
+  EXPECT_EQ(kept(vague), 2U);
+}
+
+TEST(Asides, AreFurtherValuesThatAreMostlyNotUnderstood) {
+  auto further = acts();
+  further[0].topic = facility;
+  EXPECT_EQ(kept(further), 2U);
+  further[1].understood = 0.5;
+  EXPECT_EQ(kept(further), 1U);
+  further[1].act = "correct";
+  EXPECT_EQ(kept(further), 2U);
+}
+
+} // namespace
+} // namespace parlour::adapters::nlu::test

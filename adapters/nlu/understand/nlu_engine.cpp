@@ -266,6 +266,7 @@ NluEngine::build(const UnderstandingModel& model, const ColumnReader& columns,
   add_synonyms(
       options.synonyms,
       [&](auto word) { return schema.values().has_word(word); }, automaton);
+  schema.add_synonyms(options.synonyms);
   return NluEngine(std::unique_ptr<const Implementation>(
       new Implementation{std::move(schema), std::move(automaton),
                          std::move(*learned), options.threshold}));

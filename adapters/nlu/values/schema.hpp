@@ -91,6 +91,10 @@ public:
   // The slots of one topic, or of all for no_topic. For error messages.
   std::vector<std::string> slot_names(TopicNumber topic) const;
 
+  // Other words for those of values; see ValueIndex.
+  void add_synonyms(const std::vector<std::vector<std::string>>& groups) {
+    values_.add_synonyms(groups);
+  }
   const ValueIndex& values() const {
     return values_;
   }

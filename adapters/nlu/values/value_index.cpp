@@ -102,6 +102,26 @@ void ValueIndex::post(std::string_view word, std::uint32_t value,
   postings_[number].push_back({value, mask});
 }
 
+void ValueIndex::add_synonyms(
+    const std::vector<std::vector<std::string>>& groups) {
+  TextMap<std::vector<std::string>> others;
+  for (const auto& group : groups)
+    for (const auto& word : group)
+      if (!is_function_word(word) && !has_word(word))
+        for (const auto& other : group)
+          others[other].push_back(word);
+  for (std::uint32_t value = 0; value < values_.size(); ++value) {
+    const auto& text = values_[value].text;
+    if (text.empty() || text[0] < 'a' || text[0] > 'z')
+      continue;
+    const auto words = value_words(text);
+    for (std::size_t at = 0; at < words.size(); ++at)
+      if (const auto found = others.find(words[at]); found != others.end())
+        for (const auto& other : found->second)
+          synonyms_[other].push_back({value, bit(at)});
+  }
+}
+
 std::vector<ValueMatch> ValueIndex::find(const Tokens& tokens,
                                          const std::vector<bool>& plain) const {
   return ValueSearch(*this, tokens, plain).run();

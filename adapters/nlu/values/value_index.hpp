@@ -46,6 +46,11 @@ public:
   // Adds a set. Equal texts count as one value.
   SetId add(const std::vector<std::string>& values);
 
+  // Other words for words of values, a group a set: where "cup" is one, "mug"
+  // is one, too, but less certain. Only for values written in small letters:
+  // names are said as they are. After all sets.
+  void add_synonyms(const std::vector<std::vector<std::string>>& groups);
+
   // All matches, ordered by their begin. `plain` says for each token whether it
   // has a meaning of its own; such a word is neither a misspelt value nor part
   // of an unknown name.
@@ -96,6 +101,8 @@ private:
   WordIndex words_;
   // The lists, by number of the word.
   std::vector<std::vector<Posting>> postings_;
+  // The lists of words that no value has.
+  TextMap<std::vector<Posting>> synonyms_;
 };
 
 } // namespace parlour::adapters::nlu

@@ -28,6 +28,8 @@ constexpr double single_word = 0.95;
 // Two words written as one must be nearly correct: "jeffery" is not
 // "jefferyho".
 constexpr double joined_similarity = 0.9;
+// "mug" for "cup".
+constexpr float synonym_similarity = 0.93F;
 // How many words may be skipped within a value: "son of", "er".
 constexpr std::size_t most_skipped = 3;
 
@@ -82,6 +84,11 @@ void ValueSearch::add_fits(std::size_t position) {
   const bool misspelt = !plain_[position] && !has_digit(word);
   for (const auto& hit : index_.words_.find(word, misspelt))
     add_hit(position, hit, 1);
+  if (const auto other = index_.synonyms_.find(word);
+      other != index_.synonyms_.end())
+    for (const auto& posting : other->second)
+      fits_[position].push_back(
+          {posting.value, posting.mask, 1, synonym_similarity, false});
   if (is_letter(word) &&
       (position == 0 || !is_letter(tokens_.list[position - 1].word)))
     add_spelt(position);

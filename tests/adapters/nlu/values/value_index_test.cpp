@@ -32,6 +32,27 @@ TEST(ValueIndex, FindsWordsInAnyOrder) {
   EXPECT_EQ(find("nurul huda ahmad"), "Nurul Huda binte Ahmad");
 }
 
+TEST(ValueIndex, FindsOtherWordsForThoseOfSmallLetters) {
+  ValueIndex index;
+  const auto set =
+      index.add({"blue cup", "red cup", "newspaper", "Cup Noodle"});
+  index.add_synonyms({{"cup", "mug"}, {"newspaper", "paper"}, {"to", "red"}});
+  const auto found = [&](const char* text) {
+    const auto tokens = tokenize(text);
+    std::string names;
+    for (const auto& match :
+         index.find(tokens, std::vector<bool>(tokens.list.size(), false)))
+      if (match.confidence < 1)
+        for (const auto value : match.values)
+          names += index.value(set, value) + ";";
+    return names;
+  };
+  EXPECT_EQ(found("the paper"), "newspaper;");
+  EXPECT_EQ(found("mug"), "blue cup;red cup;");
+  EXPECT_EQ(found("to"), "");
+  EXPECT_EQ(found("mugg"), ""); // exactly
+}
+
 TEST(ValueIndex, KeepsCandidates) {
   EXPECT_EQ(find("Hui Min"), "Ho Hui Min|Tan Hui Min");
   EXPECT_EQ(find("Ho"), "Jeffery Ho|Ho Hui Min");

@@ -173,6 +173,12 @@ void Matcher::take_entity(std::size_t position, const Item& item,
   // After a word of the grammar, or where a question asks for it, a value is
   // expected.
   const bool expected = asked || item.words > 0;
+  if (entity == rest_entity) {
+    if (item.words > 0 && item.skipped == 0)
+      for (const auto index : spans_.rest(position))
+        take_span(item, arc, index, true);
+    return;
+  }
   if (entity != words_entity) {
     const auto known = spans_.at(entity, position);
     for (const auto index : known)

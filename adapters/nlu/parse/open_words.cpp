@@ -111,6 +111,8 @@ public:
   bool speak_against(const Island& answer, const Fill& fill) const {
     if (!answer.asked)
       return false;
+    if (is_form_of_rule(fill))
+      return true;
     const TokenRange value{fill.begin, fill.end};
     const auto& first = token_at(utterance_, fill.begin).word;
     if (evades_ && (!is_written_as_name(utterance_, value) ||
@@ -154,11 +156,24 @@ private:
 
   bool is_form_elsewhere(const Fill& fill) const {
     return std::ranges::any_of(islands_, [&](const Island& island) {
-      return std::ranges::any_of(island.fills, [&](const Fill& other) {
-        return other.slot != fill.slot && other.begin <= fill.begin &&
-               other.end >= fill.end && other.span &&
-               is_form(spans_[*other.span].entity);
-      });
+      return has_form(island, fill);
+    });
+  }
+
+  // "Where to?" "At six.": a rule says that it is the time.
+  bool is_form_of_rule(const Fill& fill) const {
+    return std::ranges::any_of(islands_, [&](const Island& island) {
+      return !island.rule->bare && !island.rule->generic &&
+             has_form(island, fill);
+    });
+  }
+
+  // Whether the words of the value are a normal form of another slot.
+  bool has_form(const Island& island, const Fill& fill) const {
+    return std::ranges::any_of(island.fills, [&](const Fill& other) {
+      return other.slot != fill.slot && other.begin <= fill.begin &&
+             other.end >= fill.end && other.span &&
+             is_form(spans_[*other.span].entity);
     });
   }
 

@@ -21,6 +21,12 @@ constexpr float wrong_number_gain = 0.15F;
 // The gain of a verb at the beginning of open words: less than a name's.
 constexpr float deed_gain = 0.2F;
 
+// What a word of the rest of a clause gains: with the words before it, more
+// than a rule that takes the same words for its own, but less than "at noon"
+// behind them.
+constexpr float rest_gain = 0.7F;
+constexpr std::size_t most_rest = 30;
+
 // Open words may begin with a verb that has little meaning by itself: "remind
 // me to take out the bin".
 bool is_deed(const Tokens& tokens, std::size_t position) {
@@ -29,6 +35,19 @@ bool is_deed(const Tokens& tokens, std::size_t position) {
       "give", "say",  "tell", "look", "show", "help"};
   return position > 0 && tokens.list[position - 1].word == "to" &&
          std::ranges::find(verbs, tokens.list[position].word) != verbs.end();
+}
+
+// "one of those", "this one", "I've got one": no number.
+bool is_pronoun(const Tokens& tokens, std::size_t position) {
+  static constexpr std::array<std::string_view, 9> before{
+      "this",  "that", "which", "another", "other",
+      "got",   "buy",  "new",   "any"};
+  const auto& list = tokens.list;
+  if (list[position].word != "one")
+    return false;
+  return (position + 1 < list.size() && list[position + 1].word == "of") ||
+         (position > 0 &&
+          std::ranges::find(before, list[position - 1].word) != before.end());
 }
 
 bool is_number_like(const Tokens& tokens, std::size_t position) {
@@ -60,7 +79,8 @@ void Spans::add_forms(const std::vector<EntityId>& entities, Now now) {
         continue;
       auto found =
           form_at(static_cast<Form>(entity), utterance_.tokens, at, now);
-      if (!found || found->length == 0)
+      if (!found || found->length == 0 ||
+          (found->length == 1 && is_pronoun(utterance_.tokens, at)))
         continue;
       Span span{entity, at,    at, at, std::move(found->value), {}, 1,
                 false,  false, 0,  0};
@@ -240,6 +260,29 @@ std::vector<std::uint32_t> Spans::open(EntityId entity, std::size_t position,
                       of_set,
                       gain,
                       static_cast<float>(weight * (of_set ? 0.7 : 0.9))});
+  }
+  opened_.push_back(made);
+  return made.spans;
+}
+
+std::vector<std::uint32_t> Spans::rest(std::size_t position) {
+  for (const auto& opened : opened_)
+    if (opened.entity == rest_entity && opened.position == position)
+      return opened.spans;
+  Opened made{rest_entity, position, most_rest, {}};
+  const auto size = std::min(utterance_.size(), position + most_rest);
+  for (auto at = position; at < size; ++at) {
+    if (at > position && utterance_.tokens.list[at].before != Break::none)
+      break;
+    const auto begin = static_cast<std::uint32_t>(position);
+    Span span{rest_entity, begin, static_cast<std::uint32_t>(at + 1),
+              begin,       {},    {},
+              1,           false, false,
+              0,           0};
+    span.gain = rest_gain * static_cast<float>(at + 1 - position);
+    span.covered = static_cast<float>(utterance_.weight_of(position, at + 1));
+    made.spans.push_back(static_cast<std::uint32_t>(spans_.size()));
+    spans_.push_back(std::move(span));
   }
   opened_.push_back(made);
   return made.spans;

@@ -51,6 +51,9 @@ public:
   std::vector<std::uint32_t> open(EntityId entity, std::size_t position,
                                   std::size_t most);
 
+  // The words from `position` on, whatever they mean: up to each word of the
+  // clause, but no more than a sentence has.
+  std::vector<std::uint32_t> rest(std::size_t position);
   const Span& operator[](std::uint32_t index) const {
     return spans_[index];
   }

@@ -20,6 +20,8 @@ std::optional<EntityId> named_entity(std::string_view name) {
     return words_entity;
   if (name == "asked")
     return asked_entity;
+  if (name == "rest")
+    return rest_entity;
   return {};
 }
 

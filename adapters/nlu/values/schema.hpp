@@ -19,19 +19,21 @@ namespace parlour::adapters::nlu {
 using TopicNumber = std::uint32_t;
 inline constexpr TopicNumber no_topic = 0xFFFFFFFF;
 
-// What may stand at a place in a grammar: a normal form, any words (`@words`),
-// the value that the context asks for (`@asked`), or a value of a set. One
+// What may stand at a place in a grammar: a normal form, any words (`@words`,
+// `@rest`), the value that the context asks for (`@asked`), or a value of a set. One
 // number covers all of them, so that an arc of the automaton needs only one
 // field:
 //
 //  0 …                  the normal forms, as in enum Form
 //  words_entity         any words
 //  asked_entity         what the last question wants
+//  rest_entity          all words up to the end of the clause
 //  first_set_entity …   the sets of values, by SetId
 using EntityId = std::uint32_t;
 inline constexpr EntityId words_entity = form_count;
 inline constexpr EntityId asked_entity = form_count + 1;
-inline constexpr EntityId first_set_entity = form_count + 2;
+inline constexpr EntityId rest_entity = form_count + 2;
+inline constexpr EntityId first_set_entity = form_count + 3;
 
 inline bool is_form(EntityId entity) {
   return entity < form_count;

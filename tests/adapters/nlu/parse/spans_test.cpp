@@ -41,6 +41,13 @@ TEST(Spans, AreWhereValuesStand) {
   EXPECT_EQ(known("Facility.Category", "a food court", 1), Lines{"food court"});
 }
 
+TEST(Spans, TakeNoPronounForANumber) {
+  EXPECT_EQ(known("level", "on level one", 1), Lines{"level one"});
+  EXPECT_EQ(known("level", "one", 0), Lines{"one"});
+  EXPECT_EQ(known("level", "one of those", 0), Lines());
+  EXPECT_EQ(known("level", "I have got one", 3), Lines());
+}
+
 TEST(Spans, CountTitlesAndDeterminersIn) {
   EXPECT_EQ(known("db:staff.name", "meet Dr. Jeffery Ho", 1),
             Lines{"Dr. Jeffery Ho (Jeffery Ho)"});
@@ -67,6 +74,13 @@ TEST(Spans, OfOpenWordsEndWhereTheyMust) {
   EXPECT_EQ(open("words", "to Bedok", 0), Lines());
   EXPECT_EQ(open("words", "the Fullerton", 0),
             Lines{"the Fullerton (Fullerton)"});
+}
+
+TEST(Spans, OfTheRestGoUpToTheEndOfTheClause) {
+  Stages stages(grammar, "remind me to find the food court, please");
+  EXPECT_EQ(texts(stages, stages.spans.rest(3)),
+            (Lines{"find", "find the", "find the food", "find the food court"}));
+  EXPECT_EQ(texts(stages, stages.spans.rest(7)), Lines{"please"});
 }
 
 TEST(Spans, OfWordsThatASetDoesNotHave) {

@@ -66,6 +66,8 @@ INSTANTIATE_TEST_SUITE_P(
                          "~correct Appointment Host=Margaret Sim"},
                     Turn{"Appointment.Visitor", "I'm Anouk, Windmolen Energy",
                          "inform Appointment Visitor=Anouk"},
+                    Turn{"Taxi.Destination", "at six",
+                         "inform Taxi Time=18:00"},
                     Turn{"Taxi.Time", "not Zorkville, book a taxi to Bedok",
                          "correct Taxi Destination=Bedok"},
                     Turn{"", "Bank, please?",
@@ -207,6 +209,26 @@ INSTANTIATE_TEST_SUITE_P(
         Turn{"", "\xff\xfe\xc3\x28", ""},
         Turn{"", "qwerty uiop asdf ghjk on the second floor zxcv bnm lkjh poiu",
              ""}));
+
+// Words within a text that is to be kept as it is mean nothing else.
+TEST(NluEngine, TakesTheRestAsItWasSaid) {
+  auto model = sample_model();
+  model.grammars.push_back(
+      {"notes",
+       "public <note> = remind me to @rest {Destination} [at @time {Time}] "
+       "{topic=Taxi};",
+       {}});
+  const auto built = NluEngine::build(model, sample_column, {});
+  ASSERT_TRUE(built);
+  const auto said = [&](const char* text) {
+    return summary(built->understand(text).acts);
+  };
+  EXPECT_EQ(said("remind me to book a taxi to Bedok"),
+            "inform Taxi Destination=book a taxi to Bedok");
+  EXPECT_EQ(said("remind me to meet Jeffery Ho at ten, please"),
+            "inform Taxi Destination=meet Jeffery Ho Time=10:00");
+  EXPECT_EQ(said("is there a bank"), "request Facility Category=bank");
+}
 
 TEST(NluEngine, LeavesTheTopicOpenWhereOnlyTheSlotIsClear) {
   EXPECT_EQ(understood({"", "10:30", ""}), "~inform Time=10:30");

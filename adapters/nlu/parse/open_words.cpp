@@ -211,6 +211,10 @@ double certainty_of_words(const Utterance& utterance, const OpenWords& words) {
   return says_more(utterance, words.explained) ? not_believed : in_doubt;
 }
 
+bool may_be_value(const Utterance& utterance, TokenRange value) {
+  return certainty_of_words(utterance, {value, value, false}) >= in_doubt;
+}
+
 void drop_implausible(std::vector<Island>& islands, const Utterance& utterance,
                       const Spans& spans) {
   const Surroundings surroundings(islands, utterance, spans);

@@ -26,6 +26,10 @@ struct OpenWords {
 // is ("I am …"), if the word does not look like a name.
 double certainty_of_words(const Utterance& utterance, const OpenWords& words);
 
+// Whether the words of a sentence may be a value at all: in "I am seeing",
+// nobody is called so.
+bool may_be_value(const Utterance& utterance, TokenRange value);
+
 // "T H I J S": several letters, one by one.
 bool is_spelt(const Tokens& tokens, TokenRange range);
 // Such letters as a word: "Thijs".

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "adapters/nlu/parse/open_words.hpp"
 #include "adapters/nlu/text/negation.hpp"
 
 namespace parlour::adapters::nlu {
@@ -58,7 +59,8 @@ private:
     if (slot->entity != words_entity) {
       if (const auto span = span_of(slot->entity, hypothesis))
         add(slot->name, *span);
-    } else if (!is_value_of_another(hypothesis)) {
+    } else if (!is_value_of_another(hypothesis) &&
+               may_be_value(utterance_, {hypothesis.begin, hypothesis.end})) {
       add({slot->name, topic_, {}, {}, hypothesis.begin, hypothesis.end});
     }
   }

@@ -138,5 +138,6 @@ insert into house_rule (thing, answer) values
   ('requests', 'Tell the counter which book you miss. We buy many of those that readers ask for.'),
   ('returning', 'Put it into the slot beside the entrance, day and night. You need no card for that.'),
   ('new card', 'A new card costs five euros. It is made at the counter while you wait.'),
+  ('card number', 'It has five digits. You find it on the back of your card and in every letter from us.'),
   ('blocked card', 'A card is blocked when it was reported as lost, or when something is more than three weeks late. The counter sets it free.'),
   ('damage', 'Please bring it to the counter and do not mend it yourself. Small damage costs nothing.');

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <span>
 
 #include "adapters/nlu/text/words.hpp"
 
@@ -170,6 +171,18 @@ bool is_certain(const Span& span) {
   return !span.unmatched && span.confidence >= certain;
 }
 
+// With a capital letter, or where the writer uses none.
+bool is_written_as_name(const Utterance& utterance, const Fill& fill) {
+  const auto is_capital = [&](const Token& token) {
+    const char letter = utterance.text[token.begin];
+    return letter >= 'A' && letter <= 'Z' && token.word != "i";
+  };
+  const std::span tokens(utterance.tokens.list);
+  return std::ranges::any_of(tokens.subspan(fill.begin, fill.end - fill.begin),
+                             is_capital) ||
+         std::ranges::none_of(tokens, is_capital);
+}
+
 bool is_guess(const Span& span) {
   return !span.unmatched && span.confidence < guessed;
 }
@@ -243,18 +256,33 @@ void leave_out_strangers(std::vector<Island>& islands,
         return true;
     return false;
   };
+  // "with clients": of another topic than what is wanted, and written as no
+  // name is.
+  const auto is_no_name = [&](const Fill& fill) {
+    return is_stranger(fill) && !is_written_as_name(utterance, fill);
+  };
+  const auto is_foreign = [&](const Island& island, const Island& other) {
+    return !other.rule->bare && !other.act.empty() &&
+           (other.end <= island.begin || island.end <= other.begin) &&
+           std::ranges::find_first_of(island.topics, other.topics) ==
+               island.topics.end();
+  };
   std::vector<const Island*> better;
   for (const auto& island : islands)
     if (is_better(island))
       better.push_back(&island);
   std::vector<Island> kept;
-  for (const auto& island : islands)
-    if (island.fills.empty() || !island.act.empty() ||
-        !std::ranges::all_of(island.fills, is_stranger) ||
-        std::ranges::none_of(better, [&](const Island* other) {
-          return is_apart(island, *other);
+  for (const auto& island : islands) {
+    const bool strange =
+        !island.fills.empty() && std::ranges::all_of(island.fills, is_stranger);
+    const bool nameless =
+        strange && std::ranges::all_of(island.fills, is_no_name);
+    if (!strange || std::ranges::none_of(better, [&](const Island* other) {
+          return (island.act.empty() && is_apart(island, *other)) ||
+                 (nameless && is_foreign(island, *other));
         }))
       kept.push_back(island);
+  }
   islands = std::move(kept);
 }
 

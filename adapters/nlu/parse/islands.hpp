@@ -71,7 +71,8 @@ void leave_out_guesses(std::vector<Island>& islands, const Spans& spans,
 
 // Takes out what only names something unknown, without saying what is wanted of
 // it, where another clause names what is known: in "to the study, it's on the
-// way", nobody asks for a way.
+// way", nobody asks for a way. Nor for a person in "where can I have a drink
+// with clients": what is written as no name is, beside another topic's rule.
 void leave_out_strangers(std::vector<Island>& islands,
                          const Utterance& utterance, const Spans& spans);
 

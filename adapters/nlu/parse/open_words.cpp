@@ -155,9 +155,8 @@ private:
   }
 
   bool is_form_elsewhere(const Fill& fill) const {
-    return std::ranges::any_of(islands_, [&](const Island& island) {
-      return has_form(island, fill);
-    });
+    return std::ranges::any_of(
+        islands_, [&](const Island& island) { return has_form(island, fill); });
   }
 
   // "Where to?" "At six.": a rule says that it is the time.

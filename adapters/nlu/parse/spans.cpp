@@ -40,8 +40,7 @@ bool is_deed(const Tokens& tokens, std::size_t position) {
 // "one of those", "this one", "I've got one": no number.
 bool is_pronoun(const Tokens& tokens, std::size_t position) {
   static constexpr std::array<std::string_view, 9> before{
-      "this",  "that", "which", "another", "other",
-      "got",   "buy",  "new",   "any"};
+      "this", "that", "which", "another", "other", "got", "buy", "new", "any"};
   const auto& list = tokens.list;
   if (list[position].word != "one")
     return false;
